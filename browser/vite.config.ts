@@ -15,6 +15,9 @@ export default defineConfig({
     chunkSizeWarningLimit: 1024, // three.js, fetched only when a workcell is looked at
   },
   // the program lets in its own page only; the cookie comes from opening its printed address first
-  server: { host: '127.0.0.1', proxy: { '/ws': { target: program, ws: true, changeOrigin: true, rewriteWsOrigin: true } } },
+  server: {
+    host: '127.0.0.1',
+    proxy: { '/ws': { target: program, ws: true, changeOrigin: true, rewriteWsOrigin: true } },
+  },
   test: { include: ['test/**/*.test.ts'], environment: 'node', passWithNoTests: true },
 })

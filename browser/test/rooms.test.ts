@@ -20,7 +20,7 @@ const FLOORS: readonly (readonly string[])[] = [
   ['texts'],
   ['state', 'geom'],
 ]
-const TOP = ['App.svelte', 'main.ts']
+const TOP = ['App.svelte', 'dialogs.ts', 'main.ts']
 const GROUND = ['api.gen.ts', 'theme.css']
 const LARGEST = 38
 
@@ -32,7 +32,9 @@ const roomOf = (path: string): string => (path.includes(sep) ? path.slice(0, pat
 /** What a file imports, as paths below src without endings; also types, and what is fetched later. */
 function importsOf(path: string): string[] {
   const text = readFileSync(join(SOURCES, path), 'utf8')
-  const specifiers = [...text.matchAll(/(?:\bfrom|\bimport|\bimport\()\s*'(\.{1,2}\/[^']+)'/g)].map((match) => match[1]!)
+  const specifiers = [...text.matchAll(/(?:\bfrom|\bimport|\bimport\()\s*'(\.{1,2}\/[^']+)'/g)].map(
+    (match) => match[1]!,
+  )
   return specifiers.map((specifier) => normalize(join(dirname(path), specifier)))
 }
 
@@ -56,7 +58,11 @@ test('a folder holds folders or files of the page, and beside the folders stand 
 test.each([...floorOf.keys()])('%s imports rooms below it only', (room) => {
   const upwards = files
     .filter((path) => roomOf(path) === room)
-    .flatMap((path) => importsOf(path).filter((target) => !isAllowed(path, target)).map((target) => `${path} imports ${target}`))
+    .flatMap((path) =>
+      importsOf(path)
+        .filter((target) => !isAllowed(path, target))
+        .map((target) => `${path} imports ${target}`),
+    )
   expect(upwards).toEqual([])
 })
 

@@ -58,7 +58,7 @@ def more_targets(names: st.SearchStrategy[str]) -> st.SearchStrategy[tuple[str, 
 
 
 descriptions = st.just(()) | st.dictionaries(st.sampled_from(["es", "de", "pt-BR"]), some_prose, max_size=2).map(
-    lambda found: tuple(found.items())
+    lambda result: tuple(result.items())
 )
 """In other languages; seldom any."""
 relations = st.sampled_from(["==", "!=", "<", ">", "<=", ">="])
@@ -125,15 +125,15 @@ groupless = st.builds(
 @st.composite
 def configurations(draw: st.DrawFn) -> Configuration:
     """Groups now and then: what 1.3 can say is drawn as often."""
-    found = draw(groupless)
-    tasks = [one.task for one in found.placed]
+    result = draw(groupless)
+    tasks = [item.task for item in result.placed]
     if not tasks or draw(st.booleans()):
-        return found
+        return result
     chosen = draw(st.permutations(tasks))
     cuts = sorted(draw(st.sets(st.integers(1, len(chosen)), min_size=1)))
     named = draw(st.lists(names, min_size=len(cuts), max_size=len(cuts), unique=True))
     parts = [tuple(chosen[start:end]) for start, end in zip([0, *cuts], cuts, strict=False)]
-    return replace(found, groups=tuple(map(Group, named, parts)))
+    return replace(result, groups=tuple(map(Group, named, parts)))
 
 
 def element(kind: ValueType) -> st.SearchStrategy[Any]:
@@ -178,9 +178,11 @@ def _without_twin_holes(steps: list[Any]) -> AppFlow:
 
 @st.composite
 def branches(draw: st.DrawFn, inner: st.SearchStrategy[AppFlow]) -> Branch:
-    found = draw(st.lists(inner, min_size=1, max_size=3))
-    chosen = draw(st.lists(conditions, min_size=len(found) - 1, max_size=len(found) - 1)) if draw(st.booleans()) else []
-    return Branch(tuple(found), tuple(chosen))
+    result = draw(st.lists(inner, min_size=1, max_size=3))
+    chosen = (
+        draw(st.lists(conditions, min_size=len(result) - 1, max_size=len(result) - 1)) if draw(st.booleans()) else []
+    )
+    return Branch(tuple(result), tuple(chosen))
 
 
 def _flows(steps: st.SearchStrategy[Any]) -> st.SearchStrategy[AppFlow]:

@@ -42,7 +42,7 @@ def flows(text: str) -> list[str]:
     ]
 
 
-def found(text: str) -> list[str]:
+def result(text: str) -> list[str]:
     _, faults = read(text, "work", "work.appl", SYNTAX)
     return [f"{fault.place.line}: {expected_by(fault)} / {found_by(fault)}" for fault in faults]
 
@@ -76,7 +76,7 @@ def test_comments_of_the_former_text_are_kept() -> None:
 def test_start_and_end_icons_are_accepted_and_left_out() -> None:
     text = application(icon("s", "Application start"), icon("grip", "Complete job"), icon("e", "Application end"))
     assert flows(text) == ["grip"]  # reading 46
-    assert found(text) == []
+    assert result(text) == []
 
 
 def test_adjacent_holes_are_one() -> None:
@@ -117,7 +117,7 @@ def test_the_marks_of_a_target_belong_to_its_job() -> None:
 
 def test_two_tags_on_one_action_are_a_fault() -> None:
     parts = [icon("move", "Joint job", "SYNCHTAG a\n"), icon("home", "Joint object", "SYNCHTAG b\n")]
-    assert [fault.split(": ", 1)[1] for fault in found(application(*parts))] == [
+    assert [fault.split(": ", 1)[1] for fault in result(application(*parts))] == [
         "one synch tag for a job and its target / a and b"
     ]
 
@@ -143,16 +143,16 @@ def test_an_older_file_may_lack_type_and_markers() -> None:
 )
 def test_what_is_wrong_is_named_with_its_line(old: str, new: str, expected: str) -> None:
     text = TEXT.replace(old, new, 1)  # R-B07
-    assert expected in found(text)
+    assert expected in result(text)
     assert read(text, "work", "f", SYNTAX)[0] is None
 
 
 def test_an_application_without_flows_is_a_fault() -> None:
-    assert found("VERSION 1.3\nAPPLTYPE parallel\nEOF") == ["3: at least one FLOW / none"]
+    assert result("VERSION 1.3\nAPPLTYPE parallel\nEOF") == ["3: at least one FLOW / none"]
 
 
 def test_the_last_flow_must_end() -> None:
-    assert "ENDFLOW / the end of the application" in found(application("ICONHOLE").replace("ENDFLOW\n", ""))[0]
+    assert "ENDFLOW / the end of the application" in result(application("ICONHOLE").replace("ENDFLOW\n", ""))[0]
 
 
 def test_a_file_is_of_version_2_0_only_where_1_3_has_no_words_for_it() -> None:
@@ -234,14 +234,14 @@ def test_branches_too_deep_for_anybody_are_not_opened(branches: int, is_there: b
 def test_two_targets_of_unknown_type_beside_each_other_are_both_kept() -> None:  # R-D16
     strange = icon("odd", "Complete job").replace("Complete job", "Odd object")
     text = application(icon("grip", "Complete job"), strange, strange)
-    found, _ = read(text, "work", "f", SYNTAX)
-    assert found is not None
-    assert write(found).count("Odd object") == 2
+    result, _ = read(text, "work", "f", SYNTAX)
+    assert result is not None
+    assert write(result).count("Odd object") == 2
 
 
 def test_the_version_says_what_kept_lines_need() -> None:  # R-B09
     strange = icon("odd", "Complete job", "").replace("Complete job", "Odd object")
     text = application(icon("grip", "Complete job"), strange.replace("ONIKON", "MARKERIF LAMP == 1\nONIKON"))
-    found, faults = read(text.replace("VERSION 1.3", "VERSION 2.0"), "work", "f", SYNTAX)
-    assert found is not None, faults
-    assert write(found).startswith("VERSION     2.0")
+    result, faults = read(text.replace("VERSION 1.3", "VERSION 2.0"), "work", "f", SYNTAX)
+    assert result is not None, faults
+    assert write(result).startswith("VERSION     2.0")

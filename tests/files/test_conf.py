@@ -40,7 +40,7 @@ CONFIGURATION = Configuration(
 )
 
 
-def found(text: str) -> list[str]:
+def result(text: str) -> list[str]:
     _, faults = read(text, "move", "move.conf")
     return [f"{fault.place.line}: {expected_by(fault)} / {found_by(fault)}" for fault in faults]
 
@@ -82,7 +82,7 @@ def test_a_configuration_may_be_empty() -> None:
     ],
 )
 def test_what_is_wrong_is_named_with_its_line(old: str, new: str, expected: str) -> None:
-    assert expected in found(TEXT.replace(old, new, 1))  # R-B07
+    assert expected in result(TEXT.replace(old, new, 1))  # R-B07
     assert read(TEXT.replace(old, new, 1), "move", "f")[0] is None
 
 
@@ -112,10 +112,10 @@ def test_supermodules_stand_behind_the_loci_under_the_newer_version() -> None:
 )
 def test_what_is_wrong_with_a_supermodule_is_named_with_its_line(line: str, expected: str) -> None:
     text = TEXT.replace("1.3", "2.0", 1).replace("EOF", f"{line}\nEOF")
-    assert expected in found(text)  # R-C17, R-B07
+    assert expected in result(text)  # R-C17, R-B07
     assert read(text, "move", "f")[0] is None
 
 
 def test_a_supermodule_in_a_file_of_the_thesis_is_told_with_the_version_it_needs() -> None:
-    (fault,) = found(GROUPED.replace("2.0", "1.3", 1))  # R-B09
+    (fault,) = result(GROUPED.replace("2.0", "1.3", 1))  # R-B09
     assert fault == "25: VERSION 2.0 for a line GROUP / 'GROUP arm logger jmove'"

@@ -86,14 +86,14 @@ def test_what_does_not_close_is_named_with_its_line(lines: tuple[str, ...], expe
 )
 def test_each_flow_of_a_branch_but_the_last_has_a_condition_or_none_has(heads: tuple[str, ...], line: int) -> None:
     inner = [text for head in heads for text in (f"FLOW {head}".strip(), "ENDFLOW")]
-    _, found = read(words("FLOW", "BRANCH", *inner, "ENDBRANCH", "ENDFLOW"))
+    _, result = read(words("FLOW", "BRANCH", *inner, "ENDBRANCH", "ENDFLOW"))
     wanted = "a condition after each FLOW of a branch but the last, or after none"
-    assert found[0].startswith(f"{line}: {wanted} / ")
+    assert result[0].startswith(f"{line}: {wanted} / ")
 
 
 def test_a_wrong_condition_is_named() -> None:
-    _, found = read(words("FLOW", "BRANCH", "FLOW lamp", "ENDFLOW", "FLOW", "ENDFLOW", "ENDBRANCH", "ENDFLOW"))
-    assert found == ["4: a condition such as LAMP == 1 after FLOW / 'FLOW lamp'"]
+    _, result = read(words("FLOW", "BRANCH", "FLOW lamp", "ENDFLOW", "FLOW", "ENDFLOW", "ENDBRANCH", "ENDFLOW"))
+    assert result == ["4: a condition such as LAMP == 1 after FLOW / 'FLOW lamp'"]
 
 
 def test_an_older_file_has_no_branches() -> None:
@@ -109,8 +109,8 @@ def nested(depth: int) -> str:
 
 
 def test_branches_stand_within_each_other_a_hundred_times_at_most() -> None:
-    (flow,), found = read(nested(DEEPEST))
-    assert found == []
+    (flow,), result = read(nested(DEEPEST))
+    assert result == []
     assert read(write_flow(flow)) == ((flow,), [])
     assert read(nested(DEEPEST + 5000))[1] == [f"{2 * DEEPEST + 3}: at most 100 branches within each other / one more"]
 
@@ -121,11 +121,11 @@ def test_marks_of_targets_in_branches_go_to_their_jobs() -> None:
     )
     text = write_flow(AppFlow((Branch((AppFlow((move, home)),)),)))
     at = text.rindex("MARKER      no")
-    (flow,), found = read(text[:at] + "MARKER yes" + text[at + 14 :])
-    assert found == []  # reading 24
+    (flow,), result = read(text[:at] + "MARKER yes" + text[at + 14 :])
+    assert result == []  # reading 24
     (step,) = flow.steps
     assert isinstance(step, Branch)
-    assert [isinstance(one, Icon) and one.marker for one in step.flows[0].steps] == [True, False]
+    assert [isinstance(step, Icon) and step.marker for step in step.flows[0].steps] == [True, False]
 
 
 def test_the_depth_of_flows_is_that_of_their_branches() -> None:

@@ -27,9 +27,9 @@ KEPT = KeptRun(
 TEXT = write(KEPT)
 
 
-def told(text):
-    found, faults = read(text, "t", "t.test")
-    assert found is None
+def sentences(text):
+    result, faults = read(text, "t", "t.test")
+    assert result is None
     return [f"{fault.place.line}: {expected_by(fault)} / {found_by(fault)}" for fault in faults]
 
 
@@ -50,9 +50,9 @@ def test_comments_of_the_former_text_stay():  # R-B01, R-X07
 
 def test_units_and_tolerances_may_be_left_out_and_written_as_people_do():  # R-X07
     text = TEXT.replace("0.112 m +- 0.002", "0.112 m ± 0.002").replace("2.3 s +- 0.05", "2.3")
-    found, faults = read(text, "t", "t.test")
+    result, faults = read(text, "t", "t.test")
     assert faults == ()
-    first = found.flows[0].actions[0]
+    first = result.flows[0].actions[0]
     assert (first.lasts_s, first.within_s, first.after[1]) == (2.3, 0.0, DEMANDS[1])
 
 
@@ -78,16 +78,16 @@ def test_units_and_tolerances_may_be_left_out_and_written_as_people_do():  # R-X
 )
 def test_what_is_wrong_is_named_with_its_line(old, new, expected):  # R-B07, R-X07
     assert old in TEXT
-    assert any(expected in one for one in told(TEXT.replace(old, new, 1)))
+    assert any(expected in item for item in sentences(TEXT.replace(old, new, 1)))
 
 
 def test_a_text_without_a_flow_or_its_end_is_no_test():  # R-B07
-    assert any("at least one FLOW" in one for one in told("VERSION 2.0\nAPPLICATION a\nEOF\n"))
-    assert any("END of the last flow" in one for one in told("VERSION 2.0\nAPPLICATION a\nFLOW flow0\nEOF\n"))
+    assert any("at least one FLOW" in item for item in sentences("VERSION 2.0\nAPPLICATION a\nEOF\n"))
+    assert any("END of the last flow" in item for item in sentences("VERSION 2.0\nAPPLICATION a\nFLOW flow0\nEOF\n"))
 
 
 @given(st.text(max_size=200))
 def test_no_text_is_too_strange_to_be_read(text):  # R-B07
-    found, faults = read(text, "t", "t.test")
-    assert found is None
+    result, faults = read(text, "t", "t.test")
+    assert result is None
     assert faults

@@ -36,8 +36,8 @@ def test_a_text_without_comments_is_replaced_as_it_is() -> None:
 
 def test_the_line_ends_of_windows_stay_in_every_line() -> None:  # R-B01
     assert carry_comments("A 1\r\nB 2\r\nEOF\r\n", "A 1\nB 9\nEOF\n") == "A 1\r\nB 9\r\nEOF\r\n"
-    told = OLD.replace("\n", "\r\n")
-    assert carry_comments(told, "A 1\nB 9\nX 1\nC 3\nEOF\n") == told.replace("B 2", "B 9\r\nX 1")
+    sentences = OLD.replace("\n", "\r\n")
+    assert carry_comments(sentences, "A 1\nB 9\nX 1\nC 3\nEOF\n") == sentences.replace("B 2", "B 9\r\nX 1")
 
 
 def test_where_nothing_is_alike_the_comments_stay() -> None:

@@ -31,7 +31,7 @@ def opened(text: str, versioned: bool = False) -> TextReading:
     return reading
 
 
-def found(reading: TextReading) -> list[str]:
+def result(reading: TextReading) -> list[str]:
     return [f"{fault.place.line}: {expected_by(fault)} / {found_by(fault)}" for fault in reading.faults]
 
 
@@ -39,7 +39,7 @@ def arranged(text: str, is_old: bool = False) -> list[str]:
     reading = opened(text + "\nEOF")
     reading.is_old = is_old
     reading.arrange(reading.lines, SLOTS)
-    return found(reading)
+    return result(reading)
 
 
 def test_comments_and_blank_lines_are_no_lines_and_blanks_count_as_one() -> None:
@@ -47,7 +47,7 @@ def test_comments_and_blank_lines_are_no_lines_and_blanks_count_as_one() -> None
     assert reading.lines == [FileLine(3, "A", "1  2"), FileLine(5, "B", "")]
     assert reading.lines[0].words == ("1", "2")
     assert reading.lines[0].text == "1 2"
-    assert found(reading) == []
+    assert result(reading) == []
 
 
 def test_a_sign_within_a_line_begins_no_comment() -> None:
@@ -56,21 +56,21 @@ def test_a_sign_within_a_line_begins_no_comment() -> None:
 
 def test_a_file_without_eof_is_truncated() -> None:
     reading = opened("A 1\nB 2\n")  # R-B07
-    assert found(reading) == ["2: EOF as the last line / the end of the file after 'B 2'"]
+    assert result(reading) == ["2: EOF as the last line / the end of the file after 'B 2'"]
     assert reading.broken
 
 
 def test_an_empty_file_is_a_fault() -> None:
-    assert found(opened("")) == ["0: lines with keywords and EOF / an empty file"]
-    assert found(opened("\n# only this\n")) == ["0: lines with keywords and EOF / an empty file"]
+    assert result(opened("")) == ["0: lines with keywords and EOF / an empty file"]
+    assert result(opened("\n# only this\n")) == ["0: lines with keywords and EOF / an empty file"]
 
 
 def test_nothing_may_follow_eof() -> None:
-    assert found(opened("EOF x\nA 1\n")) == ["1: EOF alone on its line / 'EOF x'", "2: nothing after EOF / 'A 1'"]
+    assert result(opened("EOF x\nA 1\n")) == ["1: EOF alone on its line / 'EOF x'", "2: nothing after EOF / 'A 1'"]
 
 
 def test_a_nul_byte_is_named_with_its_line() -> None:
-    assert found(opened("A 1\nB \x002\nEOF")) == ["2: printable text / 'B \\x002'"]  # R-B07
+    assert result(opened("A 1\nB \x002\nEOF")) == ["2: printable text / 'B \\x002'"]  # R-B07
 
 
 def test_a_fault_prints_as_the_requirement_says() -> None:
@@ -135,14 +135,14 @@ def test_an_older_file_may_lack_lines() -> None:
 )
 def test_files_of_older_versions_are_known(version: str | None, is_old: bool) -> None:
     reading = opened(f"VERSION {version}\nEOF" if version else "A\nEOF", versioned=True)  # R-B06
-    assert (reading.is_old, reading.is_over, found(reading)) == (is_old, False, [])
+    assert (reading.is_old, reading.is_over, result(reading)) == (is_old, False, [])
 
 
 @pytest.mark.parametrize("version", ["1.4", "1.3.1", "2", "10.0"])
 def test_a_newer_file_is_refused_with_one_fault(version: str) -> None:
     reading = opened(f"VERSION {version}\nNEW\x00 \n", versioned=True)  # R-B06
     assert reading.is_over
-    assert found(reading) == [f"1: a file of version 1.3 or older / version {version}, which is newer"]
+    assert result(reading) == [f"1: a file of version 1.3 or older / version {version}, which is newer"]
 
 
 @pytest.mark.parametrize("version", ["", "new", "1.3x", "-1", "1..3", "1 3"])
@@ -163,7 +163,7 @@ def test_the_words_of_a_line_are_checked_and_a_default_stands_for_wrong_ones() -
     assert reading.yes(FileLine(6, "Y", "yes"), default=False) is True
     assert reading.yes(FileLine(7, "Y", "Yes"), default=False) is False
     assert reading.word(FileLine(8, "W", "one two"), "a tag", "d") == "d"
-    assert found(reading) == [
+    assert result(reading) == [
         "2: a whole number after N / 'N x'",
         "3: a whole number of at least 0 after N / 'N -1'",
         "4: 2 whole numbers after XY / 'XY 1 2 3'",

@@ -7,7 +7,7 @@ from onika.model.picture import SIZE, blank
 TEXT = write(blank())
 
 
-def found(text: str) -> list[str]:
+def result(text: str) -> list[str]:
     picture, faults = read(text, "start", "OnikaStart.dta")
     assert (picture is None) == any(not fault.is_note for fault in faults)
     return [
@@ -23,7 +23,7 @@ def test_a_picture_file_is_32_lines_of_32_digits() -> None:
 
 def test_a_9_is_read_as_black_with_a_note() -> None:
     text = TEXT.replace("8777", "8977", 1)  # reading 38
-    assert found(text) == ["2: colours from 0 to 8 / a 9 / it is read as black"]
+    assert result(text) == ["2: colours from 0 to 8 / a 9 / it is read as black"]
     picture, _ = read(text, "start", "f")
     assert picture
     assert picture.rows[1].startswith("8877")
@@ -31,14 +31,14 @@ def test_a_9_is_read_as_black_with_a_note() -> None:
 
 def test_a_coloured_border_is_read_as_black_with_one_note() -> None:
     expected = ["2: a black border / another colour on it / the border is read as black"]
-    assert found(TEXT.replace("\n87", "\n07")) == expected  # R-B11
+    assert result(TEXT.replace("\n87", "\n07")) == expected  # R-B11
 
 
 def test_missing_and_wrong_rows_are_faults() -> None:
     stands = "the shipped picture stands for start"
-    assert found("") == [f"0: 32 rows of a picture / 0 / {stands}"]
-    assert found(TEXT + TEXT) == [f"33: 32 rows of a picture / 64 / {stands}"]
-    assert len(found(TEXT.replace("8777", "x777", 3))) == 3
+    assert result("") == [f"0: 32 rows of a picture / 0 / {stands}"]
+    assert result(TEXT + TEXT) == [f"33: 32 rows of a picture / 64 / {stands}"]
+    assert len(result(TEXT.replace("8777", "x777", 3))) == 3
     assert read(TEXT.replace("8777", "x777", 3), "start", "f")[0] is None
 
 

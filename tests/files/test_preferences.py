@@ -9,7 +9,7 @@ from onika.model.preferences import Preferences, Window, WindowCorner
 TEXT = write(Preferences())
 
 
-def found(text: str) -> list[str]:
+def result(text: str) -> list[str]:
     _, faults = read(text, ".onika", ".onika")
     return [f"{expected_by(fault)} / {found_by(fault)}" for fault in faults]
 
@@ -51,13 +51,13 @@ def test_both_spellings_of_the_step_size_are_read() -> None:
 )
 def test_the_default_stands_for_a_wrong_line_and_the_others_count(old: str, new: str, expected: str) -> None:
     text = TEXT.replace(old, new).replace("HITTOL      5", "HITTOL      8")  # R-B07, R-B12
-    assert found(text) == [expected]
+    assert result(text) == [expected]
     assert read(text, ".onika", "f")[0] == replace(Preferences(), hit_tolerance=8)
 
 
 def test_unknown_status_columns_are_named() -> None:
-    assert len(found("STATINFO tid what\nEOF")) == 1
-    assert len(found("STATINFO tid tid\nEOF")) == 1
+    assert len(result("STATINFO tid what\nEOF")) == 1
+    assert len(result("STATINFO tid tid\nEOF")) == 1
 
 
 def test_a_newer_file_gives_the_defaults() -> None:

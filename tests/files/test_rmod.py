@@ -48,7 +48,7 @@ TASK = Task(
 )
 
 
-def found(text: str) -> list[str]:
+def result(text: str) -> list[str]:
     record, faults = read(text, "jmove", "jmove.rmod")
     assert (record is None) == bool(faults)
     assert all(str(fault.instead) == "the task is left out" for fault in faults)
@@ -57,7 +57,7 @@ def found(text: str) -> list[str]:
 
 def changed(old: str, new: str) -> list[str]:
     assert old in TEXT
-    return found(TEXT.replace(old, new, 1))
+    return result(TEXT.replace(old, new, 1))
 
 
 def test_a_task_is_read_as_the_file_says() -> None:
@@ -92,7 +92,7 @@ def test_a_rate_is_rewritten_as_period_when_wanted() -> None:
 
 def test_every_fault_is_named_at_once() -> None:
     text = TEXT.replace("MODULE      ", "MODULE ./").replace("Q_MEZ", "q_mez").replace("FREQ        500", "FREQ -1")
-    assert found(text.replace("EOF\n", "")) == [  # R-B07
+    assert result(text.replace("EOF\n", "")) == [  # R-B07
         "3: the name of a module after MODULE / 'MODULE ./quintic'",
         "10: names of state variables or none after INVAR / 'INVAR q_mez'",
         "14: a number above 0 (Hz) after FREQ / 'FREQ -1'",
@@ -149,7 +149,7 @@ def test_a_parameter_given_twice_is_noted_and_both_lines_stay() -> None:
 
 def test_the_order_of_lines_is_law() -> None:
     text = TEXT.replace("MODULE      quintic\n", "").replace("TASKTYPE", "MODULE quintic\nTASKTYPE")
-    assert found(text) == ["11: MODULE before OUTVAR / 'MODULE quintic' after it"]  # reading 41
+    assert result(text) == ["11: MODULE before OUTVAR / 'MODULE quintic' after it"]  # reading 41
 
 
 def test_a_port_line_may_give_an_aliased_name() -> None:
@@ -167,7 +167,7 @@ def test_aliases_may_exchange_two_names() -> None:
 
 
 def test_a_file_with_nothing_but_eof_is_no_task() -> None:
-    assert found("EOF")[0] == "1: a line MODULE / none"
+    assert result("EOF")[0] == "1: a line MODULE / none"
 
 
 def test_onika_and_local_blocks_may_be_absent() -> None:

@@ -28,9 +28,9 @@ def opened(text: str, version: str = "2.0") -> TextReading:
 
 def again(icon: Icon) -> Icon | Hole | None:
     reading = opened(write_routine(icon))
-    found = read_routine(reading.lines, SYNTAX, reading)
+    routine = read_routine(reading.lines, SYNTAX, reading)
     assert reading.faults == ()
-    return found
+    return routine
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,7 @@ SYNTAX = Syntax(
 TEXT = write(SYNTAX)
 
 
-def found(text: str) -> list[str]:
+def result(text: str) -> list[str]:
     syntax, faults = read(text, "the syntax", "OnikaUpperSetUp.dta")
     assert (syntax is None) == bool(faults)
     return [f"{expected_by(fault)} / {found_by(fault)}" for fault in faults]
@@ -48,12 +48,12 @@ def test_a_syntax_is_read_and_written() -> None:
     ],
 )
 def test_what_is_wrong_is_named(old: str, new: str, expected: str) -> None:
-    assert any(fault.endswith(expected) for fault in found(TEXT.replace(old, new, 1)))  # R-B07
+    assert any(fault.endswith(expected) for fault in result(TEXT.replace(old, new, 1)))  # R-B07
 
 
 def test_types_stand_before_edges() -> None:
     text = TEXT.replace("EOF", "ONIKON x\nLEFTEDGE 0\nRIGHTEDGE 0\nEOF")
-    assert found(text) == ["every ONIKON before the first EDGENUM / 'ONIKON x'"]
+    assert result(text) == ["every ONIKON before the first EDGENUM / 'ONIKON x'"]
 
 
 def test_comments_of_the_former_text_are_kept() -> None:
@@ -66,9 +66,9 @@ def test_a_constant_may_say_how_many_values_there_are_and_a_1_3_file_stays_as_it
     joint = IconType("Joint object", 0, 0, (DataItem("endpoint", ValueType.DOUBLE, 6, "NDOF"),))
     text = write(Syntax((*kinds, joint), (Edge(0, (1, 2, 3), ()),)))
     assert text.startswith("VERSION     2.0\n")
-    known, faults = read(text, "s", "f")
+    existing, faults = read(text, "s", "f")
     assert faults == ()
-    assert [known.find("Joint object").items[0].takes(count) for count in (6, 4, 1, 0)] == [True, True, True, False]
+    assert [existing.find("Joint object").items[0].takes(count) for count in (6, 4, 1, 0)] == [True, True, True, False]
     refused, faults = read(text.replace("2.0", "1.3"), "s", "f")
     assert (refused, [expected_by(fault) for fault in faults]) == (None, ["VERSION 2.0 for a line DIMENSION"])
     plain = DataItem("endpoint", ValueType.DOUBLE, 6)

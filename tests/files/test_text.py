@@ -31,8 +31,8 @@ def test_what_is_no_plain_file_is_a_fault_and_nothing_waits_for_it(tmp_path: Pat
     os.mkfifo(pipe)
     link.symlink_to("/dev/zero")
     loop.symlink_to(loop)
-    found = [found_by(load(path, "here")[1][0]) for path in (pipe, tmp_path, link, loop)]
-    assert found == ["a pipe", "a directory", "a device", "Too many levels of symbolic links"]
+    result = [found_by(load(path, "here")[1][0]) for path in (pipe, tmp_path, link, loop)]
+    assert result == ["a pipe", "a directory", "a device", "Too many levels of symbolic links"]
     with socket.socket(socket.AF_UNIX) as listener:
         listener.bind(str(tmp_path / "s"))
         assert found_by(load(tmp_path / "s", "here")[1][0]) == "a socket"

@@ -24,7 +24,7 @@ def written(path, deeds=DEEDS, head=""):
 def test_what_was_written_is_read_whole(tmp_path):  # R-X12
     head = written(tmp_path / "a")
     trail = read([tmp_path / "a"])
-    assert [one["what"] for one in trail.records] == list(DEEDS)
+    assert [record["what"] for record in trail.records] == list(DEEDS)
     assert (trail.faults, trail.notes, trail.head) == ([], [], head)
 
 
@@ -79,7 +79,7 @@ def test_a_chain_goes_on_from_file_to_file(tmp_path):  # R-X12
     head = written(tmp_path / "a.2")
     head = written(tmp_path / "a.1", head=head)
     written(path, head=head)
-    assert [one.name for one in older(path)] == ["a.2", "a.1", "a"]
+    assert [item.name for item in older(path)] == ["a.2", "a.1", "a"]
     trail = read(older(path))
     assert (len(trail.records), trail.faults, trail.begins) == (15, [], "")
     (tmp_path / "a.1").unlink()
@@ -93,7 +93,7 @@ def test_a_chain_goes_on_from_file_to_file(tmp_path):  # R-X12
 def test_a_file_without_its_beginning_says_so(tmp_path):  # R-X12
     written(tmp_path / "a")
     (tmp_path / "a").write_bytes(b"".join((tmp_path / "a").read_bytes().splitlines(keepends=True)[1:]))
-    assert "the beginning of a file" in [expected_by(one) for one in read([tmp_path / "a"]).faults]
+    assert "the beginning of a file" in [expected_by(fault) for fault in read([tmp_path / "a"]).faults]
 
 
 @pytest.mark.parametrize("left", [1, 40, 65, 70])
@@ -101,15 +101,15 @@ def test_what_a_crash_has_cut_off_is_no_fault_where_the_next_line_knows(tmp_path
     path = tmp_path / "a"
     head = written(path)
     torn = line(head, {"what": "Take"})[0][:left]
-    known, _ = line(head, {"what": "begins", "torn": torn_hash(torn)})
+    existing, _ = line(head, {"what": "begins", "torn": torn_hash(torn)})
     whole = path.read_bytes()
     path.write_bytes(whole + torn)
     trail = read([path])
     assert (trail.faults, len(trail.notes)) == ([], 1)
-    path.write_bytes(whole + torn + b"\n" + known)
+    path.write_bytes(whole + torn + b"\n" + existing)
     trail = read([path])
     assert (trail.faults, len(trail.notes), len(trail.records)) == ([], 1, 6)
-    path.write_bytes(whole + b"x" + torn + b"\n" + known)
+    path.write_bytes(whole + b"x" + torn + b"\n" + existing)
     assert read([path]).faults
 
 
@@ -151,5 +151,5 @@ def test_lines_that_are_made_into_something_else_at_the_end_show(tmp_path):  # R
     (tmp_path / "audit.log").write_bytes(first + b"x" + second)
     assert read([tmp_path / "audit.log"]).faults
     (tmp_path / "audit.log").write_bytes(first + second[:-9])
-    found = read([tmp_path / "audit.log"])
-    assert (found.faults, len(found.notes)) == ([], 1)
+    result = read([tmp_path / "audit.log"])
+    assert (result.faults, len(result.notes)) == ([], 1)

@@ -15,11 +15,11 @@ from onika.words.fault import Refusal
 
 def refused(path: Path, text: str, expected: str) -> str:
     """The reason of a refusal, after which the directory is as it was."""
-    before = {one: one.read_bytes() for one in path.parent.iterdir() if one.is_file()}
-    found = whole.write(path, text, expected)
-    assert isinstance(found, Refusal)
-    assert {one: one.read_bytes() for one in path.parent.iterdir() if one.is_file()} == before
-    return found.reason
+    before = {item: item.read_bytes() for item in path.parent.iterdir() if item.is_file()}
+    write = whole.write(path, text, expected)
+    assert isinstance(write, Refusal)
+    assert {item: item.read_bytes() for item in path.parent.iterdir() if item.is_file()} == before
+    return write.reason
 
 
 def test_a_file_is_replaced_and_nothing_else_is_left(tmp_path: Path) -> None:
@@ -32,8 +32,8 @@ def test_a_file_is_replaced_and_nothing_else_is_left(tmp_path: Path) -> None:
 
 
 def test_what_cannot_be_read_has_no_stamp(tmp_path: Path) -> None:
-    found, (fault,) = whole.read(tmp_path / "a.conf")
-    assert (found, found_by(fault)) == (None, "No such file or directory")
+    result, (fault,) = whole.read(tmp_path / "a.conf")
+    assert (result, found_by(fault)) == (None, "No such file or directory")
 
 
 def test_what_someone_else_changed_is_not_overwritten_and_it_is_said_whose_it_is(tmp_path: Path) -> None:
@@ -65,10 +65,10 @@ def test_of_two_who_read_the_same_one_saves_and_the_other_is_told(tmp_path: Path
     def save(mine: list[bool], number: int) -> None:
         for turn in range(25):
             barrier.wait()
-            found, _ = whole.read(path)
+            result, _ = whole.read(path)
             barrier.wait()
-            assert found
-            mine.append(not isinstance(whole.write(path, f"{turn} {number}", found[1]), Refusal))
+            assert result
+            mine.append(not isinstance(whole.write(path, f"{turn} {number}", result[1]), Refusal))
 
     threads = [threading.Thread(target=save, args=(mine, number)) for number, mine in enumerate(results)]
     for thread in threads:
@@ -150,7 +150,7 @@ def test_what_a_killed_process_left_is_removed(tmp_path: Path) -> None:
     (tmp_path / ".b.conf.saving").symlink_to("/dev/null")
     whole.write(path, "new", ABSENT)
     whole.write(tmp_path / "b.conf", "new", ABSENT)
-    assert sorted(one.name for one in tmp_path.iterdir()) == ["a.conf", "b.conf"]
+    assert sorted(item.name for item in tmp_path.iterdir()) == ["a.conf", "b.conf"]
 
 
 def test_a_file_longer_than_the_system_allows_leaves_the_old_one(tmp_path: Path) -> None:
@@ -168,9 +168,9 @@ def test_a_file_longer_than_the_system_allows_leaves_the_old_one(tmp_path: Path)
 
 
 def test_a_missing_directory_is_a_refusal(tmp_path: Path) -> None:
-    found = whole.write(tmp_path / "none" / "a.conf", "x", ABSENT)
-    assert isinstance(found, Refusal)
-    assert "No such file or directory" in found.reason
+    write = whole.write(tmp_path / "none" / "a.conf", "x", ABSENT)
+    assert isinstance(write, Refusal)
+    assert "No such file or directory" in write.reason
 
 
 def test_text_that_is_no_utf_8_changes_nothing(tmp_path: Path) -> None:

@@ -123,7 +123,7 @@ def test_steps_stand_at_the_lines_of_their_numbers_those_in_branches_too():
     branch = Branch((AppFlow((inner, Hole(number=5))),), number=3, line=60)
     here = Application("play", False, (AppFlow((replace(icon("Complete job"), number=2, line=9), branch)),))
     job, moved = with_numbers_as_lines(here).flows[0].steps
-    assert (job.line, moved.line, [one.line for one in moved.flows[0].steps]) == (2, 3, [4, 5])
+    assert (job.line, moved.line, [step.line for step in moved.flows[0].steps]) == (2, 3, [4, 5])
 
 
 def test_without_breakpoints_everything_else_is_as_it_was():  # R-D06

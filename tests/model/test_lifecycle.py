@@ -61,7 +61,7 @@ def test_a_step_that_the_table_lacks_is_refused_with_what_would_be_allowed(state
         return
     with pytest.raises(IllegalTransition, match=f"while {state.value}, found {step.value}") as refused:
         after(state, step)
-    assert all(known.value in str(refused.value) for known in TABLE[state])
+    assert all(existing.value in str(refused.value) for existing in TABLE[state])
     assert refusal(state, step) == str(refused.value)
 
 

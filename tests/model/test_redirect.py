@@ -26,8 +26,8 @@ def test_what_is_none_is_refused_with_what_was_expected(text):  # R-E09
 
 def test_it_holds_in_every_flow_or_in_one_with_all_that_is_nested_there():  # R-E09
     assert all(Redirect("a", "b").holds_in(name) for name in ("flow0", "flow1", "flow0.2"))
-    one = Redirect("a", "b", "1")
-    assert [one.holds_in(name) for name in ("flow1", "flow1.2", "flow0", "flow11", "flow0.1")] == [1, 1, 0, 0, 0]
+    redirect = Redirect("a", "b", "1")
+    assert [redirect.holds_in(name) for name in ("flow1", "flow1.2", "flow0", "flow11", "flow0.1")] == [1, 1, 0, 0, 0]
     assert [Redirect("a", "b", "left").holds_in(name) for name in ("left", "left.1", "leftmost")] == [1, 1, 0]
 
 

@@ -17,9 +17,9 @@ SYNTAX = Syntax(tuple(IconType(name, 0, 0) for name in NAMES), (Edge(4, (0, 0, 0
 
 
 def kind(name: str) -> IconType:
-    found = SYNTAX.find(name)
-    assert found
-    return found
+    find = SYNTAX.find(name)
+    assert find
+    return find
 
 
 def test_types_are_found_without_case_and_named_as_defined() -> None:
@@ -41,9 +41,9 @@ def test_types_are_found_without_case_and_named_as_defined() -> None:
     ],
 )
 def test_the_role_of_a_type_follows_from_its_words(name: str, roles: set[str]) -> None:
-    found = kind(name)  # R-D22
+    result = kind(name)  # R-D22
     all_roles = [role for role in dir(IconType) if role.startswith(("is_", "needs_"))]
-    assert {role for role in all_roles if getattr(found, role)} == roles
+    assert {role for role in all_roles if getattr(result, role)} == roles
 
 
 def test_the_target_type_goes_by_the_words_of_the_action() -> None:

@@ -45,8 +45,8 @@ def test_what_is_saved_is_listed_and_read(base: BaseDirectory) -> None:
     assert base.configuration("hold") == (CONFIGURATION, ())
     assert base.onikon("hold", SYNTAX) == (ONIKON, ())
     assert base.application("work", SYNTAX) == (APPLICATION, ())
-    found = sorted(str(path.relative_to(base.path)) for path in base.path.rglob("*.*"))
-    assert found == ["appl/work.appl", "conf/hold.conf", "dict/hold.onk", "module/pid.rmod"]
+    result = sorted(str(path.relative_to(base.path)) for path in base.path.rglob("*.*"))
+    assert result == ["appl/work.appl", "conf/hold.conf", "dict/hold.onk", "module/pid.rmod"]
 
 
 def test_an_empty_directory_holds_nothing(base: BaseDirectory) -> None:
@@ -121,9 +121,9 @@ def test_a_broken_application_is_opened_as_far_as_it_can_be_read(base: BaseDirec
     path = base.application_file("work")
     path.write_text(path.read_text().replace("EOF", ""))
     assert base.open_application("work", SYNTAX)[0] is None
-    found, faults = base.salvage_application("work", SYNTAX)
-    assert found is not None
-    assert (found.value, found.text) == (APPLICATION, path.read_text())
+    result, faults = base.salvage_application("work", SYNTAX)
+    assert result is not None
+    assert (result.value, result.text) == (APPLICATION, path.read_text())
     assert faults
 
 

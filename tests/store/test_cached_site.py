@@ -17,7 +17,7 @@ def test_a_file_is_read_again_only_when_it_has_changed(tmp_path):
         return site.task("a"), site.configuration("aC"), site.application("play", syntax)
 
     first, again = read(), read()
-    assert all(one is other for one, other in zip(first, again, strict=True))
+    assert all(item is other for item, other in zip(first, again, strict=True))
     files.configuration("aC", "a 50")
     os.utime(path, ns=(1, 1))
     assert site.configuration("aC")[0].placed[0].frequency == 50.0
@@ -29,9 +29,9 @@ def test_with_another_directory_first_it_still_remembers(tmp_path):
     Laboratory(tmp_path / "own").configuration("aC", "a 100")
     Laboratory(tmp_path / "other").configuration("bC", "b 100")
     site = RememberingSite.of(open_site([tmp_path / "other"], {}, None))
-    known = site.configuration("bC")
+    configuration = site.configuration("bC")
     own = site.at(tmp_path / "own")
-    assert own.configuration("bC") is known and own.configuration("aC")[0] is not None
+    assert own.configuration("bC") is configuration and own.configuration("aC")[0] is not None
     assert site.configuration("aC")[0] is None
 
 

@@ -25,8 +25,8 @@ def module(base: BaseDirectory, name: str) -> Path:
     return base.path / "module" / name
 
 
-def told(library: Library) -> list[str]:
-    return [f"{Path(one.place.file).name}: {expected_by(one)} / {found_by(one)}" for one in library.faults]
+def sentences(library: Library) -> list[str]:
+    return [f"{Path(fault.place.file).name}: {expected_by(fault)} / {found_by(fault)}" for fault in library.faults]
 
 
 @pytest.mark.parametrize("count", [1_000, pytest.param(10_000, marks=pytest.mark.slow)])
@@ -43,15 +43,15 @@ def test_every_task_is_there_and_exactly_the_broken_ones_are_told(base: BaseDire
 
 
 def test_a_task_that_an_earlier_library_has_is_noted_and_not_added(tmp_path: Path) -> None:
-    one, two = BaseDirectory(tmp_path / "one"), BaseDirectory(tmp_path / "two")  # R-C01, reading 11
-    for base, module_ in ((one, "first"), (two, "second")):
+    item, two = BaseDirectory(tmp_path / "one"), BaseDirectory(tmp_path / "two")  # R-C01, reading 11
+    for base, module_ in ((item, "first"), (two, "second")):
         base.save_task(RmodText(Task("pid", module_, frequency=1.0)))
     two.save_task(RmodText(Task("other", "m", frequency=1.0)))
-    first, second = open_libraries([one, two])
+    first, second = open_libraries([item, two])
     assert first.tasks["pid"].task.module == "first"
     assert list(second.tasks) == ["other"]
-    assert told(second) == [
-        f"pid.rmod: the name pid once on the search path / it again, first in {one.path / 'module'}"
+    assert sentences(second) == [
+        f"pid.rmod: the name pid once on the search path / it again, first in {item.path / 'module'}"
     ]
     assert second.faults[0].is_note
     assert second.left_out == ()
@@ -74,7 +74,7 @@ def test_odd_bytes_leave_one_file_out(base: BaseDirectory, name: str) -> None:
     library = open_library(base)
     assert list(library.tasks) == ["good"]
     assert library.left_out == (str(module(base, name)),)
-    assert f"{name}: {expected}" in told(library)
+    assert f"{name}: {expected}" in sentences(library)
 
 
 def test_line_ends_of_other_systems_and_a_byte_order_mark_mean_nothing(base: BaseDirectory) -> None:
@@ -94,7 +94,7 @@ def test_what_is_no_file_is_told_and_nothing_waits_for_it(base: BaseDirectory) -
     module(base, "zero.rmod").symlink_to("/dev/zero")
     library = open_library(base)
     assert library.tasks == {}
-    assert told(library) == [
+    assert sentences(library) == [
         "folder.rmod: a file that can be read / a directory",
         "gone.rmod: a file that can be read / No such file or directory",
         "loop.rmod: a file that can be read / Too many levels of symbolic links",
@@ -107,16 +107,16 @@ def test_what_is_no_file_is_told_and_nothing_waits_for_it(base: BaseDirectory) -
 def test_a_file_that_may_not_be_read_is_told(base: BaseDirectory) -> None:
     module(base, "secret.rmod").write_text(TEXT)  # R-B07
     module(base, "secret.rmod").chmod(0)
-    assert told(open_library(base)) == ["secret.rmod: a file that can be read / Permission denied"]
+    assert sentences(open_library(base)) == ["secret.rmod: a file that can be read / Permission denied"]
 
 
 def test_a_folder_that_is_none_is_told_and_an_absent_one_is_empty(tmp_path: Path) -> None:
     assert open_library(BaseDirectory(tmp_path)).faults == ()  # R-B07, R-B08
     (tmp_path / "module").write_text("")
     library = open_library(BaseDirectory(tmp_path))
-    assert told(library) == ["module: a folder that can be read / Not a directory"]
+    assert sentences(library) == ["module: a folder that can be read / Not a directory"]
     nowhere = open_library(BaseDirectory(tmp_path / "nowhere"))
-    assert told(nowhere) == ["nowhere: a base directory / none"]
+    assert sentences(nowhere) == ["nowhere: a base directory / none"]
 
 
 def test_names_that_differ_only_in_case_are_two_tasks_with_a_note(base: BaseDirectory) -> None:
@@ -124,7 +124,7 @@ def test_names_that_differ_only_in_case_are_two_tasks_with_a_note(base: BaseDire
         module(base, f"{name}.rmod").write_text(TEXT)
     library = open_library(base)
     assert sorted(library.tasks) == ["Pid", "pid"]
-    assert told(library) == ["pid.rmod: names that differ in more than small and large letters / pid beside Pid"]
+    assert sentences(library) == ["pid.rmod: names that differ in more than small and large letters / pid beside Pid"]
     assert library.left_out == ()
 
 
@@ -132,28 +132,28 @@ def test_a_parameter_given_twice_is_noted_and_the_task_is_there(base: BaseDirect
     module(base, "twice.rmod").write_text(TEXT.replace("EOF", "LOCAL\nGAIN 1\nGAIN 2\nEOF"))
     library = open_library(base)
     assert library.tasks["twice"].task.local == (LocalLine("GAIN", ("1",)), LocalLine("GAIN", ("2",)))
-    assert told(library) == ["twice.rmod: GAIN once / 'GAIN 2' again"]
+    assert sentences(library) == ["twice.rmod: GAIN once / 'GAIN 2' again"]
     assert library.left_out == ()
 
 
 def test_of_open_libraries_only_what_was_written_is_read_again(tmp_path: Path) -> None:
-    one, two = BaseDirectory(tmp_path / "one"), BaseDirectory(tmp_path / "two")  # R-C01
-    for base, name in ((one, "pid"), (one, "pd"), (two, "pid"), (two, "other")):
+    item, two = BaseDirectory(tmp_path / "one"), BaseDirectory(tmp_path / "two")  # R-C01
+    for base, name in ((item, "pid"), (item, "pd"), (two, "pid"), (two, "other")):
         base.save_task(RmodText(Task(name, "m", frequency=1.0)))
-    (one.path / "module" / "bad.rmod").write_text("MODULE\n")
-    former = open_libraries([one, two])
-    assert all(map(lambda a, b: a is b, reopen_libraries([one, two], former, frozenset()), former))
-    for base in (one, two):
-        base.task_file("pd" if base is one else "other").write_text(TEXT.replace("10", "20"))
-    again = reopen_libraries([one, two], former, {one.task_file("pd"), one.task_file("bad"), one.task_file("pid")})
+    (item.path / "module" / "bad.rmod").write_text("MODULE\n")
+    former = open_libraries([item, two])
+    assert all(map(lambda a, b: a is b, reopen_libraries([item, two], former, frozenset()), former))
+    for base in (item, two):
+        base.task_file("pd" if base is item else "other").write_text(TEXT.replace("10", "20"))
+    again = reopen_libraries([item, two], former, {item.task_file("pd"), item.task_file("bad"), item.task_file("pid")})
     assert again[0].tasks["pd"].task.frequency == 20.0
     assert again[0].tasks["pid"] is former[0].tasks["pid"]
     assert again[0].faults == former[0].faults
     assert again[1] is former[1]
-    one.task_file("pid").unlink()
+    item.task_file("pid").unlink()
     (two.path / "module" / "m.py").write_text("")
-    gone = reopen_libraries([one, two], again, {one.task_file("pid")})
+    gone = reopen_libraries([item, two], again, {item.task_file("pid")})
     assert ("pid" in gone[0].tasks, "pid" in gone[1].tasks) == (False, True)
     assert gone[1].modules == {"m"}
     assert reopen_libraries([two], gone, frozenset())[0].tasks == gone[1].tasks
-    assert open_libraries([one, two]) == reopen_libraries([one, two], gone, {two.task_file("other")})
+    assert open_libraries([item, two]) == reopen_libraries([item, two], gone, {two.task_file("other")})

@@ -40,21 +40,21 @@ def task(name: str, module: str) -> RmodText:
 
 
 def test_the_first_directory_that_has_a_name_wins(site: Site) -> None:
-    one, two = site.directories  # reading 11
+    item, two = site.directories  # reading 11
     two.save_task(task("pid", "second"))
     record, _ = site.task("pid")
     assert record
     assert record.task.module == "second"
-    one.save_task(task("pid", "first"))
+    item.save_task(task("pid", "first"))
     record, _ = site.task("pid")
     assert record
     assert record.task.module == "first"
-    assert site.home_of_task("pid") == one
+    assert site.home_of_task("pid") == item
 
 
 def test_later_duplicates_are_reported_with_their_directory(site: Site) -> None:
-    one, two = site.directories  # R-C01, R-D15
-    for base in (one, two):
+    item, two = site.directories  # R-C01, R-D15
+    for base in (item, two):
         base.save_task(task("pid", "pid"))
         base.save_onikon(Onikon("grip", "Complete job", "", (), blank()))
     two.save_task(task("other", "other"))
@@ -77,22 +77,22 @@ def test_what_is_nowhere_is_none_without_a_fault(site: Site) -> None:
 
 
 def test_only_the_file_asked_for_is_read(site: Site) -> None:
-    one, _ = site.directories
-    one.save_configuration(Configuration("hold", (Placed("pid"),)))
-    (one.path / "conf" / "bad.conf").write_bytes(b"\xff")
+    item, _ = site.directories
+    item.save_configuration(Configuration("hold", (Placed("pid"),)))
+    (item.path / "conf" / "bad.conf").write_bytes(b"\xff")
     assert site.configuration("hold") == (Configuration("hold", (Placed("pid"),)), ())
 
 
 def test_the_code_of_a_module_lies_beside_its_task_else_on_the_search_path(site: Site) -> None:
-    one, two = site.directories
+    item, two = site.directories
     two.save_task(task("pid", "control"))
     assert site.code_file(Task("pid", "control")) is None
-    for base in (one, two):
+    for base in (item, two):
         (base.path / "module").mkdir(exist_ok=True)
         base.code_file("control").touch()
     assert site.code_file(Task("pid", "control")) == two.code_file("control")
     two.code_file("control").unlink()
-    assert site.code_file(Task("pid", "control")) == one.code_file("control")
+    assert site.code_file(Task("pid", "control")) == item.code_file("control")
 
 
 def test_an_application_is_found_by_name_and_by_path(
@@ -110,9 +110,9 @@ def test_an_application_is_found_by_name_and_by_path(
 
 
 def test_one_directory_can_come_first(site: Site) -> None:
-    one, two = site.directories
-    assert site.at(two.path).directories == (two, one)
-    assert site.at(two.path / ".." / "two").directories[1:] == (one,)
+    item, two = site.directories
+    assert site.at(two.path).directories == (two, item)
+    assert site.at(two.path / ".." / "two").directories[1:] == (item,)
 
 
 def test_the_users_syntax_wins_over_the_shipped_one(site: Site) -> None:
@@ -125,12 +125,12 @@ def test_the_users_syntax_wins_over_the_shipped_one(site: Site) -> None:
 
 def test_a_faulty_syntax_of_the_user_is_reported_and_the_next_is_taken(site: Site) -> None:
     (home(site) / syntax.NAME).write_text("EOF")  # R-B07
-    found, faults = site.syntax()
-    assert found == SHIPPED
+    result, faults = site.syntax()
+    assert result == SHIPPED
     assert faults
     (site.prefs / syntax.NAME).unlink()
-    found, faults = site.syntax()
-    assert found is None
+    result, faults = site.syntax()
+    assert result is None
     assert faults[-1].place.file == str(site.prefs / syntax.NAME)
 
 
@@ -142,8 +142,8 @@ def test_preferences_and_buttons_are_optional(site: Site) -> None:
     assert site.preferences() == (Preferences(pin_length=3), ())
     assert site.buttons() == ((Button("a", "b"),), ())
     (home(site) / ".onika.buttons").write_text("BUTTON a\nEOF")
-    found, faults = site.buttons()
-    assert (found, len(faults)) == ((), 1)
+    result, faults = site.buttons()
+    assert (result, len(faults)) == ((), 1)
     (home(site) / ".onika").write_bytes(b"\xff")
     found_preferences, faults = site.preferences()
     assert (found_preferences, len(faults)) == (Preferences(), 1)

@@ -20,11 +20,11 @@ def test_a_place_without_a_line_is_the_whole_file():
 
 
 def test_faults_sort_by_place_so_that_a_list_of_them_reads_from_top_to_bottom():
-    one, two, three = (
+    item, two, three = (
         Fault(Place(f, line), Reason.plain("expected a, found b"), Reason.plain("c"))
         for f, line in (("a", 2), ("a", 10), ("b", 1))
     )
-    assert sorted([three, two, one]) == [one, two, three]
+    assert sorted([three, two, item]) == [item, two, three]
 
 
 def test_equal_faults_are_one():

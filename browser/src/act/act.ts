@@ -28,12 +28,17 @@ export async function act(a: AnyAct, at?: Point): Promise<unknown> {
 }
 
 /** Do what a remedy offers: send its act, or go to what it names. */
-export async function follow(remedy: Remedy, doc: string = look.level === 'applications' ? workspace.app : canvas.doc, at?: Point): Promise<void> {
+export async function follow(
+  remedy: Remedy,
+  doc: string = look.level === 'applications' ? workspace.app : canvas.doc,
+  at?: Point,
+): Promise<void> {
   hideRefusal()
   if (remedy.show) reveal(remedy.show, doc)
   if (!remedy.act) return
   const answer = await act(remedy.act, at)
   if (remedy.act.t === 'OpenInPlace' && answer !== undefined) show(remedy.act.doc) // one may have come to it from the upper level
   // The insertion cursor goes on behind what was inserted, as it does for every other insertion.
-  if (remedy.act.t === 'InsertIcon' && typeof answer === 'number') workspace.place = { flow: remedy.act.flow ?? '0', after: answer }
+  if (remedy.act.t === 'InsertIcon' && typeof answer === 'number')
+    workspace.place = { flow: remedy.act.flow ?? '0', after: answer }
 }

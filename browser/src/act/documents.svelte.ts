@@ -18,7 +18,8 @@ const places = new Map<string, Place>()
 export const origin: { doc: string; app: string } = $state({ doc: '', app: '' })
 
 /** As they are now, also while a recording is looked at: their tabs and the chips of the runtime speak of the present. */
-const allOf = (level: Level): Readonly<Record<string, Opened>> => (level === 'applications' ? desk.live.applications : desk.live.documents)
+const allOf = (level: Level): Readonly<Record<string, Opened>> =>
+  level === 'applications' ? desk.live.applications : desk.live.documents
 const levelOf = (id: string): Level => (id in desk.tree.applications ? 'applications' : 'tasks')
 const shownAt = (level: Level): string => (level === 'applications' ? workspace.app : canvas.doc)
 
@@ -33,13 +34,19 @@ export const shownOne = (): Opened | undefined => allOf(look.level)[shownId()]
 /** Go to a level; what is shown and picked at the other one stays. */
 export function goTo(level: Level): void {
   if (level === 'applications' || !look.isUpperOnly) look.level = level
-  else showRefusal(new Refusal(t('levels.hidden'), [{ label: t('levels.showLower'), act: { t: 'Prefer', values: { shows_lower: true } } }]))
+  else
+    showRefusal(
+      new Refusal(t('levels.hidden'), [
+        { label: t('levels.showLower'), act: { t: 'Prefer', values: { shows_lower: true } } },
+      ]),
+    )
 }
 
 /** Bring a document to the front, at its level. */
 export function show(id: string): void {
   const level = levelOf(id)
-  if (level === 'tasks' && look.level === 'applications' && workspace.app) Object.assign(origin, { doc: id, app: workspace.app })
+  if (level === 'tasks' && look.level === 'applications' && workspace.app)
+    Object.assign(origin, { doc: id, app: workspace.app })
   front(level, id)
   goTo(level)
 }
@@ -66,7 +73,9 @@ export function step(by: 1 | -1): void {
 
 /** Where a session begins: where there is something. */
 export function begin(): void {
-  const isBlank = inOrder('tasks').every(([, one]) => !one.path && !one.is_dirty && !('tasks' in one && Object.keys(one.tasks ?? {}).length))
+  const isBlank = inOrder('tasks').every(
+    ([, one]) => !one.path && !one.is_dirty && !('tasks' in one && Object.keys(one.tasks ?? {}).length),
+  )
   if (isBlank && inOrder('applications').length) goTo('applications')
 }
 

@@ -5,9 +5,35 @@ import { desk } from '../link/desk.svelte'
 import { Refusal } from '../link/refusal'
 import { t } from '../texts/index.svelte'
 
-const MOVES: ReadonlySet<AnyAct['t']> = new Set(['Turn', 'Toggle', 'TurnGroup', 'Clear', 'Reinit', 'Renew', 'Answer', 'Run', 'Steer', 'SkipTo', 'StartAnew'])
+const MOVES: ReadonlySet<AnyAct['t']> = new Set([
+  'Turn',
+  'Toggle',
+  'TurnGroup',
+  'Clear',
+  'Reinit',
+  'Renew',
+  'Answer',
+  'Run',
+  'Steer',
+  'SkipTo',
+  'StartAnew',
+])
 /** In a configuration that lives these change what runs. */
-const CHANGES: ReadonlySet<AnyAct['t']> = new Set(['Place', 'Exchange', 'Remove', 'Cut', 'Paste', 'Insert', 'Rate', 'Unit', 'Undo', 'Redo', 'OpenInPlace', 'Local', 'Alias'])
+const CHANGES: ReadonlySet<AnyAct['t']> = new Set([
+  'Place',
+  'Exchange',
+  'Remove',
+  'Cut',
+  'Paste',
+  'Insert',
+  'Rate',
+  'Unit',
+  'Undo',
+  'Redo',
+  'OpenInPlace',
+  'Local',
+  'Alias',
+])
 
 /** Why an act has to wait until the recording is put away; undefined: it does not. */
 export function reviewLock(act: AnyAct): Refusal | undefined {

@@ -5,9 +5,19 @@ import type { Say } from '../api.gen'
 type Note = readonly [hz: number, at_s: number]
 
 export const TUNES: Partial<Record<Say['level'], readonly Note[]>> = {
-  success: [[660, 0], [880, 0.09]],
-  error: [[330, 0], [220, 0.14]],
-  end: [[523, 0], [659, 0.1], [784, 0.2]],
+  success: [
+    [660, 0],
+    [880, 0.09],
+  ],
+  error: [
+    [330, 0],
+    [220, 0.14],
+  ],
+  end: [
+    [523, 0],
+    [659, 0.1],
+    [784, 0.2],
+  ],
 }
 const LENGTH_S = 0.16
 const LOUD = 0.08

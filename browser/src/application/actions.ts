@@ -29,14 +29,18 @@ export interface Loop {
 }
 
 /** Whether a step that is not joined begins an action. */
-const isHead = (step: StepView | undefined): boolean => step !== undefined && (step.kind ?? 'icon') === 'icon' && step.role !== 'target'
+const isHead = (step: StepView | undefined): boolean =>
+  step !== undefined && (step.kind ?? 'icon') === 'icon' && step.role !== 'target'
 
 /** The paths of the application's own flows, in order. */
 export const topsOf = (app: ApplicationView): string[] =>
-  Object.keys(app.flows ?? {}).filter((path) => !path.includes('/')).sort((a, b) => Number(a) - Number(b))
+  Object.keys(app.flows ?? {})
+    .filter((path) => !path.includes('/'))
+    .sort((a, b) => Number(a) - Number(b))
 
 /** Whether nothing stands in it. */
-export const isBlank = (app: ApplicationView): boolean => Object.values(app.flows ?? {}).every(({ steps }) => !steps?.length)
+export const isBlank = (app: ApplicationView): boolean =>
+  Object.values(app.flows ?? {}).every(({ steps }) => !steps?.length)
 
 export function actionsOf(app: ApplicationView): Actions {
   const of = new Map<number, Action>()
@@ -77,12 +81,25 @@ export function loopsOf(app: ApplicationView): Loop[] {
     }
   }
   const deep = (one: (typeof found)[number]): number =>
-    Math.max(0, ...found.filter((other) => other !== one && other.flow === one.flow && other.from >= one.from && other.to <= one.to).map((other) => 1 + deep(other)))
-  return found.map((one) => ({ tag: one.tag, flow: one.flow, test: one.test, anchor: one.anchor, condition: one.condition, depth: deep(one) }))
+    Math.max(
+      0,
+      ...found
+        .filter((other) => other !== one && other.flow === one.flow && other.from >= one.from && other.to <= one.to)
+        .map((other) => 1 + deep(other)),
+    )
+  return found.map((one) => ({
+    tag: one.tag,
+    flow: one.flow,
+    test: one.test,
+    anchor: one.anchor,
+    condition: one.condition,
+    depth: deep(one),
+  }))
 }
 
 /** The step and all that stays with it: marks belong to the whole action. */
-export const wholeOf = (actions: Actions, number: number): readonly number[] => actions.of.get(number)?.steps ?? [number]
+export const wholeOf = (actions: Actions, number: number): readonly number[] =>
+  actions.of.get(number)?.steps ?? [number]
 
 /** The step that has the marks of an action: its job. */
 export const headOf = (actions: Actions, number: number): number => actions.of.get(number)?.steps[0] ?? number

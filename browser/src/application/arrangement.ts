@@ -139,7 +139,8 @@ class Sheet {
       at.y += dy
     }
     for (const list of [other.cells, other.gaps, other.blocks]) list.forEach(move)
-    for (const block of other.blocks) block.lanes.splice(0, block.lanes.length, ...block.lanes.map((lane) => moved(lane, dx, dy)))
+    for (const block of other.blocks)
+      block.lanes.splice(0, block.lanes.length, ...block.lanes.map((lane) => moved(lane, dx, dy)))
     for (const wrap of other.wraps) {
       wrap.right += dx
       wrap.left += dx
@@ -154,8 +155,13 @@ class Sheet {
   }
 }
 
-const moved = (lane: Lane, dx: number, dy: number): Lane =>
-  ({ ...lane, x: lane.x + dx, y: lane.y + dy, endX: lane.endX + dx, endY: lane.endY + dy })
+const moved = (lane: Lane, dx: number, dy: number): Lane => ({
+  ...lane,
+  x: lane.x + dx,
+  y: lane.y + dy,
+  endX: lane.endX + dx,
+  endY: lane.endY + dy,
+})
 
 /** A step on its way into a row. */
 interface Piece {
@@ -171,7 +177,11 @@ interface Piece {
 class Laying {
   private readonly width: number
 
-  constructor(private readonly content: Content, private readonly frame: Frame, private readonly opened: Place | undefined) {
+  constructor(
+    private readonly content: Content,
+    private readonly frame: Frame,
+    private readonly opened: Place | undefined,
+  ) {
     this.width = onikonWidth(frame.size)
   }
 
@@ -207,7 +217,12 @@ class Laying {
   }
 
   /** The gap between two neighbours, and the arrow where a row ends between them. */
-  private between(sheet: Sheet, flow: string, a: { piece: Piece; x: number; y: number }, b: { piece: Piece; x: number; y: number }): void {
+  private between(
+    sheet: Sheet,
+    flow: string,
+    a: { piece: Piece; x: number; y: number },
+    b: { piece: Piece; x: number; y: number },
+  ): void {
     const right = a.x + a.piece.w
     if (a.y !== b.y) sheet.wraps.push({ right, y: a.y, left: b.x, next: b.y })
     if (a.piece.isHole || a.piece.step === GHOST || b.piece.step === GHOST) return
@@ -232,7 +247,9 @@ class Laying {
     else if (!numbers.length) alone(EMPTY, this.width, true)
     for (const number of numbers) {
       const known = this.content.step(number)
-      const piece = known.flows.length ? this.branch(path, number, known.flows, limit) : { step: number, w: this.width, h: this.frame.size, isHole: known.isHole }
+      const piece = known.flows.length
+        ? this.branch(path, number, known.flows, limit)
+        : { step: number, w: this.width, h: this.frame.size, isHole: known.isHole }
       if (known.joined) groups.at(-1)!.push(piece)
       else groups.push([piece])
       if (opened === number) groups.at(-1)!.push({ step: GHOST, w: this.width, h: this.frame.size, isHole: false })

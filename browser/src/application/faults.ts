@@ -7,7 +7,10 @@ export const isFault = (one: FaultView): boolean => (one.level ?? 'fault') === '
 /** All of an application as their steps are read; holes first, as what they lack makes others wrong. */
 export function faultsOf(app: ApplicationView): FaultView[] {
   const all = Object.values(app.faults ?? {})
-  const steps = inReadingOrder(app, all.map(({ step = 0 }) => step))
+  const steps = inReadingOrder(
+    app,
+    all.map(({ step = 0 }) => step),
+  )
   const places = new Map(steps.map((step, k) => [step, k]))
   const isHole = (step: number): boolean => app.steps?.[step]?.kind === 'hole'
   const placeOf = ({ step = 0 }: FaultView): number => (places.get(step) ?? -1) - (isHole(step) ? steps.length + 1 : 0)
@@ -39,4 +42,7 @@ function sought(app: ApplicationView): ReadonlyMap<number, FaultView[]> {
   return found
 }
 
-const ordered = (faults: FaultView[]): FaultView[] => [...faults.filter(isFault), ...faults.filter((one) => !isFault(one))]
+const ordered = (faults: FaultView[]): FaultView[] => [
+  ...faults.filter(isFault),
+  ...faults.filter((one) => !isFault(one)),
+]

@@ -31,13 +31,20 @@ export function walked(gaps: readonly Gap[], from: Place, way: Way): Gap | undef
   if (!here) return all[0]
   const own = all.filter((gap) => gap.flow === here.flow)
   switch (way) {
-    case 'left': return all[at - 1]
-    case 'right': return all[at + 1]
-    case 'first': return own[0]
-    case 'last': return own.at(-1)
-    case 'begin': return all[0]
-    case 'end': return all.at(-1)
-    default: return nextRow(all, here, way === 'down' ? 1 : -1)
+    case 'left':
+      return all[at - 1]
+    case 'right':
+      return all[at + 1]
+    case 'first':
+      return own[0]
+    case 'last':
+      return own.at(-1)
+    case 'begin':
+      return all[0]
+    case 'end':
+      return all.at(-1)
+    default:
+      return nextRow(all, here, way === 'down' ? 1 : -1)
   }
 }
 

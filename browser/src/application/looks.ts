@@ -42,4 +42,5 @@ function lookOf(app: ApplicationView, pictures: Readonly<Record<string, string>>
   return { key: `${flow}-${step}`, step, flow, view, left: left ?? '', right: right ?? '', picture: picture ?? '' }
 }
 
-const isSame = (a: Look, b: Look): boolean => a.view === b.view && a.left === b.left && a.right === b.right && a.picture === b.picture
+const isSame = (a: Look, b: Look): boolean =>
+  a.view === b.view && a.left === b.left && a.right === b.right && a.picture === b.picture

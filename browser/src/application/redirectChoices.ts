@@ -5,7 +5,9 @@ import { flowWord } from './words'
 
 /** A wish in words: `puma → scara`, with its flow where it holds in one only. */
 export function choiceText({ old, new: other, flow }: RedirectView): string {
-  return flow ? t('redirect.wishIn', { old, new: other, flow: flowWord(flow) }) : t('redirect.wish', { old, new: other })
+  return flow
+    ? t('redirect.wishIn', { old, new: other, flow: flowWord(flow) })
+    : t('redirect.wish', { old, new: other })
 }
 
 /** Those that mean a task of a flow of the application, by its path; a flow in a branch has those of the flow around it. */

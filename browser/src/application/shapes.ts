@@ -21,7 +21,12 @@ export function loopPath(test: number, anchor: number, y: number, drop: number):
 }
 
 /** The same where the two stand in different rows: by the left side of all rows. */
-export function farLoopPath(test: { x: number; y: number }, anchor: { x: number; y: number }, side: number, drop: number): string {
+export function farLoopPath(
+  test: { x: number; y: number },
+  anchor: { x: number; y: number },
+  side: number,
+  drop: number,
+): string {
   const turn = anchor.y > test.y ? 1 : -1
   const [low, high] = [test.y + drop, anchor.y + drop]
   return (
@@ -50,10 +55,17 @@ export function forkPath({ x, y, w, lanes }: Block, size: number): string {
 
 /** An edge alone, as the line of the insertion cursor. */
 export const edgePath = (edge: Vertices, x: number, y: number, size: number): string =>
-  `M${edgeLine(edge, x, y, size).map((p) => p.join(' ')).join('L')}`
+  `M${edgeLine(edge, x, y, size)
+    .map((p) => p.join(' '))
+    .join('L')}`
 
 /** The contour of a row of onikons; of several pieces where they stand in several rows. */
-export function around(left: Vertices, right: Vertices, cells: readonly { x: number; y: number; w: number }[], size: number): string {
+export function around(
+  left: Vertices,
+  right: Vertices,
+  cells: readonly { x: number; y: number; w: number }[],
+  size: number,
+): string {
   const rows: { x: number; y: number; end: number }[] = []
   for (const { x, y, w } of cells) {
     const row = rows.at(-1)

@@ -18,7 +18,9 @@ export function nameOf(step: StepView | undefined): string {
 
 /** What a hole waits for. */
 export function wantedOf({ wants = [] }: StepView): string {
-  return wants.length ? wants.map((type) => typeTitle(type, desk.tree.types[type]?.role)).join(t('upper.or')) : t('upper.anAction')
+  return wants.length
+    ? wants.map((type) => typeTitle(type, desk.tree.types[type]?.role)).join(t('upper.or'))
+    : t('upper.anAction')
 }
 
 /** A step as it is read out: `turn to, above triangle; action 3 of 7, breakpoint`. */
@@ -44,7 +46,9 @@ function marksOf(step: StepView): string[] {
 }
 
 function troublesOf(app: ApplicationView, number: number): string[] {
-  const told = faultsAt(app, number).map((one) => t(isFault(one) ? 'redirect.readFault' : 'redirect.readWarning', { text: heard(one.text) }))
+  const told = faultsAt(app, number).map((one) =>
+    t(isFault(one) ? 'redirect.readFault' : 'redirect.readWarning', { text: heard(one.text) }),
+  )
   return app.steps?.[number]?.note ? [...told, t('redirect.readNote')] : told
 }
 

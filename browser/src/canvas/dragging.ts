@@ -26,7 +26,12 @@ export class DragBoxes implements Gesture {
   private readonly start: readonly [number, number]
 
   /** `svars`: the dots that go with these boxes. */
-  constructor(name: string, names: Iterable<string>, svars: Iterable<string>, event: { clientX: number; clientY: number }) {
+  constructor(
+    name: string,
+    names: Iterable<string>,
+    svars: Iterable<string>,
+    event: { clientX: number; clientY: number },
+  ) {
     this.grabbed = this.scene.boxes.get(name)!
     for (const one of names) {
       const box = this.scene.boxes.get(one)
@@ -40,7 +45,10 @@ export class DragBoxes implements Gesture {
       this.fromDot.set(dot, { x: dot.x, y: dot.y })
       dot.isHeld = true
     }
-    this.neighbours = this.scene.boxesIn(canvasState.view.area).filter((box) => !this.from.has(box)).map(snappable)
+    this.neighbours = this.scene
+      .boxesIn(canvasState.view.area)
+      .filter((box) => !this.from.has(box))
+      .map(snappable)
     this.start = canvasState.view.toScene(event.clientX, event.clientY)
     canvasState.isHolding = true
   }

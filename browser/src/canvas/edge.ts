@@ -43,7 +43,10 @@ export class Edge {
   private step(): [number, number] | undefined {
     if (!this.last || !(canvasState.isHolding || canvasState.marquee)) return undefined
     const { left, top, size } = canvasState.view
-    const step: [number, number] = [pull(this.last.clientX, left, left + size.w), pull(this.last.clientY, top, top + size.h)]
+    const step: [number, number] = [
+      pull(this.last.clientX, left, left + size.w),
+      pull(this.last.clientY, top, top + size.h),
+    ]
     return step[0] || step[1] ? step : undefined
   }
 }

@@ -12,8 +12,12 @@ export function listen(ground: HTMLElement, svg: SVGSVGElement, measure: () => v
   const hand = new PointerGestures()
   const edge = new Edge()
   const ending = new AbortController()
-  const on = <K extends keyof HTMLElementEventMap>(target: EventTarget, name: K, heard: (event: HTMLElementEventMap[K]) => void, options: AddEventListenerOptions = {}): void =>
-    target.addEventListener(name, heard as EventListener, { signal: ending.signal, ...options })
+  const on = <K extends keyof HTMLElementEventMap>(
+    target: EventTarget,
+    name: K,
+    heard: (event: HTMLElementEventMap[K]) => void,
+    options: AddEventListenerOptions = {},
+  ): void => target.addEventListener(name, heard as EventListener, { signal: ending.signal, ...options })
 
   on(svg, 'pointerdown', (event) => {
     measure()
@@ -44,12 +48,17 @@ export function listen(ground: HTMLElement, svg: SVGSVGElement, measure: () => v
     canvasState.isSpaceDown = false
   })
   // Before the commands of the page hear it: a gesture under way is what Esc means.
-  on(window as EventTarget, 'keydown', (event) => {
-    if (event.key === 'Escape' && hand.isBusy) hand.cancel()
-    else if (!keyDown(event)) return
-    event.preventDefault()
-    event.stopPropagation()
-  }, { capture: true })
+  on(
+    window as EventTarget,
+    'keydown',
+    (event) => {
+      if (event.key === 'Escape' && hand.isBusy) hand.cancel()
+      else if (!keyDown(event)) return
+      event.preventDefault()
+      event.stopPropagation()
+    },
+    { capture: true },
+  )
   on(window as EventTarget, 'keyup', keyUp)
   on(document as EventTarget, 'paste', (event) => pasteText(event as ClipboardEvent))
   on(ground, 'dragover', (event) => event.preventDefault())
@@ -60,7 +69,8 @@ export function listen(ground: HTMLElement, svg: SVGSVGElement, measure: () => v
   }
 }
 
-const isPage = ({ target }: Event): boolean => target instanceof Element && target.closest('.first') !== null && !target.closest('button')
+const isPage = ({ target }: Event): boolean =>
+  target instanceof Element && target.closest('.first') !== null && !target.closest('button')
 
 function light(target: EventTarget | null): void {
   const found = target instanceof Element ? target.closest<SVGElement>('[data-locus], [data-net]') : null
@@ -71,7 +81,8 @@ function wheel(event: WheelEvent): void {
   if (event.target instanceof Element && event.target.closest('[role=listbox], .first')) return
   event.preventDefault()
   const unit = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1
-  if (event.ctrlKey || event.metaKey) canvasState.view.zoom(wheelFactor(event.deltaY * unit), event.clientX, event.clientY)
+  if (event.ctrlKey || event.metaKey)
+    canvasState.view.zoom(wheelFactor(event.deltaY * unit), event.clientX, event.clientY)
   else if (event.shiftKey && !event.deltaX) canvasState.view.pan(-event.deltaY * unit, 0)
   else canvasState.view.pan(-event.deltaX * unit, -event.deltaY * unit)
 }

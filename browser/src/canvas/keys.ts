@@ -8,7 +8,12 @@ import { canvasState } from '../scene/canvasState.svelte'
 
 const STEP = 5
 const STRIDE = 25
-const WAY: Readonly<Record<string, Direction>> = { ArrowLeft: 'left', ArrowRight: 'right', ArrowUp: 'up', ArrowDown: 'down' }
+const WAY: Readonly<Record<string, Direction>> = {
+  ArrowLeft: 'left',
+  ArrowRight: 'right',
+  ArrowUp: 'up',
+  ArrowDown: 'down',
+}
 const ALONG: Record<Direction, readonly [number, number]> = { left: [-1, 0], right: [1, 0], up: [0, -1], down: [0, 1] }
 
 /** Whether the canvas moved the paper while Space was down; otherwise Space picks. */
@@ -47,7 +52,13 @@ function arrow(way: Direction, event: KeyboardEvent): boolean {
 function walk(way: Direction): boolean {
   const all = things()
   const from = canvasState.rectOf(canvasState.focus)
-  const to = from ? neighbour(from, way, all.filter((one) => one.id !== canvasState.focus)) : (all[0]?.id ?? null)
+  const to = from
+    ? neighbour(
+        from,
+        way,
+        all.filter((one) => one.id !== canvasState.focus),
+      )
+    : (all[0]?.id ?? null)
   if (to === null) return all.length > 0
   canvasState.focusOn(to)
   return true

@@ -9,7 +9,10 @@ export class Marquee implements Gesture {
   private readonly start: readonly [number, number]
 
   /** `before` stays picked: with Shift or Ctrl a rectangle adds. */
-  constructor(first: PointerEvent, private readonly before: readonly string[]) {
+  constructor(
+    first: PointerEvent,
+    private readonly before: readonly string[],
+  ) {
     this.start = canvasState.view.toScene(first.clientX, first.clientY)
   }
 
@@ -30,5 +33,8 @@ export class Marquee implements Gesture {
 }
 
 const between = ([ax, ay]: readonly [number, number], [bx, by]: readonly [number, number]): Rect => ({
-  x: Math.min(ax, bx), y: Math.min(ay, by), w: Math.abs(ax - bx), h: Math.abs(ay - by),
+  x: Math.min(ax, bx),
+  y: Math.min(ay, by),
+  w: Math.abs(ax - bx),
+  h: Math.abs(ay - by),
 })

@@ -5,8 +5,24 @@ import { desk } from '../link/desk.svelte'
 import type { Point } from '../act/refused.svelte'
 import { t } from '../texts/index.svelte'
 import {
-  align, check, clear, copy, cut, flip, openSheet, openSource, paste, pickedTasks, placeAt, remove, selectAll, toggleConstants, toggleLines,
-  togglePin, turn, type Edge,
+  align,
+  check,
+  clear,
+  copy,
+  cut,
+  flip,
+  openSheet,
+  openSource,
+  paste,
+  pickedTasks,
+  placeAt,
+  remove,
+  selectAll,
+  toggleConstants,
+  toggleLines,
+  togglePin,
+  turn,
+  type Edge,
 } from '../scene/acts'
 import { askForChange, askForName, openInsert, openSaving, pickedGroups, turnGroup, ungroup } from '../group/grouping'
 import { isAllOn, summary } from '../scene/groups'
@@ -28,7 +44,12 @@ function taskItems(name: string, at: Point): Item[] {
   return [
     ...(canvasState.isLive ? liveItems(tasks, name, at) : []),
     { label: t('canvas.parameters'), keys: 'Enter', run: () => openSheet(name), begins: canvasState.isLive },
-    { label: t('canvas.source'), run: () => openSource(name, 'code'), isOff: !task?.code, note: task?.code ? undefined : t('canvas.noSource') },
+    {
+      label: t('canvas.source'),
+      run: () => openSource(name, 'code'),
+      isOff: !task?.code,
+      note: task?.code ? undefined : t('canvas.noSource'),
+    },
     { label: t('canvas.rmod'), run: () => openSource(name, 'rmod'), isOff: placed?.is_missing === true },
     { label: t('canvas.cut'), keys: 'Delete', run: () => cut(), begins: true },
     { label: t('canvas.copy'), keys: 'Ctrl+C', run: () => copy() },
@@ -58,8 +79,17 @@ function tabItems(group: string, at: Point): Item[] {
 function turnItems(group: string, at: Point): Item[] {
   const { document } = canvasState
   return [
-    { label: t('canvas.turnOn'), keys: 'Shift+Enter', run: () => turnGroup(group, true, at), isOff: isAllOn(document, group) },
-    { label: t('canvas.turnOff'), run: () => turnGroup(group, false, at), isOff: summary(document, group).look === 'OFF' },
+    {
+      label: t('canvas.turnOn'),
+      keys: 'Shift+Enter',
+      run: () => turnGroup(group, true, at),
+      isOff: isAllOn(document, group),
+    },
+    {
+      label: t('canvas.turnOff'),
+      run: () => turnGroup(group, false, at),
+      isOff: summary(document, group).look === 'OFF',
+    },
   ]
 }
 
@@ -84,7 +114,12 @@ function liveItems(tasks: string[], name: string, at: Point): Item[] {
       { label: t('canvas.clearOnly'), run: () => clear(name, false, at) },
     ]
   return [
-    { label: t('canvas.turnOn'), keys: 'Shift+Enter', run: () => turn(tasks, true, at), isOff: states.every((state) => state === 'ON') },
+    {
+      label: t('canvas.turnOn'),
+      keys: 'Shift+Enter',
+      run: () => turn(tasks, true, at),
+      isOff: states.every((state) => state === 'ON'),
+    },
     { label: t('canvas.turnOff'), run: () => turn(tasks, false, at), isOff: states.every((state) => state === 'OFF') },
   ]
 }
@@ -101,17 +136,38 @@ function locusItems(svar: string, at: Point): Item[] {
   const isDrawn = canvasState.scene.dots.has(svar) && locus?.is_shown !== false
   return [
     { label: t('canvas.information'), keys: 'Enter', run: () => (canvasState.opened = { kind: 'locus', at, svar }) },
-    { label: t(canvas.pinned.includes(svar) ? 'canvas.unpinIt' : 'canvas.pinIt'), run: () => togglePin(svar), isOff: !canvasState.scene.dots.has(svar) },
-    { label: t('canvas.plotIt'), run: () => (canvas.plots = [...new Set([...canvas.plots, svar])]), isOff: canvas.plots.includes(svar) },
+    {
+      label: t(canvas.pinned.includes(svar) ? 'canvas.unpinIt' : 'canvas.pinIt'),
+      run: () => togglePin(svar),
+      isOff: !canvasState.scene.dots.has(svar),
+    },
+    {
+      label: t('canvas.plotIt'),
+      run: () => (canvas.plots = [...new Set([...canvas.plots, svar])]),
+      isOff: canvas.plots.includes(svar),
+    },
     { label: t(isDrawn ? 'canvas.hideLines' : 'canvas.showLines'), keys: 'Shift+Enter', run: () => toggleLines(svar) },
   ]
 }
 
 function groundItems(at: Point): Item[] {
   return [
-    ...(canvas.libraryTask ? [{ label: t('canvas.placeIt', { name: canvas.libraryTask }), run: () => placeAt(canvas.libraryTask, at, false) }] : []),
+    ...(canvas.libraryTask
+      ? [
+          {
+            label: t('canvas.placeIt', { name: canvas.libraryTask }),
+            run: () => placeAt(canvas.libraryTask, at, false),
+          },
+        ]
+      : []),
     { label: t('canvas.addTask'), keys: '/', run: () => (canvasState.opened = { kind: 'quick', at }) },
-    { label: t('canvas.paste'), keys: 'Ctrl+V', run: () => paste(), isOff: !desk.tree.clipboard, note: desk.tree.clipboard || undefined },
+    {
+      label: t('canvas.paste'),
+      keys: 'Ctrl+V',
+      run: () => paste(),
+      isOff: !desk.tree.clipboard,
+      note: desk.tree.clipboard || undefined,
+    },
     { label: t('canvas.group.insert'), run: () => openInsert(at) },
     { label: t('canvas.selectAll'), keys: 'Ctrl+A', run: selectAll },
     { label: t('canvas.fit'), keys: '1', run: () => canvasState.fit(), begins: true },

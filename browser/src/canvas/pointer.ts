@@ -1,7 +1,17 @@
 // What the buttons of a mouse, a pen or fingers mean on the canvas (table B.2).
 import { canvas } from '../state/canvas.svelte'
 import {
-  check, deselect, note, openSheet, openSource, pickedTasks, placeAt, selectLocus, toggle, toggleLines, togglePin,
+  check,
+  deselect,
+  note,
+  openSheet,
+  openSource,
+  pickedTasks,
+  placeAt,
+  selectLocus,
+  toggle,
+  toggleLines,
+  togglePin,
 } from '../scene/acts'
 import { DragBoxes, DragDot } from './dragging'
 import type { Gesture } from '../gesture/gesture'
@@ -83,7 +93,11 @@ export class PointerGestures {
     if (over.kind === 'group') return this.leftOnGroup(event, over.name)
     const adds = event.shiftKey || event.ctrlKey || event.metaKey
     const marquee = (first: PointerEvent): Gesture => new Marquee(first, adds ? pickedTasks() : [])
-    return new Press(event, () => adds || deselect(), event.pointerType === 'touch' ? (first) => new Pan(first) : marquee)
+    return new Press(
+      event,
+      () => adds || deselect(),
+      event.pointerType === 'touch' ? (first) => new Pan(first) : marquee,
+    )
   }
 
   private leftOnTask(event: PointerEvent, name: string): Gesture {
@@ -95,7 +109,11 @@ export class PointerGestures {
     const wasPicked = !isOne && all.every((one) => canvas.picked.has(one))
     if (!wasPicked) selectAs(meant, focus)
     canvasState.focus = focus
-    return new Press(event, () => wasPicked && selectAs(meant, focus), (first) => new DragBoxes(name, pickedTasks(), lociWith(canvasState.document, pickedTasks()), first))
+    return new Press(
+      event,
+      () => wasPicked && selectAs(meant, focus),
+      (first) => new DragBoxes(name, pickedTasks(), lociWith(canvasState.document, pickedTasks()), first),
+    )
   }
 
   private leftOnGroup(event: PointerEvent, group: string): Gesture {
@@ -106,21 +124,34 @@ export class PointerGestures {
     if (!wasPicked) selectGroup(group)
     canvasState.focus = `group:${group}`
     const grabbed = all.find((one) => canvasState.scene.boxes.has(one)) ?? ''
-    return new Press(event, () => wasPicked && selectGroup(group), (first) => new DragBoxes(grabbed, pickedTasks(), lociWith(canvasState.document, pickedTasks()), first))
+    return new Press(
+      event,
+      () => wasPicked && selectGroup(group),
+      (first) => new DragBoxes(grabbed, pickedTasks(), lociWith(canvasState.document, pickedTasks()), first),
+    )
   }
 
   private leftOnLocus(event: PointerEvent, svar: string): Gesture {
     if (event.shiftKey) return new Press(event, () => toggleLines(svar))
     selectLocus(svar)
     const isOnCanvas = canvasState.scene.dots.has(svar)
-    return new Press(event, () => clickLocus(svar, isOnCanvas), () => (isOnCanvas ? new DragDot(svar) : undefined))
+    return new Press(
+      event,
+      () => clickLocus(svar, isOnCanvas),
+      () => (isOnCanvas ? new DragDot(svar) : undefined),
+    )
   }
 
   private middle(event: PointerEvent, over: Over): Gesture {
     if (over.kind === 'task') return new Press(event, () => middleOnTask(event, over.name))
     if (event.shiftKey) return new Press(event, () => void check(at(event)))
-    if (over.kind === 'locus') return new Press(event, () => (canvasState.opened = { kind: 'locus', at: at(event), svar: over.name }))
-    return new Press(event, () => undefined, (first) => new Pan(first))
+    if (over.kind === 'locus')
+      return new Press(event, () => (canvasState.opened = { kind: 'locus', at: at(event), svar: over.name }))
+    return new Press(
+      event,
+      () => undefined,
+      (first) => new Pan(first),
+    )
   }
 }
 

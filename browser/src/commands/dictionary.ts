@@ -1,7 +1,18 @@
 // The commands of the dictionaries, for keys, palette and help sheet (table B.3).
 import { command, type Command } from '../state/commands'
 import { desk } from '../link/desk.svelte'
-import { edit, editPicture, expand, gapHere, insert, isAction, newTarget, openDictionary, takePresent, turnFitsOnly } from '../dictionary/acts'
+import {
+  edit,
+  editPicture,
+  expand,
+  gapHere,
+  insert,
+  isAction,
+  newTarget,
+  openDictionary,
+  takePresent,
+  turnFitsOnly,
+} from '../dictionary/acts'
 import { look, type Presentation } from '../state/look.svelte'
 import { workspace } from '../state/workspace.svelte'
 import { t, type TextKey } from '../texts/index.svelte'
@@ -28,7 +39,11 @@ function nextPresentation(): void {
 
 add('find', 'dictionary.find', { keys: ['Ctrl+F'], run: find, whileTyping: true })
 add('findHere', 'dictionary.findHere', { keys: ['/'], when: () => !isInWorkspace(), run: find })
-add('fits', 'dictionary.fitsOnly', { keys: ['F'], when: () => workspace.fitsOnly || gapHere() !== undefined, run: turnFitsOnly })
+add('fits', 'dictionary.fitsOnly', {
+  keys: ['F'],
+  when: () => workspace.fitsOnly || gapHere() !== undefined,
+  run: turnFitsOnly,
+})
 add('presentation', 'dictionary.nextPresentation', { run: nextPresentation })
 add('insert', 'dictionary.insertIt', { when: () => selected() !== undefined, run: () => insert(workspace.onikon) })
 add('edit', 'dictionary.editIt', { when: () => selected() !== undefined, run: () => edit(workspace.onikon) })

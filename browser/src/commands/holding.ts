@@ -9,8 +9,39 @@ import { t } from '../texts/index.svelte'
 const isThere = (): boolean => desk.live.runtime.state === 'linked'
 const offer = () => everything().find((one) => one.isOfferedHere)
 
-command({ id: 'run.holding', group: 'run', title: () => t('holding.open'), keys: ['Alt+H'], when: isThere, run: () => (dialogs.current.name === 'holding' ? closeDialog() : openDialog('holding')) })
-command({ id: 'run.accept', group: 'run', title: () => t('holding.accept'), when: () => offer() !== undefined, run: () => act({ t: 'Take', subsystem: offer()!.subsystems[0]! }) })
-command({ id: 'run.decline', group: 'run', title: () => t('holding.decline'), when: () => offer() !== undefined, run: () => act({ t: 'Decline', subsystem: offer()!.subsystems[0]! }) })
-command({ id: 'run.watch', group: 'run', title: () => t('holding.watch'), when: () => isThere() && !!desk.live.runtime.address && !onlyWatches(), run: () => act({ t: 'OnlyWatch' }) })
-command({ id: 'run.watchNoMore', group: 'run', title: () => t('holding.watchNoMore'), when: onlyWatches, run: () => act({ t: 'WatchNoMore' }) })
+command({
+  id: 'run.holding',
+  group: 'run',
+  title: () => t('holding.open'),
+  keys: ['Alt+H'],
+  when: isThere,
+  run: () => (dialogs.current.name === 'holding' ? closeDialog() : openDialog('holding')),
+})
+command({
+  id: 'run.accept',
+  group: 'run',
+  title: () => t('holding.accept'),
+  when: () => offer() !== undefined,
+  run: () => act({ t: 'Take', subsystem: offer()!.subsystems[0]! }),
+})
+command({
+  id: 'run.decline',
+  group: 'run',
+  title: () => t('holding.decline'),
+  when: () => offer() !== undefined,
+  run: () => act({ t: 'Decline', subsystem: offer()!.subsystems[0]! }),
+})
+command({
+  id: 'run.watch',
+  group: 'run',
+  title: () => t('holding.watch'),
+  when: () => isThere() && !!desk.live.runtime.address && !onlyWatches(),
+  run: () => act({ t: 'OnlyWatch' }),
+})
+command({
+  id: 'run.watchNoMore',
+  group: 'run',
+  title: () => t('holding.watchNoMore'),
+  when: onlyWatches,
+  run: () => act({ t: 'WatchNoMore' }),
+})

@@ -33,16 +33,114 @@ function begin(): unknown {
   return canPause(run()) ? announce(t('perform.running')) : steer('continue')
 }
 
-command({ id: 'application.run', group: 'application', level: 'applications', title: () => t('perform.run'), keys: ['F5', 'Ctrl+Enter'], when: () => workspace.app !== '' || isGoing(), run: () => moves(begin), whileTyping: true })
-command({ id: 'application.pause', group: 'application', title: () => (canPause(run()) ? t('perform.pause') : t('perform.continue')), keys: ['F8'], when: isGoing, run: () => (canPause(run()) ? pauseOrContinue() : moves(pauseOrContinue)), whileTyping: true })
-command({ id: 'application.step', group: 'application', title: () => t('perform.step'), keys: ['F10'], when: isGoing, run: () => moves(() => steer('step')), whileTyping: true })
-command({ id: 'application.skip', group: 'application', level: 'applications', title: () => t('perform.skip'), keys: ['Alt+J'], when: isGoing, run: () => skipMode.turn() })
-command({ id: 'application.release', group: 'application', title: () => t('perform.release'), keys: ['Alt+G'], when: () => isGoing() && waiting() !== undefined, run: () => steer('pass', waiting()) })
-command({ id: 'application.answer', group: 'application', level: 'applications', title: () => t('ask.answer'), keys: ['Alt+A'], when: () => asking() !== undefined, run: () => asks.open(asking() ?? '') })
-command({ id: 'application.leave', group: 'application', title: () => t('perform.leave'), keys: ['Alt+L'], when: () => isGoing() && looping() !== undefined, run: () => steer('leave', looping()) })
-command({ id: 'application.abort', group: 'application', title: () => t('perform.abort'), keys: ['Shift+F5'], when: isGoing, run: () => steer('abort'), whileTyping: true })
-command({ id: 'application.why', group: 'application', level: 'applications', title: () => t('stopped.chipEnd'), keys: ['Alt+Y'], when: () => standstills(run()).length > 0, run: () => (shownStop.shown ? shownStop.putAside() : shownStop.open()) })
-command({ id: 'application.dismiss', group: 'application', level: 'applications', title: () => t('perform.dismiss'), when: () => run()?.state === 'over', run: dismiss })
-command({ id: 'application.putBack', group: 'application', level: 'applications', title: () => anewWords(desk.live.runtime).name, when: () => ['linked', 'lost'].includes(desk.tree.runtime.state ?? '') && !isGoing() && !isReviewing(), run: putBack })
-command({ id: 'application.passes', group: 'application', level: 'applications', title: () => (options.passesBreakpoints ? `${t('perform.passes')} ✓` : t('perform.passes')), run: () => (options.passesBreakpoints = !options.passesBreakpoints) })
-command({ id: 'application.stopSkipping', group: 'application', title: () => t('perform.cancel'), keys: ['Escape'], when: () => skipMode.isOn, run: () => skipMode.end() })
+command({
+  id: 'application.run',
+  group: 'application',
+  level: 'applications',
+  title: () => t('perform.run'),
+  keys: ['F5', 'Ctrl+Enter'],
+  when: () => workspace.app !== '' || isGoing(),
+  run: () => moves(begin),
+  whileTyping: true,
+})
+command({
+  id: 'application.pause',
+  group: 'application',
+  title: () => (canPause(run()) ? t('perform.pause') : t('perform.continue')),
+  keys: ['F8'],
+  when: isGoing,
+  run: () => (canPause(run()) ? pauseOrContinue() : moves(pauseOrContinue)),
+  whileTyping: true,
+})
+command({
+  id: 'application.step',
+  group: 'application',
+  title: () => t('perform.step'),
+  keys: ['F10'],
+  when: isGoing,
+  run: () => moves(() => steer('step')),
+  whileTyping: true,
+})
+command({
+  id: 'application.skip',
+  group: 'application',
+  level: 'applications',
+  title: () => t('perform.skip'),
+  keys: ['Alt+J'],
+  when: isGoing,
+  run: () => skipMode.turn(),
+})
+command({
+  id: 'application.release',
+  group: 'application',
+  title: () => t('perform.release'),
+  keys: ['Alt+G'],
+  when: () => isGoing() && waiting() !== undefined,
+  run: () => steer('pass', waiting()),
+})
+command({
+  id: 'application.answer',
+  group: 'application',
+  level: 'applications',
+  title: () => t('ask.answer'),
+  keys: ['Alt+A'],
+  when: () => asking() !== undefined,
+  run: () => asks.open(asking() ?? ''),
+})
+command({
+  id: 'application.leave',
+  group: 'application',
+  title: () => t('perform.leave'),
+  keys: ['Alt+L'],
+  when: () => isGoing() && looping() !== undefined,
+  run: () => steer('leave', looping()),
+})
+command({
+  id: 'application.abort',
+  group: 'application',
+  title: () => t('perform.abort'),
+  keys: ['Shift+F5'],
+  when: isGoing,
+  run: () => steer('abort'),
+  whileTyping: true,
+})
+command({
+  id: 'application.why',
+  group: 'application',
+  level: 'applications',
+  title: () => t('stopped.chipEnd'),
+  keys: ['Alt+Y'],
+  when: () => standstills(run()).length > 0,
+  run: () => (shownStop.shown ? shownStop.putAside() : shownStop.open()),
+})
+command({
+  id: 'application.dismiss',
+  group: 'application',
+  level: 'applications',
+  title: () => t('perform.dismiss'),
+  when: () => run()?.state === 'over',
+  run: dismiss,
+})
+command({
+  id: 'application.putBack',
+  group: 'application',
+  level: 'applications',
+  title: () => anewWords(desk.live.runtime).name,
+  when: () => ['linked', 'lost'].includes(desk.tree.runtime.state ?? '') && !isGoing() && !isReviewing(),
+  run: putBack,
+})
+command({
+  id: 'application.passes',
+  group: 'application',
+  level: 'applications',
+  title: () => (options.passesBreakpoints ? `${t('perform.passes')} ✓` : t('perform.passes')),
+  run: () => (options.passesBreakpoints = !options.passesBreakpoints),
+})
+command({
+  id: 'application.stopSkipping',
+  group: 'application',
+  title: () => t('perform.cancel'),
+  keys: ['Escape'],
+  when: () => skipMode.isOn,
+  run: () => skipMode.end(),
+})

@@ -9,13 +9,34 @@ import { openRecording } from '../recording/acts'
 import { isReviewing } from '../recording/review.svelte'
 import { t } from '../texts/index.svelte'
 
-const last = (): string => (desk.live.run?.state === 'over' ? desk.live.run.recording ?? '' : '')
+const last = (): string => (desk.live.run?.state === 'over' ? (desk.live.run.recording ?? '') : '')
 
 function turn(): void {
   options.records = !options.records
   announce(t(options.records ? 'recording.recordOn' : 'recording.recordOff'))
 }
 
-command({ id: 'application.record', group: 'application', level: 'applications', title: () => (options.records ? `${t('recording.record')} ✓` : t('recording.record')), keys: ['Alt+R'], run: turn })
-command({ id: 'application.look', group: 'application', title: () => t('recording.look'), when: () => last() !== '' && !isReviewing(), run: () => openRecording(last()) })
-command({ id: 'application.keep', group: 'application', level: 'applications', title: () => t('recording.keep'), keys: ['Alt+Shift+K'], when: () => workspace.app !== '', run: () => openDialog('keep', { doc: workspace.app }) })
+command({
+  id: 'application.record',
+  group: 'application',
+  level: 'applications',
+  title: () => (options.records ? `${t('recording.record')} ✓` : t('recording.record')),
+  keys: ['Alt+R'],
+  run: turn,
+})
+command({
+  id: 'application.look',
+  group: 'application',
+  title: () => t('recording.look'),
+  when: () => last() !== '' && !isReviewing(),
+  run: () => openRecording(last()),
+})
+command({
+  id: 'application.keep',
+  group: 'application',
+  level: 'applications',
+  title: () => t('recording.keep'),
+  keys: ['Alt+Shift+K'],
+  when: () => workspace.app !== '',
+  run: () => openDialog('keep', { doc: workspace.app }),
+})

@@ -9,5 +9,22 @@ import { t } from '../texts/index.svelte'
 
 const isResting = (): boolean => desk.tree.applications[workspace.app] !== undefined && !isGoing()
 
-command({ id: 'application.check', group: 'application', level: 'applications', title: () => t('check.run'), keys: ['Alt+K'], when: isResting, run: () => check.look(workspace.app), whileTyping: true })
-command({ id: 'application.redirect', group: 'application', level: 'applications', title: () => t('redirect.menu'), keys: ['Alt+I'], when: isResting, run: () => openDialog('redirect') })
+command({
+  id: 'application.check',
+  group: 'application',
+  level: 'applications',
+  title: () => t('check.run'),
+  keys: ['Alt+K'],
+  when: isResting,
+  run: () => check.look(workspace.app),
+  whileTyping: true,
+})
+command({
+  id: 'application.redirect',
+  group: 'application',
+  level: 'applications',
+  title: () => t('redirect.menu'),
+  keys: ['Alt+I'],
+  when: isResting,
+  run: () => openDialog('redirect'),
+})

@@ -16,7 +16,8 @@ const isOpen = (): boolean => shownOne() !== undefined
 const isUpper = (): boolean => look.level === 'applications'
 const hasDocument = (): boolean => shownDocument() !== undefined
 const isConnected = (): boolean => ['live', 'lost'].includes(shownDocument()?.connection ?? '')
-const chosenTask = (): string => (canvas.picked.size === 1 ? [...canvas.picked][0]! : canvas.picked.size ? '' : canvas.libraryTask)
+const chosenTask = (): string =>
+  canvas.picked.size === 1 ? [...canvas.picked][0]! : canvas.picked.size ? '' : canvas.libraryTask
 
 /** Open a panel, or close it where it is the one that is open. */
 function turn(name: DialogName, data: Record<string, string> = {}): void {
@@ -30,17 +31,86 @@ function switchLevel(): void {
 }
 
 command({ id: 'file.new', group: 'file', level: 'tasks', title: () => t('file.new'), keys: ['Alt+N'], run: openBlank })
-command({ id: 'file.newApplication', group: 'file', level: 'applications', title: () => t('file.newApplication'), keys: ['Alt+N'], run: () => turn('newApplication') })
-command({ id: 'file.open', group: 'file', title: () => t('file.open'), keys: ['Ctrl+O'], run: () => turn('open'), whileTyping: true })
-command({ id: 'file.save', group: 'file', title: () => t('file.save'), keys: ['Ctrl+S'], when: isOpen, run: save, whileTyping: true })
-command({ id: 'file.saveAs', group: 'file', title: () => t('file.saveAs'), keys: ['Ctrl+Shift+S'], when: isOpen, run: () => turn('saveAs'), whileTyping: true })
-command({ id: 'file.close', group: 'file', title: () => t(isUpper() ? 'file.closeApplication' : 'file.close'), keys: ['Alt+W'], when: isOpen, run: () => act({ t: 'Close', doc: shownId() }, { x: 160, y: 40 }) })
-command({ id: 'file.next', group: 'file', title: () => t(isUpper() ? 'file.nextApplication' : 'file.next'), keys: ['Alt+PageDown'], run: () => step(1) })
-command({ id: 'file.previous', group: 'file', title: () => t(isUpper() ? 'file.previousApplication' : 'file.previous'), keys: ['Alt+PageUp'], run: () => step(-1) })
-command({ id: 'file.library', group: 'library', level: 'tasks', title: () => t('file.library'), run: () => turn('open', { what: 'library' }) })
+command({
+  id: 'file.newApplication',
+  group: 'file',
+  level: 'applications',
+  title: () => t('file.newApplication'),
+  keys: ['Alt+N'],
+  run: () => turn('newApplication'),
+})
+command({
+  id: 'file.open',
+  group: 'file',
+  title: () => t('file.open'),
+  keys: ['Ctrl+O'],
+  run: () => turn('open'),
+  whileTyping: true,
+})
+command({
+  id: 'file.save',
+  group: 'file',
+  title: () => t('file.save'),
+  keys: ['Ctrl+S'],
+  when: isOpen,
+  run: save,
+  whileTyping: true,
+})
+command({
+  id: 'file.saveAs',
+  group: 'file',
+  title: () => t('file.saveAs'),
+  keys: ['Ctrl+Shift+S'],
+  when: isOpen,
+  run: () => turn('saveAs'),
+  whileTyping: true,
+})
+command({
+  id: 'file.close',
+  group: 'file',
+  title: () => t(isUpper() ? 'file.closeApplication' : 'file.close'),
+  keys: ['Alt+W'],
+  when: isOpen,
+  run: () => act({ t: 'Close', doc: shownId() }, { x: 160, y: 40 }),
+})
+command({
+  id: 'file.next',
+  group: 'file',
+  title: () => t(isUpper() ? 'file.nextApplication' : 'file.next'),
+  keys: ['Alt+PageDown'],
+  run: () => step(1),
+})
+command({
+  id: 'file.previous',
+  group: 'file',
+  title: () => t(isUpper() ? 'file.previousApplication' : 'file.previous'),
+  keys: ['Alt+PageUp'],
+  run: () => step(-1),
+})
+command({
+  id: 'file.library',
+  group: 'library',
+  level: 'tasks',
+  title: () => t('file.library'),
+  run: () => turn('open', { what: 'library' }),
+})
 
-command({ id: 'edit.undo', group: 'edit', title: () => t('edit.undo'), keys: ['Ctrl+Z'], when: () => !!shownOne()?.undo, run: () => act({ t: 'Undo', doc: shownId() }) })
-command({ id: 'edit.redo', group: 'edit', title: () => t('edit.redo'), keys: ['Ctrl+Shift+Z', 'Ctrl+Y'], when: () => !!shownOne()?.redo, run: () => act({ t: 'Redo', doc: shownId() }) })
+command({
+  id: 'edit.undo',
+  group: 'edit',
+  title: () => t('edit.undo'),
+  keys: ['Ctrl+Z'],
+  when: () => !!shownOne()?.undo,
+  run: () => act({ t: 'Undo', doc: shownId() }),
+})
+command({
+  id: 'edit.redo',
+  group: 'edit',
+  title: () => t('edit.redo'),
+  keys: ['Ctrl+Shift+Z', 'Ctrl+Y'],
+  when: () => !!shownOne()?.redo,
+  run: () => act({ t: 'Redo', doc: shownId() }),
+})
 
 const findField = (): HTMLInputElement | null => document.querySelector('.library [role=searchbox]')
 function find(): void {
@@ -48,26 +118,134 @@ function find(): void {
   findField()?.select()
 }
 const isOnCanvas = (): boolean => document.activeElement?.closest('.canvas') != null
-command({ id: 'library.find', group: 'library', level: 'tasks', title: () => t('library.find'), keys: ['Ctrl+F'], run: find, whileTyping: true })
-command({ id: 'library.findHere', group: 'library', level: 'tasks', title: () => t('library.findHere'), keys: ['/'], when: () => !isOnCanvas(), run: find })
-command({ id: 'task.source', group: 'library', level: 'tasks', title: () => t('task.source'), keys: ['Alt+S'], when: () => chosenTask() !== '', run: () => openDialog('source', { task: chosenTask(), kind: 'code' }) })
-command({ id: 'task.rmod', group: 'library', level: 'tasks', title: () => t('task.rmod'), keys: ['Alt+R'], when: () => chosenTask() !== '', run: () => openDialog('source', { task: chosenTask(), kind: 'rmod' }) })
+command({
+  id: 'library.find',
+  group: 'library',
+  level: 'tasks',
+  title: () => t('library.find'),
+  keys: ['Ctrl+F'],
+  run: find,
+  whileTyping: true,
+})
+command({
+  id: 'library.findHere',
+  group: 'library',
+  level: 'tasks',
+  title: () => t('library.findHere'),
+  keys: ['/'],
+  when: () => !isOnCanvas(),
+  run: find,
+})
+command({
+  id: 'task.source',
+  group: 'library',
+  level: 'tasks',
+  title: () => t('task.source'),
+  keys: ['Alt+S'],
+  when: () => chosenTask() !== '',
+  run: () => openDialog('source', { task: chosenTask(), kind: 'code' }),
+})
+command({
+  id: 'task.rmod',
+  group: 'library',
+  level: 'tasks',
+  title: () => t('task.rmod'),
+  keys: ['Alt+R'],
+  when: () => chosenTask() !== '',
+  run: () => openDialog('source', { task: chosenTask(), kind: 'rmod' }),
+})
 
-command({ id: 'run.stop', group: 'run', title: () => t('stop.everything'), keys: ['Ctrl+.', 'Pause'], run: stopEverything, whileTyping: true })
-command({ id: 'run.reset', group: 'run', title: () => t('stop.reset'), when: () => desk.tree.runtime.is_stopped === true, run: () => act({ t: 'Reset' }) })
-command({ id: 'run.connect', group: 'run', level: 'tasks', title: () => t('runtime.connect'), keys: ['Alt+C'], when: () => hasDocument() && !isConnected(), run: () => openDialog('connect') })
-command({ id: 'run.disconnect', group: 'run', level: 'tasks', title: () => t('connect.leave'), when: isConnected, run: () => act({ t: 'Disconnect', doc: canvas.doc }) })
-command({ id: 'run.take', group: 'run', level: 'tasks', title: () => t('holder.takeIt'), when: () => isConnected() && !shownDocument()?.is_held_here, run: () => act({ t: 'Take', doc: canvas.doc }) })
-command({ id: 'run.release', group: 'run', level: 'tasks', title: () => t('holder.release'), when: () => isConnected() && shownDocument()?.is_held_here === true, run: () => act({ t: 'Release', doc: canvas.doc }) })
+command({
+  id: 'run.stop',
+  group: 'run',
+  title: () => t('stop.everything'),
+  keys: ['Ctrl+.', 'Pause'],
+  run: stopEverything,
+  whileTyping: true,
+})
+command({
+  id: 'run.reset',
+  group: 'run',
+  title: () => t('stop.reset'),
+  when: () => desk.tree.runtime.is_stopped === true,
+  run: () => act({ t: 'Reset' }),
+})
+command({
+  id: 'run.connect',
+  group: 'run',
+  level: 'tasks',
+  title: () => t('runtime.connect'),
+  keys: ['Alt+C'],
+  when: () => hasDocument() && !isConnected(),
+  run: () => openDialog('connect'),
+})
+command({
+  id: 'run.disconnect',
+  group: 'run',
+  level: 'tasks',
+  title: () => t('connect.leave'),
+  when: isConnected,
+  run: () => act({ t: 'Disconnect', doc: canvas.doc }),
+})
+command({
+  id: 'run.take',
+  group: 'run',
+  level: 'tasks',
+  title: () => t('holder.takeIt'),
+  when: () => isConnected() && !shownDocument()?.is_held_here,
+  run: () => act({ t: 'Take', doc: canvas.doc }),
+})
+command({
+  id: 'run.release',
+  group: 'run',
+  level: 'tasks',
+  title: () => t('holder.release'),
+  when: () => isConnected() && shownDocument()?.is_held_here === true,
+  run: () => act({ t: 'Release', doc: canvas.doc }),
+})
 
 const isNowhere = (): boolean => document.activeElement === null || document.activeElement === document.body
-command({ id: 'view.closePanel', group: 'view', title: () => t('shell.closePanel'), keys: ['Escape'], when: () => dialogs.current.name !== '' && isNowhere(), run: closeDialog })
-command({ id: 'view.level', group: 'view', title: () => t(isUpper() ? 'levels.goTasks' : 'levels.goApplications'), keys: ['Ctrl+Shift+L'], when: () => !look.isUpperOnly, run: switchLevel, whileTyping: true })
-command({ id: 'view.showLower', group: 'view', title: () => t(look.isUpperOnly ? 'levels.showLower' : 'levels.hideLower'), run: () => act({ t: 'Prefer', values: { shows_lower: look.isUpperOnly } }) })
-command({ id: 'view.palette', group: 'help', title: () => t('palette.title'), keys: ['Ctrl+K'], run: () => (dialogs.isPaletteOpen = !dialogs.isPaletteOpen), whileTyping: true })
+command({
+  id: 'view.closePanel',
+  group: 'view',
+  title: () => t('shell.closePanel'),
+  keys: ['Escape'],
+  when: () => dialogs.current.name !== '' && isNowhere(),
+  run: closeDialog,
+})
+command({
+  id: 'view.level',
+  group: 'view',
+  title: () => t(isUpper() ? 'levels.goTasks' : 'levels.goApplications'),
+  keys: ['Ctrl+Shift+L'],
+  when: () => !look.isUpperOnly,
+  run: switchLevel,
+  whileTyping: true,
+})
+command({
+  id: 'view.showLower',
+  group: 'view',
+  title: () => t(look.isUpperOnly ? 'levels.showLower' : 'levels.hideLower'),
+  run: () => act({ t: 'Prefer', values: { shows_lower: look.isUpperOnly } }),
+})
+command({
+  id: 'view.palette',
+  group: 'help',
+  title: () => t('palette.title'),
+  keys: ['Ctrl+K'],
+  run: () => (dialogs.isPaletteOpen = !dialogs.isPaletteOpen),
+  whileTyping: true,
+})
 command({ id: 'view.help', group: 'help', title: () => t('help.title'), keys: ['?', 'F1'], run: () => turn('help') })
 command({ id: 'view.tutorial', group: 'help', title: () => t('tutorial.title'), run: startTutorial })
-command({ id: 'view.preferences', group: 'view', title: () => t('prefer.title'), keys: ['Ctrl+,'], run: () => turn('preferences'), whileTyping: true })
+command({
+  id: 'view.preferences',
+  group: 'view',
+  title: () => t('prefer.title'),
+  keys: ['Ctrl+,'],
+  run: () => turn('preferences'),
+  whileTyping: true,
+})
 command({ id: 'view.buttons', group: 'view', title: () => t('buttons.title'), run: () => turn('buttons') })
 
 const THEMES: Theme[] = ['auto', 'light', 'dark', '1994']
@@ -80,5 +258,16 @@ command({
     announce(t(`theme.${look.theme}`))
   },
 })
-command({ id: 'view.language', group: 'view', title: () => t('language.next'), also: () => t('language.also'), run: () => (look.language = look.language === 'en' ? 'es' : 'en') })
-command({ id: 'view.sounds', group: 'view', title: () => (look.sounds ? t('sounds.off') : t('sounds.on')), run: () => (look.sounds = !look.sounds) })
+command({
+  id: 'view.language',
+  group: 'view',
+  title: () => t('language.next'),
+  also: () => t('language.also'),
+  run: () => (look.language = look.language === 'en' ? 'es' : 'en'),
+})
+command({
+  id: 'view.sounds',
+  group: 'view',
+  title: () => (look.sounds ? t('sounds.off') : t('sounds.on')),
+  run: () => (look.sounds = !look.sounds),
+})

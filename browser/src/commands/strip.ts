@@ -56,8 +56,11 @@ command({
   run: () => asks.open(firstAsking() ?? ''),
 })
 
-const firstWorld = (): string | undefined => Object.keys(desk.tree.runtime.worlds ?? {}).find((name) => !isWorldShown(name))
+const firstWorld = (): string | undefined =>
+  Object.keys(desk.tree.runtime.worlds ?? {}).find((name) => !isWorldShown(name))
 
 function firstAsking(): string | undefined {
-  return desk.live.review ? undefined : Object.keys(asking(desk.tree.documents[canvas.doc], desk.tree.run, takenAsks(everything())))[0]
+  return desk.live.review
+    ? undefined
+    : Object.keys(asking(desk.tree.documents[canvas.doc], desk.tree.run, takenAsks(everything())))[0]
 }

@@ -34,7 +34,9 @@ export class ValuesDraft {
   take({ values }: TaughtView): string[] {
     this.present = values
     this.words = taken(this.rows, this.words, values)
-    return lacking(this.rows, values).filter((name) => this.rows.some((row, k) => row.item.name === name && !this.words[k]))
+    return lacking(this.rows, values).filter((name) =>
+      this.rows.some((row, k) => row.item.name === name && !this.words[k]),
+    )
   }
 }
 

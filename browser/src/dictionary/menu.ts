@@ -15,9 +15,16 @@ export function menuOf(name: string, at: Point): Item[] {
   return [
     { label: t('dictionary.insert'), keys: 'Enter', run: () => insert(name, at) },
     ...behind(one),
-    { label: t(isTarget ? 'dictionary.values' : 'dictionary.editWords'), keys: 'E', run: () => edit(name), begins: true },
+    {
+      label: t(isTarget ? 'dictionary.values' : 'dictionary.editWords'),
+      keys: 'E',
+      run: () => edit(name),
+      begins: true,
+    },
     { label: t('dictionary.picture'), keys: 'P', run: () => editPicture(name) },
-    ...(isTarget ? [{ label: t('dictionary.like'), run: () => newTarget({ type: one.type, like: name }), begins: true }] : []),
+    ...(isTarget
+      ? [{ label: t('dictionary.like'), run: () => newTarget({ type: one.type, like: name }), begins: true }]
+      : []),
     ...(isTarget ? [{ label: t('dictionary.teach'), run: takePresent }] : []),
     { label: t('dictionary.remove'), run: () => remove(name, at), begins: true },
   ]
@@ -27,10 +34,32 @@ export function menuOf(name: string, at: Point): Item[] {
 function behind(one: OnikonView): Item[] {
   const source = one.source ?? ''
   const note = source || one.trouble || undefined
-  if (one.role === 'application') return [{ label: t('dictionary.openApplication'), keys: t('dictionary.shiftClick'), run: () => expand(one), isOff: !source, note, begins: true }]
+  if (one.role === 'application')
+    return [
+      {
+        label: t('dictionary.openApplication'),
+        keys: t('dictionary.shiftClick'),
+        run: () => expand(one),
+        isOff: !source,
+        note,
+        begins: true,
+      },
+    ]
   if (one.role !== 'job' || look.isUpperOnly) return []
   return [
-    { label: t('dictionary.openConfiguration'), keys: t('dictionary.shiftClick'), run: () => expand(one), isOff: !source, note, begins: true },
-    { label: t('dictionary.openInPlace'), run: () => expandInPlace(one), isOff: !source || !desk.tree.documents[canvas.doc], note: t('dictionary.inPlaceHint') },
+    {
+      label: t('dictionary.openConfiguration'),
+      keys: t('dictionary.shiftClick'),
+      run: () => expand(one),
+      isOff: !source,
+      note,
+      begins: true,
+    },
+    {
+      label: t('dictionary.openInPlace'),
+      run: () => expandInPlace(one),
+      isOff: !source || !desk.tree.documents[canvas.doc],
+      note: t('dictionary.inPlaceHint'),
+    },
   ]
 }

@@ -39,7 +39,12 @@ export function linesOf(text: string, width: number): number {
 }
 
 /** Groups on a shelf so wide; `caption` says what stands beneath an icon. */
-export function shelve(groups: readonly Group[], width: number, presentation: Presentation, caption: (name: string) => string): Shelf {
+export function shelve(
+  groups: readonly Group[],
+  width: number,
+  presentation: Presentation,
+  caption: (name: string) => string,
+): Shelf {
   const columns = columnsIn(width, presentation)
   const rows: Row[] = []
   let top = 0
@@ -51,7 +56,8 @@ export function shelve(groups: readonly Group[], width: number, presentation: Pr
     add({ key: `type ${group.type}`, height: CELL.head, names: [], group, lines: 0 })
     for (let k = 0; k < group.names.length; k += columns) {
       const names = group.names.slice(k, k + columns)
-      const lines = presentation === 'both' ? Math.max(...names.map((name) => linesOf(caption(name), width / columns - 6))) : 0
+      const lines =
+        presentation === 'both' ? Math.max(...names.map((name) => linesOf(caption(name), width / columns - 6))) : 0
       add({ key: names[0]!, names, lines, height: heightOf(presentation, lines) })
     }
   }
@@ -63,4 +69,8 @@ const heightOf = (presentation: Presentation, lines: number): number =>
 
 /** The icon beside one, as the arrow keys go. */
 export const beside = (rows: readonly Row[], name: string, key: string): string | undefined =>
-  walked(rows.filter((row) => row.names.length).map((row) => row.names), name, key)
+  walked(
+    rows.filter((row) => row.names.length).map((row) => row.names),
+    name,
+    key,
+  )

@@ -20,10 +20,12 @@ export function subjectOf({ step, onikon, doc }: Record<string, string>): Subjec
 }
 
 /** What tells it from others, for what is begun of it and not saved. */
-export const keyOf = ({ step, onikon, doc }: Record<string, string>): string => (step !== undefined ? `step ${doc || workspace.app} ${step}` : `onikon ${onikon}`)
+export const keyOf = ({ step, onikon, doc }: Record<string, string>): string =>
+  step !== undefined ? `step ${doc || workspace.app} ${step}` : `onikon ${onikon}`
 
 /** What it says and shows, in one word: another one tells that somebody has changed it meanwhile. */
-export const contentOf = ({ description, words, values, picture }: Subject['one']): string => JSON.stringify([description, words, values, picture])
+export const contentOf = ({ description, words, values, picture }: Subject['one']): string =>
+  JSON.stringify([description, words, values, picture])
 
 function stepOf(doc: string, number: string): Subject | undefined {
   const app = desk.tree.applications[doc]
@@ -40,6 +42,7 @@ export interface Changes {
 
 /** The act that changes it; what is left out stays. */
 export function changing(data: Record<string, string>, changes: Changes): EditIcon | EditOnikon {
-  if (data.step !== undefined) return { t: 'EditIcon', doc: data.doc || workspace.app, step: Number(data.step), ...changes }
+  if (data.step !== undefined)
+    return { t: 'EditIcon', doc: data.doc || workspace.app, step: Number(data.step), ...changes }
   return { t: 'EditOnikon', onikon: data.onikon ?? '', ...changes }
 }

@@ -6,7 +6,10 @@ export type Nested = readonly (readonly string[])[]
 
 /** The items as a question's; what is known of the present goes with it. */
 export function asked(items: readonly ItemView[] | undefined, present?: AskView['present']): AskView {
-  return { items: (items ?? []).map((item) => ({ ...item, unit: item.unit ?? '', meaning: item.meaning ?? '' })), present }
+  return {
+    items: (items ?? []).map((item) => ({ ...item, unit: item.unit ?? '', meaning: item.meaning ?? '' })),
+    present,
+  }
 }
 
 /** The words that a form begins with: those that are there already, else what an item begins with. */
@@ -27,8 +30,13 @@ export const rowsOf = (ask: AskView): Field[] => fields(ask)
 /** What each element is called: its place, or the word of the meaning for it where that names all of them. */
 export function labelOf({ item, index }: Field): string {
   if (item.count === 1) return item.name
-  const names = (item.meaning ?? '').replace(/^.*:/, '').split(/[,;]/).map((one) => one.trim())
-  return names.length === item.count && names.every((one) => one.length > 0 && one.length <= 12) ? names[index]! : `[${index}]`
+  const names = (item.meaning ?? '')
+    .replace(/^.*:/, '')
+    .split(/[,;]/)
+    .map((one) => one.trim())
+  return names.length === item.count && names.every((one) => one.length > 0 && one.length <= 12)
+    ? names[index]!
+    : `[${index}]`
 }
 
 const ANGLE = /^\s*([+-]?(?:\d+\.?\d*|\.\d+))\s*(?:°|deg|grados?)\s*$/i
@@ -47,10 +55,14 @@ export function degrees(word: string, unit: string): string {
 }
 
 /** What was measured as words of the form; those that nothing measures stay as they are. */
-export function taken(rows: readonly Field[], words: readonly string[], values: Readonly<Record<string, readonly number[]>>): string[] {
+export function taken(
+  rows: readonly Field[],
+  words: readonly string[],
+  values: Readonly<Record<string, readonly number[]>>,
+): string[] {
   return rows.map(({ item, index }, k) => {
     const value = values[item.name]?.[index]
-    return value === undefined ? words[k] ?? '' : tidy(value, values[item.name]!)
+    return value === undefined ? (words[k] ?? '') : tidy(value, values[item.name]!)
   })
 }
 

@@ -19,8 +19,17 @@ function atTasks(): boolean {
 export async function takeFile(file: File): Promise<void> {
   const isApplication = /\.appl$/.test(file.name)
   const name = file.name.replace(/\.(conf|appl)$/, '')
-  const known = Object.values(isApplication ? desk.tree.application_files : desk.tree.files).find((one) => one.name === name)
+  const known = Object.values(isApplication ? desk.tree.application_files : desk.tree.files).find(
+    (one) => one.name === name,
+  )
   if (known) await open(known.path)
   else if (isApplication) showRefusal(new Refusal(t('drop.unknown', { name: file.name })))
-  else if (atTasks()) await act({ t: 'Paste', doc: canvas.doc, x: Math.round(canvas.viewCentre.x), y: Math.round(canvas.viewCentre.y), text: await file.text() })
+  else if (atTasks())
+    await act({
+      t: 'Paste',
+      doc: canvas.doc,
+      x: Math.round(canvas.viewCentre.x),
+      y: Math.round(canvas.viewCentre.y),
+      text: await file.text(),
+    })
 }

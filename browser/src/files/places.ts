@@ -8,6 +8,8 @@ interface Bases {
 
 /** `own` is where the file lies already, wherever that is; it comes first. */
 export function placesOf({ libraries, dictionaries }: Bases, own: string): string[] {
-  const open = [...Object.values(libraries), ...Object.values(dictionaries)].filter((one) => !one.is_shipped).map((one) => one.path)
+  const open = [...Object.values(libraries), ...Object.values(dictionaries)]
+    .filter((one) => !one.is_shipped)
+    .map((one) => one.path)
   return [...new Set([...(own ? [own] : []), ...open])]
 }

@@ -23,8 +23,14 @@ export interface PlacedLabel extends Area {
 
 /** In the order they are tried: across and down from the dot, -1, 0 or 1. */
 const POSITIONS: readonly [Position, number, number][] = [
-  ['above', 0, -1], ['below', 0, 1], ['right', 1, 0], ['left', -1, 0],
-  ['above right', 1, -1], ['above left', -1, -1], ['below right', 1, 1], ['below left', -1, 1],
+  ['above', 0, -1],
+  ['below', 0, 1],
+  ['right', 1, 0],
+  ['left', -1, 0],
+  ['above right', 1, -1],
+  ['above left', -1, -1],
+  ['below right', 1, 1],
+  ['below left', -1, 1],
 ]
 
 /** From the centre of a dot to the nearest side of its label. */
@@ -36,7 +42,9 @@ const DOT = 6
  * place; off the wires too if one of these is; above the dot if all eight are taken.
  */
 export function placeLabels(
-  labels: readonly Label[], boxes: readonly Area[], wires: Iterable<readonly Pt[]> = [],
+  labels: readonly Label[],
+  boxes: readonly Area[],
+  wires: Iterable<readonly Pt[]> = [],
 ): PlacedLabel[] {
   const taken = new Cells<Area>()
   for (const { x0, y0, x1, y1 } of boxes) taken.add({ x0, y0, x1, y1 })

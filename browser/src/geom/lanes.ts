@@ -69,9 +69,15 @@ export class Lanes {
 
   /** Lay out anew what changed since the last time; the wires that are drawn differently now. */
   settle(): Set<string> {
-    this.layOut(this.vertical, [...this.restless].filter((s) => s.vertical))
+    this.layOut(
+      this.vertical,
+      [...this.restless].filter((s) => s.vertical),
+    )
     for (const link of this.changed) this.stretch(this.wires.get(link)!)
-    this.layOut(this.horizontal, [...this.restless].filter((s) => !s.vertical))
+    this.layOut(
+      this.horizontal,
+      [...this.restless].filter((s) => !s.vertical),
+    )
     for (const link of this.changed) redraw(this.wires.get(link)!)
     const changed = new Set(this.changed)
     this.restless.clear()

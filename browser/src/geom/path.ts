@@ -9,8 +9,10 @@ export function pathOf(points: readonly Pt[], radius = 5): string {
     const [before, corner, next] = [points[k - 1], points[k], points[k + 1]]
     // Two corners share the line between them, so each takes half of it at most.
     const r = Math.min(radius, length(before, corner) / 2, length(corner, next) / 2)
-    d += r > 0.01 ? `L${said(toward(corner, before, r))}Q${said(corner)} ${said(toward(corner, next, r))}`
-      : `L${said(corner)}`
+    d +=
+      r > 0.01
+        ? `L${said(toward(corner, before, r))}Q${said(corner)} ${said(toward(corner, next, r))}`
+        : `L${said(corner)}`
   }
   return points.length > 1 ? `${d}L${said(points[points.length - 1])}` : d
 }

@@ -73,7 +73,10 @@ export const mirrored = (picture: Picture, upright = false): Picture =>
 
 /** An image made a picture: averaged down into the border on white, proportions kept, in the nearest colours. */
 export function fromRgba(
-  data: ArrayLike<number>, w: number, h: number, palette: readonly string[] = PALETTE.map((c) => c.hex),
+  data: ArrayLike<number>,
+  w: number,
+  h: number,
+  palette: readonly string[] = PALETTE.map((c) => c.hex),
 ): Picture {
   if (data.length !== w * h * 4 || w < 1 || h < 1) {
     throw new RangeError(`expected ${w} x ${h} x 4 bytes of an image, found ${data.length}`)

@@ -18,17 +18,29 @@ export interface Area {
 }
 
 /** The sides of a rectangle, moved outwards by `pad`. */
-export const areaOf = ({ x, y, w, h }: Rect, pad = 0): Area => (
-  { x0: x - pad, y0: y - pad, x1: x + w + pad, y1: y + h + pad })
+export const areaOf = ({ x, y, w, h }: Rect, pad = 0): Area => ({
+  x0: x - pad,
+  y0: y - pad,
+  x1: x + w + pad,
+  y1: y + h + pad,
+})
 
 export const rectOf = (a: Area): Rect => ({ x: a.x0, y: a.y0, w: a.x1 - a.x0, h: a.y1 - a.y0 })
 
-export const grown = (a: Area, pad: number): Area => (
-  { x0: a.x0 - pad, y0: a.y0 - pad, x1: a.x1 + pad, y1: a.y1 + pad })
+export const grown = (a: Area, pad: number): Area => ({
+  x0: a.x0 - pad,
+  y0: a.y0 - pad,
+  x1: a.x1 + pad,
+  y1: a.y1 + pad,
+})
 
 /** The square around a point. */
-export const around = (x: number, y: number, pad: number): Area => (
-  { x0: x - pad, y0: y - pad, x1: x + pad, y1: y + pad })
+export const around = (x: number, y: number, pad: number): Area => ({
+  x0: x - pad,
+  y0: y - pad,
+  x1: x + pad,
+  y1: y + pad,
+})
 
 /** Whether two areas share more than a border. */
 export const overlaps = (a: Area, b: Area): boolean => a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1
@@ -53,6 +65,9 @@ export function span(points: readonly Pt[]): Area {
 
 /** The smallest area around areas; null where there are none. */
 export function union(areas: Iterable<Area>): Area | null {
-  const corners = [...areas].flatMap(({ x0, y0, x1, y1 }): Pt[] => [[x0, y0], [x1, y1]])
+  const corners = [...areas].flatMap(({ x0, y0, x1, y1 }): Pt[] => [
+    [x0, y0],
+    [x1, y1],
+  ])
   return corners.length ? span(corners) : null
 }

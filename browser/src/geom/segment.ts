@@ -61,7 +61,11 @@ export function segmentsOf(link: string, svar: string, points: readonly Pt[]): S
     const bendB = k < last ? Math.sign(points[k + 2][across] - line) : 0
     const rising = a[along] <= b[along]
     segments.push({
-      link, svar, vertical, line, at: line,
+      link,
+      svar,
+      vertical,
+      line,
+      at: line,
       hold: jog(k) ? 'jog' : k === 0 || k === last ? 'fixed' : jog(k - 1) || jog(k + 1) ? 'stiff' : 'loose',
       lo: Math.min(a[along], b[along]),
       hi: Math.max(a[along], b[along]),

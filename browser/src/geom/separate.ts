@@ -124,7 +124,7 @@ function loosen(lanes: readonly Lane[]): void {
 
 /** A lane has the room that all its segments have. */
 function confine(lane: Lane, room: (segment: Segment) => Room): void {
-  [lane.min, lane.max] = [-Infinity, Infinity]
+  ;[lane.min, lane.max] = [-Infinity, Infinity]
   for (const segment of lane.segments) {
     const { min, max } = room(segment)
     lane.min = Math.max(lane.min, min)

@@ -40,8 +40,14 @@ interface Match {
 export function snap(moving: Snappable, neighbours: readonly Snappable[], options: SnapOptions = {}): Snap {
   const { suspended = false, reach = 4 } = options
   if (suspended) return { x: moving.x, y: moving.y, guides: [] }
-  const across = nearest(neighbours.flatMap((other) => columns(moving, other)), reach)
-  const down = nearest(neighbours.flatMap((other) => lines(moving, other)), reach)
+  const across = nearest(
+    neighbours.flatMap((other) => columns(moving, other)),
+    reach,
+  )
+  const down = nearest(
+    neighbours.flatMap((other) => lines(moving, other)),
+    reach,
+  )
   return {
     x: across.length ? moving.x + across[0].shift : onGrid(moving.x),
     y: down.length ? moving.y + down[0].shift : onGrid(moving.y),
@@ -63,15 +69,18 @@ function nearest(matches: readonly Match[], reach: number): Match[] {
 /** Left or right side in line with left or right side. */
 function columns(moving: Snappable, other: Snappable): Match[] {
   const [from, to] = [Math.min(moving.y, other.y), Math.max(moving.y + moving.h, other.y + other.h)]
-  return pairs([moving.x, moving.x + moving.w], [other.x, other.x + other.w]).map(([own, at]) => (
-    { shift: at - own, guide: { vertical: true, at, from, to, kind: 'edge' } }))
+  return pairs([moving.x, moving.x + moving.w], [other.x, other.x + other.w]).map(([own, at]) => ({
+    shift: at - own,
+    guide: { vertical: true, at, from, to, kind: 'edge' },
+  }))
 }
 
 /** A row of pins in line with a row of pins, or top or bottom with top or bottom. */
 function lines(moving: Snappable, other: Snappable): Match[] {
   const [from, to] = [Math.min(moving.x, other.x), Math.max(moving.x + moving.w, other.x + other.w)]
-  const match = (kind: 'edge' | 'row') => ([own, at]: [number, number]): Match => (
-    { shift: at - own, guide: { vertical: false, at, from, to, kind } })
+  const match =
+    (kind: 'edge' | 'row') =>
+    ([own, at]: [number, number]): Match => ({ shift: at - own, guide: { vertical: false, at, from, to, kind } })
   return [
     ...pairs(rowsOf(moving), rowsOf(other)).map(match('row')),
     ...pairs([moving.y, moving.y + moving.h], [other.y, other.y + other.h]).map(match('edge')),

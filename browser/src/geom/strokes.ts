@@ -43,5 +43,8 @@ export function ellipse(a: Cell, b: Cell, filled: boolean): Cell[] {
 }
 
 const box = ([ax, ay]: Cell, [bx, by]: Cell): [number, number, number, number] => [
-  Math.min(ax, bx), Math.max(ax, bx), Math.min(ay, by), Math.max(ay, by),
+  Math.min(ax, bx),
+  Math.max(ax, bx),
+  Math.min(ay, by),
+  Math.max(ay, by),
 ]

@@ -33,22 +33,34 @@ export class Carry {
     const { clientX, clientY, pointerId } = event
     const ending = new AbortController()
     const { signal } = ending
-    window.addEventListener('pointermove', (e) => {
-      if (e.pointerId !== pointerId) return
-      if (!this.name && Math.hypot(e.clientX - clientX, e.clientY - clientY) < MOVED_PX) return
-      this.name = name
-      this.follow(e)
-    }, { signal })
-    window.addEventListener('pointerup', (e) => {
-      if (e.pointerId === pointerId) this.drop()
-    }, { signal })
+    window.addEventListener(
+      'pointermove',
+      (e) => {
+        if (e.pointerId !== pointerId) return
+        if (!this.name && Math.hypot(e.clientX - clientX, e.clientY - clientY) < MOVED_PX) return
+        this.name = name
+        this.follow(e)
+      },
+      { signal },
+    )
+    window.addEventListener(
+      'pointerup',
+      (e) => {
+        if (e.pointerId === pointerId) this.drop()
+      },
+      { signal },
+    )
     window.addEventListener('pointercancel', () => this.stop(), { signal })
-    window.addEventListener('keydown', (e) => {
-      if (e.key !== 'Escape' || !this.name) return
-      e.preventDefault()
-      e.stopPropagation()
-      this.stop()
-    }, { signal, capture: true })
+    window.addEventListener(
+      'keydown',
+      (e) => {
+        if (e.key !== 'Escape' || !this.name) return
+        e.preventDefault()
+        e.stopPropagation()
+        this.stop()
+      },
+      { signal, capture: true },
+    )
     this.letGo = () => ending.abort()
   }
 

@@ -11,7 +11,8 @@ import { freeName, groupsIn, isAllOn, membersOf, whole } from '../scene/groups'
 import { canvasState } from '../scene/canvasState.svelte'
 
 /** Tasks with those that are handled as one with them, those that no longer stand here left out. */
-export const wholeOf = (...tasks: string[]): string[] => whole(canvasState.document, tasks).filter((name) => canvasState.document?.tasks?.[name])
+export const wholeOf = (...tasks: string[]): string[] =>
+  whole(canvasState.document, tasks).filter((name) => canvasState.document?.tasks?.[name])
 export const pickedGroups = (): string[] => groupsIn(canvasState.document, pickedTasks())
 
 /** Pick these tasks as one; the keyboard is on `focus` then. */
@@ -26,8 +27,9 @@ export const selectGroup = (group: string): void => selectAs(membersOf(canvasSta
 /** Add these tasks to what is picked, or take them out where all of them are in it. */
 export function selectAlsoAll(tasks: string[], focus: string): void {
   const isIn = tasks.every((one) => canvas.picked.has(one))
-  for (const one of tasks) if (isIn) canvas.picked.delete(one)
-  else canvas.picked.add(one)
+  for (const one of tasks)
+    if (isIn) canvas.picked.delete(one)
+    else canvas.picked.add(one)
   canvasState.focus = focus
 }
 
@@ -35,7 +37,8 @@ export function turnGroup(group: string, isOn: boolean, at?: Point): void {
   void act({ t: 'TurnGroup', doc: canvas.doc, name: group, is_on: isOn }, at)
 }
 
-export const toggleGroup = (group: string, at?: Point): void => turnGroup(group, !isAllOn(canvasState.document, group), at)
+export const toggleGroup = (group: string, at?: Point): void =>
+  turnGroup(group, !isAllOn(canvasState.document, group), at)
 
 /** Ask for name and order, beside the upper left corner of what is to be one, or is it already. */
 export function askForName(tasks = pickedTasks(), name = ''): void {
@@ -47,12 +50,15 @@ export function askForName(tasks = pickedTasks(), name = ''): void {
 
 const proposedName = (): string =>
   freeName(t('canvas.group.word'), [
-    ...Object.keys(canvasState.document?.groups ?? {}), ...Object.keys(canvasState.document?.tasks ?? {}), ...Object.values(desk.tree.files).map(({ name }) => name),
+    ...Object.keys(canvasState.document?.groups ?? {}),
+    ...Object.keys(canvasState.document?.tasks ?? {}),
+    ...Object.values(desk.tree.files).map(({ name }) => name),
   ])
 
 export async function ungroup(groups = pickedGroups()): Promise<void> {
   for (const name of groups)
-    if ((await act({ t: 'Ungroup', doc: canvas.doc, name })) !== undefined) announce(t('canvas.group.expanded', { name }))
+    if ((await act({ t: 'Ungroup', doc: canvas.doc, name })) !== undefined)
+      announce(t('canvas.group.expanded', { name }))
 }
 
 /** Ask for another name or order of what is one already. */

@@ -6,7 +6,10 @@ import { keep, kept } from '../state/kept'
 import { goTo } from '../act/documents.svelte'
 import { LESSONS, type Seen } from './tutorial'
 
-export const tutorial: { isOpen: boolean; done: number } = $state({ isOpen: kept('tutorialOpen', false), done: kept('tutorial', 0) })
+export const tutorial: { isOpen: boolean; done: number } = $state({
+  isOpen: kept('tutorialOpen', false),
+  done: kept('tutorial', 0),
+})
 
 /** Open it at the upper level; from the beginning where it was done to its end. */
 export function startTutorial(): void {

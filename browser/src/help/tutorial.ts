@@ -25,8 +25,10 @@ function steps({ view }: Seen): StepView[] {
   return (view?.flows?.['0']?.steps ?? []).flatMap((number) => view?.steps?.[number] ?? [])
 }
 
-const takes = (step: StepView, { types }: Seen): boolean => kindOf(step) === 'icon' && step.role === 'job' && !!types[step.type ?? '']?.takes
-const isComplete = (step: StepView, seen: Seen): boolean => kindOf(step) === 'icon' && step.role === 'job' && !takes(step, seen)
+const takes = (step: StepView, { types }: Seen): boolean =>
+  kindOf(step) === 'icon' && step.role === 'job' && !!types[step.type ?? '']?.takes
+const isComplete = (step: StepView, seen: Seen): boolean =>
+  kindOf(step) === 'icon' && step.role === 'job' && !takes(step, seen)
 const isTarget = (step: StepView): boolean => kindOf(step) === 'icon' && step.role === 'target'
 
 /** Whether a job that takes a target stands there, with the target or with the hole for it. */
@@ -35,10 +37,12 @@ function hasAction(seen: Seen, with_: (step: StepView) => boolean): boolean {
   return all.some((step, k) => takes(step, seen) && all[k + 1] !== undefined && with_(all[k + 1]!))
 }
 
-const flowsOf = ({ run }: Seen): string[] => Object.values(run?.flows ?? {}).flatMap((flow) => [flow.state ?? 'ready', ...(flow.is_pausing ? ['pausing'] : [])])
+const flowsOf = ({ run }: Seen): string[] =>
+  Object.values(run?.flows ?? {}).flatMap((flow) => [flow.state ?? 'ready', ...(flow.is_pausing ? ['pausing'] : [])])
 const isMine = ({ run, app }: Seen): boolean => run !== null && run.doc === app
 const isRunning = (seen: Seen): boolean => isMine(seen) && (seen.run?.state ?? 'beginning') === 'running'
-const isPaused = (seen: Seen): boolean => isRunning(seen) && flowsOf(seen).some((state) => state === 'paused' || state === 'pausing')
+const isPaused = (seen: Seen): boolean =>
+  isRunning(seen) && flowsOf(seen).some((state) => state === 'paused' || state === 'pausing')
 const isOver = (seen: Seen): boolean => isMine(seen) && seen.run?.state === 'over'
 
 export const LESSONS: readonly Lesson[] = [

@@ -34,14 +34,17 @@ export interface Held {
 
 type Documents = Record<string, DocumentView>
 
-export const meIn = (runtime: RuntimeView): string => Object.entries(runtime.sessions ?? {}).find(([, one]) => one.is_you)?.[0] ?? ''
+export const meIn = (runtime: RuntimeView): string =>
+  Object.entries(runtime.sessions ?? {}).find(([, one]) => one.is_you)?.[0] ?? ''
 
 /** Everything that lives on a runtime; `own` are the flows of the run of this environment. */
 export function heldIn(runtime: RuntimeView, documents: Documents, own: readonly string[]): Held[] {
   const me = meIn(runtime)
   const found = new Map<string, Held>()
   for (const [subsystem, hold] of Object.entries(runtime.holds ?? {})) {
-    const key = hold.application ? `${hold.application}/${hold.holder ?? ''}/${own.includes(subsystem)}` : `/${subsystem}`
+    const key = hold.application
+      ? `${hold.application}/${hold.holder ?? ''}/${own.includes(subsystem)}`
+      : `/${subsystem}`
     const known = found.get(key)
     if (known) {
       known.subsystems.push(subsystem)
@@ -84,7 +87,8 @@ export const takenAsks = (all: readonly Held[]): Record<string, AskView> =>
   Object.assign({}, ...all.filter((one) => one.isRun && one.isMine && !one.isOwnRun).map((one) => one.asks))
 
 /** What one holds, by name. */
-export const heldBy = (all: readonly Held[], session: string): string[] => all.filter((one) => one.holder === session).map((one) => one.name)
+export const heldBy = (all: readonly Held[], session: string): string[] =>
+  all.filter((one) => one.holder === session).map((one) => one.name)
 
 /** Why nothing can be handed over to a session; empty: it can. */
 export function cannotTake(session: SessionView): '' | 'away' | 'watches' | 'viewer' {

@@ -2,12 +2,15 @@
 import { desk } from '../link/desk.svelte'
 import { heldIn, meIn, type Held } from './held'
 
-const own = (): string[] => Object.keys(desk.live.run && desk.live.run.state !== 'over' ? (desk.live.run.flows ?? {}) : {})
+const own = (): string[] =>
+  Object.keys(desk.live.run && desk.live.run.state !== 'over' ? (desk.live.run.flows ?? {}) : {})
 
 export const everything = (): Held[] => heldIn(desk.live.runtime, desk.live.documents, own())
 export const me = (): string => meIn(desk.live.runtime)
-export const onlyWatches = (): boolean => Object.values(desk.live.runtime.sessions ?? {}).some((one) => one.is_you && one.only_watches)
-export const isViewer = (): boolean => Object.values(desk.live.runtime.sessions ?? {}).some((one) => one.is_you && one.role === 'viewer')
+export const onlyWatches = (): boolean =>
+  Object.values(desk.live.runtime.sessions ?? {}).some((one) => one.is_you && one.only_watches)
+export const isViewer = (): boolean =>
+  Object.values(desk.live.runtime.sessions ?? {}).some((one) => one.is_you && one.role === 'viewer')
 
 /** Seconds since 1970, once a second while somebody looks at it. */
 export const now: { s: number } = $state({ s: Date.now() / 1000 })

@@ -10,13 +10,19 @@ export interface Found {
 
 const MOST = 40
 
-export function find(words: string, tasks: Readonly<Record<string, TaskView>>, document: DocumentView | undefined): Found[] {
+export function find(
+  words: string,
+  tasks: Readonly<Record<string, TaskView>>,
+  document: DocumentView | undefined,
+): Found[] {
   const wanted = words.trim().toLowerCase()
   const ranked = Object.values(tasks).flatMap((task) => {
     const rank = rankOf(task, wanted)
     return rank < 0 ? [] : [{ task, why: document?.greyed?.[task.name]?.[0]?.text ?? '', rank }]
   })
-  ranked.sort((a, b) => Number(a.why !== '') - Number(b.why !== '') || a.rank - b.rank || (a.task.name < b.task.name ? -1 : 1))
+  ranked.sort(
+    (a, b) => Number(a.why !== '') - Number(b.why !== '') || a.rank - b.rank || (a.task.name < b.task.name ? -1 : 1),
+  )
   return ranked.slice(0, MOST)
 }
 

@@ -49,10 +49,15 @@ function cellOf(task: TaskView, reasons: readonly Reason[] | undefined): Cell {
   return { task, why, lines, height: iconHeight(task) + ICON.frame + lines * CELL.line }
 }
 
-export const columnsIn = (width: number): number => Math.max(1, Math.floor((width + CELL.gap) / (CELL.width + CELL.gap)))
+export const columnsIn = (width: number): number =>
+  Math.max(1, Math.floor((width + CELL.gap) / (CELL.width + CELL.gap)))
 
 /** Groups of tasks, each with the title of its library or none, on a shelf of so many columns. */
-export function shelve(groups: readonly [string, readonly TaskView[]][], columns: number, greyed: Readonly<Record<string, Reason[]>>): Shelf {
+export function shelve(
+  groups: readonly [string, readonly TaskView[]][],
+  columns: number,
+  greyed: Readonly<Record<string, Reason[]>>,
+): Shelf {
   const rows: Row[] = []
   let top = 0
   const add = (row: Omit<Row, 'top'>): void => {
@@ -71,21 +76,35 @@ export function shelve(groups: readonly [string, readonly TaskView[]][], columns
 
 /** The task beside one, as the arrow keys go. */
 export const beside = (rows: readonly Row[], name: string, key: string): string | undefined =>
-  walked(rows.filter((row) => row.cells.length).map((row) => row.cells.map((cell) => cell.task.name)), name, key)
+  walked(
+    rows.filter((row) => row.cells.length).map((row) => row.cells.map((cell) => cell.task.name)),
+    name,
+    key,
+  )
 
 export const byOrder = (a: { order: number }, b: { order: number }): number => a.order - b.order
 
 /** What is on the shelf, of libraries by their keys: one library; or, where words are wanted, all that has them, library by library. */
-export function choose(tasks: Readonly<Record<string, TaskView>>, libraries: readonly (readonly [string, LibraryView])[], library: string, wanted: string): [string, TaskView[]][] {
+export function choose(
+  tasks: Readonly<Record<string, TaskView>>,
+  libraries: readonly (readonly [string, LibraryView])[],
+  library: string,
+  wanted: string,
+): [string, TaskView[]][] {
   const words = wanted.trim().toLowerCase().split(/\s+/).filter(Boolean)
   const all = Object.values(tasks)
   if (!words.length) return [['', all.filter((task) => task.library === library).sort(byOrder)]]
   const fits = (task: TaskView): boolean => {
-    const text = `${task.name} ${task.module} ${task.description} ${task.pins.map((pin) => pin.svar).join(' ')}`.toLowerCase()
+    const text =
+      `${task.name} ${task.module} ${task.description} ${task.pins.map((pin) => pin.svar).join(' ')}`.toLowerCase()
     return words.every((word) => text.includes(word))
   }
-  const first = (task: TaskView): number => (task.name.toLowerCase().startsWith(words[0]!) ? 0 : task.name.toLowerCase().includes(words[0]!) ? 1 : 2)
+  const first = (task: TaskView): number =>
+    task.name.toLowerCase().startsWith(words[0]!) ? 0 : task.name.toLowerCase().includes(words[0]!) ? 1 : 2
   return libraries
-    .map(([key, one]): [string, TaskView[]] => [one.name, all.filter((task) => task.library === key && fits(task)).sort((a, b) => first(a) - first(b) || byOrder(a, b))])
+    .map(([key, one]): [string, TaskView[]] => [
+      one.name,
+      all.filter((task) => task.library === key && fits(task)).sort((a, b) => first(a) - first(b) || byOrder(a, b)),
+    ])
     .filter(([, found]) => found.length > 0)
 }

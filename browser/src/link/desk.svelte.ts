@@ -10,9 +10,27 @@ export type TreeAt = (live: FullTree) => FullTree
 
 export function fullTree(tree: Tree): FullTree {
   const empty: FullTree = {
-    libraries: {}, tasks: {}, documents: {}, files: {}, clipboard: '', runtime: {},
-    preferences: {}, buttons: {}, job_types: [], edges: {}, people: 0,
-    applications: {}, application_files: {}, dictionaries: {}, onikons: {}, types: {}, pictures: {}, icon_clipboard: '', run: null, review: null, keeping: null,
+    libraries: {},
+    tasks: {},
+    documents: {},
+    files: {},
+    clipboard: '',
+    runtime: {},
+    preferences: {},
+    buttons: {},
+    job_types: [],
+    edges: {},
+    people: 0,
+    applications: {},
+    application_files: {},
+    dictionaries: {},
+    onikons: {},
+    types: {},
+    pictures: {},
+    icon_clipboard: '',
+    run: null,
+    review: null,
+    keeping: null,
   }
   return withParts({ ...empty, ...tree })
 }

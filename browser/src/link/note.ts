@@ -2,6 +2,11 @@
 import { send } from './link'
 
 /** `object` is the name of a thing, `id` tells it from others of that name; windows are called as in §A.5. */
-export function note(event: string, object: string, id: string, window: 'lexi' | 'conf' | 'main' | 'stat' | 'svar' | 'dict' | 'appl'): void {
+export function note(
+  event: string,
+  object: string,
+  id: string,
+  window: 'lexi' | 'conf' | 'main' | 'stat' | 'svar' | 'dict' | 'appl',
+): void {
   void send({ t: 'Note', event, object, id, window }).catch(() => undefined) // nobody waits for it
 }

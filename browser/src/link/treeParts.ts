@@ -20,7 +20,8 @@ export function withParts<T extends object>(tree: T): T {
   const all = { ...tree } as Branch
   for (const [name, depth] of Object.entries(DEPTHS)) {
     const there = (all[name] ?? {}) as Branch
-    all[name] = depth === 1 ? asPart(there) : Object.fromEntries(Object.entries(there).map(([key, one]) => [key, asPart(one)]))
+    all[name] =
+      depth === 1 ? asPart(there) : Object.fromEntries(Object.entries(there).map(([key, one]) => [key, asPart(one)]))
   }
   return all as T
 }

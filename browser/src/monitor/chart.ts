@@ -8,7 +8,18 @@ import type { Mark } from '../values/marks'
 import type { Stretch } from '../values/series'
 import { spread } from './spread'
 
-const TONES = ['--ink-3', '--line', '--error', '--error-ink', '--waiting', '--on-ink', '--ink-2', '--accent', '--panel', ...HUES] as const
+const TONES = [
+  '--ink-3',
+  '--line',
+  '--error',
+  '--error-ink',
+  '--waiting',
+  '--on-ink',
+  '--ink-2',
+  '--accent',
+  '--panel',
+  ...HUES,
+] as const
 const SMALL = '9.5px'
 const NAMES_WIDTH = 62
 const NAME_GAP = 12
@@ -68,7 +79,8 @@ export class Chart {
     this.marks = marks
     this.at_s = at_s
     // A recorded stretch stays what it is; only the line at the instant moves.
-    if (!Number.isNaN(at_s) && shown?.stretch === stretch && shown.from_s === span[0] && shown.to_s === span[1]) return this.plot.redraw(false, false)
+    if (!Number.isNaN(at_s) && shown?.stretch === stretch && shown.from_s === span[0] && shown.to_s === span[1])
+      return this.plot.redraw(false, false)
     this.shown = { stretch, from_s: span[0], to_s: span[1] }
     this.plot.batch(() => {
       this.plot.setData([stretch.t, ...this.elements.map((e) => this.column(stretch.y[e]))] as uPlot.AlignedData, false)
@@ -94,12 +106,20 @@ export class Chart {
   private listen(go: (at_s: number) => void): void {
     let began = 0
     this.plot.over.addEventListener('pointerdown', (event) => (began = event.clientX))
-    this.plot.over.addEventListener('click', (event) => Math.abs(event.clientX - began) < 4 && go(this.plot.posToVal(event.offsetX, 'x')))
+    this.plot.over.addEventListener(
+      'click',
+      (event) => Math.abs(event.clientX - began) < 4 && go(this.plot.posToVal(event.offsetX, 'x')),
+    )
   }
 
   private options(place: HTMLElement, hands: Hands): uPlot.Options {
     const { tones } = this
-    const axis = { stroke: tones['--ink-3'], font: `${SMALL} ${this.mono}`, ticks: { show: false }, border: { show: false } }
+    const axis = {
+      stroke: tones['--ink-3'],
+      font: `${SMALL} ${this.mono}`,
+      ticks: { show: false },
+      border: { show: false },
+    }
     const minus = (text: string): string => text.replaceAll('-', '−')
     return {
       width: place.clientWidth || 300,
@@ -109,8 +129,22 @@ export class Chart {
       cursor: { y: false, points: { size: 6 }, drag: { x: true, y: false, setScale: false } },
       scales: { x: { time: false }, y: { range: (_, low, high) => this.limits(low, high) } },
       axes: [
-        { ...axis, size: 20, gap: 4, space: (plot) => Math.max(44, plot.width / 14), grid: { show: false }, values: (_, all) => all.map((at) => minus(`${round(at)} s`)) },
-        { ...axis, size: 40, gap: 5, space: (plot) => Math.max(26, plot.height / 10), grid: { stroke: tones['--line'], width: 1 }, values: (_, all) => all.map((v) => minus(String(round(v)))) },
+        {
+          ...axis,
+          size: 20,
+          gap: 4,
+          space: (plot) => Math.max(44, plot.width / 14),
+          grid: { show: false },
+          values: (_, all) => all.map((at) => minus(`${round(at)} s`)),
+        },
+        {
+          ...axis,
+          size: 40,
+          gap: 5,
+          space: (plot) => Math.max(26, plot.height / 10),
+          grid: { stroke: tones['--line'], width: 1 },
+          values: (_, all) => all.map((v) => minus(String(round(v)))),
+        },
       ],
       series: [{}, ...this.elements.map((e) => this.line(e))],
       hooks: {
@@ -123,7 +157,13 @@ export class Chart {
 
   private line(e: number): uPlot.Series {
     const element = e % this.width
-    return { stroke: this.tones[hue(element)], width: e < this.width ? 1.75 : 3.5, alpha: e < this.width ? 1 : 0.35, dash: dash(element), points: { show: false } }
+    return {
+      stroke: this.tones[hue(element)],
+      width: e < this.width ? 1.75 : 3.5,
+      alpha: e < this.width ? 1 : 0.35,
+      dash: dash(element),
+      points: { show: false },
+    }
   }
 
   /** Before the first value there is nothing to hold on to. */
@@ -197,7 +237,11 @@ export class Chart {
     const { ctx, bbox, data, cursor } = this.plot
     const ratio = devicePixelRatio
     const at = cursor.idx ?? this.index()
-    const shown = this.elements.map((element, k) => ({ element, k, v: (data[k + 1] as ArrayLike<number>)[at ?? this.last()] }))
+    const shown = this.elements.map((element, k) => ({
+      element,
+      k,
+      v: (data[k + 1] as ArrayLike<number>)[at ?? this.last()],
+    }))
     const lines = shown.filter((one) => one.element < this.width && Number.isFinite(one.v))
     const wished = lines.map((one) => this.plot.valToPos(one.v, 'y', true))
     const gap = Math.min(NAME_GAP * ratio, bbox.height / Math.max(1, lines.length))

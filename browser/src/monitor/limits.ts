@@ -5,7 +5,8 @@ export function limits(low: number, high: number, former?: readonly [number, num
   if (!Number.isFinite(low) || !Number.isFinite(high)) return former ? [former[0], former[1]] : [-1, 1]
   const least = Math.max(Math.abs(low), Math.abs(high)) * 1e-6 || 1
   const size = Math.max(high - low, least)
-  if (former && former[0] <= low && high <= former[1] && former[1] - former[0] <= 3 * size) return [former[0], former[1]]
+  if (former && former[0] <= low && high <= former[1] && former[1] - former[0] <= 3 * size)
+    return [former[0], former[1]]
   const step = stepFor(size)
   return [Math.floor((low - 0.04 * size) / step) * step, Math.ceil((high + 0.04 * size) / step) * step]
 }

@@ -4,7 +4,8 @@ import { send } from '../link/link'
 
 const WORLD = 'world:'
 
-export type Cell = { key: string; kind: 'variable'; doc: string; name: string } | { key: string; kind: 'world'; name: string }
+export type Cell =
+  { key: string; kind: 'variable'; doc: string; name: string } | { key: string; kind: 'world'; name: string }
 
 /** The key of a variable; a bare name belongs to the document shown. */
 export const keyOf = (name: string, doc: string = canvas.doc): string => (name.includes('/') ? name : `${doc}/${name}`)

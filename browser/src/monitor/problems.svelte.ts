@@ -16,5 +16,7 @@ export function showWarnings(isShown: boolean): Promise<unknown> {
 export function problemsOf(doc: DocumentView | undefined, hasWarnings: boolean): [string, ProblemView][] {
   return Object.entries(doc?.problems ?? {})
     .filter(([, problem]) => hasWarnings || problem.level !== 'warning')
-    .sort(([a, one], [b, other]) => RANK[one.level] - RANK[other.level] || a.localeCompare(b, undefined, { numeric: true }))
+    .sort(
+      ([a, one], [b, other]) => RANK[one.level] - RANK[other.level] || a.localeCompare(b, undefined, { numeric: true }),
+    )
 }

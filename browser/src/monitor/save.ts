@@ -12,7 +12,10 @@ export function save(name: string, content: Blob): void {
 /** A drawing with its title on the ground it stands on. */
 export async function toPng(drawing: HTMLCanvasElement, title: string, place: HTMLElement): Promise<Blob> {
   const head = 26 * devicePixelRatio
-  const canvas = Object.assign(document.createElement('canvas'), { width: drawing.width, height: drawing.height + head })
+  const canvas = Object.assign(document.createElement('canvas'), {
+    width: drawing.width,
+    height: drawing.height + head,
+  })
   const pen = canvas.getContext('2d')
   if (!pen) throw new Error('a canvas without a context')
   const style = getComputedStyle(place.parentElement ?? place)
@@ -22,5 +25,7 @@ export async function toPng(drawing: HTMLCanvasElement, title: string, place: HT
   pen.font = `600 ${12 * devicePixelRatio}px ${style.fontFamily}`
   pen.fillText(title, 8 * devicePixelRatio, 17 * devicePixelRatio)
   pen.drawImage(drawing, 0, head)
-  return new Promise((done, failed) => canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error('no picture came'))), 'image/png'))
+  return new Promise((done, failed) =>
+    canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error('no picture came'))), 'image/png'),
+  )
 }

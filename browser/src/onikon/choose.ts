@@ -40,7 +40,11 @@ export function inOrder(
   language: string,
 ): Entry[] {
   const places = new Map(Object.values(dictionaries).map((one) => [one.path, one.order]))
-  const rank = (one: OnikonView): number[] => [types[one.type]?.order ?? Infinity, places.get(one.dictionary) ?? Infinity, one.order]
+  const rank = (one: OnikonView): number[] => [
+    types[one.type]?.order ?? Infinity,
+    places.get(one.dictionary) ?? Infinity,
+    one.order,
+  ]
   const rows = Object.entries(onikons).map(([name, one]) => ({ rank: rank(one), entry: entryOf(name, one, language) }))
   return rows.sort((a, b) => compared(a.rank, b.rank)).map(({ entry }) => entry)
 }
@@ -61,16 +65,23 @@ function compared(a: readonly number[], b: readonly number[]): number {
 export function choose(entries: readonly Entry[], { dictionary, wanted, left }: Wish): Group[] {
   const words = wanted.trim().toLowerCase().split(/\s+/).filter(Boolean)
   const isChosen = (one: Entry): boolean =>
-    (words.length > 0 || !dictionary || one.dictionary === dictionary) && words.every((word) => one.text.includes(word)) && (left === undefined || one.left === left)
+    (words.length > 0 || !dictionary || one.dictionary === dictionary) &&
+    words.every((word) => one.text.includes(word)) &&
+    (left === undefined || one.left === left)
   const groups = new Map<string, Entry[]>()
   for (const one of entries) if (isChosen(one)) groups.get(one.type)?.push(one) ?? groups.set(one.type, [one])
-  return [...groups].map(([type, some]) => ({ type, names: sorted(some, words[0]).map((one) => one.name), left: some[0]!.left }))
+  return [...groups].map(([type, some]) => ({
+    type,
+    names: sorted(some, words[0]).map((one) => one.name),
+    left: some[0]!.left,
+  }))
 }
 
 /** Names and words that begin with what was typed come first. */
 function sorted(some: readonly Entry[], word: string | undefined): readonly Entry[] {
   if (!word) return some
-  const begins = (one: Entry): number => (one.name.toLowerCase().startsWith(word) || one.caption.toLowerCase().startsWith(word) ? 0 : 1)
+  const begins = (one: Entry): number =>
+    one.name.toLowerCase().startsWith(word) || one.caption.toLowerCase().startsWith(word) ? 0 : 1
   return [...some].sort((a, b) => begins(a) - begins(b))
 }
 

@@ -13,6 +13,7 @@ export const colourOf = (edge = ''): string => (isNeutral(edge) ? 'var(--edge-no
 /** A letter for an edge, for those who tell shapes and colours badly: the first of the job that has it. */
 export function letterOf(edge = ''): string {
   if (isNeutral(edge)) return '' // it joins everything
-  for (const [name, type] of Object.entries(desk.tree.types)) if (type.role === 'job' && type.right === edge) return name[0]?.toUpperCase() ?? ''
+  for (const [name, type] of Object.entries(desk.tree.types))
+    if (type.role === 'job' && type.right === edge) return name[0]?.toUpperCase() ?? ''
   return ''
 }

@@ -23,7 +23,8 @@ export function gapAt(app: ApplicationView | undefined, { flow, after }: Place):
   const before = app.steps?.[after]
   // Pointing at a hole means the place that it keeps open.
   const hole = before?.kind === 'hole' ? before : app.steps?.[numbers[at + 1] ?? -1]
-  if (hole?.kind === 'hole') return { left: hole.left ?? '', right: hole.right ?? '', wants: hole.wants ?? [], isHole: true }
+  if (hole?.kind === 'hole')
+    return { left: hole.left ?? '', right: hole.right ?? '', wants: hole.wants ?? [], isHole: true }
   const left = after === 0 ? line.start : before?.right
   return { left: left ?? '', right: hole?.left ?? line.end ?? '', wants: [], isHole: false }
 }

@@ -35,7 +35,10 @@ export function imageUrl(picture: Picture): string {
 export async function imported(file: Blob): Promise<Picture> {
   const bitmap = await createImageBitmap(file)
   const scale = Math.min(1, LARGEST / Math.max(bitmap.width, bitmap.height))
-  const [width, height] = [Math.max(1, Math.round(bitmap.width * scale)), Math.max(1, Math.round(bitmap.height * scale))]
+  const [width, height] = [
+    Math.max(1, Math.round(bitmap.width * scale)),
+    Math.max(1, Math.round(bitmap.height * scale)),
+  ]
   const pen = new OffscreenCanvas(width, height).getContext('2d')
   if (!pen) throw new Error('a canvas without a context')
   pen.drawImage(bitmap, 0, 0, width, height)

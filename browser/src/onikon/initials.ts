@@ -8,7 +8,10 @@ const DARK = 110
 /** The first letters of the first two words of a name; digits count as they are. */
 export function initialsOf(name: string): string {
   const words = name.split(/[^\p{L}\p{N}]+|(?<=\p{Ll})(?=\p{Lu})/u).filter(Boolean)
-  return words.slice(0, 2).map((word) => [...word][0]!.toUpperCase()).join('')
+  return words
+    .slice(0, 2)
+    .map((word) => [...word][0]!.toUpperCase())
+    .join('')
 }
 
 /** Letters in the middle of a picture; without any, the blank one. */

@@ -3,5 +3,7 @@ import type { TypeView } from '../api.gen'
 
 export function kindsOf(types: Readonly<Record<string, TypeView>>): [string, TypeView][] {
   const rank = ({ role, order }: TypeView): number => (role === 'nop' ? 1e6 : 0) + order
-  return Object.entries(types).filter(([, one]) => one.role === 'target' || one.role === 'nop').sort(([, a], [, b]) => rank(a) - rank(b))
+  return Object.entries(types)
+    .filter(([, one]) => one.role === 'target' || one.role === 'nop')
+    .sort(([, a], [, b]) => rank(a) - rank(b))
 }

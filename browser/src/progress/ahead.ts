@@ -11,7 +11,12 @@ export interface Ahead {
 }
 
 /** The next breakpoint from a step on, that one too unless it is done; from 0: from the beginning. Branches are passed by. */
-export function nextBreakpoint(flow: AppFlowView | undefined, steps: Readonly<Record<string, StepView>>, from: number, isDone = false): Ahead | undefined {
+export function nextBreakpoint(
+  flow: AppFlowView | undefined,
+  steps: Readonly<Record<string, StepView>>,
+  from: number,
+  isDone = false,
+): Ahead | undefined {
   const numbers = flow?.steps ?? []
   const start = numbers.indexOf(from)
   let actions = start < 0 ? 0 : -1
@@ -25,10 +30,15 @@ export function nextBreakpoint(flow: AppFlowView | undefined, steps: Readonly<Re
 }
 
 /** Whether it is carried out: neither a target nor a hole nor a branch. */
-export const isAction = (step: StepView): boolean => (step.kind ?? 'icon') === 'icon' && step.role !== 'target' && step.is_joined !== true
+export const isAction = (step: StepView): boolean =>
+  (step.kind ?? 'icon') === 'icon' && step.role !== 'target' && step.is_joined !== true
 
 /** The steps of an action: its own and those of its targets behind it. */
-export function stepsOfAction(flow: AppFlowView | undefined, steps: Readonly<Record<string, StepView>>, step: number): number[] {
+export function stepsOfAction(
+  flow: AppFlowView | undefined,
+  steps: Readonly<Record<string, StepView>>,
+  step: number,
+): number[] {
   const numbers = flow?.steps ?? []
   const at = numbers.indexOf(step)
   if (at < 0) return []
@@ -41,7 +51,10 @@ export function stepsOfAction(flow: AppFlowView | undefined, steps: Readonly<Rec
 export function placeOf(app: ApplicationView | undefined, flow: FlowRunView, state: string): number {
   const step = flow.step ?? 0
   if (state !== 'waiting' || !flow.tag || !app) return step
-  const numbers = Object.values(app.flows ?? {}).find((one) => one.steps?.includes(step))?.steps ?? app.flows?.[String(flow.order)]?.steps ?? []
+  const numbers =
+    Object.values(app.flows ?? {}).find((one) => one.steps?.includes(step))?.steps ??
+    app.flows?.[String(flow.order)]?.steps ??
+    []
   const later = [...numbers.slice(numbers.indexOf(step) + 1), ...numbers]
   return later.find((number) => app.steps?.[number]?.synch_tag === flow.tag) ?? step
 }

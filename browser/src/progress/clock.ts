@@ -25,7 +25,8 @@ export class RunClock {
       this.offset_s = known_s - here_s
       this.latest_s = 0
       const since_s = wall_s - (run.began_at_s ?? wall_s)
-      if (run.state === 'running' && since_s > known_s && since_s < known_s + BELIEVED_S) this.offset_s = since_s - here_s
+      if (run.state === 'running' && since_s > known_s && since_s < known_s + BELIEVED_S)
+        this.offset_s = since_s - here_s
     } else if (run.state === 'running') this.offset_s = Math.max(this.offset_s, known_s - here_s)
     this.latest_s = Math.max(this.latest_s, known_s)
     this.isOver = run.state === 'over'
@@ -43,7 +44,8 @@ export class RunClock {
 export function latest(run: RunView): number {
   let at_s = 0
   for (const flow of Object.values(run.flows ?? {})) at_s = Math.max(at_s, flow.began_s ?? 0, flow.waits_since_s ?? 0)
-  for (const step of Object.values(run.steps ?? {})) at_s = Math.max(at_s, (step.began_s ?? 0) + ((step.state ?? 'running') === 'running' ? 0 : (step.took_s ?? 0)))
+  for (const step of Object.values(run.steps ?? {}))
+    at_s = Math.max(at_s, (step.began_s ?? 0) + ((step.state ?? 'running') === 'running' ? 0 : (step.took_s ?? 0)))
   for (const meet of run.meets ?? []) at_s = Math.max(at_s, meet.at_s)
   for (const stop of Object.values(run.stops ?? {})) at_s = Math.max(at_s, stop.at_s)
   return at_s

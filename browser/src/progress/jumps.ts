@@ -21,7 +21,13 @@ export function jumpLines(jumps: readonly JumpView[]): JumpLine[] {
 }
 
 function noteLines(one: JumpView): JumpLine[] {
-  const params = { name: one.variable, step: measure(one.jump, one.unit), limit: measure(one.limit, one.unit), at: seconds(one.at_s), n: one.cycles ?? 0 }
+  const params = {
+    name: one.variable,
+    step: measure(one.jump, one.unit),
+    limit: measure(one.limit, one.unit),
+    at: seconds(one.at_s),
+    n: one.cycles ?? 0,
+  }
   const text = t(one.refused ? 'continuity.refused' : 'continuity.blended', params)
   const blended = one.blended ?? 0
   const isMore = one.refused ? blended > 0 : blended > 1
@@ -30,12 +36,19 @@ function noteLines(one: JumpView): JumpLine[] {
 
 function smoothLine(one: JumpView): JumpLine {
   const share = Math.max(1, Math.ceil((100 * one.jump) / one.limit))
-  const hint = t('continuity.smoothHint', { step: measure(one.jump, one.unit), limit: measure(one.limit, one.unit), at: seconds(one.at_s) })
+  const hint = t('continuity.smoothHint', {
+    step: measure(one.jump, one.unit),
+    limit: measure(one.limit, one.unit),
+    at: seconds(one.at_s),
+  })
   return { text: t('continuity.smooth', { name: one.variable, n: share }), hint, isNote: false }
 }
 
 function unknownLine(one: JumpView): JumpLine {
-  return { text: t('continuity.unknown', { name: one.variable, step: measure(one.jump, one.unit), task: one.task }), isNote: false }
+  return {
+    text: t('continuity.unknown', { name: one.variable, step: measure(one.jump, one.unit), task: one.task }),
+    isNote: false,
+  }
 }
 
 /** A number of three digits that count, with its unit. */

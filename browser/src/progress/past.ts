@@ -45,15 +45,20 @@ export function flowsOfSteps(app: ApplicationView): Map<number, number> {
 }
 
 function takeActions(known: Map<string, Block>, run: RunView, homes: ReadonlyMap<number, number>): void {
-  const open = new Map([...known.values()].filter((block) => block.kind === 'action' && isOpen(block)).map((block) => [block.step, block]))
-  const stops = Object.values(run.stops ?? {}).filter((one) => one.subsystem && run.flows?.[one.subsystem]?.state === 'stopped')
+  const open = new Map(
+    [...known.values()].filter((block) => block.kind === 'action' && isOpen(block)).map((block) => [block.step, block]),
+  )
+  const stops = Object.values(run.stops ?? {}).filter(
+    (one) => one.subsystem && run.flows?.[one.subsystem]?.state === 'stopped',
+  )
   for (const [number, at] of Object.entries(run.steps ?? {})) {
     const step = Number(number)
     const [from_s, took_s] = [at.began_s ?? 0, at.took_s ?? 0]
     const key = `${step}@${from_s}`
     // a step that has begun again has ended before, however few messages said so
     const former = open.get(step)
-    if (former && former.key !== key) known.set(former.key, { ...former, to_s: Math.min(from_s, former.from_s + took_s) })
+    if (former && former.key !== key)
+      known.set(former.key, { ...former, to_s: Math.min(from_s, former.from_s + took_s) })
     const stop = stops.find((one) => one.step === step && one.at_s >= from_s)
     const wasRunning = (at.state ?? 'running') === 'running'
     const end_s = wasRunning ? Math.max(from_s, run.took_s ?? from_s) : from_s + took_s
@@ -71,12 +76,30 @@ function takeWaits(known: Map<string, Block>, run: RunView): void {
     const since_s = flow.waits_since_s ?? 0
     const isWaiting = flow.state === 'waiting' && run.state !== 'over'
     for (const block of known.values()) {
-      if (block.kind !== 'wait' || block.flow !== flow.order || !isOpen(block) || (isWaiting && block.from_s === since_s)) continue
+      if (
+        block.kind !== 'wait' ||
+        block.flow !== flow.order ||
+        !isOpen(block) ||
+        (isWaiting && block.from_s === since_s)
+      )
+        continue
       const began_s = flow.began_s ?? 0
-      known.set(block.key, { ...block, to_s: began_s > block.from_s ? began_s : Math.max(block.from_s, run.took_s ?? 0) })
+      known.set(block.key, {
+        ...block,
+        to_s: began_s > block.from_s ? began_s : Math.max(block.from_s, run.took_s ?? 0),
+      })
     }
     const key = `wait ${flow.order}@${since_s}`
-    if (isWaiting && !known.has(key)) known.set(key, { key, kind: 'wait', flow: flow.order, step: flow.step ?? 0, from_s: since_s, to_s: NaN, isFault: false })
+    if (isWaiting && !known.has(key))
+      known.set(key, {
+        key,
+        kind: 'wait',
+        flow: flow.order,
+        step: flow.step ?? 0,
+        from_s: since_s,
+        to_s: NaN,
+        isFault: false,
+      })
   }
 }
 

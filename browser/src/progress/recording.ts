@@ -10,4 +10,6 @@ export const isSimulator = (runtime: RuntimeView): boolean => runtime.is_virtual
 
 /** What starting the runtime anew means, as a button and in full. */
 export const anewWords = (runtime: RuntimeView): { name: string; hint: string } =>
-  isSimulator(runtime) ? { name: t('recording.leave'), hint: t('recording.leaveHint') } : { name: t('perform.putBack'), hint: t('perform.putBackHint') }
+  isSimulator(runtime)
+    ? { name: t('recording.leave'), hint: t('recording.leaveHint') }
+    : { name: t('perform.putBack'), hint: t('perform.putBackHint') }

@@ -12,14 +12,23 @@ export interface Standstill {
 /** What stands still in a run, or why it ended; an end that somebody wanted needs no explanation. */
 export function standstills(run: RunView | null | undefined): Standstill[] {
   if (!run) return []
-  const found = Object.entries(run.stops ?? {}).map(([at, stop]) => ({ at, stop, key: `${run.number}/${at}/${stop.at_s}/${stop.kind}` }))
-  return found.filter(({ at, stop }) => stop.kind !== 'user' && !(stop.kind === 'deserted' && isComing(run, at))).sort((one, other) => one.stop.at_s - other.stop.at_s)
+  const found = Object.entries(run.stops ?? {}).map(([at, stop]) => ({
+    at,
+    stop,
+    key: `${run.number}/${at}/${stop.at_s}/${stop.kind}`,
+  }))
+  return found
+    .filter(({ at, stop }) => stop.kind !== 'user' && !(stop.kind === 'deserted' && isComing(run, at)))
+    .sort((one, other) => one.stop.at_s - other.stop.at_s)
 }
 
 /** Whether all that a flow waits for go on meanwhile: then it is deserted no more. */
 function isComing(run: RunView, at: string): boolean {
   const awaited = run.flows?.[at]?.waits_for ?? []
-  return awaited.length > 0 && awaited.every((name) => !['stopped', 'done', 'killing', 'ended'].includes(run.flows?.[name]?.state ?? ''))
+  return (
+    awaited.length > 0 &&
+    awaited.every((name) => !['stopped', 'done', 'killing', 'ended'].includes(run.flows?.[name]?.state ?? ''))
+  )
 }
 
 class ShownStop {

@@ -4,9 +4,35 @@ import { look } from '../state/look.svelte'
 import { t, type TextKey } from '../texts/index.svelte'
 import { isSeveral, nameOf } from '../sentences/words'
 
-const KINDS = ['error', 'pressed', 'tripped', 'illegal', 'shutdown', 'refused', 'asking', 'lost', 'deadlock', 'deserted', 'user']
-const TITLES: Record<string, TextKey> = { clear: 'stopped.clear', next: 'stopped.next', skip: 'stopped.skip', pass: 'stopped.pass', continue: 'stopped.continue', leave: 'stopped.leave', abort: 'stopped.abort' }
-const WORDS: Record<string, TextKey> = { clear: 'stopped.clearWords', next: 'stopped.nextWords', skip: 'stopped.skipWords', pass: 'stopped.passWords', abort: 'stopped.abortWords' }
+const KINDS = [
+  'error',
+  'pressed',
+  'tripped',
+  'illegal',
+  'shutdown',
+  'refused',
+  'asking',
+  'lost',
+  'deadlock',
+  'deserted',
+  'user',
+]
+const TITLES: Record<string, TextKey> = {
+  clear: 'stopped.clear',
+  next: 'stopped.next',
+  skip: 'stopped.skip',
+  pass: 'stopped.pass',
+  continue: 'stopped.continue',
+  leave: 'stopped.leave',
+  abort: 'stopped.abort',
+}
+const WORDS: Record<string, TextKey> = {
+  clear: 'stopped.clearWords',
+  next: 'stopped.nextWords',
+  skip: 'stopped.skipWords',
+  pass: 'stopped.passWords',
+  abort: 'stopped.abortWords',
+}
 
 export interface Choice {
   /** Its word of steering. */
@@ -35,7 +61,12 @@ export function choicesOf(run: RunView, stop: StopView): Choice[] {
     const [verb = '', whom = ''] = (remedy.act?.t === 'Steer' ? remedy.act.line : remedy.label).split(/\s+/)
     const title = TITLES[verb] ? t(TITLES[verb]) : remedy.label
     const isOther = run.flows?.[whom] !== undefined && whom !== stop.subsystem && isSeveral(run)
-    return { verb, title: isOther ? t('stopped.ofFlow', { what: title, flow: nameOf(run, whom) }) : title, words: wordsOf(verb, stop, k), remedy }
+    return {
+      verb,
+      title: isOther ? t('stopped.ofFlow', { what: title, flow: nameOf(run, whom) }) : title,
+      words: wordsOf(verb, stop, k),
+      remedy,
+    }
   })
 }
 

@@ -27,7 +27,14 @@ function one(course: CourseView, stop_s: number): StopVariable | undefined {
   const y = Array.from({ length: width }, (_, k) => Float64Array.from(rows, (row) => row![k]!))
   const scores = y.map(score)
   const element = scores.indexOf(Math.max(...scores))
-  return { variable: course.variable, unit: unitOf(course.unit, element, width), element, width, stretch: { t: Float64Array.from(course.at_s, (at_s) => at_s - stop_s), y }, moves: scores[element]! > 0 }
+  return {
+    variable: course.variable,
+    unit: unitOf(course.unit, element, width),
+    element,
+    width,
+    stretch: { t: Float64Array.from(course.at_s, (at_s) => at_s - stop_s), y },
+    moves: scores[element]! > 0,
+  }
 }
 
 /** Of a list of units, one for each element, that of this one; a dash is none. */

@@ -29,7 +29,13 @@ export function windowOf(now_s: number, isOver: boolean): Window {
 }
 
 /** The blocks of one flow that are seen. */
-export function bars(blocks: readonly Block[], flow: number, [from_s, to_s]: Window, width: number, now_s: number): Bar[] {
+export function bars(
+  blocks: readonly Block[],
+  flow: number,
+  [from_s, to_s]: Window,
+  width: number,
+  now_s: number,
+): Bar[] {
   const at = scale([from_s, to_s], width)
   return blocks.flatMap((block) => {
     const end_s = isOpen(block) ? now_s : block.to_s

@@ -15,7 +15,8 @@ export interface Field {
 
 /** Why a word is no answer: the key of a sentence, and what stands in it. */
 export interface Complaint {
-  key: 'ask.empty' | 'ask.word' | 'ask.character' | 'ask.number' | 'ask.finite' | 'ask.whole' | 'ask.below' | 'ask.above'
+  key:
+    'ask.empty' | 'ask.word' | 'ask.character' | 'ask.number' | 'ask.finite' | 'ask.whole' | 'ask.below' | 'ask.above'
   found: string
   bound: string
 }

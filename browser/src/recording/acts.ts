@@ -28,7 +28,8 @@ export async function openRecording(path: string): Promise<boolean> {
 }
 
 /** Where recordings lie, and which there are; undefined where that was refused. */
-export const recordings = async (): Promise<RecordingsView | undefined> => (await act({ t: 'Recordings' })) as RecordingsView | undefined
+export const recordings = async (): Promise<RecordingsView | undefined> =>
+  (await act({ t: 'Recordings' })) as RecordingsView | undefined
 
 /** To the next mark, and say what it is. */
 export function toMark(way: 1 | -1): void {
@@ -41,12 +42,24 @@ export function toMark(way: 1 | -1): void {
 export function whenOf(file: Pick<RecordingFile, 'began_at_s'>): string {
   const began = new Date((file.began_at_s ?? 0) * 1000)
   const isThisYear = began.getFullYear() === new Date().getFullYear()
-  return file.began_at_s ? new Intl.DateTimeFormat(look.language, { day: 'numeric', month: 'short', year: isThisYear ? undefined : 'numeric', hour: '2-digit', minute: '2-digit', second: '2-digit', hourCycle: 'h23' }).format(began) : ''
+  return file.began_at_s
+    ? new Intl.DateTimeFormat(look.language, {
+        day: 'numeric',
+        month: 'short',
+        year: isThisYear ? undefined : 'numeric',
+        hour: '2-digit',
+        minute: '2-digit',
+        second: '2-digit',
+        hourCycle: 'h23',
+      }).format(began)
+    : ''
 }
 
 /** What tells it from others of the same application: when it began, whether in a simulator, and who stood for whom. */
 export const aboutOf = (recording: RecordingView): string =>
-  [whenOf(recording), recording.is_virtual ? t('review.simulated') : '', choicesText(recording.redirects ?? [])].filter(Boolean).join(' · ')
+  [whenOf(recording), recording.is_virtual ? t('review.simulated') : '', choicesText(recording.redirects ?? [])]
+    .filter(Boolean)
+    .join(' · ')
 
 /** As `12.4 s` or `3:05 min`. */
 export function lengthOf(took_s: number): string {

@@ -68,7 +68,10 @@ export class Courses {
     if (near && near.from_s === from_s && near.to_s === to_s) return near.course ?? whole
     this.close.set(variable, { from_s, to_s, course: undefined })
     clearTimeout(this.timers.get(variable))
-    this.timers.set(variable, setTimeout(() => void this.look(variable, from_s, to_s), SOON_MS))
+    this.timers.set(
+      variable,
+      setTimeout(() => void this.look(variable, from_s, to_s), SOON_MS),
+    )
     return whole
   }
 
@@ -79,7 +82,11 @@ export class Courses {
 
   private async look(variable: string, from_s: number, to_s: number): Promise<void> {
     const room_s = (to_s - from_s) / 10 // so that lines reach both sides
-    const course = await this.fetch(variable, Math.max(this.begin_s, from_s - room_s), Math.min(this.end_s, to_s + room_s))
+    const course = await this.fetch(
+      variable,
+      Math.max(this.begin_s, from_s - room_s),
+      Math.min(this.end_s, to_s + room_s),
+    )
     const near = this.close.get(variable)
     if (this.isEnded || !near || near.from_s !== from_s || near.to_s !== to_s) return
     near.course = course
@@ -145,7 +152,12 @@ function along(t: Float64Array, at: Float64Array, row: Float64Array): Float64Arr
   let k = 0
   t.forEach((at_s, n) => {
     while (k + 1 < at.length && at[k + 1]! <= at_s) k += 1
-    const [t0, t1 = t0, v0, v1 = v0] = [at[k], at[k + 1], row[k], row[k + 1]] as [number, number | undefined, number, number | undefined]
+    const [t0, t1 = t0, v0, v1 = v0] = [at[k], at[k + 1], row[k], row[k + 1]] as [
+      number,
+      number | undefined,
+      number,
+      number | undefined,
+    ]
     if (t0 === undefined || at_s < t0 || (at[k + 1] === undefined && at_s > t0)) found[n] = NaN
     else found[n] = at_s === t0 || t1 === t0 ? v0 : v0 + ((v1 - v0) * (at_s - t0)) / (t1 - t0)
   })

@@ -26,7 +26,11 @@ export function beginnings(recording: RecordingView): number[] {
 
 /** The steps of the application that its actions are, as one word. */
 export const stepsOf = (recording: RecordingView | undefined): string =>
-  recording ? `${recording.doc}: ${lanesOf(recording).flatMap((lane) => lane.passages.map((passage) => passage.step)).join()}` : ''
+  recording
+    ? `${recording.doc}: ${lanesOf(recording)
+        .flatMap((lane) => lane.passages.map((passage) => passage.step))
+        .join()}`
+    : ''
 
 const HERE_S = 1e-6
 
@@ -41,13 +45,25 @@ export const passageAt = ({ passages }: Lane, at_s: number): PassageView | undef
 
 /** The actions up to an instant as the run panel draws them: one that is carried out then has no end; `stopped` are flows that stand still. */
 export function blocksUntil(recording: RecordingView, at_s: number, stopped: ReadonlySet<number> = new Set()): Block[] {
-  return lanesOf(recording).flatMap((lane) =>
-    lane.passages.filter((one) => one.begin_s <= at_s).map((one, n): Block => {
-      const isGoing = one.end_s == null || one.end_s > at_s
-      const isFault = isGoing && stopped.has(lane.order)
-      return { key: `${lane.order}/${n}`, kind: 'action', flow: lane.order, step: one.step ?? 0, from_s: one.begin_s, to_s: isGoing ? NaN : one.end_s!, isFault }
-    }),
-  ).sort((one, other) => one.from_s - other.from_s)
+  return lanesOf(recording)
+    .flatMap((lane) =>
+      lane.passages
+        .filter((one) => one.begin_s <= at_s)
+        .map((one, n): Block => {
+          const isGoing = one.end_s == null || one.end_s > at_s
+          const isFault = isGoing && stopped.has(lane.order)
+          return {
+            key: `${lane.order}/${n}`,
+            kind: 'action',
+            flow: lane.order,
+            step: one.step ?? 0,
+            from_s: one.begin_s,
+            to_s: isGoing ? NaN : one.end_s!,
+            isFault,
+          }
+        }),
+    )
+    .sort((one, other) => one.from_s - other.from_s)
 }
 
 export interface Tick {
@@ -68,5 +84,8 @@ export function ticksOf(marks: readonly MarkView[], at: (at_s: number) => number
     if (last && x - last.x < APART_PX) last.marks.push(mark)
     else ticks.push({ x, marks: [mark] })
   }
-  return ticks.map((tick) => ({ ...tick, kind: tick.marks.map((mark) => mark.kind).sort((one, other) => GRAVITY.indexOf(other) - GRAVITY.indexOf(one))[0]! }))
+  return ticks.map((tick) => ({
+    ...tick,
+    kind: tick.marks.map((mark) => mark.kind).sort((one, other) => GRAVITY.indexOf(other) - GRAVITY.indexOf(one))[0]!,
+  }))
 }

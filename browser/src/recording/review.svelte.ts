@@ -31,7 +31,10 @@ class Review implements Source {
   readonly figures = {}
   /** What went wrong, as lines in plots. */
   readonly plotted: Marked = {
-    of: () => (this.recording?.marks ?? []).filter((mark) => mark.kind === 'error' || mark.kind === 'stop').map((mark) => ({ at_s: mark.at_s, task: '', text: mark.text, isError: true })),
+    of: () =>
+      (this.recording?.marks ?? [])
+        .filter((mark) => mark.kind === 'error' || mark.kind === 'stop')
+        .map((mark) => ({ at_s: mark.at_s, task: '', text: mark.text, isError: true })),
   }
   private courses: [Courses?, Courses?] = []
   private keeping: ReturnType<typeof setTimeout> | undefined
@@ -60,15 +63,21 @@ class Review implements Source {
 
   readonly begin_s = $derived(this.recording?.begin_s ?? 0)
   /** Of the longer one, where two lie beside each other. */
-  readonly end_s = $derived(Math.max(this.recording ? endOf(this.recording) : 0, this.other ? endOf(this.other) : 0, this.begin_s))
+  readonly end_s = $derived(
+    Math.max(this.recording ? endOf(this.recording) : 0, this.other ? endOf(this.other) : 0, this.begin_s),
+  )
   private readonly moments = $derived(this.recording ? beginnings(this.recording) : [])
-  private readonly marks = $derived((this.recording?.marks ?? []).map((mark) => mark.at_s).sort((one, other) => one - other))
+  private readonly marks = $derived(
+    (this.recording?.marks ?? []).map((mark) => mark.at_s).sort((one, other) => one - other),
+  )
 
   /** The actions up to the instant that is shown. */
   get past(): Past {
     const { recording, instant } = this
     if (!recording || !instant) return new Past()
-    const stopped = Object.values(instant.run.flows ?? {}).filter((flow) => flow.state === 'stopped').map((flow) => flow.order)
+    const stopped = Object.values(instant.run.flows ?? {})
+      .filter((flow) => flow.state === 'stopped')
+      .map((flow) => flow.order)
     return new Past(instant.run.number, blocksUntil(recording, instant.at_s, new Set(stopped)))
   }
 
@@ -86,7 +95,10 @@ class Review implements Source {
     this.at_s = Math.min(this.end_s, Math.max(this.begin_s, at_s))
     this.request.want(this.at_s)
     clearTimeout(this.keeping)
-    this.keeping = setTimeout(() => this.isOpen && keep('review', { path: this.recording?.path ?? '', at_s: this.at_s }), KEEP_MS)
+    this.keeping = setTimeout(
+      () => this.isOpen && keep('review', { path: this.recording?.path ?? '', at_s: this.at_s }),
+      KEEP_MS,
+    )
   }
 
   /** To where an action begins, before or after here. */
@@ -138,7 +150,8 @@ class Review implements Source {
   /** A stretch of a variable in this run and in the one beside it. */
   between(key: string, from_s: number, to_s: number): [Course | undefined, Course | undefined] {
     const name = this.nameOf(key)
-    const find = (courses: Courses | undefined, of: RecordingView | undefined): Course | undefined => (of?.variables?.[name] ? courses?.between(name, from_s, to_s) : undefined)
+    const find = (courses: Courses | undefined, of: RecordingView | undefined): Course | undefined =>
+      of?.variables?.[name] ? courses?.between(name, from_s, to_s) : undefined
     return [find(this.courses[0], this.recording), find(this.courses[1], this.other)]
   }
 
@@ -187,7 +200,10 @@ class Review implements Source {
   private async ask(at_s: number): Promise<[InstantView, InstantView | undefined]> {
     const glance = (of_other: boolean, recording: RecordingView): Promise<unknown> =>
       send({ t: 'Glance', at_s: Math.min(Math.max(at_s, recording.begin_s ?? 0), endOf(recording)), of_other })
-    const [one, other] = await Promise.all([this.recording && glance(false, this.recording), this.other && glance(true, this.other)])
+    const [one, other] = await Promise.all([
+      this.recording && glance(false, this.recording),
+      this.other && glance(true, this.other),
+    ])
     return [one as InstantView, other as InstantView | undefined]
   }
 
@@ -207,7 +223,12 @@ class Review implements Source {
 }
 
 export const review = new Review()
-desk.treeAt = treeAt(() => ({ instant: review.instant, worlds: review.recording?.worlds ?? [], doc: review.recording?.doc ?? '', redirects: review.recording?.redirects ?? [] }))
+desk.treeAt = treeAt(() => ({
+  instant: review.instant,
+  worlds: review.recording?.worlds ?? [],
+  doc: review.recording?.doc ?? '',
+  redirects: review.recording?.redirects ?? [],
+}))
 /** Asks what a world consists of: the one that is there, or as it was recorded. */
 export const sceneOf = (world: string, of_other = false): AnyAct =>
   review.isOpen ? { t: 'RecordedScene', world, at_s: review.shown_s, of_other } : { t: 'Scene', world }

@@ -16,7 +16,11 @@ export const percentOf = (part: number): number => +(100 * part).toFixed(3)
 export function valuesOf(typed: Record<Tolerance, string>): Record<Tolerance, number | null> {
   const value = (text: string): number | null => (text.trim() ? (read(text) ?? null) : null)
   const percent = value(typed.part)
-  return { tolerance: value(typed.tolerance), part: percent === null ? null : percent / 100, time_s: value(typed.time_s) }
+  return {
+    tolerance: value(typed.tolerance),
+    part: percent === null ? null : percent / 100,
+    time_s: value(typed.time_s),
+  }
 }
 
 /** The number in a text, with a point or a comma; undefined where it is none, or less than nothing. */

@@ -1,6 +1,15 @@
 // The tree as it was at an instant of a recorded run: whoever draws it needs not know. Nothing of the present is mixed in:
 // what the recording does not tell is not shown.
-import type { ApplicationView, DocumentView, InstantView, LocusView, PlacedView, RedirectView, RuntimeView, StepView } from '../api.gen'
+import type {
+  ApplicationView,
+  DocumentView,
+  InstantView,
+  LocusView,
+  PlacedView,
+  RedirectView,
+  RuntimeView,
+  StepView,
+} from '../api.gen'
 import type { FullTree } from '../link/desk.svelte'
 import { MARK } from '../widgets/mark'
 
@@ -56,7 +65,8 @@ export function treeAt(then: () => Then): (live: FullTree) => FullTree {
     over(one, (name, value) => {
       if (name === 'connection') return homeOf(doc) ? 'live' : 'none'
       if (name === 'subsystem') return homeOf(doc)
-      if (name === 'tasks' && value) return each(value as Record<string, PlacedView>, (task, its) => placed(task, doc, its))
+      if (name === 'tasks' && value)
+        return each(value as Record<string, PlacedView>, (task, its) => placed(task, doc, its))
       if (name === 'loci' && value) return each(value as Record<string, LocusView>, (dot) => locus(dot, doc))
       return value
     })
@@ -71,7 +81,13 @@ export function treeAt(then: () => Then): (live: FullTree) => FullTree {
     })
 
   const runtime = (one: RuntimeView): RuntimeView =>
-    over(one, (name, value) => (name === 'worlds' ? Object.fromEntries(then().worlds.map((world) => [world, true])) : name === 'units' ? {} : value))
+    over(one, (name, value) =>
+      name === 'worlds'
+        ? Object.fromEntries(then().worlds.map((world) => [world, true]))
+        : name === 'units'
+          ? {}
+          : value,
+    )
 
   return (live) =>
     over(live, (name, value) => {

@@ -7,11 +7,16 @@ import { options } from '../state/options.svelte'
 /** Whether there is a run that can be steered: what a recording shows cannot. */
 export const isGoing = (): boolean => !desk.live.review && desk.live.run != null && desk.live.run.state !== 'over'
 export const flowsOf = (run: RunView | null | undefined): string[] =>
-  Object.entries(run?.flows ?? {}).filter(([, flow]) => !flow.is_nested).sort(([, one], [, other]) => one.order - other.order).map(([name]) => name)
+  Object.entries(run?.flows ?? {})
+    .filter(([, flow]) => !flow.is_nested)
+    .sort(([, one], [, other]) => one.order - other.order)
+    .map(([name]) => name)
 
 /** Whether some flow goes on, so that a pause would do something. */
 export function canPause(run: RunView | null | undefined): boolean {
-  return Object.values(run?.flows ?? {}).some((flow) => !isHeld(flow.state ?? '') && !flow.is_pausing && !isEnded(flow.state ?? ''))
+  return Object.values(run?.flows ?? {}).some(
+    (flow) => !isHeld(flow.state ?? '') && !flow.is_pausing && !isEnded(flow.state ?? ''),
+  )
 }
 
 /** Where a flow is; what says nothing has not begun. */
@@ -20,8 +25,16 @@ export const stateOf = (flow: FlowRunView | undefined): NonNullable<FlowRunView[
 export const isHeld = (state: string): boolean => state === 'paused' || state === 'stopped'
 export const isEnded = (state: string): boolean => ['done', 'killing', 'ended'].includes(state)
 
-export const start = (doc: string): Promise<unknown> => act({ t: 'Run', doc, passes_breakpoints: options.passesBreakpoints, is_recorded: options.records, on_loss: desk.live.runtime.address ? options.onLoss : 'stop' })
-export const steer = (verb: string, flow = ''): Promise<unknown> => act({ t: 'Steer', line: flow ? `${verb} ${flow}` : verb })
+export const start = (doc: string): Promise<unknown> =>
+  act({
+    t: 'Run',
+    doc,
+    passes_breakpoints: options.passesBreakpoints,
+    is_recorded: options.records,
+    on_loss: desk.live.runtime.address ? options.onLoss : 'stop',
+  })
+export const steer = (verb: string, flow = ''): Promise<unknown> =>
+  act({ t: 'Steer', line: flow ? `${verb} ${flow}` : verb })
 export const dismiss = (): Promise<unknown> => act({ t: 'Dismiss' })
 export const putBack = (): Promise<unknown> => act({ t: 'StartAnew' })
 

@@ -27,7 +27,8 @@ export const runTime = {
   },
 }
 
-const now_s = (): number => clock.at(performance.now() / 1000, desk.live.runtime.is_virtual === true && !isSimulator(desk.live.runtime))
+const now_s = (): number =>
+  clock.at(performance.now() / 1000, desk.live.runtime.is_virtual === true && !isSimulator(desk.live.runtime))
 
 // It listens as long as the page is there, also while the run is not looked at.
 $effect.root(() => {
@@ -42,7 +43,9 @@ $effect.root(() => {
       clock.take(whole, performance.now() / 1000, Date.now() / 1000)
       live.past = live.past.with(whole, app)
       live.now_s = now_s()
-      if (whole.state === 'running' && !isReviewing()) for (const flow of newFlowStates(before, whole)) announce(`${flowName(flow.order)}: ${t(`perform.state.${flow.state}` as 'perform.state.paused')}`)
+      if (whole.state === 'running' && !isReviewing())
+        for (const flow of newFlowStates(before, whole))
+          announce(`${flowName(flow.order)}: ${t(`perform.state.${flow.state}` as 'perform.state.paused')}`)
     })
   })
   $effect(() => {

@@ -69,7 +69,9 @@ export function placeInMiddle(task: string): void {
   if (!size) return
   const { x, y } = canvasState.view.centre
   let [px, py] = [onGrid(x - size.width / 2), onGrid(y - size.height / 2)]
-  while (canvasState.scene.boxesIn({ x0: px - 10, y0: py - 10, x1: px + size.width + 10, y1: py + size.height + 10 }).length) {
+  while (
+    canvasState.scene.boxesIn({ x0: px - 10, y0: py - 10, x1: px + size.width + 10, y1: py + size.height + 10 }).length
+  ) {
     px += 30
     py += 30
   }
@@ -78,7 +80,10 @@ export function placeInMiddle(task: string): void {
 }
 
 export const unitsAlive = (): string[] =>
-  Object.entries(desk.tree.runtime.units ?? {}).filter(([, unit]) => !unit.is_lost).map(([name]) => name).sort()
+  Object.entries(desk.tree.runtime.units ?? {})
+    .filter(([, unit]) => !unit.is_lost)
+    .map(([name]) => name)
+    .sort()
 
 export async function place(task: string, [x, y]: [number, number], at?: Point, rtpu = ''): Promise<void> {
   canvasState.close()
@@ -165,11 +170,17 @@ export function toggleConstants(): void {
 }
 
 export function togglePin(svar: string): void {
-  canvas.pinned = canvas.pinned.includes(svar) ? canvas.pinned.filter((name) => name !== svar) : [...canvas.pinned, svar]
+  canvas.pinned = canvas.pinned.includes(svar)
+    ? canvas.pinned.filter((name) => name !== svar)
+    : [...canvas.pinned, svar]
 }
 
 /** One step for all that was moved. */
-export function move(tasks: Record<string, [number, number]>, loci: Record<string, [number, number]> = {}, at?: Point): Promise<unknown> {
+export function move(
+  tasks: Record<string, [number, number]>,
+  loci: Record<string, [number, number]> = {},
+  at?: Point,
+): Promise<unknown> {
   return act({ t: 'Move', doc: canvas.doc, tasks, loci }, at)
 }
 
@@ -181,18 +192,30 @@ const bound = { tasks: new Map<string, [number, number]>(), loci: new Map<string
 export function nudge(dx: number, dy: number): void {
   const { boxes, dots } = canvasState.scene
   const dot = canvas.pickedLocus ? dots.get(canvas.pickedLocus) : undefined
-  const goals = (names: string[], things: ReadonlyMap<string, Point>, before: ReadonlyMap<string, [number, number]>): Corners =>
-    Object.fromEntries(names.filter((name) => things.has(name)).map((name) => {
-      const [x, y] = before.get(name) ?? [things.get(name)!.x, things.get(name)!.y]
-      return [name, [Math.round(x + dx), Math.round(y + dy)]]
-    }))
+  const goals = (
+    names: string[],
+    things: ReadonlyMap<string, Point>,
+    before: ReadonlyMap<string, [number, number]>,
+  ): Corners =>
+    Object.fromEntries(
+      names
+        .filter((name) => things.has(name))
+        .map((name) => {
+          const [x, y] = before.get(name) ?? [things.get(name)!.x, things.get(name)!.y]
+          return [name, [Math.round(x + dx), Math.round(y + dy)]]
+        }),
+    )
   const tasks = goals(dot ? [] : pickedTasks(), boxes, bound.tasks)
   const loci = goals(dot ? [dot.svar] : lociWith(canvasState.document, pickedTasks()), dots, bound.loci)
-  const ways = [[tasks, bound.tasks], [loci, bound.loci]] as const
+  const ways = [
+    [tasks, bound.tasks],
+    [loci, bound.loci],
+  ] as const
   if (!Object.keys({ ...tasks, ...loci }).length) return
   for (const [to, kept] of ways) for (const [name, corner] of Object.entries(to)) kept.set(name, corner)
   void move(tasks, loci).finally(() => {
-    for (const [to, kept] of ways) for (const [name, corner] of Object.entries(to)) if (kept.get(name) === corner) kept.delete(name)
+    for (const [to, kept] of ways)
+      for (const [name, corner] of Object.entries(to)) if (kept.get(name) === corner) kept.delete(name)
   })
 }
 

@@ -32,7 +32,9 @@ export function whole(doc: Doc | undefined, tasks: Iterable<string>): string[] {
 export function groupsIn(doc: Doc | undefined, tasks: Iterable<string>): string[] {
   const among = new Set(tasks)
   const groups = Object.entries(doc?.groups ?? {})
-  return groups.filter(([, { tasks: members }]) => members.length > 0 && members.every((one) => among.has(one))).map(([name]) => name)
+  return groups
+    .filter(([, { tasks: members }]) => members.length > 0 && members.every((one) => among.has(one)))
+    .map(([name]) => name)
 }
 
 /** Variables that nobody outside of a supermodule speaks or listens to: their dots go where it goes. */
@@ -40,11 +42,14 @@ export function ownLoci(doc: Doc | undefined, group: string): string[] {
   const members = new Set(membersOf(doc, group))
   const isOwn = ({ writers = [], readers = [] }: LocusView): boolean =>
     writers.length + readers.length > 0 && [...writers, ...readers].every((one) => members.has(one))
-  return Object.entries(doc?.loci ?? {}).filter(([, locus]) => isOwn(locus)).map(([svar]) => svar)
+  return Object.entries(doc?.loci ?? {})
+    .filter(([, locus]) => isOwn(locus))
+    .map(([svar]) => svar)
 }
 
 /** The dots that go where these tasks go. */
-export const lociWith = (doc: Doc | undefined, tasks: Iterable<string>): string[] => groupsIn(doc, tasks).flatMap((group) => ownLoci(doc, group))
+export const lociWith = (doc: Doc | undefined, tasks: Iterable<string>): string[] =>
+  groupsIn(doc, tasks).flatMap((group) => ownLoci(doc, group))
 
 /** How a supermodule is, in one mark: what asks for somebody first, then whether all are ON, some, or none. */
 export interface Summary {
@@ -57,13 +62,15 @@ export function summary(doc: Doc | undefined, group: string): Summary {
   const states = membersOf(doc, group).map((one) => stateOf(doc?.tasks?.[one]))
   const on = states.filter((state) => state === 'ON').length
   const urgent = (['ERROR', 'ASKING', 'WAITING'] as const).find((state) => states.includes(state))
-  const look = urgent ?? (on === 0 ? (states.find((state) => state !== '') ?? '') : on === states.length ? 'ON' : 'PARTLY')
+  const look =
+    urgent ?? (on === 0 ? (states.find((state) => state !== '') ?? '') : on === states.length ? 'ON' : 'PARTLY')
   return { look, on, of: states.length }
 }
 
 const stateOf = (placed: PlacedView | undefined): State => looks(placed?.state ?? '')
 
-export const isAllOn = (doc: Doc | undefined, group: string): boolean => summary(doc, group).on === membersOf(doc, group).length
+export const isAllOn = (doc: Doc | undefined, group: string): boolean =>
+  summary(doc, group).on === membersOf(doc, group).length
 
 /** The frame around boxes that together span this. */
 export const frameOf = ({ x, y, w, h }: Rect): Rect => ({ x: x - PAD, y: y - PAD, w: w + 2 * PAD, h: h + 2 * PAD })

@@ -153,12 +153,21 @@ export class Scene {
       this.drawnIn.set(link, net)
       touched.add(net)
     }
-    for (const net of touched) net.d = trunk(net.routes.values()).map((route) => pathOf(route)).join('')
+    for (const net of touched)
+      net.d = trunk(net.routes.values())
+        .map((route) => pathOf(route))
+        .join('')
   }
 
   /** Find places for the names of the variables where they cover nothing. */
   nameDots(): void {
-    const labels = [...this.dots.values()].map(({ svar, x, y }) => ({ svar, x, y, w: svar.length * LETTER + 4, h: LINE }))
+    const labels = [...this.dots.values()].map(({ svar, x, y }) => ({
+      svar,
+      x,
+      y,
+      w: svar.length * LETTER + 4,
+      h: LINE,
+    }))
     const boxes = [...this.boxes.values()].map(({ rect }) => areaOf(rect))
     for (const { svar, x0, y0, x1, y1 } of placeLabels(labels, boxes, this.wires.routes().values())) {
       const dot = this.dots.get(svar)
@@ -226,9 +235,20 @@ export class Scene {
   private tell(box: Box, isDrawn: (pin: PinView) => boolean): void {
     const drawn = box.pins.filter(isDrawn)
     const told = this.told.get(box.name)
-    const now: Told = { rect: box.rect, inLeft: box.inLeft, key: drawn.map((pin) => `${pin.name}=${pin.svar}`).join(), all: box.pins, pins: [] }
+    const now: Told = {
+      rect: box.rect,
+      inLeft: box.inLeft,
+      key: drawn.map((pin) => `${pin.name}=${pin.svar}`).join(),
+      all: box.pins,
+      pins: [],
+    }
     if (told && isSame(told, now)) return
-    now.pins = drawn.map((pin) => ({ id: pin.name, svar: pin.svar, side: isLeft(pin, box.inLeft) ? 'left' : 'right', dy: pin.y }))
+    now.pins = drawn.map((pin) => ({
+      id: pin.name,
+      svar: pin.svar,
+      side: isLeft(pin, box.inLeft) ? 'left' : 'right',
+      dy: pin.y,
+    }))
     for (const pin of drawn) this.svarOf.set(`${box.name}/${pin.name}`, pin.svar)
     this.told.set(box.name, now)
     this.wires.setBox(box.name, now.rect, now.pins)
@@ -244,8 +264,13 @@ interface Told {
 }
 
 const isSame = (a: Told, b: Told): boolean =>
-  a.all === b.all && a.key === b.key && a.inLeft === b.inLeft &&
-  a.rect.x === b.rect.x && a.rect.y === b.rect.y && a.rect.w === b.rect.w && a.rect.h === b.rect.h
+  a.all === b.all &&
+  a.key === b.key &&
+  a.inLeft === b.inLeft &&
+  a.rect.x === b.rect.x &&
+  a.rect.y === b.rect.y &&
+  a.rect.w === b.rect.w &&
+  a.rect.h === b.rect.h
 
 interface Locus {
   x: number
@@ -265,9 +290,14 @@ function read(document: DocumentView, tasks: Readonly<Record<string, TaskView>>)
     const task = tasks[name]
     const width = task?.width || MISSING.width
     const height = task?.height || MISSING.height
-    return [name, { x: one.x, y: one.y, inLeft: one.in_left ?? true, width, height, pins: task ? plain(task.pins) : NO_PINS }] as const
+    return [
+      name,
+      { x: one.x, y: one.y, inLeft: one.in_left ?? true, width, height, pins: task ? plain(task.pins) : NO_PINS },
+    ] as const
   })
-  const loci = Object.entries(document.loci ?? {}).map(([svar, { x, y, is_shown = true, is_constant = false }]) => [svar, { x, y, is_shown, is_constant }] as const)
+  const loci = Object.entries(document.loci ?? {}).map(
+    ([svar, { x, y, is_shown = true, is_constant = false }]) => [svar, { x, y, is_shown, is_constant }] as const,
+  )
   return { tasks: new Map(placed), loci: new Map(loci) }
 }
 

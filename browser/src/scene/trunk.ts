@@ -47,12 +47,15 @@ function meeting(a: Pt, b: Pt, drawn: readonly Stretch[]): Pt | undefined {
       if (Math.abs(far - end) > Math.abs(reach - end)) reach = far
     }
   if (reach === end) return undefined
-  const joint = Math.abs(reach - start) < 1 ? reach + Math.sign(end - start) * Math.min(JOINT_PX, Math.abs(end - start)) : reach
+  const joint =
+    Math.abs(reach - start) < 1 ? reach + Math.sign(end - start) * Math.min(JOINT_PX, Math.abs(end - start)) : reach
   return own.isUpright ? [own.at, joint] : [joint, own.at]
 }
 
 function isCovered(own: Stretch, drawn: readonly Stretch[]): boolean {
-  return drawn.some((one) => one.isUpright === own.isUpright && one.at === own.at && one.from <= own.from && own.to <= one.to)
+  return drawn.some(
+    (one) => one.isUpright === own.isUpright && one.at === own.at && one.from <= own.from && own.to <= one.to,
+  )
 }
 
 function stretch([ax, ay]: Pt, [bx, by]: Pt): Stretch {

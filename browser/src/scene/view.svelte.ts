@@ -1,6 +1,18 @@
 // Which part of the canvas is seen, and where on the page the canvas is.
 import { areaOf, type Area, type Pt, type Rect } from '../geom/rect'
-import { fitted, panned, revealed, seen, toScene, toScreen, zoomed, zoomedTo, PLAIN, type Size, type View as Seen } from '../geom/viewport'
+import {
+  fitted,
+  panned,
+  revealed,
+  seen,
+  toScene,
+  toScreen,
+  zoomed,
+  zoomedTo,
+  PLAIN,
+  type Size,
+  type View as Seen,
+} from '../geom/viewport'
 
 /** Below this, names of pins are left out: nobody could read them, and text is what painting costs most. */
 const NEAR = 0.6

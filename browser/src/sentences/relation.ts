@@ -12,8 +12,14 @@ const KEYS: Record<string, RelationKey> = {
 }
 
 /** What is not of this form stays as it is. */
-export function inWords(condition: string, say: (key: RelationKey) => string, number: (value: number) => string): string {
+export function inWords(
+  condition: string,
+  say: (key: RelationKey) => string,
+  number: (value: number) => string,
+): string {
   const [, variable, relation, value] = FORM.exec(condition) ?? []
   if (variable === undefined || relation === undefined || value === undefined) return condition.trim()
-  return say(KEYS[relation]!).replace('{variable}', variable).replace('{value}', number(Number(value)))
+  return say(KEYS[relation]!)
+    .replace('{variable}', variable)
+    .replace('{value}', number(Number(value)))
 }

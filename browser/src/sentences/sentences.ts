@@ -11,10 +11,33 @@ export interface Connectives {
 }
 
 export type SayKey =
-  | 'say.flow' | 'say.byDefault' | 'say.onlyNested' | 'say.empty' | 'say.takes' | 'say.takesComma' | 'say.and' | 'say.nested'
-  | 'say.together' | 'say.alone' | 'say.pause' | 'say.pauseIf' | 'say.missingTarget' | 'say.missingTargetAn' | 'say.missingAction'
-  | 'say.stray' | 'say.loopBottom' | 'say.loopTop' | 'say.loopBroken' | 'say.saysSo' | 'say.if' | 'say.elseIf' | 'say.else' | 'say.way'
-  | 'say.nothing' | 'say.nameless' | RelationKey
+  | 'say.flow'
+  | 'say.byDefault'
+  | 'say.onlyNested'
+  | 'say.empty'
+  | 'say.takes'
+  | 'say.takesComma'
+  | 'say.and'
+  | 'say.nested'
+  | 'say.together'
+  | 'say.alone'
+  | 'say.pause'
+  | 'say.pauseIf'
+  | 'say.missingTarget'
+  | 'say.missingTargetAn'
+  | 'say.missingAction'
+  | 'say.stray'
+  | 'say.loopBottom'
+  | 'say.loopTop'
+  | 'say.loopBroken'
+  | 'say.saysSo'
+  | 'say.if'
+  | 'say.elseIf'
+  | 'say.else'
+  | 'say.way'
+  | 'say.nothing'
+  | 'say.nameless'
+  | RelationKey
 
 export interface Sentence {
   kind: 'action' | 'hole' | 'loop' | 'case' | 'note'
@@ -44,25 +67,42 @@ export const textOf = (sentence: Sentence): string => plain(sentence.parts)
 export function asText(tales: readonly Tale[]): string {
   return tales
     .map(({ title, note, sentences }) => {
-      const lines = sentences.map((one) => `${'  '.repeat(one.depth)}${one.number ? `${one.number}. ` : ''}${textOf(one)}`)
+      const lines = sentences.map(
+        (one) => `${'  '.repeat(one.depth)}${one.number ? `${one.number}. ` : ''}${textOf(one)}`,
+      )
       return [tales.length > 1 ? `${title}${note ? ` – ${note}` : ''}` : '', ...lines].filter(Boolean).join('\n')
     })
     .join('\n\n')
 }
 
 /** The top flows of an application, in order. */
-export function tell(app: ApplicationView, types: Readonly<Record<string, TypeView>>, connectives: Connectives): Tale[] {
-  const tops = Object.keys(app.flows ?? {}).filter((path) => !path.includes('/')).sort((one, other) => Number(one) - Number(other))
+export function tell(
+  app: ApplicationView,
+  types: Readonly<Record<string, TypeView>>,
+  connectives: Connectives,
+): Tale[] {
+  const tops = Object.keys(app.flows ?? {})
+    .filter((path) => !path.includes('/'))
+    .sort((one, other) => Number(one) - Number(other))
   return tops.map((path) => {
     const teller = new Teller(app, types, connectives, tops)
     const sentences = teller.flow(path, 0)
     if (!sentences.length) sentences.push(note(connectives.say('say.empty'), 0))
-    return { path, title: fillOne(connectives.say('say.flow'), path), note: when(app, path, tops, connectives), sentences }
+    return {
+      path,
+      title: fillOne(connectives.say('say.flow'), path),
+      note: when(app, path, tops, connectives),
+      sentences,
+    }
   })
 }
 
 /** What each action is about, without its marks and times: "move the joints above the box"; a target's is its action's. */
-export function briefs(app: ApplicationView, types: Readonly<Record<string, TypeView>>, connectives: Connectives): Map<number, string> {
+export function briefs(
+  app: ApplicationView,
+  types: Readonly<Record<string, TypeView>>,
+  connectives: Connectives,
+): Map<number, string> {
   return new Teller(app, types, connectives, []).briefs()
 }
 
@@ -72,7 +112,14 @@ function when(app: ApplicationView, path: string, tops: readonly string[], conne
 }
 
 const fillOne = (text: string, n: string): string => text.replaceAll('{n}', n)
-const note = (text: string, depth: number): Sentence => ({ kind: 'note', step: 0, steps: [], number: 0, depth, parts: glue(text) })
+const note = (text: string, depth: number): Sentence => ({
+  kind: 'note',
+  step: 0,
+  steps: [],
+  number: 0,
+  depth,
+  parts: glue(text),
+})
 
 /** An action and what belongs to it, or a hole, a stray target or a branch by itself. */
 interface Group {
@@ -121,10 +168,12 @@ class Teller {
 
   briefs(): Map<number, string> {
     const groups = Object.keys(this.app.flows ?? {}).flatMap((path) => this.groups(path))
-    return new Map(groups.flatMap(({ step, view, rest }) => {
-      const text = view.kind === 'branch' ? '' : plain(this.core(view, rest, false))
-      return [step, ...rest].map((one) => [one, text] as const)
-    }))
+    return new Map(
+      groups.flatMap(({ step, view, rest }) => {
+        const text = view.kind === 'branch' ? '' : plain(this.core(view, rest, false))
+        return [step, ...rest].map((one) => [one, text] as const)
+      }),
+    )
   }
 
   private groups(path: string): Group[] {
@@ -142,27 +191,44 @@ class Teller {
   private group({ step, view, rest }: Group, path: string, depth: number): Sentence {
     const common = { step, steps: [step, ...rest], depth }
     if (view.kind === 'hole') return { ...common, kind: 'hole', number: 0, parts: this.ended([this.hole(view)]) }
-    if (!isAction(view)) return { ...common, kind: 'hole', number: 0, parts: this.ended(compose(this.connectives.say('say.stray'), { target: [this.name(view)] })) }
+    if (!isAction(view))
+      return {
+        ...common,
+        kind: 'hole',
+        number: 0,
+        parts: this.ended(compose(this.connectives.say('say.stray'), { target: [this.name(view)] })),
+      }
     const has = rest.some((one) => this.app.steps?.[one]?.kind === 'hole')
-    return { ...common, kind: has ? 'hole' : 'action', number: this.count, parts: this.ended(this.action(view, rest, path)) }
+    return {
+      ...common,
+      kind: has ? 'hole' : 'action',
+      number: this.count,
+      parts: this.ended(this.action(view, rest, path)),
+    }
   }
 
   /** Prefix, what is done, suffix. */
   private action(view: StepView, rest: readonly number[], path: string): Part[] {
     let core = this.core(view, rest)
-    if (view.role === 'application' && view.name) core = compose(this.connectives.say('say.nested'), { what: core, name: glue(view.name) })
+    if (view.role === 'application' && view.name)
+      core = compose(this.connectives.say('say.nested'), { what: core, name: glue(view.name) })
     if (view.synch_tag && this.app.is_parallel) core = this.together(core, view.synch_tag, path)
     if (!view.breaks) return core
-    const pause = view.break_if ? compose(this.connectives.say('say.pauseIf'), { condition: glue(this.condition(view.break_if)) }) : glue(this.connectives.say('say.pause'))
+    const pause = view.break_if
+      ? compose(this.connectives.say('say.pauseIf'), { condition: glue(this.condition(view.break_if)) })
+      : glue(this.connectives.say('say.pause'))
     return [...core, { text: ', ' }, ...pause.map((part) => ({ ...part, kind: 'mark' as const }))]
   }
 
   private core(view: StepView, rest: readonly number[], isTimed = true): Part[] {
     const job = this.words(view)
-    const targets = rest.flatMap((one) => this.app.steps?.[one] ?? []).map((one) => (one.kind === 'hole' ? [this.hole(one, true)] : isTimed ? this.target(one) : [this.name(one)]))
+    const targets = rest
+      .flatMap((one) => this.app.steps?.[one] ?? [])
+      .map((one) => (one.kind === 'hole' ? [this.hole(one, true)] : isTimed ? this.target(one) : [this.name(one)]))
     if (!targets.length) return glue(job)
     const joined = targets.flatMap((target, k) => (k ? [{ text: this.connectives.say('say.and') }, ...target] : target))
-    const isOpen = goesOn(this.connectives.code, job, joined[0]?.text ?? '') && !joined.some((part) => part.kind === 'fault')
+    const isOpen =
+      goesOn(this.connectives.code, job, joined[0]?.text ?? '') && !joined.some((part) => part.kind === 'fault')
     return [{ text: isOpen ? `${job} ` : `${job}: ` }, ...joined]
   }
 
@@ -174,20 +240,26 @@ class Teller {
     const isTold = items.length === 1 && !!this.description(view) // it speaks of nothing else
     const name = this.name(view)
     if (at < 0 || isTold || !Number.isFinite(seconds)) return [name]
-    return compose(this.connectives.say(isLong(name.text) ? 'say.takesComma' : 'say.takes'), { target: [name], seconds: glue(this.number(seconds)) })
+    return compose(this.connectives.say(isLong(name.text) ? 'say.takesComma' : 'say.takes'), {
+      target: [name],
+      seconds: glue(this.number(seconds)),
+    })
   }
 
   private together(core: Part[], tag: string, path: string): Part[] {
     const own = path.split('/')[0]
     const others = this.tops.filter((top) => top !== own && this.hasTag(top, tag))
-    const list = new Intl.ListFormat(this.connectives.code).format(others.map((top) => fillOne(this.connectives.say('say.flow'), top).toLowerCase()))
+    const list = new Intl.ListFormat(this.connectives.code).format(
+      others.map((top) => fillOne(this.connectives.say('say.flow'), top).toLowerCase()),
+    )
     const template = this.connectives.say(others.length ? 'say.together' : 'say.alone')
     return compose(template, { others: glue(list), tag: [{ text: tag, kind: 'mark' }], what: core })
   }
 
   private hasTag(top: string, tag: string): boolean {
     return Object.entries(this.app.flows ?? {}).some(
-      ([path, flow]) => path.split('/')[0] === top && (flow.steps ?? []).some((step) => this.app.steps?.[step]?.synch_tag === tag),
+      ([path, flow]) =>
+        path.split('/')[0] === top && (flow.steps ?? []).some((step) => this.app.steps?.[step]?.synch_tag === tag),
     )
   }
 
@@ -195,7 +267,10 @@ class Teller {
     const kinds = (view.wants ?? []).map((type) => type.replace(/\s+object$/i, ''))
     if (!kinds.length) return { text: this.connectives.say('say.missingAction'), kind: 'fault' }
     const list = new Intl.ListFormat(this.connectives.code, { type: 'disjunction' }).format(kinds)
-    const text = fillType(this.connectives.say(/^[aeio]/i.test(list) ? 'say.missingTargetAn' : 'say.missingTarget'), list)
+    const text = fillType(
+      this.connectives.say(/^[aeio]/i.test(list) ? 'say.missingTargetAn' : 'say.missingTarget'),
+      list,
+    )
     return { text: isInside ? text : capital(text), kind: 'fault' }
   }
 
@@ -217,21 +292,44 @@ class Teller {
   }
 
   /** What is said behind a group about the loops that end, or are asked, there. */
-  private looped(loops: readonly Loop[], at: number, groups: readonly Group[], numbers: readonly number[], depth: number): Sentence[] {
+  private looped(
+    loops: readonly Loop[],
+    at: number,
+    groups: readonly Group[],
+    numbers: readonly number[],
+    depth: number,
+  ): Sentence[] {
     const tag = groups[at]?.view.loop
     const broken = tag && !loops.some((loop) => loop.tag === tag)
-    if (broken) return [this.loopSentence(groups[at]!, compose(this.connectives.say('say.loopBroken'), { tag: [{ text: tag, kind: 'mark' }] }), depth)]
-    return loops.filter((loop) => (loop.test === loop.from ? loop.from : loop.to) === at).map((loop) => {
-      const test = groups[loop.test]!
-      const isTop = loop.test === loop.from
-      const values = {
-        from: glue(String(isTop ? numbers[at] : numbers[loop.from])),
-        to: glue(String(isTop ? numbers[at]! + this.actionsBetween(groups, at, loop.to) : numbers[loop.to])),
-        condition: glue(test.view.loop_if ? this.condition(test.view.loop_if) : fillOne(this.connectives.say('say.saysSo'), String(numbers[loop.test]))),
-        tag: [{ text: loop.tag, kind: 'mark' as const }],
-      }
-      return this.loopSentence(test, compose(this.connectives.say(isTop ? 'say.loopTop' : 'say.loopBottom'), values), depth)
-    })
+    if (broken)
+      return [
+        this.loopSentence(
+          groups[at]!,
+          compose(this.connectives.say('say.loopBroken'), { tag: [{ text: tag, kind: 'mark' }] }),
+          depth,
+        ),
+      ]
+    return loops
+      .filter((loop) => (loop.test === loop.from ? loop.from : loop.to) === at)
+      .map((loop) => {
+        const test = groups[loop.test]!
+        const isTop = loop.test === loop.from
+        const values = {
+          from: glue(String(isTop ? numbers[at] : numbers[loop.from])),
+          to: glue(String(isTop ? numbers[at]! + this.actionsBetween(groups, at, loop.to) : numbers[loop.to])),
+          condition: glue(
+            test.view.loop_if
+              ? this.condition(test.view.loop_if)
+              : fillOne(this.connectives.say('say.saysSo'), String(numbers[loop.test])),
+          ),
+          tag: [{ text: loop.tag, kind: 'mark' as const }],
+        }
+        return this.loopSentence(
+          test,
+          compose(this.connectives.say(isTop ? 'say.loopTop' : 'say.loopBottom'), values),
+          depth,
+        )
+      })
   }
 
   private loopSentence({ step }: Group, parts: Part[], depth: number): Sentence {
@@ -245,11 +343,18 @@ class Teller {
 
   private actionsOf(view: StepView): number {
     if (view.kind !== 'branch') return isAction(view) ? 1 : 0
-    return (view.flows ?? []).reduce((sum, path) => sum + this.groups(path).reduce((inner, group) => inner + this.actionsOf(group.view), 0), 0)
+    return (view.flows ?? []).reduce(
+      (sum, path) => sum + this.groups(path).reduce((inner, group) => inner + this.actionsOf(group.view), 0),
+      0,
+    )
   }
 
   private condition(text: string): string {
-    return inWords(text, (key) => this.connectives.say(key), (value) => this.number(value))
+    return inWords(
+      text,
+      (key) => this.connectives.say(key),
+      (value) => this.number(value),
+    )
   }
 
   private number(value: number): string {

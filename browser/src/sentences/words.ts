@@ -13,7 +13,8 @@ export function nameOf(run: RunView, subsystem: string): string {
 }
 
 /** Whether there is more than one flow to tell apart. */
-export const isSeveral = (run: RunView): boolean => Object.values(run.flows ?? {}).filter((flow) => !flow.is_nested).length > 1
+export const isSeveral = (run: RunView): boolean =>
+  Object.values(run.flows ?? {}).filter((flow) => !flow.is_nested).length > 1
 
 const formats = new Map<string, Intl.NumberFormat>()
 
@@ -22,7 +23,11 @@ export function seconds(value: number, places = 1): string {
   const key = `${look.language} ${places}`
   let form = formats.get(key)
   if (!form) {
-    form = new Intl.NumberFormat(look.language, { minimumFractionDigits: places, maximumFractionDigits: places, useGrouping: false })
+    form = new Intl.NumberFormat(look.language, {
+      minimumFractionDigits: places,
+      maximumFractionDigits: places,
+      useGrouping: false,
+    })
     formats.set(key, form)
   }
   return form.format(value)

@@ -26,18 +26,33 @@ export function entries(): Entry[] {
 }
 
 const commands = (): Entry[] =>
-  allCommands().filter((one) => one.id !== 'view.palette' && isAvailable(one)).map((one) => ({
-    id: `c ${one.id}`, kind: t('palette.command'), label: one.title(), run: one.run, ...(one.also ? { also: one.also() } : {}), ...(one.keys?.[0] ? { keys: one.keys[0] } : {}),
-  }))
+  allCommands()
+    .filter((one) => one.id !== 'view.palette' && isAvailable(one))
+    .map((one) => ({
+      id: `c ${one.id}`,
+      kind: t('palette.command'),
+      label: one.title(),
+      run: one.run,
+      ...(one.also ? { also: one.also() } : {}),
+      ...(one.keys?.[0] ? { keys: one.keys[0] } : {}),
+    }))
 
 const placed = (): Entry[] =>
   Object.keys(desk.tree.documents[canvas.doc]?.tasks ?? {}).map((name) => ({
-    id: `p ${name}`, kind: t('palette.placed'), label: name, isName: true, run: () => reveal({ t: 'ShowTask', task: name }),
+    id: `p ${name}`,
+    kind: t('palette.placed'),
+    label: name,
+    isName: true,
+    run: () => reveal({ t: 'ShowTask', task: name }),
   }))
 
 const tasks = (): Entry[] =>
   Object.values(desk.tree.tasks).map((task) => ({
-    id: `t ${task.name}`, kind: t('palette.task'), label: task.name, note: task.description, isName: true,
+    id: `t ${task.name}`,
+    kind: t('palette.task'),
+    label: task.name,
+    note: task.description,
+    isName: true,
     run: () => {
       pick()
       reveal({ t: 'ShowLibraryTask', task: task.name })
@@ -46,22 +61,40 @@ const tasks = (): Entry[] =>
 
 const onikons = (): Entry[] =>
   Object.entries(desk.tree.onikons).map(([name, one]) => ({
-    id: `o ${name}`, kind: t('palette.onikon'), label: one.words?.[look.language] ?? (one.description || name), note: name, run: () => reveal({ t: 'ShowOnikon', onikon: name }),
+    id: `o ${name}`,
+    kind: t('palette.onikon'),
+    label: one.words?.[look.language] ?? (one.description || name),
+    note: name,
+    run: () => reveal({ t: 'ShowOnikon', onikon: name }),
   }))
 
 const applications = (): Entry[] =>
   Object.values(desk.tree.application_files).map((file) => ({
-    id: `a ${file.path}`, kind: t('palette.application'), label: file.name, note: file.base.split('/').at(-1) ?? '', isName: true, run: () => open(file.path),
+    id: `a ${file.path}`,
+    kind: t('palette.application'),
+    label: file.name,
+    note: file.base.split('/').at(-1) ?? '',
+    isName: true,
+    run: () => open(file.path),
   }))
 
 const files = (): Entry[] =>
   (look.isUpperOnly ? [] : Object.values(desk.tree.files)).map((file) => ({
-    id: `f ${file.path}`, kind: t('palette.file'), label: file.name, note: file.base.split('/').at(-1) ?? '', isName: true, run: () => open(file.path),
+    id: `f ${file.path}`,
+    kind: t('palette.file'),
+    label: file.name,
+    note: file.base.split('/').at(-1) ?? '',
+    isName: true,
+    run: () => open(file.path),
   }))
 
 const variables = (): Entry[] =>
   Object.keys(desk.tree.documents[canvas.doc]?.loci ?? {}).map((name) => ({
-    id: `v ${name}`, kind: t('palette.variable'), label: name, isName: true, run: () => reveal({ t: 'ShowLocus', svar: name }),
+    id: `v ${name}`,
+    kind: t('palette.variable'),
+    label: name,
+    isName: true,
+    run: () => reveal({ t: 'ShowLocus', svar: name }),
   }))
 
 /** All words must occur; whatever begins with them comes first, then what has them in its label. */

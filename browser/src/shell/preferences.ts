@@ -11,7 +11,18 @@ export interface Field {
 const GROUPS: [TextKey, string[]][] = [
   ['levels.label', ['shows_lower']],
   ['prefer.icons', ['line_length', 'min_size', 'min_pin_separation', 'step_size', 'pin_length', 'shows_period']],
-  ['prefer.wires', ['connection_separation', 'show_inconst', 'show_outconst', 'show_invar', 'show_outvar', 'locus_size', 'hit_tolerance']],
+  [
+    'prefer.wires',
+    [
+      'connection_separation',
+      'show_inconst',
+      'show_outconst',
+      'show_invar',
+      'show_outvar',
+      'locus_size',
+      'hit_tolerance',
+    ],
+  ],
   ['prefer.figures', ['status_columns', 'shows_warnings']],
   ['prefer.study', ['keeps_diary']],
   ['prefer.windows', ['library', 'canvas', 'status', 'variables', 'dictionary', 'workspace', 'main', 'buttons']],

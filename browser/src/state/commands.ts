@@ -2,7 +2,8 @@
 
 import { look, type Level } from './look.svelte'
 
-export type Group = 'file' | 'edit' | 'canvas' | 'library' | 'run' | 'view' | 'help' | 'application' | 'dictionary' | 'review'
+export type Group =
+  'file' | 'edit' | 'canvas' | 'library' | 'run' | 'view' | 'help' | 'application' | 'dictionary' | 'review'
 
 export interface Command {
   id: string
@@ -28,7 +29,8 @@ export function command(one: Command): void {
 }
 
 export const allCommands = (): Command[] => [...commands.values()]
-export const isAvailable = (one: Command): boolean => (one.level === undefined || one.level === look.level) && (one.when?.() ?? true)
+export const isAvailable = (one: Command): boolean =>
+  (one.level === undefined || one.level === look.level) && (one.when?.() ?? true)
 export const findCommand = (id: string): Command | undefined => commands.get(id)
 
 export function run(id: string): void {
@@ -50,7 +52,8 @@ export function press(event: KeyboardEvent): boolean {
   return false
 }
 
-const FIELDS = 'input:not([type=checkbox]):not([type=radio]):not([type=button]):not([type=range]), textarea, select, [contenteditable=true]'
+const FIELDS =
+  'input:not([type=checkbox]):not([type=radio]):not([type=button]):not([type=range]), textarea, select, [contenteditable=true]'
 
 function isTyping(target: EventTarget | null): boolean {
   return typeof Element !== 'undefined' && target instanceof Element && target.closest(FIELDS) !== null

@@ -26,7 +26,8 @@ function between(a: readonly string[], b: readonly string[]): Line[] {
       lines.push({ kind: 'both', text: a[i]! })
       i++
       j++
-    } else if (j >= b.length || (i < a.length && table[i + 1]![j]! >= table[i]![j + 1]!)) lines.push({ kind: 'first', text: a[i++]! })
+    } else if (j >= b.length || (i < a.length && table[i + 1]![j]! >= table[i]![j + 1]!))
+      lines.push({ kind: 'first', text: a[i++]! })
     else lines.push({ kind: 'second', text: b[j++]! })
   }
   return lines
@@ -43,6 +44,8 @@ function lengths(a: readonly string[], b: readonly string[]): Uint32Array[] {
 
 /** Only what differs, with a few lines around it; `null` where lines are left out. */
 export function around(lines: readonly Line[], context = 3): (Line | null)[] {
-  const near = lines.map((_, k) => lines.slice(Math.max(0, k - context), k + context + 1).some((line) => line.kind !== 'both'))
+  const near = lines.map((_, k) =>
+    lines.slice(Math.max(0, k - context), k + context + 1).some((line) => line.kind !== 'both'),
+  )
   return lines.flatMap((line, k) => (near[k] ? [line] : near[k - 1] || k === 0 ? [null] : []))
 }

@@ -101,7 +101,8 @@ export const enCanvas = {
   'canvas.group.label': 'supermodule {name}',
   'canvas.group.partly': '{on} of {of} ON',
   'canvas.group.order': 'Order: {names}',
-  'canvas.group.hint': 'Click: select all its tasks. Shift + click: switch all ON or OFF. Alt + click on a task: only that one.',
+  'canvas.group.hint':
+    'Click: select all its tasks. Shift + click: switch all ON or OFF. Alt + click on a task: only that one.',
   'canvas.group.title': 'Name of the supermodule',
   'canvas.group.make': 'Make it',
   'canvas.group.change': 'Name and order…',
@@ -116,7 +117,8 @@ export const enCanvas = {
   'canvas.group.save': 'Save the supermodule…',
   'canvas.group.saveIt': 'Save {name}…',
   'canvas.group.saveTitle': 'Save the supermodule {name}',
-  'canvas.group.saveSay': 'It becomes a configuration of its own, to be placed again by “Insert a supermodule…”. Its order: {names}',
+  'canvas.group.saveSay':
+    'It becomes a configuration of its own, to be placed again by “Insert a supermodule…”. Its order: {names}',
   'canvas.group.insert': 'Insert a supermodule…',
   'canvas.group.insertTitle': 'Insert as a supermodule',
   'canvas.group.turnOn': 'Switch the supermodule ON',
@@ -124,7 +126,8 @@ export const enCanvas = {
   'canvas.empty.title': 'Nothing is placed here yet.',
   'canvas.empty.say': 'Drag a task in from the library, or double click and type its name.',
   'canvas.lost.title': 'Not connected',
-  'canvas.lost.say': 'The line to {name} broke. What you see is how it was then; what runs there goes on by its own rules.',
+  'canvas.lost.say':
+    'The line to {name} broke. What you see is how it was then; what runs there goes on by its own rules.',
   'canvas.lost.reconnect': 'Reconnect',
   'canvas.lost.other': 'Connect elsewhere…',
   'canvas.lost.connecting': 'Connecting…',

@@ -119,7 +119,8 @@ export const enDictionary = {
   'newApplication.parallel': 'Several flows, side by side',
   'newApplication.parallelAbout': 'They run at the same time, as two arms do, and can wait for each other.',
   'newApplication.conditional': 'Several flows, one is chosen',
-  'newApplication.conditionalAbout': 'Which one runs depends on what the action before it returned. Run by itself, only flow 0 runs.',
+  'newApplication.conditionalAbout':
+    'Which one runs depends on what the action before it returned. Run by itself, only flow 0 runs.',
   'newApplication.flows': 'How many flows',
   'newApplication.create': 'Begin',
   'newApplication.cancel': 'Cancel',

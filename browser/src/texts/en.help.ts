@@ -30,19 +30,25 @@ export const enHelp = {
   'help.lower': 'Lower level: tasks',
   'help.upper': 'Upper level: applications',
   'help.everywhere': 'Everywhere',
-  'guide.lead': 'A program is a row of pictures between go and stop. Each picture is something the robot does, or where it does it.',
+  'guide.lead':
+    'A program is a row of pictures between go and stop. Each picture is something the robot does, or where it does it.',
   'guide.choose': 'Choose a picture',
   'guide.chooseSay': 'Click it in the dictionary, on the left. `Ctrl F` finds it by its words.',
   'guide.put': 'Put it in',
-  'guide.putSay': 'Right click on the picture that it shall follow. Or drag it there, or double click it, or type `/` and its words, then `Enter`.',
+  'guide.putSay':
+    'Right click on the picture that it shall follow. Or drag it there, or double click it, or type `/` and its words, then `Enter`.',
   'guide.fit': 'Edges must fit',
-  'guide.fitSay': 'As in a jigsaw: a yellow edge wants a yellow neighbour. A job that moves must be told where: its target comes right behind it.',
+  'guide.fitSay':
+    'As in a jigsaw: a yellow edge wants a yellow neighbour. A job that moves must be told where: its target comes right behind it.',
   'guide.hole': 'A hole keeps a place',
-  'guide.holeSay': 'Where a piece is missing a hole shows the edges it needs. Click it: “Fits here” shows what may go in. A program with holes does not run.',
+  'guide.holeSay':
+    'Where a piece is missing a hole shows the edges it needs. Click it: “Fits here” shows what may go in. A program with holes does not run.',
   'guide.change': 'Change it',
-  'guide.changeSay': '`Delete` takes the selected picture out, `C` copies, `V` pastes, dragging moves. `Ctrl Z` takes anything back.',
+  'guide.changeSay':
+    '`Delete` takes the selected picture out, `C` copies, `V` pastes, dragging moves. `Ctrl Z` takes anything back.',
   'guide.run': 'Run it',
-  'guide.runSay': 'Press Run, on the right. Pause waits after the action that goes on. Stop, at the upper right or `Ctrl .`, holds every drive at once.',
+  'guide.runSay':
+    'Press Run, on the right. Pause waits after the action that goes on. Stop, at the upper right or `Ctrl .`, holds every drive at once.',
   'guide.more': 'And then',
   'guide.breakpoint': 'pause after this action',
   'guide.together': 'begin together with another flow',
@@ -56,25 +62,30 @@ export const enHelp = {
   'tutorial.count': '{done} of {of}',
   'tutorial.done': '(done)',
   'tutorial.next': 'Done. Next: {what}',
-  'tutorial.over': 'That was everything you need. Now build your own, or open “assemble” and run it: four boxes, and at the end the lamp lights.',
+  'tutorial.over':
+    'That was everything you need. Now build your own, or open “assemble” and run it: four boxes, and at the end the lamp lights.',
   'tutorial.again': 'From the beginning',
   'tutorial.skip': 'Skip this',
   'tutorial.new': 'Make a new application',
   'tutorial.newHow': 'Press + beside the tabs at the top, and take one flow. You see go, stop, and a gap between them.',
   'tutorial.complete': 'Put “open the hand” behind go',
-  'tutorial.completeHow': 'Click its picture in the dictionary, then right click on go. Dragging it there does the same.',
+  'tutorial.completeHow':
+    'Click its picture in the dictionary, then right click on go. Dragging it there does the same.',
   'tutorial.job': 'Put “move the joints” behind it',
   'tutorial.jobHow': 'Its right edge is yellow: it wants to know where to. Until it does, a hole keeps the place.',
   'tutorial.fill': 'Fill the hole with a yellow target',
-  'tutorial.fillHow': 'Click the hole and press “Fits here” in the dictionary: only what fits is shown. Take one that lies above a box.',
+  'tutorial.fillHow':
+    'Click the hole and press “Fits here” in the dictionary: only what fits is shown. Take one that lies above a box.',
   'tutorial.out': 'Take the target out again',
   'tutorial.outHow': 'Click it and press `Delete`. The hole is back.',
   'tutorial.back': 'Undo that',
   'tutorial.backHow': '`Ctrl Z`. Everything can be taken back, and `Ctrl Shift Z` does it again.',
   'tutorial.run': 'Run it',
-  'tutorial.runHow': 'Press Run on the right. The action that goes on is outlined; what is done gets a tick. Nothing can break: the arm is simulated.',
+  'tutorial.runHow':
+    'Press Run on the right. The action that goes on is outlined; what is done gets a tick. Nothing can break: the arm is simulated.',
   'tutorial.pause': 'Pause it',
-  'tutorial.pauseHow': 'Press Pause while it goes on: it waits after the present action. If it was over too soon, run it again.',
+  'tutorial.pauseHow':
+    'Press Pause while it goes on: it waits after the present action. If it was over too soon, run it again.',
   'tutorial.goOn': 'Let it go on',
   'tutorial.goOnHow': 'Press Continue.',
   'tutorial.end': 'See it end',

@@ -53,7 +53,8 @@ export const enHolding = {
   'holding.silent': 'The runtime heard nothing from here for {s} s.',
   'holding.cut': 'The connection with the runtime was cut.',
   'holding.lostAbout': 'Tasks of {what} are off and their devices hold. Nothing comes on by itself.',
-  'holding.lostRun': '{what} ends, stands or runs on, as it was begun. Before you take it, nothing that you press steers it.',
+  'holding.lostRun':
+    '{what} ends, stands or runs on, as it was begun. Before you take it, nothing that you press steers it.',
   'holding.takeAgain': 'Take it again',
   'holding.leaveIt': 'Leave it',
   'holding.pause': 'Pause',
@@ -68,7 +69,8 @@ export const enHolding = {
   'holding.onLoss.finish': 'If its holder is lost, it finishes its actions and pauses until somebody takes it over.',
   'holding.onLoss.run': 'If its holder is lost, it goes on; somebody else may take it over.',
   'holding.watch': 'Only watch',
-  'holding.watchAbout': 'Who only watches changes nothing in this runtime, whatever is pressed; Stop still works. It lasts until you end it here, which connects you anew.',
+  'holding.watchAbout':
+    'Who only watches changes nothing in this runtime, whatever is pressed; Stop still works. It lasts until you end it here, which connects you anew.',
   'holding.watchFirst': 'Release what you hold first.',
   'holding.watching': 'You only watch: whatever is pressed here changes nothing. Stop still works.',
   'holding.watchNoMore': 'Watch no more',

@@ -8,10 +8,12 @@ export const enLevels = {
   'tabs.moreApplications': 'Open, save, recent applications',
   'tabs.runs': 'running',
   'tabs.stands': 'stopped by a fault',
-  'drop.unknown': 'A browser does not tell where {name} lies. Put it into the appl folder of a base directory that is open here, or open it by its path.',
+  'drop.unknown':
+    'A browser does not tell where {name} lies. Put it into the appl folder of a base directory that is open here, or open it by its path.',
   'open.applicationTitle': 'Open an application',
   'open.dictionaryTitle': 'Open a dictionary',
-  'open.dictionaryAbout': 'A dictionary is the folder dict of a base directory: each .onk file in it becomes an icon. The base directory will do, too.',
+  'open.dictionaryAbout':
+    'A dictionary is the folder dict of a base directory: each .onk file in it becomes an icon. The base directory will do, too.',
   'open.what': 'What to open',
   'open.configurations': 'Configurations',
   'open.findApplication': 'Find an application',

@@ -15,7 +15,8 @@ export const enPerform = {
   'perform.loss.stop': 'the run ends',
   'perform.loss.finish': 'it finishes its actions and pauses',
   'perform.loss.run': 'it goes on',
-  'perform.lossHint': 'When the runtime does not hear this environment any more: a cut cable, a computer that is off. What still runs can be taken over by somebody else, and everybody can stop it.',
+  'perform.lossHint':
+    'When the runtime does not hear this environment any more: a cut cable, a computer that is off. What still runs can be taken over by somebody else, and everybody can stop it.',
   'perform.other': '{name} is running. One application runs at a time.',
   'perform.goTo': 'Go to {name}',
   'perform.moreFaults': 'and {n} more',
@@ -96,7 +97,8 @@ export const enPerform = {
   'perform.endedAt': 'After {seconds} s and {n} of {of} actions.',
   'perform.noCause': 'no reason is known',
   'perform.putBack': 'Put the workcell back',
-  'perform.putBackHint': 'Ends the runtime with all that lives there and starts it again: everything stands where it stood at first',
+  'perform.putBackHint':
+    'Ends the runtime with all that lives there and starts it again: everything stands where it stood at first',
   'perform.dismiss': 'Dismiss',
   'perform.why': 'Why?',
   'perform.workcell': 'Workcell',

@@ -1,7 +1,8 @@
 // English: runs that are recorded, gone on from in the simulator, kept as tests.
 export const enRecording = {
   'recording.record': 'Record',
-  'recording.recordHint': 'Write the run down in a file, to look at it afterwards. It costs a twentieth of a processor core at most.',
+  'recording.recordHint':
+    'Write the run down in a file, to look at it afterwards. It costs a twentieth of a processor core at most.',
   'recording.recordOn': 'The next run is recorded',
   'recording.recordOff': 'The next run is not recorded',
   'recording.going': 'Recording',
@@ -17,10 +18,12 @@ export const enRecording = {
   'recording.repeatsHint': 'Until then it is the recorded run: it can be ended, not steered.',
   'recording.goesOn': 'Simulated: the recorded run up to {n} s, then on from there.',
   'recording.leave': 'Leave the simulator',
-  'recording.leaveHint': 'Ends the simulator with all that lives there and starts the usual runtime, its workcell as at first',
+  'recording.leaveHint':
+    'Ends the simulator with all that lives there and starts the usual runtime, its workcell as at first',
 
   'keep.title': 'Keep {name} as a test',
-  'keep.about': 'It is run {n} times in simulators, aside: the robot does nothing. What all runs have in common is written down, and “onika test” checks it from then on.',
+  'keep.about':
+    'It is run {n} times in simulators, aside: the robot does nothing. What all runs have in common is written down, and “onika test” checks it from then on.',
   'keep.name': 'Name',
   'keep.nameHint': 'a name, or the path of a .test file',
   'keep.expects': 'At the end',

@@ -2,7 +2,8 @@
 export const enRedirect = {
   'redirect.menu': 'Redirect…',
   'redirect.title': 'Redirect {name}',
-  'redirect.say': 'Another task does the work in place of one that the program names. This lasts as long as {name} is open here; its file stays as it is.',
+  'redirect.say':
+    'Another task does the work in place of one that the program names. This lasts as long as {name} is open here; its file stays as it is.',
   'redirect.flows': 'Where it holds',
   'redirect.everyFlow': 'Every flow',
   'redirect.looking': 'Looking who could stand in…',

@@ -71,7 +71,8 @@ export const enReview = {
   'review.notNumber': 'A number, 0 or more.',
 
   'review.elsewhere': 'What the canvas shows had no part in this run.',
-  'review.elsewhereFind': 'What the canvas shows had no part in this run. In the application, Shift + click on an icon opens its configuration.',
+  'review.elsewhereFind':
+    'What the canvas shows had no part in this run. In the application, Shift + click on an icon opens its configuration.',
   'review.openThen': 'Open “{name}”',
   'review.notBegun': 'About to begin',
   'review.going': 'Under way',

@@ -63,12 +63,16 @@ export const enShell = {
   'stop.stopped': 'Stopped. Every drive holds.',
   'stop.reset': 'Reset',
   'stop.sent': 'Stop is sent.',
-  'stop.unheard': 'Stop could not be sent: this page is not connected. It is sent as soon as it is. Until then use the emergency stop of the robot.',
+  'stop.unheard':
+    'Stop could not be sent: this page is not connected. It is sent as soon as it is. Until then use the emergency stop of the robot.',
   'stop.lateLabel': 'Stop is not answered',
   'stop.late': 'Stop is asked, and nothing has answered for {n} s',
-  'stop.lateAbout': 'It is carried out as soon as the runtime hears it. Until then what moves may go on: processing units are programs of their own, and a drive holds by itself only when its commands stop. If somebody is in danger, use the emergency stop of the robot.',
-  'stop.lateLocal': 'The runtime that was started here can be ended: its processes go with it, drives hear no more commands and hold. Then another one starts.',
-  'stop.lateRemote': 'Who holds what is judged by the runtime itself, so that its lease does not help while it is silent. Somebody beside it can end it, or use the emergency stop.',
+  'stop.lateAbout':
+    'It is carried out as soon as the runtime hears it. Until then what moves may go on: processing units are programs of their own, and a drive holds by itself only when its commands stop. If somebody is in danger, use the emergency stop of the robot.',
+  'stop.lateLocal':
+    'The runtime that was started here can be ended: its processes go with it, drives hear no more commands and hold. Then another one starts.',
+  'stop.lateRemote':
+    'Who holds what is judged by the runtime itself, so that its lease does not help while it is silent. Somebody beside it can end it, or use the emergency stop.',
   'stop.again': 'Ask again',
   'stop.endRuntime': 'End the runtime',
   'toasts.label': 'What was just said',
@@ -131,7 +135,8 @@ export const enShell = {
 
   'open.title': 'Open a configuration',
   'open.libraryTitle': 'Open a library',
-  'open.libraryAbout': 'A library is a directory with .rmod files: each becomes a task. A base directory with module/ in it will do, too.',
+  'open.libraryAbout':
+    'A library is a directory with .rmod files: each becomes a task. A base directory with module/ in it will do, too.',
   'open.libraryPath': 'Path of a directory',
   'open.find': 'Find a configuration',
   'open.noBase': 'elsewhere',

@@ -13,5 +13,19 @@ import { enShell } from './en.shell'
 import { enStrip } from './en.strip'
 import { enUpper } from './en.upper'
 
-export const en = { ...enShell, ...enCanvas, ...enStrip, ...enUpper, ...enDictionary, ...enPerform, ...enLevels, ...enHelp, ...enRedirect, ...enHolding, ...enReview, ...enRecording, ...enContinuity }
+export const en = {
+  ...enShell,
+  ...enCanvas,
+  ...enStrip,
+  ...enUpper,
+  ...enDictionary,
+  ...enPerform,
+  ...enLevels,
+  ...enHelp,
+  ...enRedirect,
+  ...enHolding,
+  ...enReview,
+  ...enRecording,
+  ...enContinuity,
+}
 export type TextKey = keyof typeof en

@@ -138,8 +138,10 @@ export const enUpper = {
   'upper.waitsFor': 'waits for {others} at {tag}',
 
   'upper.empty.title': 'Drop a picture between go and stop.',
-  'upper.empty.say': 'Pictures fit where their edges fit, as in a jigsaw. A coloured edge wants a neighbour of the same colour and shape: the job that has it needs to be told where, or how far. If that piece is not there yet, a hole keeps its place.',
-  'upper.empty.how': 'Drag one in from the left; or click it there and then press the right button here; or press `/` and type.',
+  'upper.empty.say':
+    'Pictures fit where their edges fit, as in a jigsaw. A coloured edge wants a neighbour of the same colour and shape: the job that has it needs to be told where, or how far. If that piece is not there yet, a hole keeps its place.',
+  'upper.empty.how':
+    'Drag one in from the left; or click it there and then press the right button here; or press `/` and type.',
   'upper.first.label': 'How to begin',
   'upper.first.title1': 'Join pictures.',
   'upper.first.title2': 'They become a program.',

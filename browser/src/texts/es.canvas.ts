@@ -103,7 +103,8 @@ export const esCanvas: Record<keyof typeof enCanvas, string> = {
   'canvas.group.label': 'supermódulo {name}',
   'canvas.group.partly': '{on} de {of} ON',
   'canvas.group.order': 'Orden: {names}',
-  'canvas.group.hint': 'Clic: seleccionar todas sus tareas. Mayús + clic: activarlas o desactivarlas todas. Alt + clic en una tarea: solo esa.',
+  'canvas.group.hint':
+    'Clic: seleccionar todas sus tareas. Mayús + clic: activarlas o desactivarlas todas. Alt + clic en una tarea: solo esa.',
   'canvas.group.title': 'Nombre del supermódulo',
   'canvas.group.make': 'Crear',
   'canvas.group.change': 'Nombre y orden…',
@@ -118,7 +119,8 @@ export const esCanvas: Record<keyof typeof enCanvas, string> = {
   'canvas.group.save': 'Guardar el supermódulo…',
   'canvas.group.saveIt': 'Guardar {name}…',
   'canvas.group.saveTitle': 'Guardar el supermódulo {name}',
-  'canvas.group.saveSay': 'Se convierte en una configuración propia, que se vuelve a colocar con «Insertar un supermódulo…». Su orden: {names}',
+  'canvas.group.saveSay':
+    'Se convierte en una configuración propia, que se vuelve a colocar con «Insertar un supermódulo…». Su orden: {names}',
   'canvas.group.insert': 'Insertar un supermódulo…',
   'canvas.group.insertTitle': 'Insertar como supermódulo',
   'canvas.group.turnOn': 'Activar el supermódulo',
@@ -126,7 +128,8 @@ export const esCanvas: Record<keyof typeof enCanvas, string> = {
   'canvas.empty.title': 'Aquí todavía no hay nada.',
   'canvas.empty.say': 'Arrastre una tarea desde la biblioteca, o haga doble clic y escriba su nombre.',
   'canvas.lost.title': 'Sin conexión',
-  'canvas.lost.say': 'Se cortó la línea con {name}. Lo que ve es como estaba entonces; lo que allí funciona sigue según sus propias reglas.',
+  'canvas.lost.say':
+    'Se cortó la línea con {name}. Lo que ve es como estaba entonces; lo que allí funciona sigue según sus propias reglas.',
   'canvas.lost.reconnect': 'Reconectar',
   'canvas.lost.other': 'Conectar con otro…',
   'canvas.lost.connecting': 'Conectando…',
@@ -138,7 +141,8 @@ export const esCanvas: Record<keyof typeof enCanvas, string> = {
   'canvas.first.switch': 'Actívelo',
   'canvas.first.switchSay': '`Mayús` + clic en una tarea. Las líneas se vuelven continuas donde fluyen valores.',
   'canvas.first.change': 'Cámbielo en marcha',
-  'canvas.first.changeSay': 'Cambie una tarea por otra mientras las demás siguen. `Ctrl Z` lo deshace, también en el robot.',
+  'canvas.first.changeSay':
+    'Cambie una tarea por otra mientras las demás siguen. `Ctrl Z` lo deshace, también en el robot.',
   'canvas.first.here': 'empiece aquí',
   'canvas.first.tasks': '{n} tareas, en {base}',
   'canvas.first.help': 'Hoja de ayuda',

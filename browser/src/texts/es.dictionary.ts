@@ -107,7 +107,8 @@ export const esDictionary: Record<keyof typeof enDictionary, string> = {
   'icon.ofStep': 'en {application}: solo cambia este',
   'icon.ofDictionary': 'en el diccionario: los iconos ya colocados quedan como están',
   'icon.running': 'La aplicación se está ejecutando; sus iconos están bloqueados hasta que termine.',
-  'icon.meanwhile': 'Se ha cambiado en otro sitio desde que lo abrió. Guardar sustituye lo que usted también haya cambiado aquí.',
+  'icon.meanwhile':
+    'Se ha cambiado en otro sitio desde que lo abrió. Guardar sustituye lo que usted también haya cambiado aquí.',
   'icon.gone': 'Este icono ya no está.',
   'icon.saved': '{name} está cambiado.',
   'icon.behind': 'Representa',
@@ -121,7 +122,8 @@ export const esDictionary: Record<keyof typeof enDictionary, string> = {
   'newApplication.parallel': 'Varios flujos, a la vez',
   'newApplication.parallelAbout': 'Se ejecutan al mismo tiempo, como dos brazos, y pueden esperarse.',
   'newApplication.conditional': 'Varios flujos, se elige uno',
-  'newApplication.conditionalAbout': 'Cuál se ejecuta depende de lo que devolvió la acción anterior. Por sí sola, solo se ejecuta el flujo 0.',
+  'newApplication.conditionalAbout':
+    'Cuál se ejecuta depende de lo que devolvió la acción anterior. Por sí sola, solo se ejecuta el flujo 0.',
   'newApplication.flows': 'Cuántos flujos',
   'newApplication.create': 'Empezar',
   'newApplication.cancel': 'Cancelar',

@@ -16,10 +16,22 @@ export const esHeardHolding: readonly (readonly [RegExp, string])[] = [
   [/^(.+) is offered to (.+)$/, '{0} está ofrecido a {1}'],
   [/^(.+): (its holder .+)$/, '{0}: {=1}'],
   [/^(.+): (the session .+ that began it is gone)$/, '{0}: {=1}'],
-  [/^(.+) runs in (.+); (.+) began it and is gone\. Taken over.+$/, '{0} está en marcha en {1}; {2}, que la inició, ya no está. Si se hace cargo, usted decide si sigue o termina. Hacerse cargo no inicia ni para nada'],
-  [/^(.+) goes on where it paused.+$/, '{0} sigue donde se pausó, con los iconos de su propio programa: el robot se mueve'],
-  [/^what failed in (.+) is cleared and its action is done again: the robot moves$/, 'se borra el error de {0} y se repite su acción: el robot se mueve'],
-  [/^(.+) ends: its tasks go off, its devices hold$/, '{0} termina: sus tareas se apagan, sus dispositivos se mantienen quietos'],
+  [
+    /^(.+) runs in (.+); (.+) began it and is gone\. Taken over.+$/,
+    '{0} está en marcha en {1}; {2}, que la inició, ya no está. Si se hace cargo, usted decide si sigue o termina. Hacerse cargo no inicia ni para nada',
+  ],
+  [
+    /^(.+) goes on where it paused.+$/,
+    '{0} sigue donde se pausó, con los iconos de su propio programa: el robot se mueve',
+  ],
+  [
+    /^what failed in (.+) is cleared and its action is done again: the robot moves$/,
+    'se borra el error de {0} y se repite su acción: el robot se mueve',
+  ],
+  [
+    /^(.+) ends: its tasks go off, its devices hold$/,
+    '{0} termina: sus tareas se apagan, sus dispositivos se mantienen quietos',
+  ],
   [/^Take it over$/, 'Hacerse cargo'],
   [/^Take it$/, 'Tomarlo'],
   [/^Go on$/, 'Seguir'],

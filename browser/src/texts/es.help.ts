@@ -32,19 +32,25 @@ export const esHelp: Record<keyof typeof enHelp, string> = {
   'help.lower': 'Nivel inferior: tareas',
   'help.upper': 'Nivel superior: aplicaciones',
   'help.everywhere': 'En todas partes',
-  'guide.lead': 'Un programa es una fila de imágenes entre salida y parada. Cada imagen es algo que hace el robot, o dónde lo hace.',
+  'guide.lead':
+    'Un programa es una fila de imágenes entre salida y parada. Cada imagen es algo que hace el robot, o dónde lo hace.',
   'guide.choose': 'Elija una imagen',
   'guide.chooseSay': 'Haga clic en ella en el diccionario, a la izquierda. `Ctrl F` la busca por sus palabras.',
   'guide.put': 'Colóquela',
-  'guide.putSay': 'Clic derecho en la imagen a la que debe seguir. O arrástrela, o haga doble clic en ella, o escriba `/` y sus palabras, y luego `Enter`.',
+  'guide.putSay':
+    'Clic derecho en la imagen a la que debe seguir. O arrástrela, o haga doble clic en ella, o escriba `/` y sus palabras, y luego `Enter`.',
   'guide.fit': 'Los bordes deben encajar',
-  'guide.fitSay': 'Como en un rompecabezas: un borde amarillo pide un vecino amarillo. A un trabajo que mueve hay que decirle adónde: su objetivo va justo detrás.',
+  'guide.fitSay':
+    'Como en un rompecabezas: un borde amarillo pide un vecino amarillo. A un trabajo que mueve hay que decirle adónde: su objetivo va justo detrás.',
   'guide.hole': 'Un hueco guarda el sitio',
-  'guide.holeSay': 'Donde falta una pieza, un hueco muestra los bordes que necesita. Haga clic en él: «Encaja aquí» muestra lo que puede ir. Un programa con huecos no se ejecuta.',
+  'guide.holeSay':
+    'Donde falta una pieza, un hueco muestra los bordes que necesita. Haga clic en él: «Encaja aquí» muestra lo que puede ir. Un programa con huecos no se ejecuta.',
   'guide.change': 'Cámbielo',
-  'guide.changeSay': '`Supr` quita la imagen seleccionada, `C` copia, `V` pega, arrastrar mueve. `Ctrl Z` lo deshace todo.',
+  'guide.changeSay':
+    '`Supr` quita la imagen seleccionada, `C` copia, `V` pega, arrastrar mueve. `Ctrl Z` lo deshace todo.',
   'guide.run': 'Ejecútelo',
-  'guide.runSay': 'Pulse Ejecutar, a la derecha. Pausa espera tras la acción en curso. Parar, arriba a la derecha o `Ctrl .`, detiene todos los accionamientos al instante.',
+  'guide.runSay':
+    'Pulse Ejecutar, a la derecha. Pausa espera tras la acción en curso. Parar, arriba a la derecha o `Ctrl .`, detiene todos los accionamientos al instante.',
   'guide.more': 'Y además',
   'guide.breakpoint': 'pausar tras esta acción',
   'guide.together': 'empezar junto con otro flujo',
@@ -58,29 +64,36 @@ export const esHelp: Record<keyof typeof enHelp, string> = {
   'tutorial.count': '{done} de {of}',
   'tutorial.done': '(hecho)',
   'tutorial.next': 'Hecho. A continuación: {what}',
-  'tutorial.over': 'Eso es todo lo que necesita. Ahora construya el suyo, o abra «assemble» y ejecútelo: cuatro cajas, y al final se enciende la lámpara.',
+  'tutorial.over':
+    'Eso es todo lo que necesita. Ahora construya el suyo, o abra «assemble» y ejecútelo: cuatro cajas, y al final se enciende la lámpara.',
   'tutorial.again': 'Desde el principio',
   'tutorial.skip': 'Saltar esto',
   'tutorial.new': 'Cree una aplicación nueva',
-  'tutorial.newHow': 'Pulse + junto a las pestañas de arriba y elija un flujo. Verá salida, parada y un espacio entre ellas.',
+  'tutorial.newHow':
+    'Pulse + junto a las pestañas de arriba y elija un flujo. Verá salida, parada y un espacio entre ellas.',
   'tutorial.complete': 'Ponga «abre la mano» detrás de la salida',
-  'tutorial.completeHow': 'Haga clic en su imagen en el diccionario y luego clic derecho en la salida. Arrastrarla hasta allí hace lo mismo.',
+  'tutorial.completeHow':
+    'Haga clic en su imagen en el diccionario y luego clic derecho en la salida. Arrastrarla hasta allí hace lo mismo.',
   'tutorial.job': 'Ponga «mueve las articulaciones» detrás',
   'tutorial.jobHow': 'Su borde derecho es amarillo: quiere saber adónde. Hasta entonces, un hueco guarda el sitio.',
   'tutorial.fill': 'Llene el hueco con un objetivo amarillo',
-  'tutorial.fillHow': 'Haga clic en el hueco y pulse «Encaja aquí» en el diccionario: solo se muestra lo que encaja. Tome uno que esté sobre una caja.',
+  'tutorial.fillHow':
+    'Haga clic en el hueco y pulse «Encaja aquí» en el diccionario: solo se muestra lo que encaja. Tome uno que esté sobre una caja.',
   'tutorial.out': 'Quite otra vez el objetivo',
   'tutorial.outHow': 'Haga clic en él y pulse `Supr`. El hueco ha vuelto.',
   'tutorial.back': 'Deshágalo',
   'tutorial.backHow': '`Ctrl Z`. Todo se puede deshacer, y `Ctrl Mayús Z` lo rehace.',
   'tutorial.run': 'Ejecútelo',
-  'tutorial.runHow': 'Pulse Ejecutar a la derecha. La acción en curso lleva un contorno; lo hecho, una marca. Nada puede romperse: el brazo es simulado.',
+  'tutorial.runHow':
+    'Pulse Ejecutar a la derecha. La acción en curso lleva un contorno; lo hecho, una marca. Nada puede romperse: el brazo es simulado.',
   'tutorial.pause': 'Páuselo',
-  'tutorial.pauseHow': 'Pulse Pausa mientras está en marcha: espera tras la acción actual. Si acabó demasiado pronto, ejecútelo otra vez.',
+  'tutorial.pauseHow':
+    'Pulse Pausa mientras está en marcha: espera tras la acción actual. Si acabó demasiado pronto, ejecútelo otra vez.',
   'tutorial.goOn': 'Déjelo continuar',
   'tutorial.goOnHow': 'Pulse Continuar.',
   'tutorial.end': 'Vea cómo termina',
   'tutorial.endHow': 'A la derecha se dice cómo fue y cuánto tardó.',
   'tutorial.save': 'Guárdelo con un nombre',
-  'tutorial.saveHow': '`Ctrl S`. Entonces es un archivo y, si lo desea, una imagen para otros programas: «Como icono…».',
+  'tutorial.saveHow':
+    '`Ctrl S`. Entonces es un archivo y, si lo desea, una imagen para otros programas: «Como icono…».',
 }

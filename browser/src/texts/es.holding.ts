@@ -54,8 +54,10 @@ export const esHolding: Record<keyof typeof enHolding, string> = {
   'holding.lost': 'Usted ya no tiene {what}',
   'holding.silent': 'El entorno de ejecución no oyó nada desde aquí durante {s} s.',
   'holding.cut': 'Se cortó la conexión con el entorno de ejecución.',
-  'holding.lostAbout': 'Las tareas de {what} están apagadas y sus dispositivos se mantienen quietos. Nada se enciende solo.',
-  'holding.lostRun': '{what} termina, se queda parada o sigue, según se inició. Hasta que la tome, nada de lo que pulse la dirige.',
+  'holding.lostAbout':
+    'Las tareas de {what} están apagadas y sus dispositivos se mantienen quietos. Nada se enciende solo.',
+  'holding.lostRun':
+    '{what} termina, se queda parada o sigue, según se inició. Hasta que la tome, nada de lo que pulse la dirige.',
   'holding.takeAgain': 'Tomarlo de nuevo',
   'holding.leaveIt': 'Dejarlo',
   'holding.pause': 'Pausar',
@@ -70,7 +72,8 @@ export const esHolding: Record<keyof typeof enHolding, string> = {
   'holding.onLoss.finish': 'Si se pierde a quien la tiene, acaba sus acciones y espera en pausa a que alguien la tome.',
   'holding.onLoss.run': 'Si se pierde a quien la tiene, sigue; otro puede tomarla.',
   'holding.watch': 'Solo mirar',
-  'holding.watchAbout': 'Quien solo mira no cambia nada en este entorno de ejecución, pulse lo que pulse; Parar sigue funcionando. Dura hasta que usted lo termine aquí, lo que le conecta de nuevo.',
+  'holding.watchAbout':
+    'Quien solo mira no cambia nada en este entorno de ejecución, pulse lo que pulse; Parar sigue funcionando. Dura hasta que usted lo termine aquí, lo que le conecta de nuevo.',
   'holding.watchFirst': 'Suelte antes lo que tiene.',
   'holding.watching': 'Usted solo mira: nada de lo que se pulse aquí cambia algo. Parar sigue funcionando.',
   'holding.watchNoMore': 'Dejar de solo mirar',

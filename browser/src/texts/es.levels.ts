@@ -10,10 +10,12 @@ export const esLevels: Record<keyof typeof enLevels, string> = {
   'tabs.moreApplications': 'Abrir, guardar, aplicaciones recientes',
   'tabs.runs': 'en marcha',
   'tabs.stands': 'detenida por un fallo',
-  'drop.unknown': 'El navegador no dice dónde está {name}. Póngalo en la carpeta appl de un directorio base abierto aquí, o ábralo por su ruta.',
+  'drop.unknown':
+    'El navegador no dice dónde está {name}. Póngalo en la carpeta appl de un directorio base abierto aquí, o ábralo por su ruta.',
   'open.applicationTitle': 'Abrir una aplicación',
   'open.dictionaryTitle': 'Abrir un diccionario',
-  'open.dictionaryAbout': 'Un diccionario es la carpeta dict de un directorio base: cada archivo .onk se convierte en un icono. También sirve el directorio base.',
+  'open.dictionaryAbout':
+    'Un diccionario es la carpeta dict de un directorio base: cada archivo .onk se convierte en un icono. También sirve el directorio base.',
   'open.what': 'Qué abrir',
   'open.configurations': 'Configuraciones',
   'open.findApplication': 'Buscar una aplicación',
@@ -52,8 +54,10 @@ export const esLevels: Record<keyof typeof enLevels, string> = {
   'levels.runtime.linkedHint': 'El programa que mueve el robot está disponible.',
   'levels.runtime.lost': 'entorno de ejecución perdido',
   'levels.runtime.lostHint': 'El programa que mueve el robot ya no responde.',
-  'levels.jobRuns': 'El trabajo «{name}» está hecho de esto: lo que se guarda aquí es lo que ejecuta la próxima vez que empiece.',
-  'levels.cameFrom': 'Abierta desde {name}: lo que se guarda aquí es lo que sus trabajos ejecutan la próxima vez que empiecen.',
+  'levels.jobRuns':
+    'El trabajo «{name}» está hecho de esto: lo que se guarda aquí es lo que ejecuta la próxima vez que empiece.',
+  'levels.cameFrom':
+    'Abierta desde {name}: lo que se guarda aquí es lo que sus trabajos ejecutan la próxima vez que empiecen.',
   'levels.backTo': 'Volver a {name}',
   'levels.cardTasks': '{n} tarea: {names}|{n} tareas: {names}',
   'levels.cardDirty': 'Modificada abajo y sin guardar: ejecuta lo que dice su archivo.',

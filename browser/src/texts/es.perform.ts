@@ -17,7 +17,8 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
   'perform.loss.stop': 'la ejecución termina',
   'perform.loss.finish': 'acaba sus acciones y se pausa',
   'perform.loss.run': 'sigue',
-  'perform.lossHint': 'Cuando el sistema en marcha ya no oye a este entorno: un cable cortado, un ordenador apagado. Lo que aún corre puede tomarlo otro, y todos pueden pararlo.',
+  'perform.lossHint':
+    'Cuando el sistema en marcha ya no oye a este entorno: un cable cortado, un ordenador apagado. Lo que aún corre puede tomarlo otro, y todos pueden pararlo.',
   'perform.other': '{name} está en marcha. Solo se ejecuta una aplicación a la vez.',
   'perform.goTo': 'Ir a {name}',
   'perform.moreFaults': 'y {n} más',
@@ -98,7 +99,8 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
   'perform.endedAt': 'Tras {seconds} s y {n} de {of} acciones.',
   'perform.noCause': 'no se conoce el motivo',
   'perform.putBack': 'Devolver la célula a su estado inicial',
-  'perform.putBackHint': 'Termina el ejecutor con todo lo que vive en él y lo arranca de nuevo: todo vuelve a estar donde estaba al principio',
+  'perform.putBackHint':
+    'Termina el ejecutor con todo lo que vive en él y lo arranca de nuevo: todo vuelve a estar donde estaba al principio',
   'perform.dismiss': 'Descartar',
   'perform.why': '¿Por qué?',
   'perform.workcell': 'Célula',

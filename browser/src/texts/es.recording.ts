@@ -3,7 +3,8 @@ import type { enRecording } from './en.recording'
 
 export const esRecording: Record<keyof typeof enRecording, string> = {
   'recording.record': 'Grabar',
-  'recording.recordHint': 'Guardar la ejecución en un archivo para verla después. Cuesta como mucho la vigésima parte de un núcleo.',
+  'recording.recordHint':
+    'Guardar la ejecución en un archivo para verla después. Cuesta como mucho la vigésima parte de un núcleo.',
   'recording.recordOn': 'La próxima ejecución se graba',
   'recording.recordOff': 'La próxima ejecución no se graba',
   'recording.going': 'Grabando',
@@ -19,10 +20,12 @@ export const esRecording: Record<keyof typeof enRecording, string> = {
   'recording.repeatsHint': 'Hasta entonces es la ejecución grabada: se puede terminar, no dirigir.',
   'recording.goesOn': 'Simulada: la ejecución grabada hasta {n} s, y desde ahí sigue.',
   'recording.leave': 'Salir del simulador',
-  'recording.leaveHint': 'Termina el simulador con todo lo que vive en él e inicia el entorno de ejecución habitual, con la célula como al principio',
+  'recording.leaveHint':
+    'Termina el simulador con todo lo que vive en él e inicia el entorno de ejecución habitual, con la célula como al principio',
 
   'keep.title': 'Guardar {name} como prueba',
-  'keep.about': 'Se ejecuta {n} veces en simuladores, aparte: el robot no hace nada. Se anota lo que todas tienen en común, y «onika test» lo comprueba desde entonces.',
+  'keep.about':
+    'Se ejecuta {n} veces en simuladores, aparte: el robot no hace nada. Se anota lo que todas tienen en común, y «onika test» lo comprueba desde entonces.',
   'keep.name': 'Nombre',
   'keep.nameHint': 'un nombre, o la ruta de un archivo .test',
   'keep.expects': 'Al final',

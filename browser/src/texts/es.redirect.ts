@@ -4,7 +4,8 @@ import type { enRedirect } from './en.redirect'
 export const esRedirect: Record<keyof typeof enRedirect, string> = {
   'redirect.menu': 'Redirigir…',
   'redirect.title': 'Redirigir {name}',
-  'redirect.say': 'Otra tarea hace el trabajo en lugar de una que nombra el programa. Vale mientras {name} esté abierta aquí; su archivo queda como está.',
+  'redirect.say':
+    'Otra tarea hace el trabajo en lugar de una que nombra el programa. Vale mientras {name} esté abierta aquí; su archivo queda como está.',
   'redirect.flows': 'Dónde vale',
   'redirect.everyFlow': 'Todos los flujos',
   'redirect.looking': 'Buscando quién podría sustituirla…',

@@ -73,7 +73,8 @@ export const esReview: Record<keyof typeof enReview, string> = {
   'review.notNumber': 'Un número, 0 o más.',
 
   'review.elsewhere': 'Lo que muestra el lienzo no tuvo parte en esta ejecución.',
-  'review.elsewhereFind': 'Lo que muestra el lienzo no tuvo parte en esta ejecución. En la aplicación, Mayús + clic en un icono abre su configuración.',
+  'review.elsewhereFind':
+    'Lo que muestra el lienzo no tuvo parte en esta ejecución. En la aplicación, Mayús + clic en un icono abre su configuración.',
   'review.openThen': 'Abrir «{name}»',
   'review.notBegun': 'A punto de empezar',
   'review.going': 'En curso',

@@ -65,12 +65,16 @@ export const esShell: Record<keyof typeof enShell, string> = {
   'stop.stopped': 'Parado. Todos los motores están detenidos.',
   'stop.reset': 'Restablecer',
   'stop.sent': 'Orden de parar enviada.',
-  'stop.unheard': 'No se pudo enviar la orden de parar: esta página no tiene conexión. Se enviará en cuanto la tenga. Hasta entonces use la parada de emergencia del robot.',
+  'stop.unheard':
+    'No se pudo enviar la orden de parar: esta página no tiene conexión. Se enviará en cuanto la tenga. Hasta entonces use la parada de emergencia del robot.',
   'stop.lateLabel': 'Nadie responde a la orden de parar',
   'stop.late': 'Se ha pedido parar y nada ha respondido desde hace {n} s',
-  'stop.lateAbout': 'Se cumplirá en cuanto el sistema en marcha la oiga. Hasta entonces lo que se mueve puede seguir: las unidades de proceso son programas propios, y un motor solo se detiene por sí mismo cuando dejan de llegarle órdenes. Si alguien corre peligro, use la parada de emergencia del robot.',
-  'stop.lateLocal': 'El sistema que se inició aquí puede terminarse: sus procesos terminan con él, los motores dejan de oír órdenes y se detienen. Después empieza otro.',
-  'stop.lateRemote': 'Quién tiene qué lo juzga el propio sistema, así que su plazo no ayuda mientras calla. Quien esté a su lado puede terminarlo o usar la parada de emergencia.',
+  'stop.lateAbout':
+    'Se cumplirá en cuanto el sistema en marcha la oiga. Hasta entonces lo que se mueve puede seguir: las unidades de proceso son programas propios, y un motor solo se detiene por sí mismo cuando dejan de llegarle órdenes. Si alguien corre peligro, use la parada de emergencia del robot.',
+  'stop.lateLocal':
+    'El sistema que se inició aquí puede terminarse: sus procesos terminan con él, los motores dejan de oír órdenes y se detienen. Después empieza otro.',
+  'stop.lateRemote':
+    'Quién tiene qué lo juzga el propio sistema, así que su plazo no ayuda mientras calla. Quien esté a su lado puede terminarlo o usar la parada de emergencia.',
   'stop.again': 'Pedirlo otra vez',
   'stop.endRuntime': 'Terminar el sistema',
   'toasts.label': 'Lo que se acaba de decir',
@@ -133,7 +137,8 @@ export const esShell: Record<keyof typeof enShell, string> = {
 
   'open.title': 'Abrir una configuración',
   'open.libraryTitle': 'Abrir una biblioteca',
-  'open.libraryAbout': 'Una biblioteca es una carpeta con archivos .rmod: cada uno se vuelve una tarea. También sirve una carpeta base que contenga module/.',
+  'open.libraryAbout':
+    'Una biblioteca es una carpeta con archivos .rmod: cada uno se vuelve una tarea. También sirve una carpeta base que contenga module/.',
   'open.libraryPath': 'Ruta de una carpeta',
   'open.find': 'Buscar una configuración',
   'open.noBase': 'en otro lugar',
@@ -153,7 +158,8 @@ export const esShell: Record<keyof typeof enShell, string> = {
   'save.anyBase': 'el suyo, o ~/onika',
   'save.blanks': 'Un nombre no lleva espacios: letras, cifras y _ . -, y empieza por una letra. Serviría {name}.',
   'save.useName': 'Usar {name}',
-  'save.proposed': 'Este nombre sirve: letras, cifras y _ . -, y empieza por una letra. Guarde otra vez para aceptarlo.',
+  'save.proposed':
+    'Este nombre sirve: letras, cifras y _ . -, y empieza por una letra. Guarde otra vez para aceptarlo.',
   'save.save': 'Guardar',
 
   'connect.title': 'Conectar {name}',

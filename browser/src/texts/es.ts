@@ -14,4 +14,18 @@ import { esShell } from './es.shell'
 import { esStrip } from './es.strip'
 import { esUpper } from './es.upper'
 
-export const es: Record<TextKey, string> = { ...esShell, ...esCanvas, ...esStrip, ...esUpper, ...esDictionary, ...esPerform, ...esLevels, ...esHelp, ...esRedirect, ...esHolding, ...esReview, ...esRecording, ...esContinuity }
+export const es: Record<TextKey, string> = {
+  ...esShell,
+  ...esCanvas,
+  ...esStrip,
+  ...esUpper,
+  ...esDictionary,
+  ...esPerform,
+  ...esLevels,
+  ...esHelp,
+  ...esRedirect,
+  ...esHolding,
+  ...esReview,
+  ...esRecording,
+  ...esContinuity,
+}

@@ -140,8 +140,10 @@ export const esUpper: Record<keyof typeof enUpper, string> = {
   'upper.waitsFor': 'espera a {others} en {tag}',
 
   'upper.empty.title': 'Suelte un dibujo entre salida y parada.',
-  'upper.empty.say': 'Los dibujos encajan donde encajan sus bordes, como en un rompecabezas. Un borde de color quiere un vecino del mismo color y forma: el trabajo que lo tiene necesita saber adónde, o cuánto. Si esa pieza aún no está, un hueco le guarda el sitio.',
-  'upper.empty.how': 'Arrastre uno desde la izquierda; o haga clic en él y pulse aquí el botón derecho; o pulse `/` y escriba.',
+  'upper.empty.say':
+    'Los dibujos encajan donde encajan sus bordes, como en un rompecabezas. Un borde de color quiere un vecino del mismo color y forma: el trabajo que lo tiene necesita saber adónde, o cuánto. Si esa pieza aún no está, un hueco le guarda el sitio.',
+  'upper.empty.how':
+    'Arrastre uno desde la izquierda; o haga clic en él y pulse aquí el botón derecho; o pulse `/` y escriba.',
   'upper.first.label': 'Cómo empezar',
   'upper.first.title1': 'Una dibujos.',
   'upper.first.title2': 'Se convierten en un programa.',

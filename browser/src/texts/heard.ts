@@ -8,7 +8,10 @@ const SAYINGS: Partial<Record<Language, Sayings>> = { es: esHeard }
 export function heard(text: string, language: Language = look.language): string {
   for (const [said, words] of SAYINGS[language] ?? []) {
     const found = said.exec(text)
-    if (found) return words.replace(/\{(=?)(\d)\}/g, (_, again: string, k: string) => (again ? heard(found[Number(k) + 1] ?? '', language) : (found[Number(k) + 1] ?? '')))
+    if (found)
+      return words.replace(/\{(=?)(\d)\}/g, (_, again: string, k: string) =>
+        again ? heard(found[Number(k) + 1] ?? '', language) : (found[Number(k) + 1] ?? ''),
+      )
   }
   return text
 }

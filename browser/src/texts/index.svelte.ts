@@ -16,7 +16,9 @@ export function t(key: TextKey, values: Values = {}): string {
 export function fill(text: string, values: Values): string {
   const forms = text.split('|')
   const form = 'n' in values && forms.length === 2 ? forms[values.n === 1 ? 0 : 1]! : text
-  return partsOf(form).map((part, k) => (k % 2 ? String(values[part] ?? `{${part}}`) : part)).join('')
+  return partsOf(form)
+    .map((part, k) => (k % 2 ? String(values[part] ?? `{${part}}`) : part))
+    .join('')
 }
 
 const taken = new Map<string, readonly string[]>()

@@ -9,7 +9,12 @@ const GAP = /\{\{|\}\}|\{(\w+)(?::([^{}]*))?\}/g
 const NUMBER_FORMAT = /^(\+?)(?:\.(\d+))?([gf])$/
 
 /** The sentence with its gaps filled; `show` writes a value that is no text, number or list. Throws where one is missing. */
-export function fill<T>(sentence: string, values: Readonly<Record<string, Value<T>>>, language: string, show: (value: T) => string = String): string {
+export function fill<T>(
+  sentence: string,
+  values: Readonly<Record<string, Value<T>>>,
+  language: string,
+  show: (value: T) => string = String,
+): string {
   return sentence.replace(GAP, (gap: string, name?: string, rule: string = '') => {
     if (name === undefined) return gap[0]!
     const value = values[name]
@@ -32,7 +37,8 @@ function filled<T>(value: Value<T>, rule: string, language: string, show: (value
   if (LISTS.includes(kind)) return written(value, show)
   if (kind === 'quoted') return quoted(written(value, show))
   const format = NUMBER_FORMAT.exec(kind)
-  if (!format || typeof value !== 'number') throw new RangeError(`expected a rule of a gap that suits its value, found ${rule}`)
+  if (!format || typeof value !== 'number')
+    throw new RangeError(`expected a rule of a gap that suits its value, found ${rule}`)
   const [, sign, digits, letter] = format
   const text = letter === 'f' ? value.toFixed(Number(digits ?? 6)) : general(value, Number(digits ?? 6))
   return sign && value >= 0 ? `+${text}` : text
@@ -88,7 +94,10 @@ const ESCAPES: Record<string, string> = { '\\': '\\\\', '\n': '\\n', '\r': '\\r'
 /** The text in quotes, as Python's `repr` writes it. */
 function quoted(text: string): string {
   const quote = text.includes("'") && !text.includes('"') ? '"' : "'"
-  // eslint-disable-next-line no-control-regex -- these are what is escaped
-  const inner = text.replace(/[\\\u0000-\u001f\u007f-\u00a0\u00ad]/g, (sign) => ESCAPES[sign] ?? `\\x${sign.charCodeAt(0).toString(16).padStart(2, '0')}`)
+  const inner = text.replace(
+    // eslint-disable-next-line no-control-regex -- these are what is escaped
+    /[\\\u0000-\u001f\u007f-\u00a0\u00ad]/g,
+    (sign) => ESCAPES[sign] ?? `\\x${sign.charCodeAt(0).toString(16).padStart(2, '0')}`,
+  )
   return quote + (quote === "'" ? inner.replaceAll("'", "\\'") : inner) + quote
 }

@@ -26,7 +26,8 @@ function element(all: readonly unknown[], most: number): (one: unknown) => strin
   const sizes = all.map((one) => (typeof one === 'number' ? Math.abs(one) : NaN))
   const isReal = sizes.some((size) => !Number.isInteger(size) && !Number.isNaN(size))
   const isLarge = Math.max(...sizes) >= 0.01
-  return (one) => (isReal && typeof one === 'number' && (one === 0 || (isLarge && Math.abs(one) < 5e-4)) ? '0.000' : compact(one, most))
+  return (one) =>
+    isReal && typeof one === 'number' && (one === 0 || (isLarge && Math.abs(one) < 5e-4)) ? '0.000' : compact(one, most)
 }
 
 function minus(text: string): string {

@@ -7,8 +7,28 @@ export interface Shown {
 }
 
 export const COLUMNS = [
-  'rmod', 'rtpu', 'tid', 'S', 'crit', 'state', 'cycle', 'miss', 'ref-F', 'ref-T', 'mez-F', 'mez-T', 'ptime', 'tot-C', 'tick',
-  'min-U', 'max-U', 'avg-U', 'min-C', 'max-C', 'avg-C', 'warn',
+  'rmod',
+  'rtpu',
+  'tid',
+  'S',
+  'crit',
+  'state',
+  'cycle',
+  'miss',
+  'ref-F',
+  'ref-T',
+  'mez-F',
+  'mez-T',
+  'ptime',
+  'tot-C',
+  'tick',
+  'min-U',
+  'max-U',
+  'avg-U',
+  'min-C',
+  'max-C',
+  'avg-C',
+  'warn',
 ] as const
 
 export type Column = (typeof COLUMNS)[number]

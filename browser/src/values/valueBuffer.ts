@@ -91,7 +91,8 @@ export class ValueBuffer {
   /** Takes what has come. What nobody wants any more is dropped. */
   receive(frame: Frame): void {
     this.now_s = frame.at_s
-    for (const [key, value] of Object.entries(frame.values ?? {})) if (this.variables.has(key)) this.keep(key, frame.at_s, value)
+    for (const [key, value] of Object.entries(frame.values ?? {}))
+      if (this.variables.has(key)) this.keep(key, frame.at_s, value)
     for (const [name, rows] of Object.entries(frame.poses ?? {})) if (this.worlds.has(name)) this.places.set(name, rows)
     if (frame.figures && Object.keys(frame.figures).length) this.figures = { ...this.figures, ...frame.figures }
     this.pump()

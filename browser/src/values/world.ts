@@ -43,10 +43,12 @@ export function isLit(given: unknown): boolean | undefined {
 /** Paint of the air about a lamp, which shines with it. */
 export const GLOW = 'glow'
 
-export const hasLamp = (world: World | undefined): boolean => world?.shapes.some((shape) => shape.paint === GLOW) === true
+export const hasLamp = (world: World | undefined): boolean =>
+  world?.shapes.some((shape) => shape.paint === GLOW) === true
 
 /** How many bodies the shapes belong to. */
-export const bodiesOf = (world: World): number => world.shapes.reduce((most, shape) => Math.max(most, shape.body), 0) + 1
+export const bodiesOf = (world: World): number =>
+  world.shapes.reduce((most, shape) => Math.max(most, shape.body), 0) + 1
 
 function fromBase64(text: string): Float32Array | undefined {
   const bytes = Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0))

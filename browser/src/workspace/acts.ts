@@ -28,7 +28,9 @@ export function meant(): number[] {
 
 /** The actions that are meant, by their jobs: marks are theirs. */
 export const meantHeads = (): number[] =>
-  [...new Set(meant().map((step) => headOf(workspaceState.actions, step)))].filter((step) => (workspaceState.step(step)?.kind ?? 'icon') === 'icon')
+  [...new Set(meant().map((step) => headOf(workspaceState.actions, step)))].filter(
+    (step) => (workspaceState.step(step)?.kind ?? 'icon') === 'icon',
+  )
 
 export function select(step: number): void {
   pickSteps(step)
@@ -78,7 +80,11 @@ export function showPlace(place: Place): void {
 }
 
 /** Insert an icon of a dictionary; the cursor moves on behind it. True where it went well. */
-export async function insert(onikon: string, place: Place = workspace.place, at: Point = windowPoint(place)): Promise<boolean> {
+export async function insert(
+  onikon: string,
+  place: Place = workspace.place,
+  at: Point = windowPoint(place),
+): Promise<boolean> {
   const { flow, after } = place
   const step = await act({ t: 'InsertIcon', doc: workspace.app, onikon, flow, after }, at)
   if (step === undefined) return false
@@ -138,7 +144,10 @@ export async function cut(steps = meant()): Promise<void> {
 
 export async function paste(text = '', place: Place = workspace.place): Promise<void> {
   const { flow, after } = place
-  const numbers = await act({ t: 'PasteIcons', doc: workspace.app, flow, after, text: text === copied ? '' : text }, windowPoint(place))
+  const numbers = await act(
+    { t: 'PasteIcons', doc: workspace.app, flow, after, text: text === copied ? '' : text },
+    windowPoint(place),
+  )
   if (Array.isArray(numbers) && typeof numbers.at(-1) === 'number') arrive(flow, numbers.at(-1) as number)
 }
 
@@ -150,7 +159,8 @@ function takeText(text: unknown): void {
 }
 
 export async function move(steps: readonly number[], { flow, after }: Place, at?: Point): Promise<void> {
-  if ((await act({ t: 'MoveIcons', doc: workspace.app, steps: [...steps], flow, after }, at)) !== undefined) goTo({ flow, after: steps.at(-1) ?? after })
+  if ((await act({ t: 'MoveIcons', doc: workspace.app, steps: [...steps], flow, after }, at)) !== undefined)
+    goTo({ flow, after: steps.at(-1) ?? after })
 }
 
 /** Copies of steps behind another one, as one who drags with Ctrl means. */
@@ -205,4 +215,5 @@ export const whole = (step: number): readonly number[] => wholeOf(workspaceState
 
 export const addFlow = (step = 0): unknown => act({ t: 'AddFlow', doc: workspace.app, step })
 export const removeFlow = (flow: string): unknown => act({ t: 'RemoveFlow', doc: workspace.app, flow })
-export const setParallel = (isParallel: boolean): unknown => act({ t: 'SetParallel', doc: workspace.app, is_parallel: isParallel })
+export const setParallel = (isParallel: boolean): unknown =>
+  act({ t: 'SetParallel', doc: workspace.app, is_parallel: isParallel })

@@ -10,7 +10,10 @@ import { edgeScroll } from './scrolling'
 import { slotAt } from './slot'
 
 export class Dragging implements Gesture {
-  constructor(private readonly steps: readonly number[], first: PointerEvent) {
+  constructor(
+    private readonly steps: readonly number[],
+    first: PointerEvent,
+  ) {
     this.move(first)
   }
 

@@ -15,8 +15,12 @@ export function listen(ground: HTMLElement, paper: SVGSVGElement): () => void {
   const ending = new AbortController()
   let moved = 0
   let rest: ReturnType<typeof setTimeout> | undefined
-  const on = <K extends keyof HTMLElementEventMap>(target: EventTarget, name: K, heard: (event: HTMLElementEventMap[K]) => void, options: AddEventListenerOptions = {}): void =>
-    target.addEventListener(name, heard as EventListener, { signal: ending.signal, ...options })
+  const on = <K extends keyof HTMLElementEventMap>(
+    target: EventTarget,
+    name: K,
+    heard: (event: HTMLElementEventMap[K]) => void,
+    options: AddEventListenerOptions = {},
+  ): void => target.addEventListener(name, heard as EventListener, { signal: ending.signal, ...options })
 
   /** What the pointer rests on is told of. */
   const hover = (event: PointerEvent): void => {
@@ -58,13 +62,18 @@ export function listen(ground: HTMLElement, paper: SVGSVGElement): () => void {
   on(window as EventTarget, 'pointercancel', () => hand.cancel())
   on(window as EventTarget, 'blur', () => hand.cancel())
   // Before the commands of the page hear it: a gesture under way is what Esc means.
-  on(window as EventTarget, 'keydown', (event) => {
-    workspaceState.hovered = 0
-    if (event.key === 'Escape' && hand.isBusy) hand.cancel()
-    else if (!keyDown(event)) return
-    event.preventDefault()
-    event.stopPropagation()
-  }, { capture: true })
+  on(
+    window as EventTarget,
+    'keydown',
+    (event) => {
+      workspaceState.hovered = 0
+      if (event.key === 'Escape' && hand.isBusy) hand.cancel()
+      else if (!keyDown(event)) return
+      event.preventDefault()
+      event.stopPropagation()
+    },
+    { capture: true },
+  )
   on(document as EventTarget, 'paste', (event) => pasteText(event as ClipboardEvent))
   return () => {
     clearTimeout(rest)
@@ -73,7 +82,8 @@ export function listen(ground: HTMLElement, paper: SVGSVGElement): () => void {
 }
 
 /** Buttons that lie on the paper are no paper. */
-const isPaper = ({ target }: Event): boolean => target instanceof Element && target.closest('button, input, select, .float') === null
+const isPaper = ({ target }: Event): boolean =>
+  target instanceof Element && target.closest('button, input, select, .float') === null
 
 const SIZES = [32, 64, 96]
 

@@ -13,7 +13,12 @@ export interface Found {
 const MOST = 30
 
 /** `entries` are all icons in the order of the dictionaries. What fills a hole comes before what only fits. */
-export function find(words: string, entries: readonly Entry[], onikons: Readonly<Record<string, OnikonView>>, gap: Gap | undefined): Found[] {
+export function find(
+  words: string,
+  entries: readonly Entry[],
+  onikons: Readonly<Record<string, OnikonView>>,
+  gap: Gap | undefined,
+): Found[] {
   const wanted = words.trim().toLowerCase().split(/\s+/).filter(Boolean)
   const ranked = entries.flatMap((entry, order) => {
     if (!wanted.every((word) => entry.text.includes(word))) return []
@@ -26,13 +31,18 @@ export function find(words: string, entries: readonly Entry[], onikons: Readonly
 }
 
 /** How many of all icons fit, whatever was typed. */
-export const countFitting = (entries: readonly Entry[], gap: Gap | undefined): number => entries.filter((entry) => fits(entry, gap)).length
+export const countFitting = (entries: readonly Entry[], gap: Gap | undefined): number =>
+  entries.filter((entry) => fits(entry, gap)).length
 
 /** Less is nearer to what was typed. */
 function nearness({ name, caption }: Entry, [word]: readonly string[]): number {
   if (!word) return 0
   if (name.toLowerCase().startsWith(word) || caption.toLowerCase().startsWith(word)) return 0
-  return caption.toLowerCase().includes(` ${word}`) ? 1 : caption.toLowerCase().includes(word) || name.toLowerCase().includes(word) ? 2 : 3
+  return caption.toLowerCase().includes(` ${word}`)
+    ? 1
+    : caption.toLowerCase().includes(word) || name.toLowerCase().includes(word)
+      ? 2
+      : 3
 }
 
 function compared(a: readonly number[], b: readonly number[]): number {

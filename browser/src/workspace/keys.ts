@@ -5,7 +5,14 @@ import { workspaceState } from './workspaceState.svelte'
 import { goTo, select, selectAlso, selectTo } from './acts'
 import { walked, type Way } from '../application/gaps'
 
-const WAYS: Readonly<Record<string, Way>> = { ArrowLeft: 'left', ArrowRight: 'right', ArrowUp: 'up', ArrowDown: 'down', Home: 'first', End: 'last' }
+const WAYS: Readonly<Record<string, Way>> = {
+  ArrowLeft: 'left',
+  ArrowRight: 'right',
+  ArrowUp: 'up',
+  ArrowDown: 'down',
+  Home: 'first',
+  End: 'last',
+}
 
 /** True where the key meant something here. */
 export function keyDown(event: KeyboardEvent): boolean {
@@ -13,7 +20,8 @@ export function keyDown(event: KeyboardEvent): boolean {
   if (workspaceState.opened.kind !== '') return false
   const way = WAYS[event.key]
   const isControl = event.ctrlKey || event.metaKey
-  if (way) return walk(isControl && way === 'first' ? 'begin' : isControl && way === 'last' ? 'end' : way, event.shiftKey)
+  if (way)
+    return walk(isControl && way === 'first' ? 'begin' : isControl && way === 'last' ? 'end' : way, event.shiftKey)
   if (isControl) return false
   if (event.key === ' ') return turn()
   return type(event)
@@ -45,14 +53,16 @@ function turn(): boolean {
 /** A letter begins the search for an icon, where it is not a key for what is picked. */
 function type(event: KeyboardEvent): boolean {
   const isLetter = event.key.length === 1 && /\p{L}/u.test(event.key)
-  if (!isLetter || workspace.steps.size > 0 || isPasting(event.key) || workspaceState.isRunning || isCommand(event)) return false
+  if (!isLetter || workspace.steps.size > 0 || isPasting(event.key) || workspaceState.isRunning || isCommand(event))
+    return false
   workspaceState.opened = { kind: 'quick', words: event.key }
   return true
 }
 
 /** With the keyboard nowhere in particular, a letter that is a command stays one. */
 const isCommand = (event: KeyboardEvent): boolean =>
-  !workspaceState.hasKeys && allCommands().some((one) => one.keys?.some((keys) => matches(keys, event)) && isAvailable(one))
+  !workspaceState.hasKeys &&
+  allCommands().some((one) => one.keys?.some((keys) => matches(keys, event)) && isAvailable(one))
 
 /** V pastes what is in the buffer, wherever it is pressed (table B.4). */
 const isPasting = (key: string): boolean => key.toLowerCase() === 'v'

@@ -10,14 +10,28 @@ import { t } from '../texts/index.svelte'
 import { headOf, topsOf } from '../application/actions'
 import { workspaceState, type Opened } from './workspaceState.svelte'
 import {
-  addFlow, copy, cut, edit, editPicture, expand, insert, meantHeads, paste, remove, removeFlow, setParallel, turnBreakpoint, whyNotExpand,
+  addFlow,
+  copy,
+  cut,
+  edit,
+  editPicture,
+  expand,
+  insert,
+  meantHeads,
+  paste,
+  remove,
+  removeFlow,
+  setParallel,
+  turnBreakpoint,
+  whyNotExpand,
 } from './acts'
 import { flowName, nameOf } from '../application/words'
 
 export function menuOf(opened: Opened): { label: string; at: Point; items: Item[] } | undefined {
   if (opened.kind !== 'menu') return undefined
   const { at, over } = opened
-  if (over.kind === 'step') return { label: nameOf(workspaceState.step(over.step)), at, items: stepItems(over.step, at) }
+  if (over.kind === 'step')
+    return { label: nameOf(workspaceState.step(over.step)), at, items: stepItems(over.step, at) }
   return { label: t('upper.menu'), at, items: [...placeItems(at), ...flowItems(over.kind === 'flow' ? over.flow : '')] }
 }
 
@@ -31,8 +45,19 @@ function stepItems(step: number, at: Point): Item[] {
   if (one?.kind === 'hole') return [...placeItems(at), ...holeItems(step)]
   const isBranch = one?.kind === 'branch'
   return [
-    ...(workspaceState.isRunning ? [{ label: t('upper.skipHere'), run: () => act({ t: 'SkipTo', step: headOf(workspaceState.actions, step) }, at) }] : []),
-    { label: t(isBranch ? 'upper.conditions' : one?.role === 'target' ? 'upper.values' : 'upper.words'), keys: 'F2', run: () => edit(step) },
+    ...(workspaceState.isRunning
+      ? [
+          {
+            label: t('upper.skipHere'),
+            run: () => act({ t: 'SkipTo', step: headOf(workspaceState.actions, step) }, at),
+          },
+        ]
+      : []),
+    {
+      label: t(isBranch ? 'upper.conditions' : one?.role === 'target' ? 'upper.values' : 'upper.words'),
+      keys: 'F2',
+      run: () => edit(step),
+    },
     ...(isBranch ? [locked({ label: t('upper.addLane'), run: () => addFlow(step) })] : iconItems(step, at)),
     locked({ label: t('upper.cut'), keys: 'X', run: () => cut(), begins: true }),
     { label: t('upper.copy'), keys: 'C', run: () => copy() },
@@ -53,8 +78,20 @@ function iconItems(step: number, at: Point): Item[] {
   const onikon = desk.tree.onikons[workspace.onikon]
   return [
     { label: t('upper.picture'), run: () => editPicture(step) },
-    { label: t(one?.role === 'application' ? 'upper.openApplication' : 'upper.openConfiguration'), run: () => expand(step), isOff: why !== '', note: why || undefined },
-    ...(onikon ? [locked({ label: t('upper.exchange', { name: workspace.onikon }), run: () => act({ t: 'ExchangeIcon', doc: workspace.app, step, onikon: workspace.onikon }, at) })] : []),
+    {
+      label: t(one?.role === 'application' ? 'upper.openApplication' : 'upper.openConfiguration'),
+      run: () => expand(step),
+      isOff: why !== '',
+      note: why || undefined,
+    },
+    ...(onikon
+      ? [
+          locked({
+            label: t('upper.exchange', { name: workspace.onikon }),
+            run: () => act({ t: 'ExchangeIcon', doc: workspace.app, step, onikon: workspace.onikon }, at),
+          }),
+        ]
+      : []),
     ...markItems(),
   ]
 }
@@ -68,11 +105,29 @@ function markItems(): Item[] {
   if (head === undefined || !one) return []
   const off = { isOff: noAction !== undefined, note: noAction }
   return [
-    { label: t(one.breaks ? 'upper.unbreak' : 'upper.break'), keys: 'M', run: () => turnBreakpoint(), begins: true, ...off },
+    {
+      label: t(one.breaks ? 'upper.unbreak' : 'upper.break'),
+      keys: 'M',
+      run: () => turnBreakpoint(),
+      begins: true,
+      ...off,
+    },
     { label: t('upper.breakIf'), run: () => (workspaceState.opened = { kind: 'condition', step: head }), ...off },
-    locked({ label: t('upper.tag'), keys: 'S', run: () => (workspaceState.opened = { kind: 'tag', step: head }), ...off }),
-    locked({ label: t(one.loop ? 'upper.changeLoop' : 'upper.loop'), keys: 'W', run: () => (workspaceState.opened = { kind: 'loop', step: head, other: 0 }), ...off }),
-    ...(one.loop ? [locked({ label: t('upper.removeLoop'), run: () => act({ t: 'RemoveLoop', doc: workspace.app, step: head }) })] : []),
+    locked({
+      label: t('upper.tag'),
+      keys: 'S',
+      run: () => (workspaceState.opened = { kind: 'tag', step: head }),
+      ...off,
+    }),
+    locked({
+      label: t(one.loop ? 'upper.changeLoop' : 'upper.loop'),
+      keys: 'W',
+      run: () => (workspaceState.opened = { kind: 'loop', step: head, other: 0 }),
+      ...off,
+    }),
+    ...(one.loop
+      ? [locked({ label: t('upper.removeLoop'), run: () => act({ t: 'RemoveLoop', doc: workspace.app, step: head }) })]
+      : []),
   ]
 }
 
@@ -80,10 +135,27 @@ function placeItems(at: Point): Item[] {
   const buffer = desk.tree.icon_clipboard
   const { onikon } = workspace
   return [
-    locked({ label: t('upper.add'), keys: '/', run: () => (workspaceState.opened = { kind: 'quick', words: '' }), begins: true }),
-    ...(onikon ? [locked({ label: t('upper.insertIt', { name: onikon }), run: () => insert(onikon, workspace.place, at) })] : []),
-    locked({ label: t('upper.paste'), keys: 'V', run: () => paste(), isOff: !buffer, note: buffer || t('upper.nothingCopied') }),
-    locked({ label: t('upper.insertBranch'), keys: 'B', run: () => (workspaceState.opened = { kind: 'branch', step: 0 }) }),
+    locked({
+      label: t('upper.add'),
+      keys: '/',
+      run: () => (workspaceState.opened = { kind: 'quick', words: '' }),
+      begins: true,
+    }),
+    ...(onikon
+      ? [locked({ label: t('upper.insertIt', { name: onikon }), run: () => insert(onikon, workspace.place, at) })]
+      : []),
+    locked({
+      label: t('upper.paste'),
+      keys: 'V',
+      run: () => paste(),
+      isOff: !buffer,
+      note: buffer || t('upper.nothingCopied'),
+    }),
+    locked({
+      label: t('upper.insertBranch'),
+      keys: 'B',
+      run: () => (workspaceState.opened = { kind: 'branch', step: 0 }),
+    }),
   ]
 }
 
@@ -95,9 +167,25 @@ function flowItems(path: string): Item[] {
   const isAlone = !flow.includes('/') && tops.length < 2
   return [
     locked({ label: t('upper.addFlow'), run: () => addFlow(), begins: true }),
-    locked({ label: t('upper.removeFlow', { name: flowName(flow) }), run: () => removeFlow(flow), isOff: isAlone, note: isAlone ? t('upper.lastFlow') : undefined }),
-    ...(tops.length > 1 ? [locked({ label: t(app.is_parallel ? 'upper.makeConditional' : 'upper.makeParallel'), run: () => setParallel(!app.is_parallel) })] : []),
+    locked({
+      label: t('upper.removeFlow', { name: flowName(flow) }),
+      run: () => removeFlow(flow),
+      isOff: isAlone,
+      note: isAlone ? t('upper.lastFlow') : undefined,
+    }),
+    ...(tops.length > 1
+      ? [
+          locked({
+            label: t(app.is_parallel ? 'upper.makeConditional' : 'upper.makeParallel'),
+            run: () => setParallel(!app.is_parallel),
+          }),
+        ]
+      : []),
     locked({ label: t('redirect.menu'), keys: 'Alt+I', run: () => openDialog('redirect', { flow: homeOf(flow) }) }),
-    { label: t(workspaceState.isLettered ? 'upper.hideLetters' : 'upper.showLetters'), run: () => workspaceState.turnLetters(), begins: true },
+    {
+      label: t(workspaceState.isLettered ? 'upper.hideLetters' : 'upper.showLetters'),
+      run: () => workspaceState.turnLetters(),
+      begins: true,
+    },
   ]
 }

@@ -5,7 +5,12 @@ import type { Place } from '../state/workspace.svelte'
 export type Flows = Readonly<Record<string, readonly number[]>>
 
 /** Behind the nearest icon before it that is left, as the flows stood `before`; where the flow is gone too, behind what stood before its branch. */
-export function placeAfterChange({ flow, after }: Place, before: Flows, now: Flows, isHole: (step: number) => boolean): Place {
+export function placeAfterChange(
+  { flow, after }: Place,
+  before: Flows,
+  now: Flows,
+  isHole: (step: number) => boolean,
+): Place {
   const there = now[flow]
   if (there && (!after || there.includes(after))) return { flow, after }
   if (there) {

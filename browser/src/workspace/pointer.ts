@@ -6,7 +6,19 @@ import type { Gesture } from '../gesture/gesture'
 import { skipMode } from '../run/skipMode.svelte'
 import { workspaceState, type Over } from './workspaceState.svelte'
 import {
-  deselect, edit, editPicture, expand, goTo, insert, pickedSteps, placeBehind, select, selectAlso, selectTo, whole, whyNotExpand,
+  deselect,
+  edit,
+  editPicture,
+  expand,
+  goTo,
+  insert,
+  pickedSteps,
+  placeBehind,
+  select,
+  selectAlso,
+  selectTo,
+  whole,
+  whyNotExpand,
 } from './acts'
 import { headOf } from '../application/actions'
 import { gapAt } from '../application/gaps'
@@ -93,15 +105,24 @@ export class PointerGestures {
       if (!adds) deselect()
       placeAt(at(event))
     }
-    return new Press(event, click, event.pointerType === 'touch' ? undefined : (first) => new Marquee(first, adds ? pickedSteps() : []))
+    return new Press(
+      event,
+      click,
+      event.pointerType === 'touch' ? undefined : (first) => new Marquee(first, adds ? pickedSteps() : []),
+    )
   }
 
   private leftOnStep(event: PointerEvent, step: number): Gesture {
     if (skipMode.isOn) return new Press(event, () => void skipMode.choose(headOf(workspaceState.actions, step)))
     if (event.shiftKey) return new Press(event, () => (whyNotExpand(step) ? selectTo(step) : void expand(step)))
-    if (event.ctrlKey || event.metaKey) return new Press(event, () => selectAlso(step), (first) => new Dragging(liftedWith(step), first))
+    if (event.ctrlKey || event.metaKey)
+      return new Press(
+        event,
+        () => selectAlso(step),
+        (first) => new Dragging(liftedWith(step), first),
+      )
     const click = (): void => {
-      if (nearLeftSide(event)) return pickSteps(), void placeAt(at(event))
+      if (nearLeftSide(event)) return (pickSteps(), void placeAt(at(event)))
       select(step)
     }
     const canDrag = event.pointerType !== 'touch' && !workspaceState.isRunning

@@ -16,13 +16,20 @@ export function slotAt(at: Point, left: string, right: string): Slot | undefined
   if (!gap) return undefined
   const edges = edgesAt(workspaceState.app, gap)
   const isFilled = gap.hole !== 0 && (edges?.right === right || gap.hole < 0)
-  return { flow: gap.flow, after: gap.after, hole: isFilled ? gap.hole : 0, why: edges?.left === left ? '' : misfit(gap) }
+  return {
+    flow: gap.flow,
+    after: gap.after,
+    hole: isFilled ? gap.hole : 0,
+    why: edges?.left === left ? '' : misfit(gap),
+  }
 }
 
 /** Why something with another left edge may not stand behind a step. */
 export function misfit({ flow, after }: Place): string {
   const edge = edgesAt(workspaceState.app, { flow, after })?.left ?? ''
-  const kinds = Object.entries(desk.tree.types).filter(([, type]) => type.left === edge && type.role === 'target').map(([name, type]) => typeTitle(name, type.role))
+  const kinds = Object.entries(desk.tree.types)
+    .filter(([, type]) => type.left === edge && type.role === 'target')
+    .map(([name, type]) => typeTitle(name, type.role))
   const what = kinds.length ? kinds.join(t('upper.or')) : t('upper.anAction')
   const before = workspaceState.step(after)
   return before ? t('upper.fitsNot', { name: nameOf(before), what }) : t('upper.fitsNotAtStart', { what })

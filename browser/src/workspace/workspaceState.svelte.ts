@@ -76,12 +76,20 @@ class WorkspaceState {
   readonly actions: Actions = $derived(actionsOf(this.app ?? NO_APP))
   readonly loops: readonly Loop[] = $derived(loopsOf(this.app ?? NO_APP))
   private readonly content: Content = $derived(contentOf(this.app ?? NO_APP))
-  private readonly frame = $derived({ width: this.width, size: this.size, extra: 11 * Math.max(0, ...this.loops.map((loop) => loop.depth)) })
+  private readonly frame = $derived({
+    width: this.width,
+    size: this.size,
+    extra: 11 * Math.max(0, ...this.loops.map((loop) => loop.depth)),
+  })
   /** As it is: what a pointer means is found in this one. */
   readonly base: Arrangement = $derived(arrange(this.content, this.frame))
   /** As it is drawn: with the place open for what is carried. */
-  readonly shown: Arrangement = $derived(this.slot && !this.slot.hole && !this.slot.why ? arrange(this.content, this.frame, this.slot) : this.base)
-  readonly cells: ReadonlyMap<number, Cell> = $derived(new Map(this.shown.cells.filter((cell) => cell.step > 0).map((cell) => [cell.step, cell])))
+  readonly shown: Arrangement = $derived(
+    this.slot && !this.slot.hole && !this.slot.why ? arrange(this.content, this.frame, this.slot) : this.base,
+  )
+  readonly cells: ReadonlyMap<number, Cell> = $derived(
+    new Map(this.shown.cells.filter((cell) => cell.step > 0).map((cell) => [cell.step, cell])),
+  )
   /** The rows that are near what is seen. */
   private readonly first = $derived(Math.floor(this.top / STRIDE) * STRIDE - STRIDE)
   private readonly last = $derived(Math.ceil((this.top + this.height) / STRIDE) * STRIDE + STRIDE)
@@ -108,7 +116,11 @@ class WorkspaceState {
   /** Whether what is typed is meant for the workspace. */
   get hasKeyboard(): boolean {
     const at = document.activeElement
-    return this.app !== undefined && look.level === 'applications' && (at === null || at === document.body || (this.ground?.contains(at) ?? false))
+    return (
+      this.app !== undefined &&
+      look.level === 'applications' &&
+      (at === null || at === document.body || (this.ground?.contains(at) ?? false))
+    )
   }
 
   close(): void {
@@ -152,7 +164,8 @@ class WorkspaceState {
 }
 
 /** Those of many between two heights. */
-const within = (cells: readonly Cell[], first: number, last: number): Cell[] => cells.filter(({ y }) => y > first && y < last)
+const within = (cells: readonly Cell[], first: number, last: number): Cell[] =>
+  cells.filter(({ y }) => y > first && y < last)
 
 function contentOf(app: ApplicationView): Content {
   const { flows = {}, steps = {} } = app

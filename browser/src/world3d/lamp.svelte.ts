@@ -12,12 +12,18 @@ export function lamp(): { readonly isLit: boolean | undefined } {
     const names = worlds ? worlds.split('\n') : []
     const lamps = new Set<string>()
     const look = (): void => {
-      const told = names.filter((name) => lamps.has(name)).map((name) => isLit(poses(name))).filter((one) => one !== undefined)
+      const told = names
+        .filter((name) => lamps.has(name))
+        .map((name) => isLit(poses(name)))
+        .filter((one) => one !== undefined)
       found = told.length ? told.some(Boolean) : undefined
     }
     const ends = [...names.map((name) => watchWorld(name)), onFrame(look)]
     // A workcell without a lamp says nothing of one.
-    for (const name of names) void send({ t: 'Scene', world: name }).then((answer) => hasLamp(worldOf(answer)) && void (lamps.add(name), look())).catch(() => undefined)
+    for (const name of names)
+      void send({ t: 'Scene', world: name })
+        .then((answer) => hasLamp(worldOf(answer)) && void (lamps.add(name), look()))
+        .catch(() => undefined)
     return () => ends.forEach((end) => end())
   })
   return {

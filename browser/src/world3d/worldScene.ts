@@ -1,9 +1,32 @@
 // A world in three dimensions, drawn by three.js: built once, then only posed. It draws when something has changed and
 // at no other time.
 import {
-  AmbientLight, Box3, BoxGeometry, BufferGeometry, CapsuleGeometry, Color, CylinderGeometry, DirectionalLight, DoubleSide, Fog,
-  GridHelper, Group, HemisphereLight, Mesh, MeshBasicMaterial, MeshLambertMaterial, PCFShadowMap, PerspectiveCamera, PlaneGeometry,
-  PointLight, Scene, SphereGeometry, SRGBColorSpace, Vector3, WebGLRenderer, type Material,
+  AmbientLight,
+  Box3,
+  BoxGeometry,
+  BufferGeometry,
+  CapsuleGeometry,
+  Color,
+  CylinderGeometry,
+  DirectionalLight,
+  DoubleSide,
+  Fog,
+  GridHelper,
+  Group,
+  HemisphereLight,
+  Mesh,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  PCFShadowMap,
+  PerspectiveCamera,
+  PlaneGeometry,
+  PointLight,
+  Scene,
+  SphereGeometry,
+  SRGBColorSpace,
+  Vector3,
+  WebGLRenderer,
+  type Material,
 } from 'three'
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
 import { inks } from '../values/inks'
@@ -112,7 +135,8 @@ export class WorldScene {
     this.scene.background = canvas
     this.scene.fog = new Fog(canvas, 5, 14)
     for (const floor of this.floors) floor.color.copy(canvas)
-    for (const line of [this.grid.material].flat()) Object.assign(line, { transparent: true, opacity: isDark ? 0.5 : 0.8 })
+    for (const line of [this.grid.material].flat())
+      Object.assign(line, { transparent: true, opacity: isDark ? 0.5 : 0.8 })
     const dot = new Color(tones['--line'])
     const colours = this.grid.geometry.getAttribute('color')
     for (let k = 0; k < colours.count; k += 1) colours.setXYZ(k, dot.r, dot.g, dot.b)
@@ -225,7 +249,8 @@ export class WorldScene {
 
 /** Whether every body has a direction: rows that nobody has filled yet are all zero. */
 function isWhole(rows: Float32Array): boolean {
-  for (let k = 0; k < rows.length; k += ROW) if (!rows.subarray(k + 3, k + ROW).some((one) => Math.abs(one) > SEEN)) return false
+  for (let k = 0; k < rows.length; k += ROW)
+    if (!rows.subarray(k + 3, k + ROW).some((one) => Math.abs(one) > SEEN)) return false
   return true
 }
 

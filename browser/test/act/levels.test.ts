@@ -8,7 +8,8 @@ import { hideRefusal, refused } from '../../src/act/refused.svelte'
 import { begin, goTo, inOrder, origin, settle, show, shownId, shownOne, step } from '../../src/act/documents.svelte'
 import { jobOf } from '../../src/files/jobs'
 
-const named = (...names: string[]): Record<string, { name: string; order: number }> => Object.fromEntries(names.map((name, order) => [name, { name, order }]))
+const named = (...names: string[]): Record<string, { name: string; order: number }> =>
+  Object.fromEntries(names.map((name, order) => [name, { name, order }]))
 
 beforeEach(() => {
   desk.tree = fullTree({ documents: named('c1', 'c2'), applications: named('a1', 'a2') })
@@ -85,7 +86,19 @@ describe('R-G05: the levels', () => {
 })
 
 test('R-G05: a configuration says which job is made of it', () => {
-  const onikon = { type: 'Joint job', order: 0, dictionary: '', left: '0', right: '1', picture: '', description: 'move the joints' }
+  const onikon = {
+    type: 'Joint job',
+    order: 0,
+    dictionary: '',
+    left: '0',
+    right: '1',
+    picture: '',
+    description: 'move the joints',
+  }
   const onikons = { jmoveC: { ...onikon, role: 'job' as const, source: '/b/conf/jmoveC.conf' } }
-  expect([jobOf('/b/conf/jmoveC.conf', onikons), jobOf('/b/conf/other.conf', onikons), jobOf('', onikons)]).toEqual(['move the joints', '', ''])
+  expect([jobOf('/b/conf/jmoveC.conf', onikons), jobOf('/b/conf/other.conf', onikons), jobOf('', onikons)]).toEqual([
+    'move the joints',
+    '',
+    '',
+  ])
 })

@@ -22,7 +22,13 @@ describe('While a recording is looked at', () => {
   })
 
   it('Stop works, and so does all that has to do with the recording', () => {
-    for (const act of [{ t: 'Stop' }, { t: 'Glance', at_s: 1 }, { t: 'CloseRecording' }, { t: 'Continue', at_s: 1 }] as const) expect(reviewLock(act)).toBeUndefined()
+    for (const act of [
+      { t: 'Stop' },
+      { t: 'Glance', at_s: 1 },
+      { t: 'CloseRecording' },
+      { t: 'Continue', at_s: 1 },
+    ] as const)
+      expect(reviewLock(act)).toBeUndefined()
   })
 
   it('without one nothing is in the way', () => {

@@ -1,7 +1,17 @@
 // Where the icons of an application stand.
 import { describe, expect, test } from 'vitest'
 import { onikonWidth } from '../../src/geom/jigsaw'
-import { arrange, EMPTY, END, FORK, GHOST, MARGIN, START, type Content, type Known } from '../../src/application/arrangement'
+import {
+  arrange,
+  EMPTY,
+  END,
+  FORK,
+  GHOST,
+  MARGIN,
+  START,
+  type Content,
+  type Known,
+} from '../../src/application/arrangement'
 import { gapAt, walked } from '../../src/application/gaps'
 import { chance } from '../geom/scenes'
 
@@ -31,13 +41,15 @@ function content(flows: Record<string, string>): Content & { numbers: Record<str
 const frame = (perRow: number) => ({ width: 2 * MARGIN + perRow * W, size: 64, extra: 0 })
 
 describe('a flow', () => {
-  test('begins with the start icon, ends with the end icon, and each icon touches the one before it', () => { // R-D04
+  test('begins with the start icon, ends with the end icon, and each icon touches the one before it', () => {
+    // R-D04
     const { cells } = arrange(content({ 0: '...' }), frame(9))
     expect(cells.map((cell) => cell.step)).toEqual([START, 1, 2, 3, END])
     expect(cells.map((cell) => cell.x)).toEqual([0, 1, 2, 3, 4].map((k) => MARGIN + k * W))
   })
 
-  test('wraps at the width, with an arrow, and moves the next flow down', () => { // R-D20
+  test('wraps at the width, with an arrow, and moves the next flow down', () => {
+    // R-D20
     const one = arrange(content({ 0: '...', 1: '.' }), frame(9))
     const wrapped = arrange(content({ 0: '...', 1: '.' }), frame(3))
     expect(wrapped.wraps).toHaveLength(1)
@@ -45,11 +57,15 @@ describe('a flow', () => {
     expect(wrapped.heads[1]!.y).toBeGreaterThan(one.heads[1]!.y)
   })
 
-  test('never parts an action from its targets', () => { // R-D20
+  test('never parts an action from its targets', () => {
+    // R-D20
     for (let perRow = 2; perRow < 9; perRow++) {
       const { cells } = arrange(content({ 0: '..+.+..+.+' }), frame(perRow))
       for (const joined of [3, 5, 8, 10]) {
-        const [job, target] = [cells.find((cell) => cell.step === joined - 1)!, cells.find((cell) => cell.step === joined)!]
+        const [job, target] = [
+          cells.find((cell) => cell.step === joined - 1)!,
+          cells.find((cell) => cell.step === joined)!,
+        ]
         expect([target.x, target.y]).toEqual([job.x + W, job.y])
       }
     }
@@ -73,24 +89,38 @@ describe('a flow', () => {
   test('in which nothing stands has a room with a gap in its middle', () => {
     const { cells, gaps } = arrange(content({ 0: '' }), frame(9))
     expect(cells.map((cell) => cell.step)).toEqual([START, EMPTY, END])
-    expect(gaps).toEqual([{ flow: '0', after: START, x: MARGIN + 1.5 * W, y: cells[0]!.y, hole: EMPTY, isSecond: false }])
+    expect(gaps).toEqual([
+      { flow: '0', after: START, x: MARGIN + 1.5 * W, y: cells[0]!.y, hole: EMPTY, isSecond: false },
+    ])
   })
 
-  test('opens for what is carried: the neighbours part', () => { // R-D03
+  test('opens for what is carried: the neighbours part', () => {
+    // R-D03
     const { cells } = arrange(content({ 0: '..' }), frame(9), { flow: '0', after: 1 })
     expect(cells.map((cell) => cell.step)).toEqual([START, 1, GHOST, 2, END])
   })
 })
 
 describe('gaps', () => {
-  test('stand behind each step; a hole is that of its left neighbour', () => { // R-D19
+  test('stand behind each step; a hole is that of its left neighbour', () => {
+    // R-D19
     const { gaps } = arrange(content({ 0: '.o.' }), frame(9))
-    expect(gaps.map((gap) => [gap.after, gap.hole])).toEqual([[0, 0], [1, 2], [3, 0]])
+    expect(gaps.map((gap) => [gap.after, gap.hole])).toEqual([
+      [0, 0],
+      [1, 2],
+      [3, 0],
+    ])
   })
 
   test('at the end of a row and at the beginning of the next mean the same', () => {
     const { gaps } = arrange(content({ 0: '...' }), frame(3))
-    expect(gaps.map((gap) => [gap.after, gap.isSecond])).toEqual([[0, false], [1, false], [2, false], [2, true], [3, false]])
+    expect(gaps.map((gap) => [gap.after, gap.isSecond])).toEqual([
+      [0, false],
+      [1, false],
+      [2, false],
+      [2, true],
+      [3, false],
+    ])
   })
 
   test('are found by a pointer in their row only', () => {
@@ -101,7 +131,8 @@ describe('gaps', () => {
     expect(gapAt(gaps, MARGIN + 2 * W, y + 200, 64)).toBeUndefined()
   })
 
-  test('are walked by keys through all flows and rows', () => { // R-X11
+  test('are walked by keys through all flows and rows', () => {
+    // R-X11
     const { gaps } = arrange(content({ 0: '...', 1: '.' }), frame(3))
     let place = { flow: '0', after: 0 }
     const seen: string[] = []
@@ -122,7 +153,8 @@ describe('gaps', () => {
 describe('a branch', () => {
   const app = { 0: '.B.', '0/2/0': '..', '0/2/1': '' }
 
-  test('stands in line: its flows are lanes below each other, and what follows stands behind the longest', () => { // R-D13
+  test('stands in line: its flows are lanes below each other, and what follows stands behind the longest', () => {
+    // R-D13
     const { cells, blocks } = arrange(content(app), frame(12))
     const [block] = blocks
     expect(block!.lanes.map((lane) => lane.path)).toEqual(['0/2/0', '0/2/1'])
@@ -136,7 +168,16 @@ describe('a branch', () => {
 
   test('has gaps of its own, between those of the flow around it', () => {
     const { gaps } = arrange(content(app), frame(12))
-    expect(gaps.map((gap) => `${gap.flow}:${gap.after}`).sort()).toEqual(['0/2/0:0', '0/2/0:4', '0/2/0:5', '0/2/1:0', '0:0', '0:1', '0:2', '0:3'])
+    expect(gaps.map((gap) => `${gap.flow}:${gap.after}`).sort()).toEqual([
+      '0/2/0:0',
+      '0/2/0:4',
+      '0/2/0:5',
+      '0/2/1:0',
+      '0:0',
+      '0:1',
+      '0:2',
+      '0:3',
+    ])
   })
 
   test('moves to the next row where it does not fit, and wraps inside where it is longer than a row', () => {

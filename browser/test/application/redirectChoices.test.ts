@@ -2,7 +2,15 @@ import { describe, expect, it } from 'vitest'
 import { look } from '../../src/state/look.svelte'
 import { choicesText, homeOf, choicesIn } from '../../src/application/redirectChoices'
 
-const app = { name: 'play', order: 1, redirects: [{ old: 'puma', new: 'scara', homes: ['flow0', 'flow1'] }, { old: 'gripper', new: 'gripper_right', flow: 'flow1', homes: ['flow1'] }, { old: 'pd', new: 'pid' }] }
+const app = {
+  name: 'play',
+  order: 1,
+  redirects: [
+    { old: 'puma', new: 'scara', homes: ['flow0', 'flow1'] },
+    { old: 'gripper', new: 'gripper_right', flow: 'flow1', homes: ['flow1'] },
+    { old: 'pd', new: 'pid' },
+  ],
+}
 
 describe('who stands for whom', () => {
   it('is marked in the flows that use it, and in what is nested in their branches', () => {

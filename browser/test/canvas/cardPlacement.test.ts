@@ -22,7 +22,12 @@ describe('a card', () => {
 
   test('beside a tall box lies at its foot where its head has company', () => {
     const tall = { ...box, h: 400 }
-    const all = [{ x: 300, y: 720, w: 136, h: 100 }, { x: 300, y: 180, w: 136, h: 100 }, { x: 460, y: 300, w: 136, h: 100 }, { x: 100, y: 300, w: 136, h: 100 }]
+    const all = [
+      { x: 300, y: 720, w: 136, h: 100 },
+      { x: 300, y: 180, w: 136, h: 100 },
+      { x: 460, y: 300, w: 136, h: 100 },
+      { x: 100, y: 300, w: 136, h: 100 },
+    ]
     expect(placeCard(tall, card, all)).toBe('low right')
     expect(corner('low right', tall, card)).toEqual({ x: 158, y: 310 })
   })
@@ -32,7 +37,12 @@ describe('a card', () => {
   })
 
   test('hides least where it must hide something', () => {
-    const all = [{ x: 200, y: 430, w: 400, h: 100 }, { x: 200, y: 100, w: 400, h: 100 }, { x: 460, y: 280, w: 136, h: 200 }, { x: 40, y: 280, w: 200, h: 200 }]
+    const all = [
+      { x: 200, y: 430, w: 400, h: 100 },
+      { x: 200, y: 100, w: 400, h: 100 },
+      { x: 460, y: 280, w: 136, h: 200 },
+      { x: 40, y: 280, w: 200, h: 200 },
+    ]
     expect(placeCard(box, card, all)).toBe('above')
   })
 })

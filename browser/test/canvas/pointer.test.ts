@@ -7,7 +7,9 @@ const sent = vi.hoisted(() => {
   vi.stubGlobal('Element', class {})
   return [] as AnyAct[]
 })
-vi.mock('../../src/link/link', () => ({ send: (act: AnyAct) => (act.t === 'Note' || sent.push(act), Promise.resolve(null)) }))
+vi.mock('../../src/link/link', () => ({
+  send: (act: AnyAct) => (act.t === 'Note' || sent.push(act), Promise.resolve(null)),
+}))
 
 const { desk, fullTree } = await import('../../src/link/desk.svelte')
 const { canvas, pick } = await import('../../src/state/canvas.svelte')
@@ -32,7 +34,16 @@ const GROUND = new Thing({})
 
 const hand = new PointerGestures()
 const event = (target: Thing, more: Partial<PointerEvent> = {}): PointerEvent =>
-  ({ target, clientX: 120, clientY: 120, button: 0, pointerId: 1, pointerType: 'mouse', preventDefault: () => undefined, ...more }) as unknown as PointerEvent
+  ({
+    target,
+    clientX: 120,
+    clientY: 120,
+    button: 0,
+    pointerId: 1,
+    pointerType: 'mouse',
+    preventDefault: () => undefined,
+    ...more,
+  }) as unknown as PointerEvent
 
 function click(target: Thing, more: Partial<PointerEvent> = {}): void {
   hand.down(event(target, more))
@@ -47,11 +58,27 @@ function drag(target: Thing, dx: number, dy: number, more: Partial<PointerEvent>
 beforeEach(() => {
   vi.stubGlobal('document', { elementFromPoint: () => null })
   const pins = [{ name: 'I', svar: 'Q', kind: 'INVAR' as const, y: 55 }]
-  const task = (name: string) => ({ name, module: name, library: 'g', order: 0, description: '', width: 136, height: 86, pins })
+  const task = (name: string) => ({
+    name,
+    module: name,
+    library: 'g',
+    order: 0,
+    description: '',
+    width: 136,
+    height: 86,
+    pins,
+  })
   const tasks = Object.fromEntries(['pd', 'arm', 'jtraj'].map((name) => [name, task(name)]))
   desk.tree = fullTree({
     tasks,
-    documents: { d1: { name: 'd', order: 1, tasks: { pd: { x: 100, y: 100 }, arm: { x: 400, y: 300 } }, loci: { Q: { x: 300, y: 200 } } } },
+    documents: {
+      d1: {
+        name: 'd',
+        order: 1,
+        tasks: { pd: { x: 100, y: 100 }, arm: { x: 400, y: 300 } },
+        loci: { Q: { x: 300, y: 200 } },
+      },
+    },
   })
   canvas.doc = 'd1'
   canvas.libraryTask = ''
@@ -61,18 +88,24 @@ beforeEach(() => {
   pick()
   canvasState.show('d1')
   Object.assign(canvasState.view, { left: 0, top: 0, seen: { x: 0, y: 0, scale: 1 }, size: { w: 900, h: 600 } })
-  canvasState.scene.follow(desk.tree.documents.d1!, desk.tree.tasks, { kinds: new Set(KINDS), constants: true, opened: new Set() })
+  canvasState.scene.follow(desk.tree.documents.d1!, desk.tree.tasks, {
+    kinds: new Set(KINDS),
+    constants: true,
+    opened: new Set(),
+  })
   sent.length = 0
 })
 
-describe('the left button', () => { // R-G04
+describe('the left button', () => {
+  // R-G04
   test('on an icon selects it, and nothing else', () => {
     pick('arm')
     click(PD)
     expect([[...canvas.picked], sent]).toEqual([['pd'], []])
   })
 
-  test('dragging an icon moves it, in one step', () => { // R-C10
+  test('dragging an icon moves it, in one step', () => {
+    // R-C10
     drag(PD, 62, 41)
     expect(sent).toEqual([{ t: 'Move', doc: 'd1', tasks: { pd: [160, 140] }, loci: {} }])
   })
@@ -95,7 +128,8 @@ describe('the left button', () => { // R-G04
     expect([canvasState.scene.boxes.get('pd')!.x, sent]).toEqual([100, []])
   })
 
-  test('on a locus pins its value, dragging moves it', () => { // R-C09
+  test('on a locus pins its value, dragging moves it', () => {
+    // R-C09
     click(Q)
     expect(canvas.pinned).toEqual(['Q'])
     hand.down(event(Q))
@@ -113,10 +147,14 @@ describe('the left button', () => { // R-G04
     expect(canvasState.marquee).toBeUndefined()
   })
 
-  test('with Shift on an icon switches it, on a locus hides its lines', () => { // R-C11
+  test('with Shift on an icon switches it, on a locus hides its lines', () => {
+    // R-C11
     click(PD, { shiftKey: true })
     click(Q, { shiftKey: true })
-    expect(sent).toEqual([{ t: 'Toggle', doc: 'd1', task: 'pd' }, { t: 'Show', doc: 'd1', svars: ['Q'], is_shown: false }])
+    expect(sent).toEqual([
+      { t: 'Toggle', doc: 'd1', task: 'pd' },
+      { t: 'Show', doc: 'd1', svars: ['Q'], is_shown: false },
+    ])
   })
 
   test('with Ctrl selects one more, or one less', () => {
@@ -127,7 +165,8 @@ describe('the left button', () => { // R-G04
   })
 })
 
-describe('the middle button', () => { // R-G04
+describe('the middle button', () => {
+  // R-G04
   test.each([
     [{}, { name: 'sheet', data: { task: 'pd' } }],
     [{ shiftKey: true }, { name: 'source', data: { task: 'pd', kind: 'code' } }],
@@ -142,7 +181,8 @@ describe('the middle button', () => { // R-G04
     expect(canvasState.opened).toMatchObject({ kind: 'locus', svar: 'Q' })
   })
 
-  test('with Shift elsewhere checks the configuration', () => { // R-C26
+  test('with Shift elsewhere checks the configuration', () => {
+    // R-C26
     click(GROUND, { button: 1, shiftKey: true })
     expect(sent).toEqual([{ t: 'Check', doc: 'd1' }])
   })
@@ -153,19 +193,24 @@ describe('the middle button', () => { // R-G04
   })
 })
 
-describe('the right button', () => { // R-G04
+describe('the right button', () => {
+  // R-G04
   test('places what is selected in the library, with its corner there', () => {
     canvas.libraryTask = 'jtraj'
     hand.context(event(PD, { button: 2 }))
     expect(sent).toEqual([{ t: 'Place', doc: 'd1', task: 'jtraj', x: 120, y: 120, rtpu: '' }])
   })
 
-  test('asks for the processing unit where several live', () => { // R-C11
+  test('asks for the processing unit where several live', () => {
+    // R-C11
     canvas.libraryTask = 'jtraj'
     desk.tree.documents.d1!.connection = 'live'
     desk.tree.runtime = { units: { rt0: {}, rt1: {}, rt2: { is_lost: true } } }
     hand.context(event(GROUND, { button: 2 }))
-    expect([canvasState.opened, sent]).toEqual([{ kind: 'units', at: { x: 120, y: 120 }, task: 'jtraj', corner: [120, 120] }, []])
+    expect([canvasState.opened, sent]).toEqual([
+      { kind: 'units', at: { x: 120, y: 120 }, task: 'jtraj', corner: [120, 120] },
+      [],
+    ])
   })
 
   test('opens a menu where nothing is selected there, of what lies under it', () => {
@@ -181,8 +226,10 @@ describe('the right button', () => { // R-G04
   })
 })
 
-describe('fingers', () => { // R-G04
-  const touch = (id: number, x: number): PointerEvent => event(GROUND, { pointerId: id, pointerType: 'touch', clientX: x })
+describe('fingers', () => {
+  // R-G04
+  const touch = (id: number, x: number): PointerEvent =>
+    event(GROUND, { pointerId: id, pointerType: 'touch', clientX: x })
 
   test('one moves the paper', () => {
     drag(GROUND, 40, 0, { pointerType: 'touch' })

@@ -5,12 +5,21 @@ import { Series } from '../../src/values/series'
 
 function past(samples: number, width: number, value: (t: number, element: number) => number): Series {
   const series = new Series(width)
-  for (let k = 0; k < samples; k += 1) series.push(k / 30, Array.from({ length: width }, (_, element) => value(k / 30, element)))
+  for (let k = 0; k < samples; k += 1)
+    series.push(
+      k / 30,
+      Array.from({ length: width }, (_, element) => value(k / 30, element)),
+    )
   return series
 }
-const numbers = (d: string): [number, number][] => d.slice(1).split('L').map((pair) => pair.split(' ').map(Number) as [number, number])
+const numbers = (d: string): [number, number][] =>
+  d
+    .slice(1)
+    .split('L')
+    .map((pair) => pair.split(' ').map(Number) as [number, number])
 
-describe('a spark', () => { // R-C09, R-C14
+describe('a spark', () => {
+  // R-C09, R-C14
   test('has one line for each element, six at most', () => {
     expect(spark(past(30, 3, Math.sin).all(), 0, 1, 100, 40)).toHaveLength(3)
     expect(spark(past(30, 9, Math.sin).all(), 0, 1, 100, 40)).toHaveLength(6)

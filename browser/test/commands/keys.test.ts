@@ -20,6 +20,15 @@ test.each<Level>(['tasks', 'applications'])('at the level of %s no key belongs t
 })
 
 test('what is drawn at one level only has its commands at that level only', () => {
-  const of = (group: string): Set<Level | undefined> => new Set(allCommands().filter((one) => one.group === group).map((one) => one.level))
-  expect([of('canvas'), of('library'), of('dictionary')].map((levels) => [...levels])).toEqual([['tasks'], ['tasks'], ['applications']])
+  const of = (group: string): Set<Level | undefined> =>
+    new Set(
+      allCommands()
+        .filter((one) => one.group === group)
+        .map((one) => one.level),
+    )
+  expect([of('canvas'), of('library'), of('dictionary')].map((levels) => [...levels])).toEqual([
+    ['tasks'],
+    ['tasks'],
+    ['applications'],
+  ])
 })

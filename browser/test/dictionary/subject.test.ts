@@ -23,21 +23,30 @@ describe('what the panel is about', () => {
     expect(subjectOf({ step: '3' })).toMatchObject({ name: 'home', application: 'pick', isRunning: false })
   })
 
-  test('R-D18: is locked while its application runs', () => expect(subjectOf({ step: '7', doc: 'a2' })?.isRunning).toBe(true))
+  test('R-D18: is locked while its application runs', () =>
+    expect(subjectOf({ step: '7', doc: 'a2' })?.isRunning).toBe(true))
 
   test('is nothing where it is gone, and never a hole', () => {
-    expect([subjectOf({ onikon: 'away' }), subjectOf({ step: '99' }), subjectOf({ step: '4' }), subjectOf({})]).toEqual([undefined, undefined, undefined, undefined])
+    expect([subjectOf({ onikon: 'away' }), subjectOf({ step: '99' }), subjectOf({ step: '4' }), subjectOf({})]).toEqual(
+      [undefined, undefined, undefined, undefined],
+    )
   })
 
   test('R-D17: a step is changed alone, an icon in its dictionary', () => {
-    expect(changing({ step: '3' }, { description: 'up' })).toEqual({ t: 'EditIcon', doc: 'a1', step: 3, description: 'up' })
+    expect(changing({ step: '3' }, { description: 'up' })).toEqual({
+      t: 'EditIcon',
+      doc: 'a1',
+      step: 3,
+      description: 'up',
+    })
     expect(changing({ onikon: 'home' }, { picture: '8' })).toEqual({ t: 'EditOnikon', onikon: 'home', picture: '8' })
   })
 
   test('R-X10: what another changes of it meanwhile is seen, its place is not', () => {
     const one = desk.tree.onikons.home!
     expect(contentOf({ ...one, order: 5 })).toBe(contentOf(one))
-    for (const change of [{ description: 'up' }, { values: [['1']] }, { picture: '8' }]) expect(contentOf({ ...one, ...change })).not.toBe(contentOf(one))
+    for (const change of [{ description: 'up' }, { values: [['1']] }, { picture: '8' }])
+      expect(contentOf({ ...one, ...change })).not.toBe(contentOf(one))
   })
 
   test('what is begun of one is not taken for that of another', () => {
@@ -52,6 +61,14 @@ test('R-D08: targets come first among the kinds that can be made, then what does
 })
 
 test('a target is not offered to be kept in what comes with Onika', () => {
-  const one = (name: string, order: number, is_shipped: boolean) => ({ name, path: `/${name}`, order, onikons: 0, is_shipped })
-  expect(basesOf([one('mine', 2, false), one('boxes', 1, true), one('first', 0, false)]).map(({ name }) => name)).toEqual(['first', 'mine'])
+  const one = (name: string, order: number, is_shipped: boolean) => ({
+    name,
+    path: `/${name}`,
+    order,
+    onikons: 0,
+    is_shipped,
+  })
+  expect(
+    basesOf([one('mine', 2, false), one('boxes', 1, true), one('first', 0, false)]).map(({ name }) => name),
+  ).toEqual(['first', 'mine'])
 })

@@ -4,7 +4,14 @@ import type { ItemView } from '../../src/api.gen'
 import { ValuesDraft } from '../../src/dictionary/form.svelte'
 import { asked, begun, degrees, inUnit, labelOf, lacking, nested, rowsOf, taken } from '../../src/dictionary/values'
 
-const endpoint: ItemView = { name: 'endpoint', type: 'double', count: 3, unit: 'rad', low: [-1, -2, -3], high: [1, 2, 3] }
+const endpoint: ItemView = {
+  name: 'endpoint',
+  type: 'double',
+  count: 3,
+  unit: 'rad',
+  low: [-1, -2, -3],
+  high: [1, 2, 3],
+}
 const duration: ItemView = { name: 'duration', type: 'double', count: 1, unit: 's', low: [0.1], default: [2] }
 const rows = rowsOf(asked([endpoint, duration]))
 

@@ -2,7 +2,14 @@
 import { expect, test } from 'vitest'
 import { small } from '../../src/files/thumbnail'
 
-const seen = { tasks: { a: [0, 0, 136, 100], b: [400, 200, 136, 100] } as Record<string, [number, number, number, number]>, wires: [['a', 'b'], ['b', 'a'], ['a', 'gone']] as [string, string][] }
+const seen = {
+  tasks: { a: [0, 0, 136, 100], b: [400, 200, 136, 100] } as Record<string, [number, number, number, number]>,
+  wires: [
+    ['a', 'b'],
+    ['b', 'a'],
+    ['a', 'gone'],
+  ] as [string, string][],
+}
 
 test('all boxes are within the field, in their order, at one scale', () => {
   const { boxes } = small(seen, 212, 108)

@@ -25,7 +25,10 @@ test('a name keeps off the name placed before it', () => {
 })
 
 test('it keeps off wires if it can, and prefers a wire to a box', () => {
-  const wire = [[0, 86], [200, 86]] as const
+  const wire = [
+    [0, 86],
+    [200, 86],
+  ] as const
   expect(placeLabels([label('q', 100, 100)], [], [wire])[0].position).toBe('below')
   const below = { x0: 0, y0: 101, x1: 200, y1: 200 }
   const around = [{ x0: 0, y0: 0, x1: 95, y1: 200 }, { x0: 105, y0: 96, x1: 200, y1: 200 }, below]

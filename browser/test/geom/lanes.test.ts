@@ -4,7 +4,12 @@ import { Obstacles } from '../../src/geom/obstacles'
 import type { Pt } from '../../src/geom/rect'
 
 /** Two bends: out of a pin at height `y`, up or down at `x`, on to a locus. */
-const bent = (y: number, x: number, to: number): Pt[] => [[0, y], [x, y], [x, to], [400, to]]
+const bent = (y: number, x: number, to: number): Pt[] => [
+  [0, y],
+  [x, y],
+  [x, to],
+  [400, to],
+]
 const laid = (routes: Record<string, [string, Pt[]]>, obstacles = new Obstacles()) => {
   const lanes = new Lanes(obstacles)
   for (const [link, [svar, points]] of Object.entries(routes)) lanes.set(link, svar, points)
@@ -25,7 +30,8 @@ describe('lanes', () => {
     expect((a + b) / 2).toBe(100)
   })
 
-  test('wires of one variable share a lane', () => { // R-C09
+  test('wires of one variable share a lane', () => {
+    // R-C09
     const lanes = laid({ a: ['q', bent(0, 100, 90)], b: ['q', bent(20, 100, 90)] })
     expect(upright(lanes.drawn('a'))).toEqual(upright(lanes.drawn('b')))
   })
@@ -63,10 +69,34 @@ describe('lanes', () => {
   })
 
   test('two ends on one line: the shorter steps aside, but not at its pin and its locus', () => {
-    const lanes = laid({ a: ['q', [[0, 50], [300, 50], [300, 0]]], b: ['r', [[350, 50], [200, 50], [200, 90]]] })
-    expect(lanes.drawn('a')).toEqual([[0, 50], [300, 50], [300, 0]])
+    const lanes = laid({
+      a: [
+        'q',
+        [
+          [0, 50],
+          [300, 50],
+          [300, 0],
+        ],
+      ],
+      b: [
+        'r',
+        [
+          [350, 50],
+          [200, 50],
+          [200, 90],
+        ],
+      ],
+    })
+    expect(lanes.drawn('a')).toEqual([
+      [0, 50],
+      [300, 50],
+      [300, 0],
+    ])
     const b = lanes.drawn('b')
-    expect(b.slice(0, 2)).toEqual([[350, 50], [340, 50]])
+    expect(b.slice(0, 2)).toEqual([
+      [350, 50],
+      [340, 50],
+    ])
     expect(b[b.length - 1]).toEqual([200, 90])
     expect(b.some(([x, y]) => x === 200 && Math.abs(y - 50) === 5)).toBe(true)
   })

@@ -4,7 +4,10 @@ import { PLAIN, seen, toScreen } from '../../src/geom/viewport'
 
 const screen = { w: 800, h: 600 }
 const size = { w: 160, h: 120 }
-const boxes = [{ x0: -1000, y0: -500, x1: -900, y1: -400 }, { x0: 3000, y0: 2000, x1: 3100, y1: 2100 }]
+const boxes = [
+  { x0: -1000, y0: -500, x1: -900, y1: -400 },
+  { x0: 3000, y0: 2000, x1: 3100, y1: 2100 },
+]
 
 test('the whole scene and the screen fit into the small picture', () => {
   const map = minimap(boxes, seen(PLAIN, screen), size)

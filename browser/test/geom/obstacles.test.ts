@@ -31,10 +31,12 @@ test('no two widened boxes overlap, however they stand', () => {
       placed.push(area)
     }
     const wide = placed.map((_, k) => obstacles.box(`${k}`).wide)
-    wide.forEach((a, i) => wide.slice(0, i).forEach((b) => {
-      const [w, h] = [Math.min(a.x1, b.x1) - Math.max(a.x0, b.x0), Math.min(a.y1, b.y1) - Math.max(a.y0, b.y0)]
-      expect(Math.min(w, h)).toBeLessThan(1e-9)
-    }))
+    wide.forEach((a, i) =>
+      wide.slice(0, i).forEach((b) => {
+        const [w, h] = [Math.min(a.x1, b.x1) - Math.max(a.x0, b.x0), Math.min(a.y1, b.y1) - Math.max(a.y0, b.y0)]
+        expect(Math.min(w, h)).toBeLessThan(1e-9)
+      }),
+    )
   }
 })
 
@@ -53,7 +55,7 @@ test('making way for an end gives up padding only, unless the end lies within th
   }
 })
 
-test('the loci of other variables stand in the way, a variable\'s own does not', () => {
+test("the loci of other variables stand in the way, a variable's own does not", () => {
   const obstacles = new Obstacles()
   obstacles.setLocus('q', 50, 50)
   const area = { x0: 0, y0: 0, x1: 100, y1: 100 }

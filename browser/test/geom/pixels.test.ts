@@ -1,7 +1,17 @@
 import { describe, expect, test } from 'vitest'
 import { nearestDigit, PALETTE, rgbOf } from '../../src/geom/palette'
 import {
-  at, blank, flooded, fromRgba, isPicture, mirrored, painted, rowsOf, withEllipse, withLine, withRectangle,
+  at,
+  blank,
+  flooded,
+  fromRgba,
+  isPicture,
+  mirrored,
+  painted,
+  rowsOf,
+  withEllipse,
+  withLine,
+  withRectangle,
   type Picture,
 } from '../../src/geom/pixels'
 import { chance } from './scenes'
@@ -13,7 +23,8 @@ const bytes = (text: string) =>
   new Uint8ClampedArray([...text].flatMap((digit) => [...rgbOf(PALETTE[+digit].hex), 255]))
 
 describe('a picture', () => {
-  test('is 32 rows of 32 digits, white within a black border', () => { // R-B11
+  test('is 32 rows of 32 digits, white within a black border', () => {
+    // R-B11
     expect(isPicture(blank())).toBe(true)
     expect([count(blank(), '7'), count(blank(), '8')]).toEqual([900, 124])
     expect(rowsOf(blank())[1]).toBe(`8${'7'.repeat(30)}8`)
@@ -25,7 +36,8 @@ describe('a picture', () => {
     expect(isPicture(blank().replace('7', '9'))).toBe(false)
   })
 
-  test('stays one, border and all, whatever is drawn on it', () => { // R-D07
+  test('stays one, border and all, whatever is drawn on it', () => {
+    // R-D07
     const next = chance(6)
     const cell = (): [number, number] => [Math.floor(next() * 40) - 4, Math.floor(next() * 40) - 4]
     let picture = blank()
@@ -45,31 +57,36 @@ describe('a picture', () => {
 })
 
 describe('the tools', () => {
-  test('a pen\'s stroke has no gaps and both of its ends', () => { // R-D07
+  test("a pen's stroke has no gaps and both of its ends", () => {
+    // R-D07
     const picture = withLine(blank(), [3, 4], [20, 11], '0')
     expect([at(picture, 3, 4), at(picture, 20, 11)]).toEqual(['0', '0'])
     expect(count(picture, '0')).toBe(18)
     expect(withLine(blank(), [5, 5], [5, 5], '0')).toBe(painted(blank(), [[5, 5]], '0'))
   })
 
-  test('a rectangle is an outline, or filled, whichever corner comes first', () => { // R-D07
+  test('a rectangle is an outline, or filled, whichever corner comes first', () => {
+    // R-D07
     expect(count(withRectangle(blank(), [5, 5], [9, 8], '1'), '1')).toBe(14)
     expect(count(withRectangle(blank(), [9, 8], [5, 5], '1', true), '1')).toBe(20)
   })
 
-  test('a circle touches all four sides of its box and not its corners', () => { // R-D07
+  test('a circle touches all four sides of its box and not its corners', () => {
+    // R-D07
     const picture = withEllipse(blank(), [5, 5], [15, 15], '2')
     expect([at(picture, 10, 5), at(picture, 10, 15), at(picture, 5, 10), at(picture, 15, 10)].join('')).toBe('2222')
     expect([at(picture, 5, 5), at(picture, 10, 10)]).toEqual(['7', '7'])
     expect(mirrored(picture)).toBe(withEllipse(blank(), [16, 5], [26, 15], '2'))
   })
 
-  test('the outline of a circle holds what is filled into it', () => { // R-D07
+  test('the outline of a circle holds what is filled into it', () => {
+    // R-D07
     const outline = withEllipse(blank(), [5, 5], [24, 18], '2')
     expect(flooded(outline, [14, 11], '2')).toBe(withEllipse(blank(), [5, 5], [24, 18], '2', true))
   })
 
-  test('filling stops at other colours and at the border, and not at corners', () => { // R-D07
+  test('filling stops at other colours and at the border, and not at corners', () => {
+    // R-D07
     const walled = withRectangle(blank(), [5, 5], [9, 9], '0')
     expect(count(flooded(walled, [7, 7], '3'), '3')).toBe(9)
     expect(count(flooded(blank(), [1, 1], '3'), '3')).toBe(900)
@@ -89,7 +106,12 @@ describe('an image', () => {
     const next = chance(8)
     const digits = Array.from({ length: 900 }, () => String(Math.floor(next() * 9))).join('')
     const picture = fromRgba(bytes(digits), 30, 30)
-    expect(rowsOf(picture).slice(1, 31).map((row) => row.slice(1, 31)).join('')).toBe(digits)
+    expect(
+      rowsOf(picture)
+        .slice(1, 31)
+        .map((row) => row.slice(1, 31))
+        .join(''),
+    ).toBe(digits)
     expect(isPicture(picture)).toBe(true)
   })
 

@@ -16,21 +16,33 @@ const left = { box: 'a', side: 'left', x: 0, y: 50 } as const
 
 describe('a route', () => {
   test('is straight where nothing is in the way', () => {
-    expect(router({ a: [0, 0, 100, 100] }).route(right, [300, 50], 'q')).toEqual([[100, 50], [300, 50]])
+    expect(router({ a: [0, 0, 100, 100] }).route(right, [300, 50], 'q')).toEqual([
+      [100, 50],
+      [300, 50],
+    ])
   })
 
   test('has one bend where one is enough', () => {
-    expect(router({ a: [0, 0, 100, 100] }).route(right, [300, 200], 'q')).toEqual([[100, 50], [300, 50], [300, 200]])
+    expect(router({ a: [0, 0, 100, 100] }).route(right, [300, 200], 'q')).toEqual([
+      [100, 50],
+      [300, 50],
+      [300, 200],
+    ])
   })
 
-  test('leaves a pin on its own side, with a stub of 10 px, even if the locus is on the other', () => { // R-C09
+  test('leaves a pin on its own side, with a stub of 10 px, even if the locus is on the other', () => {
+    // R-C09
     const points = router({ a: [0, 0, 100, 100] }).route(left, [300, 50], 'q')
-    expect(points.slice(0, 2)).toEqual([[0, 50], [-10, 50]])
+    expect(points.slice(0, 2)).toEqual([
+      [0, 50],
+      [-10, 50],
+    ])
   })
 
   test('keeps 10 px from a box where there is room, half of the gap where there is less', () => {
-    expect(router({ a: [0, 0, 100, 100], b: [200, 0, 100, 100] }).route(right, [400, 50], 'q'))
-      .toContainEqual([190, 50])
+    expect(router({ a: [0, 0, 100, 100], b: [200, 0, 100, 100] }).route(right, [400, 50], 'q')).toContainEqual([
+      190, 50,
+    ])
     expect(router({ a: [0, 0, 100, 100], b: [108, 0, 100, 100] }).route(right, [400, 50], 'q')[1]).toEqual([104, 50])
   })
 
@@ -43,12 +55,22 @@ describe('a route', () => {
   test('goes around the dot of another variable and not around its own', () => {
     const one = router({ a: [0, 0, 100, 100] }, { q: [300, 50], r: [200, 50] })
     expect(one.route(right, [300, 50], 'q').length).toBeGreaterThan(2)
-    expect(one.route(right, [200, 50], 'r')).toEqual([[100, 50], [200, 50]])
+    expect(one.route(right, [200, 50], 'r')).toEqual([
+      [100, 50],
+      [200, 50],
+    ])
   })
 
   test('ends at a locus nearer than the stub is long', () => {
-    expect(router({ a: [0, 0, 100, 100] }).route(right, [106, 50], 'q')).toEqual([[100, 50], [106, 50]])
-    expect(router({ a: [0, 0, 100, 100] }).route(right, [106, 80], 'q')).toEqual([[100, 50], [106, 50], [106, 80]])
+    expect(router({ a: [0, 0, 100, 100] }).route(right, [106, 50], 'q')).toEqual([
+      [100, 50],
+      [106, 50],
+    ])
+    expect(router({ a: [0, 0, 100, 100] }).route(right, [106, 80], 'q')).toEqual([
+      [100, 50],
+      [106, 50],
+      [106, 80],
+    ])
   })
 
   test('finds its way around a wall far wider than the first region it looks at', () => {
@@ -68,8 +90,14 @@ describe('a route', () => {
   })
 
   test('exists even from a pin that is walled in by boxes that lie on each other', () => {
-    const [n, s]: Sides[] = [[-50, -90, 250, 70], [-50, 120, 250, 70]]
-    const [e, w]: Sides[] = [[130, -90, 70, 280], [-90, -90, 70, 280]]
+    const [n, s]: Sides[] = [
+      [-50, -90, 250, 70],
+      [-50, 120, 250, 70],
+    ]
+    const [e, w]: Sides[] = [
+      [130, -90, 70, 280],
+      [-90, -90, 70, 280],
+    ]
     const points = router({ a: [0, 0, 100, 100], n, s, e, w }).route(right, [400, 300], 'q')
     expect(points[0]).toEqual([100, 50])
     expect(points[points.length - 1]).toEqual([400, 300])
@@ -79,6 +107,19 @@ describe('a route', () => {
 
 describe('tidy', () => {
   test('keeps the corners alone', () => {
-    expect(tidy([[0, 0], [0, 0], [5, 0], [9, 0], [9, 4], [9, 9]])).toEqual([[0, 0], [9, 0], [9, 9]])
+    expect(
+      tidy([
+        [0, 0],
+        [0, 0],
+        [5, 0],
+        [9, 0],
+        [9, 4],
+        [9, 9],
+      ]),
+    ).toEqual([
+      [0, 0],
+      [9, 0],
+      [9, 9],
+    ])
   })
 })

@@ -50,7 +50,7 @@ function pinsOf(rows: number, svars: number, next: () => number): Pin[] {
   return Array.from({ length: 2 * rows }, (_, k) => ({
     id: `${k}`,
     svar: `v${Math.floor(next() * svars)}`,
-    side: k < rows !== flip ? 'left' as const : 'right' as const,
+    side: k < rows !== flip ? ('left' as const) : ('right' as const),
     dy: 46 + 9 + 18 * (k % rows),
   }))
 }
@@ -64,7 +64,10 @@ export function wall(seed: number, gap = 0): Scene {
     const rect = { x: 200 + (k % 4) * (136 + gap), y: 200 + Math.floor(k / 4) * (122 + gap), w: 136, h: 122 }
     boxes.set(`task${k}`, { rect, pins: pinsOf(3, 12, next) })
   }
-  const block = span([[200, 200], [200 + 4 * (136 + gap), 200 + 3 * (122 + gap)]])
+  const block = span([
+    [200, 200],
+    [200 + 4 * (136 + gap), 200 + 3 * (122 + gap)],
+  ])
   const outside = ([x, y]: Pt): Pt => (holds(block, [x, y]) ? [x, y - 700] : [x, y])
   const loci = new Map([...open.loci].map(([svar, place]) => [svar, outside(place)]))
   return { boxes, loci }
@@ -135,10 +138,12 @@ export function overlap({ boxes }: Scene, routes: ReadonlyMap<string, readonly P
     }
   }
   let sum = 0
-  all.forEach((a, i) => all.slice(0, i).forEach((b) => {
-    if (a.svar === b.svar || (a.end && b.end && !ends)) return
-    sum += shared(a.piece, b.piece)
-  }))
+  all.forEach((a, i) =>
+    all.slice(0, i).forEach((b) => {
+      if (a.svar === b.svar || (a.end && b.end && !ends)) return
+      sum += shared(a.piece, b.piece)
+    }),
+  )
   return sum
 }
 

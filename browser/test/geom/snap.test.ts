@@ -7,13 +7,13 @@ test('a box alone rests on the grid of 5 px', () => {
   expect(snap(box(52, 48.4), [])).toEqual({ x: 50, y: 50, guides: [] })
 })
 
-test('a side near a neighbour\'s side is drawn to it, with a line to show it', () => {
+test("a side near a neighbour's side is drawn to it, with a line to show it", () => {
   const { x, guides } = snap(box(103, 300), [box(101, 0)])
   expect(x).toBe(101)
   expect(guides).toContainEqual({ vertical: true, at: 101, from: 0, to: 404, kind: 'edge' })
 })
 
-test('a row of pins is drawn to a neighbour\'s row, so that the wire between them is straight', () => {
+test("a row of pins is drawn to a neighbour's row, so that the wire between them is straight", () => {
   const { y, guides } = snap(box(300, 12, [55]), [box(0, 0, [64])])
   expect(y).toBe(9)
   expect(guides).toEqual([{ vertical: false, at: 64, from: 0, to: 436, kind: 'row' }])

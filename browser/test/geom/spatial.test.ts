@@ -3,7 +3,12 @@ import { inReadingOrder, neighbour } from '../../src/geom/spatial'
 
 const box = (id: string, x: number, y: number) => ({ id, x, y, w: 100, h: 80 })
 const all = [
-  box('nw', 0, 0), box('n', 200, 10), box('ne', 400, 0), box('w', 0, 200), box('e', 410, 220), box('s', 190, 400),
+  box('nw', 0, 0),
+  box('n', 200, 10),
+  box('ne', 400, 0),
+  box('w', 0, 200),
+  box('e', 410, 220),
+  box('s', 190, 400),
 ]
 const of = (id: string) => all.find((one) => one.id === id)!
 

@@ -1,7 +1,16 @@
 import { describe, expect, test } from 'vitest'
 import type { Pt } from '../../src/geom/rect'
 import {
-  fitted, LEAST, MOST, panned, PLAIN, revealed, toScene, toScreen, wheelFactor, zoomed,
+  fitted,
+  LEAST,
+  MOST,
+  panned,
+  PLAIN,
+  revealed,
+  toScene,
+  toScreen,
+  wheelFactor,
+  zoomed,
   zoomedTo,
 } from '../../src/geom/viewport'
 import { chance } from './scenes'
@@ -43,10 +52,16 @@ describe('a view', () => {
 
 describe('fitting', () => {
   test('shows everything with a margin', () => {
-    const areas = [{ x0: -500, y0: 0, x1: 0, y1: 100 }, { x0: 2000, y0: 3000, x1: 2500, y1: 3100 }]
+    const areas = [
+      { x0: -500, y0: 0, x1: 0, y1: 100 },
+      { x0: 2000, y0: 3000, x1: 2500, y1: 3100 },
+    ]
     const view = fitted(areas, screen, 40)
     for (const a of areas) {
-      for (const p of [[a.x0, a.y0], [a.x1, a.y1]] as Pt[]) {
+      for (const p of [
+        [a.x0, a.y0],
+        [a.x1, a.y1],
+      ] as Pt[]) {
         const [x, y] = toScreen(view, p)
         expect(x >= 39.9 && x <= 760.1 && y >= 39.9 && y <= 560.1).toBe(true)
       }

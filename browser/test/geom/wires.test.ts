@@ -9,7 +9,8 @@ const into = (id: string, svar: string): Pin => ({ id, svar, side: 'left', dy: 5
 const at = (x: number, y: number) => ({ x, y, w: 100, h: 100 })
 
 describe('whole scenes', () => {
-  test('no wire crosses a box where boxes lie 10 px apart, and all end at their pins and loci', () => { // R-C09
+  test('no wire crosses a box where boxes lie 10 px apart, and all end at their pins and loci', () => {
+    // R-C09
     let wires = 0
     for (const seed of seeds(30)) {
       const dense = scene(seed, { boxes: 24, svars: 30, gap: 10 })
@@ -20,7 +21,8 @@ describe('whole scenes', () => {
     expect(wires).toBeGreaterThan(4000)
   })
 
-  test('nor does one where boxes touch each other', () => { // R-C09
+  test('nor does one where boxes touch each other', () => {
+    // R-C09
     for (const seed of seeds(12)) {
       const narrow = scene(seed, { boxes: 20, svars: 20, gap: 0 })
       expect(faults(narrow, wiresOf(narrow).routes())).toEqual([])
@@ -31,7 +33,8 @@ describe('whole scenes', () => {
     }
   })
 
-  test('a wire exists for every pin where boxes lie on each other and on loci', () => { // R-C09
+  test('a wire exists for every pin where boxes lie on each other and on loci', () => {
+    // R-C09
     for (const seed of seeds(12)) {
       const heap = scene(seed, { boxes: 20, svars: 20, gap: -60 })
       const [a, b] = [...heap.boxes.values()].map((box) => box.rect)
@@ -42,7 +45,8 @@ describe('whole scenes', () => {
     }
   })
 
-  test('hardly a wire runs over the dot of another variable', () => { // R-C09
+  test('hardly a wire runs over the dot of another variable', () => {
+    // R-C09
     let [over, all] = [0, 0]
     for (const seed of seeds(12)) {
       const dense = scene(seed, { boxes: 24, svars: 30 })
@@ -66,7 +70,8 @@ describe('whole scenes', () => {
 })
 
 describe('small changes', () => {
-  test('after any number of moves the wires are as valid as those looked for anew', () => { // R-C09
+  test('after any number of moves the wires are as valid as those looked for anew', () => {
+    // R-C09
     for (const seed of seeds(8)) {
       const next = chance(seed)
       const now = scene(seed, { boxes: 16, svars: 18, gap: 10 })
@@ -94,13 +99,21 @@ describe('small changes', () => {
     expect(wires.takeChanged().size).toBe(0)
   })
 
-  test('loci stay where they are, and their wires follow a moved box', () => { // R-C24
+  test('loci stay where they are, and their wires follow a moved box', () => {
+    // R-C24
     const wires = new Wires()
     wires.setBox('a', at(0, 0), [out('1', 'q')])
     wires.setLocus('q', 200, 50)
-    expect(wires.routes().get('a/1')).toEqual([[100, 50], [200, 50]])
+    expect(wires.routes().get('a/1')).toEqual([
+      [100, 50],
+      [200, 50],
+    ])
     wires.setBox('a', at(0, 200), [out('1', 'q')])
-    expect(wires.routes().get('a/1')).toEqual([[100, 250], [200, 250], [200, 50]])
+    expect(wires.routes().get('a/1')).toEqual([
+      [100, 250],
+      [200, 250],
+      [200, 50],
+    ])
   })
 
   test('a wire that ran around a box runs straight when the box is gone', () => {
@@ -110,7 +123,10 @@ describe('small changes', () => {
     wires.setBox('b', at(200, 0), [])
     expect(wires.routes().get('a/1')!.length).toBeGreaterThan(2)
     wires.removeBox('b')
-    expect(wires.routes().get('a/1')).toEqual([[100, 50], [500, 50]])
+    expect(wires.routes().get('a/1')).toEqual([
+      [100, 50],
+      [500, 50],
+    ])
   })
 
   test('the wires of a removed box are gone, and those of a variable without a locus', () => {
@@ -126,7 +142,8 @@ describe('small changes', () => {
     expect(wires.takeChanged()).toEqual(new Set(['a/1', 'b/1']))
   })
 
-  test('the wires of a hidden locus are not drawn, and others go around its dot all the same', () => { // R-C09
+  test('the wires of a hidden locus are not drawn, and others go around its dot all the same', () => {
+    // R-C09
     const wires = new Wires()
     wires.setBox('a', at(0, 0), [out('1', 'q')])
     wires.setBox('c', at(0, 200), [out('1', 'other')])
@@ -148,7 +165,15 @@ describe('the preview', () => {
     const before = structuredClone([...wires.routes()])
     wires.takeChanged()
     const future = wires.preview(at(300, 0), [into('1', 'q'), into('2', 'unknown')])
-    expect([...future]).toEqual([['1', [[300, 50], [200, 50]]]])
+    expect([...future]).toEqual([
+      [
+        '1',
+        [
+          [300, 50],
+          [200, 50],
+        ],
+      ],
+    ])
     expect([...wires.routes()]).toEqual(before)
     expect(wires.takeChanged().size).toBe(0)
   })
@@ -159,12 +184,18 @@ describe('the preview', () => {
     wires.setLocus('q', 500, 50)
     wires.preview(at(200, 0), [into('1', 'q')])
     wires.settle()
-    expect(wires.routes().get('a/1')).toEqual([[100, 50], [500, 50]])
+    expect(wires.routes().get('a/1')).toEqual([
+      [100, 50],
+      [500, 50],
+    ])
   })
 
   test('leads to loci that do not exist yet', () => {
     const future = new Wires().preview(at(300, 0), [into('1', 'q')], new Map([['q', [280, 50]]]))
-    expect(future.get('1')).toEqual([[300, 50], [280, 50]])
+    expect(future.get('1')).toEqual([
+      [300, 50],
+      [280, 50],
+    ])
   })
 
   test('is valid everywhere in a full scene', () => {

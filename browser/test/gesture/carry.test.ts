@@ -5,11 +5,13 @@ import { Carry, type Ground } from '../../src/gesture/carry.svelte'
 const heard = new EventTarget()
 const event = (name: string, more: object): Event => Object.assign(new Event(name, { cancelable: true }), more)
 const say = (name: string, more: object): void => void heard.dispatchEvent(event(name, more))
-const down = (x: number, y: number): PointerEvent => event('pointerdown', { clientX: x, clientY: y, button: 0, isPrimary: true, pointerId: 1 }) as PointerEvent
+const down = (x: number, y: number): PointerEvent =>
+  event('pointerdown', { clientX: x, clientY: y, button: 0, isPrimary: true, pointerId: 1 }) as PointerEvent
 const move = (x: number, y: number): void => say('pointermove', { clientX: x, clientY: y, pointerId: 1 })
 const up = (): void => say('pointerup', { pointerId: 1 })
 
-describe('carrying', () => { // R-G04
+describe('carrying', () => {
+  // R-G04
   const carry = new Carry()
   const ground = { holds: (x: number) => x > 100, drop: vi.fn() } satisfies Ground
   beforeEach(() => {
@@ -63,7 +65,11 @@ describe('carrying', () => { // R-G04
   })
   test('where the ground wants to know, it is told of every move, and once of the end', () => {
     const told: string[] = []
-    carry.ground = { ...ground, hover: (name, x) => void told.push(`${name} at ${x}`), leave: () => void told.push('left') }
+    carry.ground = {
+      ...ground,
+      hover: (name, x) => void told.push(`${name} at ${x}`),
+      leave: () => void told.push('left'),
+    }
     carry.begin('home', down(10, 10))
     move(200, 50)
     move(210, 50)

@@ -13,9 +13,20 @@ const types = {
 }
 
 const view = (steps: StepView[], more: Partial<ApplicationView> = {}): ApplicationView => ({
-  name: 'Untitled-1', order: 0, flows: { 0: { steps: steps.map((_, k) => k + 1) } }, steps: Object.fromEntries(steps.map((step, k) => [k + 1, step])), ...more,
+  name: 'Untitled-1',
+  order: 0,
+  flows: { 0: { steps: steps.map((_, k) => k + 1) } },
+  steps: Object.fromEntries(steps.map((step, k) => [k + 1, step])),
+  ...more,
 })
-const run = (state: RunView['state'], flow: object = {}, more: Partial<RunView> = {}): RunView => ({ doc: 'a1', name: 'Untitled-1', number: 1, state, flows: { flow0: { order: 0, ...flow } }, ...more })
+const run = (state: RunView['state'], flow: object = {}, more: Partial<RunView> = {}): RunView => ({
+  doc: 'a1',
+  name: 'Untitled-1',
+  number: 1,
+  state,
+  flows: { flow0: { order: 0, ...flow } },
+  ...more,
+})
 const seen = (more: Partial<Seen>): Seen => ({ isUpper: true, app: 'a1', view: undefined, run: null, types, ...more })
 const before = (id: LessonId): number => LESSONS.findIndex((one) => one.id === id)
 
@@ -43,7 +54,8 @@ test('each deed is one lesson further, and none is done before its deed', () => 
   expect(done).toBe(LESSONS.length)
 })
 
-test('what was done stays done when it is no longer to be seen', () => expect(advanced(before('run'), seen({}))).toBe(before('run')))
+test('what was done stays done when it is no longer to be seen', () =>
+  expect(advanced(before('run'), seen({}))).toBe(before('run')))
 
 test('a run of another application does not count', () => {
   const other = run('running', { state: 'running' }, { doc: 'a2' })

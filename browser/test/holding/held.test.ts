@@ -8,9 +8,16 @@ const doc = (more: Partial<DocumentView>): DocumentView => ({ name: 'x', order: 
 
 describe('who holds what', () => {
   it('lists an application once, with all its flows and the states that they are in', () => {
-    const holds = { flow0: { application: 'play', holder: 'bob#2', state: 'paused' }, main: { holder: 'ann#1' }, flow1: { application: 'play', holder: 'bob#2', state: 'done' } }
+    const holds = {
+      flow0: { application: 'play', holder: 'bob#2', state: 'paused' },
+      main: { holder: 'ann#1' },
+      flow1: { application: 'play', holder: 'bob#2', state: 'done' },
+    }
     const all = heldIn({ sessions, holds }, {}, [])
-    expect(all.map((one) => [one.name, one.subsystems, one.isMine])).toEqual([['play', ['flow0', 'flow1'], false], ['main', ['main'], true]])
+    expect(all.map((one) => [one.name, one.subsystems, one.isMine])).toEqual([
+      ['play', ['flow0', 'flow1'], false],
+      ['main', ['main'], true],
+    ])
     expect(all[0]?.states).toEqual(['paused', 'done'])
     expect(heldBy(all, 'bob#2')).toEqual(['play'])
   })
@@ -19,7 +26,10 @@ describe('who holds what', () => {
     expect(heldIn({ sessions, holds }, {}, ['flow0']).map((one) => one.isOwnRun)).toEqual([true, false])
   })
   it('knows the configuration that is connected with a subsystem', () => {
-    const documents = { c1: doc({ subsystem: 'main', connection: 'lost' }), c2: doc({ subsystem: 'main', is_held_here: true }) }
+    const documents = {
+      c1: doc({ subsystem: 'main', connection: 'lost' }),
+      c2: doc({ subsystem: 'main', is_held_here: true }),
+    }
     expect(heldIn({ holds: { main: { holder: 'x#1' } } }, documents, [])[0]).toMatchObject({ doc: 'c2', isMine: true })
   })
   it('holds nothing to be mine before it is told who I am', () => {
@@ -29,7 +39,14 @@ describe('who holds what', () => {
 })
 
 it('nothing is handed over to who is away, has promised to watch, or may only look', () => {
-  expect([{ role: 'owner', is_here: false }, { role: 'owner', only_watches: true }, { role: 'viewer' }, { role: 'operator' }].map(cannotTake)).toEqual(['away', 'watches', 'viewer', ''])
+  expect(
+    [
+      { role: 'owner', is_here: false },
+      { role: 'owner', only_watches: true },
+      { role: 'viewer' },
+      { role: 'operator' },
+    ].map(cannotTake),
+  ).toEqual(['away', 'watches', 'viewer', ''])
 })
 
 it('the time that is left is told in minutes and seconds, and never below nothing', () => {
@@ -37,13 +54,21 @@ it('the time that is left is told in minutes and seconds, and never below nothin
 })
 
 it('a loss says for how long nothing was heard, if that was the reason', () => {
-  expect([silence('its holder ann#1 has been silent for 1.2 s'), silence('its holder ann#1 is gone')]).toEqual(['1.2', ''])
+  expect([silence('its holder ann#1 has been silent for 1.2 s'), silence('its holder ann#1 is gone')]).toEqual([
+    '1.2',
+    '',
+  ])
 })
 
 it('what a run asks is for here only if it is held here and was begun elsewhere', () => {
   const ask = { items: [] }
   const run = { application: 'play', holder: 'ann#1', asks: { servo: ask } }
-  const holds = { flow0: run, flow1: { ...run, asks: {} }, own: { ...run, application: 'mine' }, far: { ...run, holder: 'bob#2' } }
+  const holds = {
+    flow0: run,
+    flow1: { ...run, asks: {} },
+    own: { ...run, application: 'mine' },
+    far: { ...run, holder: 'bob#2' },
+  }
   const all = heldIn({ sessions, holds }, {}, ['own'])
   expect(all.map((one) => Object.keys(one.asks))).toEqual([['flow0/servo'], ['own/servo'], ['far/servo']])
   expect(takenAsks(all)).toEqual({ 'flow0/servo': ask })

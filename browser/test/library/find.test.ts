@@ -5,7 +5,13 @@ import { examples } from '../../src/files/examples'
 import { find, joins } from '../../src/library/find'
 
 const task = (name: string, description: string, reads: string[], writes: string[]): TaskView => ({
-  name, module: name, library: 'generic', order: 0, description, width: 136, height: 100,
+  name,
+  module: name,
+  library: 'generic',
+  order: 0,
+  description,
+  width: 136,
+  height: 100,
   pins: [
     ...reads.map((svar, k) => ({ name: `I${k}`, svar, kind: 'INVAR' as const, y: 55 })),
     ...writes.map((svar, k) => ({ name: `O${k}`, svar, kind: 'OUTVAR' as const, y: 55 })),
@@ -18,13 +24,17 @@ const TASKS = {
   lowpass: task('lowpass', 'Takes a controller’s noise away.', ['X'], ['Y']),
 }
 const DOC: DocumentView = {
-  name: 'd', order: 1, loci: { Q_MEZ: { x: 0, y: 0, writers: ['puma'] }, Q_REF: { x: 0, y: 0, readers: ['pd'] } },
+  name: 'd',
+  order: 1,
+  loci: { Q_MEZ: { x: 0, y: 0, writers: ['puma'] }, Q_REF: { x: 0, y: 0, readers: ['pd'] } },
   greyed: { pd: [{ text: 'on the canvas' }] },
 }
 const names = (words: string): string[] => find(words, TASKS, DOC).map((one) => one.task.name)
 
-describe('finding', () => { // R-C03
-  test('what may not be placed comes last, with its reason', () => { // R-C07, R-X01
+describe('finding', () => {
+  // R-C03
+  test('what may not be placed comes last, with its reason', () => {
+    // R-C07, R-X01
     expect(names('')).toEqual(['gravcomp', 'lowpass', 'pid', 'pd'])
     expect(find('pd', TASKS, DOC)[0]!.why).toBe('on the canvas')
   })
@@ -39,7 +49,8 @@ describe('finding', () => { // R-C03
     expect(names('zebra')).toEqual([])
   })
 
-  test('what would connect is what somebody writes already', () => { // R-C09
+  test('what would connect is what somebody writes already', () => {
+    // R-C09
     expect(joins(TASKS.pd, DOC)).toEqual({ reads: ['Q_MEZ'], from: ['puma'], writes: ['TAU'] })
     expect(joins(TASKS.lowpass, undefined)).toEqual({ reads: [], from: [], writes: ['Y'] })
   })
@@ -47,7 +58,9 @@ describe('finding', () => { // R-C03
 
 describe('the examples of the first page', () => {
   const file = (name: string, tasks: number) => ({ name, base: 'puma', path: `/p/${name}.conf`, tasks })
-  const files = Object.fromEntries([file('aaa', 2), file('cmoveC', 9), file('jmoveC', 7), file('zzz', 12)].map((one) => [one.path, one]))
+  const files = Object.fromEntries(
+    [file('aaa', 2), file('cmoveC', 9), file('jmoveC', 7), file('zzz', 12)].map((one) => [one.path, one]),
+  )
 
   test('are those that show most, and then the largest', () => {
     expect(examples(files).map((one) => one.file.name)).toEqual(['jmoveC', 'cmoveC', 'zzz'])

@@ -4,8 +4,19 @@ import type { LibraryView, TaskView } from '../../src/api.gen'
 import { beside, choose, columnsIn, iconHeight, seen, shelve } from '../../src/library/shelf'
 
 const task = (name: string, library = 'generic', order = 0, pins: string[] = []): TaskView => ({
-  name, library, order, module: `z${name}`, description: `about ${name}`, width: 136, height: 100,
-  pins: pins.map((svar): TaskView['pins'][number] => ({ name: svar, svar, kind: svar.startsWith('>') ? 'OUTVAR' : 'INVAR', y: 0 })),
+  name,
+  library,
+  order,
+  module: `z${name}`,
+  description: `about ${name}`,
+  width: 136,
+  height: 100,
+  pins: pins.map((svar): TaskView['pins'][number] => ({
+    name: svar,
+    svar,
+    kind: svar.startsWith('>') ? 'OUTVAR' : 'INVAR',
+    y: 0,
+  })),
 })
 const all = (tasks: TaskView[]): Record<string, TaskView> => Object.fromEntries(tasks.map((one) => [one.name, one]))
 const libraries: [string, LibraryView][] = [
@@ -21,8 +32,14 @@ describe('what is on the shelf', () => {
   })
 
   test('R-C03: a search looks into all libraries, at names, descriptions and variables', () => {
-    const found = choose(tasks, libraries, 'generic', 'tau').map(([library, some]) => [library, some.map((one) => one.name)])
-    expect(found).toEqual([['generic', ['pd']], ['puma', ['puma']]])
+    const found = choose(tasks, libraries, 'generic', 'tau').map(([library, some]) => [
+      library,
+      some.map((one) => one.name),
+    ])
+    expect(found).toEqual([
+      ['generic', ['pd']],
+      ['puma', ['puma']],
+    ])
     expect(choose(tasks, libraries, 'generic', 'about diff')[0]![1].map((one) => one.name)).toEqual(['diff'])
     expect(choose(tasks, libraries, 'generic', 'nothing')).toEqual([])
   })
@@ -40,8 +57,17 @@ describe('where it stands', () => {
   })
 
   test('rows do not overlap and leave room for the reason', () => {
-    const tasks = Array.from({ length: 7 }, (_, k) => task(`t${k}`, 'generic', k, Array.from({ length: k }, (_, n) => `v${n}`)))
-    const { rows, height } = shelve([['generic', tasks]], 2, { t0: [{ text: 'writes Q_REF, which jtraj already writes' }] })
+    const tasks = Array.from({ length: 7 }, (_, k) =>
+      task(
+        `t${k}`,
+        'generic',
+        k,
+        Array.from({ length: k }, (_, n) => `v${n}`),
+      ),
+    )
+    const { rows, height } = shelve([['generic', tasks]], 2, {
+      t0: [{ text: 'writes Q_REF, which jtraj already writes' }],
+    })
     rows.slice(1).forEach((row, k) => expect(row.top).toBe(rows[k]!.top + rows[k]!.height))
     expect(height).toBe(rows.at(-1)!.top + rows.at(-1)!.height)
     expect(rows[0]!.title).toBe('generic')
@@ -49,7 +75,8 @@ describe('where it stands', () => {
     for (const row of rows) for (const cell of row.cells) expect(cell.height).toBeLessThanOrEqual(row.height)
   })
 
-  test('as many columns as fit, and always one', () => expect([50, 108, 219, 220, 400].map(columnsIn)).toEqual([1, 1, 1, 2, 3]))
+  test('as many columns as fit, and always one', () =>
+    expect([50, 108, 219, 220, 400].map(columnsIn)).toEqual([1, 1, 1, 2, 3]))
 })
 
 describe('what is drawn', () => {
@@ -67,10 +94,25 @@ describe('what is drawn', () => {
 })
 
 describe('R-X11: arrow keys walk', () => {
-  const { rows } = shelve([['a', [task('1'), task('2'), task('3')]], ['b', [task('4')]]], 2, {})
+  const { rows } = shelve(
+    [
+      ['a', [task('1'), task('2'), task('3')]],
+      ['b', [task('4')]],
+    ],
+    2,
+    {},
+  )
   test.each([
-    ['1', 'ArrowRight', '2'], ['2', 'ArrowRight', '3'], ['1', 'ArrowLeft', '1'], ['2', 'ArrowDown', '3'], ['3', 'ArrowDown', '4'],
-    ['4', 'ArrowDown', '4'], ['4', 'ArrowUp', '3'], ['1', 'End', '4'], ['4', 'Home', '1'], ['gone', 'ArrowDown', '1'],
+    ['1', 'ArrowRight', '2'],
+    ['2', 'ArrowRight', '3'],
+    ['1', 'ArrowLeft', '1'],
+    ['2', 'ArrowDown', '3'],
+    ['3', 'ArrowDown', '4'],
+    ['4', 'ArrowDown', '4'],
+    ['4', 'ArrowUp', '3'],
+    ['1', 'End', '4'],
+    ['4', 'Home', '1'],
+    ['gone', 'ArrowDown', '1'],
   ])('%s %s %s', (from, key, to) => expect(beside(rows, from, key)).toBe(to))
 
   test('other keys walk nowhere', () => expect(beside(rows, '1', 'x')).toBeUndefined())

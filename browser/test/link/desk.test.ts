@@ -3,7 +3,13 @@ import { beforeEach, expect, test } from 'vitest'
 import { applyPatch, applySnapshot, desk } from '../../src/link/desk.svelte'
 
 beforeEach(() =>
-  applySnapshot({ t: 'Snapshot', rev: 1, version: '1', you: 'ada', tree: { documents: { d1: { name: 'a', order: 0 } }, clipboard: 'pd' } }),
+  applySnapshot({
+    t: 'Snapshot',
+    rev: 1,
+    version: '1',
+    you: 'ada',
+    tree: { documents: { d1: { name: 'a', order: 0 } }, clipboard: 'pd' },
+  }),
 )
 const patch = (...changes: [string[], unknown][]): boolean => applyPatch({ t: 'Patch', rev: desk.rev + 1, changes })
 
@@ -20,7 +26,11 @@ test('a change deep in a branch that was empty grows the branch', () => {
 
 test('null takes away, and is no fault where there was nothing', () => {
   patch([['documents', 'd1', 'undo'], 'Move'])
-  patch([['documents', 'd1', 'undo'], null], [['documents', 'd1', 'loci', 'Q'], null], [['documents', 'd9', 'tasks', 'pd', 'x'], null])
+  patch(
+    [['documents', 'd1', 'undo'], null],
+    [['documents', 'd1', 'loci', 'Q'], null],
+    [['documents', 'd9', 'tasks', 'pd', 'x'], null],
+  )
   expect(desk.tree.documents).toEqual({ d1: { name: 'a', order: 0 } })
 })
 
@@ -35,14 +45,23 @@ test('a patch out of turn changes nothing', () => {
   expect([desk.rev, desk.tree.clipboard]).toEqual([1, 'pd'])
 })
 
-test('an application is exchanged when something in it changes, and what did not change stays the same', () => { // R-G07
+test('an application is exchanged when something in it changes, and what did not change stays the same', () => {
+  // R-G07
   patch([['applications', 'a1'], { name: 'one', order: 0, steps: { 1: { name: 'home' }, 2: { name: 'put' } } }])
   const before = desk.tree.applications.a1!
   const [first, second] = [before.steps?.[1], before.steps?.[2]]
-  patch([['applications', 'a1', 'steps', '2', 'breaks'], true], [['applications', 'a1', 'steps', '3'], { name: 'up' }], [['applications', 'a1', 'flows', '0'], { steps: [1] }])
+  patch(
+    [['applications', 'a1', 'steps', '2', 'breaks'], true],
+    [['applications', 'a1', 'steps', '3'], { name: 'up' }],
+    [['applications', 'a1', 'flows', '0'], { steps: [1] }],
+  )
   const now = desk.tree.applications.a1!
   expect(now).not.toBe(before)
-  expect([now.steps?.[1], now.steps?.[2], now.steps?.[3]]).toEqual([{ name: 'home' }, { name: 'put', breaks: true }, { name: 'up' }])
+  expect([now.steps?.[1], now.steps?.[2], now.steps?.[3]]).toEqual([
+    { name: 'home' },
+    { name: 'put', breaks: true },
+    { name: 'up' },
+  ])
   expect(now.steps?.[1]).toBe(first)
   expect(second).toEqual({ name: 'put' })
   expect(now.flows).toEqual({ 0: { steps: [1] } })

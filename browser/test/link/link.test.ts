@@ -58,7 +58,13 @@ describe('the link', () => {
   test('rejects a refused act with reason, remedies and fields', async () => {
     first().say(snapshot())
     const answer = link.send({ t: 'New' })
-    first().say({ t: 'Refused', cid: first().sent[0]!.cid, reason: 'no', remedies: [{ label: 'Show', show: { t: 'ShowConnect' } }], fields: { name: 'empty' } })
+    first().say({
+      t: 'Refused',
+      cid: first().sent[0]!.cid,
+      reason: 'no',
+      remedies: [{ label: 'Show', show: { t: 'ShowConnect' } }],
+      fields: { name: 'empty' },
+    })
     const why = await answer.catch((refusal: unknown) => refusal)
     expect(why).toMatchObject({ reason: 'no', remedies: [{ label: 'Show' }], fields: { name: 'empty' } })
   })
@@ -88,7 +94,10 @@ describe('the link', () => {
 
   test('R-F01: says so where the environment does not let this browser in', async () => {
     let isLocked = true
-    link = new Link(() => wires[wires.push(new Wire()) - 1]!, () => Promise.resolve(isLocked))
+    link = new Link(
+      () => wires[wires.push(new Wire()) - 1]!,
+      () => Promise.resolve(isLocked),
+    )
     await link.start()
     wires.at(-1)!.close()
     await vi.advanceTimersByTimeAsync(1000)

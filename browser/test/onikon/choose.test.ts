@@ -7,11 +7,22 @@ const type = (order: number, role: TypeView['role']): TypeView => ({ order, role
 const types = { 'Complete job': type(2, 'job'), 'Joint object': type(5, 'target'), 'Joint job': type(6, 'job') }
 const dictionary = (path: string, order: number): DictionaryView => ({ name: path, path, order, onikons: 0 })
 const dictionaries = { '/puma': dictionary('/puma', 0), '/boxes': dictionary('/boxes', 1) }
-const icon = (kind: string, path: string, order: number, left: string, more: Partial<OnikonView> = {}): OnikonView =>
-  ({ type: kind, role: 'job', order, dictionary: path, left, right: '1', picture: '', ...more })
+const icon = (kind: string, path: string, order: number, left: string, more: Partial<OnikonView> = {}): OnikonView => ({
+  type: kind,
+  role: 'job',
+  order,
+  dictionary: path,
+  left,
+  right: '1',
+  picture: '',
+  ...more,
+})
 
 const onikons: Record<string, OnikonView> = {
-  above: icon('Joint object', '/boxes', 1, '2', { description: 'above the square', words: { es: 'sobre el cuadrado' } }),
+  above: icon('Joint object', '/boxes', 1, '2', {
+    description: 'above the square',
+    words: { es: 'sobre el cuadrado' },
+  }),
   home: icon('Joint object', '/boxes', 0, '2', { description: 'upright' }),
   jmove: icon('Joint job', '/puma', 0, '1', { description: 'turn to' }),
   halfway: icon('Joint object', '/puma', 1, '2', { description: 'half of the way above' }),
@@ -20,11 +31,17 @@ const onikons: Record<string, OnikonView> = {
 }
 const entries = inOrder(onikons, types, dictionaries, 'en')
 const all: Wish = { dictionary: '', wanted: '', left: undefined }
-const shown = (wish: Partial<Wish>): [string, string[]][] => choose(entries, { ...all, ...wish }).map(({ type, names }) => [type, names])
+const shown = (wish: Partial<Wish>): [string, string[]][] =>
+  choose(entries, { ...all, ...wish }).map(({ type, names }) => [type, names])
 
 describe('the icons shown', () => {
   test('R-D01: are grouped by type in the order of the syntax, then of the dictionaries; unknown types come last', () => {
-    expect(shown({})).toEqual([['Complete job', ['open']], ['Joint object', ['halfway', 'home', 'above']], ['Joint job', ['jmove']], ['Odd object', ['odd']]])
+    expect(shown({})).toEqual([
+      ['Complete job', ['open']],
+      ['Joint object', ['halfway', 'home', 'above']],
+      ['Joint job', ['jmove']],
+      ['Odd object', ['odd']],
+    ])
   })
 
   test('are those of one dictionary where one is chosen', () => {
@@ -38,7 +55,8 @@ describe('the icons shown', () => {
     expect(shown({ wanted: 'nowhere' })).toEqual([])
   })
 
-  test('are only those that fit, where that is wanted', () => { // R-D03
+  test('are only those that fit, where that is wanted', () => {
+    // R-D03
     expect(shown({ left: '2' })).toEqual([['Joint object', ['halfway', 'home', 'above']]])
   })
 })
@@ -54,7 +72,12 @@ describe('a group', () => {
 })
 
 test('G07: a search in a thousand icons takes less than a frame', () => {
-  const many = Object.fromEntries(Array.from({ length: 1000 }, (_, k) => [`icon_${k}`, icon('Joint object', '/boxes', k, '2', { description: `place number ${k}` })]))
+  const many = Object.fromEntries(
+    Array.from({ length: 1000 }, (_, k) => [
+      `icon_${k}`,
+      icon('Joint object', '/boxes', k, '2', { description: `place number ${k}` }),
+    ]),
+  )
   const thousand = inOrder(many, types, dictionaries, 'en')
   const times = Array.from({ length: 9 }, (_, k) => {
     const begin = performance.now()

@@ -7,9 +7,15 @@ const step = (left: string, right: string, more: Partial<StepView> = {}): StepVi
 
 /** open, turn to, a hole for its target, close. */
 const app: ApplicationView = {
-  name: 'pick', order: 0,
+  name: 'pick',
+  order: 0,
   flows: { '0': { steps: [1, 2, 3, 4], start: '1', end: '1' }, '1/9/0': { steps: [], start: '1', end: '1' } },
-  steps: { 1: step('1', '1'), 2: step('1', '2'), 3: step('2', '1', { kind: 'hole', wants: ['Joint object'] }), 4: step('1', '1') },
+  steps: {
+    1: step('1', '1'),
+    2: step('1', '2'),
+    3: step('2', '1', { kind: 'hole', wants: ['Joint object'] }),
+    4: step('1', '1'),
+  },
 }
 
 describe('the place where the next icon goes (D03)', () => {
@@ -17,11 +23,18 @@ describe('the place where the next icon goes (D03)', () => {
     expect(gapAt(app, { flow: '0', after: 0 })).toEqual({ left: '1', right: '1', wants: [], isHole: false })
   })
 
-  test('before a hole is the hole', () => { // R-D19
-    expect(gapAt(app, { flow: '0', after: 2 })).toEqual({ left: '2', right: '1', wants: ['Joint object'], isHole: true })
+  test('before a hole is the hole', () => {
+    // R-D19
+    expect(gapAt(app, { flow: '0', after: 2 })).toEqual({
+      left: '2',
+      right: '1',
+      wants: ['Joint object'],
+      isHole: true,
+    })
   })
 
-  test('pointing at a hole means the same place', () => expect(gapAt(app, { flow: '0', after: 3 })).toEqual(gapAt(app, { flow: '0', after: 2 })))
+  test('pointing at a hole means the same place', () =>
+    expect(gapAt(app, { flow: '0', after: 3 })).toEqual(gapAt(app, { flow: '0', after: 2 })))
 
   test('behind the last step is before the end icon', () => {
     expect(gapAt(app, { flow: '0', after: 4 })).toEqual({ left: '1', right: '1', wants: [], isHole: false })

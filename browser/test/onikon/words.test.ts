@@ -6,7 +6,11 @@ import { wordsOf } from '../../src/onikon/words'
 
 test('an icon is called by its words in the language of the page, else its own, else its name', () => {
   const one = { description: 'upright', words: { es: 'erguido' } }
-  expect([wordsOf(one, 'home', 'es'), wordsOf(one, 'home', 'en'), wordsOf({}, 'home', 'en')]).toEqual(['erguido', 'upright', 'home'])
+  expect([wordsOf(one, 'home', 'es'), wordsOf(one, 'home', 'en'), wordsOf({}, 'home', 'en')]).toEqual([
+    'erguido',
+    'upright',
+    'home',
+  ])
 })
 
 test('D22: the last word of a type says what it is; the rest stays as the syntax file has it', () => {
@@ -19,5 +23,13 @@ test('D22: the last word of a type says what it is; the rest stays as the syntax
 })
 
 test('the initials of a name are those of its first two words', () => {
-  expect(['above_square', 'home', 'box2_aj_right', 'aboveSquare', 'ñandú uno', '2nd', ''].map(initialsOf)).toEqual(['AS', 'H', 'BA', 'AS', 'ÑU', '2', ''])
+  expect(['above_square', 'home', 'box2_aj_right', 'aboveSquare', 'ñandú uno', '2nd', ''].map(initialsOf)).toEqual([
+    'AS',
+    'H',
+    'BA',
+    'AS',
+    'ÑU',
+    '2',
+    '',
+  ])
 })

@@ -31,7 +31,14 @@ describe('a stroke (D07)', () => {
     const stroke = new Stroke('pen', blank(), [2, 2], '0')
     stroke.to([6, 2])
     const picture = stroke.to([6, 5])
-    for (const [x, y] of [[2, 2], [4, 2], [6, 2], [6, 4], [6, 5]]) expect(at(picture, x, y)).toBe('0')
+    for (const [x, y] of [
+      [2, 2],
+      [4, 2],
+      [6, 2],
+      [6, 4],
+      [6, 5],
+    ])
+      expect(at(picture, x, y)).toBe('0')
     expect(at(picture, 3, 3)).toBe('7')
   })
 

@@ -7,8 +7,13 @@ import { newFlowStates } from '../../src/progress/newFlowStates'
 import { clockText } from '../../src/sentences/words'
 
 const STEPS: Record<string, StepView> = {
-  1: { role: 'job' }, 2: { role: 'target', is_joined: true }, 3: { role: 'nop' }, 4: { kind: 'branch' }, 5: { role: 'job', breaks: true, break_if: 'LAMP == 1' },
-  6: { role: 'target', is_joined: true }, 7: { kind: 'hole', is_joined: true },
+  1: { role: 'job' },
+  2: { role: 'target', is_joined: true },
+  3: { role: 'nop' },
+  4: { kind: 'branch' },
+  5: { role: 'job', breaks: true, break_if: 'LAMP == 1' },
+  6: { role: 'target', is_joined: true },
+  7: { kind: 'hole', is_joined: true },
 }
 const FLOW = { steps: [1, 2, 3, 4, 5, 6, 7] }
 
@@ -28,7 +33,8 @@ describe('the next breakpoint', () => {
 })
 
 describe('an action', () => {
-  it('is an icon that is no target', () => expect(Object.keys(STEPS).filter((step) => isAction(STEPS[step]!))).toEqual(['1', '3', '5']))
+  it('is an icon that is no target', () =>
+    expect(Object.keys(STEPS).filter((step) => isAction(STEPS[step]!))).toEqual(['1', '3', '5']))
 
   it('has the steps that belong to it', () => {
     expect(stepsOfAction(FLOW, STEPS, 5)).toEqual([5, 6, 7])
@@ -38,8 +44,12 @@ describe('an action', () => {
 })
 
 describe('flows of a run', () => {
-  const run = (flows: Record<string, Partial<FlowRunView>>): RunView =>
-    ({ doc: 'a1', name: 'r', number: 1, flows: Object.fromEntries(Object.entries(flows).map(([name, flow], order) => [name, { order, ...flow }])) })
+  const run = (flows: Record<string, Partial<FlowRunView>>): RunView => ({
+    doc: 'a1',
+    name: 'r',
+    number: 1,
+    flows: Object.fromEntries(Object.entries(flows).map(([name, flow], order) => [name, { order, ...flow }])),
+  })
 
   it('stand in their order, nested ones left out', () => {
     expect(flowsOf(run({ b: { order: 1 }, a: { order: 0 }, c: { order: 2, is_nested: true } }))).toEqual(['a', 'b'])
@@ -62,12 +72,21 @@ describe('the clock', () => {
 
 describe('where a flow is', () => {
   it('is what it says itself, and ready as long as it says nothing', () => {
-    expect([stateOf({ order: 0, state: 'paused' }), stateOf({ order: 0 }), stateOf(undefined)]).toEqual(['paused', 'ready', 'ready'])
+    expect([stateOf({ order: 0, state: 'paused' }), stateOf({ order: 0 }), stateOf(undefined)]).toEqual([
+      'paused',
+      'ready',
+      'ready',
+    ])
   })
 })
 
 describe('where a waiting flow is', () => {
-  const app: ApplicationView = { name: 'one', order: 1, flows: { 0: { steps: [1, 2, 3] } }, steps: { 1: { synch_tag: 'a' }, 2: {}, 3: { synch_tag: 'a' } } }
+  const app: ApplicationView = {
+    name: 'one',
+    order: 1,
+    flows: { 0: { steps: [1, 2, 3] } },
+    steps: { 1: { synch_tag: 'a' }, 2: {}, 3: { synch_tag: 'a' } },
+  }
   const at = (step: number, tag: string, state = 'waiting'): number => placeOf(app, { order: 0, step, tag }, state)
 
   it('is before the next action of its tag, also where that is the first of all', () => {
@@ -75,12 +94,20 @@ describe('where a waiting flow is', () => {
   })
 
   it('is where it was, where nothing has that tag or it does not wait', () => {
-    expect([at(2, 'b'), at(2, 'a', 'running'), placeOf(undefined, { order: 0, step: 5, tag: 'a' }, 'waiting')]).toEqual([2, 2, 5])
+    expect([at(2, 'b'), at(2, 'a', 'running'), placeOf(undefined, { order: 0, step: 5, tag: 'a' }, 'waiting')]).toEqual(
+      [2, 2, 5],
+    )
   })
 })
 
 describe('what is said aloud', () => {
-  const at = (state: string, more: Partial<RunView> = {}): RunView => ({ doc: 'a1', name: 'r', number: 1, flows: { flow0: { order: 0, state } }, ...more })
+  const at = (state: string, more: Partial<RunView> = {}): RunView => ({
+    doc: 'a1',
+    name: 'r',
+    number: 1,
+    flows: { flow0: { order: 0, state } },
+    ...more,
+  })
 
   it('is that a flow has come to rest, once', () => {
     expect(newFlowStates(at('running'), at('paused')).map((flow) => flow.order)).toEqual([0])

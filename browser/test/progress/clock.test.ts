@@ -58,8 +58,17 @@ describe('the clock of a run', () => {
 describe('the latest moment', () => {
   it('is that of any flow, step, meeting or stop', () => {
     expect(latest(run())).toBe(0)
-    expect(latest(run({ steps: { 1: { state: 'done', began_s: 2, took_s: 3 }, 2: { began_s: 4, took_s: 9 } } }))).toBe(5)
-    expect(latest(run({ meets: [{ tag: 'a', flows: [], skew_us: 0, at_s: 6 }], stops: { flow0: { text: '', kind: 'error', at_s: 8 } } }))).toBe(8)
+    expect(latest(run({ steps: { 1: { state: 'done', began_s: 2, took_s: 3 }, 2: { began_s: 4, took_s: 9 } } }))).toBe(
+      5,
+    )
+    expect(
+      latest(
+        run({
+          meets: [{ tag: 'a', flows: [], skew_us: 0, at_s: 6 }],
+          stops: { flow0: { text: '', kind: 'error', at_s: 8 } },
+        }),
+      ),
+    ).toBe(8)
     expect(latest(run({ flows: { flow0: { order: 0, waits_since_s: 9 } } }))).toBe(9)
   })
 })

@@ -6,10 +6,24 @@ import { standstills, shownStop } from '../../src/progress/shownStop.svelte'
 import { choicesOf, inShort, titleOf } from '../../src/progress/stopText'
 import { stopVariables } from '../../src/progress/stopVariables'
 
-const stop = (more: Partial<StopView> = {}): StopView => ({ text: 'cycle: no solution', kind: 'error', at_s: 12, subsystem: 'flow0', task: 'invkin', ...more })
+const stop = (more: Partial<StopView> = {}): StopView => ({
+  text: 'cycle: no solution',
+  kind: 'error',
+  at_s: 12,
+  subsystem: 'flow0',
+  task: 'invkin',
+  ...more,
+})
 let number = 100
-const run = (stops: Record<string, StopView>, more: Partial<RunView> = {}): RunView =>
-  ({ doc: 'a1', name: 'r', number, state: 'running', flows: { flow0: { order: 0 }, flow1: { order: 1 } }, stops, ...more })
+const run = (stops: Record<string, StopView>, more: Partial<RunView> = {}): RunView => ({
+  doc: 'a1',
+  name: 'r',
+  number,
+  state: 'running',
+  flows: { flow0: { order: 0 }, flow1: { order: 1 } },
+  stops,
+  ...more,
+})
 
 describe('a standstill', () => {
   beforeEach(() => {
@@ -51,7 +65,10 @@ describe('a standstill', () => {
   })
 
   it('several stand in the order in which they came', () => {
-    expect(standstills(run({ flow0: stop(), flow1: stop({ at_s: 3 }) })).map(({ at }) => at)).toEqual(['flow1', 'flow0'])
+    expect(standstills(run({ flow0: stop(), flow1: stop({ at_s: 3 }) })).map(({ at }) => at)).toEqual([
+      'flow1',
+      'flow0',
+    ])
   })
 
   it('an end that somebody wanted is not explained', () => {
@@ -66,7 +83,9 @@ describe('its title', () => {
     expect(titleOf(run({}), 'flow1', stop({ subsystem: '' }))).toBe('Flow 1 stopped: invkin has an error')
     expect(titleOf(run({}), '', stop({ subsystem: '', task: '', kind: 'new' }))).toBe('The run stands still')
     look.language = 'es'
-    expect(titleOf(run({}), 'flow0', stop({ kind: 'pressed' }))).toBe('Flujo 0 se detuvo: el botón de emergencia está pulsado')
+    expect(titleOf(run({}), 'flow0', stop({ kind: 'pressed' }))).toBe(
+      'Flujo 0 se detuvo: el botón de emergencia está pulsado',
+    )
     look.language = 'en'
   })
 })
@@ -79,8 +98,14 @@ describe('what was said', () => {
 })
 
 describe('its choices', () => {
-  const CHOICES = ['clear flow0', 'skip flow0 N', 'pass flow1', 'abort'].map((line) => ({ label: line, act: { t: 'Steer', line } as const }))
-  const one = stop({ choices: CHOICES, meanings: ['clears invkin and repeats it', 'the same', 'lets it go on alone', 'ends the run'] })
+  const CHOICES = ['clear flow0', 'skip flow0 N', 'pass flow1', 'abort'].map((line) => ({
+    label: line,
+    act: { t: 'Steer', line } as const,
+  }))
+  const one = stop({
+    choices: CHOICES,
+    meanings: ['clears invkin and repeats it', 'the same', 'lets it go on alone', 'ends the run'],
+  })
 
   it('stand in order, by the words of whoever knows the run', () => {
     look.language = 'en'
@@ -99,29 +124,80 @@ describe('its choices', () => {
   })
 
   it('of a word that is not known stand as they are', () => {
-    expect(choicesOf(run({}), stop({ choices: [{ label: 'pray' }], meanings: ['helps sometimes!'] }))[0]).toMatchObject({ title: 'pray', words: 'Helps sometimes!' })
+    expect(choicesOf(run({}), stop({ choices: [{ label: 'pray' }], meanings: ['helps sometimes!'] }))[0]).toMatchObject(
+      { title: 'pray', words: 'Helps sometimes!' },
+    )
   })
 })
 
 describe('the last seconds', () => {
-  const course = (variable: string, values: unknown[]): CourseView => ({ variable, unit: 'rad', at_s: values.map((_, k) => 10 + k), values })
+  const course = (variable: string, values: unknown[]): CourseView => ({
+    variable,
+    unit: 'rad',
+    at_s: values.map((_, k) => 10 + k),
+    values,
+  })
 
   it('of a vector show the element that went farthest', () => {
-    const [one] = stopVariables([course('Q_MEZ', [[0, 1, 5], [0, 3, 5], [0, 2, 5.5]])], 12)
+    const [one] = stopVariables(
+      [
+        course('Q_MEZ', [
+          [0, 1, 5],
+          [0, 3, 5],
+          [0, 2, 5.5],
+        ]),
+      ],
+      12,
+    )
     expect([one!.element, one!.width, [...one!.stretch.t]]).toEqual([1, 3, [-2, -1, 0]])
   })
 
   it('each element has its own unit, where they differ', () => {
-    const [one, other] = [{ ...course('GRIP', [[0, 1], [0, 3]]), unit: 'm, N' }, { ...course('IS_SHUT', [0, 1]), unit: '-' }]
-    expect(stopVariables([one, other, course('Q', [[1, 2], [1, 3]])], 12).map(({ unit }) => unit)).toEqual(['N', '', 'rad'])
+    const [one, other] = [
+      {
+        ...course('GRIP', [
+          [0, 1],
+          [0, 3],
+        ]),
+        unit: 'm, N',
+      },
+      { ...course('IS_SHUT', [0, 1]), unit: '-' },
+    ]
+    expect(
+      stopVariables(
+        [
+          one,
+          other,
+          course('Q', [
+            [1, 2],
+            [1, 3],
+          ]),
+        ],
+        12,
+      ).map(({ unit }) => unit),
+    ).toEqual(['N', '', 'rad'])
   })
 
   it('what is no number any more says most', () => {
-    expect(stopVariables([course('Q_REF', [[0, 1], [9, 1], [18, NaN]])], 12)[0]!.element).toBe(1)
+    expect(
+      stopVariables(
+        [
+          course('Q_REF', [
+            [0, 1],
+            [9, 1],
+            [18, NaN],
+          ]),
+        ],
+        12,
+      )[0]!.element,
+    ).toBe(1)
   })
 
   it('variables in which nothing happens come last', () => {
-    expect(stopVariables([course('KP', [1, 1]), course('X', [1, 2])], 11).map(({ variable }) => variable)).toEqual(['X', 'KP'])
+    expect(stopVariables([course('KP', [1, 1]), course('X', [1, 2])], 11).map(({ variable }) => variable)).toEqual([
+      'X',
+      'KP',
+    ])
   })
 
   it('texts and vectors that change their length are left out', () => {

@@ -2,13 +2,23 @@ import { describe, expect, it } from 'vitest'
 import type { AskItem } from '../../src/api.gen'
 import { complaint, ends, fields, first, line, step } from '../../src/question/question'
 
-const item = (more: Partial<AskItem>): AskItem => ({ name: 'endpoint', type: 'double', count: 1, unit: 'rad', meaning: '', ...more })
+const item = (more: Partial<AskItem>): AskItem => ({
+  name: 'endpoint',
+  type: 'double',
+  count: 1,
+  unit: 'rad',
+  meaning: '',
+  ...more,
+})
 const field = (more: Partial<AskItem>) => fields({ items: [item(more)] })[0]
 
 describe('the rows of a question (C13)', () => {
   it('are one for each element, with its bounds, default and present value', () => {
     const rows = fields({
-      items: [item({ count: 2, low: [-1, -2], high: [1, 2], default: [0, 0.5] }), item({ name: 'duration', low: [0.1] })],
+      items: [
+        item({ count: 2, low: [-1, -2], high: [1, 2], default: [0, 0.5] }),
+        item({ name: 'duration', low: [0.1] }),
+      ],
       present: { endpoint: [0.2, 0.3] },
     })
     expect(rows.map((row) => [row.item.name, row.index, row.low, row.high, row.isBounded, row.present])).toEqual([

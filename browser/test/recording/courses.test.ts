@@ -2,7 +2,13 @@ import { describe, expect, it } from 'vitest'
 import type { StretchView } from '../../src/api.gen'
 import { before, courseOf, Courses, RecordedPast, together } from '../../src/recording/courses'
 
-const view = (label: string, least: number[], most: number[]): StretchView => ({ label, unit: 'm', at_s: [0, 1, 2], least, most })
+const view = (label: string, least: number[], most: number[]): StretchView => ({
+  label,
+  unit: 'm',
+  at_s: [0, 1, 2],
+  least,
+  most,
+})
 
 describe('A variable of a recorded run', () => {
   it('is one line that touches the least and the greatest value of each part, rising where it rises', () => {
@@ -23,7 +29,12 @@ describe('A variable of a recorded run', () => {
   it('is asked for once, however often it is drawn', async () => {
     const asked: string[] = []
     let come = 0
-    const courses = new Courses(0, 3, async (variable) => (asked.push(variable), [view('x', [0, 1, 2], [0, 1, 2])]), () => (come += 1))
+    const courses = new Courses(
+      0,
+      3,
+      async (variable) => (asked.push(variable), [view('x', [0, 1, 2], [0, 1, 2])]),
+      () => (come += 1),
+    )
     expect(courses.of('a/X')).toBeUndefined()
     expect(courses.of('a/X')).toBeUndefined()
     await new Promise((done) => setTimeout(done))

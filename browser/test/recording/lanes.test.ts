@@ -9,7 +9,13 @@ const recording: RecordingView = {
   end_s: 10,
   flows: {
     b: { order: 1, passages: [{ action: 0, name: 'wait', begin_s: 1, end_s: 4, step: 7 }] },
-    a: { order: 0, passages: [{ action: 0, name: 'open', begin_s: 1, end_s: 3, step: 2 }, { action: 1, name: 'move', begin_s: 3, end_s: null, step: 3 }] },
+    a: {
+      order: 0,
+      passages: [
+        { action: 0, name: 'open', begin_s: 1, end_s: 3, step: 2 },
+        { action: 1, name: 'move', begin_s: 3, end_s: null, step: 3 },
+      ],
+    },
   },
   marks: [{ at_s: 8, kind: 'stop', text: 'the box is gone' }],
 }
@@ -39,19 +45,33 @@ describe('A recorded run as lanes', () => {
 
   it('shows at an instant only what had begun, and as still going what had not ended', () => {
     const blocks = blocksUntil(recording, 2)
-    expect(blocks.map((block) => [block.flow, block.step, block.to_s])).toEqual([[0, 2, NaN], [1, 7, NaN]])
+    expect(blocks.map((block) => [block.flow, block.step, block.to_s])).toEqual([
+      [0, 2, NaN],
+      [1, 7, NaN],
+    ])
     expect(blocksUntil(recording, 5).map((block) => block.to_s)).toEqual([3, 4, NaN])
   })
 
   it('draws what is carried out as a fault where its flow stands still, and nothing else', () => {
     expect(blocksUntil(recording, 2).some((block) => block.isFault)).toBe(false)
-    expect(blocksUntil(recording, 9, new Set([0])).filter((block) => block.isFault).map((block) => block.step)).toEqual([3])
+    expect(
+      blocksUntil(recording, 9, new Set([0]))
+        .filter((block) => block.isFault)
+        .map((block) => block.step),
+    ).toEqual([3])
     expect(blocksUntil(recording, 9, new Set([1])).some((block) => block.isFault)).toBe(false)
   })
 
   it('gathers marks that would lie upon each other, and shows the gravest', () => {
-    const marks = [{ at_s: 1, kind: 'command', text: 'pause' }, { at_s: 1.01, kind: 'error', text: 'late' }, { at_s: 5, kind: 'meet', text: 'at m' }] as const
+    const marks = [
+      { at_s: 1, kind: 'command', text: 'pause' },
+      { at_s: 1.01, kind: 'error', text: 'late' },
+      { at_s: 5, kind: 'meet', text: 'at m' },
+    ] as const
     const ticks = ticksOf(marks, (at_s) => at_s * 100)
-    expect(ticks.map((tick) => [tick.kind, tick.marks.length])).toEqual([['error', 2], ['meet', 1]])
+    expect(ticks.map((tick) => [tick.kind, tick.marks.length])).toEqual([
+      ['error', 2],
+      ['meet', 1],
+    ])
   })
 })

@@ -7,7 +7,11 @@ describe('A tolerance', () => {
   })
 
   it('is left to the environment where nothing is typed, or what cannot be read', () => {
-    expect(valuesOf({ ...NONE, tolerance: '0,1', time_s: 'soon' })).toEqual({ tolerance: 0.1, part: null, time_s: null })
+    expect(valuesOf({ ...NONE, tolerance: '0,1', time_s: 'soon' })).toEqual({
+      tolerance: 0.1,
+      part: null,
+      time_s: null,
+    })
     expect(valuesOf({ ...NONE, part: '0' })).toEqual({ tolerance: null, part: 0, time_s: null })
   })
 

@@ -9,9 +9,18 @@ const live = fullTree({
   runtime: { state: 'linked', worlds: { now: true } },
   documents: {
     c1: {
-      name: 'jmove', order: 0, connection: 'live', subsystem: 'now',
-      tasks: { pd: { x: 1, y: 2, state: 'ERROR', error: { text: 'too hot' } as never, note: 'late' }, grav: { x: 5, y: 6, state: 'ON' } },
-      loci: { Q: { x: 0, y: 0, line: 'stale', writers: ['pd'] } as never, T: { x: 0, y: 0, line: 'live', writers: ['grav'] } as never },
+      name: 'jmove',
+      order: 0,
+      connection: 'live',
+      subsystem: 'now',
+      tasks: {
+        pd: { x: 1, y: 2, state: 'ERROR', error: { text: 'too hot' } as never, note: 'late' },
+        grav: { x: 5, y: 6, state: 'ON' },
+      },
+      loci: {
+        Q: { x: 0, y: 0, line: 'stale', writers: ['pd'] } as never,
+        T: { x: 0, y: 0, line: 'live', writers: ['grav'] } as never,
+      },
     },
     c2: { name: 'other', order: 1, connection: 'live', tasks: { pd: { x: 0, y: 0, state: 'ON' } } },
   },
@@ -46,11 +55,24 @@ describe('The tree at an instant', () => {
   })
 
   it('an application is redirected as it was in that run, and bears no marks of what was found since', () => {
-    const app = { name: 'assemble', order: 0, redirects: [{ old: 'puma', new: 'now' }], steps: { 2: { note: 'found since', name: 'there' } } }
+    const app = {
+      name: 'assemble',
+      order: 0,
+      redirects: [{ old: 'puma', new: 'now' }],
+      steps: { 2: { note: 'found since', name: 'there' } },
+    }
     const tree = fullTree({ applications: { a1: app, a2: app } })
-    const seen = treeAt(() => ({ instant: undefined, worlds: [], doc: 'a1', redirects: [{ old: 'puma', new: 'scara' }] }))({ ...tree, applications: { a1: app, a2: { ...app } } })
+    const seen = treeAt(() => ({
+      instant: undefined,
+      worlds: [],
+      doc: 'a1',
+      redirects: [{ old: 'puma', new: 'scara' }],
+    }))({ ...tree, applications: { a1: app, a2: { ...app } } })
     expect(seen.applications['a1']!.redirects).toEqual([{ old: 'puma', new: 'scara' }])
-    expect([seen.applications['a1']!.steps!['2']!.note, seen.applications['a1']!.steps!['2']!.name]).toEqual(['', 'there'])
+    expect([seen.applications['a1']!.steps!['2']!.note, seen.applications['a1']!.steps!['2']!.name]).toEqual([
+      '',
+      'there',
+    ])
     expect(seen.applications['a2']!.redirects).toEqual([{ old: 'puma', new: 'now' }])
   })
 

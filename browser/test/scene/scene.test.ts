@@ -8,7 +8,16 @@ const pins = (kind: 'VAR' | 'CONST', reads: string[], writes: string[]): TaskVie
   ...reads.map((svar, k) => ({ name: `I${k}`, svar, kind: `IN${kind}` as const, y: 55 + 18 * k })),
   ...writes.map((svar, k) => ({ name: `O${k}`, svar, kind: `OUT${kind}` as const, y: 55 + 18 * k })),
 ]
-const task = (name: string, own: TaskView['pins']): TaskView => ({ name, module: name, library: 'g', order: 0, description: '', width: 136, height: 104, pins: own })
+const task = (name: string, own: TaskView['pins']): TaskView => ({
+  name,
+  module: name,
+  library: 'g',
+  order: 0,
+  description: '',
+  width: 136,
+  height: 104,
+  pins: own,
+})
 const ALL: Shown = { kinds: new Set(KINDS), constants: false, opened: new Set() }
 
 let tasks: Record<string, TaskView>
@@ -16,11 +25,22 @@ let doc: DocumentView
 let scene: Scene
 
 beforeEach(() => {
-  tasks = { arm: task('arm', [...pins('VAR', ['TAU'], ['Q']), ...pins('CONST', [], ['DOF']).map((pin) => ({ ...pin, name: 'C', y: 73 }))]), pd: task('pd', pins('VAR', ['Q'], ['TAU'])) }
+  tasks = {
+    arm: task('arm', [
+      ...pins('VAR', ['TAU'], ['Q']),
+      ...pins('CONST', [], ['DOF']).map((pin) => ({ ...pin, name: 'C', y: 73 })),
+    ]),
+    pd: task('pd', pins('VAR', ['Q'], ['TAU'])),
+  }
   doc = {
-    name: 'd', order: 1,
+    name: 'd',
+    order: 1,
     tasks: { arm: { x: 400, y: 100 }, pd: { x: 100, y: 100 } },
-    loci: { Q: { x: 320, y: 260, writers: ['arm'] }, TAU: { x: 320, y: 155, writers: ['pd'] }, DOF: { x: 600, y: 173, is_constant: true, writers: ['arm'] } },
+    loci: {
+      Q: { x: 320, y: 260, writers: ['arm'] },
+      TAU: { x: 320, y: 155, writers: ['pd'] },
+      DOF: { x: 600, y: 173, is_constant: true, writers: ['arm'] },
+    },
   }
   scene = new Scene('d1')
   scene.follow(doc, tasks, ALL)
@@ -29,7 +49,8 @@ beforeEach(() => {
 const ends = (svar: string): number => (scene.nets.get(svar)?.d.match(/M/g) ?? []).length
 
 describe('following a document', () => {
-  test('pins of one name connect by themselves, through their locus', () => { // R-C09
+  test('pins of one name connect by themselves, through their locus', () => {
+    // R-C09
     expect([...scene.nets.keys()]).toEqual(['Q', 'TAU'])
     expect(ends('Q')).toBe(2)
     expect(scene.nets.get('Q')!.d).toContain('L320 260')
@@ -48,14 +69,16 @@ describe('following a document', () => {
     expect(isOnCanvas('DOF', { is_constant: true }, { ...ALL, constants: true })).toBe(true)
   })
 
-  test('hidden connections leave the dot and its name', () => { // R-C09
+  test('hidden connections leave the dot and its name', () => {
+    // R-C09
     doc.loci!.Q!.is_shown = false
     scene.follow(doc, tasks, ALL)
     expect(scene.dots.has('Q')).toBe(true)
     expect(ends('Q')).toBe(0)
   })
 
-  test('kinds that the user does not want are not drawn', () => { // R-G01
+  test('kinds that the user does not want are not drawn', () => {
+    // R-G01
     scene.follow(doc, tasks, { ...ALL, kinds: new Set(['show_invar']) })
     expect(ends('Q')).toBe(1)
   })
@@ -69,14 +92,16 @@ describe('following a document', () => {
     expect(scene.nets.has('TAU')).toBe(false)
   })
 
-  test('a pin that gets another name changes nets at once', () => { // R-C04
+  test('a pin that gets another name changes nets at once', () => {
+    // R-C04
     tasks.pd = task('pd', pins('VAR', ['Q'], ['Q']))
     scene.follow(doc, tasks, ALL)
     expect(ends('Q')).toBe(3)
     expect(ends('TAU')).toBe(1)
   })
 
-  test('a flipped box has its lines on the other side', () => { // R-C10
+  test('a flipped box has its lines on the other side', () => {
+    // R-C10
     const before = scene.nets.get('TAU')!.d
     doc.tasks!.pd!.in_left = false
     scene.follow(doc, tasks, ALL)
@@ -89,7 +114,8 @@ describe('following a document', () => {
     expect(scene.boxes.get('gone')).toMatchObject({ width: 136, pins: [] })
   })
 
-  test('the same document again draws nothing anew', () => { // R-G07
+  test('the same document again draws nothing anew', () => {
+    // R-G07
     const before = [...scene.nets.values()].map((net) => net.d)
     scene.follow(structuredClone(doc), tasks, ALL)
     expect([...scene.nets.values()].map((net) => net.d)).toEqual(before)
@@ -118,7 +144,8 @@ describe('what is held', () => {
     expect(scene.nets.get('TAU')!.d).toContain('M236 455')
   })
 
-  test('a dot takes its lines along, and the boxes stay', () => { // R-C24
+  test('a dot takes its lines along, and the boxes stay', () => {
+    // R-C24
     scene.holdDot('TAU', 300, 300)
     scene.redraw()
     expect(scene.nets.get('TAU')!.d).toContain('L300 300')
@@ -130,7 +157,11 @@ describe('what stands where', () => {
   test('names of variables cover neither boxes nor each other', () => {
     scene.nameDots()
     const { label, x, y } = scene.dots.get('TAU')!
-    expect([label.anchor, x + label.dx, y + label.dy < 155 - 5 || y + label.dy > 155 + 10]).toEqual(['middle', 320, true])
+    expect([label.anchor, x + label.dx, y + label.dy < 155 - 5 || y + label.dy > 155 + 10]).toEqual([
+      'middle',
+      320,
+      true,
+    ])
   })
 
   test('the bounds hold all boxes, or those named', () => {
@@ -140,7 +171,8 @@ describe('what stands where', () => {
     expect(scene.boxesIn({ x0: 0, y0: 0, x1: 120, y1: 120 }).map((box) => box.name)).toEqual(['pd'])
   })
 
-  test('inputs that nobody supplies are counted', () => { // R-C08, Equation (6)
+  test('inputs that nobody supplies are counted', () => {
+    // R-C08, Equation (6)
     expect(hanging(scene, doc)).toBe(0)
     doc.loci!.Q!.writers = []
     expect(hanging(scene, doc)).toBe(1)

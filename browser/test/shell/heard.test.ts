@@ -3,7 +3,8 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { expect, test } from 'vitest'
 import { heard } from '../../src/texts/heard'
 
-test('a sentence that is known is said in Spanish, with what varies in it', () => { // R-X01
+test('a sentence that is known is said in Spanish, with what varies in it', () => {
+  // R-X01
   expect(heard('flow 2 is empty', 'es')).toBe('el flujo 2 está vacío')
   expect(heard('wave is done: 25 actions in 12.3 s', 'es')).toBe('wave ha terminado: 25 acciones en 12.3 s')
   expect(heard('New Joint target…', 'es')).toBe('Nuevo objetivo Joint…')
@@ -11,12 +12,17 @@ test('a sentence that is known is said in Spanish, with what varies in it', () =
 })
 
 test('what is a sentence within a sentence is told in Spanish too', () => {
-  expect(heard('play was aborted after 1 action: aborted by the user', 'es')).toBe('play se interrumpió tras 1 acción: interrumpida por el usuario')
+  expect(heard('play was aborted after 1 action: aborted by the user', 'es')).toBe(
+    'play se interrumpió tras 1 acción: interrumpida por el usuario',
+  )
 })
 
-test('what is taken back is named in Spanish, also where another did it', () => { // R-X10
+test('what is taken back is named in Spanish, also where another did it', () => {
+  // R-X10
   expect(heard('deleting 8 icons', 'es')).toBe('borrar 8 iconos')
-  expect(heard('“pasting waveC” in play was done on another page, and is done again here', 'es')).toBe('«pegar waveC» en play se hizo en otra página, y aquí se rehace')
+  expect(heard('“pasting waveC” in play was done on another page, and is done again here', 'es')).toBe(
+    '«pegar waveC» en play se hizo en otra página, y aquí se rehace',
+  )
 })
 
 test('a longer sentence that ends like a known one is not told half in Spanish', () => {
@@ -32,11 +38,19 @@ test('what is not known stays as it was said, and English always does', () => {
 /** The sentences of `No("…")` in the Python files of a folder, with something in place of what varies. */
 function refusals(folder: string): string[] {
   const files = readdirSync(folder).filter((name) => name.endsWith('.py'))
-  const calls = files.flatMap((name) => [...readFileSync(`${folder}/${name}`, 'utf8').matchAll(/\bNo\(\s*((?:f?"(?:[^"\\]|\\.)*"\s*)+)[,)]/g)])
-  return calls.map((found) => [...found[1]!.matchAll(/"((?:[^"\\]|\\.)*)"/g)].map((part) => part[1]).join('').replace(/\{[^}]*\}/g, 'x'))
+  const calls = files.flatMap((name) => [
+    ...readFileSync(`${folder}/${name}`, 'utf8').matchAll(/\bNo\(\s*((?:f?"(?:[^"\\]|\\.)*"\s*)+)[,)]/g),
+  ])
+  return calls.map((found) =>
+    [...found[1]!.matchAll(/"((?:[^"\\]|\\.)*)"/g)]
+      .map((part) => part[1])
+      .join('')
+      .replace(/\{[^}]*\}/g, 'x'),
+  )
 }
 
-test.each(['flow', 'dictionary'])('every refusal of editing in upper/%s has its words in Spanish', (part) => { // R-X01
+test.each(['flow', 'dictionary'])('every refusal of editing in upper/%s has its words in Spanish', (part) => {
+  // R-X01
   const said = refusals(`../src/onika/desk/upper/${part}`)
   expect(said.length).toBeGreaterThan(12)
   expect(said.filter((one) => heard(one, 'es') === one)).toEqual([])

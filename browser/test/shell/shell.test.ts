@@ -22,14 +22,28 @@ describe('the address of the page', () => {
   ])('%s', (hash, place) => expect(read(hash)).toEqual(place))
   test.each(['', '#', '#/other/x', '#/config/'])('“%s” names nothing', (hash) => expect(read(hash)).toBeUndefined())
   test('what is written is read', () => {
-    const places = [{ kind: 'config', name: 'a b/ñ?', task: 'Q^_MEZ & co' }, { kind: 'appl', name: 'two arms', task: '' }] as const
+    const places = [
+      { kind: 'config', name: 'a b/ñ?', task: 'Q^_MEZ & co' },
+      { kind: 'appl', name: 'two arms', task: '' },
+    ] as const
     for (const place of places) expect(read(written(place))).toEqual(place)
   })
 })
 
 describe('the palette', () => {
-  const entry = (label: string, kind: string, note = ''): Entry => ({ id: label + kind, label, kind, note, run: () => undefined })
-  const all = [entry('Undo', 'command'), entry('gravcomp', 'task', 'Torque against gravity'), entry('grav', 'file'), entry('antigrav', 'task')]
+  const entry = (label: string, kind: string, note = ''): Entry => ({
+    id: label + kind,
+    label,
+    kind,
+    note,
+    run: () => undefined,
+  })
+  const all = [
+    entry('Undo', 'command'),
+    entry('gravcomp', 'task', 'Torque against gravity'),
+    entry('grav', 'file'),
+    entry('antigrav', 'task'),
+  ]
   test('finds by all words, the best first', () => {
     expect(find(all, 'grav').map((one) => one.label)).toEqual(['grav', 'gravcomp', 'antigrav'])
     expect(find(all, 'TORQUE task').map((one) => one.label)).toEqual(['gravcomp'])
@@ -40,7 +54,13 @@ describe('the palette', () => {
 
 describe('R-G01: preferences', () => {
   test('stand in groups, and none is left out', () => {
-    const preferences = { pin_length: 12, shows_period: false, status_columns: ['cycle'], library: { x: 1, y: 2 }, news: 'x' }
+    const preferences = {
+      pin_length: 12,
+      shows_period: false,
+      status_columns: ['cycle'],
+      library: { x: 1, y: 2 },
+      news: 'x',
+    }
     const names = grouped(preferences).flatMap(([, fields]) => fields.map((field) => field.name))
     expect(names.sort()).toEqual(Object.keys(preferences).sort())
     expect(grouped(preferences).at(-1)![0]).toBe('prefer.others')
@@ -57,7 +77,10 @@ describe('R-G01: preferences', () => {
 describe('what this browser keeps', () => {
   afterEach(() => vi.unstubAllGlobals())
   const store = (texts: Record<string, string>): void =>
-    void vi.stubGlobal('localStorage', { getItem: (name: string) => texts[name] ?? null, setItem: (name: string, text: string) => (texts[name] = text) })
+    void vi.stubGlobal('localStorage', {
+      getItem: (name: string) => texts[name] ?? null,
+      setItem: (name: string, text: string) => (texts[name] = text),
+    })
 
   test('comes back', () => {
     store({})
@@ -122,7 +145,12 @@ describe('R-X01: a remedy leads to what it names', () => {
 
 test('the look of 1994 is light with other wires', () => {
   const worn = new Set(['dark'])
-  const root = { classList: { remove: (...names: string[]) => names.forEach((name) => worn.delete(name)), add: (...names: string[]) => names.forEach((name) => worn.add(name)) } }
+  const root = {
+    classList: {
+      remove: (...names: string[]) => names.forEach((name) => worn.delete(name)),
+      add: (...names: string[]) => names.forEach((name) => worn.add(name)),
+    },
+  }
   applyTheme('1994', root as unknown as Element)
   expect([...worn]).toEqual(['light', 'y1994'])
   applyTheme('auto', root as unknown as Element)

@@ -2,7 +2,14 @@
 import { beforeEach, describe, expect, test, vi } from 'vitest'
 import { command, findCommand, matches, press, run, type Pressed } from '../../src/state/commands'
 
-const pressed = (key: string, more: Partial<Pressed> = {}): Pressed => ({ key, ctrlKey: false, metaKey: false, shiftKey: false, altKey: false, ...more })
+const pressed = (key: string, more: Partial<Pressed> = {}): Pressed => ({
+  key,
+  ctrlKey: false,
+  metaKey: false,
+  shiftKey: false,
+  altKey: false,
+  ...more,
+})
 
 describe('keys', () => {
   test.each([
@@ -32,7 +39,8 @@ describe('a command', () => {
     isPossible = true
     command({ id: 'test.deed', group: 'help', title: () => 'Deed', keys: ['F9'], when: () => isPossible, run: deed })
   })
-  const event = (): KeyboardEvent => ({ ...pressed('F9'), target: null, preventDefault: vi.fn() }) as unknown as KeyboardEvent
+  const event = (): KeyboardEvent =>
+    ({ ...pressed('F9'), target: null, preventDefault: vi.fn() }) as unknown as KeyboardEvent
 
   test('runs by its keys and by its name', () => {
     expect(press(event())).toBe(true)
@@ -51,6 +59,10 @@ describe('a command', () => {
     const later = vi.fn()
     command({ id: 'test.deed', group: 'help', title: () => 'Later', run: later })
     run('test.deed')
-    expect([later.mock.calls.length, deed.mock.calls.length, findCommand('test.deed')?.title()]).toEqual([1, 0, 'Later'])
+    expect([later.mock.calls.length, deed.mock.calls.length, findCommand('test.deed')?.title()]).toEqual([
+      1,
+      0,
+      'Later',
+    ])
   })
 })

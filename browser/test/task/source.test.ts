@@ -2,15 +2,21 @@
 import { describe, expect, test } from 'vitest'
 import { around, differences, type Line } from '../../src/task/diff'
 
-const written = (lines: (Line | null)[]): string => lines.map((line) => (line ? `${{ both: ' ', first: '-', second: '+' }[line.kind]}${line.text}` : '...')).join('\n')
-const side = (lines: Line[], kind: Line['kind']): string => lines.filter((line) => line.kind === 'both' || line.kind === kind).map((line) => line.text).join('\n')
+const written = (lines: (Line | null)[]): string =>
+  lines.map((line) => (line ? `${{ both: ' ', first: '-', second: '+' }[line.kind]}${line.text}` : '...')).join('\n')
+const side = (lines: Line[], kind: Line['kind']): string =>
+  lines
+    .filter((line) => line.kind === 'both' || line.kind === kind)
+    .map((line) => line.text)
+    .join('\n')
 
 describe('differences', () => {
   test('name what each has alone', () => {
     expect(written(differences('a\nb\nc', 'a\nx\nc\nd'))).toBe(' a\n-b\n+x\n c\n+d')
   })
 
-  test('of equal texts are none', () => expect(differences('a\nb', 'a\nb').every((line) => line.kind === 'both')).toBe(true))
+  test('of equal texts are none', () =>
+    expect(differences('a\nb', 'a\nb').every((line) => line.kind === 'both')).toBe(true))
 
   test('give both texts back, whatever they are', () => {
     let seed = 5

@@ -1,7 +1,11 @@
 import { expect, test } from 'vitest'
 import { say, type Reason } from '../../src/texts/say'
 
-const option: Reason = { key: 'cli.language_option', text: 'in English', args: { languages: ['en', 'es'], default: 'en' } }
+const option: Reason = {
+  key: 'cli.language_option',
+  text: 'in English',
+  args: { languages: ['en', 'es'], default: 'en' },
+}
 const spanish = 'el idioma de los mensajes, en o es; en si ni esto ni ONIKA_LANG indican otro'
 
 test('a reason is said in the language of the page', () => {
@@ -10,7 +14,9 @@ test('a reason is said in the language of the page', () => {
 })
 
 test('a reason within a reason is said in the same language', () => {
-  expect(say({ ...option, args: { languages: [option, 'x'], default: option } }, 'es')).toContain(`, ${spanish} o x; ${spanish}`)
+  expect(say({ ...option, args: { languages: [option, 'x'], default: option } }, 'es')).toContain(
+    `, ${spanish} o x; ${spanish}`,
+  )
 })
 
 test('what is in no catalogue is shown as it came', () => {

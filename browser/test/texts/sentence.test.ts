@@ -9,7 +9,9 @@ interface Case {
   es: string
 }
 
-const CASES = JSON.parse(readFileSync(new URL('../../../tests/words/sentences.json', import.meta.url), 'utf-8')) as Case[]
+const CASES = JSON.parse(
+  readFileSync(new URL('../../../tests/words/sentences.json', import.meta.url), 'utf-8'),
+) as Case[]
 
 test.each(CASES)('$sentence is filled as Python fills it', ({ sentence, args, en, es }) => {
   expect(fill(sentence, args, 'en')).toBe(en)

@@ -6,7 +6,8 @@ import { es } from '../../src/texts/es'
 import { fill } from '../../src/texts/index.svelte'
 
 const keys = Object.keys(en) as TextKey[]
-const values = (text: string): string[] => [...new Set([...text.matchAll(/\{(\w+)\}/g)].map((found) => found[1]!))].sort()
+const values = (text: string): string[] =>
+  [...new Set([...text.matchAll(/\{(\w+)\}/g)].map((found) => found[1]!))].sort()
 
 test('both catalogues have the same texts', () => expect(Object.keys(es).sort()).toEqual([...keys].sort()))
 
@@ -22,13 +23,19 @@ test('values are filled in, and what has none stays to be seen', () => {
 })
 
 test('one and many differ', () => {
-  expect(['0', '1', '2'].map((n) => fill('{n} task|{n} tasks', { n: Number(n) }))).toEqual(['0 tasks', '1 task', '2 tasks'])
+  expect(['0', '1', '2'].map((n) => fill('{n} task|{n} tasks', { n: Number(n) }))).toEqual([
+    '0 tasks',
+    '1 task',
+    '2 tasks',
+  ])
 })
 
 test('no two parts of the page have a text of the same name', () => {
   const folder = new URL('../../src/texts/', import.meta.url)
   const names = readdirSync(folder)
     .filter((file) => /^en\..+\.ts$/.test(file))
-    .flatMap((file) => [...readFileSync(new URL(file, folder), 'utf8').matchAll(/^  '([^']+)':/gm)].map((found) => found[1]!))
+    .flatMap((file) =>
+      [...readFileSync(new URL(file, folder), 'utf8').matchAll(/^ {2}'([^']+)':/gm)].map((found) => found[1]!),
+    )
   expect(names.filter((name, k) => names.indexOf(name) !== k)).toEqual([])
 })

@@ -51,7 +51,12 @@ describe('the numbers in a value', () => {
   it('are its elements row by row', () => {
     expect(numbers(2)).toEqual([2])
     expect(numbers(true)).toEqual([1])
-    expect(numbers([[1, 2], [3, 4]])).toEqual([1, 2, 3, 4])
+    expect(
+      numbers([
+        [1, 2],
+        [3, 4],
+      ]),
+    ).toEqual([1, 2, 3, 4])
   })
 
   it('are none where there is text', () => {

@@ -14,7 +14,12 @@ describe('a value in one line', () => {
   it('shows vectors in brackets and counts what is left out', () => {
     expect(compact([0, 0.5, -1.25])).toBe('[0.000 0.500 −1.250]')
     expect(compact([1, 2, 3], 2)).toBe('[1 2 … +1]')
-    expect(compact([[1, 0], [0, 1]])).toBe('[[1 0] [0 1]]')
+    expect(
+      compact([
+        [1, 0],
+        [0, 1],
+      ]),
+    ).toBe('[[1 0] [0 1]]')
   })
 
   it('shows dust beside large numbers as nothing, and dust alone as it is', () => {

@@ -10,7 +10,10 @@ let buffer: ValueBuffer
 beforeEach(() => {
   told = []
   due = []
-  buffer = new ValueBuffer((wish) => told.push(wish), (run) => due.push(run))
+  buffer = new ValueBuffer(
+    (wish) => told.push(wish),
+    (run) => due.push(run),
+  )
 })
 
 describe('what is watched', () => {

@@ -8,14 +8,16 @@ import { rateText } from '../../src/scene/rate'
 const pin = (kind: PinView['kind']): PinView => ({ name: 'p', svar: 'P', kind, y: 55 })
 
 describe('a pin', () => {
-  test('shows its kind by its shape', () => { // R-C02
+  test('shows its kind by its shape', () => {
+    // R-C02
     expect(shape(pin('INCONST'))).toBe('C')
     expect(shape(pin('OUTVAR'))).toBe('V')
     expect(shape(pin('INBOTH'))).toBe('B')
     expect(new Set(Object.values(OUTLINE)).size).toBe(3)
   })
 
-  test('changes sides when the icon is flipped', () => { // R-C10
+  test('changes sides when the icon is flipped', () => {
+    // R-C10
     expect(isLeft(pin('INVAR'), true)).toBe(true)
     expect(isLeft(pin('INVAR'), false)).toBe(false)
     expect(isLeft(pin('OUTVAR'), true)).toBe(false)
@@ -27,13 +29,15 @@ describe('a pin', () => {
     expect((['OUTCONST', 'OUTVAR', 'OUTBOTH'] as const).some((kind) => isInput(pin(kind)))).toBe(false)
   })
 
-  test('of both kinds is drawn while either is wanted', () => { // R-G01
+  test('of both kinds is drawn while either is wanted', () => {
+    // R-G01
     expect(preference(pin('OUTBOTH'))).toEqual(['show_outconst', 'show_outvar'])
     expect(preference(pin('INCONST'))).toEqual(['show_inconst'])
   })
 })
 
-describe('a rate', () => { // R-C02
+describe('a rate', () => {
+  // R-C02
   test.each([
     [500, false, '500 Hz'],
     [500, true, '2 ms'],
@@ -46,7 +50,8 @@ describe('a rate', () => { // R-C02
   ])('%s is written, as a period: %s', (hz, showsPeriod, text) => expect(rateText(hz, showsPeriod)).toBe(text))
 })
 
-describe('a state', () => { // R-C25
+describe('a state', () => {
+  // R-C25
   test('has a mark of its own', () => {
     const own = (['ON', 'OFF', 'ASKING', 'WAITING', 'ERROR'] as const).map((state) => MARK[state])
     expect(new Set(own).size).toBe(5)

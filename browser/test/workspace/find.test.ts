@@ -4,8 +4,14 @@ import type { OnikonView } from '../../src/api.gen'
 import { inOrder } from '../../src/onikon/choose'
 import { countFitting, find } from '../../src/workspace/find'
 
-const onikon = (type: string, role: OnikonView['role'], left: string, right: string, description: string, order = 0): OnikonView =>
-  ({ type, role, order, dictionary: '/d', left, right, picture: '', description })
+const onikon = (
+  type: string,
+  role: OnikonView['role'],
+  left: string,
+  right: string,
+  description: string,
+  order = 0,
+): OnikonView => ({ type, role, order, dictionary: '/d', left, right, picture: '', description })
 const onikons: Record<string, OnikonView> = {
   opengripC: onikon('Complete job', 'job', '0', '0', 'open the hand'),
   closegripC: onikon('Complete job', 'job', '0', '0', 'close the hand', 1),
@@ -13,19 +19,26 @@ const onikons: Record<string, OnikonView> = {
   home: onikon('Joint object', 'target', '1', '0', 'straight up'),
   via: onikon('Joint object', 'target', '1', '1', 'by way of the middle', 1),
 }
-const types = Object.fromEntries(['Complete job', 'Joint job', 'Joint object'].map((name, order) => [name, { order, role: '' as const, left: '', right: '' }]))
+const types = Object.fromEntries(
+  ['Complete job', 'Joint job', 'Joint object'].map((name, order) => [
+    name,
+    { order, role: '' as const, left: '', right: '' },
+  ]),
+)
 const entries = inOrder(onikons, types, { '/d': { name: 'd', path: '/d', order: 0, onikons: 5 } }, 'en')
 const START = { left: '0', right: '0', wants: [], isHole: false }
 const HOLE = { left: '1', right: '0', wants: ['Joint object'], isHole: true }
 const names = (words: string, gap: typeof START = START) => find(words, entries, onikons, gap).map((one) => one.name)
 
 describe('what fits', () => {
-  test('comes first, the others stay below', () => { // R-D03
+  test('comes first, the others stay below', () => {
+    // R-D03
     expect(names('')).toEqual(['opengripC', 'closegripC', 'jmoveC', 'home', 'via'])
     expect(find('', entries, onikons, START).map((one) => one.doesFit)).toEqual([true, true, true, false, false])
   })
 
-  test('and fills the hole comes before what only fits', () => { // R-D19
+  test('and fills the hole comes before what only fits', () => {
+    // R-D19
     expect(names('', HOLE as unknown as typeof START).slice(0, 2)).toEqual(['home', 'via'])
   })
 

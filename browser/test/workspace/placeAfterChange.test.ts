@@ -4,7 +4,8 @@ import { placeAfterChange, type Flows } from '../../src/workspace/placeAfterChan
 
 const none = (_step: number): boolean => false
 const before: Flows = { 0: [1, 2, 3, 4], '0/3/1': [5, 6] }
-const after = (flow: string, step: number, now: Flows, isHole = none) => placeAfterChange({ flow, after: step }, before, now, isHole)
+const after = (flow: string, step: number, now: Flows, isHole = none) =>
+  placeAfterChange({ flow, after: step }, before, now, isHole)
 
 describe('the insertion cursor when its icon is gone', () => {
   it('stays where its icon stands, and at the start', () => {

@@ -41,7 +41,14 @@ function at(step: number): { clientX: number; clientY: number } {
 }
 const over = (step: number): Thing => new Thing({ step: String(step), flow: '0' })
 const event = (target: Thing, more: Partial<PointerEvent> = {}): PointerEvent =>
-  ({ target, button: 0, pointerId: 1, pointerType: 'mouse', preventDefault: () => undefined, ...more }) as unknown as PointerEvent
+  ({
+    target,
+    button: 0,
+    pointerId: 1,
+    pointerType: 'mouse',
+    preventDefault: () => undefined,
+    ...more,
+  }) as unknown as PointerEvent
 
 function click(step: number, more: Partial<PointerEvent> = {}): void {
   const one = event(step ? over(step) : GROUND, { ...at(step), ...more })
@@ -50,24 +57,54 @@ function click(step: number, more: Partial<PointerEvent> = {}): void {
 }
 function drag(step: number, to: number, more: Partial<PointerEvent> = {}): void {
   hand.down(event(over(step), { ...at(step), ...more }))
-  const there = { clientX: (workspaceState.base.gaps.find((gap) => gap.after === to)?.x ?? 0) + 1, clientY: at(step).clientY }
+  const there = {
+    clientX: (workspaceState.base.gaps.find((gap) => gap.after === to)?.x ?? 0) + 1,
+    clientY: at(step).clientY,
+  }
   hand.move(event(over(step), { ...there, ...more }))
   hand.up(event(over(step), { ...there, ...more }))
 }
 const press = (key: string, more: Partial<KeyboardEvent> = {}): boolean => keyDown({ key, ...more } as KeyboardEvent)
 const settled = (): Promise<void> => new Promise((done) => setTimeout(done))
 
-const job = (name: string, right: string): StepView => ({ name, role: 'job', type: 'job', left: '0', right, description: name })
+const job = (name: string, right: string): StepView => ({
+  name,
+  role: 'job',
+  type: 'job',
+  left: '0',
+  right,
+  description: name,
+})
 const target: StepView = { name: 'home', role: 'target', type: 'object', left: '1', right: '0', is_joined: true }
 const STEPS: Record<string, StepView> = { 1: job('open', '0'), 2: job('turn', '1'), 3: target, 4: job('close', '0') }
 
 beforeEach(() => {
   vi.stubGlobal('document', { elementFromPoint: () => null, activeElement: null })
   desk.tree = fullTree({
-    applications: { a1: { name: 'one', order: 0, steps: STEPS, flows: { 0: { steps: [1, 2, 3, 4], start: '0', end: '0' } } } },
+    applications: {
+      a1: { name: 'one', order: 0, steps: STEPS, flows: { 0: { steps: [1, 2, 3, 4], start: '0', end: '0' } } },
+    },
     onikons: {
-      open: { type: 'job', role: 'job', order: 0, dictionary: '', left: '0', right: '0', picture: '', source: '/b/conf/open.conf' },
-      turn: { type: 'job', role: 'job', order: 0, dictionary: '', left: '0', right: '1', picture: '', source: '/b/conf/turn.conf' },
+      open: {
+        type: 'job',
+        role: 'job',
+        order: 0,
+        dictionary: '',
+        left: '0',
+        right: '0',
+        picture: '',
+        source: '/b/conf/open.conf',
+      },
+      turn: {
+        type: 'job',
+        role: 'job',
+        order: 0,
+        dictionary: '',
+        left: '0',
+        right: '1',
+        picture: '',
+        source: '/b/conf/turn.conf',
+      },
     },
   })
   look.level = 'applications'
@@ -81,13 +118,15 @@ beforeEach(() => {
 })
 
 describe('the left button', () => {
-  test('selects the icon, and the next one goes behind it', () => { // R-G04
+  test('selects the icon, and the next one goes behind it', () => {
+    // R-G04
     click(2)
     expect([...workspace.steps]).toEqual([2])
     expect(workspace.place).toEqual({ flow: '0', after: 2 })
   })
 
-  test('over empty space selects nothing', () => { // R-G04
+  test('over empty space selects nothing', () => {
+    // R-G04
     click(2)
     click(0)
     expect(workspace.steps.size).toBe(0)
@@ -99,12 +138,14 @@ describe('the left button', () => {
     expect([...workspace.steps]).toEqual([2, 4])
   })
 
-  test('with Shift over a job opens its configuration', () => { // R-D12 R-G04
+  test('with Shift over a job opens its configuration', () => {
+    // R-D12 R-G04
     click(1, { shiftKey: true })
     expect(sent).toEqual([{ t: 'Open', path: '/b/conf/open.conf' }])
   })
 
-  test('drags an action with its target elsewhere', () => { // R-D05
+  test('drags an action with its target elsewhere', () => {
+    // R-D05
     drag(2, 0)
     expect(sent).toEqual([{ t: 'MoveIcons', doc: 'a1', steps: [2, 3], flow: '0', after: 0 }])
   })
@@ -126,7 +167,8 @@ describe('the left button', () => {
     expect(sent).toEqual([])
   })
 
-  test('drags nothing while the application runs', () => { // R-D18
+  test('drags nothing while the application runs', () => {
+    // R-D18
     desk.tree.applications.a1!.is_running = true
     drag(2, 0)
     expect(sent).toEqual([])
@@ -134,24 +176,28 @@ describe('the left button', () => {
 })
 
 describe('the middle button', () => {
-  test('shows name and types of an action', () => { // R-G04
+  test('shows name and types of an action', () => {
+    // R-G04
     click(1, { button: 1 })
     expect(workspaceState.opened).toEqual({ kind: 'facts', step: 1 })
   })
 
-  test('shows the values of an object, which can be edited', () => { // R-G04 R-D08
+  test('shows the values of an object, which can be edited', () => {
+    // R-G04 R-D08
     click(3, { button: 1 })
     expect(dialogs.current).toEqual({ name: 'icon', data: { step: '3' } })
   })
 
-  test('with Shift opens the picture editor', () => { // R-G04
+  test('with Shift opens the picture editor', () => {
+    // R-G04
     click(1, { button: 1, shiftKey: true })
     expect(dialogs.current).toEqual({ name: 'icon', data: { step: '1', tab: 'picture' } })
   })
 })
 
 describe('the right button', () => {
-  test('inserts what is selected in the dictionary behind the icon', async () => { // R-G04 R-D03
+  test('inserts what is selected in the dictionary behind the icon', async () => {
+    // R-G04 R-D03
     workspace.onikon = 'open'
     answers.set('InsertIcon', 9)
     hand.context(event(over(3), { ...at(3), button: 2 }))
@@ -173,7 +219,8 @@ test('a double click edits', () => {
 })
 
 describe('keys', () => {
-  test('move the cursor; what is selected alone goes along', () => { // R-X11
+  test('move the cursor; what is selected alone goes along', () => {
+    // R-X11
     press('ArrowRight')
     press('ArrowRight')
     expect(workspace.place).toEqual({ flow: '0', after: 2 })
@@ -187,19 +234,22 @@ describe('keys', () => {
     expect(workspace.place.after).toBe(4)
   })
 
-  test('with Shift select more', () => { // R-X11
+  test('with Shift select more', () => {
+    // R-X11
     press('ArrowRight')
     press('ArrowRight', { shiftKey: true })
     press('ArrowRight', { shiftKey: true })
     expect([...workspace.steps]).toEqual([1, 2, 3])
   })
 
-  test('begin a search by a letter, where nothing is selected', () => { // R-X11
+  test('begin a search by a letter, where nothing is selected', () => {
+    // R-X11
     press('o')
     expect(workspaceState.opened).toEqual({ kind: 'quick', words: 'o' })
   })
 
-  test('of table B.4 stay what they are there', () => { // R-G04
+  test('of table B.4 stay what they are there', () => {
+    // R-G04
     click(2)
     expect(press('c')).toBe(false)
     click(0)

@@ -22,8 +22,8 @@ def read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Applica
     Start and end icons are left out (reading 46), adjacent holes are one (reading 33), the marks of a target go to
     its job (reading 24).
     """
-    found, reading = _read(text, name, place_file, syntax)
-    return (None if reading.broken else found), reading.faults
+    application, reading = _read(text, name, place_file, syntax)
+    return (None if reading.broken else application), reading.faults
 
 
 def salvage(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Application | None, tuple[Fault, ...]]:
@@ -32,8 +32,8 @@ def salvage(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Appl
     None where there is no flow, where branches stand within each other too deep, and where the text is of a newer
     version. Never to be run.
     """
-    found, reading = _read(text, name, place_file, syntax)
-    return (None if found is None or depth(found.flows) > DEEPEST else found), reading.faults
+    application, reading = _read(text, name, place_file, syntax)
+    return (None if application is None or depth(application.flows) > DEEPEST else application), reading.faults
 
 
 def _read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Application | None, TextReading]:
@@ -42,9 +42,9 @@ def _read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Applic
     if reading.is_over:
         return None, reading
     head, *blocks = split(reading.lines, HEADS)
-    found = reading.arrange(head, _HEAD)
+    by_keyword = reading.arrange(head, _HEAD)
     kinds = {"parallel": True, "conditional": False}
-    is_parallel = reading.choice(found["APPLTYPE"][0] if found["APPLTYPE"] else None, kinds, default=False)
+    is_parallel = reading.choice(by_keyword["APPLTYPE"][0] if by_keyword["APPLTYPE"] else None, kinds, default=False)
     flows = read_flows(blocks, syntax, reading)
     if not flows:
         reading.fault(reading.end, Reason.of("files.flow_missing"))

@@ -46,13 +46,13 @@ def _command(text: str) -> str:
 
 
 def _button(block: Sequence[FileLine], reading: TextReading) -> Button:
-    found = {keyword: lines[0] if lines else None for keyword, lines in reading.arrange(block, _BUTTON).items()}
-    for line in found.values():
+    by_keyword = {keyword: lines[0] if lines else None for keyword, lines in reading.arrange(block, _BUTTON).items()}
+    for line in by_keyword.values():
         if line and not line.rest:
             reading.fault(line.number, Reason.of("files.text_after", keyword=line.keyword, line=str(line)))
-    name, command = found["BUTTON"], found["FUNCTION"]
+    name, command = by_keyword["BUTTON"], by_keyword["FUNCTION"]
     return Button(
         name.text if name else "",
         command.rest if command else "",
-        reading.yes(found[_SPAWN], default=False),
+        reading.yes(by_keyword[_SPAWN], default=False),
     )

@@ -53,7 +53,7 @@ def read(text: str, name: str, place_file: str) -> tuple[Configuration | None, t
             reading.fault(block[0].number, Reason.of("files.task_after_locus", block=str(block[0])))
         placed.append(_placed(reading.arrange(block, _TASK), reading))
     _check_twice([block[0] for block in blocks if block[0].keyword != "GROUP"], reading)
-    groups = _groups(grouped, {one.task for one in placed}, reading)
+    groups = _groups(grouped, {placed.task for placed in placed}, reading)
     return (None if reading.broken else Configuration(name, tuple(placed), tuple(loci), groups)), reading.faults
 
 
@@ -87,8 +87,8 @@ def _show_locus(locus: Locus) -> str:
     )
 
 
-def _placed(found: Mapping[str, list[FileLine]], reading: TextReading) -> Placed:
-    line = {keyword: lines[0] if lines else None for keyword, lines in found.items()}
+def _placed(by_keyword: Mapping[str, list[FileLine]], reading: TextReading) -> Placed:
+    line = {keyword: lines[0] if lines else None for keyword, lines in by_keyword.items()}
     x, y = reading.wholes(line["COORDS"], (0, 0))
     return Placed(
         task=reading.match(line["RMODFILE"], TASK_NAME, Reason.of("files.name_of_task")),
@@ -111,8 +111,8 @@ def _frequency(line: FileLine | None, reading: TextReading) -> float:
     return abs(value)
 
 
-def _locus(found: Mapping[str, list[FileLine]], reading: TextReading) -> Locus:
-    line = {keyword: lines[0] if lines else None for keyword, lines in found.items()}
+def _locus(by_keyword: Mapping[str, list[FileLine]], reading: TextReading) -> Locus:
+    line = {keyword: lines[0] if lines else None for keyword, lines in by_keyword.items()}
     x, y = reading.wholes(line["COORDS"], (0, 0))
     return Locus(
         reading.match(line["LOCUS"], SVAR_NAME, Reason.of("files.name_of_variable")),

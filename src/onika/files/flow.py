@@ -43,11 +43,17 @@ def has_extensions(flow: AppFlow) -> bool:
 
 def depth(flows: Sequence[AppFlow]) -> int:
     """How many branches stand within each other."""
-    found = -1
+    deepest = -1
     while flows:
-        flows = [one for flow in flows for step in flow.steps if isinstance(step, Branch) for one in step.flows]
-        found += 1
-    return max(found, 0)
+        flows = [
+            branch_flow
+            for flow in flows
+            for step in flow.steps
+            if isinstance(step, Branch)
+            for branch_flow in step.flows
+        ]
+        deepest += 1
+    return max(deepest, 0)
 
 
 def _show(step: Step) -> str:
@@ -151,11 +157,11 @@ class _Nest:
     def _begin_branch(self, line: FileLine) -> None:
         self._flow(line)
         self._open.append(_OpenBranch(line))
-        if sum(isinstance(one, _OpenBranch) for one in self._open) == DEEPEST + 1:
+        if sum(isinstance(opening, _OpenBranch) for opening in self._open) == DEEPEST + 1:
             self._reading.fault(line.number, Reason.of("files.branches_too_deep", deepest=DEEPEST))
 
     def _end_branch(self, line: FileLine) -> None:
-        if not any(isinstance(one, _OpenBranch) for one in self._open):
+        if not any(isinstance(opening, _OpenBranch) for opening in self._open):
             self._reading.fault(line.number, Reason.of("files.branch_before_endbranch", line=str(line)))
             return
         if isinstance(self._open[-1], _OpenFlow):

@@ -29,23 +29,25 @@ _LANGUAGE = re.compile(r"[a-z]{2,3}(?:-[A-Za-z0-9]+)*\Z")
 Values = tuple[tuple[Value, ...], ...]
 
 
-def read_icon(name: str, found: Mapping[str, list[FileLine]], syntax: Syntax, reading: TextReading) -> Onikon | None:
+def read_icon(
+    name: str, by_keyword: Mapping[str, list[FileLine]], syntax: Syntax, reading: TextReading
+) -> Onikon | None:
     """The onikon of arranged lines; None for a target of unknown type, which is noted (requirement D16).
 
     A job or application of unknown type keeps its type's name and acts as a complete one. Other faults break `reading`.
     """
-    line = found["ONIKON"][0] if found["ONIKON"] else None
-    pictures = [(row.number, row.rest) for row in found["PICT"]]
+    line = by_keyword["ONIKON"][0] if by_keyword["ONIKON"] else None
+    pictures = [(row.number, row.rest) for row in by_keyword["PICT"]]
     last = pictures[-1][0] if pictures else (line.number if line else 0)
     picture = read_rows(pictures, last, reading) if pictures else None
     kind = _kind(line, syntax, reading) if line else None
     if line is None or kind is None or picture is None:
         return None
-    values = _values(found["UI"], kind, reading)
+    values = _values(by_keyword["UI"], kind, reading)
     is_own = syntax.find(line.text) is not None
-    description = found["DESC"][0].text if found["DESC"] else ""
-    more = tuple(_target(target, kind, is_own, syntax, reading) for target in found["TARGET"])
-    words = _words_in(found["DESCIN"], reading)
+    description = by_keyword["DESC"][0].text if by_keyword["DESC"] else ""
+    more = tuple(_target(target, kind, is_own, syntax, reading) for target in by_keyword["TARGET"])
+    words = _words_in(by_keyword["DESCIN"], reading)
     return Onikon(name, kind.name if is_own else line.text, description, values, picture, more, words)
 
 
@@ -63,13 +65,13 @@ def write_icon(onikon: Onikon) -> str:
 
 
 def _kind(line: FileLine, syntax: Syntax, reading: TextReading) -> IconType | None:
-    known = syntax.find(line.text)
-    acting = known or syntax.acting(line.text)
+    type_of_icon = syntax.find(line.text)
+    acting = type_of_icon or syntax.acting(line.text)
     if acting is None:
         reading.part(
             line.number, Reason.of("files.icon_type_unknown", line=str(line)), Reason.of("files.icon_left_out")
         )
-    elif known is None:
+    elif type_of_icon is None:
         reading.note(
             line.number,
             Reason.of("files.icon_type_unknown", line=str(line)),
@@ -95,16 +97,16 @@ def needs_extension(onikon: Onikon) -> bool:
 
 def _words_in(lines: Sequence[FileLine], reading: TextReading) -> tuple[tuple[str, str], ...]:
     """The description in other languages, each once."""
-    found: dict[str, str] = {}
+    items: dict[str, str] = {}
     for line in lines:
         language, _, text = line.text.partition(" ")
         if not _LANGUAGE.match(language) or not text:
             reading.fault(line.number, Reason.of("files.descin_line", line=str(line)))
-        elif language in found:
+        elif language in items:
             reading.fault(line.number, Reason.of("files.descin_once", language=language, line=str(line)))
         else:
-            found[language] = text
-    return tuple(found.items())
+            items[language] = text
+    return tuple(items.items())
 
 
 def _values(lines: Sequence[FileLine], kind: IconType, reading: TextReading) -> Values:

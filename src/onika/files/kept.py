@@ -45,19 +45,19 @@ def read(text: str, name: str, place_file: str) -> tuple[KeptRun | None, tuple[F
     if reading.is_over:
         return None, reading.faults
     head, *blocks = split(reading.lines, {"FLOW", "ACTION", "END", "MEET"})
-    found = reading.arrange(head, _HEAD)
-    one = {keyword: lines[0] if lines else None for keyword, lines in found.items()}
+    by_keyword = reading.arrange(head, _HEAD)
+    single = {keyword: lines[0] if lines else None for keyword, lines in by_keyword.items()}
     flows, meetings = _body(blocks, reading)
     kept = KeptRun(
-        application=reading.word(one["APPLICATION"], Reason.of("files.name_of_application")),
-        digest=reading.word(one["DIGEST"], Reason.of("files.digest_of_application")),
+        application=reading.word(single["APPLICATION"], Reason.of("files.name_of_application")),
+        digest=reading.word(single["DIGEST"], Reason.of("files.digest_of_application")),
         flows=flows,
         meetings=meetings,
-        seed=reading.whole(one["SEED"], 0),
-        settle_s=_quantity(one["SETTLE"], 0.5, reading)[0],
-        redirects=tuple(told for line in found["REDIRECT"] if (told := _redirect(line, reading))),
-        answers=tuple(answer for line in found["ANSWER"] if (answer := _answer(line, reading))),
-        expectations=tuple(text for line in found["EXPECT"] if (text := _expectation(line, reading))),
+        seed=reading.whole(single["SEED"], 0),
+        settle_s=_quantity(single["SETTLE"], 0.5, reading)[0],
+        redirects=tuple(redirect for line in by_keyword["REDIRECT"] if (redirect := _redirect(line, reading))),
+        answers=tuple(answer for line in by_keyword["ANSWER"] if (answer := _answer(line, reading))),
+        expectations=tuple(text for line in by_keyword["EXPECT"] if (text := _expectation(line, reading))),
     )
     if not flows:
         reading.fault(reading.end, Reason.of("files.flow_missing"))
@@ -69,7 +69,7 @@ def write(kept: KeptRun, former: str = "") -> str:
     parts = [row("VERSION", EXTENDED), "\n", row("APPLICATION", kept.application)]
     parts += [row("DIGEST", kept.digest)] if kept.digest else []
     parts += [row("SEED", str(kept.seed)), row("SETTLE", show_number(kept.settle_s), "s")]
-    parts += [row("REDIRECT", told) for told in kept.redirects]
+    parts += [row("REDIRECT", redirect) for redirect in kept.redirects]
     parts += [row("ANSWER", *answer) for answer in kept.answers]
     parts += [row("EXPECT", text) for text in kept.expectations]
     for flow in kept.flows:
@@ -77,7 +77,7 @@ def write(kept: KeptRun, former: str = "") -> str:
         parts += [_show_action(action) for action in flow.actions]
         parts += ["\n", row("END"), *map(_show_demand, flow.at_end)]
     parts += ["\n"] if kept.meetings else []
-    parts += [row("MEET", one.tag, *one.subsystems) for one in kept.meetings]
+    parts += [row("MEET", meeting.tag, *meeting.subsystems) for meeting in kept.meetings]
     return carry_comments(former, "".join([*parts, "\n", row("EOF")]))
 
 
@@ -115,33 +115,35 @@ def _body(
         elif keyword == "ACTION":
             actions.append(_action(reading.arrange(block, _ACTION), reading))
         else:
-            found = reading.arrange(block, _END)
+            by_keyword = reading.arrange(block, _END)
             reading.bare(block[0])
             flow = flows[-1]
-            flows[-1] = KeptFlow(flow.subsystem, flow.robots, tuple(actions), _demands(found["AFTER"], reading))
+            flows[-1] = KeptFlow(flow.subsystem, flow.robots, tuple(actions), _demands(by_keyword["AFTER"], reading))
             is_open = False
     if is_open:
         reading.fault(reading.end, Reason.of("files.end_of_last_flow"))
     return tuple(flows), tuple(meetings)
 
 
-def _flow(found: Mapping[str, list[FileLine]], reading: TextReading) -> KeptFlow:
+def _flow(by_keyword: Mapping[str, list[FileLine]], reading: TextReading) -> KeptFlow:
     robots = []
-    for line in found["ROBOT"]:
+    for line in by_keyword["ROBOT"]:
         if len(line.words) == 2:
             robots.append((line.words[0], line.words[1]))
         else:
             reading.fault(line.number, Reason.of("files.kept_robot", line=str(line)))
-    return KeptFlow(reading.word(next(iter(found["FLOW"]), None), Reason.of("files.name_of_subsystem")), tuple(robots))
+    return KeptFlow(
+        reading.word(next(iter(by_keyword["FLOW"]), None), Reason.of("files.name_of_subsystem")), tuple(robots)
+    )
 
 
-def _action(found: Mapping[str, list[FileLine]], reading: TextReading) -> KeptAction:
-    name, lasts, way = (next(iter(found[keyword]), None) for keyword in ("ACTION", "LASTS", "ONTHEWAY"))
+def _action(by_keyword: Mapping[str, list[FileLine]], reading: TextReading) -> KeptAction:
+    name, lasts, way = (next(iter(by_keyword[keyword]), None) for keyword in ("ACTION", "LASTS", "ONTHEWAY"))
     if name is not None and not name.rest:
         reading.fault(name.number, Reason.of("files.action_name", name=str(name)))
     lasts_s, within_s = _quantity(lasts, 0.0, reading)
     is_on_way = reading.yes(way, default=False)
-    return KeptAction(name.text if name else "", lasts_s, within_s, _demands(found["AFTER"], reading), is_on_way)
+    return KeptAction(name.text if name else "", lasts_s, within_s, _demands(by_keyword["AFTER"], reading), is_on_way)
 
 
 def _demands(lines: Sequence[FileLine], reading: TextReading) -> tuple[Demand, ...]:
@@ -208,10 +210,10 @@ def _redirect(line: FileLine, reading: TextReading) -> str:
 
 
 def _meeting(lines: Sequence[FileLine], reading: TextReading) -> list[KeptMeeting]:
-    found = []
+    numbers = []
     for line in lines:
         if len(line.words) < 2:
             reading.fault(line.number, Reason.of("files.kept_meet", line=str(line)))
         else:
-            found.append(KeptMeeting(line.words[0], line.words[1:]))
-    return found
+            numbers.append(KeptMeeting(line.words[0], line.words[1:]))
+    return numbers

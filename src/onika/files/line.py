@@ -149,20 +149,20 @@ class TextReading:
     def arrange(self, block: Sequence[FileLine], slots: Sequence[KeywordSlot]) -> Mapping[str, list[FileLine]]:
         """Check a block of lines against its slots; gives the lines of every keyword, lists empty where none is."""
         places = {slot.keyword: place for place, slot in enumerate(slots)}
-        found: dict[str, list[FileLine]] = {slot.keyword: [] for slot in slots}
-        told: set[str] = set()
+        by_keyword: dict[str, list[FileLine]] = {slot.keyword: [] for slot in slots}
+        reported: set[str] = set()
         reached = -1
         for line in block:
             place = places.get(line.keyword)
             if place is None:
                 expected = self._expected(slots, reached)
-                told.update(expected)
+                reported.update(expected)
                 if expected:
                     reason = Reason.of("files.keywords_expected", keywords=tuple(expected), line=str(line))
                 else:
                     reason = Reason.of("files.no_more_lines", line=str(line))
                 self.fault(line.number, reason)
-            elif found[line.keyword] and not slots[place].many:
+            elif by_keyword[line.keyword] and not slots[place].many:
                 self.fault(line.number, Reason.of("files.keyword_once", keyword=line.keyword, line=str(line)))
             else:
                 if slots[place].need is Need.OF_2_0 and not self.is_extended:
@@ -183,9 +183,9 @@ class TextReading:
                         ),
                     )
                 reached = max(reached, place)
-                found[line.keyword].append(line)
-        self._check_missing(block, [slot for slot in slots if slot.keyword not in told], found)
-        return found
+                by_keyword[line.keyword].append(line)
+        self._check_missing(block, [slot for slot in slots if slot.keyword not in reported], by_keyword)
+        return by_keyword
 
     def _expected(self, slots: Sequence[KeywordSlot], reached: int) -> list[str]:
         """The keywords that may come after slot `reached`, up to the first that must."""
@@ -202,12 +202,12 @@ class TextReading:
         return slot.need is Need.ALWAYS or (slot.need is Need.SINCE_1_3 and not self.is_old)
 
     def _check_missing(
-        self, block: Sequence[FileLine], slots: Sequence[KeywordSlot], found: Mapping[str, list[FileLine]]
+        self, block: Sequence[FileLine], slots: Sequence[KeywordSlot], by_keyword: Mapping[str, list[FileLine]]
     ) -> None:
         """A line that is missing, but for those in whose place another one stood, as it is told already."""
         later = {slot.keyword: place for place, slot in enumerate(slots)}
         for place, slot in enumerate(slots):
-            if self._needs(slot) and not found[slot.keyword]:
+            if self._needs(slot) and not by_keyword[slot.keyword]:
                 after = [line.number for line in block if later.get(line.keyword, -1) > place]
                 number = after[0] if after else (block[-1].number if block else self.end)
                 self.fault(number, Reason.of("files.line_missing", keyword=slot.keyword))
@@ -296,8 +296,8 @@ def show(text: str) -> str:
 
 def _newer(given: str, *, is_extended: bool) -> Reason:
     if is_extended:
-        known, extended = version.VERSION, version.EXTENDED
-        return Reason.of("files.version_newer_extended", version=known, extended=extended, given=given)
+        newest, extended = version.VERSION, version.EXTENDED
+        return Reason.of("files.version_newer_extended", version=newest, extended=extended, given=given)
     return Reason.of("files.version_newer", version=version.VERSION, given=given)
 
 
@@ -314,7 +314,7 @@ def _no_wholes(line: FileLine, count: int, low: int) -> Reason:
 
 def _content(text: str, reading: TextReading) -> list[FileLine]:
     """The lines that are no comments; signs that no text file holds are reported."""
-    found = []
+    words = []
     is_clean = _STRANGE.search(text) is None
     for number, raw in enumerate(text.removeprefix("\ufeff").split("\n"), start=1):
         line = raw.removesuffix("\r")
@@ -326,5 +326,5 @@ def _content(text: str, reading: TextReading) -> list[FileLine]:
             keyword, _, rest = line.partition(" ")
             if "\t" in keyword:
                 keyword, rest = _BLANK.split(line, maxsplit=1)
-            found.append(FileLine(number, keyword, rest.lstrip(" \t")))
-    return found
+            words.append(FileLine(number, keyword, rest.lstrip(" \t")))
+    return words

@@ -23,11 +23,13 @@ def read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Onikon 
     reading.open_versioned(text, extended=True)
     if reading.is_over:
         return None, reading.faults
-    found = reading.arrange(reading.lines, _SLOTS)
-    onikon = read_icon(name, found, syntax, reading)
+    by_keyword = reading.arrange(reading.lines, _SLOTS)
+    onikon = read_icon(name, by_keyword, syntax, reading)
     kind = syntax.find(onikon.type) if onikon else None
     if kind and (kind.is_start or kind.is_end):
-        reading.fault(found["ONIKON"][0].number, Reason.of("files.action_target", given=str(found["ONIKON"][0])))
+        reading.fault(
+            by_keyword["ONIKON"][0].number, Reason.of("files.action_target", given=str(by_keyword["ONIKON"][0]))
+        )
     return (None if reading.broken else onikon), reading.faults
 
 

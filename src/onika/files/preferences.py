@@ -28,7 +28,9 @@ def read(text: str, name: str, place_file: str) -> tuple[Preferences, tuple[Faul
     if reading.is_over:
         return Preferences(), reading.faults
     lines = [FileLine(at.number, "STEPSIZE", at.rest) if at.keyword == "STEPWISE" else at for at in reading.lines]
-    line = {key: found[0] if found else None for key, found in reading.arrange(lines, _SLOTS).items()}
+    line = {
+        key: lines_of_key[0] if lines_of_key else None for key, lines_of_key in reading.arrange(lines, _SLOTS).items()
+    }
     default = Preferences()
     preferences = Preferences(
         line_length=reading.whole(line["LINELEN"], default.line_length, low=1),
@@ -115,7 +117,7 @@ def _window(line: FileLine | None, default: Window, reading: TextReading) -> Win
 def _columns(line: FileLine | None, default: tuple[str, ...], reading: TextReading) -> tuple[str, ...]:
     if line is None:
         return default
-    known = set(line.words) <= set(STATUS_COLUMNS) and len(set(line.words)) == len(line.words)
-    if not known:
+    is_valid = set(line.words) <= set(STATUS_COLUMNS) and len(set(line.words)) == len(line.words)
+    if not is_valid:
         reading.fault(line.number, Reason.of("files.columns", columns=" ".join(STATUS_COLUMNS), line=str(line)))
-    return line.words if known else default
+    return line.words if is_valid else default

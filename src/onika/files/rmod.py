@@ -55,26 +55,26 @@ def read(text: str, name: str, place_file: str) -> tuple[RmodText | None, tuple[
     if reading.is_over:
         return None, reading.faults
     head = next((at for at, line in enumerate(reading.lines) if line.keyword == "LOCAL"), len(reading.lines))
-    found = reading.arrange(reading.lines[: head + 1], _SLOTS)
-    aliases = _aliases(found["SVARALIAS"], reading)
-    ports = _ports(found, aliases, reading)
-    kind = reading.choice(_first(found["TASKTYPE"]), {kind.value: kind for kind in TaskType}, TaskType.APERIODIC)
-    for alone in found["ONIKA"] + found["LOCAL"]:
+    by_keyword = reading.arrange(reading.lines[: head + 1], _SLOTS)
+    aliases = _aliases(by_keyword["SVARALIAS"], reading)
+    ports = _ports(by_keyword, aliases, reading)
+    kind = reading.choice(_first(by_keyword["TASKTYPE"]), {kind.value: kind for kind in TaskType}, TaskType.APERIODIC)
+    for alone in by_keyword["ONIKA"] + by_keyword["LOCAL"]:
         reading.bare(alone)
     task = Task(
         name=name,
-        module=reading.match(_first(found["MODULE"]), TASK_NAME, Reason.of("files.name_of_module")),
-        description=found["DESC"][0].text if found["DESC"] else "",
+        module=reading.match(_first(by_keyword["MODULE"]), TASK_NAME, Reason.of("files.name_of_module")),
+        description=by_keyword["DESC"][0].text if by_keyword["DESC"] else "",
         aliases=aliases,
         inconst=ports["INCONST"],
         outconst=ports["OUTCONST"],
         invar=ports["INVAR"],
         outvar=ports["OUTVAR"],
         type=kind,
-        frequency=_frequency(found, kind, reading),
-        gives_period=bool(found["PERIOD"]),
-        object_type=_object_type(found, reading),
-        more_targets=_more_targets(found, reading),
+        frequency=_frequency(by_keyword, kind, reading),
+        gives_period=bool(by_keyword["PERIOD"]),
+        object_type=_object_type(by_keyword, reading),
+        more_targets=_more_targets(by_keyword, reading),
         local=_local(reading.lines[head + 1 :], reading),
     )
     return (None if reading.broken else RmodText(task, text)), reading.faults
@@ -124,25 +124,27 @@ def _first(lines: Sequence[FileLine]) -> FileLine | None:
 def _aliases(lines: Sequence[FileLine], reading: TextReading) -> tuple[tuple[str, str], ...]:
     aliases: dict[str, str] = {}
     for line in lines:
-        found = _ALIAS.match(line.rest)
-        if not found or not (SVAR_NAME.match(found[1]) and SVAR_NAME.match(found[2])):
+        match = _ALIAS.match(line.rest)
+        if not match or not (SVAR_NAME.match(match[1]) and SVAR_NAME.match(match[2])):
             reading.fault(line.number, Reason.of("files.alias_line", line=str(line)))
-        elif found[1] in aliases:
-            reading.fault(line.number, Reason.of("files.one_alias", given=found[1], line=str(line)))
+        elif match[1] in aliases:
+            reading.fault(line.number, Reason.of("files.one_alias", given=match[1], line=str(line)))
         else:
-            aliases[found[1]] = found[2]
+            aliases[match[1]] = match[2]
     return tuple(aliases.items())
 
 
 def _ports(
-    found: Mapping[str, list[FileLine]], aliases: Sequence[tuple[str, str]], reading: TextReading
+    by_keyword: Mapping[str, list[FileLine]], aliases: Sequence[tuple[str, str]], reading: TextReading
 ) -> dict[str, tuple[str, ...]]:
-    listed = {keyword: _names(_first(found[keyword]), reading) for keyword in _PORTS}
+    listed = {keyword: _names(_first(by_keyword[keyword]), reading) for keyword in _PORTS}
     ports = {keyword: _coded(names, listed, aliases) for keyword, names in listed.items()}
     for keyword, names in ports.items():
         if len(set(names)) < len(names):
-            reading.fault(found[keyword][0].number, Reason.of("files.every_name_once", given=str(found[keyword][0])))
-    _check_aliases(found, ports, aliases, reading)
+            reading.fault(
+                by_keyword[keyword][0].number, Reason.of("files.every_name_once", given=str(by_keyword[keyword][0]))
+            )
+    _check_aliases(by_keyword, ports, aliases, reading)
     return ports
 
 
@@ -170,7 +172,7 @@ def _coded(
 
 
 def _check_aliases(
-    found: Mapping[str, list[FileLine]],
+    by_keyword: Mapping[str, list[FileLine]],
     ports: Mapping[str, Sequence[str]],
     aliases: Sequence[tuple[str, str]],
     reading: TextReading,
@@ -179,7 +181,7 @@ def _check_aliases(
     present = {name for names in ports.values() for name in names}
     if reading.broken:
         return
-    for line, (name, _) in zip(found["SVARALIAS"], aliases, strict=True):
+    for line, (name, _) in zip(by_keyword["SVARALIAS"], aliases, strict=True):
         if name not in present:
             reading.fault(line.number, Reason.of("files.alias_of_port", line=str(line)))
     svars = dict(aliases)
@@ -187,16 +189,16 @@ def _check_aliases(
     for name in dict.fromkeys(name for keyword in _OUTPUTS for name in ports[keyword]):
         other = writers.setdefault(svars.get(name, name), name)
         if other != name:
-            line = next(found[keyword][0] for keyword in reversed(_OUTPUTS) if name in ports[keyword])
+            line = next(by_keyword[keyword][0] for keyword in reversed(_OUTPUTS) if name in ports[keyword])
             reading.fault(
                 line.number, Reason.of("files.output_twice", other=other, name=name, get=svars.get(name, name))
             )
 
 
-def _frequency(found: Mapping[str, list[FileLine]], kind: TaskType, reading: TextReading) -> float | None:
+def _frequency(by_keyword: Mapping[str, list[FileLine]], kind: TaskType, reading: TextReading) -> float | None:
     """Hz; exactly one of FREQ and PERIOD where the task is periodic or synchronous."""
-    lines = found["FREQ"] + found["PERIOD"]
-    tasktype = _first(found["TASKTYPE"])
+    lines = by_keyword["FREQ"] + by_keyword["PERIOD"]
+    tasktype = _first(by_keyword["TASKTYPE"])
     is_known = tasktype is not None and tasktype.rest in {kind.value for kind in TaskType}
     if is_known and kind is TaskType.APERIODIC:
         for line in lines:
@@ -236,8 +238,8 @@ def _show_period(frequency: float) -> str:
     raise ValueError(Reason.of("files.frequency_with_period", frequency=frequency))
 
 
-def _object_type(found: Mapping[str, list[FileLine]], reading: TextReading) -> str | None:
-    onika, line = _first(found["ONIKA"]), _first(found["OBJECT"])
+def _object_type(by_keyword: Mapping[str, list[FileLine]], reading: TextReading) -> str | None:
+    onika, line = _first(by_keyword["ONIKA"]), _first(by_keyword["OBJECT"])
     if onika and not line:
         reading.fault(onika.number, Reason.of("files.object_missing"))
     if line and not onika:
@@ -247,13 +249,13 @@ def _object_type(found: Mapping[str, list[FileLine]], reading: TextReading) -> s
     return line.text if line else None
 
 
-def _more_targets(found: Mapping[str, list[FileLine]], reading: TextReading) -> tuple[str, ...]:
-    for line in found["TARGET"]:
-        if not found["OBJECT"]:
+def _more_targets(by_keyword: Mapping[str, list[FileLine]], reading: TextReading) -> tuple[str, ...]:
+    for line in by_keyword["TARGET"]:
+        if not by_keyword["OBJECT"]:
             reading.fault(line.number, Reason.of("files.object_before_target", line=str(line)))
         if not (has_word(line.text, "object") and len(line.words) > 1):
             reading.fault(line.number, Reason.of("files.type_of_target", line=str(line)))
-    return tuple(line.text for line in found["TARGET"])
+    return tuple(line.text for line in by_keyword["TARGET"])
 
 
 def _local(lines: Sequence[FileLine], reading: TextReading) -> tuple[LocalLine, ...]:

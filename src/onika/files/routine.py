@@ -34,15 +34,15 @@ def read_routine(block: Sequence[FileLine], syntax: Syntax, reading: TextReading
 
     A hole with its lines for a target of unknown type, and for what is too broken for an icon.
     """
-    found = reading.arrange(block, _ROUTINE)
-    line = {keyword: lines[0] if lines else None for keyword, lines in found.items()}
+    by_keyword = reading.arrange(block, _ROUTINE)
+    line = {keyword: lines[0] if lines else None for keyword, lines in by_keyword.items()}
     name = reading.match(block[0], TASK_NAME, Reason.of("files.name_of_icon"))
-    for one, behind in (("WHILETAG", "WHILETEST"), ("WHILETEST", "WHILETAG"), ("WHILEIF", "WHILETEST")):
-        given = line[one]
+    for keyword, behind in (("WHILETAG", "WHILETEST"), ("WHILETEST", "WHILETAG"), ("WHILEIF", "WHILETEST")):
+        given = line[keyword]
         if given and not line[behind]:
-            order = "after" if one == "WHILETAG" else "before"
-            reading.fault(given.number, Reason.of("files.order_missing", behind=behind, order=order, name=one))
-    icon = read_icon(name, found, syntax, reading)
+            order = "after" if keyword == "WHILETAG" else "before"
+            reading.fault(given.number, Reason.of("files.order_missing", behind=behind, order=order, name=keyword))
+    icon = read_icon(name, by_keyword, syntax, reading)
     if icon is None or not name or not _is_whole(icon, syntax):
         return Hole(block[0].number, "".join(row(at.keyword, at.rest) for at in block))
     kind = syntax.find(icon.type)
@@ -118,10 +118,10 @@ def _is_whole(icon: Onikon, syntax: Syntax) -> bool:
     return kind is None or fits(icon.values, kind.items)
 
 
-def _agree(one: str | None, other: str | None, meaning: str, target: Icon, reading: TextReading) -> None:
-    if one is not None and other is not None and one != other:
+def _agree(mark: str | None, other: str | None, meaning: str, target: Icon, reading: TextReading) -> None:
+    if mark is not None and other is not None and mark != other:
         always = Reason.of("files.always")
-        reason = Reason.of("files.icons_disagree", meaning=meaning, first=one or always, second=other or always)
+        reason = Reason.of("files.icons_disagree", meaning=meaning, first=mark or always, second=other or always)
         reading.fault(target.line, reason)
 
 

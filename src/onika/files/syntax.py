@@ -90,11 +90,11 @@ def _arranged(block: Sequence[FileLine], slots: Sequence[KeywordSlot], reading: 
 
 def _type(block: Sequence[FileLine], reading: TextReading) -> IconType:
     head, *items = split(block, {"VARNAME"})
-    found = _arranged(head, _TYPE, reading)
+    by_keyword = _arranged(head, _TYPE, reading)
     kind = IconType(
-        _text(found["ONIKON"], Reason.of("files.name_of_type"), reading),
-        reading.whole(found["LEFTEDGE"], 0, low=0),
-        reading.whole(found["RIGHTEDGE"], 0, low=0),
+        _text(by_keyword["ONIKON"], Reason.of("files.name_of_type"), reading),
+        reading.whole(by_keyword["LEFTEDGE"], 0, low=0),
+        reading.whole(by_keyword["RIGHTEDGE"], 0, low=0),
         tuple(_item(_arranged(item, _ITEM, reading), reading) for item in items),
     )
     if items and not kind.is_target:
@@ -102,12 +102,12 @@ def _type(block: Sequence[FileLine], reading: TextReading) -> IconType:
     return kind
 
 
-def _item(found: _Found, reading: TextReading) -> DataItem:
+def _item(by_keyword: _Found, reading: TextReading) -> DataItem:
     return DataItem(
-        _text(found["VARNAME"], Reason.of("files.name_of_item"), reading),
-        reading.choice(found["DATATYPE"], _TYPES, ValueType.STRING),
-        reading.whole(found["NELEMS"], 1, low=1),
-        reading.match(found["DIMENSION"], SVAR_NAME, Reason.of("files.name_of_constant")),
+        _text(by_keyword["VARNAME"], Reason.of("files.name_of_item"), reading),
+        reading.choice(by_keyword["DATATYPE"], _TYPES, ValueType.STRING),
+        reading.whole(by_keyword["NELEMS"], 1, low=1),
+        reading.match(by_keyword["DIMENSION"], SVAR_NAME, Reason.of("files.name_of_constant")),
     )
 
 
@@ -119,19 +119,19 @@ def _text(line: FileLine | None, meaning: Text, reading: TextReading) -> str:
     return line.text if line else ""
 
 
-def _edge(found: _Found, reading: TextReading) -> Edge:
-    red, green, blue = reading.wholes(found["RGB"], (0, 0, 0), low=0)
-    if found["RGB"] and max(red, green, blue) > 255:
-        reading.fault(found["RGB"].number, Reason.of("files.rgb_numbers", given=str(found["RGB"])))
-    count = reading.whole(found["NUMVERTS"], 0, low=0)
-    line = found["VERTICES"]
+def _edge(by_keyword: _Found, reading: TextReading) -> Edge:
+    red, green, blue = reading.wholes(by_keyword["RGB"], (0, 0, 0), low=0)
+    if by_keyword["RGB"] and max(red, green, blue) > 255:
+        reading.fault(by_keyword["RGB"].number, Reason.of("files.rgb_numbers", given=str(by_keyword["RGB"])))
+    count = reading.whole(by_keyword["NUMVERTS"], 0, low=0)
+    line = by_keyword["VERTICES"]
     moves: tuple[int, ...] = ()
     if line and len(line.words) != 2 * count:
         reading.fault(line.number, Reason.of("files.vertices", count=count, line=str(line)))
     elif line and count:
         moves = reading.wholes(line, (0,) * (2 * count))
     pairs = tuple(zip(moves[::2], moves[1::2], strict=True))
-    return Edge(reading.whole(found["EDGENUM"], 0, low=0), (red, green, blue), pairs)
+    return Edge(reading.whole(by_keyword["EDGENUM"], 0, low=0), (red, green, blue), pairs)
 
 
 def _check_types(types: Sequence[tuple[int, IconType]], edges: set[int], reading: TextReading) -> None:

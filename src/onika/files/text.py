@@ -62,10 +62,10 @@ def _data(path: Path) -> bytes:
         os.close(descriptor)
 
 
-def _size(found: os.stat_result) -> int:
+def _size(status: os.stat_result) -> int:
     kinds = {stat.S_IFDIR: "a directory", stat.S_IFIFO: "a pipe", stat.S_IFSOCK: "a socket"}
-    if not stat.S_ISREG(found.st_mode):
-        raise ValueError(kinds.get(stat.S_IFMT(found.st_mode), "a device"))
-    if found.st_size > LARGEST:
-        raise ValueError(f"{found.st_size} bytes, more than {LARGEST}")
-    return found.st_size
+    if not stat.S_ISREG(status.st_mode):
+        raise ValueError(kinds.get(stat.S_IFMT(status.st_mode), "a device"))
+    if status.st_size > LARGEST:
+        raise ValueError(f"{status.st_size} bytes, more than {LARGEST}")
+    return status.st_size

@@ -59,16 +59,16 @@ def head_of(tail: bytes) -> tuple[str, bytes]:
     """The hash of the last whole line in the end of a file, and what is torn after it; no hash where there is none."""
     lines = tail.splitlines(keepends=True)
     for at in range(len(lines) - 1, -1, -1):
-        found = _LINE.fullmatch(lines[at])
-        if found and lines[at].endswith(b"\n"):
-            return found[1].decode(), b"".join(lines[at + 1 :])
+        match = _LINE.fullmatch(lines[at])
+        if match and lines[at].endswith(b"\n"):
+            return match[1].decode(), b"".join(lines[at + 1 :])
     return "", tail
 
 
 def older(path: Path) -> list[Path]:
     """A trail's files, oldest first, the present one last; `FILE.1` is older than `FILE`."""
     numbered = [path.with_name(f"{path.name}.{number}") for number in range(1, _NO_FILES)]
-    return [*reversed([one for one in numbered if one.is_file()]), *([path] if path.is_file() else [])]
+    return [*reversed([path for path in numbered if path.is_file()]), *([path] if path.is_file() else [])]
 
 
 def read(files: Sequence[Path]) -> Trail:
@@ -83,16 +83,16 @@ def _read(data: bytes, place: str, trail: Trail, is_first: bool) -> None:
     torn: list[tuple[int, bytes]] = []
     begins = True
     for number, raw in enumerate(data.splitlines(keepends=True), 1):
-        found = _LINE.fullmatch(raw)
-        record = _record(found[2]) if found else None
-        if found is None or record is None or not raw.endswith(b"\n"):
+        match = _LINE.fullmatch(raw)
+        record = _record(match[2]) if match else None
+        if match is None or record is None or not raw.endswith(b"\n"):
             torn.append((number, raw))
             continue
         before = str(record.get("before", "")) if begins else trail.head
         if begins:
             _begin(record, Place(place, number), trail, is_first)
-        own = found[1].decode()
-        if _hash(before, found[2]) != own:
+        own = match[1].decode()
+        if _hash(before, match[2]) != own:
             _fault(trail, place, number, Reason.of("files.trail_not_next"))
         _torn(torn, record, place, trail)
         torn, begins = [], False
@@ -138,10 +138,10 @@ def _fault(trail: Trail, place: str, number: int, reason: Reason) -> None:
 
 def _record(text: bytes) -> Record | None:
     try:
-        found = json.loads(text)
+        record = json.loads(text)
     except (ValueError, RecursionError):
         return None
-    return found if isinstance(found, dict) else None
+    return record if isinstance(record, dict) else None
 
 
 def _hash(before: str, text: bytes) -> str:

@@ -38,8 +38,8 @@ def stamp(text: str) -> Stamp:
 
 def read(path: Path) -> tuple[tuple[str, Stamp] | None, tuple[Fault, ...]]:
     """The text at `path` with its stamp; None with the fault where it cannot be read."""
-    found, faults = texts.load(path, str(path))
-    return (None if found is None else (found, stamp(found))), faults
+    content, faults = texts.load(path, str(path))
+    return (None if content is None else (content, stamp(content))), faults
 
 
 def write(path: Path, text: str, expected: Stamp) -> Stamp | Refusal:
@@ -79,22 +79,22 @@ def _directory(path: Path) -> Iterator[int]:
 def _differs(path: Path, name: str, folder: int, expected: Stamp) -> Refusal | None:
     """Why the file may not be replaced, if so."""
     try:
-        found = os.stat(name, dir_fd=folder)
+        status = os.stat(name, dir_fd=folder)
     except FileNotFoundError:
         if expected in (ABSENT, ANYTHING):
             return None
         return Refusal(f"{path} was removed since it was read", ("save it all the same", "save it elsewhere"))
-    if not stat.S_ISREG(found.st_mode):
+    if not stat.S_ISREG(status.st_mode):
         return Refusal(f"{path} is no plain file", ("save it elsewhere",))
     if not os.access(name, os.W_OK, dir_fd=folder, effective_ids=True):
         return Refusal(f"{path} may not be written by you", ("save it elsewhere",))
     if expected == ANYTHING:
         return None
     if expected == ABSENT:
-        return Refusal(f"{path} is there already, {_who(found)}", ("save it elsewhere", _OVERWRITE))
+        return Refusal(f"{path} is there already, {_who(status)}", ("save it elsewhere", _OVERWRITE))
     if _stamp_at(name, folder) == expected:
         return None
-    return Refusal(f"{path} has changed since it was read, {_who(found)}", ("read it again", _OVERWRITE))
+    return Refusal(f"{path} has changed since it was read, {_who(status)}", ("read it again", _OVERWRITE))
 
 
 def _stamp_at(name: str, folder: int) -> Stamp:
@@ -102,13 +102,13 @@ def _stamp_at(name: str, folder: int) -> Stamp:
         return sha256(file.read()).hexdigest()
 
 
-def _who(found: os.stat_result) -> str:
+def _who(status: os.stat_result) -> str:
     """Whose file it is and when it was written."""
     try:
-        owner = pwd.getpwuid(found.st_uid).pw_name
+        owner = pwd.getpwuid(status.st_uid).pw_name
     except KeyError:
-        owner = str(found.st_uid)
-    moment = datetime.fromtimestamp(found.st_mtime, UTC).strftime("%Y-%m-%d %H:%M:%S UTC")
+        owner = str(status.st_uid)
+    moment = datetime.fromtimestamp(status.st_mtime, UTC).strftime("%Y-%m-%d %H:%M:%S UTC")
     return f"written {moment} and owned by {owner}"
 
 

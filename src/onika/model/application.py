@@ -92,11 +92,11 @@ class Action(NamedTuple):
     @property
     def positions(self) -> tuple[int, ...]:
         """The position of each of its targets; one hole may stand for several."""
-        at, found = self.position, []
-        for number, one in enumerate(self.targets):
-            at += not (number and isinstance(one, Hole) and one is self.targets[number - 1])
-            found.append(at)
-        return tuple(found)
+        at, targets = self.position, []
+        for number, target in enumerate(self.targets):
+            at += not (number and isinstance(target, Hole) and target is self.targets[number - 1])
+            targets.append(at)
+        return tuple(targets)
 
     @property
     def end(self) -> int:
@@ -107,14 +107,14 @@ class Action(NamedTuple):
 def actions(flow: AppFlow, syntax: Syntax) -> tuple[Action, ...]:
     """The actions of a flow, without those of its branches; other holes and stray targets are no actions."""
     steps = flow.steps
-    found = []
+    paths = []
     for position, step in enumerate(steps):
         if isinstance(step, Icon):
             kind = syntax.acting(step.onikon.type)
             if kind and kind.is_action:
                 wanted = wanted_targets(step.onikon, syntax)
-                found.append(Action(position, step, _targets(steps, position + 1, wanted, syntax)))
-    return tuple(found)
+                paths.append(Action(position, step, _targets(steps, position + 1, wanted, syntax)))
+    return tuple(paths)
 
 
 def wanted_targets(onikon: Onikon, syntax: Syntax) -> tuple[str, ...]:
@@ -166,7 +166,7 @@ def _with_steps(application: Application, change: Callable[[Icon], Icon], *, by_
         line = step.number if by_number else step.line
         if isinstance(step, Hole):
             return replace(step, line=line)
-        return replace(step, line=line, flows=tuple(AppFlow(tuple(map(changed, one.steps))) for one in step.flows))
+        return replace(step, line=line, flows=tuple(AppFlow(tuple(map(changed, flow.steps))) for flow in step.flows))
 
     flows = tuple(AppFlow(tuple(map(changed, flow.steps))) for flow in application.flows)
     return replace(application, flows=flows)
@@ -174,18 +174,18 @@ def _with_steps(application: Application, change: Callable[[Icon], Icon], *, by_
 
 def _targets(steps: tuple[Step, ...], at: int, wanted: tuple[str, ...], syntax: Syntax) -> tuple[Icon | Hole, ...]:
     """What stands from step `at` on for the targets an action wants."""
-    found: list[Icon | Hole] = []
-    while len(found) < len(wanted) and at < len(steps):
+    parts: list[Icon | Hole] = []
+    while len(parts) < len(wanted) and at < len(steps):
         step = steps[at]
         at += 1
         if isinstance(step, Hole):
             after = steps[at] if at < len(steps) else None
-            found += [step] * _open(wanted[len(found) :], after, syntax)
+            parts += [step] * _open(wanted[len(parts) :], after, syntax)
         elif isinstance(step, Icon) and is_target(step, syntax):
-            found.append(step)
+            parts.append(step)
         else:
             break
-    return tuple(found)
+    return tuple(parts)
 
 
 def _open(wanted: tuple[str, ...], after: Step | None, syntax: Syntax) -> int:
@@ -195,4 +195,4 @@ def _open(wanted: tuple[str, ...], after: Step | None, syntax: Syntax) -> int:
     if not (isinstance(after, Icon) and is_target(after, syntax)):
         return len(wanted)
     kind = after.onikon.type
-    return next((at for at, one in enumerate(wanted) if at and same_type(one, kind)), 1)
+    return next((at for at, type_name in enumerate(wanted) if at and same_type(type_name, kind)), 1)

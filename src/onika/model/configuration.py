@@ -62,26 +62,26 @@ class Configuration:
 
     def group(self, name: str) -> Group | None:
         """The supermodule of that name."""
-        return next((one for one in self.groups if one.name == name), None)
+        return next((group for group in self.groups if group.name == name), None)
 
     def regrouped(self, groups: Iterable[Group]) -> "Configuration":
         """With these groups as far as their tasks are placed; where one task is in several, the first counts."""
-        left = {one.task for one in self.placed}
-        found = []
+        left = {placed.task for placed in self.placed}
+        kept_groups = []
         for group in groups:
             tasks = tuple(name for name in group.tasks if name in left)
             left.difference_update(tasks)
             if tasks:
-                found.append(group if tasks == group.tasks else Group(group.name, tasks))
-        return self if tuple(found) == self.groups else replace(self, groups=tuple(found))
+                kept_groups.append(group if tasks == group.tasks else Group(group.name, tasks))
+        return self if tuple(kept_groups) == self.groups else replace(self, groups=tuple(kept_groups))
 
     def in_group_order(self, names: Iterable[str]) -> list[str]:
         """These tasks, those of a group in its order at the places which they have among the others."""
-        found = list(names)
+        ordered = list(names)
         for group in self.groups:
             members = set(group.tasks)
-            places = [at for at, name in enumerate(found) if name in members]
-            present = {found[at] for at in places}
-            for at, name in zip(places, (one for one in group.tasks if one in present), strict=True):
-                found[at] = name
-        return found
+            places = [at for at, name in enumerate(ordered) if name in members]
+            present = {ordered[at] for at in places}
+            for at, name in zip(places, (task for task in group.tasks if task in present), strict=True):
+                ordered[at] = name
+        return ordered

@@ -44,7 +44,7 @@ def spot_of(application: Application, number: int) -> StepAddress | None:
 
 def with_flows(application: Application, changed: dict[str, AppFlow]) -> Application:
     """With other flows at these paths; inner ones first where one lies within another."""
-    for path in sorted(changed, key=lambda one: -one.count("/")):
+    for path in sorted(changed, key=lambda path: -path.count("/")):
         first, *way = path.split("/")
         flow = _put(application.flows[int(first)], way, changed[path])
         application = replace(application, flows=_exchanged(application.flows, int(first), flow))
@@ -93,13 +93,13 @@ class _Count:
         return step
 
 
-def _is(one: object, other: object) -> bool:
-    return one is other
+def _is(step: object, other: object) -> bool:
+    return step is other
 
 
 def _bare(step: Step) -> Step:
     if isinstance(step, Branch):
-        return replace(step, flows=tuple(AppFlow(unnumbered(one.steps)) for one in step.flows), number=0, line=0)
+        return replace(step, flows=tuple(AppFlow(unnumbered(flow.steps)) for flow in step.flows), number=0, line=0)
     return replace(step, number=0, line=0)
 
 

@@ -95,7 +95,7 @@ def after(state: State, step: Step) -> State:
     try:
         return TABLE[state][step]
     except KeyError:
-        allowed = ", ".join(sorted(known.value for known in TABLE[state]))
+        allowed = ", ".join(sorted(command.value for command in TABLE[state]))
         raise IllegalTransition(f"expected one of {allowed} while {state.value}, found {step.value}") from None
 
 

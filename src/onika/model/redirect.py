@@ -22,10 +22,10 @@ class Redirect:
     @classmethod
     def parse(cls, text: str) -> "Redirect":
         """Read `puma=scara` or `0:puma=scara`; raises ValueError that says what was expected."""
-        found = _FORM.match(text.strip())
-        if not found or not (TASK_NAME.match(found["old"]) and TASK_NAME.match(found["new"])):
+        match = _FORM.match(text.strip())
+        if not match or not (TASK_NAME.match(match["old"]) and TASK_NAME.match(match["new"])):
             raise ValueError(f"expected [FLOW:]TASK=TASK, found {text!r}")
-        return cls(found["old"], found["new"], found["flow"] or "")
+        return cls(match["old"], match["new"], match["flow"] or "")
 
     @property
     def home(self) -> str:
@@ -46,5 +46,7 @@ Choice = dict[str, str]
 
 def choice(redirects: Sequence[Redirect], subsystem: str) -> Choice:
     """What stands for what in a subsystem: what is said of it alone comes before what is said of all."""
-    found = sorted((one for one in redirects if one.holds_in(subsystem)), key=lambda one: len(one.home))
-    return {one.old: one.new for one in found if one.old != one.new}
+    effective = sorted(
+        (redirect for redirect in redirects if redirect.holds_in(subsystem)), key=lambda redirect: len(redirect.home)
+    )
+    return {redirect.old: redirect.new for redirect in effective if redirect.old != redirect.new}

@@ -117,8 +117,8 @@ class Syntax:
 
         None for an unknown target and for a name that is none of these (requirement D16).
         """
-        if found := self.find(name):
-            return found
+        if icon_type := self.find(name):
+            return icon_type
         if has_word(name, "object"):
             return None
         if has_word(name, "job"):
@@ -142,9 +142,11 @@ class Syntax:
         Where the syntax has neither, the name that its words say (reading 32).
         """
         name = object_name(kind.name)
-        if found := self.find(name):
-            return found.name
-        fitting = [one.name for one in self.types if one.is_target and one.left_edge == kind.right_edge]
+        if icon_type := self.find(name):
+            return icon_type.name
+        fitting = [
+            icon_type.name for icon_type in self.types if icon_type.is_target and icon_type.left_edge == kind.right_edge
+        ]
         return fitting[0] if len(fitting) == 1 else name
 
     def edge(self, number: int) -> Edge | None:
@@ -167,9 +169,9 @@ def application_name(name: str) -> str:
     return " ".join("application" if word.lower() == "object" else word for word in name.split())
 
 
-def same_type(one: str, other: str) -> bool:
+def same_type(name: str, other: str) -> bool:
     """Whether two names mean one type: without case (reading 37)."""
-    return _words(one) == _words(other)
+    return _words(name) == _words(other)
 
 
 @lru_cache(maxsize=1024)  # asked for every icon, again and again, and there are few types

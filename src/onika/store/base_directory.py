@@ -70,9 +70,9 @@ class BaseDirectory:
     @property
     def unreadable(self) -> Faults:
         """This directory where there is none, and its folders that cannot be looked into; absent ones are empty."""
-        found = []
+        names = []
         if not self.path.is_dir():
-            found.append(
+            names.append(
                 Fault(Place(str(self.path)), Reason.of("store.no_base_directory"), Reason.of("words.left_out"))
             )
         for folder in ("module", "conf", "dict", "appl"):
@@ -82,14 +82,14 @@ class BaseDirectory:
                 continue
             except OSError as error:
                 place = Place(str(self.path / folder))
-                found.append(
+                names.append(
                     Fault(
                         place,
                         Reason.of("store.unreadable_folder", strerror=error.strerror or ""),
                         Reason.of("store.files_left_out"),
                     )
                 )
-        return tuple(found)
+        return tuple(names)
 
     def task_file(self, name: str) -> Path:
         """Where the task `name` stands or would stand."""
@@ -154,8 +154,8 @@ class BaseDirectory:
         is_new = not record.text or task.name != record.task.name
         expected = whole.ABSENT if is_new else whole.stamp(record.text)
         content = rmod.write(record, task)
-        found = put(self.task_file(task.name), task, content, whole.ANYTHING if overwrites else expected)
-        return found if isinstance(found, Refusal) else RmodText(task, content)
+        saved = put(self.task_file(task.name), task, content, whole.ANYTHING if overwrites else expected)
+        return saved if isinstance(saved, Refusal) else RmodText(task, content)
 
     def save_configuration(
         self, configuration: Configuration, former: OpenedText[Configuration] | None = None, *, overwrites: bool = False
@@ -172,12 +172,12 @@ class BaseDirectory:
         A configuration and an application of one name would share it: whose icon it is first keeps it (reading 34).
         """
         path, name = self.onikon_file(onikon.name), onikon.name
-        found = save(path, onikon, onk.write, former, overwrites=overwrites)
+        saved = save(path, onikon, onk.write, former, overwrites=overwrites)
         both = self.configuration_file(name).exists() and self.application_file(name).exists()
-        if former is None and both and isinstance(found, Refusal):
-            remedies = (f"rename the configuration or the application {name}", *found.remedies)
-            return Refusal(f"{found.reason}; the configuration and the application {name} share it", remedies)
-        return found
+        if former is None and both and isinstance(saved, Refusal):
+            remedies = (f"rename the configuration or the application {name}", *saved.remedies)
+            return Refusal(f"{saved.reason}; the configuration and the application {name} share it", remedies)
+        return saved
 
     def save_application(
         self, application: Application, former: OpenedText[Application] | None = None, *, overwrites: bool = False
@@ -194,10 +194,10 @@ class BaseDirectory:
     def _files(self, folder: str, ending: str) -> list[Path]:
         """The files with this ending; hidden ones are nobody's, a folder that cannot be read holds none."""
         try:
-            found = sorted((self.path / folder).iterdir(), key=lambda path: path.name)
+            paths = sorted((self.path / folder).iterdir(), key=lambda path: path.name)
         except OSError:
             return []
-        return [path for path in found if path.name.endswith(ending) and not path.name.startswith(".")]
+        return [path for path in paths if path.name.endswith(ending) and not path.name.startswith(".")]
 
     def _names(self, folder: str, ending: str) -> tuple[str, ...]:
         names = (path.name.removesuffix(ending) for path in self._files(folder, ending))

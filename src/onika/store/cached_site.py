@@ -47,21 +47,21 @@ class RememberingSite(Site):
 
     def stamps(self, files: Iterable[Path | None]) -> tuple[Stamp, ...]:
         """What tells whether files have changed."""
-        return tuple(None if one is None else _stamp(one) for one in files)
+        return tuple(None if file is None else _stamp(file) for file in files)
 
     def _once(self, kind: str, path: Path, read: Callable[[], Any]) -> Any:
         stamp = _stamp(path)
-        known = self.memory.get((kind, path))
-        if known is not None and known[0] == stamp:
-            return known[1]
-        found = read()
-        self.memory[kind, path] = (stamp, found)
-        return found
+        entry = self.memory.get((kind, path))
+        if entry is not None and entry[0] == stamp:
+            return entry[1]
+        value = read()
+        self.memory[kind, path] = (stamp, value)
+        return value
 
 
 def _stamp(path: Path) -> Stamp:
     try:
-        found = path.stat()
+        stat = path.stat()
     except OSError:
         return None
-    return found.st_mtime_ns, found.st_size
+    return stat.st_mtime_ns, stat.st_size

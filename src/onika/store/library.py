@@ -23,7 +23,7 @@ class Library:
     tasks: Mapping[str, RmodText]
     faults: Faults
     """Notes among them; of a file that is left out there is at least one that is none."""
-    found: Mapping[str, Found] = field(default_factory=dict)
+    records: Mapping[str, Found] = field(default_factory=dict)
     """What every file gave that was read, also where that is no task, by the names of the files."""
     modules: frozenset[str] = frozenset()
     """The modules whose code lies here."""
@@ -46,14 +46,14 @@ def reopen_libraries(
 
     What is as it was is the same object.
     """
-    known = {library.base: library for library in former}
+    former_by_base = {library.base: library for library in former}
     owners: dict[str, BaseDirectory] = {}
     opened = []
     for base in bases:
         tasks = base.tasks
         names = [name for name in tasks if owners.setdefault(name, base) is base]
         faults = [_again(base, name, owners[name]) for name in tasks if owners[name] is not base]
-        before = known.get(base)
+        before = former_by_base.get(base)
         library = _open(base, names, faults, before, changed)
         opened.append(before if before == library else library)
     return tuple(opened)
@@ -67,22 +67,22 @@ def open_library(base: BaseDirectory) -> Library:
 def _open(
     base: BaseDirectory, names: Iterable[str], faults: list[Fault], former: Library | None, changed: Set[Path]
 ) -> Library:
-    known = former.found if former else {}
-    read = {name: _read(base, name, known.get(name), changed) for name in names}
+    former_records = former.records if former else {}
+    read = {name: _read(base, name, former_records.get(name), changed) for name in names}
     tasks = {name: record for name, (record, _) in read.items() if record is not None}
-    faults += [*base.unreadable, *(one for one in base.misnamed if Path(one.place.file).parent.name == "module")]
-    faults += [fault for _, found in read.values() for fault in found]
+    faults += [*base.unreadable, *(fault for fault in base.misnamed if Path(fault.place.file).parent.name == "module")]
+    faults += [fault for _, faults_of_task in read.values() for fault in faults_of_task]
     faults += _alike(base, tasks)
     return Library(base, tasks, tuple(sorted(faults)), read, frozenset(base.modules))
 
 
-def _read(base: BaseDirectory, name: str, known: Found | None, changed: Set[Path]) -> Found:
+def _read(base: BaseDirectory, name: str, former_record: Found | None, changed: Set[Path]) -> Found:
     """A file, or what is known of it where it has not changed."""
-    if known is None:
+    if former_record is None:
         return base.task(name)
     file = base.task_file(name)
-    if file not in changed or (known[0] is not None and text.load(file, str(file))[0] == known[0].text):
-        return known
+    if file not in changed or (former_record[0] is not None and text.load(file, str(file))[0] == former_record[0].text):
+        return former_record
     return base.task(name)
 
 

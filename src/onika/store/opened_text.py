@@ -53,5 +53,5 @@ def put(path: Path, value: _T, content: str, expected: whole.Stamp) -> OpenedTex
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         return Refusal(f"{path} cannot be saved: {error.strerror}", ("save it elsewhere",))
-    found = whole.write(path, content, expected)
-    return found if isinstance(found, Refusal) else OpenedText(value, path, content)
+    written = whole.write(path, content, expected)
+    return written if isinstance(written, Refusal) else OpenedText(value, path, content)

@@ -57,8 +57,8 @@ def joined(program: ApplicationProgram, names: Iterable[str], site: Site) -> App
     """A program with further tasks that may live in it, and their code; those that are nowhere are left out."""
     tasks, code, faults = dict(program.tasks), dict(program.code), list(program.faults)
     for name in names:
-        record, found = site.task(name) if name not in tasks else (None, ())
-        faults += found
+        record, faults_of_task = site.task(name) if name not in tasks else (None, ())
+        faults += faults_of_task
         if record is None:
             continue
         tasks[name] = record.task
@@ -93,10 +93,17 @@ class _Gathering:
         self._enter(application)
         paths = {task.module: self._site.code_file(task) for task in self._tasks.values()}
         code = {module: path for module, path in paths.items() if path}
-        found = tuple(self._faults)
+        faults_of_files = tuple(self._faults)
         unread = frozenset(self._unread)
         return ApplicationProgram(
-            application, self._configurations, self._tasks, code, self._applications, found, unread, self._files
+            application,
+            self._configurations,
+            self._tasks,
+            code,
+            self._applications,
+            faults_of_files,
+            unread,
+            self._files,
         )
 
     def _enter(self, application: Application) -> None:

@@ -61,18 +61,18 @@ class Site:
 
         A faulty one is reported and the next is taken; None only where the shipped one is at fault.
         """
-        found: list[Fault] = []
+        faults_of_files: list[Fault] = []
         for path in self.syntax_files:
             if path != self.syntax_files[-1] and not path.exists():
                 continue
             content, faults = text.load(path, str(path))
-            found += faults
+            faults_of_files += faults
             if content is not None:
                 read, faults = syntax.read(content, path.name, str(path))
-                found += faults
+                faults_of_files += faults
                 if read is not None:
-                    return read, tuple(found)
-        return None, tuple(found)
+                    return read, tuple(faults_of_files)
+        return None, tuple(faults_of_files)
 
     def preferences(self) -> tuple[Preferences, Faults]:
         """The user's preferences; defaults for what is missing or wrong (requirement B12)."""
@@ -86,8 +86,8 @@ class Site:
         path = self._own_path(preferences.NAME)
         if path is None or os.path.lexists(path):
             return None
-        found = put(path, preferred, preferences.write(preferred), whole.ABSENT)
-        return found if isinstance(found, Refusal) else None
+        saved = put(path, preferred, preferences.write(preferred), whole.ABSENT)
+        return saved if isinstance(saved, Refusal) else None
 
     def open_preferences(self) -> tuple[OpenedText[Preferences] | None, Faults]:
         """The preferences to be edited and saved again; None where the user has no file of them that can be read."""
@@ -225,13 +225,13 @@ class Site:
         return next((base for base in self.directories if file(base, name).is_file()), None)
 
     def _flow_picture(self, name: str) -> tuple[Picture, Faults]:
-        found: Faults = ()
+        faults: Faults = ()
         for path in dict.fromkeys((self.prefs / name, shipped() / "prefs" / name)):
-            opened, faults = open_file(path, name, picture.read)
-            found += faults
+            opened, faults_of_file = open_file(path, name, picture.read)
+            faults += faults_of_file
             if opened:
-                return opened.value, found
-        return blank(), found
+                return opened.value, faults
+        return blank(), faults
 
     def _own_path(self, name: str) -> Path | None:
         return None if self.home is None else self.home / name

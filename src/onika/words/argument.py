@@ -17,11 +17,11 @@ def split(line: str) -> list[str]:
     words = []
     rest = line.strip()
     while rest:
-        found = _WORD.match(rest)
-        if not found:
+        match = _WORD.match(rest)
+        if not match:
             raise ValueError(Reason.of("words.argument_line", rest=rest))
-        words.append(found[2] if found[2] is not None else re.sub(r"\\(.)", r"\1", found[1]))
-        rest = rest[found.end() :].lstrip()
+        words.append(match[2] if match[2] is not None else re.sub(r"\\(.)", r"\1", match[1]))
+        rest = rest[match.end() :].lstrip()
     return words
 
 

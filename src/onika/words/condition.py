@@ -41,23 +41,23 @@ class Condition:
     @classmethod
     def parse(cls, text: str) -> "Condition":
         """Read one; raises ValueError that says what was expected."""
-        found = _FORM.match(text)
-        if not found or not math.isfinite(float(found["number"])):
+        match = _FORM.match(text)
+        if not match or not math.isfinite(float(match["number"])):
             raise ValueError(Reason.of("words.condition", text=text))
-        parts = found["address"].split("/")
-        index = tuple(int(one) for one in found["index"].split(",")) if found["index"] else ()
-        return cls(text.strip(), "/".join(parts[-2:]), index, found["relation"], float(found["number"]))
+        parts = match["address"].split("/")
+        index = tuple(int(part) for part in match["index"].split(",")) if match["index"] else ()
+        return cls(text.strip(), "/".join(parts[-2:]), index, match["relation"], float(match["number"]))
 
-    def found(self, values: dict[str, Any]) -> Any:
+    def value_of(self, values: dict[str, Any]) -> Any:
         """The value the condition speaks of; None where there is none, a vector where no element is named."""
         value = values.get(self.address)
-        for one in self.index:
-            if not isinstance(value, list) or one >= len(value):
+        for place in self.index:
+            if not isinstance(value, list) or place >= len(value):
                 return None
-            value = value[one]
+            value = value[place]
         return value
 
     def holds(self, values: dict[str, Any]) -> bool:
         """Whether the value stands in the relation; a missing value, a text or a vector never does."""
-        value = self.found(values)
+        value = self.value_of(values)
         return isinstance(value, int | float) and _RELATIONS[self.relation](value, self.number)

@@ -52,7 +52,7 @@ class Fault:
 def parted(faults: Iterable[Fault]) -> tuple[tuple[Fault, ...], tuple[Fault, ...]]:
     """What is wrong, and the notes: each once, in the order given."""
     every = tuple(dict.fromkeys(faults))
-    return tuple(one for one in every if not one.is_note), tuple(one for one in every if one.is_note)
+    return tuple(fault for fault in every if not fault.is_note), tuple(fault for fault in every if fault.is_note)
 
 
 @dataclass(frozen=True, slots=True)

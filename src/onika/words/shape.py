@@ -22,12 +22,12 @@ class Shape:
     @classmethod
     def parse(cls, text: str) -> "Shape":
         """Read `double[NDOF,4]`; raises ValueError that says what was expected."""
-        found = _FORM.match(text.replace(" ", ""))
-        if not found or found[1] not in ValueType._value2member_map_:
+        match = _FORM.match(text.replace(" ", ""))
+        if not match or match[1] not in ValueType._value2member_map_:
             raise ValueError(Reason.of("words.shape", text=text))
-        if found[2] is None:
-            return cls(ValueType(found[1]))
-        return cls(ValueType(found[1]), tuple(_dimension(part, text) for part in found[2].split(",")))
+        if match[2] is None:
+            return cls(ValueType(match[1]))
+        return cls(ValueType(match[1]), tuple(_dimension(part, text) for part in match[2].split(",")))
 
     @property
     def names(self) -> tuple[str, ...]:

@@ -21,7 +21,7 @@ def test_the_same_run_is_passed_and_so_is_one_that_differs_within_tolerances(wor
 
 
 @pytest.mark.parametrize(
-    ("mistake", "found"),
+    ("mistake", "words"),
     [
         (way(2, "move elsewhere"), "Q_MEZ after action 3 (move down)"),
         (way(0), "expected action 1 (open), found it missing"),
@@ -34,10 +34,10 @@ def test_the_same_run_is_passed_and_so_is_one_that_differs_within_tolerances(wor
         (way(4, "grip above"), "expected nothing more here, found action 5 (grip above)"),
     ],
 )
-def test_mistakes_in_a_program_are_caught(workshop, mistake, found):  # R-X07
+def test_mistakes_in_a_program_are_caught(workshop, mistake, words):  # R-X07
     verdict = judge(workshop.kept().kept, workshop.run(mistake))
     assert not verdict.is_passed
-    assert any(found in failure for failure in verdict.failures), verdict.failures
+    assert any(words in failure for failure in verdict.failures), verdict.failures
 
 
 def test_a_lift_that_is_left_out_changes_nothing_and_is_told(workshop):  # R-X07

@@ -12,7 +12,7 @@ from onika.model.picture import blank
 GO = Onikon("go", "Joint job", "", (), blank())
 GRIP = Onikon("opengrip", "Complete job", "", (), blank())
 HOME = Onikon("home", "Joint object", "", ((1.0, 2.0), ("x",)), blank())
-KNOWN = {one.name: one for one in (GO, GRIP, HOME)}
+KNOWN = {item.name: item for item in (GO, GRIP, HOME)}
 
 
 def read(text: str) -> list[Icon | Hole]:
@@ -42,7 +42,7 @@ def test_a_statement_is_its_steps(text: str, steps: list[Icon | Hole]) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("text", "complaint"),
     [
         ("DRIVE", "expected the name of a job or application, found the end of the line"),
         ("DRIVE walk", "expected an icon `walk` in the dictionary or under WHERE, found none"),
@@ -61,7 +61,7 @@ def test_a_statement_is_its_steps(text: str, steps: list[Icon | Hole]) -> None:
         ("HOLE TO home", "expected the end of the line, found 'TO home'"),
     ],
 )
-def test_what_is_no_statement_is_told_as_expected_and_found(text: str, told: str) -> None:
+def test_what_is_no_statement_is_told_as_expected_and_found(text: str, complaint: str) -> None:
     with pytest.raises(ValueError) as wrong:
         read(text)
-    assert str(wrong.value) == told
+    assert str(wrong.value) == complaint

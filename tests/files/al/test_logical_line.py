@@ -5,23 +5,25 @@ from onika.files.al.logical_line import joined, sentences
 from onika.files.line import TextReading
 
 
-def said(text: str) -> tuple[list[str], list[str]]:
+def content(text: str) -> tuple[list[str], list[str]]:
     """The sentences and the faults of a text."""
     reading = TextReading("f", "nothing")
-    found, _ = sentences(text, reading)
-    return [joined(one.tokens) for one in found], [f"{one.place.line}: {expected_by(one)}" for one in reading.faults]
+    result, _ = sentences(text, reading)
+    return [joined(item.tokens) for item in result], [
+        f"{item.place.line}: {expected_by(item)}" for item in reading.faults
+    ]
 
 
 def test_every_line_is_a_sentence_and_comments_and_blank_lines_are_none() -> None:
-    assert said("BEGIN { all\nof it }\n\n  NOP   noop{x}\r\nEND") == (["BEGIN", "NOP noop", "END"], [])
+    assert content("BEGIN { all\nof it }\n\n  NOP   noop{x}\r\nEND") == (["BEGIN", "NOP noop", "END"], [])
 
 
 def test_within_parentheses_a_sentence_goes_on() -> None:
-    assert said("TO x (1\n  2; a=3)\nEND") == (["TO x (1 2; a=3)", "END"], [])
+    assert content("TO x (1\n  2; a=3)\nEND") == (["TO x (1 2; a=3)", "END"], [])
 
 
 def test_a_word_of_the_language_ends_an_open_parenthesis() -> None:
-    assert said("TO x (1\nEND\nTO y (2") == (
+    assert content("TO x (1\nEND\nTO y (2") == (
         ["TO x (1", "END", "TO y (2"],
         ["1: a ) for every (", "3: a ) for every ("],
     )
@@ -29,8 +31,8 @@ def test_a_word_of_the_language_ends_an_open_parenthesis() -> None:
 
 def test_a_quoted_text_holds_signs_and_escapes() -> None:
     reading = TextReading("f", "nothing")
-    found, _ = sentences(r'TAG "{a\" \\ (" #2', reading)
-    assert [(token.kind, token.value) for token in found[0].tokens] == [
+    result, _ = sentences(r'TAG "{a\" \\ (" #2', reading)
+    assert [(token.kind, token.value) for token in result[0].tokens] == [
         ("word", "TAG"),
         ("text", '{a" \\ ('),
         ("variant", "#2"),
@@ -38,7 +40,7 @@ def test_a_quoted_text_holds_signs_and_escapes() -> None:
 
 
 def test_what_is_open_at_the_end_of_its_line_or_begins_nothing_is_reported() -> None:
-    assert said('A "b\nC }} }\nD\x01 \nE { f') == (
+    assert content('A "b\nC }} }\nD\x01 \nE { f') == (
         ["A", "C", "D\x01", "E"],
         [
             '1: a " that ends the text on its line',
@@ -52,8 +54,8 @@ def test_what_is_open_at_the_end_of_its_line_or_begins_nothing_is_reported() -> 
 def test_the_line_where_ends_the_sentences() -> None:
     text = "END\n WHERE \nICON {"
     reading = TextReading("f", "nothing")
-    found, start = sentences(text, reading)
-    assert [joined(one.tokens) for one in found] == ["END"]
+    result, start = sentences(text, reading)
+    assert [joined(item.tokens) for item in result] == ["END"]
     assert text[start:] == "ICON {"
     assert reading.end == 1
     assert sentences("WHERE x", reading)[1] == -1
@@ -63,8 +65,8 @@ def test_the_line_where_ends_the_sentences() -> None:
 @settings(deadline=None)
 def test_any_text_gives_sentences_on_its_lines(text: str) -> None:
     reading = TextReading("f", "nothing")
-    found, _ = sentences(text, reading)
-    for one in found:
-        for token in one.tokens:
+    result, _ = sentences(text, reading)
+    for item in result:
+        for token in item.tokens:
             assert text.count("\n", 0, token.start) + 1 == token.line
     assert all(1 <= fault.place.line <= text.count("\n") + 1 for fault in reading.faults)

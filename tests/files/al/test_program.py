@@ -16,12 +16,12 @@ KNOWN = {name: Onikon(name, "Complete job", "", (), blank()) for name in "abcdef
 def run(text: str) -> tuple[TextProgram, tuple[AppFlow, ...] | None, list[str]]:
     """A program after all its sentences, `/` standing for the end of a line; its flows and faults."""
     reading = TextReading("f", "nothing")
-    found, _ = sentences(text.replace(" / ", "\n"), reading)
+    result, _ = sentences(text.replace(" / ", "\n"), reading)
     program = TextProgram(TYPES, WhereSection(KNOWN.get), reading)
-    for one in found:
-        program.take(one)
+    for item in result:
+        program.take(item)
     flows = program.end()
-    return program, flows, [f"{one.place.line}: {expected_by(one)} / {found_by(one)}" for one in reading.faults]
+    return program, flows, [f"{fault.place.line}: {expected_by(fault)} / {found_by(fault)}" for fault in reading.faults]
 
 
 def shown(step: Step) -> str:
@@ -30,10 +30,10 @@ def shown(step: Step) -> str:
         return "_"
     if isinstance(step, Branch):
         inner = [" ".join(map(shown, flow.steps)) for flow in step.flows]
-        return f"[{' | '.join(inner)}{''.join(f' ; {one}' for one in step.conditions)}]"
+        return f"[{' | '.join(inner)}{''.join(f' ; {condition}' for condition in step.conditions)}]"
     synch = f"@{step.synch_tag}" if step.synch_tag else ""
     loop = f"{'?' if step.while_test else '+'}{step.while_tag}" if step.while_tag else ""
-    conditions = "".join(f"<{one}>" for one in (step.while_if, step.marker_if) if one)
+    conditions = "".join(f"<{item}>" for item in (step.while_if, step.marker_if) if item)
     return step.onikon.name + synch + loop + "!" * step.marker + conditions
 
 
@@ -87,7 +87,7 @@ def test_blocks_that_stand_outermost_are_the_flows(text: str, is_parallel: bool,
 
 
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("text", "complaints"),
     [
         ("", ["1: BEGIN, COBEGIN or CASE OF / an empty text"]),
         ("DO a", ["1: BEGIN, COBEGIN or CASE OF / 'DO a'"]),
@@ -133,14 +133,14 @@ def test_blocks_that_stand_outermost_are_the_flows(text: str, is_parallel: bool,
         ("BEGIN / DO h / BREAK / END", ["2: an icon `h` in the dictionary or under WHERE / none"]),
     ],
 )
-def test_each_wrong_sentence_is_told_once(text: str, told: list[str]) -> None:
-    assert run(text)[2] == told  # R-B07
+def test_each_wrong_sentence_is_told_once(text: str, complaints: list[str]) -> None:
+    assert run(text)[2] == complaints  # R-B07
 
 
 def test_an_unknown_word_is_told_with_the_known_ones() -> None:
-    (told,) = run("BEGIN / go a / END")[2]
-    assert told.startswith("2: a word of the language (DRIVE MOVE ")
-    assert told.endswith("/ 'go a'")
+    (complaint,) = run("BEGIN / go a / END")[2]
+    assert complaint.startswith("2: a word of the language (DRIVE MOVE ")
+    assert complaint.endswith("/ 'go a'")
 
 
 def test_branches_nest_as_deep_as_a_file_may_have_them_and_no_deeper() -> None:

@@ -22,7 +22,7 @@ KEPT = "ROUTINE     push\nMARKER      no\nONIKON      Force object\nDESC        
 @st.composite
 def tagged(draw: st.DrawFn) -> Application:
     """Few tags at many icons: loops within loops, crossing ones, lonely ends."""
-    onikon = draw(onikons.filter(lambda one: not one.type.endswith("object")))
+    onikon = draw(onikons.filter(lambda item: not item.type.endswith("object")))
     made = [Icon(onikon, while_tag=tag, while_test=test) for tag in ("a", "END", "c") for test in (False, True)]
     steps = draw(st.lists(st.sampled_from([Icon(onikon), *made]), max_size=9))
     return Application("a", draw(st.booleans()), (AppFlow(tuple(steps)),))
@@ -32,9 +32,10 @@ def tagged(draw: st.DrawFn) -> Application:
 def paired(draw: st.DrawFn) -> Application:
     """Actions with their targets, among few names, some with a hole or a target of unknown type in its place."""
     few = st.sampled_from(["home", "TO", "jmove", "opengrip"])
-    found = draw(st.lists(onikons, min_size=1, max_size=6))
+    result = draw(st.lists(onikons, min_size=1, max_size=6))
     steps: list[Icon | Hole] = [
-        Icon(Onikon(draw(few), one.type, one.description, one.values, one.picture, one.more_targets)) for one in found
+        Icon(Onikon(draw(few), item.type, item.description, item.values, item.picture, item.more_targets))
+        for item in result
     ]
     if draw(st.booleans()):
         picture = "".join(f"PICT        {row}\n" for row in blank().rows)
@@ -50,8 +51,8 @@ def dictionary_of(application: Application, kept: Callable[[], bool]) -> Callabl
 
 def faults_of(text: str) -> list[str]:
     application, faults = read(text, "a", "a.al", TYPES)
-    assert (application is None) == any(not one.is_note for one in faults)
-    return [str(one) for one in faults]
+    assert (application is None) == any(not fault.is_note for fault in faults)
+    return [str(fault) for fault in faults]
 
 
 @given(application=applications | tagged() | paired(), data=st.data())
@@ -62,7 +63,7 @@ def test_any_application_is_read_back_as_the_same_and_its_file_has_the_same_byte
     dictionary = dictionary_of(application, lambda: data.draw(st.booleans()))  # R-D14
     text = write(application, TYPES, dictionary)
     again, faults = read(text, "a", "a.al", TYPES, dictionary)
-    assert [one for one in faults if not one.is_note] == []
+    assert [fault for fault in faults if not fault.is_note] == []
     assert again == application
     assert appl.write(again) == appl.write(application)
     assert write(again, TYPES, dictionary) == text
@@ -99,7 +100,7 @@ def test_a_garbled_text_gives_an_application_or_faults_with_lines(
         lines[at] = data.draw(st.sampled_from([*JUNK, *lines]))
     text = "\n".join(lines)
     _, faults = read(text, "a", "a.al", TYPES)
-    assert all(one.place.file == "a.al" and 0 <= one.place.line <= len(lines) for one in faults)
+    assert all(fault.place.file == "a.al" and 0 <= fault.place.line <= len(lines) for fault in faults)
     faults_of(text)
 
 
@@ -129,6 +130,6 @@ def test_marks_that_contradict_each_other_are_told() -> None:
     job = Onikon("go", "Joint job", "", (), blank())
     target = Onikon("home", "Joint object", "", ((1.0, 2.0), ("x",)), blank())
     text = "BEGIN\nSYNCH one\nDRIVE go\nSYNCH two\nTO home\nEND\n"
-    found, (fault,) = read(text, "a", "f", TYPES, {"go": job, "home": target}.get)
-    assert found is None
+    result, (fault,) = read(text, "a", "f", TYPES, {"go": job, "home": target}.get)
+    assert result is None
     assert (expected_by(fault), found_by(fault)) == ("one synch tag for a job and its target", "one and two")

@@ -26,6 +26,6 @@ def test_what_is_quoted_is_read_again(text: str) -> None:
 
 
 def test_every_word_of_the_language_is_quoted_as_a_name_and_is_no_label() -> None:
-    assert not any(show(one) == one or is_label(one) for one in KEYWORDS)
+    assert not any(show(item) == item or is_label(item) for item in KEYWORDS)
     assert is_label("duration")
     assert not is_label("two words")

@@ -15,11 +15,11 @@ DOWN = replace(HOME, description="down")
 KEPT = "ROUTINE     push\nMARKER      no\nONIKON      Force object\n"
 
 
-def again(text: str, known: dict[str, Onikon] | None = None) -> tuple[WhereSection, list[str]]:
+def again(text: str, onikons: dict[str, Onikon] | None = None) -> tuple[WhereSection, list[str]]:
     """The glossary of a section alone, and its faults."""
     reading = TextReading("f", "nothing")
-    found = read("WHERE\n" + text, len("WHERE\n"), TYPES, (known or {}).get, reading)
-    return found, [f"{one.place.line}: {expected_by(one)} / {found_by(one)}" for one in reading.faults]
+    result = read("WHERE\n" + text, len("WHERE\n"), TYPES, (onikons or {}).get, reading)
+    return result, [f"{fault.place.line}: {expected_by(fault)} / {found_by(fault)}" for fault in reading.faults]
 
 
 def test_an_icon_the_dictionary_holds_alike_is_named_only() -> None:
@@ -36,7 +36,7 @@ def test_icons_of_one_name_that_differ_are_numbered() -> None:
     assert glossary.refer(replace(DOWN, values=OTHER.values)) == "home #2"
     assert glossary.write().startswith("WHERE\n\nICON        home #2\nONIKON      Joint object\nDESC        down\n")
     alone = WhereSection(lambda _: None)
-    assert [alone.refer(one) for one in (HOME, DOWN, OTHER)] == ["home", "home #2", "home"]
+    assert [alone.refer(item) for item in (HOME, DOWN, OTHER)] == ["home", "home #2", "home"]
 
 
 def test_a_name_that_is_a_word_of_the_language_is_quoted_in_the_program_only() -> None:
@@ -48,15 +48,15 @@ def test_a_name_that_is_a_word_of_the_language_is_quoted_in_the_program_only() -
 def test_what_is_written_is_read_again() -> None:
     glossary = WhereSection(lambda _: None)
     timed = Onikon("go", "Joint job", "{ }", (), blank(), ("Any object",))
-    for one in (HOME, DOWN, timed):
-        glossary.refer(one)
-    assert [glossary.refer_hole(one) for one in (KEPT, KEPT + "UI 1\n", KEPT, "")] == [" #1", " #2", " #1", ""]
-    found, faults = again(glossary.write().removeprefix("WHERE\n"))
+    for item in (HOME, DOWN, timed):
+        glossary.refer(item)
+    assert [glossary.refer_hole(item) for item in (KEPT, KEPT + "UI 1\n", KEPT, "")] == [" #1", " #2", " #1", ""]
+    result, faults = again(glossary.write().removeprefix("WHERE\n"))
     assert faults == []
-    assert found.icons == {("home", 1): HOME, ("home", 2): DOWN, ("go", 1): timed}
-    assert found.holes[1] == KEPT
-    assert found.find("home", 2) == DOWN
-    assert found.find("home", 3) is None
+    assert result.icons == {("home", 1): HOME, ("home", 2): DOWN, ("go", 1): timed}
+    assert result.holes[1] == KEPT
+    assert result.find("home", 2) == DOWN
+    assert result.find("home", 3) is None
 
 
 def test_without_the_line_where_there_is_nothing_in_it() -> None:
@@ -69,7 +69,7 @@ LINES = ICON.write().removeprefix("WHERE\n").removesuffix("END WHERE\n")
 
 
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("text", "sentences"),
     [
         ("", "1: END WHERE / the end of the text"),
         ("x\nEND WHERE\n", "2: ICON or HOLE / 'x'"),
@@ -90,8 +90,8 @@ LINES = ICON.write().removeprefix("WHERE\n").removesuffix("END WHERE\n")
         ),
     ],
 )
-def test_what_is_wrong_is_told_with_its_line(text: str, told: str) -> None:
-    assert told in again(text)[1]
+def test_what_is_wrong_is_told_with_its_line(text: str, sentences: str) -> None:
+    assert sentences in again(text)[1]
 
 
 def test_a_placed_icon_is_named_though_its_dictionary_says_it_in_other_languages_too() -> None:

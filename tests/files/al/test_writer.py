@@ -14,7 +14,7 @@ GO = Onikon("go", "Joint job", "", (), blank())
 TIMED = Onikon("timed", "Joint job", "", (), blank(), ("Any object",))
 NOOP = Onikon("noop", "Complete NOP", "", (), blank())
 HOME = Onikon("home", "Joint object", "up, {out}", ((1.0, -2.5), ('x "y"',)), blank())
-KNOWN = {one.name: one for one in (GRIP, GO, TIMED, NOOP, HOME)}
+KNOWN = {item.name: item for item in (GRIP, GO, TIMED, NOOP, HOME)}
 
 
 def lines(*steps: Step, is_parallel: bool = False) -> list[str]:
@@ -57,16 +57,16 @@ def test_well_formed_loops_are_blocks_and_others_are_tags() -> None:
 
 
 def test_branches_are_if_or_case() -> None:
-    one, none = AppFlow((Icon(NOOP),)), AppFlow(())
-    assert lines(Branch((one, one, none), ("L == 1", "L == 2"))) == [
+    item, none = AppFlow((Icon(NOOP),)), AppFlow(())
+    assert lines(Branch((item, item, none), ("L == 1", "L == 2"))) == [
         "  IF L == 1 THEN",
         "    NOP noop",
         "  ELSEIF L == 2 THEN",
         "    NOP noop",
         "  END IF",
     ]
-    assert lines(Branch((none, one), ("L == 1",)))[1] == "  ELSE"
-    assert lines(Branch((one, none))) == [
+    assert lines(Branch((none, item), ("L == 1",)))[1] == "  ELSE"
+    assert lines(Branch((item, none))) == [
         "  CASE OF",
         "    BEGIN { flow 0 }",
         "      NOP noop",
@@ -100,10 +100,10 @@ def test_long_values_are_broken_within_their_parentheses() -> None:
     syntax = Syntax((IconType("Any object", 1, 0, (DataItem("all", ValueType.DOUBLE, 60),)),), ())
     target = replace(many, values=(sum(many.values, ()),))
     text = write(Application("work", False, (AppFlow((Icon(target),)),)), syntax, {"many": target}.get)
-    found = text.splitlines()[2:-1]
-    assert max(map(len, found)) <= 120
-    assert len(found) > 2
-    assert all(line.startswith("      ") for line in found[1:])
+    result = text.splitlines()[2:-1]
+    assert max(map(len, result)) <= 120
+    assert len(result) > 2
+    assert all(line.startswith("      ") for line in result[1:])
 
 
 def test_without_a_dictionary_all_icons_are_defined() -> None:

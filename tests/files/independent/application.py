@@ -103,7 +103,7 @@ def _targets(steps: list[Any], at: int) -> list[Any]:
     """The targets behind a job, as far as it wants them; a hole stands for all it wants before what follows it."""
     job = steps[at]
     wanted = [" ".join("object" if w in ("job", "application") else w for w in job["ONIKON"].split()), *job["TARGET"]]
-    found = []
+    result = []
     for number, step in enumerate(steps[at + 1 :], start=at + 1):
         if not wanted:
             break
@@ -114,11 +114,11 @@ def _targets(steps: list[Any], at: int) -> list[Any]:
             skipped = wanted.index(after["ONIKON"], 1) if after["ONIKON"] in wanted[1:] else 1
             wanted = wanted[skipped:]
         elif _is_target(step):
-            found.append(step)
+            result.append(step)
             wanted = wanted[1:]
         else:
             break
-    return found
+    return result
 
 
 def _is_target(step: Any) -> bool:

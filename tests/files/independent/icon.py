@@ -10,11 +10,11 @@ Types = dict[str, list[tuple[str, int]]]
 
 def read(text: str, types: Types) -> dict[str, Any]:
     script = Script(text, extended=True)
-    found = lines(script, types)
+    result = lines(script, types)
     script.end()
-    if found["ONIKON"] in ("application start", "application end"):
+    if result["ONIKON"] in ("application start", "application end"):
         raise ValueError("no icon of a dictionary")
-    return found
+    return result
 
 
 def lines(script: Script, types: Types) -> dict[str, Any]:
@@ -84,7 +84,7 @@ def _elements(text: str, data: str, count: int) -> list[str]:
 
 
 def _quoted(text: str) -> list[str]:
-    found: list[str] = []
+    result: list[str] = []
     at = 0
     while at < len(text):
         if text[at].isspace():
@@ -104,15 +104,15 @@ def _quoted(text: str) -> list[str]:
             at += 1
             if at < len(text) and not text[at].isspace():
                 raise ValueError("quote within a word")
-            found.append(word)
+            result.append(word)
         else:
             word = ""
             while at < len(text) and not text[at].isspace():
                 if text[at] == '"':
                     raise ValueError("quote within a word")
                 word, at = word + text[at], at + 1
-            found.append(word)
-    return found
+            result.append(word)
+    return result
 
 
 def _value(data: str, word: str) -> Any:

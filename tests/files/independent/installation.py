@@ -22,14 +22,14 @@ SPECIAL = ("application start", "application end", "complete job", "complete app
 def preferences(text: str) -> dict[str, Any]:
     """What the file says; nothing of what it lacks."""
     script = Script(text)
-    found: dict[str, Any] = {}
+    result: dict[str, Any] = {}
     for keyword in ORDER:
         if keyword == "STEPSIZE" and script.next == "STEPWISE":
-            found[keyword] = _length(script.take("STEPWISE"))
+            result[keyword] = _length(script.take("STEPWISE"))
         elif script.next == keyword:
-            found[keyword] = _preference(keyword, script.take(keyword))
+            result[keyword] = _preference(keyword, script.take(keyword))
     script.end()
-    return found
+    return result
 
 
 def _preference(keyword: str, text: str) -> Any:
@@ -57,15 +57,15 @@ def _length(text: str) -> int:
 
 def buttons(text: str) -> list[tuple[str, str, bool]]:
     script = Script(text)
-    found = []
+    result = []
     while script.next == "BUTTON":
         button, command = blanks(script.take("BUTTON")), script.take("FUNCTION")
         if not button or not command:
             raise ValueError("text")
         spawn = script.take("SPAWNTTY") if script.next == "SPAWNTTY" else script.maybe("SPAWNNTTY", "no")
-        found.append((button, command, yes(spawn)))
+        result.append((button, command, yes(spawn)))
     script.end()
-    return found
+    return result
 
 
 def syntax(text: str) -> dict[str, Any]:
@@ -93,19 +93,19 @@ def syntax(text: str) -> dict[str, Any]:
             raise ValueError("edge")
         edges.append((edge, rgb, numbers(moves)))
     script.end()
-    names, known = [kind[0].lower() for kind in types], [edge[0] for edge in edges]
-    if len(set(names)) < len(names) or len(set(known)) < len(known) or not set(SPECIAL) <= set(names):
+    names, existing = [kind[0].lower() for kind in types], [edge[0] for edge in edges]
+    if len(set(names)) < len(names) or len(set(existing)) < len(existing) or not set(SPECIAL) <= set(names):
         raise ValueError("types or edges")
-    if not {edge for kind in types for edge in kind[1:3]} <= set(known):
+    if not {edge for kind in types for edge in kind[1:3]} <= set(existing):
         raise ValueError("an edge that is not defined")
     return {"types": types, "edges": edges}
 
 
 def picture(text: str) -> list[str]:
     """32 lines of 32 characters, "nor are there any other lines in the files"."""
-    found = [line[:-1] if line.endswith("\r") else line for line in text.split("\n")]
-    while found and not found[-1].strip(" \t"):
-        found.pop()
-    if len(found) != 32:
+    parts = [line[:-1] if line.endswith("\r") else line for line in text.split("\n")]
+    while parts and not parts[-1].strip(" \t"):
+        parts.pop()
+    if len(parts) != 32:
         raise ValueError("rows")
-    return [row(line, at) for at, line in enumerate(found)]
+    return [row(line, at) for at, line in enumerate(parts)]

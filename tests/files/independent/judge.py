@@ -62,61 +62,61 @@ def plain(model: Any) -> Plain:
 
 
 def _task(task: Task, gives_period: bool) -> dict[str, Any]:
-    found: dict[str, Any] = {"MODULE": task.module, "DESC": task.description, "SVARALIAS": dict(task.aliases)}
+    result: dict[str, Any] = {"MODULE": task.module, "DESC": task.description, "SVARALIAS": dict(task.aliases)}
     ports = (task.inconst, task.outconst, task.invar, task.outvar)
-    found |= {keyword: list(names) for keyword, names in zip(parameters.PORTS, ports, strict=True)}
-    found["TASKTYPE"] = task.type.value
+    result |= {keyword: list(names) for keyword, names in zip(parameters.PORTS, ports, strict=True)}
+    result["TASKTYPE"] = task.type.value
     if task.type is not TaskType.APERIODIC:
         assert task.frequency
-        found["RATE"] = (
+        result["RATE"] = (
             ("PERIOD", pytest.approx(1 / task.frequency, rel=1e-12)) if gives_period else ("FREQ", task.frequency)
         )
     if task.object_type is not None:
-        found["OBJECT"] = task.object_type
+        result["OBJECT"] = task.object_type
         if task.more_targets:
-            found["TARGET"] = list(task.more_targets)
-    found["LOCAL"] = [(line.key, list(line.words)) for line in task.local]
-    return found
+            result["TARGET"] = list(task.more_targets)
+    result["LOCAL"] = [(line.key, list(line.words)) for line in task.local]
+    return result
 
 
-def _configuration(found: Configuration) -> dict[str, Any]:
-    tasks = [(one.task, (one.x, one.y), one.in_left, one.frequency, one.rtpu) for one in found.placed]
+def _configuration(result: Configuration) -> dict[str, Any]:
+    tasks = [(item.task, (item.x, item.y), item.in_left, item.frequency, item.rtpu) for item in result.placed]
     loci = [
         (at.svar, (at.x, at.y), [at.conns, at.inconst, at.outconst, at.invar, at.outvar, at.double_in], at.show)
-        for at in found.loci
+        for at in result.loci
     ]
-    return {"tasks": tasks, "loci": loci, "groups": [[one.name, *one.tasks] for one in found.groups]}
+    return {"tasks": tasks, "loci": loci, "groups": [[group.name, *group.tasks] for group in result.groups]}
 
 
-def _onikon(found: Onikon) -> dict[str, Any]:
-    values = [list(item) for item in found.values]
+def _onikon(onikon: Onikon) -> dict[str, Any]:
+    values = [list(item) for item in onikon.values]
     return {
-        "ONIKON": found.type.lower(),
-        "TARGET": [kind.lower() for kind in found.more_targets],
-        "DESC": found.description,
-        "DESCIN": dict(found.words),
+        "ONIKON": onikon.type.lower(),
+        "TARGET": [kind.lower() for kind in onikon.more_targets],
+        "DESC": onikon.description,
+        "DESCIN": dict(onikon.words),
         "UI": values,
-        "PICT": list(found.picture.rows),
+        "PICT": list(onikon.picture.rows),
     }
 
 
-def _flow(found: AppFlow) -> list[Any]:
-    return [_step(step) for step in found.steps]
+def _flow(app_flow: AppFlow) -> list[Any]:
+    return [_step(step) for step in app_flow.steps]
 
 
-def _step(found: Step) -> Any:
-    if isinstance(found, Branch):
-        return {"BRANCH": [_flow(flow) for flow in found.flows], "IF": list(found.conditions)}
-    return _icon(found) if isinstance(found, Icon) else "hole"
+def _step(step: Step) -> Any:
+    if isinstance(step, Branch):
+        return {"BRANCH": [_flow(flow) for flow in step.flows], "IF": list(step.conditions)}
+    return _icon(step) if isinstance(step, Icon) else "hole"
 
 
-def _icon(found: Icon) -> dict[str, Any]:
-    marks = {"ROUTINE": found.onikon.name, "MARKER": found.marker, "MARKERIF": found.marker_if}
-    marks |= {"SYNCHTAG": found.synch_tag, "WHILETAG": found.while_tag, "WHILETEST": found.while_test}
-    return {**marks, "WHILEIF": found.while_if, **_onikon(found.onikon)}
+def _icon(result: Icon) -> dict[str, Any]:
+    marks = {"ROUTINE": result.onikon.name, "MARKER": result.marker, "MARKERIF": result.marker_if}
+    marks |= {"SYNCHTAG": result.synch_tag, "WHILETAG": result.while_tag, "WHILETEST": result.while_test}
+    return {**marks, "WHILEIF": result.while_if, **_onikon(result.onikon)}
 
 
-def _syntax(found: Syntax) -> dict[str, Any]:
+def _syntax(syntax: Syntax) -> dict[str, Any]:
     types = [
         (
             kind.name,
@@ -124,9 +124,9 @@ def _syntax(found: Syntax) -> dict[str, Any]:
             kind.right_edge,
             [(item.name, item.type.value, item.count, item.dimension) for item in kind.items],
         )
-        for kind in found.types
+        for kind in syntax.types
     ]
-    edges = [(edge.number, list(edge.rgb), [move for pair in edge.vertices for move in pair]) for edge in found.edges]
+    edges = [(edge.number, list(edge.rgb), [move for pair in edge.vertices for move in pair]) for edge in syntax.edges]
     return {"types": types, "edges": edges}
 
 

@@ -10,7 +10,7 @@ KEYWORDS = ("MODULE", "DESC", "SVARALIAS", *PORTS, "TASKTYPE", "FREQ", "PERIOD",
 
 def read(text: str) -> dict[str, Any]:
     script = Script(text, versioned=False)
-    found: dict[str, Any] = {"MODULE": name(script.take("MODULE")), "DESC": blanks(script.take("DESC"))}
+    result: dict[str, Any] = {"MODULE": name(script.take("MODULE")), "DESC": blanks(script.take("DESC"))}
     aliases: dict[str, str] = {}
     while script.next == "SVARALIAS":
         coded, equals, alias = script.take("SVARALIAS").partition("=")
@@ -18,29 +18,29 @@ def read(text: str) -> dict[str, Any]:
         if not equals or coded in aliases:
             raise ValueError("SVARALIAS")
         aliases[coded] = alias
-    found["SVARALIAS"] = aliases
+    result["SVARALIAS"] = aliases
     lists = {keyword: _ports(script.take(keyword)) for keyword in PORTS}
     every = {port for ports in lists.values() for port in ports}
     coded_of = {alias: coded for coded, alias in aliases.items() if coded not in every}
     for keyword, ports in lists.items():  # reading 8: an aliased name is accepted
-        found[keyword] = [port if port in aliases else coded_of.get(port, port) for port in ports]
-    found["TASKTYPE"] = one_of(script.take("TASKTYPE"), "periodic", "synchronous", "aperiodic")
-    if found["TASKTYPE"] != "aperiodic":
-        found["RATE"] = script.next, real(script.take(one_of(script.next, "FREQ", "PERIOD")))
-        if found["RATE"][1] <= 0:
+        result[keyword] = [port if port in aliases else coded_of.get(port, port) for port in ports]
+    result["TASKTYPE"] = one_of(script.take("TASKTYPE"), "periodic", "synchronous", "aperiodic")
+    if result["TASKTYPE"] != "aperiodic":
+        result["RATE"] = script.next, real(script.take(one_of(script.next, "FREQ", "PERIOD")))
+        if result["RATE"][1] <= 0:
             raise ValueError("rate")
     if script.next == "ONIKA":
         _alone(script.take("ONIKA"))
-        found["OBJECT"] = blanks(script.take("OBJECT"))
-        kinds = found["OBJECT"].lower().split(" ")
+        result["OBJECT"] = blanks(script.take("OBJECT"))
+        kinds = result["OBJECT"].lower().split(" ")
         if "job" not in kinds or len(kinds) < 2:
             raise ValueError("type of job")
         while script.next == "TARGET":
-            found.setdefault("TARGET", []).append(blanks(script.take("TARGET")))
-            kinds = found["TARGET"][-1].lower().split(" ")
+            result.setdefault("TARGET", []).append(blanks(script.take("TARGET")))
+            kinds = result["TARGET"][-1].lower().split(" ")
             if "object" not in kinds or len(kinds) < 2:
                 raise ValueError("type of target")
-    found["LOCAL"] = []
+    result["LOCAL"] = []
     if script.next == "LOCAL":
         _alone(script.take("LOCAL"))
         while script.left:
@@ -49,10 +49,10 @@ def read(text: str) -> dict[str, Any]:
                 raise ValueError(key)
             if not key[0].isalpha():
                 raise ValueError(key)
-            found["LOCAL"].append((key, words(rest)))
+            result["LOCAL"].append((key, words(rest)))
     script.end()
-    _check(found)
-    return found
+    _check(result)
+    return result
 
 
 def _ports(text: str) -> list[str]:
@@ -69,13 +69,13 @@ def _alone(text: str) -> None:
         raise ValueError(text)
 
 
-def _check(found: dict[str, Any]) -> None:
+def _check(result: dict[str, Any]) -> None:
     """Every name once; aliases of ports only; no variable written by two outputs (reading 9)."""
-    ports = [port for keyword in PORTS for port in set(found[keyword])]
-    if len(ports) != sum(len(found[keyword]) for keyword in PORTS):
+    ports = [port for keyword in PORTS for port in set(result[keyword])]
+    if len(ports) != sum(len(result[keyword]) for keyword in PORTS):
         raise ValueError("a port twice")
-    if not set(found["SVARALIAS"]) <= set(ports):
+    if not set(result["SVARALIAS"]) <= set(ports):
         raise ValueError("an alias of nothing")
-    outputs = set(found["OUTCONST"]) | set(found["OUTVAR"])
-    if len({found["SVARALIAS"].get(port, port) for port in outputs}) < len(outputs):
+    outputs = set(result["OUTCONST"]) | set(result["OUTVAR"])
+    if len({result["SVARALIAS"].get(port, port) for port in outputs}) < len(outputs):
         raise ValueError("two outputs, one variable")

@@ -141,10 +141,10 @@ def condition(text: str) -> str:
         raise ValueError(text)
     real(right.strip())
     address, bracket, index = left.strip().partition("[")
-    if bracket and not (index[-1:] == "]" and all(one.strip().isdecimal() for one in index[:-1].split(","))):
+    if bracket and not (index[-1:] == "]" and all(part.strip().isdecimal() for part in index[:-1].split(","))):
         raise ValueError(text)
     *where, variable = address.split("/")
     svar(variable)
-    if len(where) > 2 or not all(name(one) for one in where):
+    if len(where) > 2 or not all(name(item) for item in where):
         raise ValueError(text)
     return blanks(text)

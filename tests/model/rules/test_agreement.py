@@ -19,9 +19,9 @@ def test_variables_are_told_by_their_aliases_and_so_are_their_dimensions():  # l
 
 def test_type_shape_and_unit_have_to_agree():  # law 7
     tasks = {"a": {"Q": "double[6] in rad", "X": "int in -"}, "b": {"Q": "double[4] in rad", "X": "int in -"}}
-    found = contested(tasks)
-    assert found == {"Q": {"a": "double[6] in rad", "b": "double[4] in rad"}}
-    (refused,) = disagreements("a", "Q", found["Q"], ("a", "b"))
+    result = contested(tasks)
+    assert result == {"Q": {"a": "double[6] in rad", "b": "double[4] in rad"}}
+    (refused,) = disagreements("a", "Q", result["Q"], ("a", "b"))
     assert refused.reason == "takes Q for double[6] in rad, `b` for double[4] in rad"
     assert refused.remedies == ("alias Q", "show `b`")
 
@@ -32,15 +32,15 @@ kinds = st.dictionaries(st.sampled_from("XYZ"), st.sampled_from(("int", "double"
 
 @given(tasks=st.dictionaries(names, kinds), name=names)
 def test_whoever_disagrees_in_anything_is_told_of_everybody(tasks, name):  # law 7
-    found = contested(tasks)
-    told = {
+    result = contested(tasks)
+    sentences = {
         (svar, other)
-        for svar, users in found.items()
+        for svar, users in result.items()
         if name in users
         for other in users
         if disagreements(name, svar, users, (other,))
     }
-    assert told == {
+    assert sentences == {
         (svar, other)
         for svar, kind in tasks.get(name, {}).items()
         for other, theirs in tasks.items()

@@ -22,10 +22,10 @@ _TASKS = st.lists(
 @given(_TASKS, st.integers(0, 6))
 def test_every_pair_that_may_not_stand_together_is_found_with_its_reasons(tasks, new):  # R-C26, Equations (2) and (3)
     expected = [
-        (later, earlier, found)
+        (later, earlier, refusals)
         for at, later in enumerate(tasks)
         for earlier in tasks[:at]
-        if at >= new and (found := placement.refusals(later, [earlier]))
+        if at >= new and (refusals := placement.refusals(later, [earlier]))
     ]
     assert list(conflicts(tasks, new)) == expected
     assert list(conflicts(tasks))[len(list(conflicts(tasks))) - len(expected) :] == expected

@@ -53,9 +53,9 @@ draws = st.lists(st.integers(0, 8), min_size=1, max_size=4)
 deeds = st.lists(st.tuples(kind, st.integers(0, 99), draws), max_size=14)
 
 
-def single(one):
+def single(item):
     """Icons whose edges do not depend on what stands beside."""
-    return not (isinstance(one, Icon) and one.onikon.more_targets)
+    return not (isinstance(item, Icon) and item.onikon.more_targets)
 
 
 def carried_out(flow, deed, solids):
@@ -75,7 +75,7 @@ def carried_out(flow, deed, solids):
 def test_a_hole_stands_exactly_where_neighbours_do_not_fit_whatever_was_done(acts):  # R-D03, R-D19, Equation (7)
     flow = AppFlow(())
     for deed in acts:
-        flow = carried_out(flow, deed, [one for one in SOLIDS if single(one)])
+        flow = carried_out(flow, deed, [item for item in SOLIDS if single(item)])
         holes_stand_where_neighbours_do_not_fit(flow)
 
 
@@ -90,7 +90,7 @@ def test_with_several_targets_no_two_neighbours_misfit_either(acts):  # R-D13, R
         for at, (left, right) in enumerate(pairwise(every)):
             if not isinstance(steps[at], Hole) and not isinstance(steps[at + 1], Hole):
                 assert fits(left, right), flow
-        assert not any(isinstance(one, Hole) and isinstance(other, Hole) for one, other in pairwise(flow.steps))
+        assert not any(isinstance(part, Hole) and isinstance(other, Hole) for part, other in pairwise(flow.steps))
 
 
 def test_nothing_but_the_holes_is_ever_added_or_lost():
@@ -113,7 +113,7 @@ def test_a_hole_that_keeps_lines_stays_until_it_is_filled_or_taken_out():  # R-D
 
 def test_a_hole_keeps_its_number_as_long_as_it_is_there():  # R-D05
     flow = insert_all(AppFlow((JOB, Hole(number=5), GRIP)), 0, (icon("Bridge object"),), SYNTAX)
-    assert [one.number for one in flow.steps if isinstance(one, Hole)] == [5]
+    assert [step.number for step in flow.steps if isinstance(step, Hole)] == [5]
 
 
 def test_of_two_holes_that_come_together_what_is_kept_counts():

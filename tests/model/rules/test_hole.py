@@ -18,8 +18,8 @@ def test_a_hole_may_want_several_targets_of_a_job() -> None:
 
 
 def test_holes_of_all_flows_and_branches_count_together_each_type_once() -> None:
-    found = outline(flow(REACH, HOLE), flow(job(), branch(flow(MOVE, HOLE), flow(REACH, HOLE))))  # reading 32
-    assert open_types(found, SYNTAX) == ("Cartesian object", "Joint object")
+    result = outline(flow(REACH, HOLE), flow(job(), branch(flow(MOVE, HOLE), flow(REACH, HOLE))))  # reading 32
+    assert open_types(result, SYNTAX) == ("Cartesian object", "Joint object")
 
 
 def test_an_application_by_itself_may_have_no_hole_a_nested_one_those_for_targets() -> None:

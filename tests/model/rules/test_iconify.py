@@ -48,9 +48,9 @@ def test_a_job_has_the_type_of_its_first_trigger_with_a_target(tasks: tuple[str,
     assert job_type(conf("x", *tasks), TASKS, SYNTAX) == kind  # reading 16, R-C29, R-D13
 
 
-def reasons(found: ActionType | tuple[Refusal, ...]) -> list[str]:
-    assert not isinstance(found, ActionType)
-    return [refusal.reason for refusal in found]
+def reasons(result: ActionType | tuple[Refusal, ...]) -> list[str]:
+    assert not isinstance(result, ActionType)
+    return [refusal.reason for refusal in result]
 
 
 def test_a_configuration_that_is_not_whole_is_refused() -> None:
@@ -82,13 +82,13 @@ def test_an_application_has_the_type_of_its_holes(flows: list[AppFlow], kind: Ac
 
 
 def test_a_hole_for_an_action_is_refused() -> None:
-    found = application_type(application(flow(job(), HOLE, MOVE, HOLE)), SYNTAX)  # R-D09
-    assert reasons(found) == ["a hole, step 1 of flow 0, is no place for a target"]
+    result = application_type(application(flow(job(), HOLE, MOVE, HOLE)), SYNTAX)  # R-D09
+    assert reasons(result) == ["a hole, step 1 of flow 0, is no place for a target"]
 
 
 def test_an_application_that_is_not_whole_is_refused_with_every_reason() -> None:
-    found = application_type(application(flow(MOVE, POSE), flow()), SYNTAX)
-    assert [str(reason).split(",")[0] for reason in reasons(found)] == [
+    result = application_type(application(flow(MOVE, POSE), flow()), SYNTAX)
+    assert [str(reason).split(",")[0] for reason in reasons(result)] == [
         "expected edges that fit",
         "expected an action in flow 1",
     ]

@@ -96,7 +96,7 @@ def test_no_row_of_insertions_and_deletions_makes_two_neighbours_misfit(acts: li
             flow = delete(flow, at, SYNTAX)
         assert misfits(flow, SYNTAX) == ()
         holes = [isinstance(step, Hole) for step in flow.steps]
-        assert not any(one and other for one, other in pairwise(holes))
+        assert not any(item and other for item, other in pairwise(holes))
 
 
 # -- several targets of one job, and branches

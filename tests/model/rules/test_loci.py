@@ -20,7 +20,7 @@ def with_placed(former, *placed):
 
 
 def spot(configuration, svar="Q"):
-    return next((one.x, one.y) for one in configuration.loci if one.svar == svar)
+    return next((locus.x, locus.y) for locus in configuration.loci if locus.svar == svar)
 
 
 def pin(placed):
@@ -34,9 +34,9 @@ C = Placed("third", 1200, 0)
 
 
 def test_a_locus_is_born_a_few_pixels_outside_its_first_pin():  # R-C24
-    one = with_placed(NOTHING, A)
-    assert 0 < spot(one)[0] - pin(A)[0] < 60
-    assert spot(one)[1] == pin(A)[1]
+    item = with_placed(NOTHING, A)
+    assert 0 < spot(item)[0] - pin(A)[0] < 60
+    assert spot(item)[1] == pin(A)[1]
 
 
 def test_the_second_task_brings_it_half_way():  # R-C24
@@ -56,9 +56,9 @@ def test_later_tasks_do_not_move_it():  # R-C24
 
 def test_back_to_one_task_it_goes_beside_that_pin():  # R-C24
     two = with_placed(with_placed(NOTHING, A), A, B)
-    one = with_placed(two, B)
-    assert spot(one)[1] == pin(B)[1]
-    assert 0 < pin(B)[0] - spot(one)[0] < 60
+    item = with_placed(two, B)
+    assert spot(item)[1] == pin(B)[1]
+    assert 0 < pin(B)[0] - spot(item)[0] < 60
 
 
 def test_with_the_last_task_it_is_gone():  # R-C24
@@ -72,16 +72,16 @@ def test_it_stays_when_its_tasks_move():  # R-C24
 
 def test_only_a_locus_of_a_single_task_follows_a_flip():  # R-C24
     turned = replace(A, in_left=False)
-    one = flipped(replace(with_placed(NOTHING, A), placed=(turned,)), ("writer",), BOXES)
-    assert spot(one)[0] < 0
+    item = flipped(replace(with_placed(NOTHING, A), placed=(turned,)), ("writer",), BOXES)
+    assert spot(item)[0] < 0
     two = with_placed(with_placed(NOTHING, A), A, B)
     assert spot(flipped(replace(two, placed=(turned, B)), ("writer",), BOXES)) == spot(two)
 
 
 def test_it_is_kept_off_icons():  # R-C24
     between = Placed("third", 300, 60)
-    found = with_placed(with_placed(NOTHING, A, between), A, between, B)
-    x, y = spot(found)
+    result = with_placed(with_placed(NOTHING, A, between), A, between, B)
+    x, y = spot(result)
     box = BOXES["third"]
     assert not (between.x <= x <= between.x + box.width and between.y <= y <= between.y + box.height)
 
@@ -100,11 +100,11 @@ spots = st.tuples(st.integers(-500, 1500), st.integers(-500, 1500), st.booleans(
 def test_there_is_one_locus_for_each_variable_used_and_none_else(changes):  # R-C09, R-C24
     now = NOTHING
     for name, (x, y, in_left) in changes:
-        others = tuple(one for one in now.placed if one.task != name)
+        others = tuple(item for item in now.placed if item.task != name)
         stands = len(others) < len(now.placed)
         now = with_placed(now, *others, *(() if stands else (Placed(name, x, y, in_left),)))
-        assert [one.svar for one in now.loci] == (["Q"] if now.placed else [])
-        assert all(one.conns == len(now.placed) for one in now.loci)
+        assert [locus.svar for locus in now.loci] == (["Q"] if now.placed else [])
+        assert all(locus.conns == len(now.placed) for locus in now.loci)
 
 
 MANY = (WRITER, READER, THIRD, Task("both", "b", inconst=("P",), invar=("P", "Q"), outvar=("R",)))
@@ -115,11 +115,11 @@ names = st.lists(st.sampled_from([*FIRST, "stranger"]), unique=True)
 
 
 def users(names, boxes):
-    found = {}
+    result = {}
     for name in names:
         for pin in boxes[name].pins if name in boxes else ():
-            found.setdefault(pin.svar, []).append((name, pin))
-    return found
+            result.setdefault(pin.svar, []).append((name, pin))
+    return result
 
 
 @given(st.lists(st.tuples(names, st.sampled_from([FIRST, SECOND])), max_size=6))
@@ -127,9 +127,9 @@ def test_loci_are_where_the_plain_definition_says(states):  # R-C24
     now, former_boxes = NOTHING, FIRST
     for placed, boxes in states:
         spread = tuple(Placed(name, 400 * place, 90 * place) for place, name in enumerate(placed))
-        found = settled(replace(now, placed=spread), boxes, now, former_boxes)
-        here, before = users(placed, boxes), users([one.task for one in now.placed], former_boxes)
-        old, new = ({one.svar: one for one in each.loci} for each in (now, found))
+        result = settled(replace(now, placed=spread), boxes, now, former_boxes)
+        here, before = users(placed, boxes), users([item.task for item in now.placed], former_boxes)
+        old, new = ({locus.svar: locus for locus in each.loci} for each in (now, result))
         kept = {svar for svar in old if "stranger" in placed}
         assert set(new) == set(here) | kept
         for svar, pins in here.items():
@@ -138,4 +138,4 @@ def test_loci_are_where_the_plain_definition_says(states):  # R-C24
             assert not stays or (new[svar].x, new[svar].y) == (old[svar].x, old[svar].y)
             assert new[svar].conns == count
             assert new[svar].invar + new[svar].outvar + new[svar].inconst + new[svar].double_in == len(pins)
-        now, former_boxes = found, boxes
+        now, former_boxes = result, boxes

@@ -26,14 +26,14 @@ def icon(mark: str, kind: str = "Complete job") -> Icon:
     return Icon(Onikon("x", kind, "", (), blank()), while_tag=tag, while_test=mark.endswith("?"))
 
 
-def found(marks: str) -> list[str]:
+def result(marks: str) -> list[str]:
     flow = AppFlow(tuple(map(icon, marks.split())))
     return [f"{expected_by(fault)}: {found_by(fault)}" for fault in faults(flow, SYNTAX, FLOW, Place("a.appl"))]
 
 
 @pytest.mark.parametrize("marks", ["", "- -", "a a?", "a? a", "a - b b? - a?", "a a? b b?", "a b c? c b? a?"])
 def test_loops_apart_or_within_each_other_are_well_formed(marks: str) -> None:
-    assert found(marks) == []  # reading 23, R-E01
+    assert result(marks) == []  # reading 23, R-E01
 
 
 @pytest.mark.parametrize(
@@ -47,8 +47,8 @@ def test_loops_apart_or_within_each_other_are_well_formed(marks: str) -> None:
         (
             "a b c a? b? c?",
             [
-                f"loops that do not cross in flow 0: {one}"
-                for one in (
+                f"loops that do not cross in flow 0: {item}"
+                for item in (
                     "a (steps 0 to 3) and b (steps 1 to 4)",
                     "a (steps 0 to 3) and c (steps 2 to 5)",
                     "b (steps 1 to 4) and c (steps 2 to 5)",
@@ -58,7 +58,7 @@ def test_loops_apart_or_within_each_other_are_well_formed(marks: str) -> None:
     ],
 )
 def test_every_malformed_loop_is_named(marks: str, expected: list[str]) -> None:
-    assert found(marks) == expected  # reading 23, R-E01
+    assert result(marks) == expected  # reading 23, R-E01
 
 
 def test_both_tags_on_one_action_are_no_loop() -> None:
@@ -75,8 +75,8 @@ def test_a_tag_on_a_target_counts_for_its_job() -> None:
 
 def test_the_condition_of_a_loop_stands_at_its_test() -> None:
     wrong, right = (replace(icon(mark), while_if="LAMP == 1") for mark in ("a", "a?"))  # R-D13
-    told = faults(AppFlow((wrong, right)), SYNTAX, FLOW, Place("a.appl"))
-    assert [(expected_by(fault), found_by(fault)) for fault in told] == [
+    sentences = faults(AppFlow((wrong, right)), SYNTAX, FLOW, Place("a.appl"))
+    assert [(expected_by(fault), found_by(fault)) for fault in sentences] == [
         ("the condition of the loop a at its test in flow 0", "it at `x`, step 0")
     ]
     assert faults(AppFlow((icon("a"), right)), SYNTAX, FLOW, Place("a.appl")) == ()
@@ -97,6 +97,6 @@ def test_a_fault_stands_at_the_line_of_its_icon() -> None:
 )
 def test_loops_that_are_well_formed_are_known_by_their_ends_and_their_test(marks: str, expected: list[Loop]) -> None:
     flow = AppFlow(tuple(map(icon, marks.split())))  # reading 23, R-E05
-    found = loops(flow, actions(flow, SYNTAX))
-    assert list(found) == expected
-    assert [loop.is_top for loop in found] == [loop.test == loop.start for loop in expected]
+    result = loops(flow, actions(flow, SYNTAX))
+    assert list(result) == expected
+    assert [loop.is_top for loop in result] == [loop.test == loop.start for loop in expected]

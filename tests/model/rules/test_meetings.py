@@ -27,7 +27,7 @@ def placed(action, line):
 
 
 def tags(text):
-    return tuple(Act("" if one == "-" else one) for one in text.split())
+    return tuple(Act("" if part == "-" else part) for part in text.split())
 
 
 def test_tags_in_the_wrong_order_name_the_circle_with_every_place_in_it():

@@ -20,30 +20,30 @@ def nested(runs: Mapping[str, tuple[str, ...]], first: tuple[str, ...] = ("a",))
 
 
 def test_every_application_is_reached_once_inner_ones_first() -> None:
-    found = nested({"a": ("b", "c"), "b": ("c",), "c": (), "unused": ()}, ("a", "c", "a"))  # R-E06
-    assert list(found.outlines) == ["c", "b", "a", "work"]
-    assert found.faults == []
-    assert found.top.application.name == "work"
-    assert [one.is_nested for one in found.outlines.values()] == [True, True, True, False]
-    assert [one.file for one in found.outlines.values()] == ["c.appl", "b.appl", "lab/appl/a.appl", "work.appl"]
+    result = nested({"a": ("b", "c"), "b": ("c",), "c": (), "unused": ()}, ("a", "c", "a"))  # R-E06
+    assert list(result.outlines) == ["c", "b", "a", "work"]
+    assert result.faults == []
+    assert result.top.application.name == "work"
+    assert [item.is_nested for item in result.outlines.values()] == [True, True, True, False]
+    assert [item.file for item in result.outlines.values()] == ["c.appl", "b.appl", "lab/appl/a.appl", "work.appl"]
 
 
 def test_a_circle_is_named_and_cut() -> None:
-    found = nested({"a": ("b",), "b": ("c",), "c": ("a", "work")})  # R-E06
-    assert texts(found.faults) == [
+    result = nested({"a": ("b",), "b": ("c",), "c": ("a", "work")})  # R-E06
+    assert texts(result.faults) == [
         "c.appl: no application within itself / a in c in b in a, at `a`, step 0 of flow 0 of `c`",
         "c.appl: no application within itself / work in c in b in a in work, at `work`, step 1 of flow 0 of `c`",
     ]
-    assert found.cuts == {("c", "a"), ("c", "work")}
-    passage, action = next(found.outlines["c"].actions())
+    assert result.cuts == {("c", "a"), ("c", "work")}
+    passage, action = next(result.outlines["c"].actions())
     assert passage.path == "flow 0"
-    assert found.runs(found.outlines["c"], action, SYNTAX) is None
+    assert result.runs(result.outlines["c"], action, SYNTAX) is None
 
 
 def test_a_circle_through_a_branch_is_named() -> None:
     inner = application(flow(branch(flow(job()), flow(part("a")))), name="a")  # R-E06, R-D13
-    found = nest(outline(flow(part("a"))), SYNTAX, {"a": inner}, {})
-    assert texts(found.faults) == [
+    result = nest(outline(flow(part("a"))), SYNTAX, {"a": inner}, {})
+    assert texts(result.faults) == [
         "a.appl: no application within itself / a in a, at `a`, step 0 of flow 0, step 0, branch 1 of `a`"
     ]
 
@@ -78,23 +78,23 @@ NAMES = "abcd"
 @given(st.fixed_dictionaries({name: st.lists(st.sampled_from((*NAMES, "work")), max_size=3) for name in NAMES}))
 @settings(max_examples=200, deadline=None)
 def test_there_is_a_circle_exactly_if_an_application_reaches_itself(runs: dict[str, list[str]]) -> None:
-    found = nested({name: tuple(inner) for name, inner in runs.items()})  # R-E06
+    result = nested({name: tuple(inner) for name, inner in runs.items()})  # R-E06
     ways = {**runs, "work": ["a"]}
 
     def reached(start: str) -> set[str]:
-        known: set[str] = set()
+        existing: set[str] = set()
         waiting = list(ways[start])
         while waiting:
             name = waiting.pop()
-            if name not in known:
-                known.add(name)
+            if name not in existing:
+                existing.add(name)
                 waiting += ways[name]
-        return known
+        return existing
 
     own = reached("work") | {"work"}
-    assert bool(found.cuts) == any(name in reached(name) for name in own)
-    assert set(found.outlines) == own
-    order = list(found.outlines)
+    assert bool(result.cuts) == any(name in reached(name) for name in own)
+    assert set(result.outlines) == own
+    order = list(result.outlines)
     for outer in own:
         for inner in ways[outer]:
-            assert (outer, inner) in found.cuts or order.index(inner) < order.index(outer)
+            assert (outer, inner) in result.cuts or order.index(inner) < order.index(outer)

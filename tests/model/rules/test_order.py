@@ -117,7 +117,7 @@ tasks = st.lists(st.tuples(svars, svars), max_size=7).map(
 def test_of_two_tasks_the_writer_runs_first_unless_they_lie_on_a_loop(tasks, hardware):  # law 1
     onward = {t.name: {o.name for o in tasks if o.name not in hardware and {*t.outvar} & {*o.invar}} for t in tasks}
     for _ in tasks:  # all that can be reached
-        onward = {name: found | {far for near in found for far in onward[near]} for name, found in onward.items()}
+        onward = {name: result | {far for near in result for far in onward[near]} for name, result in onward.items()}
     ranks = rank(tasks, hardware)
     for place, first in enumerate(tasks):
         for second in tasks[place + 1 :]:

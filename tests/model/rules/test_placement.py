@@ -100,19 +100,19 @@ def plain_reasons(task: Task, other: Task) -> list[str]:
     """Equation (2) pair by pair, as it is written."""
     if task.name == other.name:
         return [f"`{task.name}` is placed already"]
-    found = []
+    result = []
     if task.module == other.module:
-        found.append(f"its module `{task.module}` is used already, by `{other.name}`")
-    outputs = [set(one.svars(one.outvar + one.outconst)) for one in (task, other)]
-    found += [f"writes {svar}, which `{other.name}` already writes" for svar in sorted(outputs[0] & outputs[1])]
+        result.append(f"its module `{task.module}` is used already, by `{other.name}`")
+    outputs = [set(item.svars(item.outvar + item.outconst)) for item in (task, other)]
+    result += [f"writes {svar}, which `{other.name}` already writes" for svar in sorted(outputs[0] & outputs[1])]
     for writer, reader in ((task, other), (other, task)):
         given = set(writer.svars(tuple(name for name in writer.outvar if name not in writer.outconst)))
         needed = set(reader.svars(tuple(name for name in reader.inconst if name not in reader.invar)))
-        found += [
+        result += [
             f"`{reader.name}` needs {svar} at initialisation, `{writer.name}` gives it only while it runs"
             for svar in sorted(given & needed)
         ]
-    return found
+    return result
 
 
 aliases = st.lists(st.tuples(st.sampled_from(VARS), st.sampled_from((*VARS, "D"))), max_size=2).map(tuple)
@@ -124,13 +124,13 @@ aliased = st.builds(replace, tasks, aliases=aliases)
 def test_reasons_are_those_of_every_pair_in_their_order(library: list[Task], placed: list[Task]) -> None:
     by_name = list({t.name: t for t in library}.values())  # R-C07
     expected = {t.name: [reason for s in placed for reason in plain_reasons(t, s)] for t in by_name}
-    found = greyed(by_name, placed)
-    assert {name: [one.reason for one in found.get(name, ())] for name in expected} == expected
-    assert all([one.reason for one in refusals(t, placed)] == expected[t.name] for t in by_name)
+    result = greyed(by_name, placed)
+    assert {name: [item.reason for item in result.get(name, ())] for name in expected} == expected
+    assert all([refusal.reason for refusal in refusals(t, placed)] == expected[t.name] for t in by_name)
 
 
 @given(st.lists(aliased, max_size=6), aliased)
 @settings(max_examples=100, deadline=None)
 def test_whom_a_task_keeps_out_is_told_as_each_would_be_told(library: list[Task], task: Task) -> None:
-    found = [(other.name, refused) for other, refused in PlacedNeighbours(library).kept_out_by(task)]  # R-C07
-    assert found == [(other.name, refusals(other, [task])) for other in library if refusals(other, [task])]
+    result = [(other.name, refused) for other, refused in PlacedNeighbours(library).kept_out_by(task)]  # R-C07
+    assert result == [(other.name, refusals(other, [task])) for other in library if refusals(other, [task])]

@@ -46,7 +46,7 @@ MOVE, THERE, CLOSE = icon("move", "Joint job"), icon("there", "Joint object"), i
 NOP = icon("wait", "Complete NOP")
 
 
-def found(
+def result(
     *flows: tuple[Icon | Hole, ...],
     configurations: Mapping[str, Configuration] = CONFIGURATIONS,
     tasks: Mapping[str, Task] = TASKS,
@@ -71,18 +71,18 @@ def test_what_is_there_and_at_fault_itself_is_not_missed():  # R-B07
 
 
 def test_a_whole_application_is_ready() -> None:
-    assert found((MOVE, THERE, CLOSE, NOP)) == []  # R-E01
+    assert result((MOVE, THERE, CLOSE, NOP)) == []  # R-E01
 
 
 def test_an_application_needs_flows_and_flows_need_actions() -> None:
-    assert found() == ["at least one flow: none"]
-    assert found((CLOSE,), ()) == ["an action in flow 1: none"]
+    assert result() == ["at least one flow: none"]
+    assert result((CLOSE,), ()) == ["an action in flow 1: none"]
 
 
 def test_every_fault_is_named_at_once() -> None:
     strange = icon("there", "Strange object")  # R-E01
     lost = icon("lost", "Complete job")
-    assert found((MOVE, Hole(), lost, strange), (THERE, CLOSE)) == [
+    assert result((MOVE, Hole(), lost, strange), (THERE, CLOSE)) == [
         "an application without holes: a hole, step 1 of flow 0",
         "a type the syntax defines: Strange object of `there`, step 3 of flow 0",
         "an action that takes this target: none before `there`, step 0 of flow 1",
@@ -92,7 +92,7 @@ def test_every_fault_is_named_at_once() -> None:
 
 
 def test_a_job_needs_its_target() -> None:
-    assert found((MOVE, CLOSE)) == [
+    assert result((MOVE, CLOSE)) == [
         "a Joint object behind it: none behind `move`, step 0 of flow 0",
         "edges that fit: `close` (Complete job) behind `move` (Joint job), at step 1 of flow 0",
     ]
@@ -100,26 +100,26 @@ def test_a_job_needs_its_target() -> None:
 
 def test_a_target_of_other_edges_does_not_fit() -> None:
     other = icon("pose", "Cartesian object")
-    assert found((MOVE, other)) == [
+    assert result((MOVE, other)) == [
         "edges that fit: `pose` (Cartesian object) behind `move` (Joint job), at step 1 of flow 0"
     ]
 
 
 def test_the_first_and_the_last_icon_must_fit_start_and_end() -> None:
-    assert "edges that fit: Application end behind `move` (Joint job), at step 1 of flow 0" in found((MOVE,))
+    assert "edges that fit: Application end behind `move` (Joint job), at step 1 of flow 0" in result((MOVE,))
 
 
 def test_a_missing_task_is_named() -> None:
-    assert found((MOVE, THERE), tasks={}) == ["the task jmove: none for `move`, step 0 of flow 0"]
+    assert result((MOVE, THERE), tasks={}) == ["the task jmove: none for `move`, step 0 of flow 0"]
 
 
 def test_a_configuration_without_tasks_is_named() -> None:
-    assert found((CLOSE,), configurations={"close": conf("close")}) == ["tasks: none in `close`, step 0 of flow 0"]
+    assert result((CLOSE,), configurations={"close": conf("close")}) == ["tasks: none in `close`, step 0 of flow 0"]
 
 
 def test_conflicts_within_a_configuration_are_named() -> None:
     tasks = {**TASKS, "hold": Task("hold", "hold", outvar=("GRIP",))}  # reading 1
-    (fault,) = found((CLOSE,), configurations={"close": conf("close", "grip", "hold")}, tasks=tasks)
+    (fault,) = result((CLOSE,), configurations={"close": conf("close", "grip", "hold")}, tasks=tasks)
     assert fault == (
         "tasks that may stand together: `hold` in `close`, step 0 of flow 0: writes GRIP, which `grip` already writes"
     )
@@ -132,28 +132,28 @@ def test_conflicts_in_the_union_of_a_flow_are_named_but_not_across_flows() -> No
     expected = (
         "every module once in a flow: grip in `grip` (in `close`, step 0) and `other` (in `open`, step 1) of flow 0"
     )
-    assert found((CLOSE, opened), configurations=configurations, tasks=tasks) == [expected]
-    assert found((CLOSE,), (opened,), configurations=configurations, tasks=tasks) == []
+    assert result((CLOSE, opened), configurations=configurations, tasks=tasks) == [expected]
+    assert result((CLOSE,), (opened,), configurations=configurations, tasks=tasks) == []
 
 
 def test_a_trigger_changed_after_the_job_was_made_is_found() -> None:
     tasks = {"jmove": Task("jmove", "jmove", object_type="Cartesian job")}  # reading 36
     expected = "a Cartesian job, as its trigger `jmove` says: Joint job for `move`, step 0 of flow 0"
-    assert found((MOVE, THERE), tasks=tasks) == [expected]
+    assert result((MOVE, THERE), tasks=tasks) == [expected]
     without = {"jmove": Task("jmove", "jmove")}
-    assert found((MOVE, THERE), tasks=without) == [
+    assert result((MOVE, THERE), tasks=without) == [
         "a task with OBJECT Joint job in `move`: none at `move`, step 0 of flow 0"
     ]
 
 
 def test_a_job_of_unknown_type_acts_as_a_complete_one() -> None:
-    assert found((icon("close", "Force job"),)) == []  # R-D16
-    assert found((icon("move", "Force job"),)) == []
+    assert result((icon("close", "Force job"),)) == []  # R-D16
+    assert result((icon("move", "Force job"),)) == []
 
 
 def test_malformed_loops_are_named() -> None:
     looped = Icon(CLOSE.onikon, while_tag="a", while_test=True)
-    assert found((looped, CLOSE)) == ["the loop tag a twice in flow 0: 1 times, last at `close`, step 0"]
+    assert result((looped, CLOSE)) == ["the loop tag a twice in flow 0: 1 times, last at `close`, step 0"]
 
 
 PART = icon("part", "Complete application")
@@ -161,8 +161,8 @@ PART = icon("part", "Complete application")
 
 def test_nested_applications_are_checked_with_their_contents() -> None:
     part = Application("part", False, (AppFlow((icon("lost", "Complete job"), Hole())),))  # R-E06
-    assert found((PART,), applications={}) == ["the application part: none for `part`, step 0 of flow 0"]
-    assert found((PART,), applications={"part": part}) == [
+    assert result((PART,), applications={}) == ["the application part: none for `part`, step 0 of flow 0"]
+    assert result((PART,), applications={"part": part}) == [
         "an action in place of a hole: a hole, step 1 of flow 0 of `part`",
         "the configuration lost: none for `lost`, step 0 of flow 0 of `part`",
     ]
@@ -170,10 +170,10 @@ def test_nested_applications_are_checked_with_their_contents() -> None:
 
 def test_a_target_fills_the_holes_of_a_nested_application() -> None:
     part = Application("part", False, (AppFlow((MOVE, Hole(), CLOSE)),))  # R-D09
-    assert found((icon("part", "Joint application"), THERE), applications={"part": part}) == []
+    assert result((icon("part", "Joint application"), THERE), applications={"part": part}) == []
 
 
 def test_recursion_is_refused_naming_the_cycle() -> None:
     part = Application("part", False, (AppFlow((icon("work", "Complete application"),)),))  # R-E06
-    (fault,) = found((PART,), applications={"part": part})
+    (fault,) = result((PART,), applications={"part": part})
     assert fault.startswith("no application within itself: work in part in work, at `work`")

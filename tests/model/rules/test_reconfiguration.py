@@ -54,14 +54,14 @@ def placed(name, inconst=(), outconst=(), module="", device=None):
 def test_only_who_excludes_a_newcomer_is_killed_first():  # reading 14
     living = [placed("puma", device="boxes:left"), placed("move"), placed("watch")]
     new = [placed("puma2", device="boxes:left"), placed("ramp", module="move")]
-    found = exchange(living, ["puma", "move", "watch"], new)
-    assert found.kill == ("puma", "move", "watch")
-    assert found.kill_first == ("puma", "move")
+    result = exchange(living, ["puma", "move", "watch"], new)
+    assert result.kill == ("puma", "move", "watch")
+    assert result.kill_first == ("puma", "move")
 
 
 def test_a_task_is_exchanged_for_one_of_its_name():  # R-A13
-    found = exchange([placed("move")], ["move"], [placed("move", module="other")])
-    assert (found.keep, found.kill_first, found.spawn) == ((), ("move",), ("move",))
+    result = exchange([placed("move")], ["move"], [placed("move", module="other")])
+    assert (result.keep, result.kill_first, result.spawn) == ((), ("move",), ("move",))
 
 
 def test_two_without_a_device_do_not_exclude_each_other():
@@ -70,8 +70,8 @@ def test_two_without_a_device_do_not_exclude_each_other():
 
 def test_consumers_of_an_exchanged_constant_learn_it_over_several_levels():  # R-A13
     living = [placed("last", ["M"]), placed("middle", ["N"], ["M"]), placed("old", (), ["N"]), placed("else", ["K"])]
-    found = exchange(living, ["old"], [placed("new", (), ["N"])])
-    assert found.reinit == ("middle", "last")
+    result = exchange(living, ["old"], [placed("new", (), ["N"])])
+    assert result.reinit == ("middle", "last")
 
 
 def test_who_lived_on_without_its_supplier_learns_the_constant_of_the_next_one():  # R-A13
@@ -80,8 +80,8 @@ def test_who_lived_on_without_its_supplier_learns_the_constant_of_the_next_one()
 
 def test_a_newcomer_learns_again_what_a_kept_task_says_when_it_has_learnt():  # R-A13
     living = [placed("middle", ["N"], ["M"]), placed("old", (), ["N"])]
-    found = exchange(living, ["old"], [placed("new", (), ["N"]), placed("last", ["M"]), placed("else", ["N"])])
-    assert found.reinit == ("middle", "last")
+    result = exchange(living, ["old"], [placed("new", (), ["N"]), placed("last", ["M"]), placed("else", ["N"])])
+    assert result.reinit == ("middle", "last")
 
 
 def test_a_constant_that_goes_makes_nobody_learn_anything():  # R-A13
@@ -108,18 +108,18 @@ def placements(draw, prefix):
 @settings(max_examples=200, deadline=None)
 @given(placements("t"), placements("n"), st.data())
 def test_an_exchange_says_of_everybody_what_happens(living, new, data):  # R-A13, reading 14
-    gone = data.draw(st.sets(st.sampled_from([one.name for one in living]))) if living else set()
-    found = exchange(living, gone, new)
-    assert set(found.keep) | set(found.kill) == {one.name for one in living}
-    assert set(found.kill) == gone
-    again = {svar for one in (*living, *new) if one.name in found.reinit for svar in one.ports.outconst}
-    assert all(again & set(one.ports.inconst) for one in new if one.name in found.reinit)
-    assert set(found.reinit) <= set(found.keep) | set(found.spawn)
-    assert sorted(found.spawn) == sorted(one.name for one in new)
-    first = {one.name for one in living if one.name in gone and any(one.excludes(other) for other in new)}
-    assert set(found.kill_first) == first
-    by_name = {one.name: one.ports for one in (*living, *new)}
-    for order in (found.spawn, found.reinit):
+    gone = data.draw(st.sets(st.sampled_from([item.name for item in living]))) if living else set()
+    result = exchange(living, gone, new)
+    assert set(result.keep) | set(result.kill) == {item.name for item in living}
+    assert set(result.kill) == gone
+    again = {svar for item in (*living, *new) if item.name in result.reinit for svar in item.ports.outconst}
+    assert all(again & set(item.ports.inconst) for item in new if item.name in result.reinit)
+    assert set(result.reinit) <= set(result.keep) | set(result.spawn)
+    assert sorted(result.spawn) == sorted(item.name for item in new)
+    first = {item.name for item in living if item.name in gone and any(item.excludes(other) for other in new)}
+    assert set(result.kill_first) == first
+    by_name = {item.name: item.ports for item in (*living, *new)}
+    for order in (result.spawn, result.reinit):
         for place, name in enumerate(order):
             later = {svar for other in order[place + 1 :] for svar in by_name[other].outconst}
             assert later.isdisjoint(by_name[name].inconst)
@@ -128,7 +128,7 @@ def test_an_exchange_says_of_everybody_what_happens(living, new, data):  # R-A13
 @settings(max_examples=200, deadline=None)
 @given(placements("t"), st.sets(st.sampled_from(CONSTANTS)))
 def test_dependents_are_all_who_read_what_changes_and_nobody_else(tasks, constants):  # R-A13
-    ports = [one.ports for one in tasks]
-    found = dependents(ports, constants)
-    changed = constants | {svar for one in ports if one.name in found for svar in one.outconst}
-    assert set(found) == {one.name for one in ports if changed & set(one.inconst)}
+    ports = [task.ports for task in tasks]
+    result = dependents(ports, constants)
+    changed = constants | {svar for port in ports if port.name in result for svar in port.outconst}
+    assert set(result) == {port.name for port in ports if changed & set(port.inconst)}

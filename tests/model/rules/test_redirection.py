@@ -54,8 +54,8 @@ def test_what_speaks_against_it_is_told(new, reason):  # R-E09
 
 
 def test_all_reasons_are_told_at_once():  # R-E09
-    found = reasons(other(outvar=("F",), invar=("G",), module="push"))
-    assert len(found) == len(set(found)) == 4
+    result = reasons(other(outvar=("F",), invar=("G",), module="push"))
+    assert len(result) == len(set(result)) == 4
 
 
 def test_what_nobody_wrote_before_is_no_fault_of_the_redirection():  # R-X02
@@ -71,9 +71,9 @@ def test_a_device_that_another_flow_claims_is_told():  # R-E09, law 16
 
 
 def test_candidates_come_first_then_those_that_are_near_with_their_reasons():  # R-E09
-    known = (ROBOT, PUSH, other("b"), other("a", outvar=("Q", "Z")), other("near", outvar=()), Task("far", "far"))
-    found = candidates(ROBOT, known, CREWS, ())
-    assert [(one.task.name, bool(one.refusals), one.more) for one in found] == [
+    existing = (ROBOT, PUSH, other("b"), other("a", outvar=("Q", "Z")), other("near", outvar=()), Task("far", "far"))
+    result = candidates(ROBOT, existing, CREWS, ())
+    assert [(item.task.name, bool(item.refusals), item.more) for item in result] == [
         ("a", False, ("Z",)),
         ("b", False, ()),
         ("near", True, ()),
@@ -82,11 +82,11 @@ def test_candidates_come_first_then_those_that_are_near_with_their_reasons():  #
 
 def test_for_a_task_without_outputs_only_those_like_it_are_thought_of():  # R-E09
     mute = [Task(name, name, invar=("Q",)) for name in ("one", "two")]
-    assert [one.task.name for one in candidates(mute[0], (*mute, ROBOT), {}, ())] == ["two"]
+    assert [candidate.task.name for candidate in candidates(mute[0], (*mute, ROBOT), {}, ())] == ["two"]
 
 
 def test_a_rate_of_the_configurations_own_holds_for_whoever_stands_there():  # R-E09
-    tasks = {one.name: one for one in (ROBOT, PUSH, other("new", frequency=250.0), other("odd"))}
+    tasks = {item.name: item for item in (ROBOT, PUSH, other("new", frequency=250.0), other("odd"))}
     placed = Configuration("go", (Placed("robot", frequency=500.0, rtpu="rt1"), Placed("push", frequency=100.0)))
     assert redirected(placed, {"robot": "new"}, tasks).placed[0] == Placed("new", frequency=250.0, rtpu="rt1")
     assert redirected(placed, {"robot": "odd"}, tasks).placed[0].frequency == 0.0

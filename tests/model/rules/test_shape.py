@@ -5,45 +5,45 @@ from onika.model.application import AppFlow
 from onika.model.rules.shape import faults
 
 
-def found(*flows: AppFlow) -> list[str]:
+def result(*flows: AppFlow) -> list[str]:
     return [text.partition(": ")[2] for text in texts(faults(outline(*flows), SYNTAX))]
 
 
 def test_a_whole_application_has_no_faults() -> None:
     empty_arm = branch(flow(), flow(MOVE, THERE))  # R-E01, R-D13
-    assert found(flow(MOVE, THERE, empty_arm, VIA, THERE, POSE, job())) == []
+    assert result(flow(MOVE, THERE, empty_arm, VIA, THERE, POSE, job())) == []
 
 
 def test_an_application_needs_flows_and_flows_need_actions() -> None:
-    assert found() == ["at least one flow / none"]
-    assert found(flow(job()), flow()) == ["an action in flow 1 / none"]
+    assert result() == ["at least one flow / none"]
+    assert result(flow(job()), flow()) == ["an action in flow 1 / none"]
 
 
 def test_a_fault_in_a_branch_is_named_with_its_path() -> None:
-    assert found(flow(job(), branch(flow(job()), flow(MOVE, job(line=1))))) == [
+    assert result(flow(job(), branch(flow(job()), flow(MOVE, job(line=1))))) == [
         "a Joint object behind it / none behind `move`, step 0 of flow 0, step 1, branch 1",
         "edges that fit / `j` (Complete job) behind `move` (Joint job), at step 1 of flow 0, step 1, branch 1",
     ]
 
 
 def test_every_target_that_lacks_is_named() -> None:
-    assert [text for text in found(flow(VIA, HOLE, job())) if "behind it" in text] == []  # R-D13
-    assert found(flow(VIA, THERE, job())) == [
+    assert [text for text in result(flow(VIA, HOLE, job())) if "behind it" in text] == []  # R-D13
+    assert result(flow(VIA, THERE, job())) == [
         "a Cartesian object behind it / none behind `via`, step 0 of flow 0",
         "edges that fit / `j` (Complete job) behind `there` (Joint object), at step 2 of flow 0",
     ]
-    assert len(found(flow(VIA, job()))) == 3
+    assert len(result(flow(VIA, job()))) == 3
 
 
 def test_targets_in_the_wrong_order_do_not_fit() -> None:
-    assert found(flow(VIA, POSE, THERE)) == [
+    assert result(flow(VIA, POSE, THERE)) == [
         "edges that fit / `pose` (Cartesian object) behind `via` (Joint job), at step 1 of flow 0",
         "edges that fit / `there` (Joint object) behind `pose` (Cartesian object), at step 2 of flow 0",
     ]
 
 
 def test_a_target_too_many_is_named() -> None:
-    assert found(flow(VIA, THERE, POSE, POSE))[0] == (
+    assert result(flow(VIA, THERE, POSE, POSE))[0] == (
         "an action that takes this target / none before `pose`, step 3 of flow 0"
     )
 
@@ -51,12 +51,12 @@ def test_a_target_too_many_is_named() -> None:
 @pytest.mark.parametrize("conditions", [("A == 1", "A == 2"), ("A == 1",) * 3])
 def test_a_branch_has_one_condition_fewer_than_flows(conditions: tuple[str, ...]) -> None:
     step = branch(flow(job()), flow(), conditions=conditions)
-    assert found(flow(step)) == [
+    assert result(flow(step)) == [
         f"1 conditions of a branch, or none / {len(conditions)} at a branch of 2, step 0 of flow 0"
     ]
 
 
 def test_an_unknown_target_is_named() -> None:
-    assert found(flow(job(), icon("x", "Odd object"))) == [
+    assert result(flow(job(), icon("x", "Odd object"))) == [
         "a type the syntax defines / Odd object of `x`, step 1 of flow 0"
     ]

@@ -17,7 +17,7 @@ def stops(*tree, at=0, value=ReturnValue.NONE):
 
 
 @pytest.mark.parametrize(
-    ("tree", "found"),
+    ("tree", "result"),
     [
         ((Act(), MEET), [1]),
         ((Act(),), ["end"]),
@@ -31,21 +31,21 @@ def stops(*tree, at=0, value=ReturnValue.NONE):
         ((Loop("l", (NOOP, Act()), is_top=True), MEET), [-2]),
     ],
 )
-def test_every_stop_is_found_that_the_values_allow(tree, found):
-    assert stops(*tree) == found
+def test_every_stop_is_found_that_the_values_allow(tree, result):
+    assert stops(*tree) == result
 
 
 @pytest.mark.parametrize(
-    ("value", "found"), [(ReturnValue.NONE, [5]), (ReturnValue.NOOP, [0]), (ReturnValue.ANY, [5, 0])]
+    ("value", "result"), [(ReturnValue.NONE, [5]), (ReturnValue.NOOP, [0]), (ReturnValue.ANY, [5, 0])]
 )
-def test_a_test_goes_by_the_value_before_it(value, found):
-    assert stops(Loop("l", (MEET, Act("b"))), Act("c"), at=4, value=value) == found
+def test_a_test_goes_by_the_value_before_it(value, result):
+    assert stops(Loop("l", (MEET, Act("b"))), Act("c"), at=4, value=value) == result
 
 
 def test_the_flows_that_are_begun_on_the_way_are_told_with_their_choices():  # R-D13
     flow = planned((Act(), Pick(((Side(((), (MEET,))),), ())))).flows[0]
-    found = ways(flow, flow.program, 0, ReturnValue.NONE)
-    assert found == (
+    result = ways(flow, flow.program, 0, ReturnValue.NONE)
+    assert result == (
         FlowOutcome(FlowStop(3, ReturnValue.ANY), ((1, 0),), ("takes flow 0 of a branch",)),
         FlowOutcome(IDLE, (), ("takes flow 1 of a branch",)),
     )

@@ -8,18 +8,18 @@ from onika.model.rules.subsystem import SharedSubsystem, faults, subsystems
 from onika.model.task import Task
 
 
-def found(*flows: AppFlow, applications: Mapping[str, Application] | None = None) -> dict[str, SharedSubsystem]:
+def result(*flows: AppFlow, applications: Mapping[str, Application] | None = None) -> dict[str, SharedSubsystem]:
     return subsystems(nest(outline(*flows, is_parallel=True), SYNTAX, applications or {}, {}), SYNTAX)
 
 
 def jobs(subsystem_of: dict[str, SharedSubsystem]) -> dict[str, list[str]]:
-    return {name: list(one.uses) for name, one in subsystem_of.items()}
+    return {name: list(item.uses) for name, item in subsystem_of.items()}
 
 
 def test_every_flow_has_a_subsystem_with_what_is_nested_in_it_in_line() -> None:
     inner = application(flow(job("c"), job("a")), flow(job("d")), name="part")  # R-E01, R-D10
     steps = flow(job("a"), branch(flow(job("b")), flow()), part())
-    assert jobs(found(steps, flow(job("a")), applications={"part": inner})) == {
+    assert jobs(result(steps, flow(job("a")), applications={"part": inner})) == {
         "flow0": ["a", "b", "c", "d"],
         "flow1": ["a"],
     }
@@ -29,7 +29,7 @@ def test_further_flows_of_a_nested_parallel_application_have_subsystems_of_their
     deep = application(flow(job("x")), flow(job("y")), name="deep", is_parallel=True)  # R-D13
     pair = application(flow(job("a")), flow(job("b"), part("deep")), name="pair", is_parallel=True)
     both = {"deep": deep, "pair": pair}
-    assert jobs(found(flow(part("pair"), part("deep")), applications=both)) == {
+    assert jobs(result(flow(part("pair"), part("deep")), applications=both)) == {
         "flow0": ["a", "x"],
         "flow0.1": ["b", "x", "y"],
         "flow0.1.1": ["y"],
@@ -40,17 +40,17 @@ def test_tasks_conflict_within_a_subsystem_only() -> None:
     configurations = {"a": conf("a", "one"), "b": conf("b", "two")}  # reading 1
     tasks = {name: Task(name, "m") for name in ("one", "two")}
 
-    def told(*flows: AppFlow, inner: Application) -> list[str]:
-        return texts(faults(found(*flows, applications={"part": inner}), configurations, tasks))
+    def sentences(*flows: AppFlow, inner: Application) -> list[str]:
+        return texts(faults(result(*flows, applications={"part": inner}), configurations, tasks))
 
     apart = application(flow(job("b")), name="part")
-    assert told(flow(job("a")), flow(job("b")), inner=apart) == []
-    assert told(flow(job("a"), part()), inner=apart) == [
+    assert sentences(flow(job("a")), flow(job("b")), inner=apart) == []
+    assert sentences(flow(job("a"), part()), inner=apart) == [
         "part.appl: every module once in a flow / "
         "m in `one` (in `a`, step 0) and `two` (in `b`, step 0 of flow 0 of `part`) of flow 0"
     ]
     beside = application(flow(job("a")), flow(job("b")), name="part", is_parallel=True)
-    assert told(flow(part()), inner=beside) == []
+    assert sentences(flow(part()), inner=beside) == []
 
 
 TASKS = {"t": Task("t", "t", invar=("X",), aliases=(("X", "LAMP"),)), "u": Task("u", "u", outvar=("Y",))}
@@ -59,7 +59,7 @@ CONFIGURATIONS = {"a": conf("a", "t"), "b": conf("b", "u")}
 
 def conditions(text: str, configurations: Mapping[str, object] = CONFIGURATIONS) -> list[str]:
     marked = flow(job("a", marker=True, marker_if=text, line=5))
-    return texts(faults(found(marked, flow(job("b"))), configurations, TASKS))  # type: ignore[arg-type]
+    return texts(faults(result(marked, flow(job("b"))), configurations, TASKS))  # type: ignore[arg-type]
 
 
 def test_a_condition_speaks_of_a_variable_that_a_task_of_its_flow_has() -> None:
@@ -84,8 +84,8 @@ def test_where_tasks_are_missing_no_variable_is_missed() -> None:
 def test_conditions_of_branches_and_loops_are_looked_at_wherever_they_stand() -> None:
     choice = branch(flow(job("a", while_tag="l", while_test=True, while_if="NO == 1")), flow(), conditions=("NO == 2",))
     inner = application(flow(job("a"), choice), name="part")
-    told = texts(faults(found(flow(part()), applications={"part": inner}), CONFIGURATIONS, TASKS))
-    assert [text.partition(" / ")[2] for text in told] == [
+    sentences = texts(faults(result(flow(part()), applications={"part": inner}), CONFIGURATIONS, TASKS))
+    assert [text.partition(" / ")[2] for text in sentences] == [
         "`NO == 2` at a branch of 2, step 1 of flow 0 of `part`",
         "`NO == 1` at `a`, step 0 of flow 0, step 1, branch 0 of `part`",
     ]

@@ -15,13 +15,13 @@ def test_a_tag_stands_in_two_flows_or_more() -> None:
 
 
 def test_two_flows_of_one_branch_are_one_flow() -> None:
-    found = outline(flow(branch(flow(MEET), flow(MEET))), flow(job()), is_parallel=True)
-    assert len(texts(faults(found))) == 1
+    result = outline(flow(branch(flow(MEET), flow(MEET))), flow(job()), is_parallel=True)
+    assert len(texts(faults(result))) == 1
 
 
 def test_where_nothing_is_parallel_a_tag_is_noted_and_ignored() -> None:
-    found = outline(flow(MEET), flow(MEET), is_nested=True)  # reading 27
-    (note,) = faults(found)
+    result = outline(flow(MEET), flow(MEET), is_nested=True)  # reading 27
+    (note,) = faults(result)
     assert texts([note]) == [
         "*work.appl: a parallel application for the tag meet / it at `open`, step 0 of flow 0 of `work`"
     ]

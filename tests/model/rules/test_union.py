@@ -30,7 +30,7 @@ def device(name: str) -> tuple[LocalLine, ...]:
 
 
 @pytest.mark.parametrize(
-    ("one", "other", "found"),
+    ("task", "other", "result"),
     [
         (Task("a", "m"), Task("b", "m"), "m in `a` and `b` of flow 0"),
         (
@@ -41,8 +41,8 @@ def device(name: str) -> tuple[LocalLine, ...]:
         (Task("a", "m", outconst=("X",)), Task("b", "n", outconst=("X",)), "X from `a` and `b` of flow 0"),
     ],
 )
-def test_what_may_not_live_side_by_side_is_named(one: Task, other: Task, found: str) -> None:
-    assert [found_by(fault) for fault in conflicts([one, other], FLOW, Place("a.appl"))] == [found]  # law 9
+def test_what_may_not_live_side_by_side_is_named(task: Task, other: Task, result: str) -> None:
+    assert [found_by(fault) for fault in conflicts([task, other], FLOW, Place("a.appl"))] == [result]  # law 9
 
 
 def test_a_constant_only_given_while_running_is_a_fault() -> None:
@@ -66,8 +66,8 @@ def test_an_inboth_needs_no_supplier_of_the_constant() -> None:
 def test_a_task_is_beside_the_first_only_and_its_icon_is_named() -> None:
     tasks = [Task(name, "m") for name in "abc"]  # law 9, R-E01
     sources = {"a": TaskOrigin(Place("a.appl", 3), "open", 0, None), "c": TaskOrigin(Place("a.appl", 9), "x", 2, None)}
-    told = conflicts(tasks, FLOW, Place("a.appl"), sources)
-    assert [(fault.place.line, found_by(fault)) for fault in told] == [
+    sentences = conflicts(tasks, FLOW, Place("a.appl"), sources)
+    assert [(fault.place.line, found_by(fault)) for fault in sentences] == [
         (0, "m in `a` (in `open`, step 0) and `b` of flow 0"),
         (9, "m in `a` (in `open`, step 0) and `c` (in `x`, step 2) of flow 0"),
     ]

@@ -16,50 +16,50 @@ def explored(*trees, limit=100_000):
 
 
 def tags(text):
-    return tuple(Act("" if one == "-" else one) for one in text.split())
+    return tuple(Act("" if part == "-" else part) for part in text.split())
 
 
 def test_two_flows_that_meet_in_one_order_get_through():
-    found = explored(tags("a - b"), tags("- a b"))
-    assert (found.knots, found.is_whole) == ((), True)
+    result = explored(tags("a - b"), tags("- a b"))
+    assert (result.knots, result.is_whole) == ((), True)
 
 
 def test_a_circle_is_told_once_from_its_first_flow():
-    found = explored(tags("a b"), tags("b c"), tags("c a"))
-    assert found.is_certain
-    assert [knot.waits for knot in found.knots] == [(FlowWait(0, 0, 2), FlowWait(2, 0, 1), FlowWait(1, 0, 0))]
+    result = explored(tags("a b"), tags("b c"), tags("c a"))
+    assert result.is_certain
+    assert [knot.waits for knot in result.knots] == [(FlowWait(0, 0, 2), FlowWait(2, 0, 1), FlowWait(1, 0, 0))]
 
 
 def test_a_flow_that_waits_for_an_ended_one_waits_for_ever():
-    found = explored(tags("a a"), tags("a"))
-    assert [(knot.waits, knot.is_circle) for knot in found.knots] == [((FlowWait(0, 2, 1),), False)]
+    result = explored(tags("a a"), tags("a"))
+    assert [(knot.waits, knot.is_circle) for knot in result.knots] == [((FlowWait(0, 2, 1),), False)]
 
 
 def test_who_waits_for_a_flow_in_a_circle_is_no_circle_of_its_own():
-    found = explored(tags("a"), tags("b a"), tags("c b"), tags("b c"))
-    assert [{wait.flow for wait in knot.waits} for knot in found.knots] == [{2, 3}]
+    result = explored(tags("a"), tags("b a"), tags("c b"), tags("b c"))
+    assert [{wait.flow for wait in knot.waits} for knot in result.knots] == [{2, 3}]
 
 
 def test_a_deadlock_beside_flows_that_go_on_for_ever_is_found():
     for_ever = (Loop("l", (Act("z"), NOOP)),)
-    found = explored(tags("a b"), tags("b a"), for_ever, for_ever)
-    assert [{wait.flow for wait in knot.waits} for knot in found.knots] == [{0, 1}]
+    result = explored(tags("a b"), tags("b a"), for_ever, for_ever)
+    assert [{wait.flow for wait in knot.waits} for knot in result.knots] == [{0, 1}]
 
 
 def test_waiting_for_a_flow_that_goes_round_for_ever_is_told_apart():
-    found = explored(tags("a"), (Loop("l", (Act(), NOOP)), Act("a")))
-    assert (found.knots, found.idling) == ((), (FlowWait(0, 0, 1),))
+    result = explored(tags("a"), (Loop("l", (Act(), NOOP)), Act("a")))
+    assert (result.knots, result.idling) == ((), (FlowWait(0, 0, 1),))
 
 
 def test_a_tag_that_a_nested_flow_does_not_come_to_again_ties_its_parent_up():  # R-D13
-    found = explored((Side(((Act("n a"), Act("n a")), (Act("n a"),))),))
-    assert [knot.waits for knot in found.knots] == [(FlowWait(0, 3, 1), FlowWait(1, -1, 0))]
-    assert found.is_certain
+    result = explored((Side(((Act("n a"), Act("n a")), (Act("n a"),))),))
+    assert [knot.waits for knot in result.knots] == [(FlowWait(0, 3, 1), FlowWait(1, -1, 0))]
+    assert result.is_certain
 
 
 def test_a_nested_application_in_a_loop_begins_anew_each_time():
-    found = explored((Loop("l", (Side(((Act("n a"),), (Act("n a"), Act()))), Act())),))
-    assert (found.knots, found.is_whole) == ((), True)
+    result = explored((Loop("l", (Side(((Act("n a"),), (Act("n a"), Act()))), Act())),))
+    assert (result.knots, result.is_whole) == ((), True)
 
 
 def test_what_has_nothing_to_do_with_each_other_is_looked_at_apart():
@@ -68,17 +68,17 @@ def test_what_has_nothing_to_do_with_each_other_is_looked_at_apart():
 
 
 def test_the_example_names_the_choices_on_the_way():
-    found = explored((Act(), Pick((tags("a"), tags("b")))), tags("a b"))
-    assert {(knot.is_circle, knot.choices) for knot in found.knots} == {
+    result = explored((Act(), Pick((tags("a"), tags("b")))), tags("a b"))
+    assert {(knot.is_circle, knot.choices) for knot in result.knots} == {
         (True, ((0, "takes flow 1 of a branch"),)),
         (False, ((0, "takes flow 0 of a branch"),)),
     }
 
 
 def test_a_run_that_can_go_on_for_ever_is_no_certain_deadlock():
-    found = explored((Loop("l", (Act("a"), Act())), Act("b")), (Loop("l", (Act("a"), NOOP)), Act("b")))
-    assert found.knots
-    assert not found.is_certain
+    result = explored((Loop("l", (Act("a"), Act())), Act("b")), (Loop("l", (Act("a"), NOOP)), Act("b")))
+    assert result.knots
+    assert not result.is_certain
 
 
 def test_too_much_to_look_at_is_said():
@@ -102,7 +102,7 @@ def nodes(names):
         acts,
         lambda inner: st.one_of(
             st.builds(lambda body, is_top: Loop("l", body, is_top), seq(inner, acts), st.booleans()),
-            st.builds(lambda one, two: Pick((tuple(one), tuple(two))), *[st.lists(inner, max_size=2)] * 2),
+            st.builds(lambda item, two: Pick((tuple(item), tuple(two))), *[st.lists(inner, max_size=2)] * 2),
         ),
         max_leaves=3,
     )
@@ -124,9 +124,9 @@ class Search:
     """All states, one flow moved at a time: (place, whether there is a value) of each, visits of each tag by each."""
 
     def __init__(self, plan):
-        self.flows = [one.program for one in plan.flows]
-        self.parents = [one.parent for one in plan.flows]
-        self.tags = sorted({one.tag for program in self.flows for one in program if isinstance(one, Meet)})
+        self.flows = [flow.program for flow in plan.flows]
+        self.parents = [flow.parent for flow in plan.flows]
+        self.tags = sorted({part.tag for program in self.flows for part in program if isinstance(part, Meet)})
         self.parties = {tag: [n for n, program in enumerate(self.flows) if Meet(tag) in program] for tag in self.tags}
         places = tuple((0, False) if parent is None else None for parent in self.parents)
         self.first = (places, tuple((0,) * len(self.flows) for _ in self.tags), (False,) * len(self.flows))
@@ -144,30 +144,30 @@ class Search:
             if where is None:
                 continue
             at, has_value = where
-            one = self.flows[number][at]
-            match one:
+            item = self.flows[number][at]
+            match item:
                 case Meet() if not waiting[number]:
-                    yield number, self.visited(state, number, one.tag)
+                    yield number, self.visited(state, number, item.tag)
                 case Meet():
-                    counts = visits[self.tags.index(one.tag)]
-                    if all(counts[other] >= counts[number] for other in self.parties[one.tag]):
+                    counts = visits[self.tags.index(item.tag)]
+                    if all(counts[other] >= counts[number] for other in self.parties[item.tag]):
                         yield number, self.at(state, number, at + 1, has_value)
                 case Choose():
-                    for to in one.to if has_value else one.to[:1]:
+                    for to in item.to if has_value else item.to[:1]:
                         yield number, self.at(state, number, to, has_value)
                 case Again() | Unless():
-                    stay, leave = (one.to, at + 1) if isinstance(one, Again) else (at + 1, one.to)
+                    stay, leave = (item.to, at + 1) if isinstance(item, Again) else (at + 1, item.to)
                     for to in (stay, leave) if has_value else (leave,):
                         yield number, self.at(state, number, to, has_value)
                 case Jump():
-                    yield number, self.at(state, number, one.to, has_value)
+                    yield number, self.at(state, number, item.to, has_value)
                 case Fork():
                     new = self.at(state, number, at + 1, has_value)
-                    for child, place in one.flows:
+                    for child, place in item.flows:
                         new = self.at(new, child, place, False)
                     yield number, new
                 case Join():
-                    if all(places[child] is None for child in one.flows):
+                    if all(places[child] is None for child in item.flows):
                         yield number, self.at(state, number, at + 1, has_value)
                 case Halt():
                     yield number, self.at(state, number, None, False)
@@ -186,9 +186,9 @@ class Search:
     def visited(self, state, number, tag):
         places, visits, waiting = state
         at = self.tags.index(tag)
-        counts = [count + (one == number) for one, count in enumerate(visits[at])]
-        least = min(counts[one] for one in self.parties[tag])
-        counts = tuple(count - least if one in self.parties[tag] else 0 for one, count in enumerate(counts))
+        counts = [count + (item == number) for item, count in enumerate(visits[at])]
+        least = min(counts[party] for party in self.parties[tag])
+        counts = tuple(count - least if item in self.parties[tag] else 0 for item, count in enumerate(counts))
         return (
             places,
             (*visits[:at], counts, *visits[at + 1 :]),
@@ -212,16 +212,16 @@ def judged(plan):
     st.one_of(
         st.tuples(trees(), trees()),
         st.tuples(trees(), trees(("", "a", "c")), trees(("b", "c"))),
-        nested().map(lambda one: (one,)),
+        nested().map(lambda item: (item,)),
     )
 )
 def test_what_can_stand_still_is_foretold_and_nothing_else(flows):
     plan = planned(*flows)
-    found, search = judged(plan), Search(plan)
-    assert any(one.knots for one in found) == search.can_stand_still()
-    if any(one.is_certain for one in found):
+    result, search = judged(plan), Search(plan)
+    assert any(item.knots for item in result) == search.can_stand_still()
+    if any(item.is_certain for item in result):
         assert not search.can_be_completed()
-    elif not any(one.knots for one in found):
+    elif not any(item.knots for item in result):
         assert search.can_be_completed()
 
 
@@ -232,6 +232,6 @@ straight = st.lists(st.sampled_from(["", "a", "b", "c"]).map(Act), max_size=6).m
 @given(st.lists(straight, min_size=2, max_size=3))
 def test_straight_flows_either_get_through_or_certainly_do_not(flows):
     plan = planned(*flows)
-    found = judged(plan)
-    assert all(one.is_certain == bool(one.knots) for one in found)
-    assert any(one.is_certain for one in found) != Search(plan).can_be_completed()
+    result = judged(plan)
+    assert all(item.is_certain == bool(item.knots) for item in result)
+    assert any(item.is_certain for item in result) != Search(plan).can_be_completed()

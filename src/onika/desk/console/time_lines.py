@@ -110,7 +110,7 @@ def _variable(session: ConsoleSession, expectation: Condition, limit: float) -> 
         seen[expectation.address] = value(session, subsystem, name)[0]
         return expectation.holds(seen)
 
-    return _until(session, holds, limit, expectation.text, lambda: str(expectation.found(seen)))
+    return _until(session, holds, limit, expectation.text, lambda: str(expectation.value_of(seen)))
 
 
 def _until(

@@ -44,10 +44,10 @@ def prepare_run(name_or_path: str, site: Site, redirects: Sequence[Redirect] = (
     path = site.application_file(name_or_path)
     if path is None:
         names = sorted({name for base in site.directories for name in base.applications})
-        known = tuple(names) or Reason.of("desk.none_on_path")
+        present = tuple(names) or Reason.of("desk.none_on_path")
         fault = Fault(
             Place(name_or_path),
-            Reason.of("desk.application_unknown", names=known),
+            Reason.of("desk.application_unknown", names=present),
             Reason.of("words.nothing_run"),
         )
         return _nothing(name_or_path, (fault, *site.absent()))

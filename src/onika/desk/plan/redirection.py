@@ -45,8 +45,8 @@ def faults(redirects: Sequence[Redirect], plan: Plan, program: ApplicationProgra
         place = Place(f"redirect {redirect}")
         subsystems = [flow.subsystem for flow in plan.flows if redirect.holds_in(flow.subsystem)]
         if not subsystems:
-            known = ", ".join(flow.subsystem for flow in plan.flows)
-            yield Fault(place, Reason.of("desk.flow_unknown", names=known, flow=redirect.flow), NOT_RUN)
+            every = ", ".join(flow.subsystem for flow in plan.flows)
+            yield Fault(place, Reason.of("desk.flow_unknown", names=every, flow=redirect.flow), NOT_RUN)
             continue
         used = _used(plan, program, subsystems)
         if redirect.new not in program.tasks:

@@ -83,17 +83,17 @@ def recorded_run(source: RecordingSource) -> RecordedRun | tuple[Fault, ...]:
         run = RunRecord.read(reader)
     except UNREADABLE as wrong:
         words = complaint(source.path, wrong).removeprefix(f"{source.path}: ")
-        found = words.partition(", found ")[2] or words
-        return (Fault(place, Reason.of("desk.no_recording", given=found), _NOT_RUN),)
+        actual = words.partition(", found ")[2] or words
+        return (Fault(place, Reason.of("desk.no_recording", given=actual), _NOT_RUN),)
     end = reader.notes.get(END, {})
     last_s = reader.span[1] * 1e-9
     faults = []
     if not run.is_fresh:
-        found = "one in which other things had happened on its runtime before, which nobody recorded"
-        faults.append(Fault(place, Reason.of("desk.not_first_run", given=found), _NOT_RUN))
+        actual = "one in which other things had happened on its runtime before, which nobody recorded"
+        faults.append(Fault(place, Reason.of("desk.not_first_run", given=actual), _NOT_RUN))
     if end.get("outside"):
-        found = f"tasks that had to do with the outside: {end['outside']}"
-        faults.append(Fault(place, Reason.of("desk.not_repeatable", given=found), _NOT_RUN))
+        actual = f"tasks that had to do with the outside: {end['outside']}"
+        faults.append(Fault(place, Reason.of("desk.not_repeatable", given=actual), _NOT_RUN))
     if source.at_s is not None and not 0 <= source.at_s <= last_s:
         faults.append(Fault(place, Reason.of("desk.instant_outside", last_s=last_s, at_s=source.at_s), _NOT_RUN))
     if faults:

@@ -284,7 +284,7 @@ class Running:
         return (
             Fault(
                 place,
-                Reason.of("desk.condition_fails", text=condition.text, given=str(condition.found(values))),
+                Reason.of("desk.condition_fails", text=condition.text, given=str(condition.value_of(values))),
                 Reason.of("desk.not_so"),
             ),
         )
@@ -334,7 +334,7 @@ class Running:
             return
         self.outcome.printed = "" if result.completed else self._runtime.printed()
         self.outcome.expectations = [
-            (expectation, expectation.found(result.values), expectation.holds(result.values))
+            (expectation, expectation.value_of(result.values), expectation.holds(result.values))
             for expectation in self._settings.expectations
         ]
         if self._settings.wants_picture:

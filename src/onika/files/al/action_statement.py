@@ -104,8 +104,8 @@ def _item(phrase: TokenStream, item: DataItem) -> tuple[Value, ...]:
     while phrase.left and not phrase.left[0].says(";", ")"):
         tokens.append(phrase.token(_what(item), "word", "text"))
     if not item.takes(len(tokens)):
-        found = f"{len(tokens)} in {show(joined(tokens))}" if tokens else f"none before {phrase.rest()}"
-        raise ValueError(Reason.of("files.values_expected", what=_what(item), given=found))
+        actual = f"{len(tokens)} in {show(joined(tokens))}" if tokens else f"none before {phrase.rest()}"
+        raise ValueError(Reason.of("files.values_expected", what=_what(item), given=actual))
     return tuple(item.type.parse(token.value) for token in tokens)
 
 

@@ -68,12 +68,12 @@ def sentences(text: str, reading: TextReading) -> tuple[list[Statement], int]:
     Faults go to `reading`, whose `end` becomes the last line of the sentences.
     """
     where = _WHERE.search(text)
-    said = text[: where.start()] if where else text
-    for number, line in enumerate(said.split("\n"), start=1):
+    content = text[: where.start()] if where else text
+    for number, line in enumerate(content.split("\n"), start=1):
         if _CONTROL.search(line.removesuffix("\r")):
             reading.fault(number, Reason.of("files.printable_text", line=show(line)))
-    reading.end = said.rstrip().count("\n") + 1
-    return list(_grouped(said, reading)), where.end() if where else -1
+    reading.end = content.rstrip().count("\n") + 1
+    return list(_grouped(content, reading)), where.end() if where else -1
 
 
 def _grouped(text: str, reading: TextReading) -> Iterator[Statement]:
@@ -98,15 +98,15 @@ def _whole(tokens: Sequence[Token], depth: int, reading: TextReading) -> Stateme
 
 
 def _tokens(text: str, reading: TextReading) -> Iterator[Token]:
-    at, number, told = 0, 1, 0
-    while found := _SIGN.match(text, at):
-        kind, value, at = str(found.lastgroup), found[0], found.end()
+    at, number, last = 0, 1, 0
+    while match := _SIGN.match(text, at):
+        kind, value, at = str(match.lastgroup), match[0], match.end()
         if kind == "wrong":
-            at = _pass_over(text, found.start(), number, None if number == told else reading)
-            told = number
+            at = _pass_over(text, match.start(), number, None if number == last else reading)
+            last = number
         elif kind in ("text", "variant", "sign", "word"):
             shown = word.unquoted(value) if kind == "text" else value
-            yield Token(kind, shown, found.start(), at, number)
+            yield Token(kind, shown, match.start(), at, number)
         number += value.count("\n")
 
 

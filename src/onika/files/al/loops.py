@@ -27,7 +27,7 @@ def loops(heads: Sequence[Icon | None]) -> tuple[LoopBlock, ...]:
         if icon is not None and icon.while_tag is not None:
             places.setdefault(icon.while_tag, []).append(at)
     whole = {tag: _loop(tag, heads, at) for tag, at in places.items()}
-    found: list[LoopBlock] = []
+    blocks: list[LoopBlock] = []
     begun: list[str] = []
     for at, icon in enumerate(heads):
         tag = icon.while_tag if icon is not None else None
@@ -38,10 +38,10 @@ def loops(heads: Sequence[Icon | None]) -> tuple[LoopBlock, ...]:
             begun.append(loop.tag)
         elif begun[-1] == loop.tag:
             begun.pop()
-            found.append(loop)
+            blocks.append(loop)
         else:
             begun.remove(loop.tag)  # it crosses one that began within it
-    return tuple(sorted(found, key=lambda loop: loop.first))
+    return tuple(sorted(blocks, key=lambda loop: loop.first))
 
 
 def _loop(tag: str, heads: Sequence[Icon | None], at: Sequence[int]) -> LoopBlock | None:

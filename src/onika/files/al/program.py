@@ -23,9 +23,9 @@ _STATEMENT = "statement"
 class TextProgram:
     """The blocks that are open while sentences come, and the whole once all are closed."""
 
-    def __init__(self, syntax: Syntax, known: WhereSection, reading: TextReading) -> None:
+    def __init__(self, syntax: Syntax, where_section: WhereSection, reading: TextReading) -> None:
         self._syntax = syntax
-        self._glossary = known
+        self._glossary = where_section
         self._reading = reading
         self._open: list[Block] = []
         self._kinds: Counter[str] = Counter()
@@ -70,8 +70,8 @@ class TextProgram:
         elif form in _MARKS:
             _MARKS[form](block, sentence)
         else:
-            known = (*action_statement.HEADS, *_MARKS, *ENDS, *_CLOSES)
-            raise ValueError(Reason.of("files.word_of_language", words=" ".join(known), sentence=str(sentence)))
+            heads = (*action_statement.HEADS, *_MARKS, *ENDS, *_CLOSES)
+            raise ValueError(Reason.of("files.word_of_language", words=" ".join(heads), sentence=str(sentence)))
 
     def _statement(self, block: Block, sentence: Statement) -> None:
         try:
@@ -132,7 +132,7 @@ class TextProgram:
         self._kinds[block.kind] -= 1
         return block
 
-    def _unclosed(self, block: Block, number: int, found: str) -> None:
+    def _unclosed(self, block: Block, number: int, opening: str) -> None:
         self._check_waiting(block)
         if block.kind == "BEGIN" and self._open:
             self._open[-1].flows.append(block.flow())
@@ -144,7 +144,7 @@ class TextProgram:
                     ends=ENDS[block.kind],
                     opened=str(block.opened),
                     number=block.opened.number,
-                    given=found,
+                    given=opening,
                 ),
             )
 
@@ -222,10 +222,10 @@ class TextProgram:
     def _mark(
         self, items: list[list[Step]], at: int, block: Block, where: str, *, is_test: bool = False, condition: str = ""
     ) -> None:
-        found = marked(items, at, block.tag, is_test=is_test, condition=condition)
-        if found:
+        steps = marked(items, at, block.tag, is_test=is_test, condition=condition)
+        if steps:
             self._reading.fault(
-                block.opened.number, Reason.of("files.loop_tagged", where=where, tag=block.tag, given=found)
+                block.opened.number, Reason.of("files.loop_tagged", where=where, tag=block.tag, given=steps)
             )
 
     def _finish(self, flows: tuple[AppFlow, ...], *, is_parallel: bool) -> None:

@@ -24,10 +24,10 @@ def read(
     """
     reading = TextReading(place_file, Reason.of("files.application_left_out"))
     text = text.removeprefix("\ufeff")
-    found, start = sentences(text, reading)
-    known = where_section.read(text, start, syntax, dictionary, reading)
-    program = TextProgram(syntax, known, reading)
-    for sentence in found:
+    statements, start = sentences(text, reading)
+    where = where_section.read(text, start, syntax, dictionary, reading)
+    program = TextProgram(syntax, where, reading)
+    for sentence in statements:
         program.take(sentence)
     flows = program.end()
     if reading.broken or flows is None:

@@ -52,10 +52,10 @@ class TokenStream:
 
     def tag(self) -> str:
         """A tag: one word, or a quoted text without blanks."""
-        found = self.token(Reason.of("files.a_tag"), "word", "text").value
-        if not found or " " in found or "\t" in found:
-            raise ValueError(Reason.of("files.tag_of_one_word", given=show(found)))
-        return found
+        tag = self.token(Reason.of("files.a_tag"), "word", "text").value
+        if not tag or " " in tag or "\t" in tag:
+            raise ValueError(Reason.of("files.tag_of_one_word", given=show(tag)))
+        return tag
 
     def variant(self, default: int = 1) -> int:
         """The number of `#2`; `default` where there is none."""

@@ -47,9 +47,9 @@ class WhereSection:
         """How a text names a hole that keeps lines; empty for one that keeps none."""
         if not kept:
             return ""
-        known = next((number for number, lines in self.holes.items() if lines == kept), len(self.holes) + 1)
-        self.holes[known] = kept
-        return f" #{known}"
+        number = next((number for number, lines in self.holes.items() if lines == kept), len(self.holes) + 1)
+        self.holes[number] = kept
+        return f" #{number}"
 
     def write(self) -> str:
         """The section; empty where nothing is defined."""
@@ -62,9 +62,9 @@ class WhereSection:
 
     def _define(self, onikon: Onikon, bare: Onikon) -> int:
         """The variant of a new onikon: 1 is the dictionary's where that has the name, else the first."""
-        known = self.dictionary(onikon.name)
-        same = known is not None and replace(known.as_placed(), values=()) == bare
-        reached = self._counts.setdefault(onikon.name, 0 if known is None else 1)
+        same_name = self.dictionary(onikon.name)
+        same = same_name is not None and replace(same_name.as_placed(), values=()) == bare
+        reached = self._counts.setdefault(onikon.name, 0 if same_name is None else 1)
         variant = 1 if same else reached + 1
         if not same:
             self._counts[onikon.name] = variant
@@ -76,11 +76,11 @@ class WhereSection:
 
     def find(self, name: str, variant: int) -> Onikon | None:
         """What a name in the text stands for."""
-        found = self.icons.get((name, variant))
-        if found is not None or variant != 1:
-            return found
-        known = self.dictionary(name)
-        return known.as_placed() if known else None
+        icon = self.icons.get((name, variant))
+        if icon is not None or variant != 1:
+            return icon
+        same_name = self.dictionary(name)
+        return same_name.as_placed() if same_name else None
 
 
 def read(text: str, start: int, syntax: Syntax, dictionary: Dictionary, reading: TextReading) -> WhereSection:
@@ -116,12 +116,14 @@ def _lines(text: str, start: int, reading: TextReading) -> Sequence[FileLine]:
 
 
 def _icon(block: Sequence[FileLine], glossary: WhereSection, syntax: Syntax, reading: TextReading) -> None:
-    found = reading.arrange(block, (KeywordSlot("ICON"), *SLOTS))
+    by_keyword = reading.arrange(block, (KeywordSlot("ICON"), *SLOTS))
     name, variant = _name(block[0], reading)
-    onikon = read_icon(name, found, syntax, reading)
+    onikon = read_icon(name, by_keyword, syntax, reading)
     kind = syntax.find(onikon.type) if onikon else None
     if kind and (kind.is_start or kind.is_end):
-        reading.fault(found["ONIKON"][0].number, Reason.of("files.action_target", given=str(found["ONIKON"][0])))
+        reading.fault(
+            by_keyword["ONIKON"][0].number, Reason.of("files.action_target", given=str(by_keyword["ONIKON"][0]))
+        )
     if (name, variant) in glossary.icons:
         reading.fault(block[0].number, Reason.of("files.every_icon_once", block=str(block[0])))
     if onikon is not None:

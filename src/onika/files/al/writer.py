@@ -75,9 +75,9 @@ class _Writing:
     def _inside(self, flow: AppFlow) -> None:
         self._depth += 1
         statements = _statements(flow, self._syntax)
-        found = loops([one.head for one in statements])
-        begins = {loop.first: loop for loop in found}
-        ends = {loop.last: loop for loop in found}
+        blocks = loops([statement.head for statement in statements])
+        begins = {loop.first: loop for loop in blocks}
+        ends = {loop.last: loop for loop in blocks}
         for at, statement in enumerate(statements):
             loop = begins.get(at) or ends.get(at)
             if at in begins:
@@ -95,7 +95,7 @@ class _Writing:
         if not branch.conditions:
             self._blocks("CASE OF", branch.flows, "END CASE")
             return
-        heads = [f"ELSEIF {_condition(one)} THEN" for one in branch.conditions]
+        heads = [f"ELSEIF {_condition(condition)} THEN" for condition in branch.conditions]
         heads[0] = heads[0].removeprefix("ELSE")
         *chosen, other = branch.flows
         for head, flow in zip(heads, chosen, strict=True):
@@ -139,8 +139,8 @@ class _Writing:
                 continue
             is_first = False
         icons = [step.onikon for step in statement.steps if isinstance(step, Icon)]
-        described = dict.fromkeys((one.name, one.description) for one in icons if one.description)
-        new = [one for one in described if one not in self._described]
+        described = dict.fromkeys((icon.name, icon.description) for icon in icons if icon.description)
+        new = [description for description in described if description not in self._described]
         self._described.update(new)
         remark = "; ".join(description for _, description in new)
         self._wrapped(words, f"{{ {_remark(remark)} }}" if remark else "")
@@ -201,16 +201,16 @@ class _Writing:
 
 def _statements(flow: AppFlow, syntax: Syntax) -> list[_Statement]:
     """The steps of a flow, those that belong together in one; a target with marks of its own stands alone."""
-    ends = {one.position: one.end for one in actions(flow, syntax)}
-    found: list[_Statement] = []
+    ends = {action.position: action.end for action in actions(flow, syntax)}
+    statements: list[_Statement] = []
     at = 0
     while at < len(flow.steps):
         end = ends.get(at, at + 1)
         if any(isinstance(step, Icon) and Icon(step.onikon) != step for step in flow.steps[at + 1 : end]):
             end = at + 1
-        found.append(_Statement(flow.steps[at:end]))
+        statements.append(_Statement(flow.steps[at:end]))
         at = end
-    return found
+    return statements
 
 
 def _values(item: DataItem, values: Sequence[Value]) -> Iterator[str]:

@@ -35,7 +35,7 @@ Users = Mapping[str, str]
 def declared(task: Task, ports: Iterable[DeclaredPort]) -> dict[str, str]:
     """What a task takes its variables for, by their aliased names."""
     aliases = dict(task.aliases)
-    return {aliases.get(one.name, one.name): f"{_aliased(one.shape, aliases)} in {one.unit}" for one in ports}
+    return {aliases.get(port.name, port.name): f"{_aliased(port.shape, aliases)} in {port.unit}" for port in ports}
 
 
 def contested(tasks: Mapping[str, Mapping[str, str]]) -> dict[str, Users]:

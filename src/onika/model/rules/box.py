@@ -65,7 +65,7 @@ def box_of(task: Task, preferred: Preferences) -> TaskBox:
 def _sides(task: Task) -> tuple[list[tuple[str, PortKind]], list[tuple[str, PortKind]]]:
     """Inputs and outputs in the file's order, constants first."""
     kinds = list(task.kinds().items())
-    return [one for one in kinds if one[1].is_input], [one for one in kinds if not one[1].is_input]
+    return [port for port in kinds if port[1].is_input], [port for port in kinds if not port[1].is_input]
 
 
 def _pins(side: list[tuple[str, PortKind]], task: Task, preferred: Preferences) -> Iterator[Pin]:

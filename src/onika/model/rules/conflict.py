@@ -19,14 +19,14 @@ def conflicts(tasks: Sequence[Task], new: int = 0) -> Iterator[tuple[Task, Task,
 
 def _suspects(tasks: Sequence[Task]) -> set[tuple[int, int]]:
     """The pairs that share a name, a module or an output, or meet in a constant; few, so that each can be asked."""
-    found: set[tuple[int, int]] = set()
+    pairs: set[tuple[int, int]] = set()
     for of in (_name, _module, _outputs):
         for positions in _by(tasks, of).values():
-            found.update(combinations(positions, 2))
+            pairs.update(combinations(positions, 2))
     given, needed = _by(tasks, placement.given_while_running), _by(tasks, placement.needed_at_start)
     for svar in given.keys() & needed.keys():
-        found.update((min(pair), max(pair)) for pair in product(given[svar], needed[svar]) if pair[0] != pair[1])
-    return found
+        pairs.update((min(pair), max(pair)) for pair in product(given[svar], needed[svar]) if pair[0] != pair[1])
+    return pairs
 
 
 def _by(tasks: Sequence[Task], of: Callable[[Task], Iterable[str]]) -> dict[str, list[int]]:

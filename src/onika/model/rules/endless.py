@@ -16,27 +16,32 @@ from onika.words.reason import Reason
 
 def faults(nest: Nest, syntax: Syntax) -> Iterator[Fault]:
     """The loops of all applications of a nest round which there is a way without a job."""
-    known: dict[str, bool] = {}
+    endless: dict[str, bool] = {}
     for name, outline in nest.outlines.items():
         flows: dict[str, bool] = {}
-        found: list[Fault] = []
+        faults: list[Fault] = []
         for passage in reversed(outline.passages):  # the flows of a branch stand behind the one it stands in
-            takes, slack = _passage(outline, passage, nest, syntax, known, flows)
+            takes, slack = _passage(outline, passage, nest, syntax, endless, flows)
             flows[passage.path] = takes
-            found += [_fault(outline, passage, loop) for loop in slack]
+            faults += [_fault(outline, passage, loop) for loop in slack]
         outer = [flows[passage.path] for passage in outline.passages if not passage.is_inner]
-        known[name] = any(outer) if outline.application.is_parallel else all(outer)
-        yield from reversed(found)
+        endless[name] = any(outer) if outline.application.is_parallel else all(outer)
+        yield from reversed(faults)
 
 
 def _passage(
-    outline: Outline, passage: Passage, nest: Nest, syntax: Syntax, known: Mapping[str, bool], flows: Mapping[str, bool]
+    outline: Outline,
+    passage: Passage,
+    nest: Nest,
+    syntax: Syntax,
+    endless: Mapping[str, bool],
+    flows: Mapping[str, bool],
 ) -> tuple[bool, list[Loop]]:
     """Whether every way through a flow takes time, and its loops round which one takes none."""
     by_position = {action.position: action for action in passage.actions}
-    found = loops(passage.flow, passage.actions)
-    starts = {loop.start: loop for loop in found}
-    ends = {loop.end: loop for loop in found}
+    endings = loops(passage.flow, passage.actions)
+    starts = {loop.start: loop for loop in endings}
+    ends = {loop.end: loop for loop in endings}
     slack: list[Loop] = []
     takes = [False]  # of the flow and every loop that is open: whether what was met in it so far takes time
     for position, step in enumerate(passage.flow.steps):
@@ -46,21 +51,21 @@ def _passage(
             inner = [flows[f"{passage.path}, step {position}, branch {at}"] for at in range(len(step.flows))]
             takes[-1] |= bool(inner) and all(inner)
         elif action := by_position.get(position):
-            takes[-1] |= _takes(outline, action, nest, syntax, known)
+            takes[-1] |= _takes(outline, action, nest, syntax, endless)
         if loop := ends.get(position):
             round_it = takes.pop()
             slack += [] if round_it else [loop]
             test = by_position.get(loop.test)
             if test and loop.is_top and (not _is_noop(test, syntax) or test.icon.while_if):
-                takes[-1] |= _takes(outline, test, nest, syntax, known)  # the rest of the loop may be passed by
+                takes[-1] |= _takes(outline, test, nest, syntax, endless)  # the rest of the loop may be passed by
             else:
                 takes[-1] |= round_it
     return takes[0], slack
 
 
-def _takes(outline: Outline, action: Action, nest: Nest, syntax: Syntax, known: Mapping[str, bool]) -> bool:
+def _takes(outline: Outline, action: Action, nest: Nest, syntax: Syntax, endless: Mapping[str, bool]) -> bool:
     inner = nest.runs(outline, action, syntax)
-    return known[inner.application.name] if inner else not _is_noop(action, syntax)
+    return endless[inner.application.name] if inner else not _is_noop(action, syntax)
 
 
 def _is_noop(action: Action, syntax: Syntax) -> bool:

@@ -55,28 +55,28 @@ class Row:
 
     def _spread(self, touched: Iterable[int], syntax: Syntax) -> set[int]:
         """With the gaps of all targets beside: whose turn each is may be another now (requirement D13)."""
-        found: set[int] = set()
+        places: set[int] = set()
         for at in touched:
             start = end = at
             while start > 0 and self._is_target(start - 1, syntax):
                 start -= 1
             while end < len(self.solids) and self._is_target(end, syntax):
                 end += 1
-            found.update(range(start, end + 1))
-        return found
+            places.update(range(start, end + 1))
+        return places
 
     def _is_target(self, at: int, syntax: Syntax) -> bool:
         solid = self.solids[at]
         return isinstance(solid, Icon) and is_target(solid, syntax)
 
 
-def either(one: Hole | None, other: Hole | None) -> Hole | None:
+def either(hole: Hole | None, other: Hole | None) -> Hole | None:
     """Of two holes that come together the one that keeps something, else the first; of two that do, both."""
-    if one is None or other is None:
-        return one or other
-    if one.kept and other.kept:
-        return replace(one, kept=one.kept + other.kept)
-    return other if other.kept else one
+    if hole is None or other is None:
+        return hole or other
+    if hole.kept and other.kept:
+        return replace(hole, kept=hole.kept + other.kept)
+    return other if other.kept else hole
 
 
 def kinds(flow: AppFlow, syntax: Syntax, every: Sequence[Action] | None = None) -> _Kinds:
@@ -84,16 +84,16 @@ def kinds(flow: AppFlow, syntax: Syntax, every: Sequence[Action] | None = None) 
 
     `every` are the actions of the flow, where they are known already.
     """
-    found = [syntax.find(START), *(kind_of(step, syntax) for step in flow.steps), syntax.find(END)]
+    icon_types = [syntax.find(START), *(kind_of(step, syntax) for step in flow.steps), syntax.find(END)]
     for action in actions(flow, syntax) if every is None else every:
         if len(action.icon.onikon.more_targets) == 0:
             continue
         following = wanted_targets(action.icon.onikon, syntax)[1:]
         for position, wanted in zip(action.positions, following, strict=False):
-            kind, after = found[position + 1], syntax.find(wanted)
+            kind, after = icon_types[position + 1], syntax.find(wanted)
             if kind:
-                found[position + 1] = replace(kind, right_edge=after.left_edge) if after else None
-    return found
+                icon_types[position + 1] = replace(kind, right_edge=after.left_edge) if after else None
+    return icon_types
 
 
 def kind_of(step: Step, syntax: Syntax) -> IconType | None:

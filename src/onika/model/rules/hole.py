@@ -34,11 +34,11 @@ def holes(outline: Outline, syntax: Syntax) -> Iterator[OpenHole]:
 
 def open_types(outline: Outline, syntax: Syntax) -> tuple[str, ...]:
     """The types of the targets missing in all flows together, each once, in the order of their holes."""
-    found: dict[str, str] = {}
+    names: dict[str, str] = {}
     for hole in holes(outline, syntax):
         for kind in hole.types:
-            found.setdefault(kind.lower(), kind)
-    return tuple(found.values())
+            names.setdefault(kind.lower(), kind)
+    return tuple(names.values())
 
 
 def faults(outline: Outline, syntax: Syntax) -> Iterator[Fault]:
@@ -61,12 +61,12 @@ def fillings(outline: Outline, inner: Outline, use: tuple[Passage, Action], synt
     missing = open_types(inner, syntax)
     at, name = outline.at(passage, action.position), inner.application.name
     for kind in missing:
-        if not any(same_type(kind, one) for one in wanted):
+        if not any(same_type(kind, type_name) for type_name in wanted):
             yield outline.fault(action.icon, Reason.of("rules.filling_missing", kind=kind, application=name, at=at))
     for number, kind in enumerate(wanted):
-        if not any(same_type(kind, one) for one in missing):
+        if not any(same_type(kind, type_name) for type_name in missing):
             unused = Reason.of("rules.filling_unused", application=name, kind=kind, at=at)
             yield outline.note(action.icon, unused, Reason.of("rules.not_used"))
-        elif any(same_type(kind, one) for one in wanted[:number]):
+        elif any(same_type(kind, type_name) for type_name in wanted[:number]):
             twice = Reason.of("rules.filling_twice", application=name, kind=kind, at=at)
             yield outline.note(action.icon, twice, Reason.of("rules.first_fills"))

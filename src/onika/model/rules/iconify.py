@@ -37,14 +37,14 @@ def job_type(
     trigger = next((task for task in tasks_of([configuration], tasks) if task.object_type), None)
     if trigger is None or trigger.object_type is None:
         return ActionType(COMPLETE_JOB)
-    known = syntax.find(trigger.object_type)
+    object_type = syntax.find(trigger.object_type)
     targets = [(kind, syntax.find(kind)) for kind in trigger.more_targets]
-    unknown = [kind for kind, found in targets if found is None or not found.is_target]
-    if known and unknown:
+    unknown = [kind for kind, icon_type in targets if icon_type is None or not icon_type.is_target]
+    if object_type and unknown:
         reason = f"`{trigger.name}` takes a target of the type {{}}, which the syntax does not define"
         return tuple(Refusal(reason.format(kind), ("define it in the syntax",)) for kind in unknown)
-    more = tuple(found.name if found else kind for kind, found in targets)
-    return ActionType(known.name if known else trigger.object_type, more)
+    more = tuple(icon_type.name if icon_type else kind for kind, icon_type in targets)
+    return ActionType(object_type.name if object_type else trigger.object_type, more)
 
 
 def application_type(application: Application, syntax: Syntax) -> ActionType | tuple[Refusal, ...]:
@@ -53,22 +53,27 @@ def application_type(application: Application, syntax: Syntax) -> ActionType | t
     Refused where a hole wants an action, where the syntax has no type for it, and where it is not whole otherwise.
     """
     outline = Outline.of(application, syntax, application.name)
-    found = [Refusal(one.reason) for one in shape.faults(outline, syntax)]
-    for one in hole.holes(outline, syntax):
-        if not one.types:
-            at = outline.at(one.passage, one.position)
-            found.append(Refusal(f"{at}, is no place for a target", ("fill it with an action",)))
+    refusals = [Refusal(fault.reason) for fault in shape.faults(outline, syntax)]
+    for open_hole in hole.holes(outline, syntax):
+        if not open_hole.types:
+            at = outline.at(open_hole.passage, open_hole.position)
+            refusals.append(Refusal(f"{at}, is no place for a target", ("fill it with an action",)))
     kinds = hole.open_types(outline, syntax)
-    found += [_no_type(kind, syntax) for kind in kinds[:1] if not syntax.find(application_name(kind))]
-    found += [_no_target(kind) for kind in kinds if not syntax.find(kind)]
-    if found:
-        return tuple(found)
+    refusals += [_no_type(kind, syntax) for kind in kinds[:1] if not syntax.find(application_name(kind))]
+    refusals += [_no_target(kind) for kind in kinds if not syntax.find(kind)]
+    if refusals:
+        return tuple(refusals)
     kind = syntax.find(application_name(kinds[0])) if kinds else None
     return ActionType(kind.name if kind else COMPLETE_APPLICATION, kinds[1:])
 
 
 def _no_type(kind: str, syntax: Syntax) -> Refusal:
-    names = " or ".join(one.name for one in syntax.types if one.is_application and not one.is_complete) or "none"
+    names = (
+        " or ".join(
+            icon_type.name for icon_type in syntax.types if icon_type.is_application and not icon_type.is_complete
+        )
+        or "none"
+    )
     reason = f"its holes want a {kind}, and the syntax has no {application_name(kind)}, only {names}"
     return Refusal(reason, ("fill the holes", "define it in the syntax"))
 

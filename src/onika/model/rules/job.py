@@ -50,8 +50,8 @@ def whole(
     for placed in configuration.placed:
         if placed.task not in tasks and placed.task not in unread:
             yield outline.fault(icon, Reason.of("rules.task_missing", name=placed.task, at=at))
-    for one, other in combinations(tasks_of([configuration], tasks), 2):
-        for refusal in placement.refusals(other, [one]):
+    for task, other in combinations(tasks_of([configuration], tasks), 2):
+        for refusal in placement.refusals(other, [task]):
             yield outline.fault(icon, Reason.of("rules.tasks_clash", name=other.name, at=at, why=refusal.reason))
 
 
@@ -66,13 +66,15 @@ def _type(
     """The type of an icon is that of its trigger, with all its targets; one of unknown type is not judged."""
     placed = tasks_of([configuration], tasks)
     trigger = next((task for task in placed if task.object_type), None)
-    known = syntax.find(action.icon.onikon.type)
-    if known is None:
+    type_of_icon = syntax.find(action.icon.onikon.type)
+    if type_of_icon is None:
         return
     at = outline.at(passage, action.position)
     if trigger is None:
-        if known.needs_target and len(placed) == len(configuration.placed):
-            missing = Reason.of("rules.trigger_missing", kind=known.name, configuration=configuration.name, at=at)
+        if type_of_icon.needs_target and len(placed) == len(configuration.placed):
+            missing = Reason.of(
+                "rules.trigger_missing", kind=type_of_icon.name, configuration=configuration.name, at=at
+            )
             yield outline.fault(action.icon, missing)
         return
     wanted = syntax.find(trigger.object_type or "")
@@ -80,11 +82,11 @@ def _type(
         return
     has, needs = (
         wanted_targets(action.icon.onikon, syntax)[1:],
-        tuple(_written(one, syntax) for one in trigger.more_targets),
+        tuple(_written(more_target, syntax) for more_target in trigger.more_targets),
     )
     is_alike = len(has) == len(needs) and all(map(same_type, has, needs))
-    if wanted.name != known.name or not is_alike:
-        here, there = _shown(known.name, has), _shown(wanted.name, needs)
+    if wanted.name != type_of_icon.name or not is_alike:
+        here, there = _shown(type_of_icon.name, has), _shown(wanted.name, needs)
         reason = Reason.of("rules.kind_of_trigger", wanted=there, trigger=trigger.name, kind=here, at=at)
         yield outline.fault(action.icon, reason)
 

@@ -54,7 +54,7 @@ def settled(
         if _goes(now, now + gone.get(svar, 0) - come.get(svar, 0), svar in standing):
             going.add(svar)
     spots = _spots(going, configuration.placed, boxes, _icons(configuration.placed, boxes)) if going else {}
-    unknown = any(one.task not in boxes for one in configuration.placed)
+    unknown = any(placed.task not in boxes for placed in configuration.placed)
     loci = []
     for svar in dict.fromkeys((*standing, *counts)):
         if svar in counts:
@@ -71,8 +71,8 @@ def flipped(configuration: Configuration, names: Sequence[str], boxes: Mapping[s
     alone = {svar for svar in turned if svar in counts and tasks(counts[svar]) == 1}
     follow = _spots(alone, configuration.placed, boxes, _icons(configuration.placed, boxes))
     loci = (
-        replace(one, x=follow[one.svar][0], y=follow[one.svar][1]) if one.svar in follow else one
-        for one in configuration.loci
+        replace(locus, x=follow[locus.svar][0], y=follow[locus.svar][1]) if locus.svar in follow else locus
+        for locus in configuration.loci
     )
     return replace(configuration, loci=tuple(loci))
 
@@ -81,13 +81,13 @@ def wished(configuration: Configuration, spots: Mapping[str, Locus], boxes: Mapp
     """The loci of some variables as these say: where they are, but kept off icons, and whether they are shown."""
     icons = _icons(configuration.placed, boxes)
     loci = []
-    for one in configuration.loci:
-        wish = spots.get(one.svar)
+    for locus in configuration.loci:
+        wish = spots.get(locus.svar)
         if wish is None:
-            loci.append(one)
+            loci.append(locus)
         else:
             x, y = _clear_of((wish.x, wish.y), icons)
-            loci.append(replace(one, x=x, y=y, show=wish.show))
+            loci.append(replace(locus, x=x, y=y, show=wish.show))
     return replace(configuration, loci=tuple(loci))
 
 
@@ -98,8 +98,8 @@ def _exchanged(
     former_boxes: Mapping[str, TaskBox],
 ) -> tuple[dict[str, int], dict[str, int]]:
     """How many tasks have left each variable, and how many have come to it."""
-    before = {one.task: former_boxes.get(one.task) for one in former.placed}
-    after = {one.task: boxes.get(one.task) for one in configuration.placed}
+    before = {placed.task: former_boxes.get(placed.task) for placed in former.placed}
+    after = {placed.task: boxes.get(placed.task) for placed in configuration.placed}
     gone: dict[str, int] = {}
     come: dict[str, int] = {}
     for name in before.keys() | after.keys():
@@ -122,12 +122,12 @@ def _spots(
     svars: Set[str], placed: Sequence[Placed], boxes: Mapping[str, TaskBox], icons: Sequence[tuple[int, int, int, int]]
 ) -> dict[str, tuple[int, int]]:
     """Where loci go that go anywhere."""
-    found = {}
+    places = {}
     for svar, users in _users(svars, placed, boxes).items():
-        second = next((one for one in users if one.placed.task != users[0].placed.task), None)
+        second = next((user for user in users if user.placed.task != users[0].placed.task), None)
         spot = users[0].beside if second is None else _half_way(users[0].at, second.at)
-        found[svar] = _clear_of(spot, icons)
-    return found
+        places[svar] = _clear_of(spot, icons)
+    return places
 
 
 def _locus(standing: Locus, spot: tuple[int, int] | None, used: Uses) -> Locus:
@@ -148,16 +148,16 @@ def _locus(standing: Locus, spot: tuple[int, int] | None, used: Uses) -> Locus:
     )
 
 
-def _half_way(one: tuple[int, int], other: tuple[int, int]) -> tuple[int, int]:
-    return (one[0] + other[0]) // 2, (one[1] + other[1]) // 2
+def _half_way(place: tuple[int, int], other: tuple[int, int]) -> tuple[int, int]:
+    return (place[0] + other[0]) // 2, (place[1] + other[1]) // 2
 
 
 def _icons(placed: Sequence[Placed], boxes: Mapping[str, TaskBox]) -> list[tuple[int, int, int, int]]:
     """The areas that loci are kept off: left, right, top, bottom."""
     return [
-        (one.x - _CLEAR, one.x + box.width + _CLEAR, one.y - _CLEAR, one.y + box.height + _CLEAR)
-        for one in placed
-        if (box := boxes.get(one.task)) is not None
+        (placed.x - _CLEAR, placed.x + box.width + _CLEAR, placed.y - _CLEAR, placed.y + box.height + _CLEAR)
+        for placed in placed
+        if (box := boxes.get(placed.task)) is not None
     ]
 
 
@@ -170,23 +170,23 @@ def _clear_of(spot: tuple[int, int], icons: Sequence[tuple[int, int, int, int]])
 
 def _users(svars: Set[str], placed: Sequence[Placed], boxes: Mapping[str, TaskBox]) -> dict[str, list[_User]]:
     """The pins of these variables."""
-    found: dict[str, list[_User]] = {}
-    for one in placed:
-        box = boxes.get(one.task)
+    users: dict[str, list[_User]] = {}
+    for each in placed:
+        box = boxes.get(each.task)
         if box is None or svars.isdisjoint(box.uses):
             continue
         for pin in box.pins:
             if pin.svar in svars:
-                found.setdefault(pin.svar, []).append(_User(one, box, pin))
-    return found
+                users.setdefault(pin.svar, []).append(_User(each, box, pin))
+    return users
 
 
 def _counts(placed: Sequence[Placed], boxes: Mapping[str, TaskBox]) -> dict[str, Uses]:
     """How each variable is used, in the order in which they are first used."""
-    found: dict[str, Uses] = {}
-    for one in placed:
-        box = boxes.get(one.task)
+    uses: dict[str, Uses] = {}
+    for each in placed:
+        box = boxes.get(each.task)
         if box is not None:
             for svar, used in box.uses.items():
-                found[svar] = found.get(svar, 0) + used
-    return found
+                uses[svar] = uses.get(svar, 0) + used
+    return uses

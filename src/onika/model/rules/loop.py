@@ -46,17 +46,17 @@ def faults(
     where they are known already.
     """
     marked = _marked(flow, actions(flow, syntax) if every is None else every)
-    told = (*_counts(marked, where), *_shared(marked, where), *_crossings(marked, where))
-    return tuple(Fault(Place(place.file, mark.icon.line), reason, NOT_RUN) for mark, reason in told)
+    faults_of_loops = (*_counts(marked, where), *_shared(marked, where), *_crossings(marked, where))
+    return tuple(Fault(Place(place.file, mark.icon.line), reason, NOT_RUN) for mark, reason in faults_of_loops)
 
 
 def loops(flow: AppFlow, every: Sequence[Action]) -> tuple[Loop, ...]:
     """The well-formed loops of a flow whose actions are `every`."""
     marked = _marked(flow, every)
     broken = {mark.icon.while_tag for mark, _ in (*_counts(marked, NOTHING), *_shared(marked, NOTHING))}
-    found = {tag: loop for tag, loop in _whole(marked).items() if tag not in broken}
-    crossing = {loop for pair in _crossing(found) for loop in pair}
-    return tuple(loop for loop in found.values() if loop not in crossing)
+    whole = {tag: loop for tag, loop in _whole(marked).items() if tag not in broken}
+    crossing = {loop for pair in _crossing(whole) for loop in pair}
+    return tuple(loop for loop in whole.values() if loop not in crossing)
 
 
 _Reasons = Iterator[tuple[_Mark, Reason]]
@@ -107,13 +107,13 @@ def _shared(marked: _Marks, where: Reason) -> _Reasons:
 
 def _whole(marked: _Marks) -> dict[str, Loop]:
     """The loops whose tag stands at two actions, by tag."""
-    found = {}
+    loops_by_tag = {}
     for tag, marks in marked.items():
         places = sorted({mark.position for mark in marks})
         tests = [mark.position for mark in marks if mark.icon.while_test]
         if len(places) == 2:
-            found[tag] = Loop(tag, places[0], places[1], tests[0] if tests else places[1])
-    return found
+            loops_by_tag[tag] = Loop(tag, places[0], places[1], tests[0] if tests else places[1])
+    return loops_by_tag
 
 
 def _crossings(marked: _Marks, where: Reason) -> _Reasons:

@@ -40,11 +40,11 @@ class _Finder:
         self._waits = Waits(plan.flows)
 
     def find(self, limit: int) -> tuple[Fault, ...]:
-        found: list[Fault] = []
+        faults: list[Fault] = []
         for family in self._waits.families():
             if len(family) > 1:
-                found += self._told(self._waits.explore(family, limit), family)
-        return tuple(dict.fromkeys(found))
+                faults += self._told(self._waits.explore(family, limit), family)
+        return tuple(dict.fromkeys(faults))
 
     def _told(self, explored: Explored, family: tuple[int, ...]) -> Iterator[Fault]:
         for knot in explored.knots[:EXAMPLES]:
@@ -75,8 +75,8 @@ class _Finder:
 
     def _possible(self, knot: Knot) -> Fault:
         choices = [f"{self._flow(flow)} {choice}" for flow, choice in knot.choices]
-        told = choices if len(choices) <= EXAMPLES else ["…", *choices[-EXAMPLES:]]
-        when = Reason.of("rules.when_chosen", choices=tuple(told)) if told else Reason.of("rules.in_some_runs")
+        shown = choices if len(choices) <= EXAMPLES else ["…", *choices[-EXAMPLES:]]
+        when = Reason.of("rules.when_chosen", choices=tuple(shown)) if shown else Reason.of("rules.in_some_runs")
         wait = self._knot(knot)
         if knot.is_circle:
             reason = Reason.of("rules.tags_in_order_always", wait=wait, when=when)
@@ -107,7 +107,7 @@ class _Finder:
         """The action that a flow would go on with, or where there is none the one before."""
         program = self._waits.programs[wait.flow]
         near = (*program[max(wait.at, 0) :], *reversed(program[: max(wait.at, 0)]))
-        index = next((one.action for one in near if isinstance(one, Do)), None)
+        index = next((instruction.action for instruction in near if isinstance(instruction, Do)), None)
         return None if index is None else self._plan.flows[wait.flow].actions[index]
 
     def _action_name(self, wait: FlowWait) -> Text:

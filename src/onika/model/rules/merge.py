@@ -38,15 +38,15 @@ def merge(placed: Sequence[Placed], running: Sequence[Placed], tasks: Mapping[st
 
     A placed task whose description is missing is left as it is and not spawned: the configuration's own faults tell it.
     """
-    alive = {one.task: one for one in running}
+    alive = {placed.task: placed for placed in running}
     conflicting = _conflicting(placed, alive, tasks)
-    update = tuple(_updated(one, alive[one.task]) for one in placed if one.task in alive)
-    here = {one.task for one in placed}
-    free = (one for one in placed if one.task not in alive and one.task not in conflicting)
+    update = tuple(_updated(placed, alive[placed.task]) for placed in placed if placed.task in alive)
+    here = {placed.task for placed in placed}
+    free = (placed for placed in placed if placed.task not in alive and placed.task not in conflicting)
     return Merge(
         remove=conflicting,
-        add=tuple(one for one in running if one.task not in here),
-        spawn=tuple(one for one in free if one.task in tasks),
+        add=tuple(placed for placed in running if placed.task not in here),
+        spawn=tuple(placed for placed in free if placed.task in tasks),
         update=update,
     )
 
@@ -56,12 +56,12 @@ def _conflicting(
 ) -> dict[str, tuple[Refusal, ...]]:
     """S of Equation (4): placed tasks that may not stand beside a running task of another name (reading 3)."""
     others = [tasks[name] for name in alive if name in tasks]
-    found = {
-        one.task: placement.refusals(tasks[one.task], [other for other in others if other.name != one.task])
-        for one in placed
-        if one.task in tasks and one.task not in alive
+    refusals = {
+        placed.task: placement.refusals(tasks[placed.task], [other for other in others if other.name != placed.task])
+        for placed in placed
+        if placed.task in tasks and placed.task not in alive
     }
-    return {name: reasons for name, reasons in found.items() if reasons}
+    return {name: reasons for name, reasons in refusals.items() if reasons}
 
 
 def _updated(placed: Placed, running: Placed) -> Placed:

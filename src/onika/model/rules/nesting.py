@@ -47,37 +47,37 @@ def nest(top: Outline, syntax: Syntax, applications: Mapping[str, Application], 
 
     `files` gives the files of applications, for messages.
     """
-    found = Nest()
+    nest = Nest()
     path = [top]
     ways = [_uses(top, syntax)]
     while path:
         outer = path[-1]
         use = next(ways[-1], None)
         if use is None:
-            found.outlines[outer.application.name] = outer
+            nest.outlines[outer.application.name] = outer
             path.pop()
             ways.pop()
             continue
         name = use[1].icon.onikon.name
-        names = [one.application.name for one in path]
+        names = [outline.application.name for outline in path]
         if name in names:
-            found.cuts.add((outer.application.name, name))
-            found.faults.append(_circle(outer, use, names[names.index(name) :]))
-        elif name in applications and name not in found.outlines:
+            nest.cuts.add((outer.application.name, name))
+            nest.faults.append(_circle(outer, use, names[names.index(name) :]))
+        elif name in applications and name not in nest.outlines:
             file = files.get(name, f"{name}.appl")
             path.append(Outline.of(applications[name], syntax, file, is_nested=True))
             ways.append(_uses(path[-1], syntax))
-    too_much = list(_too_much(found, syntax))
-    found.faults += too_much
-    found.is_too_much = bool(too_much)
-    return found
+    too_much = list(_too_much(nest, syntax))
+    nest.faults += too_much
+    nest.is_too_much = bool(too_much)
+    return nest
 
 
-def missing(outline: Outline, syntax: Syntax, known: frozenset[str]) -> Iterator[Fault]:
+def missing(outline: Outline, syntax: Syntax, names: frozenset[str]) -> Iterator[Fault]:
     """The applications that an application runs and that are not `known`."""
     for passage, action in _uses(outline, syntax):
         name = action.icon.onikon.name
-        if name not in known:
+        if name not in names:
             at = outline.at(passage, action.position)
             yield outline.fault(action.icon, Reason.of("rules.application_missing", name=name, at=at))
 
@@ -101,20 +101,20 @@ def _circle(outer: Outline, use: Use, names: list[str]) -> Fault:
     return outer.fault(action.icon, Reason.of("rules.application_circle", circle=circle, at=at))
 
 
-def _too_much(found: Nest, syntax: Syntax) -> Iterator[Fault]:
+def _too_much(nest: Nest, syntax: Syntax) -> Iterator[Fault]:
     """What is nested so often or so deep that nobody can have meant it, and that no runtime could hold."""
     sizes: dict[str, int] = {}
     depths: dict[str, int] = {}
-    for name, outline in found.outlines.items():
+    for name, outline in nest.outlines.items():
         size, depth = 0, 1
         for passage, action in outline.actions():
-            inner = found.runs(outline, action, syntax)
+            inner = nest.runs(outline, action, syntax)
             size += sizes[inner.application.name] if inner else 1
             branches = passage.path.count("branch")
             depth = max(depth, 1 + branches + (depths[inner.application.name] if inner else 0))
         sizes[name], depths[name] = min(size, MOST + 1), depth
-    name = found.top.application.name
+    name = nest.top.application.name
     if sizes[name] > MOST:
-        yield found.top.fault(None, Reason.of("rules.actions_too_many", most=MOST))
+        yield nest.top.fault(None, Reason.of("rules.actions_too_many", most=MOST))
     if depths[name] > DEEPEST:
-        yield found.top.fault(None, Reason.of("rules.nested_too_deep", most=DEEPEST, depth=depths[name]))
+        yield nest.top.fault(None, Reason.of("rules.nested_too_deep", most=DEEPEST, depth=depths[name]))

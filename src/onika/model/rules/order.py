@@ -87,11 +87,11 @@ def _suppliers(
     for task, names in outputs.items():
         for name in names:
             writers.setdefault(name, []).append(task)
-    found = {
+    refusals = {
         task: dict.fromkeys(writer for name in names for writer in writers.get(name, ()))
         for task, names in inputs.items()
     }
-    return {task: [writer for writer in writers if own or writer != task] for task, writers in found.items()}
+    return {task: [writer for writer in writers if own or writer != task] for task, writers in refusals.items()}
 
 
 def _ordered(tasks: Sequence[Ports], suppliers: Mapping[str, Sequence[str]]) -> list[list[str]]:
@@ -120,8 +120,8 @@ def _ordered(tasks: Sequence[Ports], suppliers: Mapping[str, Sequence[str]]) -> 
 def _loops(names: Iterable[str], suppliers: Mapping[str, Sequence[str]]) -> list[list[str]]:
     """The strongly connected groups (Kosaraju, without recursion)."""
     consumers: dict[str, list[str]] = {name: [] for name in names}
-    for name, found in suppliers.items():
-        for supplier in found:
+    for name, suppliers_of in suppliers.items():
+        for supplier in suppliers_of:
             consumers[supplier].append(name)
     seen: set[str] = set()
     left = [name for start in consumers for name in _walk(start, suppliers, seen)]
@@ -139,11 +139,11 @@ def _walk(start: str, onward: Mapping[str, Sequence[str]], seen: set[str]) -> li
     path = [(start, iter(onward[start]))]
     while path:
         name, rest = path[-1]
-        found = next((other for other in rest if other not in seen), None)
-        if found is None:
+        following = next((other for other in rest if other not in seen), None)
+        if following is None:
             left.append(name)
             path.pop()
         else:
-            seen.add(found)
-            path.append((found, iter(onward[found])))
+            seen.add(following)
+            path.append((following, iter(onward[following])))
     return left

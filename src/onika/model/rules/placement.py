@@ -19,7 +19,7 @@ def greyed(library: Iterable[Task], placed: Iterable[Task]) -> dict[str, tuple[R
     """The set G of Equation (2): the tasks of a library that may not be placed, each with all its reasons."""
     standing = PlacedNeighbours(placed)
     reasons = {task.name: tuple(standing.against(task)) for task in library}
-    return {name: found for name, found in reasons.items() if found}
+    return {name: reason for name, reason in reasons.items() if reason}
 
 
 class PlacedNeighbours:
@@ -51,11 +51,11 @@ class PlacedNeighbours:
 
     def _near(self, task: Task) -> list[Task]:
         """Those with which there is something, in order; it is so both ways or not at all."""
-        found = {*self._names.get(task.name, ()), *self._modules.get(task.module, ())}
-        _gather(found, self._outputs, task.outputs)
-        _gather(found, self._needed, task.given_while_running)
-        _gather(found, self._given, task.needed_at_start)
-        return [self._tasks[at] for at in sorted(found)]
+        near = {*self._names.get(task.name, ()), *self._modules.get(task.module, ())}
+        _gather(near, self._outputs, task.outputs)
+        _gather(near, self._needed, task.given_while_running)
+        _gather(near, self._given, task.needed_at_start)
+        return [self._tasks[at] for at in sorted(near)]
 
 
 def alias_refusals(changed: Task, others: Iterable[Task]) -> tuple[Refusal, ...]:
@@ -90,10 +90,10 @@ def _note(index: dict[str, list[int]], svars: Iterable[str], at: int) -> None:
         index.setdefault(svar, []).append(at)
 
 
-def _gather(found: set[int], index: Mapping[str, list[int]], svars: Iterable[str]) -> None:
+def _gather(near: set[int], index: Mapping[str, list[int]], svars: Iterable[str]) -> None:
     for svar in svars:
         if svar in index:
-            found.update(index[svar])
+            near.update(index[svar])
 
 
 def _meet(task: Task, other: Task) -> bool:
@@ -110,18 +110,18 @@ def _meet(task: Task, other: Task) -> bool:
 def _between(task: Task, other: Task) -> list[Refusal]:
     if task.name == other.name:
         return [Refusal(f"`{task.name}` is placed already", (f"show `{other.name}`",))]
-    found = []
+    refusals = []
     replace, show = f"replace `{other.name}`", f"show `{other.name}`"
     if task.module == other.module:
-        found.append(Refusal(f"its module `{task.module}` is used already, by `{other.name}`", (replace, show)))
+        refusals.append(Refusal(f"its module `{task.module}` is used already, by `{other.name}`", (replace, show)))
     for svar in sorted(task.outputs & other.outputs):
         reason = f"writes {svar}, which `{other.name}` already writes"
-        found.append(Refusal(reason, (replace, f"alias {svar}", show)))
+        refusals.append(Refusal(reason, (replace, f"alias {svar}", show)))
     for writer, reader in ((task, other), (other, task)):
         for svar in sorted(meets_constant(writer, reader)):
             reason = f"`{reader.name}` needs {svar} at initialisation, `{writer.name}` gives it only while it runs"
-            found.append(Refusal(reason, (replace, f"alias {svar}", show)))
-    return found
+            refusals.append(Refusal(reason, (replace, f"alias {svar}", show)))
+    return refusals
 
 
 def _writers(task: Task) -> dict[str, list[str]]:

@@ -44,18 +44,18 @@ def faults(
     """
     laboratory = _Laboratory(syntax, configurations, tasks, unread)
     nest = nesting.nest(Outline.of(application, syntax, place.file), syntax, applications or {}, files or {})
-    found = list(nest.faults)
-    known = unread | {*(applications or {}), application.name}
+    faults = list(nest.faults)
+    names = unread | {*(applications or {}), application.name}
     for outline in reversed(nest.outlines.values()):
-        found += _alone(outline, known, laboratory)
-        found += _fillings(outline, nest, syntax)
-    found += endless.faults(nest, syntax)
+        faults += _alone(outline, names, laboratory)
+        faults += _fillings(outline, nest, syntax)
+    faults += endless.faults(nest, syntax)
     if not nest.is_too_much:
-        found += _together(nest, laboratory, redirects)
-    return tuple(dict.fromkeys(found))
+        faults += _together(nest, laboratory, redirects)
+    return tuple(dict.fromkeys(faults))
 
 
-def _alone(outline: Outline, known: frozenset[str], laboratory: _Laboratory) -> Iterator[Fault]:
+def _alone(outline: Outline, names: frozenset[str], laboratory: _Laboratory) -> Iterator[Fault]:
     """One application by itself, and what its icons run."""
     syntax = laboratory.syntax
     yield from hole.faults(outline, syntax)
@@ -63,7 +63,7 @@ def _alone(outline: Outline, known: frozenset[str], laboratory: _Laboratory) -> 
     for passage in outline.passages:
         yield from loop.faults(passage.flow, syntax, outline.where(passage), outline.place(), passage.actions)
     yield from tag.faults(outline)
-    yield from nesting.missing(outline, syntax, known)
+    yield from nesting.missing(outline, syntax, names)
     yield from job.faults(outline, syntax, laboratory.configurations, laboratory.tasks, laboratory.unread)
 
 
@@ -76,12 +76,12 @@ def _fillings(outline: Outline, nest: Nest, syntax: Syntax) -> Iterator[Fault]:
 
 def _together(nest: Nest, laboratory: _Laboratory, redirects: Sequence[Redirect]) -> Iterator[Fault]:
     """The configurations, each where it is used first, and what lives in one subsystem."""
-    found = subsystem.subsystems(nest, laboratory.syntax)
+    subsystems = subsystem.subsystems(nest, laboratory.syntax)
     judged: set[Configuration] = set()
-    for one in found.values():
-        living = subsystem.crew(one, laboratory.configurations, laboratory.tasks, redirects)
+    for shared in subsystems.values():
+        living = subsystem.crew(shared, laboratory.configurations, laboratory.tasks, redirects)
         for name, configuration in living.items():
             if configuration not in judged:
                 judged.add(configuration)
-                yield from job.whole(configuration, laboratory.tasks, laboratory.unread, one.uses[name])
-    yield from subsystem.faults(found, laboratory.configurations, laboratory.tasks, redirects)
+                yield from job.whole(configuration, laboratory.tasks, laboratory.unread, shared.uses[name])
+    yield from subsystem.faults(subsystems, laboratory.configurations, laboratory.tasks, redirects)

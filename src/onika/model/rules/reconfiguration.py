@@ -67,17 +67,19 @@ def difference(on_now: Iterable[str], wanted: Sequence[str]) -> TaskSwitch:
 
 def exchange(living: Sequence[PlacedTask], kill: Collection[str], new: Sequence[PlacedTask]) -> TaskExchange:
     """What happens to each task when `kill` goes and `new` comes; a name that is in both is exchanged."""
-    keep = [one for one in living if one.name not in kill]
-    gone = [one for one in living if one.name in kill]
-    supplied = {svar for one in new for svar in one.ports.outconst}  # if they live at all, from one that is gone now
-    born = {one.name for one in new}
-    order, _ = constant_order([one.ports for one in (*keep, *new)])
+    keep = [placed for placed in living if placed.name not in kill]
+    gone = [placed for placed in living if placed.name in kill]
+    supplied = {
+        svar for placed in new for svar in placed.ports.outconst
+    }  # if they live at all, from one that is gone now
+    born = {placed.name for placed in new}
+    order, _ = constant_order([placed.ports for placed in (*keep, *new)])
     return TaskExchange(
-        keep=tuple(one.name for one in keep),
-        kill=tuple(one.name for one in gone),
-        kill_first=tuple(one.name for one in gone if any(one.excludes(other) for other in new)),
+        keep=tuple(placed.name for placed in keep),
+        kill=tuple(placed.name for placed in gone),
+        kill_first=tuple(placed.name for placed in gone if any(placed.excludes(other) for other in new)),
         spawn=tuple(name for name in order if name in born),
-        reinit=dependents([one.ports for one in (*keep, *new)], supplied, born),
+        reinit=dependents([placed.ports for placed in (*keep, *new)], supplied, born),
     )
 
 
@@ -86,12 +88,12 @@ def dependents(tasks: Sequence[Ports], constants: Collection[str], born: Collect
 
     Those just `born` know these constants, but not yet what others say when they are initialised anew.
     """
-    changed, again, found = set(constants), set[str](), list[str]()
+    changed, again, dependents = set(constants), set[str](), list[str]()
     order, _ = constant_order(tasks)
     by_name = {task.name: task for task in tasks}
     for name in order:
         stale = again if name in born else again | changed
         if stale & set(by_name[name].inconst):
-            found.append(name)
+            dependents.append(name)
             again |= set(by_name[name].outconst)
-    return tuple(found)
+    return tuple(dependents)

@@ -29,23 +29,23 @@ class Candidate:
     """What it writes beyond what the other one does."""
 
 
-def candidates(old: Task, known: Iterable[Task], crews: Crews, others: Sequence[Task]) -> list[Candidate]:
+def candidates(old: Task, tasks: Iterable[Task], crews: Crews, others: Sequence[Task]) -> list[Candidate]:
     """The tasks that can stand for `old` in a flow, then those that come near and cannot, with all reasons.
 
     others   the tasks of the other flows
     """
-    found = [
-        Candidate(one, refusals(old, one, crews, others), tuple(sorted(one.outputs - old.outputs)))
-        for one in known
-        if one.name != old.name and _is_near(old, one)
+    candidates = [
+        Candidate(task, refusals(old, task, crews, others), tuple(sorted(task.outputs - old.outputs)))
+        for task in tasks
+        if task.name != old.name and _is_near(old, task)
     ]
-    return sorted(found, key=lambda one: (bool(one.refusals), one.task.name))
+    return sorted(candidates, key=lambda candidate: (bool(candidate.refusals), candidate.task.name))
 
 
 def refusals(old: Task, new: Task, crews: Crews, others: Sequence[Task] = ()) -> tuple[Refusal, ...]:
     """Every reason why `new` may not stand for `old` in a flow; none: it may."""
-    found = (*shortcomings(old, new, crews), *_clashes(old, new, crews, others))
-    return tuple({one.reason: one for one in reversed(found)}.values())[::-1]
+    refusals = (*shortcomings(old, new, crews), *_clashes(old, new, crews, others))
+    return tuple({refusal.reason: refusal for refusal in reversed(refusals)}.values())[::-1]
 
 
 def shortcomings(old: Task, new: Task, crews: Crews) -> tuple[Refusal, ...]:
@@ -63,16 +63,16 @@ def redirected(configuration: Configuration, choice: Choice, tasks: Mapping[str,
 
     A rate that the configuration gives of its own holds for whoever stands there; else it is that of his own file.
     """
-    if not choice.keys() & {one.task for one in configuration.placed}:
+    if not choice.keys() & {placed.task for placed in configuration.placed}:
         return configuration
     placed = []
-    for one in configuration.placed:
-        new, old = tasks.get(choice.get(one.task, one.task)), tasks.get(one.task)
-        if one.task not in choice or new is None:
-            placed.append(one)
+    for member in configuration.placed:
+        new, old = tasks.get(choice.get(member.task, member.task)), tasks.get(member.task)
+        if member.task not in choice or new is None:
+            placed.append(member)
             continue
-        is_own = old is not None and one.frequency != old.frequency
-        placed.append(replace(one, task=new.name, frequency=one.frequency if is_own else new.frequency or 0.0))
+        is_own = old is not None and member.frequency != old.frequency
+        placed.append(replace(member, task=new.name, frequency=member.frequency if is_own else new.frequency or 0.0))
     return replace(configuration, placed=tuple(placed))
 
 
@@ -108,7 +108,7 @@ def _shown(task: Task) -> str:
 
 def _starves(old: Task, new: Task, crews: Crews) -> Iterator[Refusal]:
     for name, crew in crews.items():
-        written = frozenset[str]().union(*(one.outputs for one in crew if one.name != old.name))
+        written = frozenset[str]().union(*(task.outputs for task in crew if task.name != old.name))
         if old.inputs - written - old.outputs:
             continue  # it is not the redirection that leaves something unwritten
         if lacking := ", ".join(sorted(new.inputs - written - new.outputs)):
@@ -117,15 +117,15 @@ def _starves(old: Task, new: Task, crews: Crews) -> Iterator[Refusal]:
 
 
 def _clashes(old: Task, new: Task, crews: Crews, others: Sequence[Task]) -> Iterator[Refusal]:
-    beside = {one.name: one for crew in crews.values() for one in crew if one.name != old.name}
+    beside = {task.name: task for crew in crews.values() for task in crew if task.name != old.name}
     if new.name in beside:
         yield Refusal(f"`{new.name}` lives in this flow already")
         return
     for crew in crews.values():
-        yield from placement.refusals(new, (one for one in crew if one.name != old.name))
-    for one in beside.values():
-        if one.module == new.module:
-            yield Refusal(f"its module `{new.module}` is used already, by `{one.name}`", (f"replace `{one.name}`",))
-    for one in (*beside.values(), *others):
-        for device in sorted(set(devices(one)) & set(devices(new))):
-            yield Refusal(f"its device {device} is claimed by `{one.name}`", (f"redirect `{one.name}` too",))
+        yield from placement.refusals(new, (task for task in crew if task.name != old.name))
+    for task in beside.values():
+        if task.module == new.module:
+            yield Refusal(f"its module `{new.module}` is used already, by `{task.name}`", (f"replace `{task.name}`",))
+    for other in (*beside.values(), *others):
+        for device in sorted(set(devices(other)) & set(devices(new))):
+            yield Refusal(f"its device {device} is claimed by `{other.name}`", (f"redirect `{other.name}` too",))

@@ -73,25 +73,27 @@ def ways(flow: PlannedFlow, program: Sequence[Instruction], at: int, value: Retu
     at, value = _straight_on(flow, program, at, value)
     if isinstance(program[at] if at < len(program) else None, Meet):
         return (FlowOutcome(FlowStop(at, _kept(program, at, value)), (), ()),)
-    found: dict[tuple[FlowStop, tuple[tuple[int, int], ...]], FlowOutcome] = {}
+    outcomes: dict[tuple[FlowStop, tuple[tuple[int, int], ...]], FlowOutcome] = {}
     ahead: deque[tuple[int, ReturnValue, tuple[tuple[int, int], ...], Said]] = deque([(at, value, (), None)])
     seen = set()
     while ahead:
-        at, value, forks, said = ahead.popleft()
+        at, value, forks, choices = ahead.popleft()
         if (at, value, forks) in seen:
             continue
         seen.add((at, value, forks))
         here = program[at] if at < len(program) else Halt()
         if isinstance(here, Meet | Join | Halt):
             stop = IDLE if isinstance(here, Halt) else FlowStop(at, _kept(program, at, value))
-            found.setdefault((stop, forks), FlowOutcome(stop, forks, _in_order(said)))
+            outcomes.setdefault((stop, forks), FlowOutcome(stop, forks, _in_order(choices)))
             continue
         if isinstance(here, Do):
             value = ReturnValue.NOOP if flow.actions[here.action].is_noop else ReturnValue.ANY
         elif isinstance(here, Fork):
-            forks += tuple(one for one in here.flows if one not in forks)
-        ahead.extend((to, value, forks, (choice, said) if choice else said) for to, choice in _onward(here, at, value))
-    return tuple(found.values()) or (FlowOutcome(ENDLESS, (), ()),)
+            forks += tuple(flow for flow in here.flows if flow not in forks)
+        ahead.extend(
+            (to, value, forks, (choice, choices) if choice else choices) for to, choice in _onward(here, at, value)
+        )
+    return tuple(outcomes.values()) or (FlowOutcome(ENDLESS, (), ()),)
 
 
 def _plain(index: int, action: PlannedAction) -> Iterator[Instruction]:
@@ -145,9 +147,9 @@ def _kept(program: Sequence[Instruction], at: int, value: ReturnValue) -> Return
     return ReturnValue.ANY if isinstance(following, Do) else value
 
 
-def _in_order(said: Said) -> tuple[str, ...]:
+def _in_order(unordered: Said) -> tuple[str, ...]:
     choices = []
-    while said is not None:
-        choice, said = said
+    while unordered is not None:
+        choice, unordered = unordered
         choices.append(choice)
     return tuple(reversed(choices))

@@ -35,7 +35,7 @@ def subsystems(nest: Nest, syntax: Syntax) -> dict[str, SharedSubsystem]:
     The first flow of a nested parallel application runs where that stands, the others on `flow0.1` and so on; all
     flows of a nested conditional one run where that stands.
     """
-    found: dict[str, SharedSubsystem] = {}
+    by_name: dict[str, SharedSubsystem] = {}
     seen: set[tuple[str, str, int]] = set()
     ways = [(f"flow{at}", nest.top, at) for at in reversed(range(len(nest.top.application.flows)))]
     while ways:
@@ -44,33 +44,33 @@ def subsystems(nest: Nest, syntax: Syntax) -> dict[str, SharedSubsystem]:
         if (name, outline.application.name, number) in seen:
             continue
         seen.add((name, outline.application.name, number))
-        subsystem = found.setdefault(name, SharedSubsystem(name))
+        subsystem = by_name.setdefault(name, SharedSubsystem(name))
         inner = [
             way for passage in outline.of_flow(number) for way in _enter(subsystem, outline, passage, nest, syntax)
         ]
         ways += reversed(inner)
-    return found
+    return by_name
 
 
 def faults(
-    found: Mapping[str, SharedSubsystem],
-    known: Mapping[str, Configuration],
+    by_name: Mapping[str, SharedSubsystem],
+    files: Mapping[str, Configuration],
     tasks: Mapping[str, Task],
     redirects: Sequence[Redirect] = (),
 ) -> Iterator[Fault]:
     """Conflicts among the tasks of each subsystem, and conditions on variables that none of them has."""
-    for subsystem in found.values():
-        configurations = crew(subsystem, known, tasks, redirects)
+    for subsystem in by_name.values():
+        configurations = crew(subsystem, files, tasks, redirects)
         used = list(configurations.values())
         own = union.tasks_of(used, tasks)
         subsystem.variables = union.variables(own)
-        placed = {one.task for configuration in used for one in configuration.placed}
+        placed = {placed.task for configuration in used for placed in configuration.placed}
         subsystem.is_known = len(used) == len(subsystem.uses) and placed <= tasks.keys()
         outline, passage = subsystem.passages[0]
         sources = _sources(subsystem, configurations)
         yield from union.conflicts(own, passage.named, outline.place(), sources)
-    for subsystem in found.values():
-        yield from _conditions(subsystem, found)
+    for subsystem in by_name.values():
+        yield from _conditions(subsystem, by_name)
 
 
 def crew(
@@ -82,7 +82,7 @@ def crew(
     """The configurations of a subsystem as far as they are there, with the tasks in them that stand for others."""
     chosen = choice(redirects, subsystem.name)
     own = {name: configurations[name] for name in subsystem.uses if name in configurations}
-    return {name: redirected(one, chosen, tasks) for name, one in own.items()}
+    return {name: redirected(configuration, chosen, tasks) for name, configuration in own.items()}
 
 
 def _enter(
@@ -102,13 +102,13 @@ def _enter(
 
 
 def _sources(subsystem: SharedSubsystem, configurations: Mapping[str, Configuration]) -> dict[str, union.TaskOrigin]:
-    found: dict[str, union.TaskOrigin] = {}
+    origins: dict[str, union.TaskOrigin] = {}
     for name, (outline, passage, position) in subsystem.uses.items():
         place = outline.place(passage.flow.steps[position])
         flow = outline.where(passage) if outline.is_nested or passage.is_inner else None
         for placed in configurations[name].placed if name in configurations else ():
-            found.setdefault(placed.task, union.TaskOrigin(place, name, position, flow))
-    return found
+            origins.setdefault(placed.task, union.TaskOrigin(place, name, position, flow))
+    return origins
 
 
 def _conditions(subsystem: SharedSubsystem, every: Mapping[str, SharedSubsystem]) -> Iterator[Fault]:

@@ -41,13 +41,13 @@ def conflicts(
     (reading 1: sharing an OUTVAR is legal), and a constant that nobody supplies (laws 9 and 10). Each is told of every
     later task beside the first. A fault stands at the icon that brings the later task, as far as `sources` knows it.
     """
-    known = sources or {}
+    origins = sources or {}
 
     def named(*both: Task) -> tuple[Reason, ...]:
-        return tuple(_shown(task, known.get(task.name)) for task in both)
+        return tuple(_shown(task, origins.get(task.name)) for task in both)
 
     def fault(last: Task, reason: Reason) -> Fault:
-        source = known.get(last.name)
+        source = origins.get(last.name)
         return Fault(source.place if source else place, reason, NOT_RUN)
 
     faults = []

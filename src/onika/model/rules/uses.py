@@ -23,10 +23,10 @@ _PIN = {
 
 def of_task(pins: Iterable[tuple[str, PortKind]]) -> dict[str, Uses]:
     """What one task counts, by variable; `pins` are its variables with the kinds of their pins."""
-    found: dict[str, Uses] = {}
+    uses: dict[str, Uses] = {}
     for svar, kind in pins:
-        found[svar] = found.get(svar, _TASK) + _PIN[kind]
-    return found
+        uses[svar] = uses.get(svar, _TASK) + _PIN[kind]
+    return uses
 
 
 def of_locus(locus: Locus) -> Uses:

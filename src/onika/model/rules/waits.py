@@ -59,7 +59,7 @@ class Waits:
         self.programs = [program_of(flow) for flow in flows]
         self.parties: dict[str, list[int]] = {}
         for number, program in enumerate(self.programs):
-            for tag in dict.fromkeys(one.tag for one in program if isinstance(one, Meet)):
+            for tag in dict.fromkeys(instruction.tag for instruction in program if isinstance(instruction, Meet)):
                 self.parties.setdefault(tag, []).append(number)
         self._ways: dict[tuple[int, int, ReturnValue], tuple[FlowOutcome, ...]] = {}
 
@@ -69,11 +69,11 @@ class Waits:
         bonds = [*self.parties.values(), *([n, f.parent] for n, f in enumerate(self._flows) if f.parent is not None)]
         for bond in bonds:
             old = {group[number] for number in bond}
-            group = [min(old) if one in old else one for one in group] if len(old) > 1 else group
+            group = [min(old) if number in old else number for number in group] if len(old) > 1 else group
         members: dict[int, list[int]] = {}
-        for number, one in enumerate(group):
-            members.setdefault(one, []).append(number)
-        return [tuple(one) for one in members.values()]
+        for number, party in enumerate(group):
+            members.setdefault(party, []).append(number)
+        return [tuple(member) for member in members.values()]
 
     def explore(self, family: Sequence[int], limit: int) -> Explored:
         """Every state that these flows can come to, at most so many."""
@@ -81,21 +81,21 @@ class Waits:
 
     def steps(self, state: State, released: Sequence[int]) -> Iterator[tuple[State, tuple[tuple[int, str], ...]]]:
         """The states that can follow when these flows go on, each with the choices that lead there."""
-        return self._starts(state, [(one, state[one].at + 1, state[one].value) for one in released])
+        return self._starts(state, [(number, state[number].at + 1, state[number].value) for number in released])
 
     def released(self, state: State) -> list[int]:
         """The flows that wait for nobody any more."""
-        found, present = [], dict[str, list[int]]()
+        waiting, present = [], dict[str, list[int]]()
         for number, stop in enumerate(state):
             here = self.programs[number][stop.at] if stop.at >= 0 else None
             if isinstance(here, Meet):
                 present.setdefault(here.tag, []).append(number)
             elif isinstance(here, Join) and all(state[child] == IDLE for child in here.flows):
-                found.append(number)
+                waiting.append(number)
         for tag, there in present.items():
             if len(there) == len(self.parties[tag]):
-                found += there
-        return sorted(found)
+                waiting += there
+        return sorted(waiting)
 
     def waits_for(self, state: State, number: int) -> list[int]:
         """Whom a flow waits for; one that its parent must begin waits for that, an ended one for nobody."""
@@ -126,13 +126,15 @@ class Waits:
             new = list(state)
             for (number, _, _), way in zip(starts, each, strict=True):
                 new[number] = way.stop
-            said = tuple((start[0], choice) for start, way in zip(starts, each, strict=True) for choice in way.choices)
+            choices = tuple(
+                (start[0], choice) for start, way in zip(starts, each, strict=True) for choice in way.choices
+            )
             begun = [(child, at, ReturnValue.NONE) for way in each for child, at in way.forks]
             if not begun:
-                yield tuple(new), said
+                yield tuple(new), choices
                 continue
             for further, more in self._starts(tuple(new), begun):
-                yield further, said + more
+                yield further, choices + more
 
     def _ways_of(self, number: int, at: int, value: ReturnValue) -> tuple[FlowOutcome, ...]:
         if (number, at, value) not in self._ways:
@@ -213,13 +215,13 @@ class _Exploration:
         chain: dict[int, FlowWait] = {}
         while number not in chain:
             others = self._waits.waits_for(state, number)
-            other = next(one for one in others if self._is_dead(state, one, stuck))
+            other = next(other for other in others if self._is_dead(state, other, stuck))
             chain[number] = FlowWait(number, state[number].at, other)
             if self._waits.has_ended(state, other):
                 return _last_wait(list(chain.values())), False
             number = other
         circle = list(chain.values())[list(chain).index(number) :]
-        start = circle.index(min(one for one in circle if one.at >= 0))
+        start = circle.index(min(wait for wait in circle if wait.at >= 0))
         return tuple(circle[start:] + circle[:start]), True
 
     def _is_dead(self, state: State, number: int, stuck: set[int]) -> bool:
@@ -240,13 +242,13 @@ class _Exploration:
             before, choices = self._came[at]
             parts.append(choices)
             if before is None:
-                return tuple(one for part in reversed(parts) for one in part)
+                return tuple(choice for part in reversed(parts) for choice in part)
             at = before
 
 
 def _last_wait(chain: list[FlowWait]) -> tuple[FlowWait, ...]:
     """The end of a chain from the last flow on that stands at a wait; those behind it have not been begun."""
-    start = max(place for place, one in enumerate(chain) if one.at >= 0)
+    start = max(place for place, wait in enumerate(chain) if wait.at >= 0)
     return tuple(chain[start:])
 
 
@@ -255,8 +257,8 @@ def _has_circle(steps: Mapping[State, Sequence[State]]) -> bool:
     before: dict[State, list[State]] = {}
     left = {state: len(after) for state, after in steps.items()}
     for state, after in steps.items():
-        for one in after:
-            before.setdefault(one, []).append(state)
+        for successor in after:
+            before.setdefault(successor, []).append(state)
     ends = [state for state in before if state not in steps]
     while ends:
         for state in before.get(ends.pop(), ()):

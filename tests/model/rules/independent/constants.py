@@ -12,14 +12,14 @@ from .tasks import device, named, reads_at_init, writes_at_init
 
 def suppliers(task: Task, among: Sequence[Task]) -> set[str]:
     """Who has to be initialised before this task; one that supplies itself waits for itself."""
-    return {one.name for one in among if writes_at_init(one) & reads_at_init(task)}
+    return {item.name for item in among if writes_at_init(item) & reads_at_init(task)}
 
 
 def waits_for(tasks: Sequence[Task]) -> dict[str, set[str]]:
     """Everybody for whom a task waits, at once or in the end."""
     waits = {task.name: suppliers(task, tasks) for task in tasks}
     for _ in tasks:
-        waits = {name: found.union(*(waits[each] for each in found)) for name, found in waits.items()}
+        waits = {name: wait.union(*(waits[each] for each in wait)) for name, wait in waits.items()}
     return waits
 
 
@@ -73,8 +73,8 @@ def reinitialised(living: Sequence[Task], kill: Collection[str], new: Sequence[T
     """
     staying = [task for task in living if task.name not in kill]
     come = set().union(*(writes_at_init(task) for task in new))
-    found = {task.name for task in staying if reads_at_init(task) & come}
+    names = {task.name for task in staying if reads_at_init(task) & come}
     for _ in [*staying, *new]:
-        said_anew = set().union(*(writes_at_init(task) for task in [*staying, *new] if task.name in found))
-        found |= {task.name for task in [*staying, *new] if reads_at_init(task) & said_anew}
-    return found
+        said_anew = set().union(*(writes_at_init(task) for task in [*staying, *new] if task.name in names))
+        names |= {task.name for task in [*staying, *new] if reads_at_init(task) & said_anew}
+    return names

@@ -150,33 +150,33 @@ def steps(draw: st.DrawFn) -> AppFlow:
         first, last = draw(st.lists(st.sampled_from(starts), unique=True, min_size=2, max_size=2))
         marks[first] = marks[last] = "a"
         tests[first], tests[last] = True, draw(st.integers(0, 2)) == 0
-    found: list[Step] = []
+    steps: list[Step] = []
     for at, kind in enumerate(kind for chunk in chunks for kind in chunk):
         name = draw(rarely("t", "j", "lost") if kind in ("Joint job", "Cartesian job") else rarely("j", "k", "t"))
         shown = Hole() if kind is None else replace(icon(kind, name), while_tag=marks[at])
-        found.append(
+        steps.append(
             replace(shown, while_test=tests[at] and marks[at] is not None) if isinstance(shown, Icon) else shown
         )
-    return AppFlow(tuple(found))
+    return AppFlow(tuple(steps))
 
 
 @st.composite
 def laboratories(draw: st.DrawFn) -> tuple[Application, Syntax, dict[str, Configuration], dict[str, Task]]:
     """An application of jobs, most of it in order."""
     syntax = draw(st.one_of(st.just(Syntax(tuple(IconType(name, 0, 0) for name in TYPES), ())), syntaxes()))
-    known = {task.name: task for task in draw(libraries(2, sparse=True))}
+    existing = {task.name: task for task in draw(libraries(2, sparse=True))}
     for name in draw(st.sets(st.sampled_from("xyz"), max_size=2)):
         outs = dict.fromkeys(draw(st.lists(st.sampled_from("AB"), max_size=1)), "VAR")
-        known[name] = made(name, {}, outs)
+        existing[name] = made(name, {}, outs)
     typed = draw(rarely("Joint job", "joint JOB", "Cartesian job", ""))
     trigger = made("typed", {}, draw(st.dictionaries(st.sampled_from("AB"), st.sampled_from(KINDS))))
-    known["typed"] = replace(trigger, object_type=typed or None)
-    others = [name for name in known if name != "typed"]
+    existing["typed"] = replace(trigger, object_type=typed or None)
+    others = [name for name in existing if name != "typed"]
     names = st.lists(st.sampled_from(others), unique=True, max_size=2) if others else st.just([])
     members = {name: draw(names) for name in "jkt"}
     members["t"] += ["typed"]
     for name in draw(st.lists(st.sampled_from(["gone", "gone", "typed", *others]), max_size=1)):
         members[draw(st.sampled_from("jkt"))] += [name] * draw(st.sampled_from([0, 1]))
-    found = {name: Configuration(name, tuple(map(Placed, dict.fromkeys(tasks)))) for name, tasks in members.items()}
+    result = {name: Configuration(name, tuple(map(Placed, dict.fromkeys(tasks)))) for name, tasks in members.items()}
     flows = [draw(steps()) for _ in range(draw(st.integers(1, 2)))]
-    return Application("app", draw(st.booleans()), tuple(flows)), syntax, found, known
+    return Application("app", draw(st.booleans()), tuple(flows)), syntax, result, existing

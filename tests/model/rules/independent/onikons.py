@@ -58,12 +58,12 @@ def insert(line: Line, after: int, b: str, edges: Edges) -> Line:
 
 def settled(line: Line, edges: Edges) -> Line:
     """With a hole exactly where two neighbours do not fit."""
-    found: Line = []
+    result: Line = []
     before = "Application start"
     for kind in [*(kind for kind in line if kind is not None), "Application end"]:
-        found += [kind] if equation_7(before, kind, edges) else [None, kind]
+        result += [kind] if equation_7(before, kind, edges) else [None, kind]
         before = kind
-    return found[:-1]
+    return result[:-1]
 
 
 def delete(line: Line, at: int, edges: Edges) -> Line:
@@ -96,7 +96,7 @@ def needs_target(kind: str, edges: Edges) -> bool:
 
 def actions(line: Line, edges: Edges) -> list[tuple[int, ...]]:
     """The positions of each action's icons: one, or a job and its target."""
-    found: list[tuple[int, ...]] = []
+    result: list[tuple[int, ...]] = []
     at = 0
     while at < len(line):
         kind = line[at]
@@ -106,12 +106,12 @@ def actions(line: Line, edges: Edges) -> list[tuple[int, ...]]:
         elif (
             needs_target(kind, edges) and following is not None and is_target(following) and following.lower() in edges
         ):
-            found.append((at, at + 1))
+            result.append((at, at + 1))
             at += 2
         else:
-            found.append((at,))
+            result.append((at,))
             at += 1
-    return found
+    return result
 
 
 def loops_are_well_formed(

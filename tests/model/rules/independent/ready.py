@@ -14,14 +14,16 @@ from .onikons import Edges, Line
 
 
 def is_ready(
-    application: Application, edges: Edges, configurations: Mapping[str, Configuration], known: Mapping[str, Task]
+    application: Application, edges: Edges, configurations: Mapping[str, Configuration], existing: Mapping[str, Task]
 ) -> bool:
     """No nested applications here."""
-    return bool(application.flows) and all(_is_ready(flow, edges, configurations, known) for flow in application.flows)
+    return bool(application.flows) and all(
+        _is_ready(flow, edges, configurations, existing) for flow in application.flows
+    )
 
 
 def _is_ready(
-    flow: AppFlow, edges: Edges, configurations: Mapping[str, Configuration], known: Mapping[str, Task]
+    flow: AppFlow, edges: Edges, configurations: Mapping[str, Configuration], existing: Mapping[str, Task]
 ) -> bool:
     line: Line = [step.onikon.type if isinstance(step, Icon) else None for step in flow.steps]
     if not line or not onikons.is_whole(line, edges) or not _pairs_are_right(line, edges):
@@ -40,9 +42,9 @@ def _is_ready(
         configuration = configurations.get(step.onikon.name)
         if configuration is None or not configuration.placed:
             return False
-        if any(placed.task not in known for placed in configuration.placed):
+        if any(placed.task not in existing for placed in configuration.placed):
             return False
-        together = [known[placed.task] for placed in configuration.placed]
+        together = [existing[placed.task] for placed in configuration.placed]
         if not tasks.configuration_is_free(together) or not _has_its_type(kind, together, edges):
             return False
         union.update({task.name: task for task in together})

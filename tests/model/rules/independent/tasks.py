@@ -26,14 +26,14 @@ CONNECTS = {
 
 
 def pins(task: Task) -> Pins:
-    found = set()
+    result = set()
     for const, var, way in ((task.inconst, task.invar, "IN"), (task.outconst, task.outvar, "OUT")):
         for coded in [*const, *var]:
             in_both = coded in const and coded in var
             kind = way + ("BOTH" if in_both else "CONST" if coded in const else "VAR")
             alias = [new for old, new in task.aliases if old == coded]
-            found.add((kind, alias[0] if alias else coded))
-    return found
+            result.add((kind, alias[0] if alias else coded))
+    return result
 
 
 def named(task: Task, *kinds: str) -> set[str]:
@@ -56,18 +56,18 @@ def writes_at_init(task: Task) -> set[str]:
     return named(task, "OUTCONST", "OUTBOTH")
 
 
-def may_meet(one: str, other: str) -> bool:
+def may_meet(item: str, other: str) -> bool:
     """The matrix of pins: may these two kinds share a variable?"""
-    if one.startswith("IN") and other.startswith("IN"):
+    if item.startswith("IN") and other.startswith("IN"):
         return True
-    if one.startswith("OUT") and other.startswith("OUT"):
+    if item.startswith("OUT") and other.startswith("OUT"):
         return False
-    return CONNECTS[(one, other) if one.startswith("IN") else (other, one)]
+    return CONNECTS[(item, other) if item.startswith("IN") else (other, item)]
 
 
-def clash(one: Task, other: Task) -> bool:
+def clash(task: Task, other: Task) -> bool:
     """Equation (3) as reading 5 reads it, either way round."""
-    return bool(named(one, "OUTVAR") & named(other, "INCONST") or named(other, "OUTVAR") & named(one, "INCONST"))
+    return bool(named(task, "OUTVAR") & named(other, "INCONST") or named(other, "OUTVAR") & named(task, "INCONST"))
 
 
 def greyed(library: Iterable[Task], placed: Iterable[Task]) -> set[str]:
@@ -100,14 +100,14 @@ def device(task: Task) -> set[str]:
 def union_is_free(tasks: Iterable[Task]) -> bool:
     """Reading 1, and what law 9 adds to it: constants have one supplier, which is no pure OUTVAR."""
     return not any(
-        one.module == other.module
-        or device(one) & device(other)
-        or writes_at_init(one) & writes_at_init(other)
-        or clash(one, other)
-        for one, other in combinations(list(tasks), 2)
+        item.module == other.module
+        or device(item) & device(other)
+        or writes_at_init(item) & writes_at_init(other)
+        or clash(item, other)
+        for item, other in combinations(list(tasks), 2)
     )
 
 
 def configuration_is_free(tasks: Iterable[Task]) -> bool:
     """Whether nobody in a configuration would be greyed out beside the others."""
-    return not any(greyed([one], [other]) for one, other in combinations(list(tasks), 2))
+    return not any(greyed([item], [other]) for item, other in combinations(list(tasks), 2))

@@ -30,19 +30,19 @@ def ours(living: Tasks, kill: set[str], new: Tasks) -> TaskExchange:
 
 def exchanges_agree(living: Tasks, kill: set[str], new: Tasks) -> None:
     """`new` takes no name that stays (A06)."""
-    new = tuple(task for task in new if task.name in kill or task.name not in {one.name for one in living})
-    found = ours(living, kill, new)
+    new = tuple(task for task in new if task.name in kill or task.name not in {item.name for item in living})
+    result = ours(living, kill, new)
     after = [*(task for task in living if task.name not in kill), *new]
-    assert set(found.keep) == naive.kept(living, kill)
-    assert set(found.kill) == {task.name for task in living if task.name in kill}
+    assert set(result.keep) == naive.kept(living, kill)
+    assert set(result.kill) == {task.name for task in living if task.name in kill}
     must = naive.killed_first(living, kill, new)
-    assert must <= set(found.kill_first) <= must | naive.broken_into(living, kill, new)
-    assert set(found.spawn) == {task.name for task in new}
+    assert must <= set(result.kill_first) <= must | naive.broken_into(living, kill, new)
+    assert set(result.spawn) == {task.name for task in new}
     waits = naive.waits_for(after)
     if not naive.rings(after):  # else the change is refused (law 10)
-        for each in (found.spawn, found.reinit):
-            assert not any(later in waits[one] for at, one in enumerate(each) for later in each[at:])
-        assert set(found.reinit) == naive.reinitialised(living, kill, new)
+        for each in (result.spawn, result.reinit):
+            assert not any(later in waits[item] for at, item in enumerate(each) for later in each[at:])
+        assert set(result.reinit) == naive.reinitialised(living, kill, new)
 
 
 @given(st.booleans().flatmap(lambda sparse: libraries(7, sparse=sparse)))

@@ -27,8 +27,8 @@ def insertions_agree(syntax: Syntax, kinds: naive.Line, after: int, kind: str) -
     reasons = jigsaw.refusals(flow(kinds), after, icon(kind), syntax)
     assert (not reasons) == naive.may_insert(kinds, after, kind, edges)
     if not reasons:
-        found = jigsaw.insert(flow(kinds), after, icon(kind), syntax)
-        assert line(found) == naive.insert(kinds, after, kind, edges)
+        insert = jigsaw.insert(flow(kinds), after, icon(kind), syntax)
+        assert line(insert) == naive.insert(kinds, after, kind, edges)
 
 
 def deletions_agree(syntax: Syntax, kinds: naive.Line, at: int) -> None:
@@ -50,8 +50,8 @@ def loops_agree(kinds: naive.Line, syntax: Syntax, data: st.DataObject) -> None:
     )
     tags = {at: step.while_tag for at, step in enumerate(steps) if isinstance(step, Icon) and step.while_tag}
     tests = {at: step.while_test for at, step in enumerate(steps) if isinstance(step, Icon)}
-    found = loop.faults(replace(drawn, steps=steps), syntax, FLOW, Place("x"))
-    assert (not found) == naive.loops_are_well_formed(groups, tags, tests)
+    faults = loop.faults(replace(drawn, steps=steps), syntax, FLOW, Place("x"))
+    assert (not faults) == naive.loops_are_well_formed(groups, tags, tests)
 
 
 @given(syntaxes(), lines, places, st.sampled_from((*PLACEABLE, "Odd object")))
@@ -116,14 +116,14 @@ def test_an_action_is_in_one_loop_whichever_of_its_icons_bears_the_mark() -> Non
     syntax = Syntax(tuple(IconType(*each) for each in types), ())  # R-D06, readings 23, 24
     kinds: naive.Line = ["Joint job", "Joint object", "Complete job", "Complete job"]
 
-    def told(tags: list[str | None], tests: list[bool]) -> list[str]:
+    def sentences(tags: list[str | None], tests: list[bool]) -> list[str]:
         marks = zip(kinds, tags, tests, strict=True)
         steps = tuple(replace(icon(kind or ""), while_tag=tag, while_test=test) for kind, tag, test in marks)
         return [found_by(fault) for fault in loop.faults(AppFlow(steps), syntax, FLOW, Place("x"))]
 
-    assert told(["a", "a", "a", None], [True, True, False, False]) == []
-    assert told(["a", "a", "a", None], [False, True, False, False]) == []
-    assert told(["a", "b", "b", "a"], [True, True, False, False]) == ["a and b at `it`, step 0"]
+    assert sentences(["a", "a", "a", None], [True, True, False, False]) == []
+    assert sentences(["a", "a", "a", None], [False, True, False, False]) == []
+    assert sentences(["a", "b", "b", "a"], [True, True, False, False]) == ["a and b at `it`, step 0"]
 
 
 @pytest.mark.slow

@@ -20,8 +20,8 @@ def agree(laboratory: Laboratory) -> None:
     application, syntax, configurations, tasks = laboratory
     expected = is_ready(application, edges_of(syntax), configurations, tasks)
     event(f"can be run: {expected}")
-    found = readiness.faults(application, syntax, configurations, tasks, Place("app.appl"))
-    assert (not found) == expected, found
+    faults = readiness.faults(application, syntax, configurations, tasks, Place("app.appl"))
+    assert (not faults) == expected, faults
 
 
 @given(laboratories())

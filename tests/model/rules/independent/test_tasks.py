@@ -26,9 +26,9 @@ def agree(library: tuple[Task, ...], placed: tuple[Task, ...]) -> None:
     for task in library:
         assert {found_by(fault).split(",")[0] for fault in warning.self_fed(task, PLACE)} == naive.self_fed(task)
     assert {expected_by(fault).split()[-1] for fault in warning.hanging(library, PLACE)} == naive.hanging(library)
-    told = [expected_by(fault) for fault in union.conflicts(library, FLOW, PLACE)]
-    conflicts = [each for each in told if not each.startswith("a task that gives")]
-    assert (not conflicts) == naive.union_is_free(library)
+    conflicts = [expected_by(fault) for fault in union.conflicts(library, FLOW, PLACE)]
+    lasting = [conflict for conflict in conflicts if not conflict.startswith("a task that gives")]
+    assert (not lasting) == naive.union_is_free(library)
 
 
 @given(libraries(), libraries(4))
@@ -52,17 +52,17 @@ def test_thousands_of_libraries_are_judged_alike(both: tuple[tuple[Task, ...], t
     agree(*both)  # R-C07, R-C08, readings 1, 5, 6
 
 
-@pytest.mark.parametrize(("one", "other"), PAIRS)
-def test_two_pins_of_one_variable_stand_together_as_the_matrix_says(one: str, other: str) -> None:
-    first, second = pinned("first", one), pinned("second", other)  # reading 6
-    assert (placement.refusals(first, [second]) == ()) == naive.may_meet(one, other)
+@pytest.mark.parametrize(("item", "other"), PAIRS)
+def test_two_pins_of_one_variable_stand_together_as_the_matrix_says(item: str, other: str) -> None:
+    first, second = pinned("first", item), pinned("second", other)  # reading 6
+    assert (placement.refusals(first, [second]) == ()) == naive.may_meet(item, other)
 
 
-@pytest.mark.parametrize(("one", "other"), PAIRS)
-def test_an_alias_counts_as_the_name(one: str, other: str) -> None:
-    first = pinned("first", one)  # R-C07
+@pytest.mark.parametrize(("item", "other"), PAIRS)
+def test_an_alias_counts_as_the_name(item: str, other: str) -> None:
+    first = pinned("first", item)  # R-C07
     second = pinned("second", other, "Q", aliases=(("Q", "P"),))
-    assert (placement.refusals(first, [second]) == ()) == naive.may_meet(one, other)
+    assert (placement.refusals(first, [second]) == ()) == naive.may_meet(item, other)
     assert placement.refusals(first, [pinned("second", other, "P", aliases=(("P", "Q"),))]) == ()
 
 

@@ -1,0 +1,43 @@
+// Which component each dialog is; what is opened anew for something else begins anew.
+import type { Component } from 'svelte'
+import IconPanel from './dictionary/IconPanel.svelte'
+import NewApplicationPanel from './dictionary/NewApplicationPanel.svelte'
+import TargetPanel from './dictionary/TargetPanel.svelte'
+import OpenPanel from './files/OpenPanel.svelte'
+import SaveAsPanel from './files/SaveAsPanel.svelte'
+import InsertPanel from './group/InsertPanel.svelte'
+import SaveGroupPanel from './group/SaveGroupPanel.svelte'
+import HelpSheet from './help/HelpSheet.svelte'
+import HoldingPanel from './holding/HoldingPanel.svelte'
+import JobPanel from './picture/JobPanel.svelte'
+import RedirectPanel from './redirect/RedirectPanel.svelte'
+import RecordingsPanel from './review/RecordingsPanel.svelte'
+import KeepPanel from './run/KeepPanel.svelte'
+import ButtonsPanel from './shell/ButtonsPanel.svelte'
+import ConnectPanel from './shell/ConnectPanel.svelte'
+import PreferencesPanel from './shell/PreferencesPanel.svelte'
+import SourcePanel from './task/SourcePanel.svelte'
+import type { DialogName } from './state/dialogs.svelte'
+
+export const DIALOGS: Partial<Record<DialogName, Component>> = {
+  buttons: ButtonsPanel,
+  connect: ConnectPanel,
+  help: HelpSheet,
+  holding: HoldingPanel,
+  icon: IconPanel,
+  insert: InsertPanel,
+  job: JobPanel,
+  keep: KeepPanel,
+  newApplication: NewApplicationPanel,
+  open: OpenPanel,
+  preferences: PreferencesPanel,
+  recordings: RecordingsPanel,
+  redirect: RedirectPanel,
+  saveAs: SaveAsPanel,
+  saveGroup: SaveGroupPanel,
+  source: SourcePanel,
+  target: TargetPanel,
+}
+
+/** Those that begin anew each time they are opened, also while they are open. */
+export const KEYED: ReadonlySet<string> = new Set(['icon', 'keep', 'recordings', 'redirect'])
