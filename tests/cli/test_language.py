@@ -5,6 +5,7 @@ import os
 import pytest
 
 from onika.cli import main
+from onika.cli.commands import COMMANDS
 from onika.cli.language import language, say, speaking
 from onika.words.reason import Reason
 
@@ -41,3 +42,18 @@ def test_a_language_that_is_not_known_is_refused(words, capsys):
     with pytest.raises(SystemExit):
         main(words)
     assert "--lang" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", sorted(COMMANDS))
+def test_every_command_says_in_spanish_what_it_takes(command, capsys):  # R-G03
+    with pytest.raises(SystemExit):
+        main(["--lang", "es", command, "--help"])
+    spanish = capsys.readouterr().out
+    with pytest.raises(SystemExit):
+        main([command, "--help"])
+    assert capsys.readouterr().out != spanish
+
+
+def test_a_check_is_summed_up_in_spanish(capsys):
+    assert main(["--lang", "es", "check", "nowhere.conf"]) == 1
+    assert capsys.readouterr().out.splitlines()[-1].endswith("1 fallo")

@@ -5,16 +5,23 @@ import os
 import sys
 from pathlib import Path
 
+from onika.cli.language import say
 from onika.desk.run.audit_text import lines, verdict
 from onika.files import trail
+from onika.words.reason import Reason
+
+
+def purpose() -> Reason:
+    """What the command is for."""
+    return Reason.of("cli.purpose_audit")
 
 
 def describe(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
-    parser.add_argument("file", nargs="?", type=Path, metavar="FILE", help="the trail (that of this user's runtime)")
-    parser.add_argument("--last", type=int, metavar="N", help="show only so many records")
-    parser.add_argument("--quiet", action="store_true", help="show only whether it is whole")
-    parser.add_argument("--head", metavar="HASH", help="a head that was noted before, and must still be in it")
+    parser.add_argument("file", nargs="?", type=Path, metavar="FILE", help=say(Reason.of("cli.audit_file")))
+    parser.add_argument("--last", type=int, metavar="N", help=say(Reason.of("cli.audit_last")))
+    parser.add_argument("--quiet", action="store_true", help=say(Reason.of("cli.audit_quiet")))
+    parser.add_argument("--head", metavar="HASH", help=say(Reason.of("cli.audit_head")))
 
 
 def carry_out(given: argparse.Namespace) -> int:
@@ -22,18 +29,18 @@ def carry_out(given: argparse.Namespace) -> int:
     path = given.file or trail.usual_path(os.environ)
     files = trail.older(path)
     if not files:
-        print(f"expected an audit trail at {path}, found none", file=sys.stderr)
+        print(say(Reason.of("cli.no_trail", path=str(path))), file=sys.stderr)
         return 2
     records = trail.read(files)
     shown = [] if given.quiet else list(lines(records))
     for line in shown if given.last is None else shown[-given.last :] if given.last > 0 else []:
         print(line)
     for note in records.notes:
-        print(f"note: {note}")
+        print(say(Reason.of("cli.note", text=note)))
     for fault in records.faults:
-        print(fault, file=sys.stderr)
+        print(say(fault.sentence), file=sys.stderr)
     print(verdict(records))
     if given.head and given.head not in records.hashes:
-        print(f"expected {given.head} in the trail, found no such line: lines were taken off its end", file=sys.stderr)
+        print(say(Reason.of("cli.no_head", head=given.head)), file=sys.stderr)
         return 1
     return 1 if records.faults else 0

@@ -3,15 +3,22 @@
 import argparse
 from pathlib import Path
 
+from onika.cli.language import say
 from onika.cli.search_path import directory, site_here
 from onika.desk.run.survey import survey
+from onika.words.reason import Reason
+
+
+def purpose() -> Reason:
+    """What the command is for."""
+    return Reason.of("cli.purpose_check")
 
 
 def describe(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
-    parser.add_argument("paths", nargs="+", type=Path, metavar="PATH", help="a base directory or one file")
+    parser.add_argument("paths", nargs="+", type=Path, metavar="PATH", help=say(Reason.of("cli.check_paths")))
     parser.add_argument(
-        "--local", action="append", default=[], type=directory, metavar="DIR", help="a base directory to look in first"
+        "--local", action="append", default=[], type=directory, metavar="DIR", help=say(Reason.of("cli.check_local"))
     )
 
 
@@ -24,8 +31,9 @@ def carry_out(given: argparse.Namespace) -> int:
         files += len(read)
         faults += [fault for fault in new_faults if fault not in faults]
     for fault in faults:
-        print(fault)
+        print(say(fault.sentence))
     for text in dict.fromkeys(notes):
-        print(f"note: {text}")
-    print(f"{files} file{'s' if files != 1 else ''} read, {len(faults) or 'no'} fault{'s' if len(faults) != 1 else ''}")
+        print(say(Reason.of("cli.note", text=text)))
+    count = str(len(faults)) if faults else Reason.of("cli.none")
+    print(say(Reason.of("cli.checked", files=files, count=count, faults=len(faults))))
     return 1 if faults else 0

@@ -10,7 +10,7 @@ from onika.link.lost import LinkLost
 from onika.words.reason import Reason
 from onika.words.sentence import LANGUAGES
 
-_COMMANDS = {
+COMMANDS = {
     "page": page,
     "run": run,
     "test": test,
@@ -32,7 +32,7 @@ def carry_out(words: list[str] | None) -> int:
     with speaking(wanted):
         given = _parser().parse_args(_whole(rest))
         try:
-            code: int = _COMMANDS[given.command].carry_out(given)
+            code: int = COMMANDS[given.command].carry_out(given)
             return code
         except (LinkLost, TimeoutError) as lost:
             print(lost, file=sys.stderr)
@@ -40,13 +40,14 @@ def carry_out(words: list[str] | None) -> int:
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="onika", description="Programs for robots from tasks, jobs and targets.")
+    parser = argparse.ArgumentParser(prog="onika", description=say(Reason.of("cli.description")))
     parser.add_argument("--version", action="version", version=f"onika {__version__}")
     _add_language(parser)
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
-    for name, command in _COMMANDS.items():
-        purpose = (command.__doc__ or "").partition(": ")[2].partition("\n")[0].rstrip(".")
-        command.describe(commands.add_parser(name, help=purpose, description=purpose.capitalize() + "."))
+    for name, command in COMMANDS.items():
+        purpose = say(command.purpose())
+        description = purpose[:1].upper() + purpose[1:] + "."
+        command.describe(commands.add_parser(name, help=purpose, description=description))
     return parser
 
 

@@ -6,6 +6,7 @@ import time
 from pathlib import Path
 
 from onika.cli.conversation import LineDesk, converse, run_batch, serve
+from onika.cli.language import say
 from onika.cli.orderly_exit import in_order
 from onika.cli.plain_console import PlainConsole
 from onika.cli.terminal import Terminal
@@ -13,6 +14,7 @@ from onika.desk.console.console import Console
 from onika.desk.console.display import ConsoleDisplay, Tone
 from onika.desk.console.session import ConsoleSession, Runtime
 from onika.store.site import Site
+from onika.words.reason import Reason
 
 
 class _RemoteRuntime:
@@ -50,10 +52,13 @@ def sit_down(
 def _welcome(session: ConsoleSession, desk: LineDesk) -> None:
     standing = session.standing()
     units = ", ".join(rtpu.name for rtpu in standing.rtpus)
-    time_kind = "virtual" if standing.is_virtual else "wall"
-    desk.say(f"runtime with {units} in {time_kind} time; `help` names the commands", Tone.DIM)
+    if standing.is_virtual:
+        welcome = Reason.of("cli.welcome_virtual", units=units)
+    else:
+        welcome = Reason.of("cli.welcome", units=units)
+    desk.say(say(welcome), Tone.DIM)
     for address in session.addresses:
-        desk.say(f"others reach it at {address}", Tone.DIM)
+        desk.say(say(Reason.of("cli.reached_at", address=address)), Tone.DIM)
 
 
 def _desk(console: Console) -> Terminal | PlainConsole:

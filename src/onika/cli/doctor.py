@@ -6,6 +6,12 @@ from rich.console import Console
 from rich.text import Text
 
 from onika.desk.run.machine import features
+from onika.words.reason import Reason
+
+
+def purpose() -> Reason:
+    """What the command is for."""
+    return Reason.of("cli.purpose_doctor")
 
 
 def describe(parser: argparse.ArgumentParser) -> None:

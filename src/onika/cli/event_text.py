@@ -2,10 +2,12 @@
 
 from collections.abc import Iterator, Sequence
 
+from onika.cli.language import say
 from onika.desk.run import explanation_text, transfer_text
 from onika.desk.run.outcome import Outcome
 from onika.desk.run.positions import waits
 from onika.wire import event
+from onika.words.reason import NOTHING, Reason
 
 _PRINTED = 20
 
@@ -27,32 +29,47 @@ def sentence(happening: event.Event, total: int, flows: Sequence[str] = ()) -> s
     """One line for an event; empty for those that only machines want."""
     match happening:
         case event.Began():
-            width = len(str(total))
-            column = max(map(len, flows)) if len(flows) > 1 else 0
-            name = f"{flows[happening.flow]:<{column}}  " if column else ""
-            of = happening.of if column else total
-            return f"{happening.at_s:8.2f} s  {name}{happening.index + 1:>{width}}/{of}  {happening.action}"
+            return f"{happening.at_s:8.2f} s  {_began(happening, total, flows)}"
         case event.Moved():
             text = _moved(happening)
             return f"{happening.at_s:8.2f} s  {happening.subsystem} {text}" if text else ""
-        case event.Met():
-            tag = happening.tag.rpartition(" ")[2]
-            names = " and ".join(happening.subsystems)
-            return f"{happening.at_s:8.2f} s  {names} go on together at {tag}, {happening.skew_us:.0f} us apart"
-        case event.Stepped():
-            return f"{happening.at_s:8.2f} s  note: {happening.subsystem}/{transfer_text.sentence(happening)}"
-        case event.Warned():
-            who = f"{happening.task}: " if happening.task else ""
-            return f"{happening.at_s:8.2f} s  note: {who}{happening.text}"
-        case event.Failed():
-            where = f" ({happening.path}:{happening.line})" if happening.line else ""
-            return f"{happening.at_s:8.2f} s  ERROR {happening.subsystem}/{happening.task}: {happening.text}{where}"
-        case event.Drive() if happening.state == "TRIPPED":
-            return f"{happening.at_s:8.2f} s  {happening.device} has tripped: {happening.cause}"
-        case event.Drive() if happening.state == "PRESSED":
-            return f"{happening.at_s:8.2f} s  {happening.device} holds: {happening.cause}"
+        case event.Met() | event.Stepped() | event.Warned() | event.Failed() | event.Drive():
+            text = say(_reason(happening))
+            return f"{happening.at_s:8.2f} s  {text}" if text else ""
         case _:
             return ""
+
+
+def _began(began: event.Began, total: int, flows: Sequence[str]) -> str:
+    """The number of the action in its flow, and its name; the flow's name too where there are several."""
+    width = len(str(total))
+    if len(flows) <= 1:
+        return f"{began.index + 1:>{width}}/{total}  {began.action}"
+    column = max(map(len, flows))
+    return f"{flows[began.flow]:<{column}}  {began.index + 1:>{width}}/{began.of}  {began.action}"
+
+
+def _reason(happening: event.Met | event.Stepped | event.Warned | event.Failed | event.Drive) -> Reason:
+    """What is said of an event beside its time."""
+    match happening:
+        case event.Met():
+            tag = happening.tag.rpartition(" ")[2]
+            return Reason.of("cli.flows_met", flows=happening.subsystems, tag=tag, skew=happening.skew_us)
+        case event.Stepped():
+            return Reason.of("cli.note", text=f"{happening.subsystem}/{transfer_text.sentence(happening)}")
+        case event.Warned():
+            who = f"{happening.task}: " if happening.task else ""
+            return Reason.of("cli.note", text=f"{who}{happening.text}")
+        case event.Failed():
+            where = f" ({happening.path}:{happening.line})" if happening.line else ""
+            task = f"{happening.subsystem}/{happening.task}"
+            return Reason.of("cli.task_failed", task=task, text=happening.text, where=where)
+        case event.Drive(state="TRIPPED"):
+            return Reason.of("cli.drive_tripped", device=happening.device, cause=happening.cause)
+        case event.Drive(state="PRESSED"):
+            return Reason.of("cli.drive_holds", device=happening.device, cause=happening.cause)
+        case _:
+            return NOTHING
 
 
 def _moved(moved: event.Moved) -> str:
@@ -61,7 +78,8 @@ def _moved(moved: event.Moved) -> str:
         case "waiting" | "joining":
             text = waits(moved.tag, moved.waits_for)
         case "paused":
-            text = f"is paused after {moved.action + 1}" if moved.action >= 0 else "is paused before its first action"
+            after = Reason.of("cli.paused_after", action=moved.action + 1)
+            text = say(after if moved.action >= 0 else Reason.of("cli.paused_first"))
         case "stopped":
             return ""  # the error and its explanation stand beside it
         case _:
@@ -71,53 +89,82 @@ def _moved(moved: event.Moved) -> str:
 
 def item_text(item: event.Item) -> str:
     """What is asked for: name, how many, meaning, unit, bounds and default."""
-    parts = [item.name if item.count == 1 else f"{item.name} ({item.count} values)", item.meaning]
+    name = Reason.plain(item.name)
+    if item.count != 1:
+        name = Reason.of("cli.item_values", name=item.name, number=item.count)
+    unit = NOTHING
     if item.unit not in ("", "-"):
-        parts.append(f"in {item.unit}")
-    low, high = (None if bound is None else " ".join(f"{x:g}" for x in bound) for bound in (item.low, item.high))
-    if low is not None and high is not None:
-        parts.append(f"from {low} to {high}")
-    elif low is not None or high is not None:
-        parts.append(f"at least {low}" if low is not None else f"at most {high}")
+        unit = Reason.of("cli.item_unit", unit=item.unit)
+    default = NOTHING
     if item.default is not None:
-        parts.append(f"else {' '.join(map(str, item.default))}")
-    return ", ".join(part for part in parts if part)
+        default = Reason.of("cli.item_default", values=" ".join(map(str, item.default)))
+    parts = [name, Reason.plain(item.meaning), unit, _bounds(item), default]
+    return ", ".join(say(part) for part in parts if part)
+
+
+def _bounds(item: event.Item) -> Reason:
+    low = None if item.low is None else " ".join(f"{x:g}" for x in item.low)
+    high = None if item.high is None else " ".join(f"{x:g}" for x in item.high)
+    if low is not None and high is not None:
+        return Reason.of("cli.item_range", low=low, high=high)
+    if low is not None:
+        return Reason.of("cli.item_least", low=low)
+    if high is not None:
+        return Reason.of("cli.item_most", high=high)
+    return NOTHING
 
 
 def summary(outcome: Outcome, drawn: str) -> Iterator[str]:
     """The lines at the end."""
     for fault in outcome.faults:
-        yield str(fault)
+        yield say(fault.sentence)
     for note in outcome.notes:
-        yield f"note: {note}"
+        yield say(Reason.of("cli.note", text=note))
     result = outcome.result
     if result is None:
-        count = len(outcome.faults)
-        yield f"{outcome.name}: refused, nothing moved ({count} fault{'s' if count != 1 else ''})"
+        yield say(Reason.of("cli.refused", name=outcome.name, faults=len(outcome.faults)))
         return
-    speed = result.runtime_s / result.wall_s if result.wall_s else 0.0
-    took = f"{result.runtime_s:.2f} s, in {result.wall_s:.2f} s of wall time"
-    pace = f" ({speed:.0f}x)" if result.hash and speed > 1.5 else ""
-    is_straight = result.done == result.of or (result.done < result.of and not result.completed)
-    done = f"{result.done} of {result.of} actions" if is_straight else f"{result.done} actions"  # loops, branches
-    yield f"{outcome.name}: {outcome.state}, {done}, {took}{pace}"
+    yield f"{outcome.name}: {outcome.state}, {say(_done(result))}, {say(_took(result))}"
     if result.cause:
-        yield f"cause: {result.cause}"
+        yield say(Reason.of("cli.cause", cause=result.cause))
     if result.completed:  # else the cause says it, and the fault stands above
-        yield from (f"script: {fault}" for fault in outcome.failed)
+        yield from (f"script: {say(fault.sentence)}" for fault in outcome.failed)
     if outcome.printed.strip():
-        yield "the runtime printed:"
+        yield say(Reason.of("cli.runtime_printed"))
         yield from (f"  {line}" for line in outcome.printed.strip().splitlines()[-_PRINTED:])
     missed = sum(task.missed for task in result.tasks)
     cycles = sum(task.cycles for task in result.tasks)
     if cycles and not result.hash:
-        yield f"cycles: {cycles}, missed {missed}"
+        yield say(Reason.of("cli.cycles", cycles=cycles, missed=missed))
     yield from transfer_text.summary(result.steps)
     for condition, value, holds in outcome.expectations:
-        yield f"expect {condition.text}: " + ("yes" if holds else f"NO, found {'nothing' if value is None else value}")
+        yield say(_expectation(condition.text, value, holds))
     if result.hash:
         yield f"hash: {result.hash}"
     if result.outside:
-        yield f"not reproducible: {', '.join(result.outside)} had to do with the outside"
+        yield say(Reason.of("cli.not_reproducible", names=result.outside))
     if drawn:
         yield drawn
+
+
+def _done(result: event.Result) -> Reason:
+    """How many actions; of how many, where there were no loops or branches."""
+    is_straight = result.done == result.of or (result.done < result.of and not result.completed)
+    if is_straight:
+        return Reason.of("cli.actions_of", done=result.done, number=result.of)
+    return Reason.of("cli.actions", done=result.done)
+
+
+def _took(result: event.Result) -> Reason:
+    """How long it took; how many times as fast as wall time, where it ran in virtual time."""
+    speed = result.runtime_s / result.wall_s if result.wall_s else 0.0
+    pace = f" ({speed:.0f}x)" if result.hash and speed > 1.5 else ""
+    return Reason.of("cli.took", seconds=result.runtime_s, wall=result.wall_s, pace=pace)
+
+
+def _expectation(text: str, value: object, holds: bool) -> Reason:
+    if holds:
+        return Reason.of("cli.expected", text=text)
+    if value is None:
+        return Reason.of("cli.expected_nothing", text=text)
+    return Reason.of("cli.expected_other", text=text, value=str(value))

@@ -4,18 +4,25 @@ import argparse
 import sys
 from pathlib import Path
 
+from onika.cli.language import say
 from onika.cli.search_path import directory, site_here
 from onika.desk.plan.iconify import Made, iconify
+from onika.words.reason import Reason
+
+
+def purpose() -> Reason:
+    """What the command is for."""
+    return Reason.of("cli.purpose_icon")
 
 
 def describe(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
-    parser.add_argument("path", type=Path, metavar="FILE", help="NAME.conf or NAME.appl of a base directory")
-    parser.add_argument("--desc", metavar="TEXT", help="what it does, in a few words")
-    parser.add_argument("--picture", type=Path, metavar="FILE.onk", help="an icon whose picture it takes")
-    parser.add_argument("--replace", action="store_true", help="replace the icon of something else of that name")
+    parser.add_argument("path", type=Path, metavar="FILE", help=say(Reason.of("cli.icon_path")))
+    parser.add_argument("--desc", metavar="TEXT", help=say(Reason.of("cli.icon_desc")))
+    parser.add_argument("--picture", type=Path, metavar="FILE.onk", help=say(Reason.of("cli.icon_picture")))
+    parser.add_argument("--replace", action="store_true", help=say(Reason.of("cli.icon_replace")))
     parser.add_argument(
-        "--local", action="append", default=[], type=directory, metavar="DIR", help="a base directory to look in first"
+        "--local", action="append", default=[], type=directory, metavar="DIR", help=say(Reason.of("cli.check_local"))
     )
 
 
@@ -30,9 +37,9 @@ def carry_out(given: argparse.Namespace) -> int:
     )
     if not isinstance(made, Made):
         for reason in made:
-            print(reason, file=sys.stderr)
+            print(say(reason.sentence), file=sys.stderr)
         return 1
     for note in made.notes:
-        print(f"note: {note}")
+        print(say(Reason.of("cli.note", text=note.sentence)))
     print(f"{made.path}: {' with '.join((made.onikon.type, *made.onikon.more_targets))}")
     return 0

@@ -4,14 +4,23 @@ import argparse
 import sys
 from pathlib import Path
 
+from onika.cli.language import say
 from onika.desk.plan.module_template import create_module
+from onika.words.reason import Reason
+
+
+def purpose() -> Reason:
+    """What the command is for."""
+    return Reason.of("cli.purpose_new")
 
 
 def describe(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
-    parser.add_argument("kind", choices=["module"], help="what to make")
-    parser.add_argument("name", metavar="NAME", help="the name of the module and of its first task")
-    parser.add_argument("--in", dest="base", type=Path, default=Path(), metavar="DIR", help="the base directory (here)")
+    parser.add_argument("kind", choices=["module"], help=say(Reason.of("cli.new_kind")))
+    parser.add_argument("name", metavar="NAME", help=say(Reason.of("cli.new_name")))
+    parser.add_argument(
+        "--in", dest="base", type=Path, default=Path(), metavar="DIR", help=say(Reason.of("cli.new_in"))
+    )
 
 
 def carry_out(given: argparse.Namespace) -> int:
@@ -23,5 +32,5 @@ def carry_out(given: argparse.Namespace) -> int:
         return 1
     for path in paths:
         print(path)
-    print(f"try it: onika check {given.base}; python -m pytest {paths[-1]}")
+    print(say(Reason.of("cli.new_next", base=str(given.base), test=str(paths[-1]))))
     return 0

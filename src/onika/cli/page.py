@@ -7,39 +7,38 @@ import sys
 import webbrowser
 from pathlib import Path
 
+from onika.cli.language import say
 from onika.cli.runtime import add_base, unit
 from onika.cli.search_path import site_here
 from onika.link.token import read_token
 from onika.web.program import EnvironmentProgram, Wishes
 from onika.web.server import bound
+from onika.words.reason import Reason
 
 PORT = 8420
-_HEAD = "Onika is open at"
-_NEXT = "for another browser:"
+
+
+def purpose() -> Reason:
+    """What the command is for."""
+    return Reason.of("cli.purpose_page")
 
 
 def describe(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
     parser.set_defaults(complain=parser.error)
-    parser.add_argument(
-        "files", nargs="*", metavar="FILE", help="configurations and applications to open, by name or file"
-    )
-    parser.add_argument(
-        "--port", type=int, metavar="N", help=f"the port on this machine ({PORT}, else any that is free)"
-    )
-    parser.add_argument("--no-browser", action="store_true", help="only print the address")
-    parser.add_argument(
-        "--connect", metavar="URL", help="a runtime that runs already, in place of one of its own: ws://HOST:PORT"
-    )
-    parser.add_argument("--token-file", type=Path, metavar="FILE", help="the token of that runtime")
-    parser.add_argument("--no-connect", action="store_true", help="no runtime: only look and edit")
+    parser.add_argument("files", nargs="*", metavar="FILE", help=say(Reason.of("cli.page_files")))
+    parser.add_argument("--port", type=int, metavar="N", help=say(Reason.of("cli.page_port", port=PORT)))
+    parser.add_argument("--no-browser", action="store_true", help=say(Reason.of("cli.page_no_browser")))
+    parser.add_argument("--connect", metavar="URL", help=say(Reason.of("cli.page_connect")))
+    parser.add_argument("--token-file", type=Path, metavar="FILE", help=say(Reason.of("cli.page_token_file")))
+    parser.add_argument("--no-connect", action="store_true", help=say(Reason.of("cli.page_no_connect")))
     parser.add_argument(
         "--rtpu", action="append", default=[], type=unit, metavar="NAME",
-        help="a processing unit of its own runtime; may be given several times (rt0)",
+        help=say(Reason.of("cli.page_rtpu")),
     )  # fmt: skip
-    parser.add_argument("--no-fifo", action="store_true", help="do not ask for real-time scheduling")
-    parser.add_argument("--upper", action="store_true", help="only the upper level: applications, no tasks")
-    parser.add_argument("--no-diary", action="store_true", help="keep no log of what is done")
+    parser.add_argument("--no-fifo", action="store_true", help=say(Reason.of("cli.page_no_fifo")))
+    parser.add_argument("--upper", action="store_true", help=say(Reason.of("cli.page_upper")))
+    parser.add_argument("--no-diary", action="store_true", help=say(Reason.of("cli.page_no_diary")))
     add_base(parser)
 
 
@@ -87,8 +86,10 @@ def _has_screen() -> bool:
 
 
 def _tell(address: str, shows: bool, is_first: bool) -> None:
-    print(f"{_HEAD if is_first else _NEXT} {address}", flush=True)
-    if is_first:
-        print("The address lets one browser in; then the next one is printed. Ctrl-C ends.", flush=True)
-    if shows and is_first:
+    if not is_first:
+        print(say(Reason.of("cli.page_next", address=address)), flush=True)
+        return
+    print(say(Reason.of("cli.page_open", address=address)), flush=True)
+    print(say(Reason.of("cli.page_key")), flush=True)
+    if shows:
         webbrowser.open(address)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from onika.cli.language import say
 from onika.desk.run.recording_digest import digest_lines
 from onika.desk.run.run_review import Review
 from onika.record import columns
@@ -13,28 +14,33 @@ from onika.record.difference import first_difference
 from onika.record.reader import UNREADABLE, Reader, complaint
 from onika.record.run import RunRecord
 from onika.record.tolerance import usual
+from onika.words.reason import Reason
+
+
+def purpose() -> Reason:
+    """What the command is for."""
+    return Reason.of("cli.purpose_recording")
 
 
 def describe(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
     acts = parser.add_subparsers(dest="act", metavar="ACT", required=True)
-    show = acts.add_parser("show", help="what was run, when, how it ended, and what is in the file")
+    show = acts.add_parser("show", help=say(Reason.of("cli.recording_show")))
     show.add_argument("file", type=Path, metavar="RUN.mcap")
-    table = acts.add_parser("csv", help="variables as a table: a row for each time at which one of them changed")
+    table = acts.add_parser("csv", help=say(Reason.of("cli.recording_csv")))
     table.add_argument("file", type=Path, metavar="RUN.mcap")
-    table.add_argument("variables", nargs="*", metavar="NAME", help="by name or as subsystem/NAME (all)")
-    table.add_argument("--output", type=Path, metavar="FILE.csv", help="where to (the standard output)")
+    table.add_argument("variables", nargs="*", metavar="NAME", help=say(Reason.of("cli.recording_variables")))
+    table.add_argument("--output", type=Path, metavar="FILE.csv", help=say(Reason.of("cli.recording_output")))
     compare = acts.add_parser(
         "diff",
-        help="the first difference of two runs; the exit code is 1 where there is one",
-        epilog="In brackets: what is meant where nothing is said, in virtual time; and where a run was in wall time. "
-        "There speeds and forces are not compared unless it is said by how much values may differ.",
+        help=say(Reason.of("cli.recording_diff")),
+        epilog=say(Reason.of("cli.recording_diff_epilog")),
     )
     compare.add_argument("one", type=Path, metavar="A.mcap")
     compare.add_argument("other", type=Path, metavar="B.mcap")
-    compare.add_argument("--tolerance", type=_amount, metavar="X", help="values may differ by this (0; 0.002)")
-    compare.add_argument("--part", type=_amount, metavar="X", help="and by this part of themselves (0; 0.001)")
-    compare.add_argument("--time", type=_amount, metavar="S", help="times may differ by seconds (0; 0.1)")
+    compare.add_argument("--tolerance", type=_amount, metavar="X", help=say(Reason.of("cli.recording_tolerance")))
+    compare.add_argument("--part", type=_amount, metavar="X", help=say(Reason.of("cli.recording_part")))
+    compare.add_argument("--time", type=_amount, metavar="S", help=say(Reason.of("cli.recording_time")))
 
 
 def carry_out(given: argparse.Namespace) -> int:
@@ -87,21 +93,22 @@ def _table(given: argparse.Namespace) -> int:
         names = {*review.series, *(variable.name for variable in series)}
         strange = [name for name in wanted if name not in names]
         if strange:
-            raise _UnreadableRecording(f"{path}: expected one of {', '.join(review.series)}, found {strange[0]!r}")
+            unknown = Reason.of("cli.no_variable", path=str(path), variables=tuple(review.series), name=strange[0])
+            raise _UnreadableRecording(say(unknown))
         if output is None:
             with _reading(path):
                 columns.write(sys.stdout, series)
             _tell_cut(review)
             return 0
         if output.exists() and output.samefile(path):
-            raise _UnreadableRecording(f"{output}: expected another file than the recording itself; nothing is written")
+            raise _UnreadableRecording(say(Reason.of("cli.table_over_recording", path=str(output))))
         try:
             stream = output.open("w", newline="", encoding="utf-8")
         except OSError as wrong:
             raise _UnreadableRecording(complaint(output, wrong)) from None
         with stream, _reading(path):
             rows = columns.write(stream, series)
-    print(f"{_counted(rows, 'row')} of {_counted(len(series), 'variable')}: {output}")
+    print(say(Reason.of("cli.table_written", rows=rows, variables=len(series), path=str(output))))
     _tell_cut(review)
     return 0
 
@@ -109,7 +116,8 @@ def _table(given: argparse.Namespace) -> int:
 def _tell_cut(review: Review) -> None:
     """A table ends as any other does, and nobody would see that the run went on."""
     if not review.is_whole:
-        print(f"{review.path} was cut short: the table ends at {review.span_s[1]:.9g} s", file=sys.stderr)
+        cut = Reason.of("cli.table_cut", path=str(review.path), seconds=review.span_s[1])
+        print(say(cut), file=sys.stderr)
 
 
 def _compare(given: argparse.Namespace) -> int:
@@ -122,20 +130,16 @@ def _compare(given: argparse.Namespace) -> int:
     difference = None
     with _reading(given.one):  # a part that is spoilt tells its own file
         difference = first_difference(readers[0], readers[1], tolerance)
-    print(difference or "no difference")
+    print(difference or say(Reason.of("cli.no_difference")))
     if tolerance.is_of_places:
-        print(
-            f"in wall time: values within {tolerance.value:g} and {tolerance.part:.1%}, times within "
-            f"{tolerance.seconds:g} s; speeds and forces are not compared"
+        bounds = Reason.of(
+            "cli.tolerance", value=tolerance.value, percent=100 * tolerance.part, seconds=tolerance.seconds
         )
+        print(say(bounds))
     for reader in readers:
         if not reader.is_whole:
-            print(f"{reader.path} was cut short: compared up to {reader.span[1] * 1e-9:.9g} s")
+            print(say(Reason.of("cli.comparison_cut", path=str(reader.path), seconds=reader.span[1] * 1e-9)))
     return 0 if difference is None else 1
-
-
-def _counted(number: int, what: str) -> str:
-    return f"{number} {what}{'' if number == 1 else 's'}"
 
 
 def _amount(text: str) -> float:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TextIO
 
 from onika.cli.json_lines import JsonLines
+from onika.cli.language import say
 from onika.cli.live_display import LiveDisplay
 from onika.cli.orderly_exit import in_order
 from onika.cli.plain_display import PlainDisplay
@@ -25,79 +26,79 @@ from onika.link.token import read_token
 from onika.model.redirect import Redirect
 from onika.store.site import Site
 from onika.words.condition import Condition
+from onika.words.reason import Reason
+
+
+def purpose() -> Reason:
+    """What the command is for."""
+    return Reason.of("cli.purpose_run")
 
 
 def describe(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
     parser.set_defaults(complain=parser.error)
     parser.add_argument(
-        "application", nargs="?", default="", metavar="NAME|FILE", help="an application by name, or its .appl file"
+        "application", nargs="?", default="", metavar="NAME|FILE", help=say(Reason.of("cli.run_application"))
     )
-    parser.add_argument("--record", type=_new_file, metavar="RUN.mcap", help="record the run")
+    parser.add_argument("--record", type=_new_file, metavar="RUN.mcap", help=say(Reason.of("cli.run_record")))
     parser.add_argument(
         "--from", dest="source", type=Path, metavar="RUN.mcap",
-        help="in place of an application: repeat a recorded run in virtual time",
+        help=say(Reason.of("cli.run_from")),
     )  # fmt: skip
-    parser.add_argument("--at", type=_instant, metavar="S", help="repeat it up to this instant, and go on from there")
-    parser.add_argument("--virtual", action="store_true", help="in virtual time: as fast as it goes, always the same")
+    parser.add_argument("--at", type=_instant, metavar="S", help=say(Reason.of("cli.run_at")))
+    parser.add_argument("--virtual", action="store_true", help=say(Reason.of("cli.run_virtual")))
     parser.add_argument(
         "--expect", action="append", default=[], type=_expectation, metavar="'LAMP == 1'",
-        help="what a variable must be at the end; may be given several times",
+        help=say(Reason.of("cli.run_expect")),
     )  # fmt: skip
-    parser.add_argument(
-        "--settle", type=_seconds, default=0.5, metavar="S", help="seconds to wait before expectations are read (0.5)"
-    )
+    parser.add_argument("--settle", type=_seconds, default=0.5, metavar="S", help=say(Reason.of("cli.run_settle")))
     parser.add_argument(
         "--answer", action="append", default=[], type=_answer, metavar="TASK.NAME=VALUES",
-        help="input for a task that asks, by the input's name; several values with blanks or commas between them",
+        help=say(Reason.of("cli.run_answer")),
     )  # fmt: skip
-    parser.add_argument("--picture", type=_new_file, metavar="OUT.png", help="draw the workcell at the end")
+    parser.add_argument("--picture", type=_new_file, metavar="OUT.png", help=say(Reason.of("cli.run_picture")))
+    parser.add_argument("--keep-test", type=_new_file, metavar="OUT.test", help=say(Reason.of("cli.run_keep_test")))
+    parser.add_argument("--json", action="store_true", help=say(Reason.of("cli.run_json")))
+    parser.add_argument("--seed", type=_whole, default=0, metavar="N", help=say(Reason.of("cli.run_seed")))
     parser.add_argument(
-        "--keep-test", type=_new_file, metavar="OUT.test", help="keep a good run as a test, for `onika test` (virtual)"
+        "--local", action="append", default=[], type=directory, metavar="DIR", help=say(Reason.of("cli.check_local"))
     )
-    parser.add_argument("--json", action="store_true", help="one JSON object per line, the result last")
-    parser.add_argument("--seed", type=_whole, default=0, metavar="N", help="of the tasks' random numbers (0)")
+    parser.add_argument("--no-fifo", action="store_true", help=say(Reason.of("cli.page_no_fifo")))
+    parser.add_argument("--runtime", type=_address, metavar="URL", help=say(Reason.of("cli.run_runtime")))
     parser.add_argument(
-        "--local", action="append", default=[], type=directory, metavar="DIR", help="a base directory to look in first"
-    )
-    parser.add_argument("--no-fifo", action="store_true", help="do not ask for real-time scheduling")
-    parser.add_argument(
-        "--runtime", type=_address, metavar="URL", help="run on the runtime at this address, wss://HOST:PORT"
-    )
-    parser.add_argument(
-        "--token-file", dest="token", type=_token, metavar="FILE", help="a token for it (else ONIKA_TOKEN)"
+        "--token-file", dest="token", type=_token, metavar="FILE", help=say(Reason.of("cli.run_token_file"))
     )
     parser.add_argument(
         "--scale",
         type=scale,
         metavar="X",
-        help="in virtual time, X times as fast as wall time (0.01 to 1000)",
+        help=say(Reason.of("cli.run_scale")),
     )
     parser.add_argument(
-        "--subsystem", action="append", default=[], metavar="NAME", help="a name for the next flow's subsystem (flow0)"
+        "--subsystem", action="append", default=[], metavar="NAME", help=say(Reason.of("cli.run_subsystem"))
     )
     parser.add_argument(
         "--redirect", action="append", default=[], type=_redirect, metavar="[FLOW:]TASK=TASK",
-        help="another task in place of one, in one flow (0, 1 …) or in all: puma=scara; may be given several times",
+        help=say(Reason.of("cli.run_redirect")),
     )  # fmt: skip
-    parser.add_argument("--script", type=script_file, metavar="FILE", help="lines that steer the run")
+    parser.add_argument("--script", type=script_file, metavar="FILE", help=say(Reason.of("cli.run_script")))
     parser.add_argument(
         "--on-error", choices=("abort", "wait"),
-        help="at an error end the run, or wait to be told (wait where there is a keyboard or a script)",
+        help=say(Reason.of("cli.run_on_error")),
     )  # fmt: skip
     parser.add_argument(
         "--on-loss", choices=("stop", "finish", "run"), default="stop",
-        help="when this program is gone: stop, finish the current actions and pause, or run on (stop)",
+        help=say(Reason.of("cli.run_on_loss")),
     )  # fmt: skip
-    parser.add_argument("--ca", type=Path, metavar="FILE", help="certificates to trust for it beside the system's")
+    parser.add_argument("--ca", type=Path, metavar="FILE", help=say(Reason.of("cli.run_ca")))
 
 
 def carry_out(given: argparse.Namespace) -> int:
     """Run it."""
     if bool(given.application) == (given.source is not None):
-        given.complain("expected an application, or --from a recording")
+        given.complain(say(Reason.of("cli.no_application")))
     if given.at is not None and given.source is None:
-        given.complain("expected --from a recording together with --at")
+        given.complain(say(Reason.of("cli.at_alone")))
     if given.json:
         watcher: JsonLines | LiveDisplay | PlainDisplay = JsonLines()
     else:
@@ -139,7 +140,9 @@ def _keep(path: Path, settings: RunSettings, site: Site, outcome: Outcome) -> in
     seen = outcome.result.hash if outcome.result is not None else ""
     with in_order():
         is_kept, report = keep_in(path, settings, site, workers=os.cpu_count() or 1, seen=seen)
-    sys.stderr.write("".join(f"{'test' if is_kept else 'no test'}: {line}\n" for line in report))
+    for line in report:
+        note = Reason.of("cli.test_kept", line=line) if is_kept else Reason.of("cli.test_not_kept", line=line)
+        sys.stderr.write(f"{say(note)}\n")
     return 0 if is_kept else 1
 
 
@@ -153,8 +156,8 @@ def _draw(outcome: Outcome, path: Path) -> str:
     if outcome.result is None:
         return ""
     for snapshot in outcome.snapshots.values():
-        return world_picture.draw(snapshot, path) or f"picture: {path}"
-    return "no picture: there is no world to draw"
+        return world_picture.draw(snapshot, path) or say(Reason.of("cli.picture", path=str(path)))
+    return say(Reason.of("cli.no_picture"))
 
 
 def _joined(answers: list[tuple[str, str, str]]) -> tuple[tuple[str, str, str], ...]:

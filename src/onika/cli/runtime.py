@@ -7,50 +7,53 @@ from contextlib import ExitStack
 from pathlib import Path
 
 from onika.cli.console_session import sit_down
+from onika.cli.language import say
 from onika.cli.search_path import directory, site_here
 from onika.cli.time_scale import scale
 from onika.desk.run.runtime import Runtime
 from onika.link.lost import LinkLost
 from onika.words.name import TASK_NAME
+from onika.words.reason import Reason
 
 SHORTEST_S, LONGEST_S = 0.2, 3.0
 """Three beats; and after three seconds a session is lost altogether."""
 _LISTENING = re.compile(r"^onika runtime: listening on ([^\s,]+)", re.MULTILINE)
 
 
+def purpose() -> Reason:
+    """What the command is for."""
+    return Reason.of("cli.purpose_runtime")
+
+
 def describe(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
     parser.set_defaults(complain=parser.error)
-    parser.add_argument("--virtual", action="store_true", help="in virtual time, which passes when a line says so")
-    parser.add_argument(
-        "--scale", type=scale, metavar="X", help="in virtual time that passes by itself, X times as fast as wall time"
-    )
+    parser.add_argument("--virtual", action="store_true", help=say(Reason.of("cli.runtime_virtual")))
+    parser.add_argument("--scale", type=scale, metavar="X", help=say(Reason.of("cli.runtime_scale")))
     parser.add_argument(
         "--rtpu", action="append", default=[], type=unit, metavar="NAME",
-        help="a processing unit; may be given several times (rt0)",
+        help=say(Reason.of("cli.runtime_rtpu")),
     )  # fmt: skip
-    parser.add_argument("--script", type=script_file, metavar="FILE", help="lines to carry out first")
-    parser.add_argument(
-        "--no-console", action="store_true", help="end after the script, or only serve those who connect"
-    )
-    parser.add_argument("--listen", metavar="HOST:PORT", help="let others connect; on this machine with a token")
-    parser.add_argument("--cert", metavar="FILE", help="certificate, to listen to other machines")
-    parser.add_argument("--key", metavar="FILE", help="key of the certificate")
-    parser.add_argument("--users", metavar="FILE", help="who may connect: lines of name, role, SHA-256 of a token")
-    parser.add_argument("--name", action="append", default=[], metavar="HOST", help="another name of this machine")
-    parser.add_argument("--accept-code", action="store_true", help="take modules from other machines, too")
+    parser.add_argument("--script", type=script_file, metavar="FILE", help=say(Reason.of("cli.console_script")))
+    parser.add_argument("--no-console", action="store_true", help=say(Reason.of("cli.runtime_no_console")))
+    parser.add_argument("--listen", metavar="HOST:PORT", help=say(Reason.of("cli.runtime_listen")))
+    parser.add_argument("--cert", metavar="FILE", help=say(Reason.of("cli.runtime_cert")))
+    parser.add_argument("--key", metavar="FILE", help=say(Reason.of("cli.runtime_key")))
+    parser.add_argument("--users", metavar="FILE", help=say(Reason.of("cli.runtime_users")))
+    parser.add_argument("--name", action="append", default=[], metavar="HOST", help=say(Reason.of("cli.runtime_name")))
+    parser.add_argument("--accept-code", action="store_true", help=say(Reason.of("cli.runtime_accept_code")))
     parser.add_argument(
         "--audit",
         metavar="FILE",
-        help="where commands and changes of holder are written down (~/.local/state); off: nowhere",
+        help=say(Reason.of("cli.runtime_audit")),
     )
     parser.add_argument(
         "--lease",
         type=lease,
         metavar="SECONDS",
-        help="after how long a silent holder holds nothing any more (as the way allows, 0.25 to 1.0)",
+        help=say(Reason.of("cli.runtime_lease")),
     )
-    parser.add_argument("--no-fifo", action="store_true", help="do not ask for real-time scheduling")
+    parser.add_argument("--no-fifo", action="store_true", help=say(Reason.of("cli.page_no_fifo")))
     add_base(parser)
 
 
@@ -58,7 +61,7 @@ def carry_out(given: argparse.Namespace) -> int:
     """Start it and sit down at it."""
     listen = _listen(given)
     if given.no_console and given.script is None and not listen:
-        given.complain("expected --listen or --script with --no-console, found neither: nobody could reach the runtime")
+        given.complain(say(Reason.of("cli.unreachable")))
     rtpus = tuple(dict.fromkeys(given.rtpu)) or ("rt0",)
     site = site_here(given.base)
     scaled = () if given.scale is None else ("--scale", f"{given.scale:g}")
@@ -79,7 +82,7 @@ def add_base(parser: argparse.ArgumentParser) -> None:
     """Where tasks, configurations and applications are looked for first."""
     parser.add_argument(
         "--base", "--local", action="append", default=[], type=directory, metavar="DIR",
-        help="a base directory to look in first; may be given several times",
+        help=say(Reason.of("cli.runtime_local")),
     )  # fmt: skip
 
 

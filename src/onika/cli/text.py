@@ -4,18 +4,26 @@ import argparse
 import sys
 from pathlib import Path
 
+from onika.cli.language import say
 from onika.cli.search_path import directory, site_here
 from onika.desk.plan.application_text import convert, is_text, keep, unfit
+from onika.words.fault import Fault, Refusal
+from onika.words.reason import Reason
+
+
+def purpose() -> Reason:
+    """What the command is for."""
+    return Reason.of("cli.purpose_text")
 
 
 def describe(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
-    parser.add_argument("file", metavar="NAME|FILE", help="an application, or a text: what ends with .al")
-    parser.add_argument("-o", dest="out", type=Path, metavar="OUT", help="the file to write (standard output)")
-    parser.add_argument("--overwrite", action="store_true", help="replace OUT if it is there")
-    parser.add_argument("--whole", action="store_true", help="a text that needs no dictionary to be read back")
+    parser.add_argument("file", metavar="NAME|FILE", help=say(Reason.of("cli.text_file")))
+    parser.add_argument("-o", dest="out", type=Path, metavar="OUT", help=say(Reason.of("cli.text_out")))
+    parser.add_argument("--overwrite", action="store_true", help=say(Reason.of("cli.text_overwrite")))
+    parser.add_argument("--whole", action="store_true", help=say(Reason.of("cli.text_whole")))
     parser.add_argument(
-        "--local", action="append", default=[], type=directory, metavar="DIR", help="a base directory to look in first"
+        "--local", action="append", default=[], type=directory, metavar="DIR", help=say(Reason.of("cli.check_local"))
     )
 
 
@@ -30,7 +38,7 @@ def carry_out(given: argparse.Namespace) -> int:
         return _failed(wrong)
     converted = convert(path, given.out, site, is_whole=given.whole)
     for note in converted.notes:
-        print(f"note: {note}", file=sys.stderr)
+        print(say(Reason.of("cli.note", text=note.sentence)), file=sys.stderr)
     if converted.application is None:
         return _failed(*converted.faults)
     if given.out is None:
@@ -43,7 +51,7 @@ def carry_out(given: argparse.Namespace) -> int:
     return 0
 
 
-def _failed(*reasons: object) -> int:
+def _failed(*reasons: Fault | Refusal) -> int:
     for reason in reasons:
-        print(reason, file=sys.stderr)
+        print(say(reason.sentence), file=sys.stderr)
     return 1
