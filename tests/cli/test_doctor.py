@@ -9,7 +9,7 @@ BAD = Feature("graphics", False, "none [bold]", "no pictures")
 
 @pytest.mark.parametrize(("is_there", "code"), [([GOOD], 0), ([GOOD, BAD], 1)])
 def test_what_is_there_and_what_lacking_it_costs_is_told(monkeypatch, capsys, is_there, code):  # law 31
-    monkeypatch.setattr(room, "offers", lambda: is_there)
+    monkeypatch.setattr(room, "features", lambda: is_there)
     assert main(["doctor"]) == code
     lines = capsys.readouterr().out.splitlines()
     assert lines[0].split() == ["ok", "python", "3.11.7"]

@@ -144,6 +144,9 @@ class Engine:
             return [] if is_late else [Note(flow.flow, f"{news.task} is no task of this flow: ignored")]
         if flow.state in _OVER:
             return self._hear_while_killing(flow, news)
+        return self._hear_under_way(flow, news)
+
+    def _hear_under_way(self, flow: Progress, news: TaskNews) -> list[Order]:
         match news:
             case Spawned():
                 flow.flow_tasks.spawned(news.task)
@@ -156,7 +159,8 @@ class Engine:
             case SwitchedOff():
                 return self._switched_off(flow, news.task)
             case Asked():
-                return [Note(flow.flow, f"{flow.where(news.task)} asks" + (f": {news.reason}" if news.reason else ""))]
+                reason = f": {news.reason}" if news.reason else ""
+                return [Note(flow.flow, f"{flow.where(news.task)} asks{reason}")]
             case Failed():
                 return self._failed(flow, news)
             case Cleared():

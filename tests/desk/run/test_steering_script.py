@@ -21,9 +21,8 @@ def test_all_faults_are_told_with_their_lines():  # R-E07
     script_lines, faults = read("dance\npause\nskip 7\n", "s", CAST)
     assert [script_line.text for script_line in script_lines] == ["pause"]
     assert [fault.place for fault in faults] == [Place("s", 1), Place("s", 3)]
-    assert faults[1] == Fault(
-        Place("s", 3), Reason.plain("expected an action of flow0 from 1 to 2, found 7"), Reason.of("words.nothing_run")
-    )
+    unknown = Reason.of("desk.action_range", subsystem="flow0", count=2, word="7")
+    assert faults[1] == Fault(Place("s", 3), unknown, Reason.of("words.nothing_run"))
 
 
 def test_a_file_is_read_or_its_fault_is_told(tmp_path):  # R-E07

@@ -4,7 +4,7 @@ import pytest
 from msgspec import structs
 
 from kit.live_edits import LiveEdits
-from onika.host.execution.task_events import asked, by_hand, in_a_run
+from onika.host.execution.task_events import by_hand, in_a_run, question_of
 from onika.runtime import news
 from onika.runtime.user_input import AskedItem
 from onika.wire import event, live
@@ -164,7 +164,7 @@ def test_where_a_module_failed_is_told_with_its_values(speaker):  # R-A18
 
 def test_what_a_task_asks_for_is_told_item_by_item():  # R-A10
     item = AskedItem("goal", "double", 1, "m", "where to", None, (-9.0,), (9.0,))
-    one = asked(news.Asked("s0", "servo", "too far", (item,), 5), 0.5)
+    one = question_of(news.Asked("s0", "servo", "too far", (item,), 5), 0.5)
     assert (one.task, one.reason, one.at_s) == ("servo", "too far", 0.5)
     assert [(item.name, item.low, item.high) for item in one.items] == [("goal", (-9.0,), (9.0,))]
 

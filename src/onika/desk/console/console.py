@@ -1,6 +1,6 @@
 """The console itself: carries out lines, one command each, and runs scripts of them (requirement A16)."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from onika.desk.console import commands
@@ -14,6 +14,7 @@ from onika.desk.console.variable_watch import VariableWatch
 from onika.desk.run import script_lines
 from onika.wire import request
 from onika.words.fault import Place
+from onika.words.reason import Reason
 
 Words = tuple[str, ...]
 _DEEPEST = 16
@@ -40,7 +41,7 @@ class Console:
         try:
             return self._carry_out(script_lines.bare(line))
         except TimeoutError as late:
-            return session.no("an answer of the runtime", str(late), "it may have been done all the same")
+            return session.no(Reason.of("console.no_answer", cause=str(late)), Reason.of("console.perhaps_done"))
         finally:
             session.place = former
 
@@ -58,7 +59,7 @@ class Console:
         if lines is None:
             return faults
         if self._depth == _DEEPEST:
-            return self.session.no(f"scripts within scripts {_DEEPEST} deep at most", str(path))
+            return self.session.no(Reason.of("console.scripts_too_deep", deepest=_DEEPEST, path=str(path)))
         former, self.session.in_script = self.session.in_script, True
         self._depth += 1
         try:
@@ -78,7 +79,8 @@ class Console:
             if faults:
                 own = any(fault.place == place for fault in faults)
                 self.session.place = place
-                last = () if own else self.session.no(f"`{line}` carried out", "what is said above", "the script ends")
+                failed = Reason.of("console.script_line_failed", line=line)
+                last = () if own else self.session.no(failed, Reason.of("console.script_ends"))
                 return (*faults, *last)
             self.session.hear()
             if self.is_over:
@@ -93,12 +95,11 @@ class Console:
             return ()
         matches = find(name, self._commands)
         if len(matches) != 1:
-            names = ", ".join(command.name for command in matches)
-            return self.session.no("one command" + (f" of {names}" if names else "; `help` names them"), repr(name))
+            return self.session.no(_not_one(name, matches))
         try:
             words = matches[0].words(rest.strip())
         except ValueError as wrong:
-            return self.session.no(f"`{matches[0].usage}`", str(wrong))
+            return self.session.no(Reason.of("console.usage", usage=matches[0].usage, line=str(wrong)))
         return matches[0].carry_out(self.session, words)
 
     # -- lines about the console itself
@@ -166,7 +167,7 @@ class Console:
         if words:
             matches = find(words[0], self._commands)
             if not matches:
-                return session.no("a command; `help` names them", repr(words[0]))
+                return session.no(Reason.of("console.command_unknown", word=words[0]))
             for match in matches:
                 session.say(match.usage, Tone.HEAD)
                 for line in match.text.splitlines():
@@ -184,10 +185,17 @@ class Console:
 
     def _quit(self, session: ConsoleSession, words: Words) -> Faults:
         if words and words != ("runtime",):
-            return session.no("`quit [runtime]`", f"`quit {words[0]}`")
+            return session.no(Reason.of("console.quit_usage", word=words[0]))
         if words:
             faults = session.order(request.Quit())
             if faults:
                 return faults
         self.is_over = True
         return ()
+
+
+def _not_one(name: str, matches: Sequence[Command]) -> Reason:
+    """Why a name is not that of one command."""
+    if matches:
+        return Reason.of("console.several_commands", names=tuple(command.name for command in matches), name=name)
+    return Reason.of("console.not_one_command", name=name)

@@ -3,6 +3,7 @@
 from onika.desk.console.display import Tone
 from onika.desk.console.session import ConsoleSession, Faults
 from onika.wire import holding, live, request
+from onika.words.reason import Reason
 
 Words = tuple[str, ...]
 
@@ -56,7 +57,7 @@ def sessions(session: ConsoleSession, words: Words) -> Faults:
     del words
     answer = session.ask(holding.Sessions())
     if not isinstance(answer, holding.Company):
-        return session.no("who is there", str(getattr(answer, "reason", answer)))
+        return session.no(Reason.of("console.sessions_refused", reason=str(getattr(answer, "reason", answer))))
     held: dict[str, list[str]] = {}
     for subsystem in session.look_again().subsystems:
         held.setdefault(subsystem.holder, []).append(subsystem.name)
@@ -77,14 +78,11 @@ def open_channel(session: ConsoleSession, words: Words) -> Faults:
             session.say(f"others reach this runtime at {address}", Tone.GOOD)
         return ()
     wanted = words[0] if words else "127.0.0.1:7994"
-    reality = (
-        f"one that listens at {' '.join(session.addresses)}" if session.addresses else "one for this console alone"
-    )
-    return session.no(
-        "a runtime that was started to listen there",
-        reality,
-        f"nothing is opened; end it and start `onika runtime --listen {wanted}`",
-    )
+    if session.addresses:
+        reason = Reason.of("console.listens_elsewhere", addresses=" ".join(session.addresses))
+    else:
+        reason = Reason.of("console.listens_to_nobody")
+    return session.no(reason, Reason.of("console.start_listening", address=wanted))
 
 
 def _hand(session: ConsoleSession, message: request.Request) -> Faults:

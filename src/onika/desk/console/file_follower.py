@@ -9,6 +9,7 @@ from onika.desk.console.session import ConsoleSession, Faults
 from onika.desk.console.task_lines import missing
 from onika.desk.console.tuning_lines import code_file, exchange
 from onika.words.fault import Place
+from onika.words.reason import Reason
 
 Words = tuple[str, ...]
 _PERIOD_S = 1.0
@@ -52,7 +53,9 @@ class Follow:
         path = Path(words[1]) if len(words) > 1 else code_file(session, subsystem, name)
         look = None if path is None else _look(path)
         if path is None or look is None:
-            return session.no("the file of its code", f"none of {words[0]!r}" if path is None else f"nothing at {path}")
+            if path is None:
+                return session.no(Reason.of("console.code_file_unknown", word=words[0]))
+            return session.no(Reason.of("console.code_file_missing", path=str(path)))
         self._files[subsystem, name] = look
         session.say(f"{subsystem}/{name} follows {path}", Tone.DIM)
         return ()

@@ -13,6 +13,7 @@ from onika.desk.console.value import shown, type_of
 from onika.desk.run import text_table
 from onika.wire import live, request
 from onika.words.name import TASK_NAME
+from onika.words.reason import Reason
 
 Words = tuple[str, ...]
 _ELEMENT = re.compile(r"([^\[\]]+)\[(\d+(?:,\d+)*)\]\Z")
@@ -22,7 +23,7 @@ def status(session: ConsoleSession, words: Words) -> Faults:
     """Figures of all tasks in the columns that the user prefers, or every figure of the tasks named."""
     figures = session.ask(live.Status())
     if not isinstance(figures, live.Figures):
-        return refused(session, "figures", figures)
+        return refused(session, Reason.of("console.figures"), figures)
     if not words:
         preferences, _ = session.site.preferences()
         session.show(columns.overview(list(figures.tasks), preferences.status_columns))
@@ -30,7 +31,7 @@ def status(session: ConsoleSession, words: Words) -> Faults:
         subsystem, name = session.address(word)
         figures_of_task = [figure for figure in figures.tasks if (figure.subsystem, figure.task) == (subsystem, name)]
         if not figures_of_task:
-            return missing(session, subsystem, (name,)) or session.no("figures of a task", f"none of {word!r}")
+            return missing(session, subsystem, (name,)) or session.no(Reason.of("console.no_figures", word=word))
         session.show(columns.whole(figures_of_task[0]))
     if figures.loads:
         session.say("load: " + "  ".join(f"{name} {load:.1%}" for name, load in sorted(figures.loads.items())))
@@ -101,7 +102,7 @@ def choose(session: ConsoleSession, words: Words) -> Faults:
         session.say(session.subsystem)
         return ()
     if not TASK_NAME.match(words[0]):
-        return session.no("a name of letters, digits and _ . - that begins with a letter", repr(words[0]))
+        return session.no(Reason.of("desk.icon_name", name=words[0]))
     session.subsystem = words[0]
     return ()
 
@@ -111,7 +112,7 @@ def variables(session: ConsoleSession, words: Words) -> Faults:
     subsystem, pattern = session.address(words[0] if words else "*")
     answer = session.ask(live.Read(subsystem))
     if not isinstance(answer, live.Values):
-        return refused(session, f"variables of {subsystem}", answer)
+        return refused(session, Reason.of("console.variables_of", subsystem=subsystem), answer)
     types = types_of(answer)
     names = [name for name in sorted(answer.values) if fnmatchcase(name, pattern)]
     rows = [(name, types[name], " ".join(_one_line(name, answer.values[name]))) for name in names]
@@ -141,9 +142,9 @@ def value(session: ConsoleSession, subsystem: str, name: str) -> tuple[Any, Faul
         return (None, faults) if faults else _element(session, name, whole, element[2])
     answer = session.ask(live.Read(subsystem, (name,)))
     if not isinstance(answer, live.Values):
-        return None, refused(session, f"the variable {name} of {subsystem}", answer)
+        return None, refused(session, Reason.of("console.variable_of", name=name, subsystem=subsystem), answer)
     if name not in answer.values:
-        return None, session.no(f"a variable of {subsystem}", repr(name))
+        return None, session.no(Reason.of("console.no_variable", subsystem=subsystem, name=name))
     return answer.values[name], ()
 
 
@@ -154,18 +155,21 @@ def check(session: ConsoleSession, words: Words) -> Faults:
     for name in names:
         answer = session.ask(live.Check(name))
         if not isinstance(answer, live.Findings):
-            faults += refused(session, f"a check of {name}", answer)
+            faults += refused(session, Reason.of("console.check_of", name=name), answer)
             continue
         for finding in answer.findings:
-            faults += session.no(f"sound memory of variables in {name}", finding, "the tasks go on")
+            faults += session.no(
+                Reason.of("console.unsound_memory", name=name, finding=finding), Reason.of("console.tasks_go_on")
+            )
         if not answer.findings:
             session.say(f"{name}: the memory of variables is sound", Tone.GOOD)
     return faults
 
 
-def refused(session: ConsoleSession, expected: str, answer: request.Response) -> Faults:
+def refused(session: ConsoleSession, expected: Reason, answer: request.Response) -> Faults:
     """The fault of an answer that is not what was asked for."""
-    return session.no(expected, answer.reason if isinstance(answer, request.Refused) else str(answer))
+    reason = answer.reason if isinstance(answer, request.Refused) else str(answer)
+    return session.no(Reason.of("console.refused", expected=expected, reason=reason))
 
 
 def types_of(values: live.Values) -> dict[str, str]:
@@ -176,7 +180,7 @@ def types_of(values: live.Values) -> dict[str, str]:
 def _element(session: ConsoleSession, name: str, whole: Any, index: str) -> tuple[Any, Faults]:
     for place in map(int, index.split(",")):
         if not isinstance(whole, list) or place >= len(whole):
-            return None, session.no("an element, counted from 0", repr(name))
+            return None, session.no(Reason.of("console.no_element", name=name))
         whole = whole[place]
     return whole, ()
 

@@ -13,6 +13,7 @@ from onika.desk.console.value import words as exact
 from onika.files import whole
 from onika.wire import live
 from onika.words.fault import Refusal
+from onika.words.reason import Reason
 
 Words = tuple[str, ...]
 
@@ -25,13 +26,13 @@ def log(session: ConsoleSession, words: Words) -> Faults:
     for subsystem in subsystems:
         answer = session.ask(live.Read(subsystem))
         if not isinstance(answer, live.Values):
-            return refused(session, f"variables of {subsystem}", answer)
+            return refused(session, Reason.of("console.variables_of", subsystem=subsystem), answer)
         lines += rows(subsystem, answer)
     moment = datetime.now().astimezone().isoformat(timespec="seconds")
     head = f"# readings at {moment}\n# TIME SUBSYSTEM NAME TYPE VALUES\n"
     written = whole.write(path, head + "".join(line + "\n" for line in lines), whole.ANYTHING)
     if isinstance(written, Refusal):
-        return session.no("a file that can be written", str(written), "nothing is written")
+        return session.no(Reason.of("console.unwritable", reason=written.sentence), Reason.of("desk.nothing_written"))
     session.say(f"{path}: {len(lines)} variable{'s' if len(lines) != 1 else ''}")
     return ()
 

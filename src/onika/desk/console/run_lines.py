@@ -10,7 +10,7 @@ from onika.desk.run.steering_fault import objection
 from onika.model.redirect import Redirect
 from onika.wire import request
 from onika.words.fault import Place
-from onika.words.reason import Reason
+from onika.words.reason import Reason, reason_of
 
 Words = tuple[str, ...]
 HOME = "go_home"
@@ -29,11 +29,11 @@ def run(session: ConsoleSession, words: Words) -> Faults:
 def begin(session: ConsoleSession, words: Words) -> Faults:
     """Begin an application, and go on with the next line at once, in a script too."""
     if session.running:
-        return session.no("no application that runs", session.running)
+        return session.no(Reason.of("console.one_runs_already", name=session.running))
     try:
         redirects = tuple(map(Redirect.parse, words[1:]))
     except ValueError as wrong:
-        return (objection(Place("line"), str(wrong), Reason.of("words.nothing_run")),)
+        return (objection(Place("line"), reason_of(wrong), Reason.of("words.nothing_run")),)
     prepared = prepare_run(words[0], session.site, redirects)
     for note in prepared.notes:
         session.say(f"note: {note}", Tone.NOTE)
@@ -56,13 +56,13 @@ def abort(session: ConsoleSession, words: Words) -> Faults:
     """End the run: tasks off, drives in hold."""
     is_there = session.running or any(subsystem.application for subsystem in session.look_again().subsystems)
     if not is_there:
-        return session.no("an application that runs", "none")
+        return session.no(Reason.of("console.no_application_runs"))
     cause = " ".join(words) or "aborted by the user"
     faults = session.order(request.Abort(cause))
     if not session.running:  # one that somebody left alone
         session.hear()
         return faults
-    return faults or session.until(lambda: not session.running, "the end of the run")
+    return faults or session.until(lambda: not session.running, Reason.of("console.end_of_run"))
 
 
 def home(session: ConsoleSession, words: Words) -> Faults:
@@ -76,5 +76,4 @@ def calibrate(session: ConsoleSession, words: Words) -> Faults:
     name = f"{CALIBRATE}_{words[0]}" if words else CALIBRATE
     if name in SiteLibrary(session.site, session.place).applications:
         return run(session, (name,))
-    expected = f"an application {name} on the search path, which knows how this robot is calibrated"
-    return session.no(expected, "none", "nothing moves; the shipped arms measure absolute angles and need none")
+    return session.no(Reason.of("console.no_calibration", name=name), Reason.of("console.calibration_unneeded"))

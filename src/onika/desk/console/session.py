@@ -22,7 +22,7 @@ Clock = Callable[[], float]
 TYPED = Place("line")
 """The place of a line that was typed."""
 
-NOTHING = "nothing is changed"
+NOTHING_CHANGED = Reason.of("words.nothing_changed")
 _LOOK_S = 0.05
 _PATIENCE_S = 30.0
 _KEPT = 64
@@ -89,7 +89,7 @@ class ConsoleSession:
         """Listen to everything, and choose the subsystem that is there, if it is the only one."""
         answer = self.ask(live.Attend(("*",)))
         if isinstance(answer, request.Refused):
-            return self.no("a runtime that can be operated by hand", answer.reason)
+            return self.no(Reason.of("console.not_by_hand", reason=answer.reason))
         self.is_stopped = self.standing().is_stopped
         present = [subsystem for subsystem in self.standing().subsystems if not subsystem.application]
         if len(present) == 1:
@@ -107,9 +107,9 @@ class ConsoleSession:
         for number, line in enumerate(lines):
             self.say(line, Tone.PLAIN if number else Tone.HEAD)
 
-    def no(self, expected: str, reality: str, instead: str = NOTHING) -> Faults:
+    def no(self, reason: Reason, instead: Reason = NOTHING_CHANGED) -> Faults:
         """One fault at the place of the present line."""
-        return (Fault(self.place, Reason.plain(f"expected {expected}, found {reality}"), Reason.plain(instead)),)
+        return (Fault(self.place, reason, instead),)
 
     # -- asking
 
@@ -122,7 +122,7 @@ class ConsoleSession:
         answer = self.ask(message)
         match answer:
             case request.Refused():
-                return self.no("the runtime to do it", answer.reason)
+                return self.no(Reason.of("console.runtime_refused", reason=answer.reason))
             case request.Prepared():
                 for note in answer.notes:
                     self.say(f"note: {note}", Tone.NOTE)
@@ -170,14 +170,15 @@ class ConsoleSession:
                     self.say(line, tone)
         self._tick()
 
-    def until(self, reached: Callable[[], bool], expected: str, within_s: float = _PATIENCE_S) -> Faults:
+    def until(self, reached: Callable[[], bool], expected: Reason, within_s: float = _PATIENCE_S) -> Faults:
         """Hear until something is so; a fault where it is not within the seconds, and after Ctrl-C, which stops all."""
         until_s = self.clock() + within_s
         while not reached():
             if self.is_interrupted():
                 return self.interrupt()
             if self.clock() >= until_s:
-                return self.no(expected, f"not so within {within_s:g} s", "it may still come")
+                late = Reason.of("console.not_so_within", expected=expected, seconds=within_s)
+                return self.no(late, Reason.of("console.may_still_come"))
             self.hear(min(_LOOK_S, within_s))
         return ()
 
@@ -185,19 +186,18 @@ class ConsoleSession:
         """Ctrl-C: every drive holds (decision 11)."""
         self.ask(request.Stop("stopped by the user (Ctrl-C)"))
         self.hear()
-        return self.no("no Ctrl-C", "one", "everything is stopped")
+        return self.no(Reason.of("console.ctrl_c"), Reason.of("console.everything_stopped"))
 
     def _outcome(self, subsystem: str, number: int) -> Faults:
         """Wait until a change is done or refused, or a task asks, which is for the user to go on with."""
         questions_before = set(self.questions)
         key = (subsystem, number)
-        faults = self.until(
-            lambda: key in self._edits or bool(set(self.questions) - questions_before), "the change to be done"
-        )
+        change = Reason.of("console.change")
+        faults = self.until(lambda: key in self._edits or bool(set(self.questions) - questions_before), change)
         if faults or key not in self._edits:
             return faults
         cause = self._edits.pop(key).cause
-        return self.no("the change to be done", cause) if cause else ()
+        return self.no(Reason.of("console.change_refused", cause=cause)) if cause else ()
 
     def _tick(self) -> None:
         """Each once; what one of them asks for and hears begins none anew."""

@@ -11,6 +11,7 @@ from onika.desk.run.steering import SteeringOrder
 from onika.desk.run.steering_fault import GOES_ON, objection
 from onika.wire import request, steer
 from onika.wire.steer import Position
+from onika.words.reason import Reason, reason_of
 
 Words = tuple[str, ...]
 
@@ -21,11 +22,11 @@ def verb(name: str) -> Callable[[ConsoleSession, Words], Faults]:
     def carry_out(session: ConsoleSession, words: Words) -> Faults:
         flow_index = flow_index_of(session, where(session))
         if not flow_index.parts:
-            return session.no("an application that runs", "none")
+            return session.no(Reason.of("console.no_application_runs"))
         try:
             act = steering.act(" ".join((name, *words)), flow_index)
         except ValueError as wrong:
-            return (objection(session.place, str(wrong), GOES_ON),)
+            return (objection(session.place, reason_of(wrong), GOES_ON),)
         return _order(session, act.message) if isinstance(act, SteeringOrder) else ()
 
     return carry_out

@@ -9,6 +9,7 @@ from onika.desk.plan.compile import UNKNOWN
 from onika.model.configuration import Configuration
 from onika.wire import live
 from onika.wire.plan import Code, PlannedTask
+from onika.words.reason import Reason
 
 Words = tuple[str, ...]
 ALL = "all"
@@ -32,7 +33,7 @@ def spawn(session: ConsoleSession, words: Words) -> Faults:
     if not isinstance(wish, _SpawnLine):
         return wish
     if wish.name and len(wish.names) != 1:
-        return session.no("one task before `as`", str(len(wish.names)))
+        return session.no(Reason.of("console.one_task_before_as", count=len(wish.names)))
     subsystem, _ = session.address(wish.names[0])
     planned: list[PlannedTask] = []
     code: dict[str, Code] = {}
@@ -40,7 +41,7 @@ def spawn(session: ConsoleSession, words: Words) -> Faults:
     for address in wish.names:
         home, name = session.address(address)
         if home != subsystem:
-            faults += session.no(f"tasks of one subsystem, as {subsystem}", home)
+            faults += session.no(Reason.of("console.one_subsystem", subsystem=subsystem, home=home))
         task, source, wrong = SiteLibrary(session.site, session.place).planned(name, wish.rtpu)
         faults += wrong
         if task is not None and source is not None:
@@ -118,13 +119,14 @@ def configure(session: ConsoleSession, words: Words) -> Faults:
 def missing(session: ConsoleSession, subsystem: str, names: Words) -> Faults:
     """A fault for each task that does not live."""
     living = session.tasks(subsystem)
-    there = f" ({', '.join(living)})" if living else " (there is none)"
-    return tuple(
-        fault
-        for name in names
-        if name not in living
-        for fault in session.no(f"a living task of {subsystem}{there}", repr(name))
-    )
+    absent = [name for name in names if name not in living]
+    if living:
+        reasons = [
+            Reason.of("console.not_living", subsystem=subsystem, living=tuple(living), name=name) for name in absent
+        ]
+    else:
+        reasons = [Reason.of("console.none_living", subsystem=subsystem, name=name) for name in absent]
+    return tuple(fault for reason in reasons for fault in session.no(reason))
 
 
 def _several(session: ConsoleSession, words: Words, change: Callable[[str, Words], live.Change]) -> Faults:
@@ -145,7 +147,7 @@ def _several(session: ConsoleSession, words: Words, change: Callable[[str, Words
 
 def _spawn_all(session: ConsoleSession, words: Words) -> Faults:
     if len(words) != 1:
-        return session.no("`spawn all of CONFIGURATION`", f"`{' '.join(('spawn all of', *words))}`")
+        return session.no(Reason.of("console.spawn_all_usage", line=" ".join(("spawn all of", *words))))
     configuration, faults = SiteLibrary(session.site, session.place).configuration(words[0])
     if configuration is None or faults:
         return faults
@@ -181,12 +183,12 @@ def _wish(session: ConsoleSession, words: Words) -> _SpawnLine | Faults:
     names, rest = words[:start], words[start:]
     settings = dict(zip(rest[::2], rest[1::2], strict=False))
     if not names or len(rest) % 2 or len(settings) * 2 != len(rest) or set(settings) - {"on", "as", "at"}:
-        return session.no("`spawn TASK… [on RTPU] [as NAME] [at HZ]`", f"`spawn {' '.join(words)}`")
+        return session.no(Reason.of("console.spawn_usage", words=" ".join(words)))
     frequency = None
     if "at" in settings:
         frequency = positive(settings["at"])
         if frequency is None:
-            return session.no("a rate in hertz after `at`", repr(settings["at"]))
+            return session.no(Reason.of("console.rate_after_at", word=settings["at"]))
     return _SpawnLine(names, settings.get("on", UNKNOWN), settings.get("as", ""), frequency)
 
 
@@ -203,4 +205,4 @@ def _unit_there(session: ConsoleSession, rtpu: str) -> Faults:
     units = [unit.name for unit in session.standing().rtpus]
     if rtpu == UNKNOWN or rtpu in units:
         return ()
-    return session.no(f"one of the units {', '.join(units)}", repr(rtpu))
+    return session.no(Reason.of("console.unit_unknown", units=tuple(units), rtpu=rtpu))

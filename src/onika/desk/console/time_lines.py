@@ -10,6 +10,7 @@ from onika.desk.console.task_lines import missing, positive
 from onika.model.lifecycle import State
 from onika.wire import live, request
 from onika.words.condition import Condition
+from onika.words.reason import Reason
 
 Words = tuple[str, ...]
 _WITHIN = re.compile(r"(.*?)\s+within\s+(\S+)\s*\Z")
@@ -25,9 +26,9 @@ def advance(session: ConsoleSession, words: Words) -> Faults:
     """In virtual time: let so many seconds pass."""
     seconds = positive(words[0])
     if seconds is None:
-        return session.no("seconds above 0", repr(words[0]))
+        return session.no(Reason.of("console.seconds", word=words[0]))
     if not session.standing().is_virtual:
-        return session.no("a runtime in virtual time", "one in wall time, where time passes by itself")
+        return session.no(Reason.of("console.wall_time"))
     return _advance(session, seconds)
 
 
@@ -40,7 +41,7 @@ def wait(session: ConsoleSession, words: Words) -> Faults:
     match = _WITHIN.match(text)
     condition, limit = (match[1], positive(match[2])) if match else (text, _USUAL_S)
     if limit is None:
-        return session.no("seconds after `within`", repr(text))
+        return session.no(Reason.of("console.within_seconds", text=text))
     if condition == "run":
         return ended(session, None if match is None else limit)
     parts = condition.split()
@@ -51,29 +52,30 @@ def wait(session: ConsoleSession, words: Words) -> Faults:
     try:
         expectation = Condition.parse(condition)
     except ValueError:
-        expected = "seconds, `run`, `TASK STATE`, `FLOW STATE` or a comparison such as `LAMP == 1`, or so `within S`"
-        return session.no(expected, repr(text))
+        return session.no(Reason.of("console.wait_usage", text=text))
     return _variable(session, expectation, limit)
 
 
 def ended(session: ConsoleSession, within_s: float | None = None) -> Faults:
     """Wait for the end of the run; a fault where it is not completed."""
     if not session.running and session.result is None:
-        return session.no("a run to wait for", "none")
+        return session.no(Reason.of("console.no_run_to_wait_for"))
     faults = until_asked(session, within_s)
     if faults or session.running:
         return faults or _asked(session)
     result = session.result
     if result is None or result.completed:
         return ()
-    return session.no("the run completed", f"it was aborted: {result.cause}", "the robot holds")
+    return session.no(Reason.of("console.run_aborted", cause=result.cause), Reason.of("console.robot_holds"))
 
 
 def until_asked(session: ConsoleSession, within_s: float | None = None) -> Faults:
     """Wait until the run is over or one of the tasks asks; a fault where neither is so within the seconds."""
     limit = float("inf") if within_s is None else within_s
     name = session.running
-    return session.until(lambda: not session.running or bool(session.questions), f"the end of {name}", limit)
+    return session.until(
+        lambda: not session.running or bool(session.questions), Reason.of("console.end_of", name=name), limit
+    )
 
 
 def _state(session: ConsoleSession, address: str, state: str, limit: float) -> Faults:
@@ -95,7 +97,7 @@ def _flow(session: ConsoleSession, name: str, state: str, limit: float) -> Fault
         return next((position.state for position in where(session) if position.subsystem == name), "gone")
 
     if now() == "gone":
-        return session.no("a flow of an application that runs", repr(name))
+        return session.no(Reason.of("console.no_flow", name=name))
     return _until(session, lambda: now() == state, limit, f"{name} {state}", now)
 
 
@@ -123,7 +125,8 @@ def _until(
         if session.is_interrupted():
             return session.interrupt()
         if _now(session, virtual) >= until_s - 1e-9:
-            return session.no(f"{expected} within {limit:g} s", reality(), "the line is given up")
+            late = Reason.of("console.not_within", expected=expected, limit=limit, reality=reality())
+            return session.no(late, Reason.of("console.line_given_up"))
         if not virtual:
             session.hear(_STEP_S)
             continue
@@ -158,10 +161,10 @@ def _advance(session: ConsoleSession, seconds: float) -> Faults:
         answer = session.ask(live.Advance(seconds / count))
         session.hear()
         if isinstance(answer, request.Refused):
-            return session.no("the clock to go on", answer.reason)
+            return session.no(Reason.of("console.clock_refused", reason=answer.reason))
     return ()
 
 
 def _asked(session: ConsoleSession) -> Faults:
-    asking = ", ".join("/".join(key) for key in session.questions)
-    return session.no("no task that asks, for nothing goes on until it is answered", asking)
+    asking = tuple("/".join(key) for key in session.questions)
+    return session.no(Reason.of("console.tasks_ask", asking=asking))

@@ -7,6 +7,7 @@ from onika.desk.console.site_library import SiteLibrary
 from onika.desk.console.task_lines import missing, positive
 from onika.wire import live, request
 from onika.words.argument import join
+from onika.words.reason import Reason
 
 Words = tuple[str, ...]
 
@@ -16,7 +17,7 @@ def rate(session: ConsoleSession, words: Words) -> Faults:
     subsystem, name = session.address(words[0])
     hz = positive(words[1])
     if hz is None:
-        return session.no("a rate in hertz", repr(words[1]))
+        return session.no(Reason.of("console.rate", word=words[1]))
     return missing(session, subsystem, (name,)) or session.order(live.Change(subsystem, rates=((name, hz),)))
 
 
@@ -28,7 +29,7 @@ def reinit(session: ConsoleSession, words: Words) -> Faults:
         return faults or session.order(live.Reinit(subsystem, name))
     key, values = words[1], words[2:]
     if not values:
-        return session.no(f"the words of the LOCAL line {key}", "none")
+        return session.no(Reason.of("console.local_words", key=key))
     local = dict(session.tasks(subsystem)[name].task.local) | {key: values}
     return session.order(live.Reinit(subsystem, name, tuple(local.items())))
 
@@ -42,7 +43,7 @@ def swap(session: ConsoleSession, words: Words) -> Faults:
     path = Path(words[1]) if len(words) > 1 else code_file(session, subsystem, name)
     if path is None:
         module = session.tasks(subsystem)[name].task.module
-        return session.no(f"{module}.py on the search path", "none")
+        return session.no(Reason.of("console.no_code", module=module))
     return exchange(session, subsystem, name, path)
 
 
@@ -81,8 +82,10 @@ def answer(session: ConsoleSession, words: Words) -> Faults:
     """The argument line that a task asks for."""
     subsystem, name = session.address(words[0])
     if (subsystem, name) not in session.questions:
-        asking = ", ".join("/".join(key) for key in session.questions)
-        return session.no("a task that asks" + (f" ({asking})" if asking else ""), repr(words[0]))
+        asking = tuple("/".join(key) for key in session.questions)
+        if asking:
+            return session.no(Reason.of("console.other_tasks_ask", asking=asking, word=words[0]))
+        return session.no(Reason.of("console.no_task_asks", word=words[0]))
     text = words[1] if len(words) > 1 else defaults(session, subsystem, name)
     line, faults = SiteLibrary(session.site, session.place).arguments(text)
     if faults:
@@ -107,7 +110,7 @@ def defaults(session: ConsoleSession, subsystem: str, name: str) -> str:
 def _value(session: ConsoleSession, name: str, message: request.Request) -> Faults:
     reply = session.ask(message)
     if isinstance(reply, request.Refused):
-        return session.no("the module to do it", reply.reason)
+        return session.no(Reason.of("console.module_refused", reason=reply.reason))
     if isinstance(reply, live.Value) and reply.value is not None:
         session.say(f"{name} = {reply.value}")
     return ()

@@ -8,6 +8,7 @@ from onika.desk.console.inspection import value
 from onika.desk.console.session import ConsoleSession, Faults
 from onika.desk.console.task_lines import positive
 from onika.desk.console.value import shown
+from onika.words.reason import Reason
 
 Words = tuple[str, ...]
 _USUAL_HZ = 2.0
@@ -36,7 +37,7 @@ class VariableWatch:
         hz = positive(words[-1])
         names = words if hz is None else words[:-1]
         if (hz is not None and hz > _MOST_HZ) or not names:
-            return session.no(f"variables, and a rate of at most {_MOST_HZ:g} Hz", " ".join(words))
+            return session.no(Reason.of("console.watch_usage", hz=_MOST_HZ, words=" ".join(words)))
         for name in names:
             _, faults = value(session, *session.address(name))
             if faults:

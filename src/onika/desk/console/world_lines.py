@@ -3,6 +3,7 @@
 from onika.desk.console.session import ConsoleSession, Faults
 from onika.desk.run import text_table
 from onika.wire import live, request
+from onika.words.reason import Reason
 
 Words = tuple[str, ...]
 
@@ -12,12 +13,12 @@ def touch(session: ConsoleSession, words: Words) -> Faults:
     if len(words) == 1:
         return _list(session, words[0])
     if len(words) != 3:
-        return session.no("`touch WORLD PART VALUE`, or `touch WORLD` to see its parts", f"`touch {' '.join(words)}`")
+        return session.no(Reason.of("console.touch_usage", words=" ".join(words)))
     world, part, value = words
     try:
         number = float(value)
     except ValueError:
-        return session.no("a number", repr(value))
+        return session.no(Reason.of("console.number", word=value))
     faults = session.order(live.Touch(world, part, number))
     session.hear()
     return faults
@@ -26,7 +27,7 @@ def touch(session: ConsoleSession, words: Words) -> Faults:
 def _list(session: ConsoleSession, world: str) -> Faults:
     answer = session.ask(live.Scene(world))
     if isinstance(answer, request.Refused):
-        return session.no(f"an open world {world}", answer.reason)
+        return session.no(Reason.of("console.world_refused", world=world, reason=answer.reason))
     parts = answer.scene.get("parts", {}) if isinstance(answer, live.Scenery) else {}
     session.show(text_table.lines(("part", "values"), sorted(parts.items())) if parts else ["it has no parts to touch"])
     return ()

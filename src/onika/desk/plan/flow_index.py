@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from onika.wire.plan import Plan, PlannedFlow
 from onika.wire.steer import Position
 from onika.words.name import resolve
+from onika.words.reason import Reason
 
 _NUMBER = re.compile(r"[0-9]{1,6}\Z")
 _SHOWN = 8
@@ -73,19 +74,19 @@ class FlowIndex:
         if names is None:
             if _NUMBER.match(word) and int(word) > 0:
                 return int(word) - 1
-            raise ValueError(f"expected an action by its number, found {word!r}")
+            raise ValueError(Reason.of("desk.action_number", word=word))
         if _NUMBER.match(word):
             if 0 < int(word) <= len(names):
                 return int(word) - 1
-            raise ValueError(f"expected an action of {subsystem} from 1 to {len(names)}, found {word}")
+            raise ValueError(Reason.of("desk.action_range", subsystem=subsystem, count=len(names), word=word))
         places = [index for index, name in enumerate(names) if name == word]
         if len(places) == 1:
             return places[0]
         if places:
-            numbers = ", ".join(str(index + 1) for index in places)
-            raise ValueError(f"expected one action, found {word!r} as {numbers} of {subsystem}")
+            numbers = tuple(index + 1 for index in places)
+            raise ValueError(Reason.of("desk.action_ambiguous", word=word, numbers=numbers, subsystem=subsystem))
         names_shown = ", ".join(dict.fromkeys(names[:_SHOWN])) + (" …" if len(names) > _SHOWN else "")
-        raise ValueError(f"expected an action of {subsystem} by its number or name ({names_shown}), found {word!r}")
+        raise ValueError(Reason.of("desk.action_unknown", subsystem=subsystem, names=names_shown, word=word))
 
     def name(self, subsystem: str, index: int) -> str:
         """What an action is called; empty where that is not known."""
@@ -107,7 +108,7 @@ class FlowIndex:
             is_meant = part.subsystem == subsystem or not slash
             if is_meant and (part.variables is None or name in part.variables):
                 return part.subsystem, name
-        raise ValueError(f"expected a variable that some task reads or writes, found {address}")
+        raise ValueError(Reason.of("desk.variable_unknown", address=address))
 
 
 def _variables(flow: PlannedFlow) -> frozenset[str]:

@@ -30,7 +30,7 @@ from onika.wire import event, live, request, steer
 from onika.wire.plan import Plan
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
-from onika.words.reason import Reason
+from onika.words.reason import Reason, reason_of
 
 Faults = tuple[Fault, ...]
 """Why something was not done; empty where it was."""
@@ -209,7 +209,7 @@ class Running:
         try:
             act = steering.act(line, self.flow_index)
         except ValueError as wrong:
-            return (objection(LINE, str(wrong), GOES_ON),)
+            return (objection(LINE, reason_of(wrong), GOES_ON),)
         return self.do(act, at_once=at_once)
 
     def do(self, act: Act, place: Place = LINE, *, at_once: bool = False) -> Faults:

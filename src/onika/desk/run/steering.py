@@ -7,6 +7,7 @@ from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.run.wait_condition import WaitCondition
 from onika.wire import live, request, steer
 from onika.words.condition import Condition
+from onika.words.reason import Reason
 
 USUAL_S = 60.0
 """How long is waited where nothing is said."""
@@ -61,11 +62,11 @@ def act(line: str, flow_index: FlowIndex) -> Act:
     name, *words = line.split() or [""]
     verb = VERBS.get(name)
     if verb is None:
-        raise ValueError(f"expected one of {', '.join(VERBS)}, found {name!r}")
+        raise ValueError(Reason.of("desk.steering_word", words=tuple(VERBS), name=name))
     try:
         return verb.read(words, flow_index)
     except _Miswritten:
-        raise ValueError(f"expected `{verb.usage}`, found `{line.strip()}`") from None
+        raise ValueError(Reason.of("desk.steering_usage", usage=verb.usage, line=line.strip())) from None
 
 
 class _Miswritten(Exception):
@@ -100,12 +101,12 @@ def _with_action(words: list[str], flow_index: FlowIndex) -> tuple[str, int]:
 def _named(word: str, flow_index: FlowIndex) -> str:
     flow = flow_index.flow(word)
     if not flow:
-        raise ValueError(f"expected a flow ({', '.join(flow_index.subsystems)}) or its number, found {word!r}")
+        raise ValueError(Reason.of("desk.flow_or_number", names=flow_index.subsystems, word=word))
     return flow
 
 
 def _unsaid(flow_index: FlowIndex) -> str:
-    raise ValueError(f"expected which flow ({', '.join(flow_index.subsystems)}), found none")
+    raise ValueError(Reason.of("desk.which_flow", names=flow_index.subsystems))
 
 
 # -- acts
@@ -172,7 +173,7 @@ def _touch(words: list[str], flow_index: FlowIndex) -> Act:
     try:
         value = float(words[2])
     except ValueError:
-        raise ValueError(f"expected a number as the value, found {words[2]!r}") from None
+        raise ValueError(Reason.of("desk.touch_value", word=words[2])) from None
     return SteeringOrder(live.Touch(words[0], words[1], value))
 
 
@@ -211,7 +212,7 @@ def _seconds(word: str) -> float:
     except ValueError:
         raise _Miswritten from None
     if not 0.0 <= seconds <= 1e6:
-        raise ValueError(f"expected seconds from 0 to 1000000, found {word}")
+        raise ValueError(Reason.of("desk.seconds_range", word=word))
     return seconds
 
 

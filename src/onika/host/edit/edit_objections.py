@@ -40,8 +40,8 @@ def wired(
 
 def names(order: Change, living: Sequence[WiredTask]) -> list[Fault]:
     """Tasks that are named and are not there, or are there already."""
-    there = {one.name for one in living}
-    born = [one.name for one in order.spawn]
+    there = {wired_task.name for wired_task in living}
+    born = [planned_task.name for planned_task in order.spawn]
     after = (there - set(order.kill)) | set(born)
     place = Place(f"subsystem {order.subsystem}")
     missing = [(name, there) for name in order.kill] + [(name, there) for name in order.off]
@@ -49,11 +49,11 @@ def names(order: Change, living: Sequence[WiredTask]) -> list[Fault]:
     faults = [
         Fault(
             place,
-            Reason.of("host.task_unknown", names=tuple(sorted(known)) or Reason.of("host.no_task"), name=name),
+            Reason.of("host.task_unknown", names=tuple(sorted(candidates)) or Reason.of("host.no_task"), name=name),
             INSTEAD,
         )
-        for name, known in missing
-        if name not in known
+        for name, candidates in missing
+        if name not in candidates
     ]
     twice = [name for name in dict.fromkeys(born) if born.count(name) > 1 or name in there - set(order.kill)]
     return faults + [Fault(place, Reason.of("host.task_twice", name=name), INSTEAD) for name in twice]
@@ -63,14 +63,18 @@ def rates(order: Change, tasks: Sequence[WiredTask]) -> list[Fault]:
     """Rates that no task can have."""
     place = Place(f"subsystem {order.subsystem}")
     given: list[GivenRate] = [(place, None, name, hz) for name, hz in order.rates]
-    given += [(Place(one.place), "", one.name, one.frequency) for one in order.spawn if one.frequency is not None]
-    timeless = {one.name for one in tasks if one.task.frequency is None}
+    given += [
+        (Place(planned_task.place), "", planned_task.name, planned_task.frequency)
+        for planned_task in order.spawn
+        if planned_task.frequency is not None
+    ]
+    timeless = {task.name for task in tasks if task.task.frequency is None}
     faults = [
         Fault(place, Reason.of("host.rate_of_aperiodic", name=name, hz=hz), INSTEAD)
         for name, hz in order.rates
         if name in timeless
     ]
-    return faults + wrong_rates(given, {one.name for one in tasks if one.sheet.hardware}, INSTEAD)
+    return faults + wrong_rates(given, {task.name for task in tasks if task.sheet.hardware}, INSTEAD)
 
 
 def moved(before: WiredTask, after: WiredTask) -> list[Fault]:
@@ -89,7 +93,7 @@ def moved(before: WiredTask, after: WiredTask) -> list[Fault]:
 def grown(before: WiredTask, after: WiredTask) -> list[Fault]:
     """In what another module's ports differ from those that other tasks are bound to."""
     place = Place(before.task.place)
-    known = {one.port: one for one in before.ports}
+    bound_ports = {port.port: port for port in before.ports}
     faults = [
         Fault(
             place,
@@ -98,13 +102,13 @@ def grown(before: WiredTask, after: WiredTask) -> list[Fault]:
                 svar=old.svar,
                 shape=str(old.shape),
                 unit=old.unit,
-                shape_2=str(one.shape),
-                unit_2=one.unit,
+                shape_2=str(port.shape),
+                unit_2=port.unit,
             ),
             INSTEAD,
         )
-        for one in after.ports
-        if (old := known[one.port]) != one
+        for port in after.ports
+        if (old := bound_ports[port.port]) != port
     ]
     if before.sheet.hardware is not after.sheet.hardware:
         was_hardware = before.sheet.hardware

@@ -41,7 +41,7 @@ class Editor:
         sheets, faults = self._sheets(order.code)
         new, wrong, notes = edit_objections.wired(order.spawn, sheets)
         faults += wrong + [edit_objections.of_change(fault) for fault in absent_devices(new, self._loading)]
-        known, unstated = self._known(order, new)
+        constants, unstated = self._known(order, new)
         faults += unstated
         live = self._stage.live.get(order.subsystem)
         is_next = live is None or not live.is_busy  # else it finds what those before it leave
@@ -52,28 +52,30 @@ class Editor:
         live = self._stage.by_hand(order.subsystem)
         for code in order.code:
             live.executor.spawner.add_code(code, self._loading.cost_ns(code))
-        return self._begin(live, self._carry_out(live, order, new, known, is_next))
+        return self._begin(live, self._carry_out(live, order, new, constants, is_next))
 
     def _carry_out(
         self,
         live: LiveSubsystem,
         order: asked.Change,
         new: list[WiredTask],
-        known: dict[str, dict[str, int]],
+        constants: dict[str, dict[str, int]],
         is_checked: bool,
     ) -> Transaction:
         """A change when its turn has come; one that had to wait is checked then."""
         faults = [] if is_checked else self._faults(order, new, False)
         if faults:
             return "; ".join(str(fault.reason) for fault in faults)
-        kept = [one for one in live.wired if one.name not in order.kill]
+        kept = [wired_task for wired_task in live.wired if wired_task.name not in order.kill]
         for task, text in self._overloads(order, [*kept, *new])[1]:
             live.warn(task, text)
-        comers = tuple((one, self._stage.unit(one.task.rtpu)) for one in new)
-        swapped = exchange([one.placed for one in live.wired], order.kill, [one.placed for one in new])
+        comers = tuple((wired_task, self._stage.unit(wired_task.task.rtpu)) for wired_task in new)
+        swapped = exchange(
+            [wired_task.placed for wired_task in live.wired], order.kill, [wired_task.placed for wired_task in new]
+        )
         return (
             yield from transactions.change(
-                live, transactions.Edit(swapped, comers, order.off, order.on, order.rates, known)
+                live, transactions.Edit(swapped, comers, order.off, order.on, order.rates, constants)
             )
         )
 
@@ -93,10 +95,10 @@ class Editor:
                 return refused(
                     [edit_objections.of_change(fault) for fault in faults], unknown_parameters(planned, before.sheet)
                 )
-            found = self._loading.constants(live.executor.spawner.code(planned.digest), order.local)
-            if isinstance(found, Fault):
-                return refused([edit_objections.of_change(found)], [])
-            stated = _aliased(wired, found)
+            constants = self._loading.constants(live.executor.spawner.code(planned.digest), order.local)
+            if isinstance(constants, Fault):
+                return refused([edit_objections.of_change(constants)], [])
+            stated = _aliased(wired, constants)
         return self._begin(live, _still(live, before, transactions.reinitialise(live, order.task, wired, stated)))
 
     def swap(self, order: asked.Swap) -> request.Response:
@@ -112,7 +114,7 @@ class Editor:
         faults = differences(task_of(planned), sheet, Place(planned.place))
         wired = wire(planned, sheet) if not faults else before
         faults += edit_objections.grown(before, wired) + conflicts(
-            [wired if one is before else one for one in live.wired]
+            [wired if other is before else other for other in live.wired]
         )
         if faults:
             return refused([edit_objections.of_change(fault) for fault in faults], unknown_parameters(planned, sheet))
@@ -153,13 +155,13 @@ class Editor:
             answer(request.Refused(f"there is no task {order.task} in subsystem {order.subsystem}"))
             return
 
-        def told(heard: news.Got | news.Refused) -> None:
-            answer(asked.Value(heard.value) if isinstance(heard, news.Got) else request.Refused(heard.reason))
+        def take_answer(message: news.Got | news.Refused) -> None:
+            answer(asked.Value(message.value) if isinstance(message, news.Got) else request.Refused(message.reason))
 
         name = order.name
         to = command.Set if isinstance(order, asked.Set) else command.Get
         words: tuple[Any, ...] = (name, order.value) if isinstance(order, asked.Set) else (name,)
-        self._stage.roll.ask(member.rtpu, to(order.subsystem, order.task, *words), told)
+        self._stage.roll.ask(member.rtpu, to(order.subsystem, order.task, *words), take_answer)
 
     def _begin(self, live: LiveSubsystem, transaction: Transaction) -> asked.Accepted:
         self._count += 1
@@ -191,11 +193,15 @@ class Editor:
         living = self._living(order.subsystem)
         faults = edit_objections.names(order, living)
         faults += [
-            Fault(Place(one.task.place), Reason.of("host.unit_gone", name=one.name, gone=gone), edit_objections.INSTEAD)
-            for one in new
-            if (gone := self._stage.gone(one.task.rtpu))
+            Fault(
+                Place(wired_task.task.place),
+                Reason.of("host.unit_gone", name=wired_task.name, gone=gone),
+                edit_objections.INSTEAD,
+            )
+            for wired_task in new
+            if (gone := self._stage.gone(wired_task.task.rtpu))
         ]
-        everyone = [*(one for one in living if one.name not in order.kill), *new]
+        everyone = [*(wired_task for wired_task in living if wired_task.name not in order.kill), *new]
         if not (faults or is_wrong):
             faults += self._together(order.subsystem, everyone) + edit_objections.rates(order, everyone)
         return faults or ([] if is_wrong else self._overloads(order, everyone)[0])
@@ -203,12 +209,14 @@ class Editor:
     def _together(self, subsystem: str, everyone: list[WiredTask]) -> list[Fault]:
         """What is wrong with these tasks living together, and with devices that others hold."""
         faults = disagreements(everyone) + conflicts(everyone) + cycles(everyone)
-        others = [one for name, live in self._stage.live.items() if name != subsystem for one in live.wired]
+        others = [
+            wired_task for name, live in self._stage.live.items() if name != subsystem for wired_task in live.wired
+        ]
         return [edit_objections.of_change(fault) for fault in faults + shared_devices([*others, *everyone])]
 
     def _overloads(self, order: asked.Change, tasks: Sequence[WiredTask]) -> tuple[list[Fault], list[tuple[str, str]]]:
         """Tasks for which a unit has no time, and those for which it hardly has (X13)."""
-        by_name = {one.name: one for one in tasks}
+        by_name = {task.name: task for task in tasks}
         rates = dict(order.rates)
         live = self._stage.live.get(order.subsystem)
         units = {name: member.rtpu for name, member in live.members.items()} if live is not None else {}
@@ -219,35 +227,37 @@ class Editor:
             rtpu = units.get(name) or self._stage.unit(task.rtpu)
             coming.append(Coming(rtpu, order.subsystem, name, task.digest, hz))
         off = [(order.subsystem, name) for name in (*order.off, *order.kill)]
-        found = self._stage.forecast.warnings(off, coming)
+        warnings = self._stage.forecast.warnings(off, coming)
         place = Place(f"subsystem {order.subsystem}")
         faults = [
-            Fault(place, Reason.of("host.no_time", task=one.task, rtpu=one.rtpu, text=text), edit_objections.INSTEAD)
-            for one, use, text in found
+            Fault(
+                place, Reason.of("host.no_time", task=coming.task, rtpu=coming.rtpu, text=text), edit_objections.INSTEAD
+            )
+            for coming, use, text in warnings
             if use > 1.0
         ]
-        return faults, [(one.task, text) for one, use, text in found if use <= 1.0]
+        return faults, [(coming.task, text) for coming, use, text in warnings if use <= 1.0]
 
     def _known(self, order: asked.Change, new: Sequence[WiredTask]) -> tuple[dict[str, dict[str, int]], list[Fault]]:
         """What robot modules state of themselves before they live."""
-        known: dict[str, dict[str, int]] = {}
+        constants: dict[str, dict[str, int]] = {}
         faults = []
-        code = {one.digest: one for one in order.code}
-        for one in (one for one in new if one.sheet.hardware):
-            stated = self._loading.constants(code[one.task.digest], one.task.local)
+        code = {code.digest: code for code in order.code}
+        for wired_task in (wired_task for wired_task in new if wired_task.sheet.hardware):
+            stated = self._loading.constants(code[wired_task.task.digest], wired_task.task.local)
             if isinstance(stated, Fault):
                 faults.append(stated)
             else:
-                known[one.name] = _aliased(one, stated)
-        together = {name: value for values in known.values() for name, value in values.items()}
-        return known, faults + [edit_objections.of_change(fault) for fault in shapeless(new, together)]
+                constants[wired_task.name] = _aliased(wired_task, stated)
+        together = {name: value for values in constants.values() for name, value in values.items()}
+        return constants, faults + [edit_objections.of_change(fault) for fault in shapeless(new, together)]
 
 
 def refused(faults: Sequence[Fault], notes: Sequence[str]) -> request.Prepared:
     """All that is wrong, as it travels."""
     texts = (
-        request.FaultText(one.place.file, one.place.line, one.reason, one.instead, one.where, one.remedies)
-        for one in sorted(set(faults))
+        request.FaultText(fault.place.file, fault.place.line, fault.reason, fault.instead, fault.where, fault.remedies)
+        for fault in sorted(set(faults))
     )
     return request.Prepared(tuple(texts), tuple(notes))
 

@@ -186,8 +186,8 @@ class LiveSubsystem:
 
     def rewire(self, tasks: Collection[tuple[WiredTask, str]]) -> None:
         """From now on these are the tasks, each on its unit."""
-        known = self.desired.constants([wired.name for wired, _ in tasks])
-        self.executor.rewire(tasks, known)
+        constants = self.desired.constants([wired.name for wired, _ in tasks])
+        self.executor.rewire(tasks, constants)
 
     def answer(self, task: str, line: str) -> None:
         """The user's answer to an asking task is what it is to be ON with."""

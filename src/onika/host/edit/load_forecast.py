@@ -43,13 +43,13 @@ class Forecast:
         for address in off:
             for tasks in units.values():
                 tasks.pop(address, None)
-        found = []
-        for one in coming:
-            tasks = units.setdefault(one.rtpu, {})
-            took = self._cycles_us.get(one.digest, 0.0)
-            load = TaskLoad(one.subsystem, one.task, True, one.hz, took, took)
-            prediction = predict(one.rtpu, tasks.values(), load)
-            tasks[one.subsystem, one.task] = structs.replace(load, is_on=True)
+        forecasts = []
+        for newcomer in coming:
+            tasks = units.setdefault(newcomer.rtpu, {})
+            took = self._cycles_us.get(newcomer.digest, 0.0)
+            load = TaskLoad(newcomer.subsystem, newcomer.task, True, newcomer.hz, took, took)
+            prediction = predict(newcomer.rtpu, tasks.values(), load)
+            tasks[newcomer.subsystem, newcomer.task] = structs.replace(load, is_on=True)
             if prediction.warning and took:
-                found.append((one, prediction.use, prediction.warning))
-        return found
+                forecasts.append((newcomer, prediction.use, prediction.warning))
+        return forecasts

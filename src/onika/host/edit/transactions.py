@@ -17,7 +17,7 @@ from onika.runtime.table import TableEntry
 from onika.runtime.wiring import WiredTask
 from onika.wire.live import Turn
 
-Known = Mapping[str, int]
+StatedConstants = Mapping[str, int]
 """The constants that a robot module states before it lives."""
 
 
@@ -30,7 +30,7 @@ class Edit:
     off: tuple[str, ...] = ()
     on: tuple[Turn, ...] = ()
     rates: tuple[tuple[str, float], ...] = ()
-    known: Mapping[str, Known] = field(default_factory=dict)
+    constants: Mapping[str, StatedConstants] = field(default_factory=dict)
     """By newcomer."""
 
 
@@ -69,8 +69,8 @@ def change(live: LiveSubsystem, edit: Edit) -> Transaction:
     before.killed = list(exchange.kill_first)
     yield from switch(live, exchange.kill_first, ())
     yield from kill(live, exchange.kill_first)
-    for task, known in edit.known.items():
-        live.desired.state_constants(task, known)
+    for task, values in edit.constants.items():
+        live.desired.state_constants(task, values)
     yield from spawn(live, edit.new)
     cause = live.outcomes.trouble(born)
     is_committed = not cause
@@ -87,7 +87,9 @@ def change(live: LiveSubsystem, edit: Edit) -> Transaction:
     return cause
 
 
-def reinitialise(live: LiveSubsystem, task: str, wired: WiredTask | None, known: Known | None = None) -> Transaction:
+def reinitialise(
+    live: LiveSubsystem, task: str, wired: WiredTask | None, constants: StatedConstants | None = None
+) -> Transaction:
     """Initialise a task anew, with the parameters of `wired` where given, then all that read its constants.
 
     Where shapes change, hardware tasks stay OFF until somebody turns them on again (law 12). Where a task refuses its
@@ -97,13 +99,13 @@ def reinitialise(live: LiveSubsystem, task: str, wired: WiredTask | None, known:
         return f"{task}: it is in ERROR, clear it first"
     before = _Before(live, ())
     former = live.members[task].wired
-    others = dependents([one.ports for one in live.placed() if one.name != task], former.outconst)
+    others = dependents([placed.ports for placed in live.placed() if placed.name != task], former.outconst)
     chain = [task, *others]
     errors = [name for name in chain if live.state(name) is State.ERROR]
     on = [Turn(name, line) for name, line in before.on.items() if name in chain]
     yield from switch(live, [turn.task for turn in on], ())
     if wired is not None:
-        _rewire(live, wired, known)
+        _rewire(live, wired, constants)
     cause = yield from _initialise(live, chain, {} if wired is None else {task: wired.task.local})
     back = on if cause else _to_return(live, on)
     if cause and wired is not None:
@@ -158,14 +160,16 @@ def _commit(
     if not again:
         yield from switch(live, off, edit.on, edit.rates)
         return
-    asked = {turn.task for turn in edit.on}
+    wanted_on = {turn.task for turn in edit.on}
     gone = {*off, *(wired.name for wired, _ in edit.new)}  # a newcomer may bear the name of one that was ON
     back = [Turn(name, on_before[name]) for name in again if name in on_before and name not in gone]
     yield from switch(live, [*off, *(turn.task for turn in back)], (), edit.rates)
     for name in again:
         yield from reinit(live, name)
     if not live.outcomes.trouble(again):
-        yield from switch(live, (), [*_to_return(live, [one for one in back if one.task not in asked]), *edit.on])
+        yield from switch(
+            live, (), [*_to_return(live, [turn for turn in back if turn.task not in wanted_on]), *edit.on]
+        )
 
 
 def _to_return(live: LiveSubsystem, turns: Sequence[Turn]) -> list[Turn]:
@@ -215,7 +219,7 @@ def _relearn(live: LiveSubsystem, edit: Edit) -> Step:
     if not (edit.exchange.reinit or live.reshaping.has_changed):
         return
     yield from switch(live, [name for name in tasks_on(live) if name in stale], ())
-    for name in constant_order([one.ports for one in live.placed()])[0]:
+    for name in constant_order([placed.ports for placed in live.placed()])[0]:
         if name in stale:
             yield from _restore(live, name, name in edit.exchange.reinit)
 
@@ -238,10 +242,10 @@ def _come_back(live: LiveSubsystem, edit: Edit, before: _Before) -> Step:
     yield from switch(live, (), on, tuple((name, before.rate(name)) for name in dict.fromkeys(here)))
 
 
-def _rewire(live: LiveSubsystem, wired: WiredTask, known: Known | None) -> None:
+def _rewire(live: LiveSubsystem, wired: WiredTask, constants: StatedConstants | None) -> None:
     """A task with other parameters."""
-    live.desired.state_constants(wired.name, known)
-    live.rewire([(wired if one.name == wired.name else one, rtpu) for one, rtpu in live.placements])
+    live.desired.state_constants(wired.name, constants)
+    live.rewire([(wired if other.name == wired.name else other, rtpu) for other, rtpu in live.placements])
 
 
 def _remember(live: LiveSubsystem, edit: Edit) -> None:

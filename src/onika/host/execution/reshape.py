@@ -26,7 +26,7 @@ class Reshaping:
             entry = self._entry(port.svar, shape)
             bound.append(BoundPort(port.port, port.svar, str(entry.shape), entry.offset))
         changed = {entry.name for entry in self._stale}
-        return tuple(bound) if any(one.svar in changed for one in bound) else ()
+        return tuple(bound) if any(bound_port.svar in changed for bound_port in bound) else ()
 
     def end(self) -> None:
         """Give back the memory of the old entries: nobody is bound to them any more."""
@@ -43,7 +43,7 @@ class Reshaping:
         self._stale.clear()
 
     def _entry(self, svar: str, shape: Shape) -> TableEntry:
-        known = self._table.entries.get(svar)
-        if known is not None and known.shape != shape:
+        entry = self._table.entries.get(svar)
+        if entry is not None and entry.shape != shape:
             self._stale.append(self._table.drop(svar))
         return self._table.entry(svar, shape)

@@ -12,7 +12,7 @@ from itertools import count
 from onika.engine import orders
 from onika.host.execution.spawner import Spawner
 from onika.host.execution.switch_dispatch import Group, SwitchDispatch
-from onika.host.execution.task_events import TaskEvent, asked
+from onika.host.execution.task_events import TaskEvent, question_of
 from onika.host.units.unit_registry import Units
 from onika.model.lifecycle import State
 from onika.runtime import command, news
@@ -264,7 +264,7 @@ class SubsystemExecutor:
 
     def ask_user(self, message: news.Asked) -> None:
         """Tell sessions what a task asks; whoever comes later can see it, too."""
-        question = self._asking[message.task] = asked(message, self.seconds(message.now_ns))
+        question = self._asking[message.task] = question_of(message, self.seconds(message.now_ns))
         self._tell(question)
 
     def warn(self, task: str, text: str, now: int) -> None:

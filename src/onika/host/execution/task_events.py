@@ -38,7 +38,7 @@ def in_a_run(message: news.TaskNews, at_s: float) -> event.Event | None:
     return None
 
 
-def asked(message: news.Asked, at_s: float) -> event.Asked:
+def question_of(message: news.Asked, at_s: float) -> event.Asked:
     """The question of a task, as users see it."""
     items = tuple(event.Item(*structs.astuple(item)) for item in message.items)
     return event.Asked(message.subsystem, message.task, message.reason, items, at_s)

@@ -9,6 +9,8 @@ from onika.words.fault import Fault
 def describe(codes: tuple[Code, ...], loading: Loading) -> live.Described:
     """The sheets of modules, and in words why others cannot be read."""
     loading.expect(codes)
-    found = {code.digest: loading.sheet(code) for code in codes}
-    sheets = {digest: one for digest, one in found.items() if not isinstance(one, Fault)}
-    return live.Described(sheets, {digest: str(one) for digest, one in found.items() if isinstance(one, Fault)})
+    answers = {code.digest: loading.sheet(code) for code in codes}
+    sheets = {digest: answer for digest, answer in answers.items() if not isinstance(answer, Fault)}
+    return live.Described(
+        sheets, {digest: str(answer) for digest, answer in answers.items() if isinstance(answer, Fault)}
+    )

@@ -53,8 +53,8 @@ class DirectLoading:
         if isinstance(cls, Fault):
             return cls
         try:
-            found = cls.constants(locals_of(cls, dict(local)))
-            return {name: _plain(value) for name, value in found.items()}
+            constants = cls.constants(locals_of(cls, dict(local)))
+            return {name: _plain(value) for name, value in constants.items()}
         except Exception as wrong:
             return self._fault(code, Reason.of("host.constants_failed", why=traceback_text(wrong)), wrong)
 
@@ -89,8 +89,8 @@ class DirectLoading:
         if isinstance(cls, Fault):
             return cls
         try:
-            found = cls.poses(constants, list(targets))
-            return None if found is None else [[float(one) for one in nine] for nine in found]
+            poses = cls.poses(constants, list(targets))
+            return None if poses is None else [[float(number) for number in nine] for nine in poses]
         except Exception as wrong:
             return self._fault(code, Reason.of("host.poses_failed", why=traceback_text(wrong)), wrong)
 
@@ -102,10 +102,12 @@ class DirectLoading:
         if isinstance(cls, Fault):
             return cls
         try:
-            found = cls.postures(constants, list(nines))
-            if found is None:
+            postures = cls.postures(constants, list(nines))
+            if postures is None:
                 return None
-            return [one if isinstance(one, str) else [float(value) for value in one] for one in found]
+            return [
+                posture if isinstance(posture, str) else [float(value) for value in posture] for posture in postures
+            ]
         except Exception as wrong:
             return self._fault(code, Reason.of("host.postures_failed", why=traceback_text(wrong)), wrong)
 
@@ -115,8 +117,8 @@ class DirectLoading:
         if isinstance(cls, Fault):
             return cls
         try:
-            said = self._identity(device)
-            return "" if said is None else cls.fits(constants, dict(said)) or ""
+            identity = self._identity(device)
+            return "" if identity is None else cls.fits(constants, dict(identity)) or ""
         except Exception as wrong:
             return self._fault(code, Reason.of("host.fit_failed", why=traceback_text(wrong)), wrong)
 
@@ -135,7 +137,7 @@ class DirectLoading:
             devices = self._world(world).devices()
         except Exception:
             return None
-        return next((one.identity for one in devices if one.name == name), None)
+        return next((device.identity for device in devices if device.name == name), None)
 
     def _world(self, name: str) -> World:
         """A world that is only looked at: nothing is claimed in it, and it never passes any time."""
@@ -156,5 +158,5 @@ def _plain(value: Any) -> Any:
     if isinstance(value, np.ndarray | np.generic):
         return value.tolist()
     if isinstance(value, list | tuple):
-        return [_plain(one) for one in value]
+        return [_plain(element) for element in value]
     return value

@@ -21,14 +21,16 @@ GivenRate = tuple[Place, str | None, str, float]
 
 def at_action(plan: Plan, flow: int, action: int, reason: Reason) -> Fault:
     """A fault of one action of a plan: it stands at its icon, and says in which flow and which action of it."""
-    one = plan.flows[flow].actions[action]
+    planned_action = plan.flows[flow].actions[action]
     subsystem, number = plan.flows[flow].subsystem, action + 1
-    if one.within:
-        application = " / ".join(one.within)
-        where = Reason.of("host.where_within", flow=subsystem, action=number, application=application, name=one.name)
+    if planned_action.within:
+        application = " / ".join(planned_action.within)
+        where = Reason.of(
+            "host.where_within", flow=subsystem, action=number, application=application, name=planned_action.name
+        )
     else:
-        where = Reason.of("host.where", flow=subsystem, action=number, name=one.name)
-    return Fault(Place(one.place, one.line), reason, NOT_RUN, where=where)
+        where = Reason.of("host.where", flow=subsystem, action=number, name=planned_action.name)
+    return Fault(Place(planned_action.place, planned_action.line), reason, NOT_RUN, where=where)
 
 
 def conflicts(wired: Sequence[WiredTask]) -> list[Fault]:
@@ -36,30 +38,32 @@ def conflicts(wired: Sequence[WiredTask]) -> list[Fault]:
     faults = []
     modules: dict[str, str] = {}
     suppliers: dict[str, str] = {}
-    for one in wired:
-        other = modules.setdefault(one.task.module, one.name)
-        if other != one.name:
-            faults.append(_union(one, Reason.of("host.module_twice", module=one.task.module, other=other)))
-        for svar in one.outconst:
-            other = suppliers.setdefault(svar, one.name)
-            if other != one.name:
-                faults.append(_union(one, Reason.of("host.constant_twice", constant=svar, other=other)))
+    for wired_task in wired:
+        other = modules.setdefault(wired_task.task.module, wired_task.name)
+        if other != wired_task.name:
+            faults.append(
+                _union(wired_task, Reason.of("host.module_twice", module=wired_task.task.module, other=other))
+            )
+        for svar in wired_task.outconst:
+            other = suppliers.setdefault(svar, wired_task.name)
+            if other != wired_task.name:
+                faults.append(_union(wired_task, Reason.of("host.constant_twice", constant=svar, other=other)))
         for reader in wired:
-            mixed = (set(one.outvar) - set(one.outconst)) & (set(reader.inconst) - set(reader.invar))
+            mixed = (set(wired_task.outvar) - set(wired_task.outconst)) & (set(reader.inconst) - set(reader.invar))
             faults += [
-                _union(reader, Reason.of("host.constant_varies", constant=svar, task=one.name))
+                _union(reader, Reason.of("host.constant_varies", constant=svar, task=wired_task.name))
                 for svar in sorted(mixed)
             ]
     return faults
 
 
-def _union(one: WiredTask, reason: Reason) -> Fault:
-    return Fault(Place(one.task.place), reason, NOT_RUN)
+def _union(wired_task: WiredTask, reason: Reason) -> Fault:
+    return Fault(Place(wired_task.task.place), reason, NOT_RUN)
 
 
 def cycles(wired: Sequence[WiredTask]) -> list[Fault]:
     """Constants that wait for each other."""
-    _, cycles = constant_order([one.meeting for one in wired])
+    _, cycles = constant_order([wired_task.meeting for wired_task in wired])
     return [_union(wired[0], Reason.of("host.constants_wait", cycle=" → ".join(cycle))) for cycle in cycles]
 
 
@@ -67,51 +71,53 @@ def shared_devices(tasks: Sequence[WiredTask]) -> list[Fault]:
     """A device that takes commands is claimed by one task, over all flows."""
     claimed: dict[str, WiredTask] = {}
     faults = []
-    for one in (one for one in tasks if one.sheet.hardware and one.device):
-        other = claimed.setdefault(one.device or "", one)
-        if other is not one:
-            faults.append(_union(one, Reason.of("host.device_claimed", device=one.device or "", other=other.name)))
+    for task in (task for task in tasks if task.sheet.hardware and task.device):
+        other = claimed.setdefault(task.device or "", task)
+        if other is not task:
+            faults.append(_union(task, Reason.of("host.device_claimed", device=task.device or "", other=other.name)))
     return faults
 
 
 def absent_devices(tasks: Sequence[WiredTask], loading: Loading) -> list[Fault]:
     """Devices that no world has."""
     faults = []
-    for one in (one for one in tasks if one.device):
-        world, _, name = (one.device or "").partition(":")
-        known = loading.devices(world)
-        if isinstance(known, Fault):
-            faults.append(_union(one, known.reason))
-        elif name not in known:
-            reason = Reason.of("host.no_such_device", world=world, devices=known, device=one.device or "")
-            faults.append(_union(one, reason))
+    for task in (task for task in tasks if task.device):
+        world, _, name = (task.device or "").partition(":")
+        devices = loading.devices(world)
+        if isinstance(devices, Fault):
+            faults.append(_union(task, devices.reason))
+        elif name not in devices:
+            reason = Reason.of("host.no_such_device", world=world, devices=devices, device=task.device or "")
+            faults.append(_union(task, reason))
     return faults
 
 
-def unfit(one: WiredTask, code: Code, constants: Mapping[str, Any], loading: Loading) -> list[Fault]:
+def unfit(wired_task: WiredTask, code: Code, constants: Mapping[str, Any], loading: Loading) -> list[Fault]:
     """A device that is not the one which a task means: another robot or sensor, or one that stands elsewhere."""
-    if not one.device:
+    if not wired_task.device:
         return []
-    reason = loading.fits(code, dict(constants), one.device)
+    reason = loading.fits(code, dict(constants), wired_task.device)
     if isinstance(reason, Fault):
         return [reason]
     if not reason:
         return []
-    return [_union(one, Reason.of("host.device_unlike", task=one.name, device=one.device, why=reason))]
+    return [
+        _union(wired_task, Reason.of("host.device_unlike", task=wired_task.name, device=wired_task.device, why=reason))
+    ]
 
 
 def unfit_together(tasks: Sequence[WiredTask], loading: Loading) -> list[Fault]:
     """Devices of one world that cannot be used together, as arms with forces and others without (law 18)."""
     worlds: dict[str, dict[str, WiredTask]] = {}
-    for one in (one for one in tasks if one.device and one.sheet.hardware):
-        world, _, name = (one.device or "").partition(":")
-        worlds.setdefault(world, {})[name] = one
+    for task in (task for task in tasks if task.device and task.sheet.hardware):
+        world, _, name = (task.device or "").partition(":")
+        worlds.setdefault(world, {})[name] = task
     faults = []
     for world, claimed in worlds.items():
         reasons = loading.company(world, tuple(sorted(claimed))) if len(claimed) > 1 else ()
         if isinstance(reasons, Fault):
             return [reasons]
-        last = max(claimed.values(), key=lambda one: one.name)
+        last = max(claimed.values(), key=lambda wired_task: wired_task.name)
         faults += [_union(last, Reason.of("host.devices_unfit", world=world, why=why)) for why in reasons]
     return faults
 
@@ -119,32 +125,36 @@ def unfit_together(tasks: Sequence[WiredTask], loading: Loading) -> list[Fault]:
 def remarks(tasks: Sequence[WiredTask], loading: Loading) -> list[str]:
     """What is odd about the devices of one flow, and forbids nothing: an arm moves, and the other arm's hand closes."""
     worlds: dict[str, dict[str, WiredTask]] = {}
-    for one in (one for one in tasks if one.device and one.sheet.hardware):
-        world, _, name = (one.device or "").partition(":")
-        worlds.setdefault(world, {})[name] = one
-    found = []
+    for task in (task for task in tasks if task.device and task.sheet.hardware):
+        world, _, name = (task.device or "").partition(":")
+        worlds.setdefault(world, {})[name] = task
+    notes = []
     for world, claimed in worlds.items():
-        said = loading.company(world, tuple(sorted(claimed)), is_of_flow=True) if len(claimed) > 1 else ()
-        for remark in said if isinstance(said, tuple) else ():
-            place = next((one.task.place for name, one in claimed.items() if name in remark), world)
-            found.append(f"{place}: {remark}")
-    return found
+        objections = loading.company(world, tuple(sorted(claimed)), is_of_flow=True) if len(claimed) > 1 else ()
+        for remark in objections if isinstance(objections, tuple) else ():
+            place = next((wired_task.task.place for name, wired_task in claimed.items() if name in remark), world)
+            notes.append(f"{place}: {remark}")
+    return notes
 
 
 def shapeless(wired: Sequence[WiredTask], constants: Mapping[str, Any]) -> list[Fault]:
     """Tasks whose own shapes depend on a constant that they supply themselves, and do not state before they live."""
     return [
         Fault(
-            Place(one.task.place),
+            Place(wired_task.task.place),
             Reason.of(
-                "host.constant_not_given", name=name, module=one.task.module, svar=port.svar, shape=str(port.shape)
+                "host.constant_not_given",
+                name=name,
+                module=wired_task.task.module,
+                svar=port.svar,
+                shape=str(port.shape),
             ),
             NOT_RUN,
         )
-        for one in wired
-        for port in one.ports
+        for wired_task in wired
+        for port in wired_task.ports
         for name in port.shape.names
-        if name in one.outconst and name not in constants
+        if name in wired_task.outconst and name not in constants
     ]
 
 

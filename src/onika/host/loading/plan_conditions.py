@@ -20,7 +20,7 @@ def wrong_conditions(
     """Conditions of tests, branches and breakpoints that could never hold, or that are none."""
     shapes = {
         planned.subsystem: {
-            port.svar: _resolved(port.shape, constants.get(number, {})) for one in tasks for port in one.ports
+            port.svar: _resolved(port.shape, constants.get(number, {})) for task in tasks for port in task.ports
         }
         for number, (planned, tasks) in enumerate(zip(flows, wired, strict=True))
     }
@@ -35,14 +35,14 @@ def wrong_conditions(
 def _conditions(flow: PlannedFlow) -> Iterator[tuple[Place, str]]:
     """Every condition of a flow's program, and the action behind which it is judged."""
     place = Place(flow.actions[0].place, flow.actions[0].line) if flow.actions else Place(flow.subsystem)
-    for one in flow.program:
-        match one:
+    for instruction in flow.program:
+        match instruction:
             case Do():
-                place = Place(flow.actions[one.action].place, flow.actions[one.action].line)
+                place = Place(flow.actions[instruction.action].place, flow.actions[instruction.action].line)
             case Choose():
-                yield from ((place, text) for text in one.conditions)
+                yield from ((place, text) for text in instruction.conditions)
             case Again() | Unless() | Rest():
-                yield from ((place, text) for text in (one.condition,) if text)
+                yield from ((place, text) for text in (instruction.condition,) if text)
 
 
 def _reason(text: str, home: str, shapes: Mapping[str, Mapping[str, Shape]]) -> Reason:
@@ -52,10 +52,10 @@ def _reason(text: str, home: str, shapes: Mapping[str, Mapping[str, Shape]]) -> 
     except ValueError:
         return Reason.of("host.condition_form", text=text)
     subsystem, _, name = condition.address.rpartition("/")
-    known = shapes.get(subsystem or home, {})
-    if name not in known:
+    known_shapes = shapes.get(subsystem or home, {})
+    if name not in known_shapes:
         return Reason.of("host.condition_variable", subsystem=subsystem or home, text=text)
-    shape = known[name]
+    shape = known_shapes[name]
     if shape.type.is_text:
         return Reason.of("host.condition_on_text", name=name, shape=str(shape), text=text)
     fits = len(condition.index) == len(shape.dims) and all(

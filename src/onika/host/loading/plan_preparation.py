@@ -18,7 +18,7 @@ from onika.host.loading.plan_checks import (
     wrong_rates,
 )
 from onika.host.loading.plan_conditions import wrong_conditions
-from onika.host.loading.target_resolution import resolve, told
+from onika.host.loading.target_resolution import notes_on_resolved, resolve
 from onika.model.planned import task_of
 from onika.runtime.sheet import differences, strangers
 from onika.runtime.user_input import UserInput
@@ -48,34 +48,42 @@ class Preparation:
 
 def prepare(plan: Plan, targets: Sequence[TargetValues], loading: Loading) -> Preparation:
     """Look at every module, task, flow, argument line and target of a plan."""
-    found = Preparation(plan, {code.digest: code for code in plan.code})
+    preparation = Preparation(plan, {code.digest: code for code in plan.code})
     used = {task.digest for flow in plan.flows for task in flow.tasks}
-    sheets = _sheets([code for code in plan.code if code.digest in used], loading, found.faults)
+    sheets = _sheets([code for code in plan.code if code.digest in used], loading, preparation.faults)
     resolution = resolve(plan, targets, sheets, loading)
-    found.plan = plan = resolution.plan
-    found.resolved = resolution.resolved
-    found.faults += resolution.faults
-    found.notes += told(plan, resolution.resolved)
+    preparation.plan = plan = resolution.plan
+    preparation.resolved = resolution.resolved
+    preparation.faults += resolution.faults
+    preparation.notes += notes_on_resolved(plan, resolution.resolved)
     for number, flow in enumerate(plan.flows):
-        wired = _wired(flow, sheets, found)
-        found.flows.append(wired)
-        found.notes += remarks(wired, loading)
+        wired = _wired(flow, sheets, preparation)
+        preparation.flows.append(wired)
+        preparation.notes += remarks(wired, loading)
         if len(wired) == len(flow.tasks):  # else every further word would only repeat what is missing
-            found.faults += disagreements(wired) + missing_constants(wired) + conflicts(wired) + cycles(wired)
-        _actions(number, flow, wired, found)
-        _rates(flow, sheets, found)
+            preparation.faults += disagreements(wired) + missing_constants(wired) + conflicts(wired) + cycles(wired)
+        _actions(number, flow, wired, preparation)
+        _rates(flow, sheets, preparation)
         refused = {action for flow_of, action in resolution.refused if flow_of == number}
-        _values(number, flow, wired, [one for one in resolution.targets if one.flow == number], loading, found, refused)
-    found.faults += shared_devices(
+        _values(
+            number,
+            flow,
+            wired,
+            [target for target in resolution.targets if target.flow == number],
+            loading,
+            preparation,
+            refused,
+        )
+    preparation.faults += shared_devices(
         [wire(task, sheets[task.digest]) for flow in plan.flows for task in flow.tasks if task.digest in sheets]
     )
-    if all(len(wired) == len(flow.tasks) for wired, flow in zip(found.flows, plan.flows, strict=True)):
-        found.faults += wrong_conditions(plan.flows, found.flows, found.constants)
-    everyone = [one for flow in found.flows for one in flow]
-    found.faults += absent_devices(everyone, loading) + unfit_together(everyone, loading)
-    found.faults = sorted(set(found.faults))
-    found.notes = list(dict.fromkeys(found.notes))
-    return found
+    if all(len(wired) == len(flow.tasks) for wired, flow in zip(preparation.flows, plan.flows, strict=True)):
+        preparation.faults += wrong_conditions(plan.flows, preparation.flows, preparation.constants)
+    everyone = [wired_task for flow in preparation.flows for wired_task in flow]
+    preparation.faults += absent_devices(everyone, loading) + unfit_together(everyone, loading)
+    preparation.faults = sorted(set(preparation.faults))
+    preparation.notes = list(dict.fromkeys(preparation.notes))
+    return preparation
 
 
 def inspect(tasks: Sequence[PlannedTask], code: Sequence[Code], loading: Loading) -> tuple[list[Fault], list[str]]:
@@ -101,15 +109,15 @@ def _sheets(codes: Sequence[Code], loading: Loading, faults: list[Fault]) -> dic
     return sheets
 
 
-def _wired(flow: PlannedFlow, sheets: Mapping[str, ModuleSheet], found: Preparation) -> list[WiredTask]:
+def _wired(flow: PlannedFlow, sheets: Mapping[str, ModuleSheet], preparation: Preparation) -> list[WiredTask]:
     wired = []
     for task in flow.tasks:
         sheet = sheets.get(task.digest)
         if sheet is None:
             continue  # its module's fault is told already
         wrong = differences(task_of(task), sheet, Place(task.place))
-        found.faults += wrong
-        found.notes += unknown_parameters(task, sheet)
+        preparation.faults += wrong
+        preparation.notes += unknown_parameters(task, sheet)
         if not wrong:
             wired.append(wire(task, sheet))
     return wired
@@ -123,33 +131,35 @@ def unknown_parameters(task: PlannedTask, sheet: ModuleSheet) -> list[str]:
     ]
 
 
-def _actions(number: int, flow: PlannedFlow, wired: Sequence[WiredTask], found: Preparation) -> None:
+def _actions(number: int, flow: PlannedFlow, wired: Sequence[WiredTask], preparation: Preparation) -> None:
     """Each action's trigger: the first in its configuration (reading 16)."""
-    by_name = {one.name: one for one in wired}
+    by_name = {wired_task.name: wired_task for wired_task in wired}
     for index, action in enumerate(flow.actions):
         if action.is_noop:
-            found.triggers[number, index] = None
+            preparation.triggers[number, index] = None
             continue
         present = [by_name[name] for name in action.tasks if name in by_name]
-        triggers = [one.name for one in present if one.sheet.trigger]
-        found.triggers[number, index] = triggers[0] if triggers else None
+        triggers = [wired_task.name for wired_task in present if wired_task.sheet.trigger]
+        preparation.triggers[number, index] = triggers[0] if triggers else None
         if not triggers and len(present) == len(action.tasks) and not action.lacks_tasks:
-            found.faults.append(at_action(found.plan, number, index, Reason.of("host.trigger_missing", job=action.job)))
+            preparation.faults.append(
+                at_action(preparation.plan, number, index, Reason.of("host.trigger_missing", job=action.job))
+            )
         if len(triggers) > 1:
             others = ", ".join(triggers[1:])
-            found.notes.append(
+            preparation.notes.append(
                 f"{Place(action.place, action.line)}: {action.job} ends with {triggers[0]}; {others} is a trigger too"
             )
 
 
-def _rates(flow: PlannedFlow, sheets: Mapping[str, ModuleSheet], found: Preparation) -> None:
+def _rates(flow: PlannedFlow, sheets: Mapping[str, ModuleSheet], preparation: Preparation) -> None:
     """Rates that configurations or tasks give: a period of whole nanoseconds, for hardware short enough (law 17)."""
     hardware = {task.name for task in flow.tasks if task.digest in sheets and sheets[task.digest].hardware}
     given = [
         (Place(action.place, action.line), action.job, name, hz) for action in flow.actions for name, hz in action.rates
     ]
     given += [(Place(task.place), "", task.name, task.frequency) for task in flow.tasks if task.frequency is not None]
-    found.faults += wrong_rates(given, hardware, NOT_RUN)
+    preparation.faults += wrong_rates(given, hardware, NOT_RUN)
 
 
 def _values(
@@ -158,7 +168,7 @@ def _values(
     wired: Sequence[WiredTask],
     targets: Sequence[TargetValues],
     loading: Loading,
-    found: Preparation,
+    preparation: Preparation,
     refused: Collection[int],
 ) -> None:
     """Argument lines against the triggers' inputs, and the reach of every target.
@@ -167,31 +177,33 @@ def _values(
     """
     constants: dict[str, Any] = {}
     robots = []
-    for one in (one for one in wired if one.device and not one.sheet.hardware):
-        found.faults += unfit(one, found.code[one.task.digest], {}, loading)
-    for one in (one for one in wired if one.sheet.hardware):
-        code = found.code[one.task.digest]
-        published = loading.constants(code, one.task.local)
+    for wired_task in (wired_task for wired_task in wired if wired_task.device and not wired_task.sheet.hardware):
+        preparation.faults += unfit(wired_task, preparation.code[wired_task.task.digest], {}, loading)
+    for wired_task in (wired_task for wired_task in wired if wired_task.sheet.hardware):
+        code = preparation.code[wired_task.task.digest]
+        published = loading.constants(code, wired_task.task.local)
         if isinstance(published, Fault):
-            found.faults.append(published)
+            preparation.faults.append(published)
             continue
-        aliases = dict(one.task.aliases)
+        aliases = dict(wired_task.task.aliases)
         constants |= {aliases.get(name, name): value for name, value in published.items()}
-        found.faults += unfit(one, code, published, loading)
+        preparation.faults += unfit(wired_task, code, published, loading)
         if published:
-            robots.append((one, code, published))
-    found.constants[number] = constants
-    found.faults += shapeless(wired, constants)
-    wrong, counted = _arguments(number, flow, wired, constants, found.plan, found.triggers)
+            robots.append((wired_task, code, published))
+    preparation.constants[number] = constants
+    preparation.faults += shapeless(wired, constants)
+    wrong, counted = _arguments(number, flow, wired, constants, preparation.plan, preparation.triggers)
     wrong = {index: fault for index, fault in wrong.items() if index not in refused}
     counted -= set(refused)
-    for one, code, published in robots:
+    for wired_task, code, published in robots:
         users = [
-            target for target in targets if target.action in counted and one.name in flow.actions[target.action].tasks
+            target
+            for target in targets
+            if target.action in counted and wired_task.name in flow.actions[target.action].tasks
         ]
         reasons = loading.resolve(code, published, [(t.kind, list(t.values)) for t in users])
-        _reach(number, users, reasons, found, wrong)
-    found.faults += wrong.values()
+        _reach(number, users, reasons, preparation, wrong)
+    preparation.faults += wrong.values()
 
 
 def _arguments(
@@ -203,7 +215,7 @@ def _arguments(
     triggers: Mapping[tuple[int, int], str | None],
 ) -> tuple[dict[int, Fault], set[int]]:
     """What is wrong with the argument line of each action; the actions whose lines have as many values as are taken."""
-    by_name = {one.name: one for one in wired}
+    by_name = {wired_task.name: wired_task for wired_task in wired}
     wrong: dict[int, Fault] = {}
     counted = set()
     inputs: dict[str, UserInput] = {}
@@ -216,10 +228,10 @@ def _arguments(
             if trigger.name not in inputs:
                 coded = {port: constants[svar] for port, svar in _coded(trigger).items() if svar in constants}
                 inputs[trigger.name] = UserInput(trigger.sheet.inputs, coded)
-            known = inputs[trigger.name]
-            if known.takes(action.arguments):
+            user_input = inputs[trigger.name]
+            if user_input.takes(action.arguments):
                 counted.add(index)
-            known.parse(action.arguments)
+            user_input.parse(action.arguments)
         except KeyError:
             counted.add(index)  # a bound that only a running task supplies: seen at the run
         except ValueError as error:
@@ -237,16 +249,16 @@ def _reach(
     number: int,
     users: Sequence[TargetValues],
     reasons: list[str | None] | Fault,
-    found: Preparation,
+    preparation: Preparation,
     wrong: dict[int, Fault],
 ) -> None:
     """Targets out of reach; what is said of one so is not said again of its values."""
     if isinstance(reasons, Fault):
-        found.faults.append(reasons)
+        preparation.faults.append(reasons)
         return
     for target, reason in zip(users, reasons, strict=True):
         if reason is not None:
             wrong.pop(target.action, None)
-            name = found.plan.flows[number].actions[target.action].target or ""
+            name = preparation.plan.flows[number].actions[target.action].target or ""
             unreachable = Reason.of("host.unreachable", target=name, why=reason)
-            found.faults.append(at_action(found.plan, number, target.action, unreachable))
+            preparation.faults.append(at_action(preparation.plan, number, target.action, unreachable))

@@ -25,7 +25,10 @@ class Backlog:
         """Whether something waits that this session asked earlier, but for descriptions: then this waits too."""
         if isinstance(call.asked, _AT_ONCE):
             return False
-        return any(one.session == call.session and not isinstance(one.asked, live.Describe) for one, _ in self._waiting)
+        return any(
+            waiting_call.session == call.session and not isinstance(waiting_call.asked, live.Describe)
+            for waiting_call, _ in self._waiting
+        )
 
     def keep(self, call: Call, answer: Answer) -> None:
         """It waits, behind all others."""

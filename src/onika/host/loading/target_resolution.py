@@ -45,18 +45,18 @@ def resolve(
     plan: Plan, targets: Sequence[TargetValues], sheets: Mapping[str, ModuleSheet], loading: Loading
 ) -> Resolution:
     """The plan with every joint target of a redirected robot resolved anew; as it is where nothing is redirected."""
-    found = Resolution(plan, list(targets))
+    resolution = Resolution(plan, list(targets))
     if not any(flow.replaced for flow in plan.flows):
-        return found
-    code = {one.digest: one for one in plan.code}
+        return resolution
+    code = {code.digest: code for code in plan.code}
     for number, flow in enumerate(plan.flows):
         tasks = {task.name: task for task in flow.tasks}
         for name, old in flow.replaced:
             new = tasks.get(name)
             if new is not None and new.digest in sheets and sheets[new.digest].hardware:
-                _Pair(number, flow, old, new, code, sheets, loading, found).resolve()
-    _rewrite(found)
-    return found
+                _Pair(number, flow, old, new, code, sheets, loading, resolution).resolve()
+    _rewrite(resolution)
+    return resolution
 
 
 class _Pair:
@@ -71,18 +71,20 @@ class _Pair:
         code: Mapping[str, Code],
         sheets: Mapping[str, ModuleSheet],
         loading: Loading,
-        found: Resolution,
+        resolution: Resolution,
     ) -> None:
         self._number, self._flow, self._old, self._new = number, flow, old, new
         self._sheets = sheets
-        self._code, self._loading, self._found = code, loading, found
+        self._code, self._loading, self._found = code, loading, resolution
 
     def resolve(self) -> None:
         """All its joint targets."""
         aims = [
-            (at, one)
-            for at, one in enumerate(self._found.targets)
-            if one.flow == self._number and one.kind == JOINT and self._new.name in self._flow.actions[one.action].tasks
+            (at, target)
+            for at, target in enumerate(self._found.targets)
+            if target.flow == self._number
+            and target.kind == JOINT
+            and self._new.name in self._flow.actions[target.action].tasks
         ]
         ours = self._constants(self._new) if aims else None
         if not ours:
@@ -96,13 +98,13 @@ class _Pair:
 
     def _constants(self, task: PlannedTask) -> dict[str, Any] | None:
         code = self._code.get(task.digest)
-        found = None if code is None else self._loading.constants(code, task.local)
-        return found if isinstance(found, dict) and found else None
+        constants = None if code is None else self._loading.constants(code, task.local)
+        return constants if isinstance(constants, dict) and constants else None
 
     def _transfer(self, aims: list[tuple[int, TargetValues]], theirs: dict[str, Any], ours: dict[str, Any]) -> None:
         """By way of the poses; what both take in the same way stays."""
         aims = list(self._counted(aims, theirs))
-        values = [list(one.values) for _, one in aims]
+        values = [list(target.values) for _, target in aims]
         nines = self._poses(self._old, theirs, values)
         if nines is None:
             module = self._old.module
@@ -138,13 +140,13 @@ class _Pair:
         """Why the argument line of an action has not as many values as its trigger takes for the replaced robot."""
         digests = {task.name: task.digest for task in self._flow.tasks}
         sheets = [self._sheets.get(digests.get(name, "")) for name in action.tasks]
-        trigger = next((one for one in sheets if one is not None and one.trigger), None)
+        trigger = next((sheet for sheet in sheets if sheet is not None and sheet.trigger), None)
         if trigger is None or not action.arguments:
             return NOTHING
         try:
-            known = UserInput(trigger.inputs, theirs)
-            if not known.takes(action.arguments):
-                known.parse(action.arguments)
+            user_input = UserInput(trigger.inputs, theirs)
+            if not user_input.takes(action.arguments):
+                user_input.parse(action.arguments)
         except KeyError:
             return NOTHING  # a bound that only a running task supplies
         except ValueError as wrong:
@@ -152,17 +154,17 @@ class _Pair:
         return NOTHING
 
     def _poses(self, task: PlannedTask, constants: dict[str, Any], values: list[list[Any]]) -> list[list[float]] | None:
-        found = self._loading.poses(self._code[task.digest], constants, values)
-        if isinstance(found, Fault):
-            self._found.faults.append(found)
+        poses = self._loading.poses(self._code[task.digest], constants, values)
+        if isinstance(poses, Fault):
+            self._found.faults.append(poses)
             return None
-        return found
+        return poses
 
     def _kept(self, values: list[list[Any]], nines: list[list[float]], ours: dict[str, Any]) -> set[int]:
         """The targets whose values bring the new robot to the same poses, within its limits."""
         code = self._code[self._new.digest]
         own = self._poses(self._new, ours, values)
-        why = self._loading.resolve(code, ours, [(JOINT, one) for one in values])
+        why = self._loading.resolve(code, ours, [(JOINT, value) for value in values])
         if own is None or isinstance(why, Fault):
             return set()
         return {
@@ -181,8 +183,8 @@ class _Pair:
             return
         values = (*posture, *aim.values[joints:])
         self._found.targets[at] = replace(aim, values=values)
-        told = Resolved(aim.flow, aim.action, aim.name, self._new.name, self._old.name, aim.values, values)
-        self._found.resolved.append(told)
+        resolved = Resolved(aim.flow, aim.action, aim.name, self._new.name, self._old.name, aim.values, values)
+        self._found.resolved.append(resolved)
 
     def _refuse(self, aims: list[tuple[int, TargetValues]], reason: Callable[[str], Reason]) -> None:
         """Refuse some targets, each for a reason that names it."""
@@ -192,36 +194,36 @@ class _Pair:
             self._found.faults.append(at_action(self._found.plan, aim.flow, aim.action, reason(target)))
 
 
-def told(plan: Plan, resolved: Sequence[Resolved]) -> Iterator[str]:
+def notes_on_resolved(plan: Plan, resolved: Sequence[Resolved]) -> Iterator[str]:
     """In words, once for all uses of a target: what became of it."""
     uses: dict[tuple[Any, ...], list[Resolved]] = {}
-    for one in resolved:
-        uses.setdefault((one.target, one.task, one.values), []).append(one)
-    for (target, task, values), found in uses.items():
-        first = plan.flows[found[0].flow].actions[found[0].action]
+    for use in resolved:
+        uses.setdefault((use.target, use.task, use.values), []).append(use)
+    for (target, task, values), uses_of_target in uses.items():
+        first = plan.flows[uses_of_target[0].flow].actions[uses_of_target[0].action]
         numbers = " ".join(f"{value:.4g}" if isinstance(value, float) else str(value) for value in values)
-        often = f", {len(found)} times" if len(found) > 1 else ""
+        often = f", {len(uses_of_target)} times" if len(uses_of_target) > 1 else ""
         yield (
             f"{Place(first.place, first.line)}: {target} is re-resolved for {task}{often}, "
-            f"by the pose that it is for {found[0].instead_of}: {numbers}"
+            f"by the pose that it is for {uses_of_target[0].instead_of}: {numbers}"
         )
 
 
-def _rewrite(found: Resolution) -> None:
+def _rewrite(resolution: Resolution) -> None:
     """The argument lines of the actions whose targets are others now."""
-    changed = {(one.flow, one.action) for one in found.resolved}
-    lines: dict[tuple[int, int], list[str]] = {one: [] for one in changed}
-    for target in found.targets:
+    changed = {(resolved.flow, resolved.action) for resolved in resolution.resolved}
+    lines: dict[tuple[int, int], list[str]] = {address: [] for address in changed}
+    for target in resolution.targets:
         if (target.flow, target.action) in changed:
-            lines[target.flow, target.action] += (_shown(one) for one in target.values)
+            lines[target.flow, target.action] += (_shown(value) for value in target.values)
     flows = []
-    for number, flow in enumerate(found.plan.flows):
+    for number, flow in enumerate(resolution.plan.flows):
         actions = tuple(
-            replace(one, arguments=argument.join(lines[number, index])) if (number, index) in changed else one
-            for index, one in enumerate(flow.actions)
+            replace(action, arguments=argument.join(lines[number, index])) if (number, index) in changed else action
+            for index, action in enumerate(flow.actions)
         )
         flows.append(replace(flow, actions=actions))
-    found.plan = replace(found.plan, flows=tuple(flows))
+    resolution.plan = replace(resolution.plan, flows=tuple(flows))
 
 
 def _shown(value: Any) -> str:

@@ -34,12 +34,12 @@ class Hold:
         self._is_let, self._has_news, self._until = False, False, None
         return self._told
 
-    def onward(self, session: str, asked: steer.Onward) -> request.Response:
+    def onward(self, session: str, command: steer.Onward) -> request.Response:
         """Let the clock go on, to the next thing that happens or to a time."""
         if not self._session or session != self._session:
             return request.Refused("no run of this session is held")
         self._is_let = True
-        self._until = None if asked.until_s is None else self._began + round(asked.until_s * 1e9)
+        self._until = None if command.until_s is None else self._began + round(command.until_s * 1e9)
         return request.Done()
 
     def release(self, session: str | None = None) -> None:
@@ -64,6 +64,6 @@ class Hold:
             self._until = None
             self._tell(event.Stood(round((now - self._began) * 1e-9, 9)), self._subsystem, self._session)
 
-    def _told(self, one: event.Event, subsystem: str, session: str) -> None:
-        self._has_news = self._has_news or isinstance(one, _TELLING)
-        self._tell(one, subsystem, session)
+    def _told(self, message: event.Event, subsystem: str, session: str) -> None:
+        self._has_news = self._has_news or isinstance(message, _TELLING)
+        self._tell(message, subsystem, session)

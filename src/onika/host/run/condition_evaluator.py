@@ -12,7 +12,7 @@ class Judge:
 
     def __init__(self, subsystems: Mapping[int, RunningSubsystem]) -> None:
         self._subsystems = subsystems
-        self._by_name = {one.name: one for one in subsystems.values()}
+        self._by_name = {subsystem.name: subsystem for subsystem in subsystems.values()}
         self._known: dict[str, Condition] = {}
 
     def holds(self, flow: int, text: str) -> bool:

@@ -32,12 +32,12 @@ class Repeat:
         self._until = 0
         self._is_answer = False
 
-    def begin(self, session: str, asked: request.Begin, now: int) -> None:
+    def begin(self, session: str, begin_request: request.Begin, now: int) -> None:
         """A run begins, to be repeated as far as `asked` says."""
-        is_wanted = bool(asked.repeat) or asked.repeat_until_ns != 0
+        is_wanted = bool(begin_request.repeat) or begin_request.repeat_until_ns != 0
         self.session = session if is_wanted else ""
-        self._left = deque(asked.repeat)
-        self._began, self._until = now, asked.repeat_until_ns
+        self._left = deque(begin_request.repeat)
+        self._began, self._until = now, begin_request.repeat_until_ns
         self._look_ahead()
 
     def end(self, session: str | None = None) -> None:
@@ -59,18 +59,18 @@ class Repeat:
         """
         if not self._left:
             return False
-        one, at = self._left[0], now - self._began
+        recorded, at = self._left[0], now - self._began
         if self._is_answer:
-            return is_asking or at > one.at_ns
-        return is_asking or (at, turn) >= (one.at_ns, one.turn)
+            return is_asking or at > recorded.at_ns
+        return is_asking or (at, turn) >= (recorded.at_ns, recorded.turn)
 
     def take(self, now: int, turn: int, is_asking: bool) -> request.Request | None:
         """The next request, if it is due."""
         if not self.is_due(now, turn, is_asking):
             return None
-        asked: request.Request = request.decode_request(self._left.popleft().body)
+        message: request.Request = request.decode_request(self._left.popleft().body)
         self._look_ahead()
-        return asked
+        return message
 
     def _look_ahead(self) -> None:
         self._is_answer = bool(self._left) and isinstance(request.decode_request(self._left[0].body), request.Reply)
@@ -82,8 +82,8 @@ class Repeat:
         at = self._began + (self._left[0].at_ns if self._left else self._until)
         return at if at > now else None
 
-    def refusal(self, session: str, asked: request.Request, now: int) -> str:
+    def refusal(self, session: str, message: request.Request, now: int) -> str:
         """Why this may not be asked meanwhile; empty: it may."""
-        if not isinstance(asked, _STEERING) or not self.is_on(now):
+        if not isinstance(message, _STEERING) or not self.is_on(now):
             return ""
         return "a recorded run is being repeated; it can be stopped, or steered when it has come to its instant"

@@ -46,9 +46,9 @@ class Performance:
         """The tasks of one of its subsystems."""
         return self._subsystems[self.names.index(subsystem)].members
 
-    def hear(self, rtpu: str, heard: news.News, now: int) -> None:
+    def hear(self, rtpu: str, message: news.News, now: int) -> None:
         """Take in one piece of news of its tasks."""
-        self.runner.hear(rtpu, heard, now)
+        self.runner.hear(rtpu, message, now)
 
     def abandon(self, cause: str, now: int) -> None:
         """The session that began it is gone: it ends, finishes its actions and pauses, or runs on, as it was begun."""
@@ -69,7 +69,9 @@ class Performance:
         """What came of it; `outside` are the tasks that make it one which may not repeat (law 15)."""
         wall = (monotonic_ns() - self._began_wall) * 1e-9
         result = self.runner.tally.result(self._actions, wall, digest)
-        return structs.replace(result, outside=tuple(one for one in outside if one.split("/")[0] in self.names))
+        return structs.replace(
+            result, outside=tuple(address for address in outside if address.split("/")[0] in self.names)
+        )
 
     def end(self, result: event.Result) -> None:
         """Tell the result."""
@@ -79,6 +81,6 @@ class Performance:
         """Tell whoever watches what is worth knowing of the run as a whole."""
         self._tell(event.Warned(self.names[0], "", text, at_s))
 
-    def _tell(self, one: event.Event) -> None:
-        flow = getattr(one, "flow", 0)
-        self._tell_all(one, getattr(one, "subsystem", "") or self.names[flow], self.session)
+    def _tell(self, message: event.Event) -> None:
+        flow = getattr(message, "flow", 0)
+        self._tell_all(message, getattr(message, "subsystem", "") or self.names[flow], self.session)

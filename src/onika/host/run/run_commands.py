@@ -18,50 +18,50 @@ class RunCommands:
     def __init__(self, stage: Stage) -> None:
         self._stage = stage
 
-    def refusal(self, session: str, asked: steer.Steering) -> str:
+    def refusal(self, session: str, command: steer.Steering) -> str:
         """Why this session may not ask it; empty: it may. A run whose session is gone is everybody's."""
-        performance = self._performance(session, asked)
+        performance = self._performance(session, command)
         if isinstance(performance, str):
             return performance
         if performance.session not in (session, ""):
             return f"application {performance.application} was begun by {performance.session}; everybody can stop"
         return ""
 
-    def carry_out(self, session: str, asked: steer.Steering, now: int, answer: Answer) -> None:
+    def carry_out(self, session: str, command: steer.Steering, now: int, answer: Answer) -> None:
         """Do it; answered once the engine has said that it does, or why not."""
-        performance = self._performance(session, asked)
+        performance = self._performance(session, command)
         if isinstance(performance, str):
             answer(request.Refused(performance))
             return
-        names = (asked.subsystem,) if asked.subsystem else performance.names
-        if len(names) > 1 and not isinstance(asked, steer.Pause | steer.Resume | steer.Step | steer.Recover):
+        names = (command.subsystem,) if command.subsystem else performance.names
+        if len(names) > 1 and not isinstance(command, steer.Pause | steer.Resume | steer.Step | steer.Recover):
             answer(request.Refused(f"expected one of the flows {', '.join(performance.names)}, found none"))
             return
-        wrong = _wrong_condition(asked)
+        wrong = _wrong_condition(command)
         if wrong:
             answer(request.Refused(wrong))
             return
         waits = _Answers(len(names), answer)
         for name in names:
-            performance.runner.steer(structs.replace(asked, subsystem=name), now, waits.take)
+            performance.runner.steer(structs.replace(command, subsystem=name), now, waits.take)
 
     def who(self, session: str) -> request.Response:
         """Where every flow is: of the asker's applications, of all where it has none."""
-        own = [one for one in self._stage.performances if one.session == session]
+        own = [run for run in self._stage.performances if run.session == session]
         runs: Sequence[Performance] = own or self._stage.performances
-        return steer.Positions(tuple(position for one in runs for position in one.runner.positions()))
+        return steer.Positions(tuple(position for run in runs for position in run.runner.positions()))
 
-    def _performance(self, session: str, asked: steer.Steering) -> Performance | str:
+    def _performance(self, session: str, command: steer.Steering) -> Performance | str:
         """The application that is meant, or why there is none."""
-        if asked.subsystem:
-            named = self._stage.performance_in(asked.subsystem)
-            return named if named is not None else f"no application runs in subsystem {asked.subsystem}"
+        if command.subsystem:
+            named = self._stage.performance_in(command.subsystem)
+            return named if named is not None else f"no application runs in subsystem {command.subsystem}"
         runs = self._stage.performances
-        found = [one for one in runs if one.session == session] or runs
-        if len(found) == 1:
-            return found[0]
-        names = ", ".join(name for one in found for name in one.names)
-        return f"expected one of the subsystems {names}, found none" if found else "no application runs"
+        candidates = [run for run in runs if run.session == session] or runs
+        if len(candidates) == 1:
+            return candidates[0]
+        names = ", ".join(name for run in candidates for name in run.names)
+        return f"expected one of the subsystems {names}, found none" if candidates else "no application runs"
 
 
 class _Answers:
@@ -81,10 +81,10 @@ class _Answers:
             self._answer(request.Done() if self._is_done else request.Refused(self._refusals[0]))
 
 
-def _wrong_condition(asked: steer.Steering) -> str:
-    if isinstance(asked, steer.Mark) and asked.condition:
+def _wrong_condition(command: steer.Steering) -> str:
+    if isinstance(command, steer.Mark) and command.condition:
         try:
-            Condition.parse(asked.condition)
+            Condition.parse(command.condition)
         except ValueError as wrong:
             return str(wrong)
     return ""

@@ -72,10 +72,10 @@ class Tally:
 
     def figures(self, statuses: Statuses, subsystems: Collection[str]) -> None:
         """The statuses of one RTPU; whoever asked for them, they add up to the figures of the run."""
-        for one in statuses.tasks:
-            if one.subsystem in subsystems:
-                address = (one.subsystem, one.task)
-                self._figures[address] = _sum(self._figures.get(address), _figures(statuses.rtpu, one))
+        for task_status in statuses.tasks:
+            if task_status.subsystem in subsystems:
+                address = (task_status.subsystem, task_status.task)
+                self._figures[address] = _sum(self._figures.get(address), _figures(statuses.rtpu, task_status))
 
     def read(self, tables: Mapping[str, Table]) -> None:
         """Read the watched variables; an address without a subsystem is looked for in all, in order."""
@@ -109,9 +109,17 @@ class Tally:
         )
 
 
-def _figures(rtpu: str, one: TaskStatus) -> TaskFigures:
-    times = (round(one.mean_us, 1), round(one.most_us, 1))
-    return TaskFigures(one.subsystem, one.task, rtpu, round(one.reference_hz, 3), one.cycle, one.miss, *times)
+def _figures(rtpu: str, task_status: TaskStatus) -> TaskFigures:
+    times = (round(task_status.mean_us, 1), round(task_status.most_us, 1))
+    return TaskFigures(
+        task_status.subsystem,
+        task_status.task,
+        rtpu,
+        round(task_status.reference_hz, 3),
+        task_status.cycle,
+        task_status.miss,
+        *times,
+    )
 
 
 def _sum(before: TaskFigures | None, more: TaskFigures) -> TaskFigures:

@@ -238,16 +238,16 @@ class Runner:
     def _follow(self, flow: int, message: news.TaskNews, before: State) -> None:
         """As the executor's client: count what is counted, and tell the engine."""
         self._count(flow, message)
-        told = of_task(flow, message, before)
-        if told is None:
+        meaning = of_task(flow, message, before)
+        if meaning is None:
             if isinstance(message, news.Refused):
                 text = f"{message.command} is refused: {message.reason}"
                 self._executors[flow].warn(message.task, text, self._now)
         elif isinstance(message, _MAY_STOP):
             with self._explainer.watch(message, happened_at(message, self._now)):
-                self._feed(told)
+                self._feed(meaning)
         else:
-            self._feed(told)
+            self._feed(meaning)
         if isinstance(message, news.Asked):
             with self._explainer.watch(message, message.now_ns):
                 self._input_requests.ask(message)

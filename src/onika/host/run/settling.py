@@ -37,7 +37,7 @@ class Settling:
     def ask(self) -> None:
         """Ask every unit for the figures of its tasks."""
         self._until = None
-        self._open = {member.rtpu for one in self._subsystems.values() for member in one.members.values()}
+        self._open = {member.rtpu for subsystem in self._subsystems.values() for member in subsystem.members.values()}
         for rtpu in sorted(self._open):
             self._units.send(rtpu, command.Report())
 

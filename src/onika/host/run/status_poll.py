@@ -33,13 +33,13 @@ class Roll:
             self._units.send(rtpu, command.Report())
         self._tell()
 
-    def hear(self, heard: news.Statuses | news.Loads) -> None:
+    def hear(self, message: news.Statuses | news.Loads) -> None:
         """One unit's answer."""
-        if isinstance(heard, news.Statuses):
-            self.loads[heard.rtpu] = heard.load
-            if heard.rtpu in self._awaited:
-                self._awaited.discard(heard.rtpu)
-                self._came[heard.rtpu] = heard
+        if isinstance(message, news.Statuses):
+            self.loads[message.rtpu] = message.load
+            if message.rtpu in self._awaited:
+                self._awaited.discard(message.rtpu)
+                self._came[message.rtpu] = message
                 self._tell()
 
     def lost(self) -> None:
@@ -48,7 +48,7 @@ class Roll:
         self._awaited &= alive
         self._tell()
         for (subsystem, task), waiting in self._questions.items():
-            for rtpu, then in [one for one in waiting if one[0] not in alive]:
+            for rtpu, then in [question for question in waiting if question[0] not in alive]:
                 waiting.remove((rtpu, then))
                 then(news.Refused(subsystem, task, "get or set", f"{rtpu} is gone"))
 
@@ -57,12 +57,12 @@ class Roll:
         self._questions.setdefault((order.subsystem, order.task), []).append((rtpu, then))
         self._units.send(rtpu, order)
 
-    def answered(self, heard: news.Got | news.Refused) -> None:
+    def answered(self, message: news.Got | news.Refused) -> None:
         """A module's answer."""
-        waiting = self._questions.get((heard.subsystem, heard.task), [])
+        waiting = self._questions.get((message.subsystem, message.task), [])
         if waiting:
             _, then = waiting.pop(0)
-            then(heard)
+            then(message)
 
     def _tell(self) -> None:
         if self._askers and not self._awaited:

@@ -11,26 +11,26 @@ class Strides:
         self._largest: dict[tuple[str, str], news.Stepped] = {}
         self._counts: dict[tuple[str, str], list[int]] = {}
 
-    def note(self, heard: news.Stepped) -> None:
+    def note(self, message: news.Stepped) -> None:
         """One more."""
-        key = heard.subsystem, heard.variable
+        key = message.subsystem, message.variable
         before = self._largest.get(key)
-        if before is None or _share(heard) > _share(before):
-            self._largest[key] = heard
+        if before is None or _share(message) > _share(before):
+            self._largest[key] = message
         counts = self._counts.setdefault(key, [0, 0, 0, 0])
-        is_too_far = 0.0 < heard.limit < heard.step
+        is_too_far = 0.0 < message.limit < message.step
         counts[0] += 1
-        counts[1] += heard.cycles > 0
-        counts[2] = max(counts[2], heard.cycles)
-        counts[3] += is_too_far and not heard.cycles
+        counts[1] += message.cycles > 0
+        counts[2] = max(counts[2], message.cycles)
+        counts[3] += is_too_far and not message.cycles
 
     def figures(self, began_at: int) -> tuple[VariableSteps, ...]:
         """All of them, by subsystem and variable; times count from the run's start."""
         return tuple(_figures(self._largest[key], self._counts[key], began_at) for key in sorted(self._largest))
 
 
-def _share(one: news.Stepped) -> float:
-    return one.step / (one.limit or 1.0)
+def _share(message: news.Stepped) -> float:
+    return message.step / (message.limit or 1.0)
 
 
 def _figures(largest: news.Stepped, counts: list[int], began_at: int) -> VariableSteps:
