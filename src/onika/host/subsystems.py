@@ -5,10 +5,10 @@ from typing import Protocol
 
 from onika.host.edit.live_subsystem import LiveSubsystem
 from onika.host.edit.load_forecast import Forecast
-from onika.host.run.clock_gate import Hold
-from onika.host.run.replay import Repeat
+from onika.host.run.clock_gate import ClockGate
+from onika.host.run.replay import Replay
 from onika.host.run.run import Performance
-from onika.host.run.status_poll import Roll
+from onika.host.run.status_poll import StatusPoll
 from onika.host.units.unit_registry import Units
 from onika.ring.segment import Segment
 from onika.runtime import command, news
@@ -57,10 +57,10 @@ class Stage:
         self.tables: dict[str, Table] = {}
         self.performances: list[Performance] = []
         self.lost_units: dict[str, str] = {}
-        self.roll = Roll(units, self._alive)
+        self.roll = StatusPoll(units, self._alive)
         self.forecast = Forecast()
-        self.hold = Hold(tell)
-        self.repeat = Repeat()
+        self.hold = ClockGate(tell)
+        self.repeat = Replay()
         self._asked_loads_at = 0
         self.until = 0
         """Up to when the clock goes on in virtual time though no application runs."""

@@ -3,7 +3,7 @@ import pytest
 from kit.direct_client import DirectClient
 from kit.plan_builder import action
 from kit.rail_world import rail_tasks
-from onika.host.run.clock_gate import Hold
+from onika.host.run.clock_gate import ClockGate
 from onika.wire import event, request, steer
 
 SECOND = 1_000_000_000
@@ -17,7 +17,7 @@ def told():
 
 @pytest.fixture
 def hold(told):
-    return Hold(lambda one, subsystem, session: told.append((one, subsystem, session)))
+    return ClockGate(lambda one, subsystem, session: told.append((one, subsystem, session)))
 
 
 def test_where_no_run_is_held_the_clock_goes_on(hold, told):  # R-E07

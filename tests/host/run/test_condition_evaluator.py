@@ -1,6 +1,6 @@
 import pytest
 
-from onika.host.run.condition_evaluator import Judge
+from onika.host.run.condition_evaluator import ConditionEvaluator
 from onika.ring.segment import Segment
 from onika.runtime.subsystem import RunningSubsystem
 from onika.runtime.table import SIZE, Table
@@ -19,7 +19,7 @@ def subsystem(name, **values):
 def judge():
     left = subsystem("left", LAMP=("int", (1).to_bytes(4, "little")))
     right = subsystem("right", LAMP=("int", (0).to_bytes(4, "little")))
-    return Judge({0: left, 1: right})
+    return ConditionEvaluator({0: left, 1: right})
 
 
 def test_a_variable_is_looked_for_in_the_flow_that_asks(judge):  # R-D13

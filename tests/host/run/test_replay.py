@@ -1,4 +1,4 @@
-from onika.host.run.replay import Repeat
+from onika.host.run.replay import Replay
 from onika.wire import request, steer
 from onika.wire.request import Recorded, encode
 
@@ -7,7 +7,7 @@ PAUSE, ANSWER = steer.Pause("flow0"), request.Reply("flow0", "gauge", "1")
 
 
 def repeated(*asked, until_ns=10 * SECOND, now=0):
-    repeat = Repeat()
+    repeat = Replay()
     inputs = tuple(Recorded(at, turn, encode(one)) for at, turn, one in asked)
     repeat.begin("me", request.Begin(repeat=inputs, repeat_until_ns=until_ns), now)
     return repeat

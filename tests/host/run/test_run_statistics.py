@@ -1,6 +1,6 @@
 import numpy as np
 
-from onika.host.run.run_statistics import Tally, plain
+from onika.host.run.run_statistics import RunStatistics, plain
 from onika.ring.segment import Segment
 from onika.runtime.news import Statuses, TaskStatus
 from onika.runtime.table import SIZE, Table
@@ -23,13 +23,13 @@ def status(subsystem, task, **changes):
 
 
 def test_watched_variables_are_read_by_subsystem_or_from_the_first_that_has_them():  # R-E11
-    tally = Tally(("X", "flow1/X", "Y", "flow0/Y", "NOBODY", "flow7/X"))
+    tally = RunStatistics(("X", "flow1/X", "Y", "flow0/Y", "NOBODY", "flow7/X"))
     tally.read({"flow0": table(X=1.0), "flow1": table(X=2.0, Y=[3.0, 4.0])})
     assert tally.values == {"X": 1.0, "flow1/X": 2.0, "Y": [3.0, 4.0]}
 
 
 def test_what_was_never_written_reads_as_zero():
-    tally = Tally(("X",))
+    tally = RunStatistics(("X",))
     made = Table(Segment.create("table", SIZE))
     made.entry("X", Shape.parse("int"))
     tally.read({"flow0": made})
@@ -37,7 +37,7 @@ def test_what_was_never_written_reads_as_zero():
 
 
 def test_a_switch_lasts_from_the_finish_to_the_first_cycle_after_it():  # R-A07
-    tally = Tally(())
+    tally = RunStatistics(())
     tally.first_cycle(0, 1_000)  # no finish before it: the beginning of the run
     tally.finished(0, 5_000)
     tally.finished(1, 6_000)
@@ -48,7 +48,7 @@ def test_a_switch_lasts_from_the_finish_to_the_first_cycle_after_it():  # R-A07
 
 
 def test_only_the_first_end_counts():  # R-E14
-    tally = Tally(())
+    tally = RunStatistics(())
     tally.began_at = 1_000_000_000
     tally.done = 3
     tally.end(False, "somebody fell", 3_500_000_000)
@@ -59,7 +59,7 @@ def test_only_the_first_end_counts():  # R-E14
 
 
 def test_figures_of_all_units_are_told_in_order():  # R-A17
-    tally, flows = Tally(()), ("flow0", "flow1")
+    tally, flows = RunStatistics(()), ("flow0", "flow1")
     tally.figures(Statuses("rt1", 0.1, (status("flow1", "a"), status("flow0", "z"))), flows)
     tally.figures(Statuses("rt0", 0.1, (status("flow0", "b", miss=4),)), flows)
     tally.figures(Statuses("rt0", 0.1, (status("another", "b"),)), flows)
@@ -73,7 +73,7 @@ def test_figures_of_all_units_are_told_in_order():  # R-A17
 
 
 def test_figures_add_up_whoever_asks_for_statuses_meanwhile():  # R-A17
-    tally = Tally(())
+    tally = RunStatistics(())
     for missed in (1, 4):
         tally.figures(Statuses("rt0", 0.1, (status("flow0", "b", miss=missed),)), ("flow0",))
     task = tally.result(0, 0.0, "").tasks[0]
@@ -86,7 +86,7 @@ def test_values_travel_as_plain_lists_and_numbers():
 
 
 def test_flows_that_begin_together_are_told_when_the_last_of_them_has_cycled():  # R-X03
-    tally = Tally(())
+    tally = RunStatistics(())
     tally.meets("meet", (0, 2))
     assert tally.first_cycle(2, 5_000) is None
     assert tally.first_cycle(1, 6_000) is None
@@ -97,7 +97,7 @@ def test_flows_that_begin_together_are_told_when_the_last_of_them_has_cycled(): 
 
 
 def test_who_has_waited_has_not_switched():  # R-X03
-    tally = Tally(())
+    tally = RunStatistics(())
     tally.finished(0, 1_000)
     tally.meets("meet", (0, 1))
     tally.first_cycle(0, 9_000)

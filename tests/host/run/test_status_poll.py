@@ -1,4 +1,4 @@
-from onika.host.run.status_poll import Roll
+from onika.host.run.status_poll import StatusPoll
 from onika.runtime import command, news
 
 
@@ -12,7 +12,7 @@ class Sent:
 
 def roll_of(*rtpus):
     alive, sent = list(rtpus), Sent()
-    return Roll(sent, lambda: alive), sent, alive
+    return StatusPoll(sent, lambda: alive), sent, alive
 
 
 def statuses(rtpu, load=0.5):

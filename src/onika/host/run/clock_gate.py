@@ -16,7 +16,7 @@ _TELLING = (event.Began, event.Done, event.Failed, event.Asked, event.Moved, eve
 """What steering may wait for."""
 
 
-class Hold:
+class ClockGate:
     """At most one run is held at a time; where none is, the clock goes on."""
 
     def __init__(self, tell: Tell) -> None:

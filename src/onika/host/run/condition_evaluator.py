@@ -7,7 +7,7 @@ from onika.runtime.subsystem import RunningSubsystem
 from onika.words.condition import Condition
 
 
-class Judge:
+class ConditionEvaluator:
     """An address without a subsystem means the asking flow's own; what is not there never holds."""
 
     def __init__(self, subsystems: Mapping[int, RunningSubsystem]) -> None:

@@ -21,7 +21,7 @@ _STEERING = (
 )
 
 
-class Repeat:
+class Replay:
     """At most one run is repeated at a time. `now` is the runtime's time, `turn` the driver's count at that instant."""
 
     def __init__(self) -> None:

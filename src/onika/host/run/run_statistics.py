@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from msgspec import structs
 
-from onika.host.run.transfer_statistics import Strides
+from onika.host.run.transfer_statistics import TransferStatistics
 from onika.runtime.news import Statuses, TaskStatus
 from onika.runtime.table import Table
 from onika.wire import event
@@ -23,7 +23,7 @@ class Meeting:
     skew_us: float
 
 
-class Tally:
+class RunStatistics:
     """Filled by the runner, told at the end."""
 
     def __init__(self, watch: tuple[str, ...]) -> None:
@@ -33,7 +33,7 @@ class Tally:
         self._switches: list[float] = []
         self._skews: list[float] = []
         self._meetings: dict[int, tuple[str, tuple[int, ...], dict[int, int]]] = {}
-        self.strides = Strides()
+        self.strides = TransferStatistics()
         self.values: dict[str, Any] = {}
         self.done = 0
         self.completed = False

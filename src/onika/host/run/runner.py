@@ -16,12 +16,12 @@ from onika.host.execution import task_events
 from onika.host.execution.spawner import Spawner
 from onika.host.execution.subsystem_executor import SubsystemExecutor, happened_at
 from onika.host.loading.plan_preparation import Preparation
-from onika.host.run.condition_evaluator import Judge
+from onika.host.run.condition_evaluator import ConditionEvaluator
 from onika.host.run.engine_news import of_task
 from onika.host.run.input_requests import InputRequests
 from onika.host.run.prepared_switch import PreparedSwitches
 from onika.host.run.run_events import FlowNote, RunEvents
-from onika.host.run.run_statistics import Tally
+from onika.host.run.run_statistics import RunStatistics
 from onika.host.run.settling import Settling
 from onika.host.run.switches import Switches
 from onika.host.units.unit_registry import Units
@@ -77,7 +77,7 @@ class Runner:
         self._explainer = Explainer(prepared, self._tables, self._engine.positions, tell)
         self._settling = Settling(begin.settle_s, subsystems, units)
         self._now = 0
-        self.tally = Tally(begin.watch)
+        self.tally = RunStatistics(begin.watch)
         self.is_over = False
         self._stands_still = False
 
@@ -93,7 +93,7 @@ class Runner:
         triggers = {(flow, wired.name) for flow, wired in tasks if wired.sheet.trigger}
         ranks = {(flow, task): rank for flow, home in subsystems.items() for task, rank in home.ranks.items()}
         stands_still = self._begin.on_error == "wait"
-        judge = Judge(subsystems)
+        judge = ConditionEvaluator(subsystems)
         return Engine(self._prepared.plan, self._prepared.triggers, passive, ranks, triggers, judge.holds, stands_still)
 
     def start(self, now: int) -> None:

@@ -9,7 +9,7 @@ Then = Callable[[dict[str, news.Statuses]], None]
 Answered = Callable[[news.Got | news.Refused], None]
 
 
-class Roll:
+class StatusPoll:
     """Who asked for statuses, or a module for a value, and what has come in so far."""
 
     def __init__(self, units: Units, alive: Callable[[], Iterable[str]]) -> None:

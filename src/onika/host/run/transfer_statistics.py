@@ -4,7 +4,7 @@ from onika.runtime import news
 from onika.wire.figures import VariableSteps
 
 
-class Strides:
+class TransferStatistics:
     """By variable: how often it was measured, and the step that was the largest share of what it may be."""
 
     def __init__(self) -> None:
