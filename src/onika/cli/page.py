@@ -45,12 +45,13 @@ def describe(parser: argparse.ArgumentParser) -> None:
 def carry_out(given: argparse.Namespace) -> int:
     """Open the environment, until Ctrl-C."""
     if given.connect and given.no_connect:
-        given.complain("expected --connect or --no-connect, found both")
+        given.complain(say(Reason.of("cli.connect_or_not")))
     try:
         listening = bound(PORT if given.port is None else given.port)
     except OSError as taken:
         if given.port is not None:
-            given.complain(f"expected a port that is free, found {given.port}: {taken.strerror}")
+            why = Reason.plain(taken.strerror or "")
+            given.complain(say(Reason.of("cli.port_taken", port=given.port, why=why)))
         listening = bound(0)
     token = "" if given.token_file is None else read_token(given.token_file)
     wishes = Wishes(

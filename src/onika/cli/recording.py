@@ -148,5 +148,5 @@ def _amount(text: str) -> float:
     except ValueError:
         amount = -1.0
     if not 0.0 <= amount <= 1e9:
-        raise argparse.ArgumentTypeError(f"expected a number from 0 on, found {text!r}")
+        raise argparse.ArgumentTypeError(say(Reason.of("cli.amount_expected", text=text)))
     return amount

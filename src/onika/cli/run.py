@@ -193,13 +193,15 @@ def _token(text: str) -> str:
     try:
         return read_token(Path(text))
     except (OSError, ValueError) as wrong:
-        raise argparse.ArgumentTypeError(f"expected a file with a token, found {wrong}") from None
+        raise argparse.ArgumentTypeError(
+            say(Reason.of("cli.token_expected", reason=Reason.plain(str(wrong))))
+        ) from None
 
 
 def _new_file(text: str) -> Path:
     path = Path(text)
     if path.is_dir() or not path.absolute().parent.is_dir():
-        raise argparse.ArgumentTypeError(f"expected a file in a directory that is there, found {text!r}")
+        raise argparse.ArgumentTypeError(say(Reason.of("cli.new_file_expected", text=text)))
     return path
 
 
@@ -209,7 +211,7 @@ def _seconds(text: str) -> float:
     except ValueError:
         seconds = -1.0
     if not 0.0 <= seconds <= 3600.0:
-        raise argparse.ArgumentTypeError(f"expected seconds from 0 to 3600, found {text!r}")
+        raise argparse.ArgumentTypeError(say(Reason.of("cli.seconds_expected", most="3600", text=text)))
     return seconds
 
 
@@ -219,13 +221,13 @@ def _instant(text: str) -> float:
     except ValueError:
         seconds = -1.0
     if not 0.0 <= seconds <= 1e6:
-        raise argparse.ArgumentTypeError(f"expected seconds from 0 to 1000000, found {text!r}")
+        raise argparse.ArgumentTypeError(say(Reason.of("cli.seconds_expected", most="1000000", text=text)))
     return seconds
 
 
 def _whole(text: str) -> int:
     if not re.fullmatch(r"[+-]?[0-9]{1,18}", text):
-        raise argparse.ArgumentTypeError(f"expected a whole number of at most 18 digits, found {text!r}")
+        raise argparse.ArgumentTypeError(say(Reason.of("cli.whole_expected", digits=18, text=text)))
     return int(text)
 
 
@@ -233,5 +235,5 @@ def _answer(text: str) -> tuple[str, str, str]:
     address, equals, values = text.partition("=")
     task, dot, name = address.strip().rpartition(".")
     if not (equals and dot and task and name):
-        raise argparse.ArgumentTypeError(f"expected TASK.NAME=VALUES, found {text!r}")
+        raise argparse.ArgumentTypeError(say(Reason.of("cli.answer_expected", text=text)))
     return task, name, values.replace(",", " ").strip()

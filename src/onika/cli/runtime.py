@@ -90,7 +90,7 @@ def script_file(text: str) -> Path:
     """A script on the command line; raises ArgumentTypeError where there is none."""
     path = Path(text)
     if not path.is_file():
-        raise argparse.ArgumentTypeError(f"expected a file of lines, found none at {text!r}")
+        raise argparse.ArgumentTypeError(say(Reason.of("cli.script_expected", text=text)))
     return path
 
 
@@ -103,7 +103,7 @@ def _listen(given: argparse.Namespace) -> tuple[str, ...]:
     if given.listen:
         return ("--listen", given.listen, *words)
     if words:
-        given.complain(f"expected --listen HOST:PORT with {words[0]}, found none")
+        given.complain(say(Reason.of("cli.listen_expected", option=words[0])))
     return ()
 
 
@@ -120,13 +120,14 @@ def lease(text: str) -> float:
     except ValueError:
         seconds = 0.0
     if not SHORTEST_S <= seconds <= LONGEST_S:
-        raise argparse.ArgumentTypeError(f"expected {SHORTEST_S:g} to {LONGEST_S:g} seconds, found {text!r}")
+        raise argparse.ArgumentTypeError(
+            say(Reason.of("cli.lease_expected", least=SHORTEST_S, most=LONGEST_S, text=text))
+        )
     return seconds
 
 
 def unit(text: str) -> str:
     """The name of a processing unit; raises ArgumentTypeError for what is none."""
     if not TASK_NAME.match(text):
-        expected = "a name of letters, digits and _ . - that begins with a letter"
-        raise argparse.ArgumentTypeError(f"expected {expected}, found {text!r}")
+        raise argparse.ArgumentTypeError(say(Reason.of("cli.unit_expected", text=text)))
     return text

@@ -4,7 +4,9 @@ import argparse
 import os
 from pathlib import Path
 
+from onika.cli.language import say
 from onika.store.site import Site, open_site
+from onika.words.reason import Reason
 
 
 def site_here(local: list[str]) -> Site:
@@ -15,5 +17,5 @@ def site_here(local: list[str]) -> Site:
 def directory(text: str) -> str:
     """A directory on the command line; raises ArgumentTypeError where there is none."""
     if not Path(text).is_dir():
-        raise argparse.ArgumentTypeError(f"expected a base directory, found none at {text!r}")
+        raise argparse.ArgumentTypeError(say(Reason.of("cli.directory_expected", text=text)))
     return text

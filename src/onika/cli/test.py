@@ -72,5 +72,5 @@ def _tell(trial: Trial) -> None:
 
 def _count(text: str) -> int:
     if not text.isdigit() or not text.isascii() or len(text) > 4:
-        raise argparse.ArgumentTypeError(f"expected a whole number of at most 4 digits, found {text!r}")
+        raise argparse.ArgumentTypeError(say(Reason.of("cli.whole_expected", digits=4, text=text)))
     return int(text)

@@ -2,6 +2,9 @@
 
 import argparse
 
+from onika.cli.language import say
+from onika.words.reason import Reason
+
 SLOWEST, FASTEST = 0.01, 1000.0
 
 
@@ -12,5 +15,5 @@ def scale(text: str) -> float:
     except ValueError:
         number = 0.0
     if not SLOWEST <= number <= FASTEST:
-        raise argparse.ArgumentTypeError(f"expected a number from {SLOWEST:g} to {FASTEST:g}, found {text!r}")
+        raise argparse.ArgumentTypeError(say(Reason.of("cli.scale_expected", least=SLOWEST, most=FASTEST, text=text)))
     return number

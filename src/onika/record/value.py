@@ -32,12 +32,20 @@ def schema(shape: Shape, unit: str = "") -> bytes:
     if is_picture(shape):
         field = {"type": "string", "contentEncoding": "base64"}
     else:
-        kind = "number" if shape.type.is_real else "integer" if shape.type.is_whole else "string"
-        field = {"type": "array", "items": {"type": kind}} if shape.dims else {"type": kind}
+        field = {"type": _kind(shape.type)}
+        if shape.dims:
+            field = {"type": "array", "items": field}
     field["description"] = f"{shape}, row by row" if len(shape.dims) > 1 else str(shape)
     if unit:
         field["description"] += f" [{unit}]"
     return _encode({"type": "object", "properties": {"value": field}, "required": ["value"]})
+
+
+def _kind(type_: ValueType) -> str:
+    """The JSON schema's word for one element."""
+    if type_.is_real:
+        return "number"
+    return "integer" if type_.is_whole else "string"
 
 
 def title(shape: Shape, unit: str = "") -> str:
@@ -53,7 +61,9 @@ def encoder(shape: Shape) -> Callable[[Sequence[bytes]], list[bytes]]:
         kind, is_vector = shape.type, bool(shape.dims)
         return lambda values: [_encode({"value": letters.decode(data, kind, is_vector)}) for data in values]
     code, is_real, width = shape.type.code, shape.type.is_real, shape.count
-    first, last = (b'{"value":[', b"]}") if shape.dims else (b'{"value":', b"}")
+    first, last = b'{"value":', b"}"
+    if shape.dims:
+        first, last = b'{"value":[', b"]}"
 
     def encode(values: Sequence[bytes]) -> list[bytes]:
         flat = memoryview(b"".join(values))
@@ -61,8 +71,10 @@ def encoder(shape: Shape) -> Callable[[Sequence[bytes]], list[bytes]]:
         text = _encode(rows)[2:-2]
         texts = text.split(b"],[")
         if is_real and b"null" in text:  # what is no number, or without end
-            texts = [_with_infinities(row) if b"null" in text else text for row, text in zip(rows, texts, strict=True)]
-        return [first + text + last for text in texts]
+            for place, row in enumerate(rows):
+                if b"null" in texts[place]:
+                    texts[place] = _with_infinities(row)
+        return [first + row_text + last for row_text in texts]
 
     return encode
 
@@ -84,8 +96,10 @@ def decode(body: bytes, shape: Shape) -> Any:
 
 def flat(body: bytes, shape: Shape) -> list[Any]:
     """The same as the list of its elements, row by row."""
-    array = decode(body, Shape(shape.type, (shape.count,)) if shape.dims else shape)
-    return array if isinstance(array, list) else [array]
+    if not shape.dims:
+        return [decode(body, shape)]
+    elements: list[Any] = decode(body, Shape(shape.type, (shape.count,)))
+    return elements
 
 
 def _real(value: float | None) -> float:
@@ -93,8 +107,12 @@ def _real(value: float | None) -> float:
 
 
 def _with_infinities(numbers: list[float]) -> bytes:
-    texts = (
-        repr(number) if math.isfinite(number) else "null" if math.isnan(number) else "1e999" if number > 0 else "-1e999"
-        for number in numbers
-    )
-    return ",".join(texts).encode()
+    return ",".join(map(_number_text, numbers)).encode()
+
+
+def _number_text(number: float) -> str:
+    if math.isfinite(number):
+        return repr(number)
+    if math.isnan(number):
+        return "null"
+    return "1e999" if number > 0 else "-1e999"

@@ -1,10 +1,10 @@
 """The guard process of a program that a task has started: it ends the program when the task ends (F04).
 
-Run as a script of its own, `python -I -S keeper.py COMMAND…`, with a socket, the lifeline, under the descriptor 3. The
-program runs as long as the other end of the lifeline is open. When that is closed, by the task or because its whole
+Run as a script of its own, `python -I -S child_guard.py COMMAND…`, with a socket, the lifeline, under the descriptor 3.
+The program runs as long as the other end of the lifeline is open. When that is closed, by the task or because its whole
 process is gone, the program has a moment to end by itself, which the end of its input tells it to; then it is ended.
-When the program ends first, the keeper says how on the lifeline. Either way nothing of it is left in the end: what the
-program started, and left behind or gave a session of its own, becomes the keeper's child and ends with the lifeline.
+When the program ends first, the guard says how on the lifeline. Either way nothing of it is left in the end: what the
+program started, and left behind or gave a session of its own, becomes the guard's child and ends with the lifeline.
 It knows nothing of Onika, so that it starts quickly.
 """
 

@@ -69,6 +69,6 @@ class GuardedChild:
         )
 
     def _reap(self) -> None:
-        """The process that was started ends at once, its keeper is another one; so there is nothing to wait for."""
+        """The process that was started ends at once, its guard is another one; so there is nothing to wait for."""
         with contextlib.suppress(ChildProcessError):
             os.waitpid(self._pid, os.WNOHANG)

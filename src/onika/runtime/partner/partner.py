@@ -269,7 +269,7 @@ class Partner:
             return
         self._why = why
         if was_sent and self._address is not None:
-            self._fail(why)  # where its program was started for the task alone, the keeper says more in a moment
+            self._fail(why)  # where its program was started for the task alone, its guard says more in a moment
 
     def _drop(self) -> None:
         if self._line is not None:
