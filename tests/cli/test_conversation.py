@@ -25,7 +25,7 @@ class Played:
         self._lines = list(lines)
 
     def say(self, line, tone=Tone.PLAIN):
-        self.said.append(line)
+        self.said.append(str(line))
 
     def line(self, prompt, timeout_s):
         self.prompts.append(prompt)

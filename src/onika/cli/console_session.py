@@ -14,7 +14,7 @@ from onika.desk.console.console import Console
 from onika.desk.console.display import ConsoleDisplay, Tone
 from onika.desk.console.session import ConsoleSession, Runtime
 from onika.store.site import Site
-from onika.words.reason import Reason
+from onika.words.reason import Reason, Text
 
 
 class _RemoteRuntime:
@@ -23,7 +23,7 @@ class _RemoteRuntime:
     def __init__(self) -> None:
         self.face: ConsoleDisplay | None = None
 
-    def say(self, line: str, tone: Tone = Tone.PLAIN) -> None:
+    def say(self, line: Text, tone: Tone = Tone.PLAIN) -> None:
         """Pass it on."""
         if self.face is not None:
             self.face.say(line, tone)
@@ -40,7 +40,7 @@ def sit_down(
         wire.face = desk
         faults = session.begin()
         for fault in faults:
-            desk.say(str(fault), Tone.FAULT)
+            desk.say(fault.sentence, Tone.FAULT)
         if faults:
             return 1
         _welcome(session, desk)

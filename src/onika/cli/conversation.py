@@ -7,7 +7,7 @@ from typing import Protocol
 
 from onika.desk.console.console import Console
 from onika.desk.console.display import ConsoleDisplay, Tone
-from onika.desk.console.session import ConsoleSession, Faults
+from onika.desk.console.session import ConsoleSession, Faults, typed_fault
 from onika.desk.run.interruption import Interruption
 from onika.words.fault import Place
 
@@ -128,5 +128,5 @@ def _prompt(session: ConsoleSession) -> str:
 
 def _show(desk: ConsoleDisplay, faults: Faults, typed: bool) -> None:
     for fault in faults:
-        whole = str(fault)
-        desk.say(whole.partition(": ")[2] if typed and fault.place == Place("line") else whole, Tone.FAULT)
+        is_in_typed_line = typed and fault.place == Place("line")
+        desk.say(typed_fault(fault) if is_in_typed_line else fault.sentence, Tone.FAULT)

@@ -5,8 +5,10 @@ import select
 import sys
 from types import TracebackType
 
+from onika.cli.language import say
 from onika.cli.safe_text import safe
 from onika.desk.console.display import Tone
+from onika.words.reason import Text
 
 
 class PlainConsole:
@@ -26,10 +28,10 @@ class PlainConsole:
     ) -> None:
         pass
 
-    def say(self, line: str, tone: Tone = Tone.PLAIN) -> None:
+    def say(self, line: Text, tone: Tone = Tone.PLAIN) -> None:
         """Show a line."""
         del tone
-        print(safe(line), flush=True)
+        print(safe(say(line)), flush=True)
 
     def line(self, prompt: str, timeout_s: float) -> str | None:
         """The next line, None while there is none yet; raises EOFError at the end of the input."""

@@ -14,8 +14,10 @@ from rich.cells import cell_len
 
 from onika.cli.editor import Editor
 from onika.cli.keys import Keys
+from onika.cli.language import say
 from onika.cli.safe_text import safe
 from onika.desk.console.display import Tone
+from onika.words.reason import Text
 
 _COLOURS = {
     Tone.HEAD: "1",
@@ -62,12 +64,12 @@ class Terminal:
         termios.tcsetattr(self._input, termios.TCSADRAIN, self._usual)
         _keep(self._history, self._editor.history)
 
-    def say(self, line: str, tone: Tone = Tone.PLAIN) -> None:
+    def say(self, line: Text, tone: Tone = Tone.PLAIN) -> None:
         """Show a line above the one that is typed."""
         was_shown = self._is_shown
         self._hide()
         colour = _COLOURS.get(tone, "") if self._has_colour else ""
-        text = safe(line)
+        text = safe(say(line))
         sys.stdout.write((f"\x1b[{colour}m{text}\x1b[0m" if colour else text) + "\n")
         if was_shown:
             self._show()
@@ -109,7 +111,7 @@ class Terminal:
             for row in _rows(self._editor.offered, get_terminal_size().columns):
                 self.say(row, Tone.DIM)
             return None
-        sys.stdout.write(_CLEAR + self._prompt + safe(line) + "\n")  # as it was typed stays above
+        sys.stdout.write(_CLEAR + self._prompt + safe(say(line)) + "\n")  # as it was typed stays above
         self._is_shown = False
         sys.stdout.flush()
         return line

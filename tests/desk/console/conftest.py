@@ -31,7 +31,7 @@ class ConsoleFixture:
         return self._now_s
 
     def say(self, line, tone=Tone.PLAIN):
-        self.lines.append(line)
+        self.lines.append(str(line))
         self.tones.append(tone)
 
     def does(self, *lines):

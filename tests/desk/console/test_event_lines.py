@@ -1,8 +1,12 @@
 import pytest
 
 from onika.desk.console.display import Tone
-from onika.desk.console.event_lines import lines
+from onika.desk.console.event_lines import lines as event_lines
 from onika.wire import event
+
+
+def lines(message):
+    return [(str(line), tone) for line, tone in event_lines(message)]
 
 
 @pytest.mark.parametrize(

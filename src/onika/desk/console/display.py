@@ -3,6 +3,8 @@
 from enum import Enum
 from typing import Protocol
 
+from onika.words.reason import Text
+
 
 class Tone(Enum):
     """How a line is meant; a terminal may colour it."""
@@ -19,6 +21,6 @@ class Tone(Enum):
 class ConsoleDisplay(Protocol):
     """Shows lines as they come."""
 
-    def say(self, line: str, tone: Tone = Tone.PLAIN) -> None:
+    def say(self, line: Text, tone: Tone = Tone.PLAIN) -> None:
         """Show one line."""
         ...

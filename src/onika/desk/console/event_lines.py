@@ -7,8 +7,9 @@ from onika.desk.console.value import shown
 from onika.desk.run import explanation_text, transfer_text
 from onika.desk.run.positions import waits
 from onika.wire import event
+from onika.words.reason import NOTHING, Reason, Text
 
-Line = tuple[str, Tone]
+Line = tuple[Text, Tone]
 
 _STATES = {"ON": Tone.GOOD, "ERROR": Tone.FAULT, "ASKING": Tone.ASK}
 
@@ -16,38 +17,43 @@ _STATES = {"ON": Tone.GOOD, "ERROR": Tone.FAULT, "ASKING": Tone.ASK}
 def lines(message: event.Event) -> Iterator[Line]:
     """The lines of an event; none for those that only machines want."""
     match message:
-        case event.Began():
-            yield f"{_at(message.at_s)}  {message.index + 1}/{message.of}  {message.action}", Tone.PLAIN
-        case event.TaskState():
-            yield (
-                f"{_at(message.at_s)}  {message.subsystem}/{message.task} {message.state}",
-                _STATES.get(message.state, Tone.DIM),
-            )
+        case event.Began() | event.TaskState() | event.Signalled() | event.Drive():
+            yield _step(message)
         case event.Warned() | event.Stepped():
             yield from _noted(message)
         case event.Failed():
             yield from _failed(message)
         case event.Asked():
             yield from _asked(message)
-        case event.Drive():
-            yield from _drive(message)
-        case event.Signalled():
-            number = f" {message.number}" if message.kind in ("FINISH", "USER") else ""
-            text = f": {message.text}" if message.text else ""
-            yield (
-                f"{_at(message.at_s)}  {message.subsystem}/{message.task} signals {message.kind}{number}{text}",
-                Tone.NOTE,
-            )
         case event.Moved() | event.Met() | event.Explained():
             yield from _flows(message)
         case event.Lost():
-            yield f"{_at(message.at_s)}  LOST {message.name}: {message.cause}", Tone.FAULT
+            yield _timed(message.at_s, Reason.of("console.lost", name=message.name, cause=message.cause)), Tone.FAULT
         case event.Held() | event.Offered():
             yield _held(message)
         case event.Stopped():
             yield _stopped(message)
         case event.Result():
-            yield from _result(message)
+            yield _result(message)
+
+
+def _step(message: event.Began | event.TaskState | event.Signalled | event.Drive) -> Line:
+    """What the course of things brings: an action, a task's state, its signal, a drive."""
+    match message:
+        case event.Began():
+            return f"{_at(message.at_s)}  {message.index + 1}/{message.of}  {message.action}", Tone.PLAIN
+        case event.TaskState():
+            text = f"{_at(message.at_s)}  {message.subsystem}/{message.task} {message.state}"
+            return text, _STATES.get(message.state, Tone.DIM)
+        case event.Signalled():
+            signal = f"{message.kind} {message.number}" if message.kind in ("FINISH", "USER") else message.kind
+            task, because = f"{message.subsystem}/{message.task}", _because(message.text)
+            signals = Reason.of("console.signals", task=task, signal=signal, because=because)
+            return _timed(message.at_s, signals), Tone.NOTE
+        case event.Drive():
+            because = _because(message.cause)
+            drive = Reason.of("console.drive", device=message.device, state=message.state, because=because)
+            return _timed(message.at_s, drive), Tone.FAULT if message.state in ("TRIPPED", "PRESSED") else Tone.DIM
 
 
 def question(message: event.Asked, item: event.Item) -> str:
@@ -70,8 +76,9 @@ def _flows(message: event.Moved | event.Met | event.Explained) -> Iterator[Line]
         case event.Moved():
             yield from _moved(message)
         case event.Met():
-            tag, names = message.tag.rpartition(" ")[2], " and ".join(message.subsystems)
-            yield f"{_at(message.at_s)}  {names} go on together at {tag}, {message.skew_us:.0f} us apart", Tone.DIM
+            tag, names = message.tag.rpartition(" ")[2], tuple(message.subsystems)
+            met = Reason.of("console.met", names=names, tag=tag, skew_us=message.skew_us)
+            yield _timed(message.at_s, met), Tone.DIM
         case event.Explained():
             for line in explanation_text.lines(message):
                 yield line, Tone.FAULT if message.choices else Tone.NOTE
@@ -79,26 +86,38 @@ def _flows(message: event.Moved | event.Met | event.Explained) -> Iterator[Line]
 
 def _moved(moved: event.Moved) -> Iterator[Line]:
     """What is worth a line; actions that begin, errors and the end have their own."""
-    text = "" if moved.state == "stopped" else moved.text  # the error and its explanation stand beside it
+    flow = moved.subsystem
     if moved.state in ("waiting", "joining"):
-        text = waits(moved.tag, moved.waits_for)
+        yield f"{_at(moved.at_s)}  {flow} {waits(moved.tag, moved.waits_for)}", Tone.NOTE
+    elif moved.state == "paused" and moved.action >= 0:
+        yield _timed(moved.at_s, Reason.of("console.paused_after", flow=flow, action=moved.action + 1)), Tone.NOTE
     elif moved.state == "paused":
-        text = f"is paused after {moved.action + 1}" if moved.action >= 0 else "is paused before its first action"
-    if text:
-        yield f"{_at(moved.at_s)}  {moved.subsystem} {text}", Tone.NOTE
+        yield _timed(moved.at_s, Reason.of("console.paused_before", flow=flow)), Tone.NOTE
+    elif moved.text and moved.state != "stopped":  # the error and its explanation stand beside it
+        yield f"{_at(moved.at_s)}  {flow} {moved.text}", Tone.NOTE
 
 
 def _at(seconds: float) -> str:
     return f"{seconds:9.2f} s"
 
 
+def _timed(at_s: float, line: Reason) -> Reason:
+    return Reason.of("console.timed", at=_at(at_s), line=line)
+
+
+def _because(cause: str) -> Reason:
+    """A cause behind a colon; nothing where none is given."""
+    return Reason.of("console.because", cause=cause) if cause else NOTHING
+
+
 def _noted(message: event.Warned | event.Stepped) -> Iterator[Line]:
     """What is worth knowing; a step that was no larger than it may be is not."""
     if isinstance(message, event.Warned):
         who = f"{message.subsystem}/{message.task}: " if message.task else ""
-        yield f"{_at(message.at_s)}  note: {who}{message.text}", Tone.NOTE
+        yield _timed(message.at_s, Reason.of("console.note", text=f"{who}{message.text}")), Tone.NOTE
     elif message.is_too_far:
-        yield f"{_at(message.at_s)}  note: {message.subsystem}/{transfer_text.sentence(message)}", Tone.NOTE
+        step = f"{message.subsystem}/{transfer_text.sentence(message)}"
+        yield _timed(message.at_s, Reason.of("console.note", text=step)), Tone.NOTE
 
 
 def _failed(failed: event.Failed) -> Iterator[Line]:
@@ -119,30 +138,34 @@ def _asked(message: event.Asked) -> Iterator[Line]:
         yield f"{_at(message.at_s)}  {question(message, item)}", Tone.ASK
 
 
-def _drive(drive: event.Drive) -> Iterator[Line]:
-    text = f"{_at(drive.at_s)}  drive {drive.device} {drive.state}" + (f": {drive.cause}" if drive.cause else "")
-    yield text, Tone.FAULT if drive.state in ("TRIPPED", "PRESSED") else Tone.DIM
-
-
 def _stopped(stopped: event.Stopped) -> Line:
-    cause = f": {stopped.cause}" if stopped.cause else ""
+    because = _because(stopped.cause)
     if stopped.is_stopped:
-        return f"STOPPED{cause}; every drive holds until `reset`", Tone.FAULT
-    return f"motion is allowed again{cause}", Tone.GOOD
+        return Reason.of("console.stopped", because=because), Tone.FAULT
+    return Reason.of("console.motion_allowed", because=because), Tone.GOOD
 
 
 def _held(message: event.Held | event.Offered) -> Line:
     """Who may change a subsystem, or is to."""
+    subsystem = message.subsystem
     if isinstance(message, event.Held):
-        cause = f": {message.cause}" if message.cause else ""
-        return f"{message.subsystem} is held by {message.holder or 'nobody'}{cause}", Tone.NOTE
-    text = f"{message.holder} offers {message.subsystem} to {message.to or 'nobody'}"
+        holder, because = message.holder or _nobody(), _because(message.cause)
+        return Reason.of("console.held", subsystem=subsystem, holder=holder, because=because), Tone.NOTE
+    holder, to = message.holder, message.to or _nobody()
     if message.outcome:
-        return f"{text}: {message.outcome}", Tone.NOTE
-    return f"{text}, who may `take {message.subsystem}` or `decline {message.subsystem}`", Tone.ASK
+        outcome = message.outcome
+        return Reason.of("console.offered", holder=holder, subsystem=subsystem, to=to, outcome=outcome), Tone.NOTE
+    return Reason.of("console.offers", holder=holder, subsystem=subsystem, to=to), Tone.ASK
 
 
-def _result(result: event.Result) -> Iterator[Line]:
-    how = "completed" if result.completed else "aborted"
-    text = f"{_at(result.runtime_s)}  run {how}, {result.done} of {result.of} actions"
-    yield text + (f": {result.cause}" if result.cause else ""), Tone.GOOD if result.completed else Tone.FAULT
+def _nobody() -> Reason:
+    return Reason.of("console.nobody")
+
+
+def _result(result: event.Result) -> Line:
+    because = _because(result.cause)
+    if result.completed:
+        ending = Reason.of("console.completed", done=result.done, of=result.of, because=because)
+        return _timed(result.runtime_s, ending), Tone.GOOD
+    ending = Reason.of("console.aborted", done=result.done, of=result.of, because=because)
+    return _timed(result.runtime_s, ending), Tone.FAULT

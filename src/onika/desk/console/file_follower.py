@@ -81,7 +81,7 @@ class Follow:
         is_refused = bool(faults) and all(fault.place == Place(str(file.path)) for fault in faults)
         file.tries = file.tries + 1 if is_refused else 0
         for fault in faults:
-            session.say(str(fault), Tone.FAULT)
+            session.say(fault.sentence, Tone.FAULT)
         if is_refused and file.tries < _TRIES:
             session.say(f"{subsystem}/{name} goes on with its old code; it is tried again in a second", Tone.NOTE)
         elif faults:

@@ -11,7 +11,7 @@ from onika.store.site import Site
 from onika.wire import event, live, request
 from onika.wire.figures import VariableSteps
 from onika.words.fault import Fault, Place
-from onika.words.reason import Reason
+from onika.words.reason import Reason, Text
 
 Faults = tuple[Fault, ...]
 """Why a line was not carried out; empty where it was."""
@@ -98,7 +98,7 @@ class ConsoleSession:
 
     # -- saying
 
-    def say(self, line: str, tone: Tone = Tone.PLAIN) -> None:
+    def say(self, line: Text, tone: Tone = Tone.PLAIN) -> None:
         """Show one line."""
         self._face.say(line, tone)
 
@@ -249,3 +249,8 @@ class ConsoleSession:
     def _is_applied(self, subsystem: str) -> bool:
         """Whether an application moves the tasks there."""
         return subsystem in self._applied or (bool(self.running) and subsystem != self.subsystem)
+
+
+def typed_fault(fault: Fault) -> Reason:
+    """What is wrong with the line that was just typed, whose place everybody sees."""
+    return Reason.of("console.fault", reason=fault.reason, instead=fault.instead)
