@@ -1,5 +1,6 @@
 from onika.link import lost
 from onika.link.lost import LinkLost, LossCause
+from onika.words.reason import in_language
 
 
 def test_each_cause_says_distinctly_what_happened():  # R-F01
@@ -41,3 +42,8 @@ def test_the_words_hold_the_numbers_that_matter():
     assert "version 2" in str(lost.version(1, 2))
     assert "connection reset" in str(lost.closed("connection reset"))
     assert str(lost.closed()) == "the other side closed the connection"
+
+
+def test_why_a_link_was_lost_is_said_in_spanish_too():  # R-G03
+    assert in_language(lost.silent(3.04).reason, "es") == "el otro lado calla desde hace 3.0 s"
+    assert in_language(lost.closed("reset").reason, "es") == "el otro lado cerró la conexión: reset"

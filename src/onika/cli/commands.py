@@ -34,8 +34,11 @@ def carry_out(words: list[str] | None) -> int:
         try:
             code: int = COMMANDS[given.command].carry_out(given)
             return code
-        except (LinkLost, TimeoutError) as lost:
-            print(lost, file=sys.stderr)
+        except LinkLost as lost:
+            print(say(lost.reason), file=sys.stderr)
+            return 1
+        except TimeoutError as late:
+            print(late, file=sys.stderr)
             return 1
 
 

@@ -2,6 +2,8 @@
 
 from enum import Enum
 
+from onika.words.reason import NOTHING, Reason, Text
+
 
 class LossCause(Enum):
     """What ended a connection."""
@@ -33,11 +35,12 @@ class LossCause(Enum):
 
 
 class LinkLost(Exception):
-    """The connection is no more; `cause` says which kind, the text says it in words."""
+    """The connection is no more; `cause` says which kind, `reason` says it to people."""
 
-    def __init__(self, cause: LossCause, text: str) -> None:
-        super().__init__(text)
+    def __init__(self, cause: LossCause, text: Text) -> None:
+        super().__init__(str(text))
         self.cause = cause
+        self.reason = text if isinstance(text, Reason) else Reason.plain(text)
 
     @property
     def is_final(self) -> bool:
@@ -47,36 +50,37 @@ class LinkLost(Exception):
 
 def closed(detail: str = "") -> LinkLost:
     """The other side closed the connection or ceased to be."""
-    return LinkLost(LossCause.CLOSED, "the other side closed the connection" + (f": {detail}" if detail else ""))
+    why = Reason.of("link.because", why=Reason.plain(detail)) if detail else NOTHING
+    return LinkLost(LossCause.CLOSED, Reason.of("link.closed", why=why))
 
 
 def silent(seconds: float) -> LinkLost:
     """The other side said nothing for so long."""
-    return LinkLost(LossCause.SILENT, f"the other side has been silent for {seconds:.1f} s")
+    return LinkLost(LossCause.SILENT, Reason.of("link.silent", seconds=seconds))
 
 
 def version(mine: int, theirs: int) -> LinkLost:
     """The other side speaks another version."""
-    return LinkLost(LossCause.VERSION, f"the other side speaks version {theirs} of the link, this side version {mine}")
+    return LinkLost(LossCause.VERSION, Reason.of("link.version", mine=mine, theirs=theirs))
 
 
 def garbage(detail: str) -> LinkLost:
     """The other side sent something that is no packet."""
-    return LinkLost(LossCause.GARBAGE, f"garbage was received: {detail}")
+    return LinkLost(LossCause.GARBAGE, Reason.of("link.garbage", detail=Reason.plain(detail)))
 
 
 def link_lost(cause: str, reason: str) -> LinkLost:
     """What the other side's good-bye says."""
     if cause == "closed":
         return closed(reason)
-    return LinkLost(LossCause(cause), f"the other side ended the connection: {reason}")
+    return LinkLost(LossCause(cause), Reason.of("link.ended_there", why=Reason.plain(reason)))
 
 
 def behind(detail: str) -> LinkLost:
     """A reader was too slow."""
-    return LinkLost(LossCause.BEHIND, f"the reader fell too far behind: {detail}")
+    return LinkLost(LossCause.BEHIND, Reason.of("link.behind", detail=Reason.plain(detail)))
 
 
 def here(detail: str = "closed") -> LinkLost:
     """This side closed the connection itself."""
-    return LinkLost(LossCause.HERE, f"this side ended the connection: {detail}")
+    return LinkLost(LossCause.HERE, Reason.of("link.ended_here", why=Reason.plain(detail)))

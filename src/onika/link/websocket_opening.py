@@ -20,6 +20,7 @@ from onika.link.lost import LinkLost, LossCause
 from onika.link.websocket import WebSocketCarrier
 from onika.link.websocket_messages import SILENT
 from onika.wire.frame import FRAME_LIMIT
+from onika.words.reason import Reason
 
 CONNECT_S = 1.5
 """How long a machine may take to answer at all."""
@@ -27,9 +28,9 @@ OPEN_S = 5.0
 """How long the whole opening may take."""
 
 _REFUSED = {
-    401: (LossCause.TOKEN, "the token is wrong or missing"),
-    403: (LossCause.FORBIDDEN, "not allowed"),
-    429: (LossCause.FORBIDDEN, "too many wrong tokens came from here"),
+    401: (LossCause.TOKEN, Reason.of("link.wrong_token")),
+    403: (LossCause.FORBIDDEN, Reason.of("link.not_allowed")),
+    429: (LossCause.FORBIDDEN, Reason.of("link.many_wrong_tokens")),
 }
 
 
@@ -47,11 +48,12 @@ class WebSocketOpening:
         try:
             connected = socket.create_connection((self.address.host, self.address.port), CONNECT_S)
         except TimeoutError:
-            raise LinkLost(LossCause.TIMEOUT, f"{self.address} did not answer within {CONNECT_S:g} s") from None
-        except OSError as fault:
             raise LinkLost(
-                LossCause.UNREACHABLE, f"nobody can be reached at {self.address}: {fault.strerror}"
+                LossCause.TIMEOUT, Reason.of("link.no_answer", address=str(self.address), seconds=CONNECT_S)
             ) from None
+        except OSError as fault:
+            nobody = Reason.of("link.nobody", address=str(self.address), why=_system(fault))
+            raise LinkLost(LossCause.UNREACHABLE, nobody) from None
         try:
             return self._open(connected, channel, until)
         except BaseException:
@@ -69,14 +71,19 @@ class WebSocketOpening:
             private = self._secure(connected)
             self._shake(private, protocol, until)
         except ssl.SSLCertVerificationError as fault:
-            text = f"the certificate of {self.address} is not trusted: {fault.verify_message}"
-            raise LinkLost(LossCause.CERTIFICATE, text) from None
+            why = Reason.plain(fault.verify_message)
+            untrusted = Reason.of("link.untrusted", address=str(self.address), why=why)
+            raise LinkLost(LossCause.CERTIFICATE, untrusted) from None
         except TimeoutError:
-            raise LinkLost(LossCause.TIMEOUT, f"{self.address} did not open a link within {OPEN_S:g} s") from None
+            slow = Reason.of("link.not_opened", address=str(self.address), seconds=OPEN_S)
+            raise LinkLost(LossCause.TIMEOUT, slow) from None
         except ssl.SSLError as fault:
-            raise LinkLost(LossCause.CERTIFICATE, f"no private link with {self.address}: {fault.reason}") from None
+            why = Reason.plain(str(fault.reason))
+            not_private = Reason.of("link.not_private", address=str(self.address), why=why)
+            raise LinkLost(LossCause.CERTIFICATE, not_private) from None
         except OSError as fault:
-            raise LinkLost(LossCause.UNREACHABLE, f"{self.address} ended the opening: {fault.strerror}") from None
+            ended = Reason.of("link.opening_ended", address=str(self.address), why=_system(fault))
+            raise LinkLost(LossCause.UNREACHABLE, ended) from None
         return WebSocketCarrier(private, protocol, heartbeat_sender=_heartbeat_sender(private, protocol))
 
     def _secure(self, connected: socket.socket) -> socket.socket:
@@ -88,7 +95,9 @@ class WebSocketOpening:
             try:
                 context.load_verify_locations(self.authority)
             except (OSError, ssl.SSLError) as fault:
-                raise LinkLost(LossCause.CERTIFICATE, f"{self.authority} holds no certificates: {fault}") from None
+                why = Reason.plain(str(fault))
+                none_there = Reason.of("link.no_certificates", path=str(self.authority), why=why)
+                raise LinkLost(LossCause.CERTIFICATE, none_there) from None
         return context.wrap_socket(connected, server_hostname=self.address.host)
 
     def _shake(self, connected: socket.socket, protocol: ClientProtocol, until: float) -> None:
@@ -100,11 +109,18 @@ class WebSocketOpening:
         fault = protocol.handshake_exc
         if isinstance(fault, InvalidStatus):
             status = fault.response.status_code
-            cause, text = _REFUSED.get(status, (LossCause.REFUSED, "no link there"))
+            cause, words = _REFUSED.get(status, (LossCause.REFUSED, Reason.of("link.no_link_there")))
             body = bytes(fault.response.body or b"").decode("utf-8", "replace").strip()[:500]
-            raise LinkLost(cause, f"{self.address} refused ({status}): {body or text}")
+            why = Reason.plain(body) if body else words
+            raise LinkLost(cause, Reason.of("link.refused", address=str(self.address), status=status, why=why))
         if fault is not None:
-            raise LinkLost(LossCause.GARBAGE, f"{self.address} speaks no WebSocket: {fault}")
+            no_websocket = Reason.of("link.no_websocket", address=str(self.address), why=Reason.plain(str(fault)))
+            raise LinkLost(LossCause.GARBAGE, no_websocket)
+
+
+def _system(fault: OSError) -> Reason:
+    """What the operating system says."""
+    return Reason.plain(str(fault.strerror))
 
 
 def _heartbeat_sender(connected: socket.socket, protocol: ClientProtocol) -> HeartbeatSender | None:

@@ -27,6 +27,7 @@ from onika.link.state import LinkState
 from onika.link.token import read_token, token_path
 from onika.link.websocket_opening import WebSocketOpening
 from onika.wire import event, live, request
+from onika.words.reason import Reason
 
 _PATIENCE_S = 60.0
 _PRINTED = "; it printed last: "
@@ -143,7 +144,7 @@ class Conversation:
 
     def _explained(self, lost: LinkLost | TimeoutError) -> LinkLost:
         cause = lost.cause if isinstance(lost, LinkLost) else LossCause.TIMEOUT
-        return LinkLost(cause, f"the runtime is gone: {lost}")
+        return LinkLost(cause, Reason.of("link.runtime_gone", why=_why(lost), more=""))
 
     def _judge_absence(self) -> None:
         now = monotonic_ns()
@@ -152,13 +153,13 @@ class Conversation:
             return
         self._away_since = self._away_since or now
         if now - self._away_since >= _AWAY_NS:
-            why = self._connection.lost or LinkLost(LossCause.SILENT, "it does not answer")
+            why = self._connection.lost or LinkLost(LossCause.SILENT, Reason.of("link.it_does_not_answer"))
             raise self._explained(why)
 
     def _new_epoch(self, epoch: str) -> None:
         former, self._epoch = self._epoch, epoch
         if former:
-            raise LinkLost(LossCause.CLOSED, "the runtime was started anew, or has forgotten this session: all is void")
+            raise LinkLost(LossCause.CLOSED, Reason.of("link.started_anew"))
 
 
 class Runtime(Conversation):
@@ -204,7 +205,7 @@ class Runtime(Conversation):
         how = "" if code is None else f"; it {_ended(code)}"
         printed = self._child.tail().strip()
         output = f"{_PRINTED}{printed[-2000:]}" if printed else ""
-        return LinkLost(cause, f"the runtime is gone: {lost}{how}{output}")
+        return LinkLost(cause, Reason.of("link.runtime_gone", why=_why(lost), more=f"{how}{output}"))
 
 
 class Reached(Conversation):
@@ -221,7 +222,8 @@ class Reached(Conversation):
             self._connection.close(timeout_s=0.0)
             if isinstance(lost, LinkLost):
                 raise
-            raise LinkLost(LossCause.TIMEOUT, f"{self._opening.address}: {lost}") from None
+            late = Reason.of("link.late", address=str(self._opening.address), why=Reason.plain(str(lost)))
+            raise LinkLost(LossCause.TIMEOUT, late) from None
         return self
 
     def __exit__(
@@ -256,7 +258,11 @@ def _token(address: Address) -> str:
 
 
 def _missing(address: Address) -> str:
-    raise LinkLost(LossCause.TOKEN, f"a token is needed for {address}: --token-file FILE, or ONIKA_TOKEN")
+    raise LinkLost(LossCause.TOKEN, Reason.of("link.token_needed", address=str(address)))
+
+
+def _why(lost: LinkLost | TimeoutError) -> Reason:
+    return lost.reason if isinstance(lost, LinkLost) else Reason.plain(str(lost))
 
 
 def _ended(code: int) -> str:
