@@ -105,7 +105,7 @@ def _timed(at_s: float, line: Reason) -> Reason:
     return Reason.of("console.timed", at=_at(at_s), line=line)
 
 
-def _because(cause: str) -> Reason:
+def _because(cause: Text) -> Reason:
     """A cause behind a colon; nothing where none is given."""
     return Reason.of("console.because", cause=cause) if cause else NOTHING
 

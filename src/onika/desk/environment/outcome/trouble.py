@@ -11,8 +11,8 @@ from onika.model.task import Task
 from onika.wire import act
 from onika.wire.view import (
     ErrorView,
-    ProblemView,
     Objection,
+    ProblemView,
     Remedy,
     ShowLibraries,
     ShowLocus,
