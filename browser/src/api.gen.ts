@@ -1,5 +1,10 @@
 // Drawn from src/onika/wire/{act,view,page}.py by tools/generate.py: change those.
 
+import type { Reason } from './texts/say';
+
+/** What is said to people: a reason, which `say` puts into their language, or a text as it is. */
+export type Text = Reason | string;
+
 /** One more flow, of the application or of the branch that is this step. */
 export interface AddFlow {
   t: 'AddFlow';
@@ -827,7 +832,7 @@ export interface ApplicationView {
 
 /** Something that keeps an application from running, or is worth knowing; `step` is where, 0: nowhere in it. */
 export interface FaultView {
-  text: string;
+  text: Text;
   level?: 'fault' | 'warning';
   step?: number;
   remedies?: (Remedy)[];
@@ -864,7 +869,7 @@ export interface StepView {
   loop_if?: string;
   conditions?: (string)[];
   flows?: (string)[];
-  note?: string;
+  note?: Text;
 }
 
 /** One value or vector that a task asks for. */
@@ -882,13 +887,13 @@ export interface AskItem {
 /** What a task waits to be told before it comes on. */
 export interface AskView {
   items: (AskItem)[];
-  reason?: string;
+  reason?: Text;
   present?: Record<string, (number)[]>;
 }
 
 /** Why a task is in ERROR, and the ways out. */
 export interface ErrorView {
-  text: string;
+  text: Text;
   entry?: string;
   path?: string;
   line?: number;
@@ -936,7 +941,7 @@ export interface OnikonView {
   takes?: (string)[];
   path?: string;
   source?: string;
-  trouble?: string;
+  trouble?: Text;
 }
 
 /** What is measured now, as the values of a target. */
@@ -971,8 +976,8 @@ export interface DocumentView {
   tasks?: Record<string, PlacedView>;
   loci?: Record<string, LocusView>;
   groups?: Record<string, GroupView>;
-  greyed?: Record<string, (Reason)[]>;
-  objections?: Record<string, (Reason)[]>;
+  greyed?: Record<string, (Objection)[]>;
+  objections?: Record<string, (Objection)[]>;
   problems?: Record<string, ProblemView>;
   connection?: 'connecting' | 'live' | 'lost' | 'none';
   subsystem?: string;
@@ -1007,7 +1012,7 @@ export interface PlacedView {
   hz?: number;
   rtpu?: string;
   state?: '' | 'ASKING' | 'ERROR' | 'KILLING' | 'OFF' | 'ON' | 'SPAWNING' | 'WAITING';
-  note?: string;
+  note?: Text;
   is_missing?: boolean;
   ask?: AskView | null;
   error?: ErrorView | null;
@@ -1016,7 +1021,7 @@ export interface PlacedView {
 
 /** Something wrong with a document, or worth knowing; `show` is where it is. */
 export interface ProblemView {
-  text: string;
+  text: Text;
   level: 'fault' | 'note' | 'warning';
   show?: AnyShow | null;
   remedies?: (Remedy)[];
@@ -1069,7 +1074,7 @@ export interface CandidateView {
   name: string;
   description?: string;
   more?: (string)[];
-  reasons?: (string)[];
+  reasons?: (Text)[];
 }
 
 /** The job that a configuration would make. */
@@ -1078,7 +1083,7 @@ export interface DraftView {
   type: string;
   left_edge: string;
   right_edge: string;
-  warnings?: (string)[];
+  warnings?: (Text)[];
   picture?: string;
   description?: string;
   path?: string;
@@ -1124,7 +1129,7 @@ export interface TextView {
 
 /** The first difference of two recorded runs, or why they cannot be compared; without a text there is none. */
 export interface DifferenceView {
-  text?: string;
+  text?: Text;
   at_s?: number;
   variable?: string;
   tolerance?: number;
@@ -1148,7 +1153,7 @@ export interface KeepingView {
   doc: string;
   path: string;
   state?: 'failed' | 'kept' | 'running';
-  text?: string;
+  text?: Text;
   run?: number;
   of?: number;
 }
@@ -1157,7 +1162,7 @@ export interface KeepingView {
 export interface MarkView {
   at_s: number;
   kind: 'command' | 'error' | 'meet' | 'stop';
-  text: string;
+  text: Text;
 }
 
 /** An action that was carried out; the last one of a run cut short has no end. */
@@ -1205,15 +1210,15 @@ export interface RecordingView {
   is_virtual?: boolean;
   is_whole?: boolean;
   is_completed?: boolean;
-  cause?: string;
+  cause?: Text;
   begin_s?: number;
   end_s?: number;
   flows?: Record<string, RecordedFlowView>;
   variables?: Record<string, RecordedVariableView>;
   worlds?: (string)[];
   marks?: (MarkView)[];
-  notes?: (string)[];
-  cannot_continue?: string;
+  notes?: (Text)[];
+  cannot_continue?: Text;
   doc?: string;
   began_at_s?: number;
   redirects?: (RedirectView)[];
@@ -1261,7 +1266,7 @@ export interface FlowRunView {
   waits_since_s?: number;
   loops?: (string)[];
   is_nested?: boolean;
-  text?: string;
+  text?: Text;
 }
 
 /** The largest step of an input of a hardware task where what drives it was exchanged, and what became of them. */
@@ -1299,9 +1304,9 @@ export interface RunView {
   asks?: Record<string, AskView>;
   stops?: Record<string, StopView>;
   meets?: (MeetView)[];
-  notes?: (string)[];
+  notes?: (Text)[];
   is_completed?: boolean;
-  cause?: string;
+  cause?: Text;
   done?: number;
   of?: number;
   took_s?: number;
@@ -1321,7 +1326,7 @@ export interface StepRunView {
 
 /** Why a flow stands still or the run has ended, and what can be done (X06). */
 export interface StopView {
-  text: string;
+  text: Text;
   kind: string;
   at_s: number;
   subsystem?: string;
@@ -1345,7 +1350,7 @@ export interface HoldView {
   application?: string;
   state?: string;
   since_at_s?: number;
-  cause?: string;
+  cause?: Text;
   former?: string;
   was_here?: boolean;
   offered_to?: string;
@@ -1358,10 +1363,10 @@ export interface HoldView {
 export interface RuntimeView {
   state?: 'linked' | 'lost' | 'none' | 'starting';
   address?: string;
-  text?: string;
+  text?: Text;
   is_virtual?: boolean;
   is_stopped?: boolean;
-  stop_text?: string;
+  stop_text?: Text;
   units?: Record<string, UnitView>;
   worlds?: Record<string, boolean>;
   subsystems?: Record<string, string>;
@@ -1523,14 +1528,14 @@ export interface Tree {
 }
 
 /** Why something is refused or worth a warning, in words, with what could be done, likeliest first (X01). */
-export interface Reason {
-  text: string;
+export interface Objection {
+  text: Text;
   remedies?: (Remedy)[];
 }
 
 /** A button beside a refusal: it sends `act`, or goes to what `show` names. */
 export interface Remedy {
-  label: string;
+  label: Text;
   act?: AnyAct | null;
   show?: AnyShow | null;
 }
@@ -1570,9 +1575,9 @@ export interface Ok {
 export interface Refused {
   t: 'Refused';
   cid: number;
-  reason: string;
+  reason: Text;
   remedies?: (Remedy)[];
-  fields?: Record<string, string>;
+  fields?: Record<string, Text>;
 }
 
 /** The newest values of what this browser watches; late ones are dropped. */
@@ -1588,7 +1593,7 @@ export interface Frame {
 export interface Say {
   t: 'Say';
   level: 'end' | 'error' | 'info' | 'success' | 'warning';
-  text: string;
+  text: Text;
   doc?: string;
   where?: AnyShow | null;
   at_s?: number;

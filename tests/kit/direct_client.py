@@ -122,7 +122,7 @@ class DirectClient:
     def outcome(self, answer: request.Response) -> str:
         """What became of an accepted request; of any other its reason."""
         if isinstance(answer, request.Refused):
-            return answer.reason
+            return str(answer.reason)
         if isinstance(answer, request.Prepared):
             return "; ".join(str(one.reason) for one in answer.faults)
         if not isinstance(answer, live.Accepted):
@@ -131,7 +131,7 @@ class DirectClient:
         ends = [one for one in self.gate.told if isinstance(one, event.Edited) and one.number == answer.number]
         if len(ends) != 1:
             raise RuntimeError(f"expected one outcome of {answer.number}, found {ends}")
-        return ends[0].cause
+        return str(ends[0].cause)
 
     def states(self, subsystem: str = "s0") -> dict[str, str]:
         """The tasks of a subsystem and their states."""

@@ -236,7 +236,9 @@ class LiveEdits:
 
     def edited(self, number: int) -> list[str]:
         """The outcomes that were told of an accepted request: one, if all is well."""
-        return [one.cause for one in self.asker.gate.told if isinstance(one, event.Edited) and one.number == number]
+        return [
+            str(one.cause) for one in self.asker.gate.told if isinstance(one, event.Edited) and one.number == number
+        ]
 
     def work(self) -> None:
         """Let everything happen that is to happen at this instant."""

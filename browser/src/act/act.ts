@@ -10,7 +10,6 @@ import { Refusal } from '../link/refusal'
 import { hideRefusal, showRefusal, type Point } from './refused.svelte'
 import { reviewLock } from './reviewLock'
 import { show } from './documents.svelte'
-import { heard } from '../texts/heard'
 
 /** The value of the answer, null where it has none; undefined where it was refused, which is on show beside the pointer. */
 export async function act(a: AnyAct, at?: Point): Promise<unknown> {
@@ -22,7 +21,7 @@ export async function act(a: AnyAct, at?: Point): Promise<unknown> {
   } catch (why) {
     if (!(why instanceof Refusal)) throw why
     showRefusal(why, at)
-    announce(heard(why.reason))
+    announce(why.reason)
     return undefined
   }
 }

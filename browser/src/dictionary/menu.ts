@@ -7,6 +7,7 @@ import type { Point } from '../act/refused.svelte'
 import type { Item } from '../widgets/Menu.svelte'
 import { t } from '../texts/index.svelte'
 import { edit, editPicture, expand, expandInPlace, insert, newTarget, remove, takePresent } from './acts'
+import { heard } from '../texts/heard'
 
 export function menuOf(name: string, at: Point): Item[] {
   const one = desk.tree.onikons[name]
@@ -33,7 +34,7 @@ export function menuOf(name: string, at: Point): Item[] {
 /** What stands behind an action. */
 function behind(one: OnikonView): Item[] {
   const source = one.source ?? ''
-  const note = source || one.trouble || undefined
+  const note = source || heard(one.trouble ?? '') || undefined
   if (one.role === 'application')
     return [
       {

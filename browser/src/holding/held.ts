@@ -1,5 +1,6 @@
 // Who holds what, as one list: a configuration's subsystem each, an application with all its flows.
 import type { AskView, DocumentView, HoldView, RuntimeView, SessionView } from '../api.gen'
+import { heard } from '../texts/heard'
 
 export interface Held {
   /** What it is called: the application, else the subsystem. */
@@ -67,7 +68,7 @@ function one(subsystem: string, hold: HoldView, documents: Documents, own: reado
     holder,
     isMine: (me !== '' && holder === me) || home?.[1].is_held_here === true,
     since: hold.since_at_s ?? 0,
-    cause: hold.cause ?? '',
+    cause: heard(hold.cause ?? ''),
     former: hold.former ?? '',
     wasHere: hold.was_here === true,
     offeredTo: hold.offered_to ?? '',

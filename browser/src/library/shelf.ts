@@ -1,5 +1,6 @@
 // How the icons of a library stand on their shelf: rows of cells of known height, so that only what is seen is drawn.
-import type { LibraryView, Reason, TaskView } from '../api.gen'
+import type { LibraryView, Objection, TaskView } from '../api.gen'
+import { heard } from '../texts/heard'
 import { walked } from '../geom/rows'
 import { isInput, shape, type Shape } from '../scene/pin'
 
@@ -43,8 +44,8 @@ export function iconHeight(task: TaskView): number {
   return Math.max(ICON.least, ICON.margin + Math.max(ins.length, outs.length, 1) * ICON.pin)
 }
 
-function cellOf(task: TaskView, reasons: readonly Reason[] | undefined): Cell {
-  const why = reasons?.[0]?.text ?? ''
+function cellOf(task: TaskView, reasons: readonly Objection[] | undefined): Cell {
+  const why = heard(reasons?.[0]?.text ?? '')
   const lines = Math.min(MOST_LINES, Math.ceil(why.length / LETTERS_A_LINE))
   return { task, why, lines, height: iconHeight(task) + ICON.frame + lines * CELL.line }
 }
@@ -56,7 +57,7 @@ export const columnsIn = (width: number): number =>
 export function shelve(
   groups: readonly [string, readonly TaskView[]][],
   columns: number,
-  greyed: Readonly<Record<string, Reason[]>>,
+  greyed: Readonly<Record<string, Objection[]>>,
 ): Shelf {
   const rows: Row[] = []
   let top = 0

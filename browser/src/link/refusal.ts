@@ -1,18 +1,27 @@
-// An act that changed nothing: why, and what could be done instead.
-import type { Refused, Remedy } from '../api.gen'
+// An act that changed nothing: why, and what could be done instead, in the language of who reads it.
+import type { Refused, Remedy, Text } from '../api.gen'
+import { heard } from '../texts/heard'
 
 export class Refusal extends Error {
-  readonly reason: string
   readonly remedies: readonly Remedy[]
-  /** Of forms: what is wrong with each field. */
-  readonly fields: Readonly<Record<string, string>>
+  private readonly why: Text
+  private readonly wrong: Readonly<Record<string, Text>>
 
-  constructor(reason: string, remedies: readonly Remedy[] = [], fields: Readonly<Record<string, string>> = {}) {
-    super(reason)
+  constructor(why: Text, remedies: readonly Remedy[] = [], wrong: Readonly<Record<string, Text>> = {}) {
+    super(typeof why === 'string' ? why : why.text)
     this.name = 'Refusal'
-    this.reason = reason
+    this.why = why
     this.remedies = remedies
-    this.fields = fields
+    this.wrong = wrong
+  }
+
+  get reason(): string {
+    return heard(this.why)
+  }
+
+  /** Of forms: what is wrong with each field. */
+  get fields(): Readonly<Record<string, string>> {
+    return Object.fromEntries(Object.entries(this.wrong).map(([field, why]) => [field, heard(why)]))
   }
 
   static from(answer: Refused): Refusal {

@@ -1,5 +1,5 @@
 // A stand-in for the environment, for drawing the page without one: `?sample` while developing, never in the product.
-import type { AnyAct, AnyMessage, LocusView, PinView, PlacedView, Reason, TaskView, Tree } from '../api.gen'
+import type { AnyAct, AnyMessage, LocusView, PinView, PlacedView, Objection, TaskView, Tree } from '../api.gen'
 import type { Carrier } from './link'
 import { answer } from './answer'
 
@@ -170,8 +170,8 @@ const LOCI: Record<string, LocusView> = {
   KD: constant(['pd']),
 }
 
-const onCanvas: Reason[] = [{ text: 'on the canvas', remedies: [] }]
-const writes = (svar: string, other: string, mine: string): Reason[] => [
+const onCanvas: Objection[] = [{ text: 'on the canvas', remedies: [] }]
+const writes = (svar: string, other: string, mine: string): Objection[] => [
   {
     text: `writes ${svar}, which ${other} already writes`,
     remedies: [

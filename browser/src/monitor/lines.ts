@@ -1,8 +1,10 @@
+import type { Text } from '../api.gen'
+import { heard } from '../texts/heard'
 // Lines of the log as text.
 
 export interface Spoken {
   level: string
-  text: string
+  text: Text
   doc?: string
   at_s?: number
 }
@@ -21,10 +23,12 @@ export function clock(at_s: number): string {
 /** Lines that hold all the words, in any case. */
 export function filtered<L extends Spoken>(lines: readonly L[], words: string): L[] {
   const wanted = words.toLowerCase().split(/\s+/).filter(Boolean)
-  return lines.filter((line) => wanted.every((word) => `${line.level} ${line.text}`.toLowerCase().includes(word)))
+  return lines.filter((line) =>
+    wanted.every((word) => `${line.level} ${heard(line.text)}`.toLowerCase().includes(word)),
+  )
 }
 
 /** As it is copied: time, level, text. */
 export function plain(lines: readonly Spoken[]): string {
-  return lines.map((line) => `${clock(line.at_s ?? 0)}\t${line.level}\t${line.text}\n`).join('')
+  return lines.map((line) => `${clock(line.at_s ?? 0)}\t${line.level}\t${heard(line.text)}\n`).join('')
 }

@@ -1,8 +1,9 @@
 // A stop in words: what it is called, and what its choices are called and do.
-import type { Remedy, RunView, StopView } from '../api.gen'
+import type { Remedy, RunView, StopView, Text } from '../api.gen'
 import { look } from '../state/look.svelte'
 import { t, type TextKey } from '../texts/index.svelte'
 import { isSeveral, nameOf } from '../sentences/words'
+import { heard } from '../texts/heard'
 
 const KINDS = [
   'error',
@@ -50,16 +51,16 @@ export function titleOf(run: RunView, at: string, stop: StopView): string {
 }
 
 /** What was said, without where in the module it was said: a module's own error is a sentence for people. */
-export function inShort(text: string): string {
-  const said = text.replace(/^\w+: (?:ModuleError|LawBroken): /, '')
+export function inShort(text: Text): string {
+  const said = heard(text).replace(/^\w+: (?:ModuleError|LawBroken): /, '')
   return said.charAt(0).toUpperCase() + said.slice(1)
 }
 
 /** The choices in order. What each does is told by whoever knows the run; in other languages by us, more shortly. */
 export function choicesOf(run: RunView, stop: StopView): Choice[] {
   return (stop.choices ?? []).map((remedy, k) => {
-    const [verb = '', whom = ''] = (remedy.act?.t === 'Steer' ? remedy.act.line : remedy.label).split(/\s+/)
-    const title = TITLES[verb] ? t(TITLES[verb]) : remedy.label
+    const [verb = '', whom = ''] = (remedy.act?.t === 'Steer' ? remedy.act.line : heard(remedy.label)).split(/\s+/)
+    const title = TITLES[verb] ? t(TITLES[verb]) : heard(remedy.label)
     const isOther = run.flows?.[whom] !== undefined && whom !== stop.subsystem && isSeveral(run)
     return {
       verb,

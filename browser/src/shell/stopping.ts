@@ -5,7 +5,6 @@ import { desk } from '../link/desk.svelte'
 import { hear, send } from '../link/link'
 import { Refusal } from '../link/refusal'
 import { hideRefusal, showRefusal } from '../act/refused.svelte'
-import { heard } from '../texts/heard'
 import { t } from '../texts/index.svelte'
 import { stopRequest } from './stopRequest.svelte'
 
@@ -32,7 +31,7 @@ async function ask(): Promise<void> {
     if (!(why instanceof Refusal)) throw why
     if (!desk.isLinked) stopRequest.isUnsent = true // nobody knows whether it was heard: it is said again
     showRefusal(desk.isLinked ? why : new Refusal(t('stop.unheard')), { x: window.innerWidth, y: 40 })
-    announce(heard(why.reason))
+    announce(why.reason)
   }
 }
 

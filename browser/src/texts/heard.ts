@@ -1,11 +1,13 @@
 // What the environment says, in the language of this browser as far as that is known here; else as it was said.
 import { look, type Language } from '../state/look.svelte'
 import { esHeard } from './es.heard'
+import { say, type Reason } from './say'
 
 type Sayings = readonly (readonly [RegExp, string])[]
 const SAYINGS: Partial<Record<Language, Sayings>> = { es: esHeard }
 
-export function heard(text: string, language: Language = look.language): string {
+export function heard(text: Reason | string, language: Language = look.language): string {
+  if (typeof text !== 'string') return say(text, language)
   for (const [said, words] of SAYINGS[language] ?? []) {
     const found = said.exec(text)
     if (found)

@@ -119,7 +119,7 @@ describe('the link', () => {
 
   test('tells everybody who listens, until they stop', () => {
     const heard: string[] = []
-    const end = link.hear('Say', (say) => heard.push(say.text))
+    const end = link.hear('Say', (say) => heard.push(String(say.text)))
     first().say({ t: 'Say', level: 'info', text: 'one' })
     end()
     first().say({ t: 'Say', level: 'info', text: 'two' })

@@ -83,7 +83,7 @@ def _moved(moved: event.Moved) -> str:
         case "stopped":
             return ""  # the error and its explanation stand beside it
         case _:
-            return moved.text
+            return str(moved.text)
     return f"{text} ({moved.text})" if moved.text else text
 
 

@@ -122,7 +122,7 @@ class LiveDisplay:
 
     def _answers(self, question: event.Asked) -> str | None:
         if question.reason:
-            self._console.print(Text(question.reason, style="magenta"))
+            self._console.print(Text(str(question.reason), style="magenta"))
         words: list[str] = []
         for item in question.items:
             self._console.print(Text(f"{question.task} asks for {item_text(item)}: "), end="")

@@ -99,7 +99,7 @@ def ending(result: Result) -> dict[str, str]:
     """How it ended, as it is noted at the end of its recording."""
     return {
         "completed": "yes" if result.completed else "no",
-        "cause": result.cause,
+        "cause": str(result.cause),
         "hash": result.hash,
         "seconds": f"{result.runtime_s:.9g}",
         "outside": " ".join(result.outside),

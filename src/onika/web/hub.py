@@ -125,7 +125,9 @@ class Hub:
         revision = self._environment.revision
         no = given.no
         message = (
-            page.Ok(cid, revision, given.value) if no is None else page.Refused(cid, no.reason, no.remedies, no.fields)
+            page.Ok(cid, revision, given.value)
+            if no is None
+            else page.Refused(cid, no.reason, no.remedies, dict(no.fields))
         )
         client.outbox.put(page.encode(message))
 

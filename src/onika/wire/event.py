@@ -10,6 +10,7 @@ from msgspec import Struct
 
 from onika.wire.figures import TaskFigures, VariableSteps
 from onika.wire.holding import SessionStanding
+from onika.words.reason import Text
 
 
 class Began(Struct, frozen=True, tag=True):
@@ -44,7 +45,7 @@ class Warned(Struct, frozen=True, tag=True):
 
     subsystem: str
     task: str
-    text: str
+    text: Text
     at_s: float
 
 
@@ -53,7 +54,7 @@ class Failed(Struct, frozen=True, tag=True):
 
     subsystem: str
     task: str
-    text: str
+    text: Text
     path: str
     line: int
     traceback: str
@@ -82,7 +83,7 @@ class Asked(Struct, frozen=True, tag=True):
 
     subsystem: str
     task: str
-    reason: str
+    reason: Text
     items: tuple[Item, ...]
     at_s: float
 
@@ -95,7 +96,7 @@ class Drive(Struct, frozen=True, tag=True):
     at_ns: int
     previous_step_ns: int
     last_command_ns: int
-    cause: str
+    cause: Text
     at_s: float = 0.0
     """As all else: of the run that uses the device, or of the runtime where none does."""
 
@@ -105,7 +106,7 @@ class Edited(Struct, frozen=True, tag=True):
 
     subsystem: str
     number: int
-    cause: str
+    cause: Text
     at_s: float
 
 
@@ -116,7 +117,7 @@ class Signalled(Struct, frozen=True, tag=True):
     task: str
     kind: str
     number: int
-    text: str
+    text: Text
     at_s: float
 
 
@@ -124,7 +125,7 @@ class Lost(Struct, frozen=True, tag=True):
     """A process of the runtime is gone, and why; its tasks are."""
 
     name: str
-    cause: str
+    cause: Text
     at_s: float
 
 
@@ -133,7 +134,7 @@ class Held(Struct, frozen=True, tag=True):
 
     subsystem: str
     holder: str
-    cause: str = ""
+    cause: Text = ""
     """Why, where that is worth a word: it was handed over, or the holder is not heard any more."""
 
 
@@ -156,7 +157,7 @@ class Stopped(Struct, frozen=True, tag=True):
     """Everything was stopped, by whom and why; or may move again (is_stopped false)."""
 
     is_stopped: bool
-    cause: str
+    cause: Text
 
 
 class Moved(Struct, frozen=True, tag=True):
@@ -169,7 +170,7 @@ class Moved(Struct, frozen=True, tag=True):
     at_s: float
     tag: str = ""
     waits_for: tuple[str, ...] = ()
-    text: str = ""
+    text: Text = ""
     """Why, where that is worth a word."""
 
 
@@ -232,7 +233,7 @@ class Explained(Struct, frozen=True, tag=True):
     index: int
     place: str
     """The application's file and line."""
-    text: str
+    text: Text
     path: str
     """The module's file and line, where its code raised; else empty and 0."""
     line: int
@@ -252,7 +253,7 @@ class Result(Struct, frozen=True, tag=True):
     """The end of a run: always the last event."""
 
     completed: bool
-    cause: str
+    cause: Text
     done: int
     of: int
     runtime_s: float

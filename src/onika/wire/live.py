@@ -7,6 +7,7 @@ from msgspec import Struct
 from onika.wire.event import Asked
 from onika.wire.plan import Code, PlannedTask
 from onika.wire.sheet import ModuleSheet
+from onika.words.reason import Text
 
 
 class Turn(Struct, frozen=True):
@@ -216,7 +217,7 @@ class TaskStanding(Struct, frozen=True):
     is_wanted_on: bool
     rtpu: str
     frequency: float | None
-    reason: str = ""
+    reason: Text = ""
     """Why it waits, what it asks for or what failed; else empty."""
 
 

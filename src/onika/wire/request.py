@@ -129,7 +129,7 @@ class Prepared(Struct, frozen=True, tag=True):
     """All that is wrong with a plan or with tasks (nothing: it can run), and what is only worth knowing."""
 
     faults: tuple[FaultText, ...]
-    notes: tuple[str, ...] = ()
+    notes: tuple[Text, ...] = ()
     resolved: tuple[Resolved, ...] = ()
 
 
@@ -140,7 +140,7 @@ class Done(Struct, frozen=True, tag=True):
 class Refused(Struct, frozen=True, tag=True):
     """Not carried out, for this reason."""
 
-    reason: str
+    reason: Text
 
 
 class Worlds(Struct, frozen=True, tag=True):

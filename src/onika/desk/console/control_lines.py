@@ -1,5 +1,7 @@
 """Console commands about who may move the robots: stop, reset, take, release, hand, decline, open (law 27, §E.1)."""
 
+from collections.abc import Iterator
+
 from onika.desk.console.display import Tone
 from onika.desk.console.session import ConsoleSession, Faults
 from onika.wire import holding, live, request
@@ -62,13 +64,24 @@ def sessions(session: ConsoleSession, words: Words) -> Faults:
     for subsystem in session.look_again().subsystems:
         held.setdefault(subsystem.holder, []).append(subsystem.name)
     for other in answer.sessions:
-        marks = ["this console"] if other.name == answer.you else []
-        marks += [] if other.is_here else ["away"]
-        marks += ["only watches"] if other.only_watches else []
-        marks += [f"silent for {other.lease_s:g} s at most"] if other.lease_s and other.name in held else []
-        marks += [f"holds {', '.join(held[other.name])}"] if other.name in held else []
-        session.say(f"{other.name:<16} {other.role:<11} {', '.join(marks)}".rstrip())
+        marks = tuple(_marks(other, held.get(other.name, []), is_own=other.name == answer.you))
+        name = f"{other.name:<16} {other.role:<11}"
+        session.say(Reason.of("console.session", name=name, marks=marks) if marks else name.rstrip())
     return ()
+
+
+def _marks(other: holding.SessionStanding, held: list[str], *, is_own: bool) -> Iterator[Reason]:
+    """What is worth knowing of a session."""
+    if is_own:
+        yield Reason.of("console.this_console")
+    if not other.is_here:
+        yield Reason.of("console.away")
+    if other.only_watches:
+        yield Reason.of("console.only_watches")
+    if held and other.lease_s:
+        yield Reason.of("console.silent_at_most", seconds=other.lease_s)
+    if held:
+        yield Reason.of("console.holds", names=tuple(held))
 
 
 def open_channel(session: ConsoleSession, words: Words) -> Faults:

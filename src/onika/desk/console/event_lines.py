@@ -1,6 +1,6 @@
 """Shows the events of a runtime as console lines."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from onika.desk.console.display import Tone
 from onika.desk.console.value import shown
@@ -56,18 +56,40 @@ def _step(message: event.Began | event.TaskState | event.Signalled | event.Drive
             return _timed(message.at_s, drive), Tone.FAULT if message.state in ("TRIPPED", "PRESSED") else Tone.DIM
 
 
-def question(message: event.Asked, item: event.Item) -> str:
+def question(message: event.Asked, item: event.Item) -> Reason:
     """What a task asks for: name, type, meaning, unit, bounds and default."""
-    kind = item.type if item.count == 1 else f"{item.type}[{item.count}]"
-    parts = [f"{item.name} {kind}" + ("" if item.unit in ("", "-") else f" in {item.unit}"), item.meaning]
-    low, high = (None if bound is None else " ".join(f"{x:g}" for x in bound) for bound in (item.low, item.high))
-    if low is not None and high is not None:
-        parts.append(f"from {low} to {high}")
-    elif low is not None or high is not None:
-        parts.append(f"at least {low}" if low is not None else f"at most {high}")
+    parts: list[Text] = [_name_and_type(item)]
+    if item.meaning:
+        parts.append(item.meaning)
+    bounds = _bounds(item)
+    if bounds:
+        parts.append(bounds)
     if item.default is not None:
-        parts.append(f"else {' '.join(map(str, item.default))}")
-    return f"{message.subsystem}/{message.task} asks for " + ", ".join(part for part in parts if part)
+        parts.append(Reason.of("console.default", values=" ".join(map(str, item.default))))
+    return Reason.of("console.asks_for", task=f"{message.subsystem}/{message.task}", parts=tuple(parts))
+
+
+def _name_and_type(item: event.Item) -> Text:
+    count = f"[{item.count}]" if item.count != 1 else ""
+    name = f"{item.name} {item.type}{count}"
+    if item.unit in ("", "-"):
+        return name
+    return Reason.of("console.in_unit", name=name, unit=item.unit)
+
+
+def _bounds(item: event.Item) -> Reason:
+    """Between which values it lies; nothing where it has no bounds."""
+    if item.low is not None and item.high is not None:
+        return Reason.of("console.from_to", low=_numbers(item.low), high=_numbers(item.high))
+    if item.low is not None:
+        return Reason.of("console.at_least", low=_numbers(item.low))
+    if item.high is not None:
+        return Reason.of("console.at_most", high=_numbers(item.high))
+    return NOTHING
+
+
+def _numbers(values: Iterable[float]) -> str:
+    return " ".join(f"{value:g}" for value in values)
 
 
 def _flows(message: event.Moved | event.Met | event.Explained) -> Iterator[Line]:
@@ -105,7 +127,7 @@ def _timed(at_s: float, line: Reason) -> Reason:
     return Reason.of("console.timed", at=_at(at_s), line=line)
 
 
-def _because(cause: str) -> Reason:
+def _because(cause: Text) -> Reason:
     """A cause behind a colon; nothing where none is given."""
     return Reason.of("console.because", cause=cause) if cause else NOTHING
 
@@ -135,7 +157,7 @@ def _asked(message: event.Asked) -> Iterator[Line]:
     if message.reason:
         yield f"{_at(message.at_s)}  {message.subsystem}/{message.task}: {message.reason}", Tone.ASK
     for item in message.items:
-        yield f"{_at(message.at_s)}  {question(message, item)}", Tone.ASK
+        yield _timed(message.at_s, question(message, item)), Tone.ASK
 
 
 def _stopped(stopped: event.Stopped) -> Line:

@@ -43,7 +43,7 @@ def status(session: ConsoleSession, words: Words) -> Faults:
 def tasks(session: ConsoleSession, words: Words) -> Faults:
     """The living tasks of every subsystem, or of one."""
     rows = [
-        (f"{subsystem.name}/{task.task.name}", task.state, task.rtpu, _hz(task.frequency), task.reason)
+        (f"{subsystem.name}/{task.task.name}", task.state, task.rtpu, _hz(task.frequency), str(task.reason))
         for subsystem in session.look_again().subsystems
         for task in subsystem.tasks
         if (not words or subsystem.name == words[0]) and task.state != "KILLED"

@@ -39,9 +39,11 @@ def clear(session: ConsoleSession, words: Words) -> Faults:
     if words:
         flow = flow_index_of(session, spots).flow(words[0])
         return _order(session, steer.Recover(flow)) if flow else task_lines.clear(session, words)
-    if session.subsystem in stopped or (stopped and not session.tasks()):
-        name = session.subsystem if session.subsystem in stopped else stopped[0] if len(stopped) == 1 else ""
-        return _order(session, steer.Recover(name))
+    if session.subsystem in stopped:
+        return _order(session, steer.Recover(session.subsystem))
+    if stopped and not session.tasks():
+        only = stopped[0] if len(stopped) == 1 else ""
+        return _order(session, steer.Recover(only))
     return task_lines.clear(session, words)
 
 
@@ -50,7 +52,7 @@ def who(session: ConsoleSession, words: Words) -> Faults:
     del words
     spots = where(session)
     if not spots:
-        session.say("no application runs", Tone.DIM)
+        session.say(Reason.of("console.nothing_runs"), Tone.DIM)
     else:
         session.show(positions.lines(spots, flow_index_of(session, spots)))
     return ()
@@ -72,7 +74,7 @@ def runs(session: ConsoleSession, words: Words) -> Faults:
         ):
             session.say(f"  {line}")
     if not homes:
-        session.say("no application runs", Tone.DIM)
+        session.say(Reason.of("console.nothing_runs"), Tone.DIM)
     return ()
 
 

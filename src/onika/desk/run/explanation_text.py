@@ -19,8 +19,9 @@ _NUMBERS = 34
 def lines(explained: event.Explained, width: int = 80) -> Iterator[str]:
     """The block: what, suspect, chain, places, who waits, the last seconds, the choices."""
     who = "/".join(part for part in (explained.subsystem, explained.task) if part)
-    head = f"{'STOP' if explained.choices else 'END'} {who}: " if who else f"{'STOP' if explained.choices else 'END'}: "
-    yield from _filled(f"{explained.at_s:8.2f} s  ", f"{head}{explained.text}", width)
+    kind = "STOP" if explained.choices else "END"
+    head = f"{kind} {who}" if who else kind
+    yield from _filled(f"{explained.at_s:8.2f} s  ", f"{head}: {explained.text}", width)
     if explained.suspect:
         yield from _labelled("suspect", explained.suspect, width)
     yield from _labelled("chain", _chain(explained), width)

@@ -22,10 +22,15 @@ def state(position: Position) -> str:
 
 def remark(position: Position) -> str:
     """Whom it waits for, which loops it is in, what has failed, where it would pause."""
-    parts = [waits(position.tag, position.waits_for)] if position.state in ("waiting", "joining") else []
-    parts += [f"in loop {' in '.join(reversed(position.loops))}"] if position.loops else []
-    parts += [f"failed: {', '.join(position.failed)}"] if position.failed else []
-    parts += [f"pauses after {', '.join(str(at + 1) for at in position.breakpoints)}"] if position.breakpoints else []
+    parts = []
+    if position.state in ("waiting", "joining"):
+        parts.append(waits(position.tag, position.waits_for))
+    if position.loops:
+        parts.append(f"in loop {' in '.join(reversed(position.loops))}")
+    if position.failed:
+        parts.append(f"failed: {', '.join(position.failed)}")
+    if position.breakpoints:
+        parts.append(f"pauses after {', '.join(str(at + 1) for at in position.breakpoints)}")
     return "; ".join(parts)
 
 

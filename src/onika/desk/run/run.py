@@ -247,7 +247,7 @@ def _prepare(prepared: PreparedRun, plan: Plan, runtime: Conversation, outcome: 
     answer = runtime.ask(request.Prepare(plan, prepared.targets))
     if isinstance(answer, request.Prepared):
         outcome.faults += [fault for fault in map(fault_of, answer.faults) if fault not in outcome.faults]
-        outcome.notes += answer.notes
+        outcome.notes += map(str, answer.notes)
     elif isinstance(answer, request.Refused):
         outcome.faults.append(
             Fault(

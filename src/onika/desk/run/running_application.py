@@ -142,7 +142,7 @@ class Running:
         message = self._settings.begin(is_held=self.is_held)
         answer = self._runtime.ask(message if self._recorded is None else self._recorded.begin(message))
         if isinstance(answer, request.Refused):
-            self.lose(answer.reason)
+            self.lose(str(answer.reason))
         elif self.is_held:
             self._onward(0.0)
 

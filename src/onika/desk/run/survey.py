@@ -161,7 +161,7 @@ def _asked(runtime: Runtime, question: request.Request, note: Callable[[str], No
     if not isinstance(answer, request.Prepared):
         return []
     for sentence in answer.notes:
-        note(sentence)
+        note(str(sentence))
     texts = answer.faults
     return [
         Fault(

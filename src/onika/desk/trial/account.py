@@ -131,7 +131,7 @@ def _watch(running: Running, account: RunAccount, limit_s: float) -> None:
             case event.Failed() | event.Warned() if message.task:
                 account.warnings.append(f"{message.subsystem}, {message.task}: {message.text}")
             case event.Result():
-                account.cause = "" if message.completed else message.cause or "it did not come to its end"
+                account.cause = "" if message.completed else str(message.cause) or "it did not come to its end"
                 account.lasted_s, account.hash = message.runtime_s, message.hash
     for part in account.parts:
         seen = {

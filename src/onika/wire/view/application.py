@@ -6,6 +6,7 @@ from msgspec import field
 
 from onika.wire.view.dictionary import Role
 from onika.wire.view.view import Remedy, View
+from onika.words.reason import Text
 
 
 class StepView(View, frozen=True):
@@ -38,7 +39,7 @@ class StepView(View, frozen=True):
     """Of a branch."""
     flows: tuple[str, ...] = ()
     """Of a branch: the paths of its flows."""
-    note: str = ""
+    note: Text = ""
     """What became of it when a runtime looked at it last, worth a mark: its target is re-resolved for another robot."""
 
 
@@ -65,7 +66,7 @@ class RedirectView(View, frozen=True):
 class FaultView(View, frozen=True):
     """Something that keeps an application from running, or is worth knowing; `step` is where, 0: nowhere in it."""
 
-    text: str
+    text: Text
     level: Literal["fault", "warning"] = "fault"
     step: int = 0
     remedies: tuple[Remedy, ...] = ()

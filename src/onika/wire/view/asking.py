@@ -5,6 +5,7 @@ from typing import Any
 from msgspec import field
 
 from onika.wire.view.view import Remedy, View
+from onika.words.reason import Text
 
 
 class AskItem(View, frozen=True):
@@ -24,7 +25,7 @@ class AskView(View, frozen=True):
     """What a task waits to be told before it comes on."""
 
     items: tuple[AskItem, ...]
-    reason: str = ""
+    reason: Text = ""
     """Why it asks again."""
     present: dict[str, tuple[float, ...]] = field(default_factory=dict)
     """What "take the present position" would fill in, by item."""
@@ -33,7 +34,7 @@ class AskView(View, frozen=True):
 class ErrorView(View, frozen=True):
     """Why a task is in ERROR, and the ways out."""
 
-    text: str
+    text: Text
     entry: str = ""
     path: str = ""
     line: int = 0

@@ -5,6 +5,7 @@ from typing import Any, Literal
 from msgspec import field
 
 from onika.wire.view.view import View
+from onika.words.reason import Text
 
 Role = Literal["", "job", "application", "target", "nop", "start", "end"]
 
@@ -71,7 +72,7 @@ class OnikonView(View, frozen=True):
     path: str = ""
     source: str = ""
     """The file of the configuration or application behind it."""
-    trouble: str = ""
+    trouble: Text = ""
     """Why it cannot run: what it stands for is missing, or makes another type of icon now (reading 36)."""
 
 

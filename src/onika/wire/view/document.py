@@ -6,7 +6,8 @@ from msgspec import field
 
 from onika.wire.view.asking import AskView, ErrorView
 from onika.wire.view.show import AnyShow
-from onika.wire.view.view import Reason, Remedy, View
+from onika.wire.view.view import Objection, Remedy, View
+from onika.words.reason import Text
 
 State = Literal["", "OFF", "ON", "ASKING", "WAITING", "ERROR", "SPAWNING", "KILLING"]
 """A task's state; empty where nothing is connected."""
@@ -22,7 +23,7 @@ class PlacedView(View, frozen=True):
     """Its rate here; 0: as the library says."""
     rtpu: str = "unknown"
     state: State = ""
-    note: str = ""
+    note: Text = ""
     """A word on its state: why it waits, what is being done."""
     is_missing: bool = False
     """Whether no open library knows it."""
@@ -46,7 +47,7 @@ class LocusView(View, frozen=True):
 class ProblemView(View, frozen=True):
     """Something wrong with a document, or worth knowing; `show` is where it is."""
 
-    text: str
+    text: Text
     level: Literal["fault", "warning", "note"]
     show: AnyShow | None = None
     remedies: tuple[Remedy, ...] = ()
@@ -76,9 +77,9 @@ class DocumentView(View, frozen=True):
     loci: dict[str, LocusView] = field(default_factory=dict)
     groups: dict[str, GroupView] = field(default_factory=dict)
     """The supermodules, by their names (C17)."""
-    greyed: dict[str, tuple[Reason, ...]] = field(default_factory=dict)
+    greyed: dict[str, tuple[Objection, ...]] = field(default_factory=dict)
     """Library tasks that may not be placed, Equations (2) and (3), each with all its reasons."""
-    objections: dict[str, tuple[Reason, ...]] = field(default_factory=dict)
+    objections: dict[str, tuple[Objection, ...]] = field(default_factory=dict)
     """Those that could be placed and would not run: type, unit, load, device."""
     problems: dict[str, ProblemView] = field(default_factory=dict)
     connection: Literal["none", "connecting", "live", "lost"] = "none"

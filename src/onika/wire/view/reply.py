@@ -3,6 +3,7 @@
 from msgspec import field
 
 from onika.wire.view.view import View
+from onika.words.reason import Text
 
 
 class TextView(View, frozen=True):
@@ -22,7 +23,7 @@ class DraftView(View, frozen=True):
     type: str
     left_edge: str
     right_edge: str
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[Text, ...] = ()
     picture: str = ""
     """The one it has; empty: none yet."""
     description: str = ""
@@ -36,7 +37,7 @@ class CandidateView(View, frozen=True):
     description: str = ""
     more: tuple[str, ...] = ()
     """What it writes beyond the other one's outputs."""
-    reasons: tuple[str, ...] = ()
+    reasons: tuple[Text, ...] = ()
 
 
 class SeatView(View, frozen=True):

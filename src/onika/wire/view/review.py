@@ -7,6 +7,7 @@ from msgspec import field
 from onika.wire.view.application import RedirectView
 from onika.wire.view.run import RunView
 from onika.wire.view.view import View
+from onika.words.reason import Text
 
 
 class PassageView(View, frozen=True):
@@ -41,7 +42,7 @@ class MarkView(View, frozen=True):
 
     at_s: float
     kind: Literal["error", "stop", "meet", "command"]
-    text: str
+    text: Text
 
 
 class RecordingView(View, frozen=True):
@@ -56,7 +57,7 @@ class RecordingView(View, frozen=True):
     is_whole: bool = True
     """Else it was cut short, and ends where it was."""
     is_completed: bool = False
-    cause: str = ""
+    cause: Text = ""
     """Why it ended before its time."""
     begin_s: float = 0.0
     end_s: float = 0.0
@@ -65,9 +66,9 @@ class RecordingView(View, frozen=True):
     variables: dict[str, RecordedVariableView] = field(default_factory=dict)
     worlds: tuple[str, ...] = ()
     marks: tuple[MarkView, ...] = ()
-    notes: tuple[str, ...] = ()
+    notes: tuple[Text, ...] = ()
     """What is worth knowing: values that were lost, icons that are others now."""
-    cannot_continue: str = ""
+    cannot_continue: Text = ""
     """Why it cannot be gone on from an instant of it; empty: it can."""
     doc: str = ""
     """The open application whose run it was; empty: it is not open."""
@@ -80,7 +81,7 @@ class RecordingView(View, frozen=True):
 class DifferenceView(View, frozen=True):
     """The first difference of two recorded runs, or why they cannot be compared; without a text there is none."""
 
-    text: str = ""
+    text: Text = ""
     at_s: float = 0.0
     variable: str = ""
     tolerance: float = 0.0
@@ -154,7 +155,7 @@ class KeepingView(View, frozen=True):
     doc: str
     path: str
     state: Literal["running", "kept", "failed"] = "running"
-    text: str = ""
+    text: Text = ""
     """What is in it, or why it is not kept."""
     run: int = 0
     """Which run is carried out now; 0: none yet."""

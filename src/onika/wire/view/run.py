@@ -6,6 +6,7 @@ from msgspec import field
 
 from onika.wire.view.asking import AskView
 from onika.wire.view.view import Remedy, View
+from onika.words.reason import Text
 
 
 class StepRunView(View, frozen=True):
@@ -44,7 +45,7 @@ class FlowRunView(View, frozen=True):
     waits_since_s: float = 0.0
     loops: tuple[str, ...] = ()
     is_nested: bool = False
-    text: str = ""
+    text: Text = ""
     """Why it stands, where that is worth a word."""
 
 
@@ -69,7 +70,7 @@ class CourseView(View, frozen=True):
 class StopView(View, frozen=True):
     """Why a flow stands still or the run has ended, and what can be done (X06)."""
 
-    text: str
+    text: Text
     kind: str
     """A word of `host.diagnosis.stop_cause.Kind`."""
     at_s: float
@@ -133,10 +134,10 @@ class RunView(View, frozen=True):
     stops: dict[str, StopView] = field(default_factory=dict)
     """Standstills, by subsystem; the end of the run under the empty one."""
     meets: tuple[MeetView, ...] = ()
-    notes: tuple[str, ...] = ()
+    notes: tuple[Text, ...] = ()
     """Warnings and other things worth knowing, newest last."""
     is_completed: bool = False
-    cause: str = ""
+    cause: Text = ""
     """Why it ended before its time."""
     done: int = 0
     of: int = 0

@@ -6,6 +6,7 @@ from msgspec import field
 
 from onika.wire.view.asking import AskView
 from onika.wire.view.view import View
+from onika.words.reason import Text
 
 
 class UnitView(View, frozen=True):
@@ -38,7 +39,7 @@ class HoldView(View, frozen=True):
     """Of a flow of an application, a word of `engine.flow.FlowState`; empty: it was not told."""
     since_at_s: float = 0.0
     """Seconds since 1970 when it was told here that this one holds it, or that nobody does; 0: it was so before."""
-    cause: str = ""
+    cause: Text = ""
     """Why the holder changed last, where that is worth a word."""
     former: str = ""
     """Who held it before and is gone or was silent for too long; empty: nobody, or it was released."""
@@ -59,11 +60,11 @@ class RuntimeView(View, frozen=True):
 
     state: Literal["none", "starting", "linked", "lost"] = "none"
     address: str = ""
-    text: str = ""
+    text: Text = ""
     """Why it is lost."""
     is_virtual: bool = False
     is_stopped: bool = False
-    stop_text: str = ""
+    stop_text: Text = ""
     units: dict[str, UnitView] = field(default_factory=dict)
     worlds: dict[str, bool] = field(default_factory=dict)
     subsystems: dict[str, str] = field(default_factory=dict)

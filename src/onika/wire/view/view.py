@@ -4,6 +4,7 @@ from msgspec import Struct
 
 from onika.wire.act import AnyAct
 from onika.wire.view.show import AnyShow
+from onika.words.reason import Text
 
 
 class View(Struct, frozen=True, omit_defaults=True):
@@ -13,13 +14,13 @@ class View(Struct, frozen=True, omit_defaults=True):
 class Remedy(View, frozen=True):
     """A button beside a refusal: it sends `act`, or goes to what `show` names."""
 
-    label: str
+    label: Text
     act: AnyAct | None = None
     show: AnyShow | None = None
 
 
-class Reason(View, frozen=True):
+class Objection(View, frozen=True):
     """Why something is refused or worth a warning, in words, with what could be done, likeliest first (X01)."""
 
-    text: str
+    text: Text
     remedies: tuple[Remedy, ...] = ()

@@ -2,7 +2,7 @@ from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.outcome.clash import clashes, refused
 from onika.model.task import Task
 from onika.wire import act
-from onika.wire.view import Reason, Remedy, ShowTask
+from onika.wire.view import Objection, Remedy, ShowTask
 
 W = Task("w", "w", outvar=("Q",), frequency=1.0)
 C = Task("c", "c", inconst=("K",), frequency=1.0)
@@ -37,6 +37,6 @@ def test_what_speaks_against_it_already_is_no_reason_against_a_change(tmp_path):
 
 def test_a_no_names_all_reasons_and_each_way_out_once():  # R-X01
     show = Remedy("Show a", show=ShowTask("a"))
-    no = refused("it cannot be", (Reason("one", (show,)), Reason("two", (show,))), "svar")
+    no = refused("it cannot be", (Objection("one", (show,)), Objection("two", (show,))), "svar")
     assert (no.reason, no.remedies, no.fields) == ("it cannot be: one; two", (show,), {"svar": "one; two"})
-    assert refused("it cannot be", (Reason("one"),)).fields == {}
+    assert refused("it cannot be", (Objection("one"),)).fields == {}

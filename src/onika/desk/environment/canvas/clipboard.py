@@ -16,7 +16,7 @@ from onika.model.configuration import Group, Placed
 from onika.model.rules import conflict, loci
 from onika.model.task import Task
 from onika.wire import act
-from onika.wire.view import Reason, Remedy, ShowLibraries, ShowTask
+from onika.wire.view import Objection, Remedy, ShowLibraries, ShowTask
 from onika.words.fault import Refusal
 
 
@@ -91,33 +91,35 @@ def _renamed(groups: Iterable[Group], standing: Iterable[Group]) -> Iterator[Gro
         yield replace(group, name=name)
 
 
-def objections(shelf: Shelf, document: Document, taken: Copied) -> list[Reason]:
+def objections(shelf: Shelf, document: Document, taken: Copied) -> list[Objection]:
     """Every reason why what was copied may not be placed, task by task."""
     tasks = shelf.tasks
     standing = [tasks[name] for name in document.content.names if name in tasks]
     against = _against(standing, [tasks[placed.task] for placed in taken.placed if placed.task in tasks])
     missing = set(document.content.names) - set(tasks)
-    objections: list[Reason] = []
+    objections: list[Objection] = []
     for placed in taken.placed:
         task = tasks.get(placed.task)
         if placed.task in missing:
             objections.append(
-                Reason(f"{placed.task} is placed already", (Remedy(f"Show {placed.task}", show=ShowTask(placed.task)),))
+                Objection(
+                    f"{placed.task} is placed already", (Remedy(f"Show {placed.task}", show=ShowTask(placed.task)),)
+                )
             )
         elif task is None:
             open_one = Remedy("Open a library…", show=ShowLibraries())
-            objections.append(Reason(f"{placed.task}: no open library has it", (open_one,)))
+            objections.append(Objection(f"{placed.task}: no open library has it", (open_one,)))
         else:
             for reason in reasons(against.get(task.name, ()), document.id, task):
                 remedies = tuple(remedy for remedy in reason.remedies if _helps(remedy, taken))
-                objections.append(Reason(_sentence(task.name, reason.text), remedies))
+                objections.append(Objection(_sentence(task.name, str(reason.text)), remedies))
     return objections
 
 
-def refusal(what: str, against: Sequence[Reason]) -> No:
+def refusal(what: str, against: Sequence[Objection]) -> No:
     """A no with everything that speaks against it."""
     remedies = tuple(dict.fromkeys(remedy for reason in against for remedy in reason.remedies))
-    return No(f"{what}: {'; '.join(reason.text for reason in against)}", remedies)
+    return No(f"{what}: {'; '.join(str(reason.text) for reason in against)}", remedies)
 
 
 def _against(standing: Sequence[Task], pasted: Sequence[Task]) -> dict[str, tuple[Refusal, ...]]:

@@ -20,7 +20,7 @@ from onika.model.configuration import Configuration, Group
 from onika.model.rules import loci
 from onika.store.base_directory import BaseDirectory
 from onika.wire import act
-from onika.wire.view import Reason, Remedy, ShowTask
+from onika.wire.view import Objection, Remedy, ShowTask
 from onika.words.fault import Refusal
 from onika.words.name import TASK_NAME
 
@@ -136,7 +136,7 @@ def _regrouped(model: Model, document: Document, configuration: Configuration, l
 
 def _taken(document: Document, name: str, tasks: tuple[str, ...]) -> No | None:
     """Why these cannot be one, if so: the name is that of others, or a part of another supermodule is among them."""
-    against: list[Reason] = []
+    against: list[Objection] = []
     for group in document.content.configuration.groups:
         among = [task for task in group.tasks if task in tasks]
         if group.name == name:
@@ -148,18 +148,18 @@ def _taken(document: Document, name: str, tasks: tuple[str, ...]) -> No | None:
                 Remedy(f"Take all of {group.name}", act.Group(document.id, name, (*tasks, *rest))),
                 Remedy(f"Expand {group.name}", act.Ungroup(document.id, group.name)),
             )
-            against.append(Reason(f"{several(among)} {verb} in the supermodule {group.name} already", remedies))
+            against.append(Objection(f"{several(among)} {verb} in the supermodule {group.name} already", remedies))
     return clipboard.refusal(f"{name} is not made", against) if against else None
 
 
-def _namesake(document: Document, name: str) -> list[Reason]:
+def _namesake(document: Document, name: str) -> list[Objection]:
     """That a supermodule of this name is there already, if so."""
     group = document.content.configuration.group(name)
     if group is None:
         return []
     show = Remedy(f"Show {group.tasks[0]}", show=ShowTask(group.tasks[0]))
     expand = Remedy(f"Expand {name}", act.Ungroup(document.id, name))
-    return [Reason(f"there is a supermodule {name} already", (show, expand))]
+    return [Objection(f"there is a supermodule {name} already", (show, expand))]
 
 
 def _part(model: Model, document: Document, group: Group) -> Configuration:

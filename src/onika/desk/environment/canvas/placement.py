@@ -162,7 +162,7 @@ def _refused(model: Model, document: Document, name: str, leaving: tuple[str, ..
     if not objections:
         return None
     remedies = tuple(dict.fromkeys(remedy for reason in objections for remedy in reason.remedies))
-    return No(f"{name} cannot be placed: {'; '.join(reason.text for reason in objections)}", remedies)
+    return No(f"{name} cannot be placed: {'; '.join(str(reason.text) for reason in objections)}", remedies)
 
 
 def absent(document: Document, names: Iterable[str]) -> No | None:

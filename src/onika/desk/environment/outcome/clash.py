@@ -10,13 +10,13 @@ from onika.desk.environment.state.open_libraries import Shelf
 from onika.model.rules import placement
 from onika.model.task import Task
 from onika.wire import act
-from onika.wire.view import Reason, Remedy, ShowPin, ShowTask
+from onika.wire.view import Objection, Remedy, ShowPin, ShowTask
 from onika.words.fault import Refusal
 
 
-def clashes(model: Model, after: Shelf, names: Collection[str]) -> tuple[Reason, ...]:
+def clashes(model: Model, after: Shelf, names: Collection[str]) -> tuple[Objection, ...]:
     """Everything that speaks against `after` in the open documents, and did not before; `names` are changed there."""
-    found: list[Reason] = []
+    found: list[Objection] = []
     for name in sorted(names):
         task = after.tasks.get(name)
         if task is None or task == model.shelf.tasks.get(name):
@@ -28,14 +28,14 @@ def clashes(model: Model, after: Shelf, names: Collection[str]) -> tuple[Reason,
     return tuple(dict.fromkeys(found))
 
 
-def refused(what: str, against: tuple[Reason, ...], field: str = "") -> No:
+def refused(what: str, against: tuple[Objection, ...], field: str = "") -> No:
     """The no to a change that something speaks against."""
-    text = "; ".join(one.text for one in against)
+    text = "; ".join(str(one.text) for one in against)
     remedies = tuple(dict.fromkeys(remedy for one in against for remedy in one.remedies))
     return No(f"{what}: {text}", remedies, {field: text} if field else {})
 
 
-def _beside(task: Task, document: Document, before: Shelf, after: Shelf) -> Iterator[Reason]:
+def _beside(task: Task, document: Document, before: Shelf, after: Shelf) -> Iterator[Objection]:
     for name in document.content.names:
         other = after.tasks.get(name)
         if other is None or name == task.name:
@@ -43,7 +43,7 @@ def _beside(task: Task, document: Document, before: Shelf, after: Shelf) -> Iter
         known = _known(before.tasks.get(task.name), before.tasks.get(name))
         for one in placement.refusals(task, (other,)):
             if one.reason not in known:
-                yield Reason(f"in {document.name}, {_said(one, task)}", _remedies(one, other, document))
+                yield Objection(f"in {document.name}, {_said(one, task)}", _remedies(one, other, document))
 
 
 def _known(task: Task | None, other: Task | None) -> set[str]:

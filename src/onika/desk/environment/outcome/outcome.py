@@ -4,7 +4,7 @@ An act that waits is a generator. It yields what it waits for (`Ask`, `Work`, `U
 be meanwhile; it receives the model of then together with what has come; and it returns `Done` or `No` (decision 35).
 """
 
-from collections.abc import Callable, Generator, Hashable
+from collections.abc import Callable, Generator, Hashable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Protocol, TypeVar
 
@@ -12,6 +12,7 @@ from onika.desk.environment.state.model import Model
 from onika.wire import page
 from onika.wire.request import Request, Response
 from onika.wire.view import Remedy
+from onika.words.reason import Text
 
 _T = TypeVar("_T")
 
@@ -23,9 +24,9 @@ News = tuple[Hashable, Any]
 class No:
     """A refusal: nothing is changed."""
 
-    reason: str
+    reason: Text
     remedies: tuple[Remedy, ...] = ()
-    fields: dict[str, str] = field(default_factory=dict)
+    fields: Mapping[str, Text] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)

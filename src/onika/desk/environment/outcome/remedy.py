@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 
 from onika.model.task import Task
 from onika.wire import act
-from onika.wire.view import Reason, Remedy, ShowPin, ShowTask
+from onika.wire.view import Objection, Remedy, ShowPin, ShowTask
 from onika.words.fault import Fault, Refusal
 from onika.words.reason import Text
 
@@ -15,9 +15,11 @@ _TOLD = 4
 _OTHER = re.compile(r"give ([^ ]+) another alias\Z")
 
 
-def reasons(refused: Iterable[Refusal], doc: str, task: Task) -> tuple[Reason, ...]:
+def reasons(refused: Iterable[Refusal], doc: str, task: Task) -> tuple[Objection, ...]:
     """Why `task` may not be placed in a document."""
-    return tuple(Reason(plain(one.reason), tuple(_remedy(word, doc, task) for word in one.remedies)) for one in refused)
+    return tuple(
+        Objection(plain(one.reason), tuple(_remedy(word, doc, task) for word in one.remedies)) for one in refused
+    )
 
 
 def plain(text: Text) -> str:

@@ -11,9 +11,9 @@ def refusal(response: request.Response) -> str:
     """Why a runtime does not do something, in words."""
     match response:
         case request.Refused():
-            return response.reason
+            return str(response.reason)
         case request.Prepared():
-            return "; ".join(_sentence(one) for one in response.faults) or "; ".join(response.notes)
+            return "; ".join(_sentence(one) for one in response.faults) or "; ".join(map(str, response.notes))
     return f"expected the runtime to do it, found {type(response).__name__}"
 
 

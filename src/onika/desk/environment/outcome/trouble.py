@@ -11,8 +11,8 @@ from onika.model.task import Task
 from onika.wire import act
 from onika.wire.view import (
     ErrorView,
+    Objection,
     ProblemView,
-    Reason,
     Remedy,
     ShowLibraries,
     ShowLocus,
@@ -37,7 +37,7 @@ def error_view(document: Document, name: str, facts: TaskFacts) -> ErrorView | N
     if failed is None:
         return ErrorView(facts.note or "it failed", remedies=remedies)
     return ErrorView(
-        text=failed.text.removeprefix(f"{failed.entry}: "),
+        text=str(failed.text).removeprefix(f"{failed.entry}: "),
         entry=failed.entry,
         path=failed.path,
         line=failed.line,
@@ -53,7 +53,7 @@ def problems(
     shelf: Shelf,
     *,
     with_warnings: bool = True,
-    greyed: Mapping[str, tuple[Reason, ...]] | None = None,
+    greyed: Mapping[str, tuple[Objection, ...]] | None = None,
 ) -> dict[str, ProblemView]:
     """Everything worth knowing of a document, by keys that stay: faults, then warnings and notes where wanted.
 
@@ -102,7 +102,7 @@ def _conflict(document: Document, later: Task, earlier: Task, refused: Sequence[
     found = reasons(refused, document.id, later)
     removing = [Remedy(f"Remove {one.name}", act.Remove(document.id, (one.name,))) for one in (later, earlier)]
     aliasing = [one for reason in found for one in reason.remedies if isinstance(one.show, ShowPin)]
-    text = f"{later.name}: {'; '.join(reason.text for reason in found)}"
+    text = f"{later.name}: {'; '.join(str(reason.text) for reason in found)}"
     return ProblemView(text, "fault", ShowTask(later.name), tuple(dict.fromkeys((*removing, *aliasing))))
 
 

@@ -28,7 +28,11 @@ def after_event(model: Model, message: event.Event, at_s: float = 0.0) -> Done:
             return _stepped(model, message)
         case event.Edited():
             document = _home(model, message.subsystem)
-            return reconciliation.edited(model, document.id, message.number, message.cause) if document else Done(model)
+            return (
+                reconciliation.edited(model, document.id, message.number, str(message.cause))
+                if document
+                else Done(model)
+            )
         case event.Held():
             return _held(model, message, at_s)
         case event.Offered():

@@ -42,8 +42,10 @@ def after(run: Run, message: event.Event) -> Run:
         case event.Failed() if message.subsystem in run.view.flows:
             return replace(run, failures={**run.failures, _key(message): message})
         case event.Warned() if message.subsystem in run.view.flows:
-            is_shown = not message.task and is_question(message.text)
-            return run if is_shown else run.noted(f"{message.task}: {message.text}" if message.task else message.text)
+            is_shown = not message.task and is_question(str(message.text))
+            return (
+                run if is_shown else run.noted(f"{message.task}: {message.text}" if message.task else str(message.text))
+            )
         case event.Stepped() if message.subsystem in run.view.flows and message.is_too_far:
             return run.noted(transfer_text.sentence(message))
         case event.Explained() if message.subsystem in ("", *run.view.flows):
@@ -80,7 +82,7 @@ def _cause(run: Run, text: str) -> str:
     """Why it ended; where somebody ended it because it stood, also why it stood."""
     standing = sorted((stop for key, stop in run.view.stops.items() if key), key=lambda stop: stop.at_s)
     reason = standing[0].text if standing else run.reason
-    return f"ended by you, after: {_WHERE.sub('', reason)}" if reason and text == ABORTED else text
+    return f"ended by you, after: {_WHERE.sub('', str(reason))}" if reason and text == ABORTED else text
 
 
 def _began(run: Run, began: event.Began) -> Run:
@@ -157,7 +159,7 @@ def _moved(run: Run, moved: event.Moved) -> Run:
     if not gone:
         return run
     if moved.state in _ENDS and moved.subsystem in gone:
-        run = replace(run, reason=run.reason or run.view.stops[moved.subsystem].text)
+        run = replace(run, reason=run.reason or str(run.view.stops[moved.subsystem].text))
     return run.shown(stops={key: stop for key, stop in run.view.stops.items() if key not in gone})
 
 

@@ -13,6 +13,7 @@ from onika.model.syntax import Syntax
 from onika.store.program import ApplicationProgram
 from onika.wire.plan import Plan, PlannedAction
 from onika.words.fault import Place
+from onika.words.reason import Text
 
 _Icons = Mapping[str, str]
 """What icons show, by their names."""
@@ -76,8 +77,9 @@ class Speech:
         """What an icon shows."""
         return self.by_icon.get(name, name)
 
-    def with_icons(self, text: str) -> str:
+    def with_icons(self, reason: Text) -> str:
         """A text of the runtime."""
+        text = str(reason)
         for file, name in self.files.items():
             if file in text:
                 here = rf"(?<!\w){re.escape(file)}"

@@ -34,7 +34,7 @@ def looked(model: Model, troubles: Troubles, plan: Plan, prepared: Prepared) -> 
 
 def worth_noting(prepared: Prepared) -> Iterator[str]:
     """The notes of a run: targets that are re-resolved are counted, for each of them has a mark at its icon."""
-    yield from (note for note in prepared.notes if _RESOLVED not in note)
+    yield from (str(note) for note in prepared.notes if _RESOLVED not in str(note))
     targets = {(resolved.target, resolved.were, resolved.task, resolved.instead_of) for resolved in prepared.resolved}
     for (task, old), count in sorted(Counter(target[2:] for target in targets).items()):
         if count == 1:
@@ -45,7 +45,7 @@ def worth_noting(prepared: Prepared) -> Iterator[str]:
 
 def _noted(troubles: Troubles, prepared: Prepared) -> Iterator[FaultView]:
     """What is only worth knowing; targets that are re-resolved bear a mark of their own."""
-    for note in prepared.notes:
+    for note in map(str, prepared.notes):
         if _RESOLVED in note:
             continue
         match = _NOTE.fullmatch(note)

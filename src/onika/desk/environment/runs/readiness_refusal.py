@@ -33,7 +33,7 @@ def refused_by_runtime(troubles: Troubles, response: request.Response) -> No:
 
 def _listed(faults: Sequence[FaultView]) -> str:
     """What is told in a line; all of it stands at the icons and in the list beside them."""
-    texts = [fault.text for fault in faults[:_TOLD]]
+    texts = [str(fault.text) for fault in faults[:_TOLD]]
     more = f"; and {len(faults) - _TOLD} more" if len(faults) > _TOLD else ""
     return texts[0] if len(faults) == 1 else f"{len(faults)} things: {'; '.join(texts)}{more}"
 

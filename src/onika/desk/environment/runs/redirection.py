@@ -77,7 +77,7 @@ def _joined(seats: Sequence[SeatView]) -> SeatView:
     first, holders = seats[0], {seat.taken_by for seat in seats}
     reasons: dict[str, dict[str, None]] = {}
     for each in (each for seat in seats for each in seat.candidates):
-        reasons.setdefault(each.name, {}).update(dict.fromkeys(each.reasons))
+        reasons.setdefault(each.name, {}).update(dict.fromkeys(map(str, each.reasons)))
     candidates = [structs.replace(each, reasons=tuple(reasons[each.name])) for each in first.candidates]
     candidates.sort(key=lambda each: (bool(each.reasons), each.name))
     return structs.replace(first, taken_by=first.taken_by if len(holders) == 1 else "", candidates=tuple(candidates))

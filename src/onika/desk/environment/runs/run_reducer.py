@@ -60,7 +60,7 @@ def look() -> Order:
 def _edited(model: Model, run: Run, message: event.Edited) -> Done:
     """A live change has come to its end while the run is about to begin; it may be what the run waits for."""
     if run.awaits != message.number:
-        return Done(replace(model, run=replace(run, outcomes={**run.outcomes, message.number: message.cause})))
+        return Done(replace(model, run=replace(run, outcomes={**run.outcomes, message.number: str(message.cause)})))
     news = ((Ending(message.number), No(message.cause) if message.cause else None),)
     return Done(replace(model, run=replace(run, awaits=None)), news=news)
 

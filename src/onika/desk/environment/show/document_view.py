@@ -8,7 +8,7 @@ from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.open_libraries import Shelf
 from onika.model.task import Task
 from onika.store.site import is_shipped
-from onika.wire.view import DocumentView, LibraryView, PinView, ProblemView, Reason, TaskView
+from onika.wire.view import DocumentView, LibraryView, Objection, PinView, ProblemView, TaskView
 
 _V = TypeVar("_V")
 
@@ -94,8 +94,8 @@ def document_view(
     document: Document,
     order: int,
     shelf: Shelf,
-    greyed: dict[str, tuple[Reason, ...]],
-    objected: dict[str, tuple[Reason, ...]],
+    greyed: dict[str, tuple[Objection, ...]],
+    objected: dict[str, tuple[Objection, ...]],
     troubles: dict[str, ProblemView],
     seen: Seen | None,
 ) -> DocumentView:

@@ -5,12 +5,12 @@ from collections.abc import Sequence
 from onika.desk.environment.outcome.remedy import reasons
 from onika.desk.environment.state.open_libraries import Shelf
 from onika.model.rules import placement
-from onika.wire.view import Reason
+from onika.wire.view import Objection
 
 _FEW = 20
 """Changed tasks up to which the rest is kept."""
 
-Reasons = tuple[Reason, ...]
+Reasons = tuple[Objection, ...]
 
 
 class Greying:
