@@ -5,11 +5,13 @@ from itertools import count
 from pathlib import Path
 from typing import Protocol
 
+from onika.cli.language import say
 from onika.desk.console.console import Console
 from onika.desk.console.display import ConsoleDisplay, Tone
 from onika.desk.console.session import ConsoleSession, Faults, typed_fault
 from onika.desk.run.interruption import Interruption
 from onika.words.fault import Place
+from onika.words.reason import Reason
 
 _LOOK_S = 0.05
 _SERVED_S = 0.5
@@ -116,7 +118,7 @@ def _interrupted(session: ConsoleSession, desk: LineDesk) -> None:
     if moves:
         session.interrupt()
     else:
-        desk.say("nothing moves; `quit` or Ctrl-D ends this console", Tone.DIM)
+        desk.say(say(Reason.of("cli.nothing_moves")), Tone.DIM)
 
 
 def _prompt(session: ConsoleSession) -> str:

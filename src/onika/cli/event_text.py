@@ -59,7 +59,7 @@ def _reason(happening: event.Met | event.Stepped | event.Warned | event.Failed |
             return Reason.of("cli.note", text=f"{happening.subsystem}/{transfer_text.sentence(happening)}")
         case event.Warned():
             who = f"{happening.task}: " if happening.task else ""
-            return Reason.of("cli.note", text=f"{who}{happening.text}")
+            return Reason.of("cli.note", text=f"{who}{say(happening.text)}")
         case event.Failed():
             where = f" ({happening.path}:{happening.line})" if happening.line else ""
             task = f"{happening.subsystem}/{happening.task}"
@@ -83,8 +83,8 @@ def _moved(moved: event.Moved) -> str:
         case "stopped":
             return ""  # the error and its explanation stand beside it
         case _:
-            return str(moved.text)
-    return f"{text} ({moved.text})" if moved.text else text
+            return say(moved.text)
+    return f"{text} ({say(moved.text)})" if moved.text else text
 
 
 def item_text(item: event.Item) -> str:

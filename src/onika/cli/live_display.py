@@ -9,6 +9,7 @@ from rich.text import Text
 
 from onika.cli.event_text import item_text, lines, summary
 from onika.cli.keyboard import Keyboard
+from onika.cli.language import say
 from onika.cli.panel import Panel
 from onika.cli.typed import typed_line
 from onika.desk.plan.flow_index import FlowIndex
@@ -122,7 +123,7 @@ class LiveDisplay:
 
     def _answers(self, question: event.Asked) -> str | None:
         if question.reason:
-            self._console.print(Text(str(question.reason), style="magenta"))
+            self._console.print(Text(say(question.reason), style="magenta"))
         words: list[str] = []
         for item in question.items:
             self._console.print(Text(f"{question.task} asks for {item_text(item)}: "), end="")

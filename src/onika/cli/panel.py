@@ -10,12 +10,14 @@ from rich.table import Table
 from rich.text import Text
 
 from onika.cli.key_bindings import KEYS, KeyBindings
+from onika.cli.language import say
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.run.flow_status import FlowStatus
 from onika.desk.run.flow_tracker import FlowTracker
 from onika.desk.run.positions import waits
 from onika.wire import event
 from onika.wire.steer import Position
+from onika.words.reason import Reason
 
 MARKS = {
     "ON": ("▶", "cyan"),
@@ -141,7 +143,7 @@ class Panel:
 
 def _state(spot: FlowStatus, position: Position | None) -> str:
     is_pausing = position is not None and position.is_pausing and spot.state == "running"
-    return "will pause" if is_pausing else spot.state
+    return say(Reason.of("cli.will_pause")) if is_pausing else spot.state
 
 
 def _doing(flow_index: FlowIndex, subsystem: str, spot: FlowStatus, position: Position | None) -> str:

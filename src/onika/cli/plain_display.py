@@ -3,6 +3,7 @@
 from types import TracebackType
 
 from onika.cli.event_text import item_text, lines, summary
+from onika.cli.language import say
 from onika.cli.typed import typed_line
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.preparation import PreparedRun
@@ -66,7 +67,7 @@ class PlainDisplay:
     def answer(self, question: event.Asked) -> str | None:
         """Ask on the terminal that input comes from; None at the end of the input."""
         wanted = "; ".join(item_text(item) for item in question.items)
-        reason = f" ({question.reason})" if question.reason else ""
+        reason = f" ({say(question.reason)})" if question.reason else ""
         self._write(f"{question.task} asks for {wanted}{reason}:")
         return typed_line()
 
