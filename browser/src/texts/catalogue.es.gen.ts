@@ -54,7 +54,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "cli.no_test": "ninguna prueba tiene {word:quoted} en su nombre",
   "cli.no_trail": "se esperaba un registro de auditoría en {path}, no hay ninguno",
   "cli.no_variable": "{path}: se esperaba una de {variables}, se encontró {name:quoted}",
-  "cli.none": "ningún",
+  "cli.none": "sin",
   "cli.not_reproducible": "no es reproducible: {names} tuvieron que ver con el exterior",
   "cli.note": "nota: {text}",
   "cli.nothing_moves": "nada se mueve; `quit` o Ctrl-D termina esta consola",

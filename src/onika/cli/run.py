@@ -99,11 +99,31 @@ def carry_out(given: argparse.Namespace) -> int:
         given.complain(say(Reason.of("cli.no_application")))
     if given.at is not None and given.source is None:
         given.complain(say(Reason.of("cli.at_alone")))
+    watcher = _watcher(given)
+    settings = _settings(given, watcher.can_steer)
+    objection = "" if given.keep_test is None else unkeepable(settings, given.keep_test)
+    if objection:
+        given.complain(f"--keep-test: {objection}")
+    with in_order(), watcher:
+        outcome = run(settings, site_here(given.local), watcher)
+    drawn = _draw(outcome, given.picture) if given.picture is not None else ""
+    watcher.ended(outcome, drawn)
+    if given.keep_test is not None and outcome.exit_code == 0:
+        return _keep(given.keep_test, settings, site_here(given.local), outcome)
+    return outcome.exit_code
+
+
+def _watcher(given: argparse.Namespace) -> JsonLines | LiveDisplay | PlainDisplay:
+    """What shows the run: JSON for programs, a live display on a terminal that can do it, else plain lines."""
     if given.json:
-        watcher: JsonLines | LiveDisplay | PlainDisplay = JsonLines()
-    else:
-        watcher = LiveDisplay() if _is_terminal(sys.stdout) and os.environ.get("TERM") != "dumb" else PlainDisplay()
-    settings = RunSettings(
+        return JsonLines()
+    if _is_terminal(sys.stdout) and os.environ.get("TERM") != "dumb":
+        return LiveDisplay()
+    return PlainDisplay()
+
+
+def _settings(given: argparse.Namespace, can_steer: bool) -> RunSettings:
+    return RunSettings(
         name=given.application,
         is_virtual=given.virtual or given.scale is not None or given.source is not None,
         expectations=tuple(given.expect),
@@ -116,23 +136,13 @@ def carry_out(given: argparse.Namespace) -> int:
         scale=given.scale,
         subsystems=tuple(given.subsystem),
         on_loss=given.on_loss,
-        on_error=given.on_error or ("wait" if watcher.can_steer or given.script is not None else "abort"),
+        on_error=given.on_error or ("wait" if can_steer or given.script is not None else "abort"),
         script=given.script,
         redirects=tuple(given.redirect),
         record=given.record,
         source=None if given.source is None else RecordingSource(given.source, given.at),
         elsewhere=None if given.runtime is None else Elsewhere(given.runtime, given.token or "", given.ca),
     )
-    objection = "" if given.keep_test is None else unkeepable(settings, given.keep_test)
-    if objection:
-        given.complain(f"--keep-test: {objection}")
-    with in_order(), watcher:
-        outcome = run(settings, site_here(given.local), watcher)
-    drawn = _draw(outcome, given.picture) if given.picture is not None else ""
-    watcher.ended(outcome, drawn)
-    if given.keep_test is not None and outcome.exit_code == 0:
-        return _keep(given.keep_test, settings, site_here(given.local), outcome)
-    return outcome.exit_code
 
 
 def _keep(path: Path, settings: RunSettings, site: Site, outcome: Outcome) -> int:

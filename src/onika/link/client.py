@@ -65,7 +65,7 @@ class ClientEnd:
         self._queues = SendQueues(Readings())
         self._assembly = BodyAssembly(terms.body_limit)
         self._wishes: dict[int, _PendingRequest] = {}
-        self.asked = 0
+        self.request_count = 0
         self._accepted = 0
         self._ack_due = False
         self._hello_ns = 0
@@ -115,14 +115,14 @@ class ClientEnd:
         """
         if len(body) > self._terms.body_limit:
             raise ValueError(f"expected a request of {self._terms.body_limit} bytes at most, found {len(body)}")
-        self.asked += 1
+        self.request_count += 1
         begin_by_ns = now_ns + begin_within_ns if begin_within_ns else 0
-        self._wishes[self.asked] = _PendingRequest(body, once, urgent, begin_by_ns)
+        self._wishes[self.request_count] = _PendingRequest(body, once, urgent, begin_by_ns)
         if self._liveness.is_linked:
-            self._send(self.asked, now_ns)
+            self._send(self.request_count, now_ns)
         elif once or self.state is LinkState.ENDED:
-            self._fail(Fate.UNSENT, [self.asked])
-        return self.asked
+            self._fail(Fate.UNSENT, [self.request_count])
+        return self.request_count
 
     def forget(self, number: int) -> None:
         """The answer to this request is not wanted any more."""

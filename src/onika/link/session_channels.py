@@ -127,7 +127,7 @@ class SessionChannels:
     @property
     def request_count(self) -> int:
         """The number of the latest request."""
-        return self._first.end.asked
+        return self._first.end.request_count
 
     def forget(self, number: int) -> None:
         """The answer to this request is not wanted any more."""
