@@ -12,7 +12,7 @@ from onika.store.site import shipped
 from onika.testing.bench import Bench
 from onika.testing.bench_device import BenchDevice
 
-CODE = shipped() / "puma" / "module" / "puma.py"
+CODE = shipped() / "generic" / "module" / "arm.py"
 RIGHT = [-1, 0, 0, 1.25, 0, -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
 
 
@@ -23,13 +23,13 @@ def arm(base=None, robot="puma560"):
 
 
 def puma(device, base="0 0 0 0", **local):
-    return Bench(CODE, frequency=500, local={"BASE": base, **local}, device=device).init()
+    return Bench(CODE, frequency=500, local={"ROBOT": "puma560", "BASE": base, **local}, device=device).init()
 
 
 @pytest.fixture
 def constants():
     cls = puma(arm()).cls
-    return cls, cls.constants(SimpleNamespace(BASE=[0.0, 0.0, 0.0, 0.0]))
+    return cls, cls.constants(SimpleNamespace(ROBOT="puma560", BASE=[0.0, 0.0, 0.0, 0.0]))
 
 
 def test_it_publishes_everything_that_is_known_of_the_robot():

@@ -13,7 +13,7 @@ from onika.store.site import shipped
 from onika.testing.bench import Bench
 from onika.testing.bench_device import BenchDevice
 
-CODE = shipped() / "scara" / "module" / "scara.py"
+CODE = shipped() / "generic" / "module" / "arm.py"
 GENERIC = shipped() / "generic" / "module"
 PUMA = published(puma560, 0.0, 0.0, 0.0, 0.0)
 ABOVE_TRIANGLE = [0.181442, -0.625356, 2.700589, 0.0, 1.06636, 1.752238, 2.3]
@@ -26,13 +26,13 @@ def arm(robot="adept_one"):
 
 
 def scara(device, **local):
-    return Bench(CODE, frequency=500, local={"BASE": "0 0 0 0", **local}, device=device).init()
+    return Bench(CODE, frequency=500, local={"ROBOT": "adept_one", "BASE": "0 0 0 0", **local}, device=device).init()
 
 
 @pytest.fixture
 def constants():
     cls = scara(arm()).cls
-    return cls, cls.constants(SimpleNamespace(BASE=[0.0, 0.0, 0.0, 0.0]))
+    return cls, cls.constants(SimpleNamespace(ROBOT="adept_one", BASE=[0.0, 0.0, 0.0, 0.0]))
 
 
 def test_it_publishes_everything_that_is_known_of_the_robot():  # R-K03, law 20

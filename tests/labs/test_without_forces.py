@@ -13,9 +13,9 @@ from onika.testing.bench import Bench
 from onika.testing.bench_device import BenchDevice
 from onika.workcell.boxes import BoxesWorld
 
-PAIRS = [("puma", "puma", "puma_kin"), ("scara", "scara", "scara_kin")]
+PAIRS = [("puma560", "puma", "puma_kin"), ("adept_one", "scara", "scara_kin")]
 SITE = open_site((), {}, None)
-every_robot = pytest.mark.parametrize(("lab", "physical", "name"), PAIRS)
+every_robot = pytest.mark.parametrize(("robot", "physical", "name"), PAIRS)
 
 
 def task(name):
@@ -28,17 +28,18 @@ def device_of(name):
     return BenchDevice(sheet.state[2:], sheet.command, sheet.identity)
 
 
-def bench_of(lab, module, device):
-    return Bench(shipped() / lab / "module" / f"{module}.py", frequency=500, local={"BASE": "0 0 0 0"}, device=device)
+def bench_of(robot, name, device):
+    path = shipped() / "generic" / "module" / f"{task(name).module}.py"
+    return Bench(path, frequency=500, local={"ROBOT": robot, "BASE": "0 0 0 0"}, device=device)
 
 
 @every_robot
-def test_it_gives_all_that_the_arm_with_forces_gives(lab, physical, name):  # R-E09, R-K03
+def test_it_gives_all_that_the_arm_with_forces_gives(robot, physical, name):  # R-E09, R-K03
     with_forces, without = task(physical), task(name)
     assert (without.outconst, without.outvar) == (with_forces.outconst, with_forces.outvar)
     assert without.invar == ("Q_REF",)
-    classes = [bench_of(lab, module, device_of(module)).cls for module in (physical, name)]
-    one, other = (cls.constants(SimpleNamespace(BASE=[0.0] * 4)) for cls in classes)
+    classes = [bench_of(robot, module, device_of(module)).cls for module in (physical, name)]
+    one, other = (cls.constants(SimpleNamespace(ROBOT=robot, BASE=[0.0] * 4)) for cls in classes)
     assert all(np.array_equal(one[key], other[key]) for key in one)
     for attribute, declared in classes[0].declared_ports.items():
         port = declared.port(attribute)
@@ -47,9 +48,9 @@ def test_it_gives_all_that_the_arm_with_forces_gives(lab, physical, name):  # R-
 
 
 @every_robot
-def test_the_reference_goes_to_the_device_as_it_is(lab, physical, name):  # R-K03
+def test_the_reference_goes_to_the_device_as_it_is(robot, physical, name):  # R-K03
     device = device_of(name)
-    bench = bench_of(lab, name, device).init().on()
+    bench = bench_of(robot, name, device).init().on()
     assert bench.state is State.ON, bench.why
     assert bench.cycle() and device.order == DeviceOrder.HOLD, "not before a reference is there (law 4)"
     wanted = np.linspace(0.001, 0.002, bench["NDOF"])  # near to where it is
@@ -66,16 +67,15 @@ def test_the_reference_goes_to_the_device_as_it_is(lab, physical, name):  # R-K0
 
 
 @every_robot
-def test_neither_drives_the_device_of_the_other(lab, physical, name):  # angles are no torques
-    robot = device_of(physical).sheet.identity["ROBOT"]
-    assert f"{robot}_kin behind the device, found {robot}" in bench_of(lab, name, device_of(physical)).init().why
-    assert f"{robot} behind the device, found {robot}_kin" in bench_of(lab, physical, device_of(name)).init().why
+def test_neither_drives_the_device_of_the_other(robot, physical, name):  # angles are no torques
+    assert f"{robot}_kin behind the device, found {robot}" in bench_of(robot, name, device_of(physical)).init().why
+    assert f"{robot} behind the device, found {robot}_kin" in bench_of(robot, physical, device_of(name)).init().why
 
 
 @every_robot
-def test_a_panic_button_stops_it_as_well(lab, physical, name):  # R-K06
+def test_a_panic_button_stops_it_as_well(robot, physical, name):  # R-K06
     device = device_of(name)
-    bench = bench_of(lab, name, device).init().on()
+    bench = bench_of(robot, name, device).init().on()
     device.values[1] = DriveState.PRESSED
     bench.cycle()
     assert (bench.state, "panic button pressed" in bench.why) == (State.ERROR, True)

@@ -42,7 +42,7 @@ def test_what_the_other_robot_cannot_do_is_told_before_anything_moves(capsys):  
 def test_an_arm_whose_code_is_not_here_can_still_be_replaced(capsys, tmp_path):  # R-E09
     lab = Laboratory(tmp_path)
     text = (open_site([], {}, None).home_of_task("puma").task_file("puma")).read_text(encoding="utf-8")
-    lab.task("away", text.partition("EOF")[0].replace("MODULE      puma", "MODULE      away"))
+    lab.task("away", text.partition("EOF")[0].replace("MODULE      arm", "MODULE      away"))
     lab.configuration("gripC", "away 500", "gripper 100", "led_monitor 50", "opengrip 50")
     path = str(lab.application("open_it", [job("gripC")]))
     assert run(capsys, path)[0] == 2
@@ -52,7 +52,7 @@ def test_an_arm_whose_code_is_not_here_can_still_be_replaced(capsys, tmp_path): 
 def test_a_target_of_such_an_arm_is_told_because_nobody_knows_its_pose(capsys, tmp_path):  # law 26, R-X02
     lab = Laboratory(tmp_path)
     text = (open_site([], {}, None).home_of_task("puma").task_file("puma")).read_text(encoding="utf-8")
-    lab.task("away", text.partition("EOF")[0].replace("MODULE      puma", "MODULE      away"))
+    lab.task("away", text.partition("EOF")[0].replace("MODULE      arm", "MODULE      away"))
     lab.configuration("goC", *(f"{one} 500" for one in ("away", "diff", "gravcomp", "pd", "torque_sum", "jtraj")))
     path = str(lab.application("go", [job("goC", "Joint job"), joints("there", 0.2, -0.6, 2.7, 0.0, 1.0, 0.0)]))
     code, said = run(capsys, path, "--redirect", "away=scara")

@@ -42,7 +42,7 @@ def test_a_redirected_plan_names_who_stands_for_whom_and_its_file_is_as_it_was()
     assert "puma_kin" in {task.name for task in flow.tasks}
     assert "puma" not in {task.name for task in flow.tasks}
     assert [(name, old.name) for name, old in flow.replaced] == [("puma_kin", "puma")]
-    assert {"puma", "puma_kin"} <= {code.module for code in run.plan.code}
+    assert {"arm", "arm_kin"} <= {code.module for code in run.plan.code}
     assert path.read_bytes() == before
 
 

@@ -62,9 +62,9 @@ def test_the_reach_of_every_target_is_answered(loading):  # R-X02, law 26
 
 
 def test_the_shipped_robot_knows_its_reach(loading):  # R-K01, R-X02
-    path = shipped() / "puma" / "module" / "puma.py"
-    robot = Code("digest", "puma", str(path), path.read_text())
-    constants = loading.constants(robot, (("BASE", ("0", "0", "0", "0")),))
+    path = shipped() / "generic" / "module" / "arm.py"
+    robot = Code("digest", "arm", str(path), path.read_text())
+    constants = loading.constants(robot, (("ROBOT", ("puma560",)), ("BASE", ("0", "0", "0", "0"))))
     assert constants["NDOF"] == 6
     targets = [("joint object", [0.0, -1.5, 1.5, 0.0, 0.0, 0.0]), ("joint object", [9.0, -1.5, 1.5, 0.0, 0.0, 0.0])]
     near, far = loading.resolve(robot, constants, targets)

@@ -178,9 +178,7 @@ class Console:
             session.say(title, Tone.HEAD)
             for command in group:
                 session.say(f"  {command.name:<{width}}  {command.summary}")
-        session.say(
-            "A command may be cut to what tells it from the others. `help COMMAND` says how it is written.", Tone.DIM
-        )
+        session.say(Reason.of("console.help_hint"), Tone.DIM)
         return ()
 
     def _quit(self, session: ConsoleSession, words: Words) -> Faults:

@@ -50,7 +50,7 @@ def only_watch(session: ConsoleSession) -> Faults:
     """This console changes nothing any more."""
     faults = _hand(session, holding.OnlyWatch())
     if not faults:
-        session.say("this console only watches from now on; everybody can stop", Tone.NOTE)
+        session.say(Reason.of("console.only_watches_now"), Tone.NOTE)
     return faults
 
 
@@ -88,7 +88,7 @@ def open_channel(session: ConsoleSession, words: Words) -> Faults:
     """Say where others reach this runtime; it listens from its start or never."""
     if session.addresses and (not words or words[0] in session.addresses):
         for address in session.addresses:
-            session.say(f"others reach this runtime at {address}", Tone.GOOD)
+            session.say(Reason.of("console.reached_at", address=address), Tone.GOOD)
         return ()
     wanted = words[0] if words else "127.0.0.1:7994"
     if session.addresses:

@@ -38,9 +38,9 @@ class Follow:
         """`follow TASK [FILE]`; `follow off [TASK]` ends it; without words it says what is followed."""
         if not words:
             for (subsystem, name), file in self._files.items():
-                session.say(f"{subsystem}/{name} follows {file.path}")
+                session.say(Reason.of("console.follows", task=f"{subsystem}/{name}", path=str(file.path)))
             if not self._files:
-                session.say("nothing is followed", Tone.DIM)
+                session.say(Reason.of("console.nothing_followed"), Tone.DIM)
             return ()
         if words[0] == "off":
             gone = {session.address(word) for word in words[1:]} or set(self._files)
@@ -57,7 +57,7 @@ class Follow:
                 return session.no(Reason.of("console.code_file_unknown", word=words[0]))
             return session.no(Reason.of("console.code_file_missing", path=str(path)))
         self._files[subsystem, name] = look
-        session.say(f"{subsystem}/{name} follows {path}", Tone.DIM)
+        session.say(Reason.of("console.follows", task=f"{subsystem}/{name}", path=str(path)), Tone.DIM)
         return ()
 
     def tick(self, session: ConsoleSession) -> None:
@@ -68,7 +68,7 @@ class Follow:
         for (subsystem, name), file in list(self._files.items()):
             if name not in session.tasks(subsystem):
                 del self._files[subsystem, name]
-                session.say(f"{subsystem}/{name} lives no more and is not followed any more", Tone.NOTE)
+                session.say(Reason.of("console.no_more_followed", task=f"{subsystem}/{name}"), Tone.NOTE)
             elif _has_changed(file) or 0 < file.tries < _TRIES:
                 self._exchange(session, subsystem, name, file)
 
@@ -83,11 +83,11 @@ class Follow:
         for fault in faults:
             session.say(fault.sentence, Tone.FAULT)
         if is_refused and file.tries < _TRIES:
-            session.say(f"{subsystem}/{name} goes on with its old code; it is tried again in a second", Tone.NOTE)
+            session.say(Reason.of("console.old_code_for_now", task=f"{subsystem}/{name}"), Tone.NOTE)
         elif faults:
-            session.say(f"{subsystem}/{name} goes on with its old code", Tone.NOTE)
+            session.say(Reason.of("console.old_code", task=f"{subsystem}/{name}"), Tone.NOTE)
         else:
-            session.say(f"{subsystem}/{name} runs the new code of {file.path}", Tone.GOOD)
+            session.say(Reason.of("console.new_code", task=f"{subsystem}/{name}", path=str(file.path)), Tone.GOOD)
 
 
 def _look(path: Path) -> _FileStamp | None:

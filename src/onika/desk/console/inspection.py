@@ -34,7 +34,8 @@ def status(session: ConsoleSession, words: Words) -> Faults:
             return missing(session, subsystem, (name,)) or session.no(Reason.of("console.no_figures", word=word))
         session.show(columns.whole(figures_of_task[0]))
     if figures.loads:
-        session.say("load: " + "  ".join(f"{name} {load:.1%}" for name, load in sorted(figures.loads.items())))
+        loads = "  ".join(f"{name} {load:.1%}" for name, load in sorted(figures.loads.items()))
+        session.say(Reason.of("console.load", loads=loads))
     for sentence in figures.overloads:
         session.say(sentence, Tone.FAULT)
     return ()
@@ -51,7 +52,7 @@ def tasks(session: ConsoleSession, words: Words) -> Faults:
     if rows:
         session.show(text_table.lines(("task", "state", "rtpu", "Hz", ""), rows))
     else:
-        session.say("no task lives here: `spawn TASK`, or `config NAME`; `library` says what there is", Tone.DIM)
+        session.say(Reason.of("console.no_task_lives"), Tone.DIM)
     return ()
 
 
@@ -162,7 +163,7 @@ def check(session: ConsoleSession, words: Words) -> Faults:
                 Reason.of("console.unsound_memory", name=name, finding=finding), Reason.of("console.tasks_go_on")
             )
         if not answer.findings:
-            session.say(f"{name}: the memory of variables is sound", Tone.GOOD)
+            session.say(Reason.of("console.sound_memory", name=name), Tone.GOOD)
     return faults
 
 

@@ -33,7 +33,7 @@ def log(session: ConsoleSession, words: Words) -> Faults:
     written = whole.write(path, head + "".join(line + "\n" for line in lines), whole.ANYTHING)
     if isinstance(written, Refusal):
         return session.no(Reason.of("console.unwritable", reason=written.sentence), Reason.of("desk.nothing_written"))
-    session.say(f"{path}: {len(lines)} variable{'s' if len(lines) != 1 else ''}")
+    session.say(Reason.of("console.variables_logged", path=str(path), count=len(lines)))
     return ()
 
 

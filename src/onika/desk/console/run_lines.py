@@ -36,7 +36,7 @@ def begin(session: ConsoleSession, words: Words) -> Faults:
         return (objection(Place("line"), reason_of(wrong), Reason.of("words.nothing_run")),)
     prepared = prepare_run(words[0], session.site, redirects)
     for note in prepared.notes:
-        session.say(f"note: {note}", Tone.NOTE)
+        session.say(Reason.of("console.note", text=note.sentence), Tone.NOTE)
     if prepared.faults or prepared.plan is None:
         return prepared.faults
     faults = session.order(request.Prepare(prepared.plan, prepared.targets))
@@ -48,7 +48,7 @@ def begin(session: ConsoleSession, words: Words) -> Faults:
     session.flow_index = FlowIndex.of(prepared.plan)
     session.running_in = frozenset(flow.subsystem for flow in prepared.plan.flows)
     total = sum(len(flow.actions) for flow in prepared.plan.flows)
-    session.say(f"{prepared.name}: {total} action{'s' if total != 1 else ''}", Tone.HEAD)
+    session.say(Reason.of("console.actions", name=prepared.name, count=total), Tone.HEAD)
     return ()
 
 

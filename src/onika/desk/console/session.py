@@ -125,7 +125,7 @@ class ConsoleSession:
                 return self.no(Reason.of("console.runtime_refused", reason=answer.reason))
             case request.Prepared():
                 for note in answer.notes:
-                    self.say(f"note: {note}", Tone.NOTE)
+                    self.say(Reason.of("console.note", text=note), Tone.NOTE)
                 return tuple(map(fault_of, answer.faults))
             case live.Accepted():
                 return self._outcome(getattr(message, "subsystem", self.subsystem), answer.number)

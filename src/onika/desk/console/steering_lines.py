@@ -67,7 +67,7 @@ def runs(session: ConsoleSession, words: Words) -> Faults:
         if subsystem.application:
             homes.setdefault(subsystem.application, []).append(subsystem.name)
     for application, names in homes.items():
-        session.say(f"{application} in {', '.join(names)}", Tone.HEAD)
+        session.say(Reason.of("console.runs_in", application=application, names=tuple(names)), Tone.HEAD)
         application_spots = [spots[name] for name in names if name in spots]
         for line in (
             positions.lines(application_spots, flow_index_of(session, application_spots)) if application_spots else ()

@@ -5,6 +5,7 @@ from onika.desk.console.session import ConsoleSession, Faults
 from onika.desk.run import text_table
 from onika.wire import event
 from onika.wire.figures import VariableSteps
+from onika.words.reason import Reason
 
 Words = tuple[str, ...]
 
@@ -13,7 +14,7 @@ def jumps(session: ConsoleSession, words: Words) -> Faults:
     """The last step of each variable of living subsystems, the largest of the last run of others."""
     steps = [step for _, step in sorted(session.steps.items()) if not words or step.subsystem == words[0]]
     if not steps:
-        session.say("no step was told yet: nothing that drives hardware was exchanged while it was driven", Tone.DIM)
+        session.say(Reason.of("console.no_step"), Tone.DIM)
         return ()
     session.show(text_table.lines(("variable", "step", "of", "share/%", "unit", "at/s", "became"), map(_row, steps)))
     return ()

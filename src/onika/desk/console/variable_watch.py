@@ -32,7 +32,8 @@ class VariableWatch:
             self._names = ()
             return ()
         if not words:
-            session.say(f"watched: {' '.join(self._names) or 'nothing'}", Tone.DIM)
+            watched = " ".join(self._names) or Reason.of("console.nothing")
+            session.say(Reason.of("console.watched", names=watched), Tone.DIM)
             return ()
         hz = positive(words[-1])
         names = words if hz is None else words[:-1]
@@ -59,7 +60,7 @@ class VariableWatch:
             current, faults = value(session, *address)
             if faults:
                 self._names = ()
-                session.say(f"{name} is not watched any more: {faults[0].reason}", Tone.NOTE)
+                session.say(Reason.of("console.no_more_watched", name=name, reason=faults[0].reason), Tone.NOTE)
                 return
             if address not in self._shown or self._shown[address] != current:
                 self._shown[address] = current

@@ -1,17 +1,16 @@
-"""The SCARA behind its drive."""
+"""An arm without forces."""
 
-import numpy as np
-
-from onika.laws import adept_one, reach
-from onika.laws.arm import Arm
+from onika.laws import reach
 from onika.laws.robot import published, unlike
+from onika.laws.robots import robot_of
 from onika.module import InVar, Local, Module, ModuleError, OutConst, OutVar
 
 
-class Scara(Module):
-    """The SCARA: torques to its four joints, where they are back, and everything that is known of it.
+class ArmKin(Module):
+    """An arm in a world without forces: it is where the reference says. In place of `arm`, nothing else changed.
 
-    Joint 3, the quill, slides: its numbers are metres, its torque is a force in N, wherever units speak of angles.
+    Servo and gravity model go on beside it; what they say is not listened to. Nothing collides, nothing topples.
+    Of a joint that slides the numbers are metres wherever units speak of angles.
 
     Kind     hardware, periodic, 100..1000 Hz
     Ports    OUTCONST NDOF     int             -          number of joints
@@ -27,14 +26,14 @@ class Scara(Module):
              OUTCONST BASE     double[4,4]     -          frame 0 in the world
              OUTCONST TOOL     double[4,4]     -          point between the fingers in the last frame
              OUTCONST ROBOT    string          -          kind of robot
-             INVAR    TAU_REF  double[NDOF]    N m        wanted torque, clipped to TAUMAX
+             INVAR    Q_REF    double[NDOF]    rad        reference position; followed within QMIN..QMAX and Q^_MAX
              OUTVAR   Q_MEZ    double[NDOF]    rad        measured position
-    Local    BASE              double[4]       m, deg     x, y, z and turn about z of frame 0 in the world
-             STEP              double          1/s        share of TAUMAX that a switch may change it by in a second
-    Errors   another robot     the device is no such robot, or stands elsewhere than BASE says: stays uninitialised
+    Local    ROBOT             string          -          whose constants: puma560 or adept_one
+             BASE              double[4]       m, deg     x, y, z and turn about z of frame 0 in the world
+    Errors   another robot     the device is another one, with forces, or elsewhere than BASE says: stays uninitialised
              tripped           the drive has tripped: ERROR; clear brings the drive back to hold
              panic button      it is pressed: ERROR; clear is refused until it is let go
-    Source   dissertation §4.3.2, §4.4.4; Craig, Introduction to Robotics, §4.4; see `onika.laws.adept_one`
+    Source   dissertation §4.3.2, §4.4.4, §6.2; each robot's own stand in `onika.laws`: `puma560`, `adept_one`
     """
 
     hardware = True
@@ -51,17 +50,22 @@ class Scara(Module):
     KD = OutConst("double[NDOF]", "N m s/rad", "damping of the joint servo")
     BASE_POSE = OutConst("double[4,4]", "-", "frame 0 in the world", name="BASE")
     TOOL = OutConst("double[4,4]", "-", "point between the fingers in the last frame")
-    ROBOT = OutConst("string", "-", "kind of robot")
-    TAU_REF = InVar("double[NDOF]", "N m", "wanted torque, clipped to TAUMAX", step=("dt", "STEP", "TAUMAX"))
+    ROBOT_KIND = OutConst("string", "-", "kind of robot", name="ROBOT")
+    Q_REF = InVar(
+        "double[NDOF]",
+        "rad",
+        "reference position; followed within QMIN..QMAX and Q^_MAX",
+        step=(4.0, "dt", "Q^_MAX"),  # it may come from a task of a quarter of this rate
+    )
     Q_MEZ = OutVar("double[NDOF]", "rad", "measured position")
 
+    ROBOT = Local("string", "-", "whose constants: puma560 or adept_one")
     BASE = Local("double[4]", "m, deg", "x, y, z and turn about z of frame 0 in the world")
-    STEP = Local("double", "1/s", "share of TAUMAX that a switch may change it by in a second", default=50.0, low=0.1)
 
     @classmethod
     def constants(cls, local):
         """Everything that is known of the robot, by the names of its OUTCONSTs."""
-        return published(adept_one, *local.BASE)
+        return published(robot_of(local.ROBOT), *local.BASE)
 
     @classmethod
     def resolve(cls, constants, targets):
@@ -76,19 +80,16 @@ class Scara(Module):
     @classmethod
     def postures(cls, constants, nines):
         """The joint targets that Cartesian targets are, each nearest to the one before, or why there are none."""
-        return reach.postures(constants, nines, adept_one.HOME)
+        return reach.postures(constants, nines, robot_of(constants["ROBOT"]).HOME)
 
     @classmethod
     def fits(cls, constants, said):
         """Why the device that says this of itself is another robot, or stands elsewhere."""
-        return unlike(adept_one.ROBOT, constants, said)
+        return unlike(f"{constants['ROBOT']}_kin", constants, said)
 
     def init(self):
         if reason := self.fits(self.state_constants(), self.device.identity):
             raise ModuleError(reason)
-        self._arm = Arm(self.DH, self.DYN, self.LOAD, self.BASE_POSE)
-        self._torque, self._highest, self._lowest = np.zeros(self.NDOF), self.TAUMAX.copy(), -self.TAUMAX
-        self.held("TAU_REF")  # the model of the arm is built with its first use: here, not in a cycle
 
     def on(self, inputs):
         self.Q_MEZ = self.device.read()
@@ -97,8 +98,7 @@ class Scara(Module):
     def cycle(self):
         self.Q_MEZ = self.device.read()
         self.check_drive()
-        torque = np.minimum(self.TAU_REF, self._highest, out=self._torque)
-        self.device.write(np.maximum(torque, self._lowest, out=torque))
+        self.device.write(self.Q_REF)
 
     def hold(self):
         self.Q_MEZ = self.device.read()
@@ -106,7 +106,7 @@ class Scara(Module):
         self.device.hold()
 
     def held(self, name):
-        return self._arm.bias(self.Q_MEZ, np.zeros(self.NDOF), out=np.zeros(self.NDOF))
+        return self.Q_MEZ
 
     def off(self):
         self.device.hold()
