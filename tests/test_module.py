@@ -2,7 +2,7 @@
 
 import onika.module
 from onika.model.signal import Signal
-from onika.runtime.module import Module
+from onika.runtime.modules.module import Module
 
 NAMES = [
     "AskAgain", "Device", "InBoth", "InConst", "InVar", "Input", "Local", "Module", "ModuleError", "OutBoth",

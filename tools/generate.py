@@ -27,8 +27,8 @@ from onika.model import lifecycle
 from onika.model.application import Application, actions
 from onika.model.syntax import Syntax
 from onika.model.task import Task
-from onika.runtime.code import load
-from onika.runtime.sheet import sheet_of
+from onika.runtime.modules.code import load
+from onika.runtime.modules.sheet import sheet_of
 from onika.runtime.wiring import WiredTask, wire
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import Site, shipped, shipped_directories

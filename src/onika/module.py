@@ -4,8 +4,8 @@ from onika.model.signal import Signal, finish, illegal, legal, off, shutdown, us
 from onika.runtime.declaration import InBoth, InConst, Input, InVar, Local, OutBoth, OutConst, OutVar
 from onika.runtime.device import Device
 from onika.runtime.error import AskAgain, ModuleError
-from onika.runtime.function import module
-from onika.runtime.module import Module
+from onika.runtime.modules.function import module
+from onika.runtime.modules.module import Module
 from onika.runtime.partner.partner import Partner
 
 __all__ = [

@@ -11,7 +11,7 @@ import pytest
 from onika.files import rmod
 from onika.laws import puma560
 from onika.model.lifecycle import State
-from onika.runtime.sheet import differences, sheet_of
+from onika.runtime.modules.sheet import differences, sheet_of
 from onika.testing.bench import Bench
 from onika.testing.bench_device import BenchDevice
 from onika.words.fault import Place

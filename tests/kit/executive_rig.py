@@ -15,10 +15,10 @@ from typing import Any, Self, TypeVar
 from onika.ring.segment import Segment
 from onika.runtime import command, news
 from onika.runtime.bus import SEGMENT_SIZE, Bus, World
-from onika.runtime.code import load
-from onika.runtime.executive import Executive
-from onika.runtime.module import Module
-from onika.runtime.running_task import RunningTask
+from onika.runtime.execution.executive import Executive
+from onika.runtime.execution.running_task import RunningTask
+from onika.runtime.modules.code import load
+from onika.runtime.modules.module import Module
 from onika.runtime.table import Table
 from onika.words.fault import Fault
 

@@ -9,7 +9,7 @@ from kit.rail_world import YardLoading
 from onika.host.program import Program
 from onika.host.units.virtual import VirtualDriver
 from onika.runtime import command, news
-from onika.runtime.running_task import RunningTask
+from onika.runtime.execution.running_task import RunningTask
 from onika.wire import event, live
 from onika.wire.plan import Code, PlannedTask
 from onika.wire.request import Response

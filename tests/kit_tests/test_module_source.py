@@ -1,7 +1,7 @@
 """Sources of small modules."""
 
 from kit.module_source import COUNTER, cycle, module
-from onika.runtime.code import load
+from onika.runtime.modules.code import load
 
 
 def test_a_source_is_a_module_with_its_flags():

@@ -9,8 +9,8 @@ from kit.mass_world import MassWorld
 from onika.ring.device import DeviceOrder, DriveState
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring
-from onika.runtime.binding import attach
 from onika.runtime.bus import SEGMENT_SIZE, Bus
+from onika.runtime.modules.binding import attach
 from onika.workcell.boxes import BoxesWorld
 
 MS = 1_000_000

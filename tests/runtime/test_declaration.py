@@ -5,7 +5,7 @@ import pytest
 
 from onika.model.port import PortKind
 from onika.runtime.declaration import InBoth, InConst, Input, InVar, Local, OutBoth, OutConst, OutVar, slot
-from onika.runtime.module import Module
+from onika.runtime.modules.module import Module
 from onika.words.shape import Shape
 
 SHAPES = [

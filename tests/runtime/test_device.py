@@ -4,8 +4,8 @@ import pytest
 from hypothesis import given, strategies as st
 
 from onika.ring.device import DeviceOrder, DriveState
-from onika.runtime.binding import attach
 from onika.runtime.device import Device
+from onika.runtime.modules.binding import attach
 from onika.testing.bench_device import SEGMENT, BenchDevice
 
 

@@ -7,7 +7,7 @@ from kit.build import task
 from onika.model.lifecycle import State
 from onika.module import InBoth, InConst, InVar, Module, OutBoth, OutConst, OutVar
 from onika.ring.segment import Segment
-from onika.runtime.sheet import sheet_of
+from onika.runtime.modules.sheet import sheet_of
 from onika.runtime.subsystem import RunningSubsystem
 from onika.runtime.table import Table
 from onika.runtime.wiring import wire

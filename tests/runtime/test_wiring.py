@@ -5,7 +5,7 @@ from tests.sentences import expected_by, found_by
 
 from kit.build import task
 from onika.module import InBoth, InConst, InVar, Module, OutBoth, OutConst, OutVar
-from onika.runtime.sheet import sheet_of
+from onika.runtime.modules.sheet import sheet_of
 from onika.runtime.wiring import disagreements, missing_constants, upstream, wire
 from onika.words.shape import Shape
 

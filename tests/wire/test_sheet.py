@@ -1,7 +1,7 @@
 import msgspec
 
-from onika.runtime.code import load
-from onika.runtime.sheet import sheet_of
+from onika.runtime.modules.code import load
+from onika.runtime.modules.sheet import sheet_of
 from onika.store.site import shipped
 from onika.wire.sheet import ModuleSheet
 

@@ -18,11 +18,11 @@ import numpy as np
 from onika.model.lifecycle import State
 from onika.ring.segment import Segment
 from onika.runtime import command, news
-from onika.runtime.binding import locals_of
-from onika.runtime.code import load
-from onika.runtime.executive import Executive
-from onika.runtime.module import Module
-from onika.runtime.running_task import RunningTask
+from onika.runtime.execution.executive import Executive
+from onika.runtime.execution.running_task import RunningTask
+from onika.runtime.modules.binding import locals_of
+from onika.runtime.modules.code import load
+from onika.runtime.modules.module import Module
 from onika.runtime.table import Table
 from onika.testing.bench_device import SEGMENT, BenchDevice
 from onika.words.fault import Fault

@@ -3,8 +3,8 @@ from hypothesis import given, strategies as st
 
 from onika.desk.plan.module_template import create_module
 from onika.files import rmod
-from onika.runtime.code import load
-from onika.runtime.sheet import differences, sheet_of
+from onika.runtime.modules.code import load
+from onika.runtime.modules.sheet import differences, sheet_of
 from onika.words.fault import Place
 
 

@@ -3,7 +3,7 @@ import math
 from kit.plan_builder import PlanBuilder
 from onika.host.diagnosis.nan_origin import Suspicion, is_no_number, suspicion
 from onika.module import InVar, Module, OutVar
-from onika.runtime.sheet import sheet_of
+from onika.runtime.modules.sheet import sheet_of
 from onika.runtime.wiring import wire
 
 

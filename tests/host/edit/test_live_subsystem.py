@@ -7,8 +7,8 @@ from onika.host.edit.live_subsystem import LiveSubsystem
 from onika.model.rules.reconfiguration import exchange
 from onika.ring.segment import Segment
 from onika.runtime import news
-from onika.runtime.code import load
-from onika.runtime.sheet import sheet_of
+from onika.runtime.modules.code import load
+from onika.runtime.modules.sheet import sheet_of
 from onika.runtime.table import Table
 from onika.runtime.wiring import wire
 from onika.wire import event, live

@@ -4,8 +4,8 @@ from tests.sentences import found_by
 from onika.host.loading import loader_client as room
 from onika.host.loading.loader import AskDevices, AskSheet, Devices, Sheet, Wrong
 from onika.host.loading.loader_client import LoaderClient, NotYet
-from onika.runtime.code import load
-from onika.runtime.sheet import sheet_of
+from onika.runtime.modules.code import load
+from onika.runtime.modules.sheet import sheet_of
 from onika.wire.plan import Code
 from onika.wire.request import FaultText
 from onika.wire.sheet import ModuleSheet

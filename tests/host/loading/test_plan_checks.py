@@ -13,7 +13,7 @@ from onika.host.loading.plan_checks import (
     wrong_rates,
 )
 from onika.module import InConst, InVar, Module, OutConst, OutVar
-from onika.runtime.sheet import sheet_of
+from onika.runtime.modules.sheet import sheet_of
 from onika.runtime.wiring import wire
 from onika.words.fault import Place
 

@@ -10,8 +10,8 @@ from kit.executive_rig import HOME, ExecutiveRig
 from kit.mass_world import MassWorld
 from onika.model.lifecycle import State
 from onika.runtime import command, news
-from onika.runtime.code import load
-from onika.runtime.module import Module
+from onika.runtime.modules.code import load
+from onika.runtime.modules.module import Module
 from onika.runtime.transfer.bumpless_channel import BLENDED_NS
 from onika.runtime.transfer.bumpless_transfer import limit_of
 

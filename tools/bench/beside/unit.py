@@ -9,7 +9,7 @@ from onika.host.units import rtpu
 from onika.host.units.supervisor import Supervised, Supervisor
 from onika.ring.segment import Segment
 from onika.runtime import command, news
-from onika.runtime.code import load
+from onika.runtime.modules.code import load
 from onika.runtime.table import SIZE, Table
 from onika.words.fault import Fault
 

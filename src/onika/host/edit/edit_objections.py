@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from onika.host.loading.plan_checks import GivenRate, wrong_rates
 from onika.host.loading.plan_preparation import unknown_parameters
 from onika.model.planned import task_of
-from onika.runtime.sheet import differences
+from onika.runtime.modules.sheet import differences
 from onika.runtime.wiring import WiredTask, wire
 from onika.wire.live import Change
 from onika.wire.plan import PlannedTask

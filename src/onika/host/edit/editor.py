@@ -16,7 +16,7 @@ from onika.model.lifecycle import State
 from onika.model.planned import task_of
 from onika.model.rules.reconfiguration import exchange
 from onika.runtime import command, news
-from onika.runtime.sheet import differences
+from onika.runtime.modules.sheet import differences
 from onika.runtime.wiring import WiredTask, disagreements, wire
 from onika.wire import live as asked, request
 from onika.wire.plan import Code

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 
 from onika.host.units.world_registry import open_world
-from onika.runtime.binding import locals_of
 from onika.runtime.bus import World
-from onika.runtime.code import line_in, load, traceback_text
-from onika.runtime.sheet import sheet_of
+from onika.runtime.modules.binding import locals_of
+from onika.runtime.modules.code import line_in, load, traceback_text
+from onika.runtime.modules.sheet import sheet_of
 from onika.wire.plan import Code
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place

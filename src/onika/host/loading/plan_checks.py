@@ -5,7 +5,7 @@ from typing import Any
 
 from onika.host.loading.module_questions import Loading
 from onika.model.rules.order import constant_order
-from onika.runtime.sheet import SLOWEST_HARDWARE_HZ
+from onika.runtime.modules.sheet import SLOWEST_HARDWARE_HZ
 from onika.runtime.wiring import WiredTask
 from onika.wire.plan import Code, Plan
 from onika.words.fault import NOT_RUN, Fault, Place

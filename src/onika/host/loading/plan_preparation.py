@@ -20,7 +20,7 @@ from onika.host.loading.plan_checks import (
 from onika.host.loading.plan_conditions import wrong_conditions
 from onika.host.loading.target_resolution import notes_on_resolved, resolve
 from onika.model.planned import task_of
-from onika.runtime.sheet import differences, strangers
+from onika.runtime.modules.sheet import differences, strangers
 from onika.runtime.user_input import UserInput
 from onika.runtime.wiring import WiredTask, disagreements, missing_constants, wire
 from onika.wire.plan import Code, Plan, PlannedFlow, PlannedTask

@@ -20,7 +20,7 @@ from onika.host.units.realtime_scheduling import become_real_time
 from onika.link.launcher import die_with_parent
 from onika.ring.segment import Segment
 from onika.runtime import command, news
-from onika.runtime.executive import Executive
+from onika.runtime.execution.executive import Executive
 
 PRELOADED = ("numpy", "mujoco", "ruckig")
 """Big libraries that modules use; importing them later would cost missed cycles (law 21)."""

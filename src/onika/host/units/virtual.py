@@ -15,7 +15,7 @@ from onika.host.units.world_registry import open_world
 from onika.ring.segment import Segment
 from onika.runtime import command, news
 from onika.runtime.bus import Poses, World
-from onika.runtime.executive import Executive
+from onika.runtime.execution.executive import Executive
 from onika.wire import event
 
 _AT_ONCE = 1000  # cycles without news that are run before anybody is asked

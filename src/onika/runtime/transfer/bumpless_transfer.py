@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from onika.runtime import news
-from onika.runtime.binding import Binding
 from onika.runtime.declaration import Step
-from onika.runtime.module import Module
+from onika.runtime.modules.binding import Binding
+from onika.runtime.modules.module import Module
 from onika.runtime.transfer.bumpless_channel import BLENDED_NS, BumplessChannel
 
 if TYPE_CHECKING:

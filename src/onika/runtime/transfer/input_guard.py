@@ -1,9 +1,9 @@
 """The input guard of a hardware task: its inputs are fresh, finite, and go over without a jump (laws 4, 5, 33)."""
 
-from onika.runtime.binding import Binding
 from onika.runtime.device import SILENCE_NS
 from onika.runtime.error import LawBroken
-from onika.runtime.module import Module
+from onika.runtime.modules.binding import Binding
+from onika.runtime.modules.module import Module
 from onika.runtime.transfer.bumpless_channel import BLENDED_NS
 from onika.runtime.transfer.bumpless_transfer import BumplessTransfer, bumpless_channels
 

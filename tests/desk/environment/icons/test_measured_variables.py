@@ -4,8 +4,8 @@ import pytest
 
 from onika.desk.environment.icons.measured_variables import Measure, measures_of, values_of
 from onika.desk.environment.initial_model import opened
-from onika.runtime.code import load
-from onika.runtime.sheet import sheet_of
+from onika.runtime.modules.code import load
+from onika.runtime.modules.sheet import sheet_of
 from onika.store.site import open_site, shipped
 from onika.words.value import ValueType
 

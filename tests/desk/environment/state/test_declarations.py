@@ -1,8 +1,8 @@
 import os
 
 from onika.desk.environment.state.declarations import declared_inputs, declared_ports
-from onika.runtime.code import load
-from onika.runtime.sheet import sheet_of
+from onika.runtime.modules.code import load
+from onika.runtime.modules.sheet import sheet_of
 from onika.store.site import shipped
 from onika.wire.sheet import InputSheet
 

@@ -14,7 +14,7 @@ from beside.contestant import Figures, serve
 from beside.loop.blocks import BLOCKS
 from beside.unit import Household
 from onika.host.units.call_watchdog import Patience
-from onika.runtime.executive import Executive
+from onika.runtime.execution.executive import Executive
 
 MODULES = {
     "path": """

@@ -10,7 +10,7 @@ import onika
 from beside.contestant import serve
 from beside.unit import Household
 from onika.host.units.call_watchdog import Patience
-from onika.runtime.executive import Executive
+from onika.runtime.execution.executive import Executive
 
 ACTIONS = 24
 

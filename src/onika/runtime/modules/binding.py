@@ -14,7 +14,7 @@ from onika.runtime import parameter
 from onika.runtime.command import DeviceGrant, Spawn
 from onika.runtime.declaration import PortDeclaration, slot
 from onika.runtime.device import Device
-from onika.runtime.module import Module
+from onika.runtime.modules.module import Module
 from onika.words.name import SVAR_NAME
 from onika.words.shape import Shape
 

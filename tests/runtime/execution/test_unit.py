@@ -6,8 +6,8 @@ import pytest
 
 from kit.executive_rig import HOME, ExecutiveRig
 from kit.module_source import COUNTER, module
-from onika.runtime.running_task import RunningTask
-from onika.runtime.unit import ProcessingUnit
+from onika.runtime.execution.running_task import RunningTask
+from onika.runtime.execution.unit import ProcessingUnit
 
 MS = 1_000_000
 
@@ -18,7 +18,7 @@ def unit():
 
 
 def task(rig, name, source=COUNTER, **given):
-    from onika.runtime.code import load
+    from onika.runtime.modules.code import load
 
     return RunningTask(rig.spawn_of(name, source, **given), load(source, f"{name}.py", name), rig.views)
 

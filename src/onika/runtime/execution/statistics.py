@@ -3,11 +3,11 @@
 from time import get_clock_info
 from typing import Any
 
-from onika.runtime.binding import Binding
 from onika.runtime.counters import Counters
+from onika.runtime.execution.running_task import RunningTask
 from onika.runtime.load import TaskLoad
+from onika.runtime.modules.binding import Binding
 from onika.runtime.news import TaskStatus
-from onika.runtime.running_task import RunningTask
 from onika.runtime.table import value_of
 
 TICK_MS = get_clock_info("monotonic").resolution * 1e3

@@ -8,11 +8,11 @@ from msgspec import structs
 
 from onika.model.lifecycle import State, Step, refusal
 from onika.runtime import command, news
-from onika.runtime.entry_points import RAISED, EntryPoints
-from onika.runtime.module import Module
-from onika.runtime.running_task import RunningTask
-from onika.runtime.task_lifecycle import TaskLifecycle
-from onika.runtime.unit import ProcessingUnit
+from onika.runtime.execution.entry_points import RAISED, EntryPoints
+from onika.runtime.execution.running_task import RunningTask
+from onika.runtime.execution.task_lifecycle import TaskLifecycle
+from onika.runtime.execution.unit import ProcessingUnit
+from onika.runtime.modules.module import Module
 from onika.words.fault import Fault
 
 _SWAP = "swap"

@@ -11,7 +11,7 @@ from onika.ring.segment import Segment
 from onika.runtime.command import BoundPort, Spawn
 from onika.runtime.device import SILENCE_NS
 from onika.runtime.error import LawBroken
-from onika.runtime.running_task import RunningTask
+from onika.runtime.execution.running_task import RunningTask
 from onika.runtime.table import Table
 from onika.testing.bench_device import SEGMENT, BenchDevice
 from onika.words.shape import Shape

@@ -8,7 +8,7 @@ from tests.sentences import expected_by, found_by
 
 from onika.model.task import LocalLine, Task
 from onika.module import InBoth, InConst, Input, InVar, Local, Module, OutBoth, OutConst, OutVar
-from onika.runtime.sheet import (
+from onika.runtime.modules.sheet import (
     SLOWEST_HARDWARE_HZ,
     InputSheet,
     LocalSheet,

@@ -6,7 +6,7 @@ from typing import Any
 from onika.model.port import PortKind
 from onika.model.task import Task
 from onika.runtime import parameter
-from onika.runtime.module import Module
+from onika.runtime.modules.module import Module
 from onika.wire.sheet import InputSheet, LocalSheet, ModuleSheet, PortSheet
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, Text, reason_of

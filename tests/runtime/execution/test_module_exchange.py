@@ -9,7 +9,7 @@ from kit.mass_world import MassWorld
 from kit.module_source import COUNTER, cycle, module
 from onika.model.lifecycle import State
 from onika.runtime import command, news
-from onika.runtime.statistics import status_of
+from onika.runtime.execution.statistics import status_of
 
 MS = 1_000_000
 OLD = module(

@@ -10,7 +10,7 @@ from typing import Any
 from onika.model.signal import Signal
 from onika.runtime.declaration import InBoth, InConst, Input, InVar, Local, OutVar, PortDeclaration
 from onika.runtime.error import ModuleError
-from onika.runtime.module import Module
+from onika.runtime.modules.module import Module
 
 _Law = Callable[..., Any]
 _NOTHING = SimpleNamespace()

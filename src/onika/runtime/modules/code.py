@@ -4,7 +4,7 @@ import sys
 import traceback
 import types
 
-from onika.runtime.module import Module
+from onika.runtime.modules.module import Module
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
 

@@ -2,10 +2,10 @@
 
 from collections.abc import Collection
 
-from onika.runtime.binding import undeclared
 from onika.runtime.declaration import PortDeclaration, slot
 from onika.runtime.error import LawBroken
-from onika.runtime.module import Module
+from onika.runtime.modules.binding import undeclared
+from onika.runtime.modules.module import Module
 
 _FLAGS = ("trigger", "passive", "hardware", "crit")
 

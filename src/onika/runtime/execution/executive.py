@@ -8,16 +8,16 @@ from collections.abc import Callable, Sequence
 
 from onika.model.signal import Signal
 from onika.runtime import command, news
-from onika.runtime.binding import Views
-from onika.runtime.binding_guard import BindingChanged
-from onika.runtime.deferred import DeferredCommands
-from onika.runtime.entry_points import RAISED, EntryPoints
-from onika.runtime.module_exchange import ModuleExchange
-from onika.runtime.running_task import RunningTask
-from onika.runtime.statistics import load_of, status_of
-from onika.runtime.task_commands import TaskCommands
-from onika.runtime.task_lifecycle import TaskLifecycle
-from onika.runtime.unit import Address, ProcessingUnit
+from onika.runtime.execution.deferred import DeferredCommands
+from onika.runtime.execution.entry_points import RAISED, EntryPoints
+from onika.runtime.execution.module_exchange import ModuleExchange
+from onika.runtime.execution.running_task import RunningTask
+from onika.runtime.execution.statistics import load_of, status_of
+from onika.runtime.execution.task_commands import TaskCommands
+from onika.runtime.execution.task_lifecycle import TaskLifecycle
+from onika.runtime.execution.unit import Address, ProcessingUnit
+from onika.runtime.modules.binding import Views
+from onika.runtime.modules.binding_guard import BindingChanged
 
 _NOTHING: Sequence[news.News] = ()
 

@@ -7,13 +7,13 @@ from types import CodeType
 from onika.model.lifecycle import State, Step, refusal
 from onika.model.signal import Signal, SignalKind
 from onika.runtime import command, news
-from onika.runtime.code import load, traceback_text
-from onika.runtime.cycle_result import signal_of
-from onika.runtime.entry_points import RAISED, EntryPoints
 from onika.runtime.error import AskAgain, ModuleError
+from onika.runtime.execution.entry_points import RAISED, EntryPoints
+from onika.runtime.execution.running_task import RunningTask
+from onika.runtime.execution.unit import Address, ProcessingUnit
+from onika.runtime.modules.code import load, traceback_text
+from onika.runtime.modules.cycle_result import signal_of
 from onika.runtime.prepared_switches import lines
-from onika.runtime.running_task import RunningTask
-from onika.runtime.unit import Address, ProcessingUnit
 from onika.words.fault import Fault
 
 _ON, _OFF = State.ON.value, State.OFF.value

@@ -6,8 +6,8 @@ from kit.executive_rig import ExecutiveRig
 from kit.module_source import COUNTER, module
 from onika.model.lifecycle import State
 from onika.runtime import news
-from onika.runtime.binding_guard import BindingGuard
-from onika.runtime.running_task import CHECKED_EVERY
+from onika.runtime.execution.running_task import CHECKED_EVERY
+from onika.runtime.modules.binding_guard import BindingGuard
 
 MS = 1_000_000
 PORTS = "    X = InVar('double[2]')\n    Y = OutVar('double[2]')\n    K = Local('int', default=1)\n"

@@ -8,17 +8,17 @@ from msgspec import structs
 
 from onika.model.lifecycle import State, Step, after
 from onika.model.signal import Signal, off
-from onika.runtime.binding import Binding, Views, give_locals, instantiate, locals_of
-from onika.runtime.binding_guard import BindingGuard
 from onika.runtime.command import BoundPort, Spawn
 from onika.runtime.counters import Counters
 from onika.runtime.device import Device
 from onika.runtime.error import ModuleError
-from onika.runtime.module import Module
+from onika.runtime.modules.binding import Binding, Views, give_locals, instantiate, locals_of
+from onika.runtime.modules.binding_guard import BindingGuard
+from onika.runtime.modules.module import Module
+from onika.runtime.modules.sheet import sheet_of
 from onika.runtime.partner.partner import Partner
 from onika.runtime.period import SLOWEST_GRID_NS, period_of
 from onika.runtime.scheduler import TaskSlot
-from onika.runtime.sheet import sheet_of
 from onika.runtime.transfer.input_guard import InputGuard
 from onika.runtime.user_input import UserInput
 

@@ -5,12 +5,12 @@ from collections.abc import Callable
 from onika.model.lifecycle import Step
 from onika.model.signal import Signal
 from onika.runtime import news
-from onika.runtime.binding_guard import BindingChanged
-from onika.runtime.code import showable, traceback_text, where
 from onika.runtime.error import AskAgain, LawBroken
-from onika.runtime.running_task import RunningTask
-from onika.runtime.statistics import values_of
-from onika.runtime.unit import ProcessingUnit
+from onika.runtime.execution.running_task import RunningTask
+from onika.runtime.execution.statistics import values_of
+from onika.runtime.execution.unit import ProcessingUnit
+from onika.runtime.modules.binding_guard import BindingChanged
+from onika.runtime.modules.code import showable, traceback_text, where
 
 RAISED = (Exception, SystemExit, KeyboardInterrupt)
 """What a module's code may raise without harm to anybody else; a module that exits is as wrong as any other."""

@@ -5,8 +5,8 @@ import sys
 import pytest
 from tests.sentences import expected_by, found_by
 
-from onika.runtime.code import compiled, line_in, load, traceback_text, where
-from onika.runtime.module import Module
+from onika.runtime.modules.code import compiled, line_in, load, traceback_text, where
+from onika.runtime.modules.module import Module
 from onika.words.fault import Fault, Place
 
 GOOD = """

@@ -9,8 +9,8 @@ from kit.executive_rig import ExecutiveRig
 from onika.model.lifecycle import State
 from onika.module import InBoth, InConst, Input, InVar, Local, Module, OutConst, OutVar, module
 from onika.runtime import command, news
-from onika.runtime.code import load
-from onika.runtime.sheet import sheet_of
+from onika.runtime.modules.code import load
+from onika.runtime.modules.sheet import sheet_of
 from onika.testing.bench import Bench
 
 MS = 1_000_000

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from onika.model.signal import Signal, SignalKind, finish, off
-from onika.runtime.cycle_result import signal_of
+from onika.runtime.modules.cycle_result import signal_of
 
 
 @pytest.mark.parametrize(

@@ -5,8 +5,8 @@ import pytest
 
 from onika.module import InBoth, InConst, InVar, Local, Module, OutBoth, OutConst, OutVar
 from onika.ring.segment import Segment
-from onika.runtime.binding import Binding, attach, instantiate, locals_of, undeclared
 from onika.runtime.command import BoundPort, Spawn
+from onika.runtime.modules.binding import Binding, attach, instantiate, locals_of, undeclared
 from onika.runtime.table import Table
 from onika.testing.bench_device import SEGMENT, BenchDevice
 from onika.words.shape import Shape

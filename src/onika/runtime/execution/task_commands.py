@@ -4,10 +4,10 @@ from msgspec import structs
 
 from onika.model.lifecycle import State, Step, refusal
 from onika.runtime import command, news
-from onika.runtime.code import traceback_text
-from onika.runtime.entry_points import RAISED, EntryPoints
-from onika.runtime.running_task import RunningTask
-from onika.runtime.unit import Address, ProcessingUnit
+from onika.runtime.execution.entry_points import RAISED, EntryPoints
+from onika.runtime.execution.running_task import RunningTask
+from onika.runtime.execution.unit import Address, ProcessingUnit
+from onika.runtime.modules.code import traceback_text
 
 
 class TaskCommands:

@@ -5,7 +5,7 @@ import pytest
 from kit.executive_rig import HOME, ExecutiveRig
 from onika.model.lifecycle import State
 from onika.runtime import command, news
-from onika.runtime.statistics import load_of, status_of, values_of
+from onika.runtime.execution.statistics import load_of, status_of, values_of
 
 MS = 1_000_000
 SOURCE = """

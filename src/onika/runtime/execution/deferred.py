@@ -7,11 +7,11 @@ from msgspec import structs
 
 from onika.model.lifecycle import State
 from onika.runtime import command, news
-from onika.runtime.code import compiled
-from onika.runtime.module_exchange import ModuleExchange
-from onika.runtime.running_task import RunningTask
-from onika.runtime.task_lifecycle import TaskLifecycle
-from onika.runtime.unit import Address, ProcessingUnit
+from onika.runtime.execution.module_exchange import ModuleExchange
+from onika.runtime.execution.running_task import RunningTask
+from onika.runtime.execution.task_lifecycle import TaskLifecycle
+from onika.runtime.execution.unit import Address, ProcessingUnit
+from onika.runtime.modules.code import compiled
 from onika.words.fault import Fault
 
 PATIENCE_NS = 2_000_000_000

@@ -5,9 +5,9 @@ from collections.abc import MutableMapping
 
 from onika.ring.slots import Ring
 from onika.runtime import news
-from onika.runtime.binding import Views
+from onika.runtime.execution.running_task import RunningTask
+from onika.runtime.modules.binding import Views
 from onika.runtime.prepared_switches import PreparedSwitches
-from onika.runtime.running_task import RunningTask
 from onika.runtime.scheduler import Scheduler, TaskSlot
 from onika.runtime.transfer.bumpless_transfer import WATCHED_NS
 

@@ -7,7 +7,7 @@ from kit.executive_rig import HOME, ExecutiveRig
 from kit.module_source import COUNTER, module
 from onika.model.lifecycle import State
 from onika.runtime import command, news
-from onika.runtime.deferred import PATIENCE_NS
+from onika.runtime.execution.deferred import PATIENCE_NS
 
 MS = 1_000_000
 
