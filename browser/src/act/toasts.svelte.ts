@@ -16,9 +16,10 @@ const NEWS_S = 5
 /** Something was said: into the log; and while it is news, on the screen, aloud, and as a sound where that is wished. */
 export function say(message: Say): void {
   const line = addLine(message)
+  const sentence = heard(message.text)
   if (line.at_s! < Date.now() / 1000 - NEWS_S) return // from before this page was opened
-  toasts.lines = [...toasts.lines.filter((other) => other.text !== message.text), line].slice(-MOST)
-  announce(heard(message.text))
+  toasts.lines = [...toasts.lines.filter((other) => heard(other.text) !== sentence), line].slice(-MOST)
+  announce(sentence)
   if (look.sounds) play(message.level)
   setTimeout(() => dismiss(line.id), LASTS_MS[message.level])
 }
