@@ -1,5 +1,4 @@
 // What the environment says, in Spanish where that is known.
-import { readdirSync, readFileSync } from 'node:fs'
 import { expect, test } from 'vitest'
 import { heard } from '../../src/texts/heard'
 
@@ -33,25 +32,4 @@ test('a longer sentence that ends like a known one is not told half in Spanish',
 test('what is not known stays as it was said, and English always does', () => {
   expect(heard('the sensor is dead', 'es')).toBe('the sensor is dead')
   expect(heard('flow 2 is empty', 'en')).toBe('flow 2 is empty')
-})
-
-/** The sentences of `No("…")` in the Python files of a folder, with something in place of what varies. */
-function refusals(folder: string): string[] {
-  const files = readdirSync(folder).filter((name) => name.endsWith('.py'))
-  const calls = files.flatMap((name) => [
-    ...readFileSync(`${folder}/${name}`, 'utf8').matchAll(/\bNo\(\s*((?:f?"(?:[^"\\]|\\.)*"\s*)+)[,)]/g),
-  ])
-  return calls.map((found) =>
-    [...found[1]!.matchAll(/"((?:[^"\\]|\\.)*)"/g)]
-      .map((part) => part[1])
-      .join('')
-      .replace(/\{[^}]*\}/g, 'x'),
-  )
-}
-
-test.each(['flow', 'dictionary'])('every refusal of editing in upper/%s has its words in Spanish', (part) => {
-  // R-X01
-  const said = refusals(`../src/onika/desk/upper/${part}`)
-  expect(said.length).toBeGreaterThan(12)
-  expect(said.filter((one) => heard(one, 'es') === one)).toEqual([])
 })
