@@ -3,8 +3,9 @@
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
-from onika.desk.environment.canvas.placement import absent, changed, inside, remove, several
+from onika.desk.environment.canvas.placement import absent, inside, remove, several
 from onika.desk.environment.outcome.on_file import on_document
+from onika.desk.environment.outcome.other_tasks import with_other_tasks
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import reasons
 from onika.desk.environment.outcome.services import Surroundings
@@ -64,7 +65,7 @@ def placed(model: Model, document: Document, taken: Copied, label: str) -> Done:
     new = tuple(_inside(placed) for placed in taken.placed)
     groups = (*configuration.groups, *_renamed(taken.groups, configuration.groups))
     both = replace(configuration, placed=(*configuration.placed, *new), groups=groups)
-    done = changed(model, document, both, label)
+    done = with_other_tasks(model, document, both, label)
     after = done.model.documents[document.id]
     spots = {locus.svar: locus for locus in taken.loci if locus.svar not in svars}
     boxes = model.shelf.boxes(after.content.names)

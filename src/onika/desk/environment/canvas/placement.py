@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from onika.desk.environment.outcome.on_file import on_document
+from onika.desk.environment.outcome.other_tasks import with_other_tasks
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import reasons
 from onika.desk.environment.outcome.services import Surroundings
@@ -28,7 +29,7 @@ def place(model: Model, document: Document, command: act.Place, _outside: Surrou
     spot = inside(command.x, command.y)
     new = Placed(command.task, *spot, command.in_left, rate, command.rtpu or UNKNOWN_RTPU)
     configuration = document.content.configuration
-    return changed(
+    return with_other_tasks(
         model, document, replace(configuration, placed=(*configuration.placed, new)), f"placing {command.task}"
     )
 
@@ -48,7 +49,7 @@ def exchange(model: Model, document: Document, command: act.Exchange, _outside: 
     exchanged = replace(
         configuration, placed=placed, groups=_taken_over(configuration.groups, command.old, command.new)
     )
-    return changed(model, document, exchanged, f"replacing {command.old} by {command.new}")
+    return with_other_tasks(model, document, exchanged, f"replacing {command.old} by {command.new}")
 
 
 @on_document
@@ -59,7 +60,9 @@ def remove(model: Model, document: Document, command: act.Remove, _outside: Surr
         return missing
     configuration = document.content.configuration
     placed = tuple(placed for placed in configuration.placed if placed.task not in command.tasks)
-    return changed(model, document, replace(configuration, placed=placed), f"removing {several(command.tasks)}")
+    return with_other_tasks(
+        model, document, replace(configuration, placed=placed), f"removing {several(command.tasks)}"
+    )
 
 
 @on_document
@@ -127,17 +130,6 @@ def show(model: Model, document: Document, command: act.Show, _outside: Surround
     verb = "showing" if command.is_shown else "hiding"
     label = f"{verb} the connections of {several(command.svars)}"
     return _as_it_stands(model, document, replace(configuration, loci=turned), label)
-
-
-def changed(model: Model, document: Document, configuration: Configuration, label: str) -> Done:
-    """With other tasks: the loci are settled, and what is wanted follows."""
-    names = tuple(placed.task for placed in configuration.placed)
-    boxes = model.shelf.boxes((*names, *document.content.names))
-    settled = loci.settled(configuration, boxes, document.content.configuration)
-    content = document.content.with_configuration(settled)
-    if document.live is not None:
-        content = replace(content, wanted={**dict.fromkeys(names, False), **content.wanted})
-    return Done(model.with_document(document.having(content)), label, document.id)
 
 
 def several(names: Iterable[str]) -> str:

@@ -3,8 +3,8 @@
 from dataclasses import replace
 from math import isfinite
 
-from onika.desk.environment.canvas.placement import changed
 from onika.desk.environment.outcome.on_file import on_document
+from onika.desk.environment.outcome.other_tasks import with_other_tasks
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state.document import Document
@@ -62,4 +62,4 @@ def _no_rate(command: act.Rate, text: str) -> No:
 def _with(model: Model, document: Document, old: Placed, new: Placed, label: str) -> Done:
     configuration = document.content.configuration
     placed = tuple(new if placed is old else placed for placed in configuration.placed)
-    return changed(model, document, replace(configuration, placed=placed), label)
+    return with_other_tasks(model, document, replace(configuration, placed=placed), label)

@@ -4,7 +4,6 @@ from dataclasses import replace
 from pathlib import Path
 
 from onika.desk.environment.file.file_kind import READ_AGAIN, Reading, place
-from onika.desk.environment.icons.branches import MOST_FLOWS
 from onika.desk.environment.outcome.on_file import is_running
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import unreadable
@@ -12,7 +11,7 @@ from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.outcome.unread_faults import told
 from onika.desk.environment.state.history import Step
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.environment.state.open_application import MOST_FLOWS, OpenApplication
 from onika.desk.environment.state.open_file import Kind
 from onika.model.application import AppFlow, Application
 from onika.model.flow_path import numbered

@@ -3,8 +3,8 @@
 from dataclasses import replace
 from pathlib import Path
 
-from onika.desk.environment.canvas.placement import changed
 from onika.desk.environment.file.file_kind import READ_AGAIN, Reading, place
+from onika.desk.environment.outcome.other_tasks import with_other_tasks
 from onika.desk.environment.outcome.outcome import Done, No, Order
 from onika.desk.environment.outcome.remedy import plain, unreadable
 from onika.desk.environment.outcome.services import Surroundings
@@ -99,7 +99,7 @@ class Configurations:
     def reread(self, model: Model, document: Document, reading: Reading[Configuration]) -> Done:
         """The tasks of its file are placed; what lives follows."""
         document = replace(document, opened=reading.opened, has_changed_on_disk=False)
-        return changed(model, document, reading.opened.value, READ_AGAIN)
+        return with_other_tasks(model, document, reading.opened.value, READ_AGAIN)
 
     def refreshed(self, document: Document, reading: Reading[Configuration]) -> Document:
         """With what its file says now."""

@@ -7,15 +7,12 @@ from onika.desk.environment.outcome.on_file import on_resting_application
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.environment.state.open_application import MOST_FLOWS, OpenApplication
 from onika.model.application import AppFlow, Application, Branch
 from onika.model.flow_path import spots, with_step
 from onika.wire import act
 from onika.wire.view import Remedy, ShowStep
 from onika.words.condition import Condition
-
-MOST_FLOWS = 32
-"""Of an application, and of a branch: more are a slip of the hand."""
 
 
 @on_resting_application

@@ -8,6 +8,9 @@ from onika.model.application import Application
 from onika.model.redirect import Redirect
 from onika.wire.view import FaultView
 
+MOST_FLOWS = 32
+"""Flows of an application, and of a branch: more are a slip of the hand."""
+
 
 @dataclass(frozen=True, slots=True)
 class Judgement:

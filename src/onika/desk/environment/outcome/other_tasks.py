@@ -1,0 +1,20 @@
+"""A document with another set of tasks: its loci are settled, and what is wanted of the tasks follows."""
+
+from dataclasses import replace
+
+from onika.desk.environment.outcome.outcome import Done
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.model import Model
+from onika.model.configuration import Configuration
+from onika.model.rules import loci
+
+
+def with_other_tasks(model: Model, document: Document, configuration: Configuration, label: str) -> Done:
+    """The outcome of giving a document another configuration; new tasks are wanted OFF where it is connected."""
+    names = tuple(placed.task for placed in configuration.placed)
+    boxes = model.shelf.boxes((*names, *document.content.names))
+    settled = loci.settled(configuration, boxes, document.content.configuration)
+    content = document.content.with_configuration(settled)
+    if document.live is not None:
+        content = replace(content, wanted={**dict.fromkeys(names, False), **content.wanted})
+    return Done(model.with_document(document.having(content)), label, document.id)
