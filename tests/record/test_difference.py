@@ -117,3 +117,12 @@ def test_the_steps_that_a_run_measured_at_its_end_are_no_difference_by_themselve
         return recording.end()
 
     assert first_difference(ended("a", 1.0), ended("b", 1.1), Tolerance()) is None
+
+
+def test_what_was_expected_of_a_run_is_no_difference(tmp_path):  # R-X05: only looked at, told by its variable
+    def ended(name, values):
+        recording = RecordingBuilder(tmp_path / f"{name}.mcap")
+        recording.tell(1.0, event.Result(True, "", 1, 1, 1.0, 1.0, values, (), "abc"), "")
+        return recording.end()
+
+    assert first_difference(ended("a", {}), ended("b", {"X": [1.0]}), Tolerance()) is None

@@ -14,8 +14,11 @@ from onika.record.series import Series
 from onika.record.tolerance import Tolerance
 
 _TIMES = ("at_s", "at_ns", "previous_step_ns", "last_command_ns")
-_UNLIKE = ("wall_s", "of", "tasks", "switches_us", "skews_us", "skew_us", "hash", "courses", "runtime_s", "steps")
-"""What is another in every run, or is told better by what led to it."""
+_UNLIKE = (
+    *("wall_s", "of", "tasks", "switches_us", "skews_us", "skew_us", "hash", "courses", "runtime_s", "steps"),
+    "values",
+)
+"""What is another in every run, was only looked at (`values`), or is told better by what led to it."""
 
 
 _BLOCK_NS = 10_000_000_000
