@@ -202,6 +202,15 @@ def test_keys_steer_a_run_at_a_terminal(tmp_path):  # R-E07, R-E11
         assert termios.tcgetattr(terminal.near) == terminal.usual
 
 
+@pytest.fixture
+def heard():
+    """Programs that begin meanwhile hear SIGHUP, also where `nohup` hides it from the tests themselves."""
+    former = signal.signal(signal.SIGHUP, signal.SIG_DFL)
+    yield
+    signal.signal(signal.SIGHUP, former)
+
+
+@pytest.mark.usefixtures("heard")
 @pytest.mark.parametrize("told", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP])
 def test_the_terminal_is_restored_whatever_ends_the_run(told):  # R-E07
     with Terminal("run", "assemble") as terminal:
