@@ -325,6 +325,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "desk.not_so": "no es así",
   "desk.nothing_checked": "no se comprueba nada",
   "desk.nothing_done": "no se hace nada",
+  "desk.nothing_of_ours": "se esperaba un directorio base, o uno que los contenga; no hay ningún archivo que comprobar",
   "desk.nothing_there": "se esperaba un directorio base o un archivo; no hay nada",
   "desk.nothing_written": "no se escribe nada",
   "desk.plan_refused": "se esperaba un plan que admita; {reason}",

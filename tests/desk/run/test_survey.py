@@ -175,3 +175,29 @@ def test_a_folder_named_like_a_file_is_a_fault(tmp_path, site, runtime):  # R-B0
     (tmp_path / "module" / "x.rmod").mkdir(parents=True)
     _, (fault,) = survey(tmp_path, site)
     assert (fault.place.file, found_by(fault)) == (str(tmp_path / "module" / "x.rmod"), "a directory")
+
+
+def test_base_directories_in_a_folder_are_each_checked(tmp_path, site, runtime):  # R-B07
+    for name in ("one", "other"):
+        (tmp_path / name).mkdir()
+        Laboratory(tmp_path / name).configuration(f"{name}C", "nowhere 100")
+    files, faults = survey(tmp_path, site)
+    assert [file.name for file in files] == ["oneC.conf", "otherC.conf"]
+    assert places(faults) == ["oneC.conf", "otherC.conf"]
+
+
+def test_a_directory_of_the_environment_checks_its_own_folder_and_the_base_directories_beside_it(
+    tmp_path, site, runtime
+):
+    (tmp_path / "conf").mkdir()
+    (tmp_path / "conf" / "ownC.conf").write_text("VERSION 1.3\nEOF\n")
+    (tmp_path / "inner").mkdir()
+    Laboratory(tmp_path / "inner").configuration("innerC", "nowhere 100")
+    assert [file.name for file in survey(tmp_path, site)[0]] == ["ownC.conf", "innerC.conf"]
+
+
+def test_a_folder_without_any_file_of_ours_is_a_fault(tmp_path, site, runtime):  # R-B07
+    (tmp_path / "notes").mkdir()
+    files, faults = survey(tmp_path, site)
+    assert files == []
+    assert found_by(faults[0]) == "no file to check"

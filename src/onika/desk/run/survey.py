@@ -32,7 +32,7 @@ def survey(path: Path, site: Site, note: Callable[[str], None] = lambda _text: N
     types, syntax_faults = site.syntax()
     faults = list(syntax_faults)
     try:
-        files = _files(whole) if whole.is_dir() else [whole]
+        files_of = _files_of_bases(whole) if whole.is_dir() else {None: [whole]}
     except OSError as error:
         return [], [
             Fault(
@@ -41,11 +41,15 @@ def survey(path: Path, site: Site, note: Callable[[str], None] = lambda _text: N
                 Reason.of("words.left_out"),
             )
         ]
+    files = [file for files_of_base in files_of.values() for file in files_of_base]
+    if not files and not _is_base_directory(whole):
+        return [], [Fault(Place(str(path)), Reason.of("desk.nothing_of_ours"), Reason.of("desk.nothing_checked"))]
     if types is not None:
         for file in files:
             faults += _read(file, types)
     notes: list[str] = []
-    faults += _judge(files, site.at(whole) if whole.is_dir() else site, notes.append)
+    for base, files_of_base in files_of.items():
+        faults += _judge(files_of_base, site.at(base) if base else site, notes.append)
     wrong, notes_of_faults = parted(faults)
     for sentence in dict.fromkeys([*map(str, notes_of_faults), *notes]):
         note(_as_given(sentence, path))
@@ -62,6 +66,16 @@ def _as_given(text: str, path: Path) -> str:
     if not text.startswith(whole) or rest[:1] not in ("", "/", ":"):
         return text
     return (str(path) + rest).removeprefix("./")
+
+
+def _files_of_bases(path: Path) -> dict[Path | None, list[Path]]:
+    """The files of a directory and of each base directory in it, by their base directory."""
+    inner = sorted(folder for folder in path.iterdir() if folder.name not in _FOLDERS and _is_base_directory(folder))
+    return {base: _files(base) for base in (path, *inner)}
+
+
+def _is_base_directory(path: Path) -> bool:
+    return any((path / name).is_dir() for name in _FOLDERS)
 
 
 def _files(path: Path) -> list[Path]:
