@@ -9,7 +9,7 @@ def test_status_shows_the_columns_that_the_user_prefers(sit, tmp_path):  # R-A11
     sitting.does("spawn puma diff")
     head, *rows = sitting.does("status")
     assert head.split() == ["task", "rmod", "rtpu", "state", "cycle", "miss", "ref-F/Hz", "mez-F/Hz", "avg-U/%", "warn"]
-    assert rows[0].split() == ["puma", "puma", "rt0", "off", "10", "0", "500.0", "500.0", "20.0", "0"]
+    assert rows[0].split() == ["puma", "arm", "rt0", "off", "10", "0", "500.0", "500.0", "20.0", "0"]
     assert rows[-1] == "load: rt0 25.0%  rt1 25.0%"
 
 

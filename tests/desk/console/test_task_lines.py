@@ -14,7 +14,7 @@ def test_tasks_are_found_on_the_search_path_and_spawned_off(sit):  # R-A05, R-A1
     assert any("main/puma OFF" in line for line in output)
     (change,) = sitting.requests_of(live.Change)
     assert [task.place.rpartition("/")[2] for task in change.spawn] == ["puma.rmod", "diff.rmod"]
-    assert {code.module for code in change.code} == {"puma", "diff"}
+    assert {code.module for code in change.code} == {"arm", "diff"}
     assert all(code.source for code in change.code)
 
 
