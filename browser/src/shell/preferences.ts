@@ -1,7 +1,7 @@
-// The preferences of §A.5 in groups a person would look in, and what is not in any of them.
+// The preferences in groups a person would look in, and what is not in any of them.
 import type { TextKey } from '../texts/index.svelte'
 
-export type Value = boolean | number | string | string[] | Record<string, number>
+export type Value = boolean | number | string | string[]
 
 export interface Field {
   name: string
@@ -10,22 +10,10 @@ export interface Field {
 
 const GROUPS: [TextKey, string[]][] = [
   ['levels.label', ['shows_lower']],
-  ['prefer.icons', ['line_length', 'min_size', 'min_pin_separation', 'step_size', 'pin_length', 'shows_period']],
-  [
-    'prefer.wires',
-    [
-      'connection_separation',
-      'show_inconst',
-      'show_outconst',
-      'show_invar',
-      'show_outvar',
-      'locus_size',
-      'hit_tolerance',
-    ],
-  ],
+  ['prefer.icons', ['min_size', 'min_pin_separation', 'step_size', 'pin_length', 'shows_period']],
+  ['prefer.wires', ['show_inconst', 'show_outconst', 'show_invar', 'show_outvar', 'locus_size', 'hit_tolerance']],
   ['prefer.figures', ['status_columns', 'shows_warnings']],
   ['prefer.study', ['keeps_diary']],
-  ['prefer.windows', ['library', 'canvas', 'status', 'variables', 'dictionary', 'workspace', 'main', 'buttons']],
 ]
 
 export function grouped(preferences: Readonly<Record<string, unknown>>): [TextKey, Field[]][] {
@@ -42,8 +30,7 @@ function field(name: string, value: unknown): Field[] {
 
 function isValue(value: unknown): value is Value {
   if (['boolean', 'number', 'string'].includes(typeof value)) return true
-  if (Array.isArray(value)) return value.every((one) => typeof one === 'string')
-  return typeof value === 'object' && value !== null && Object.values(value).every((one) => typeof one === 'number')
+  return Array.isArray(value) && value.every((one) => typeof one === 'string')
 }
 
 /** What was typed, as a value of the same kind as before; undefined where it is none. */

@@ -54,13 +54,7 @@ describe('the palette', () => {
 
 describe('R-G01: preferences', () => {
   test('stand in groups, and none is left out', () => {
-    const preferences = {
-      pin_length: 12,
-      shows_period: false,
-      status_columns: ['cycle'],
-      library: { x: 1, y: 2 },
-      news: 'x',
-    }
+    const preferences = { pin_length: 12, shows_period: false, status_columns: ['cycle'], news: 'x' }
     const names = grouped(preferences).flatMap(([, fields]) => fields.map((field) => field.name))
     expect(names.sort()).toEqual(Object.keys(preferences).sort())
     expect(grouped(preferences).at(-1)![0]).toBe('prefer.others')

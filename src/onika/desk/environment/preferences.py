@@ -1,6 +1,6 @@
 """Preferences are changed while one works, and kept at once (requirements G01, B12)."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import fields, replace
 from typing import Any
 
@@ -11,15 +11,12 @@ from onika.desk.environment.state import settings
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.preference_values import preference_values
 from onika.desk.environment.state.settings import Habits
-from onika.model.preferences import STATUS_COLUMNS, Window, WindowCorner
+from onika.model.preferences import STATUS_COLUMNS
 from onika.wire import act, page
 from onika.words.fault import Refusal
 
 _LONGEST = 10_000
 """Pixels or characters: what is longer is found on no screen."""
-
-_FAR = 10**9
-"""Pixels: what a preference file can say of a place."""
 
 _HABITS = {field.name for field in fields(Habits)}
 
@@ -88,9 +85,7 @@ def _taken(name: str, value: Any, now: Mapping[str, Any]) -> Any:
     if isinstance(before, bool):
         return _flag(value)
     if isinstance(before, int):
-        return _whole(value, 1, _LONGEST)
-    if isinstance(before, dict):
-        return _place(value, before)
+        return _length(value)
     return _columns(value)
 
 
@@ -100,25 +95,13 @@ def _flag(value: Any) -> bool:
     return value
 
 
-def _whole(value: Any, low: int, high: int) -> int:
+def _length(value: Any) -> int:
     is_whole = isinstance(value, int) or (isinstance(value, float) and value.is_integer())
     if isinstance(value, bool) or not is_whole:
         raise _Wrong("expected a whole number")
-    if not low <= value <= high:
-        raise _Wrong(f"expected a number from {low} to {high}, found {int(value)}")
+    if not 1 <= value <= _LONGEST:
+        raise _Wrong(f"expected a number from 1 to {_LONGEST}, found {int(value)}")
     return int(value)
-
-
-def _place(value: Any, before: Mapping[str, int]) -> WindowCorner | Window:
-    if not isinstance(value, Mapping) or not set(value) <= set(before):
-        raise _Wrong(f"expected {', '.join(before)}")
-    numbers = {**before, **{part: _whole(number, *_range(part)) for part, number in value.items()}}
-    make: Callable[..., WindowCorner | Window] = Window if "width" in before else WindowCorner
-    return make(**numbers)
-
-
-def _range(part: str) -> tuple[int, int]:
-    return (-_FAR, _FAR) if part in ("x", "y") else (1, _FAR)
 
 
 def _columns(value: Any) -> tuple[str, ...]:

@@ -1,11 +1,18 @@
-"""Every preference by its name, whichever file keeps it."""
+"""The values of the preferences that change something, by their names, whichever file keeps them."""
 
 from dataclasses import asdict
 from typing import Any
 
 from onika.desk.environment.state.model import Model
 
+_WITHOUT_EFFECT = {
+    *("line_length", "connection_separation"),
+    *("library", "canvas", "status", "variables", "dictionary", "workspace", "main", "buttons"),
+}
+"""What a file of §A.5 says of windows and lines of its time: kept in the file, offered nowhere."""
+
 
 def preference_values(model: Model) -> dict[str, Any]:
-    """Every preference by its name, as a page sees it."""
-    return asdict(model.preferences) | asdict(model.habits)
+    """The preferences that a user may change, as a page sees them."""
+    of_file = {name: value for name, value in asdict(model.preferences).items() if name not in _WITHOUT_EFFECT}
+    return of_file | asdict(model.habits)
