@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from onika.ring.segment import Segment
-from onika.runtime.table import Table, value_of
+from onika.runtime.table import Table, plain, value_of
 from onika.words import letters
 from onika.words.shape import Shape
 from onika.words.value import ValueType
@@ -137,3 +137,8 @@ def test_no_memory_is_lost_whatever_comes_and_goes(table):  # law 12
         table.entry("X", shape(f"double[{1 + number % 40}]"))
         table.free(table.drop("X"))
     assert table.end < table.segment.size // 4
+
+
+def test_values_travel_as_plain_lists_and_numbers():
+    assert plain(np.array([[1.0, 2.0]])) == [[1.0, 2.0]]
+    assert plain("word") == "word"

@@ -10,7 +10,6 @@ from time import monotonic_ns
 
 from onika.host.loading.loader import Loader
 from onika.host.loading.loader_client import LoaderClient
-from onika.host.loading.memory_limit import bound
 from onika.host.program import Program
 from onika.host.sessions.audit_log import Witness
 from onika.host.sessions.audit_trail import OFF, Audit, open_for
@@ -19,6 +18,7 @@ from onika.host.sessions.listener_process import Porter
 from onika.host.sessions.request_server import Gate
 from onika.host.shutdown import Ending
 from onika.host.units.call_watchdog import Patience
+from onika.host.units.memory_limit import bound
 from onika.host.units.output_pipe import open_outlets
 from onika.host.units.realtime_scheduling import RUNNER_PRIORITY, fine_timers, first_in_first_out, still_garbage
 from onika.host.units.rtpu import preload

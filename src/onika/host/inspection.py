@@ -5,14 +5,14 @@ from dataclasses import dataclass, field
 from math import isnan
 from typing import Protocol
 
-from onika.host.run.run_statistics import plain
 from onika.host.sessions.request_server import Gate
-from onika.host.subsystems import Stage
+from onika.host.subsystems.subsystem_registry import Stage
 from onika.model.lifecycle import State
 from onika.runtime import news
 from onika.runtime.bus import Poses
 from onika.runtime.integrity import Accessor, check
 from onika.runtime.subsystem import Member
+from onika.runtime.table import plain
 from onika.wire import live, reading, request
 
 _FASTEST_HZ = 60.0

@@ -4,22 +4,22 @@ from time import monotonic_ns
 
 from msgspec.structs import replace
 
+from onika.host.driver import Driver
 from onika.host.edit.editor import Editor, refused
 from onika.host.inspection import Look
 from onika.host.loading.loader_client import LoaderClient, NotYet
 from onika.host.loading.module_description import describe
 from onika.host.loading.module_questions import Loading
 from onika.host.loading.plan_preparation import Preparation, inspect, prepare
-from onika.host.loading.request_backlog import Answer, Backlog
 from onika.host.recording.recorder import Recorder
 from onika.host.run.run import Performance
-from onika.host.run.run_commands import RunCommands
 from onika.host.sessions.control_authority import Holders
 from onika.host.sessions.leases import Leases
 from onika.host.sessions.presence import Company
+from onika.host.sessions.request_backlog import Answer, Backlog
 from onika.host.sessions.request_server import Call, Gate
-from onika.host.subsystems import Stage, Tell
-from onika.host.units.driver import Driver
+from onika.host.subsystems.run_commands import RunCommands
+from onika.host.subsystems.subsystem_registry import Stage, Tell
 from onika.host.units.process_socket import Post
 from onika.link.caller import Role
 from onika.runtime.subsystem import RunningSubsystem

@@ -106,3 +106,8 @@ def value_of(data: bytes, shape: Shape) -> Any:
         return letters.decode(data, shape.type, bool(shape.dims))
     array = np.frombuffer(data, dtype=shape.type.code)
     return array[0].item() if not shape.dims else array.reshape(shape.dims)
+
+
+def plain(value: Any) -> Any:
+    """A value that travels: arrays as lists."""
+    return value.tolist() if isinstance(value, np.ndarray) else value

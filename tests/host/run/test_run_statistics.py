@@ -1,6 +1,6 @@
 import numpy as np
 
-from onika.host.run.run_statistics import RunStatistics, plain
+from onika.host.run.run_statistics import RunStatistics
 from onika.ring.segment import Segment
 from onika.runtime.news import Statuses, TaskStatus
 from onika.runtime.table import SIZE, Table
@@ -78,11 +78,6 @@ def test_figures_add_up_whoever_asks_for_statuses_meanwhile():  # R-A17
         tally.figures(Statuses("rt0", 0.1, (status("flow0", "b", miss=missed),)), ("flow0",))
     task = tally.result(0, 0.0, "").tasks[0]
     assert (task.cycles, task.missed, task.mean_us, task.most_us) == (20, 5, 5.0, 10.0)
-
-
-def test_values_travel_as_plain_lists_and_numbers():
-    assert plain(np.array([[1.0, 2.0]])) == [[1.0, 2.0]]
-    assert plain("word") == "word"
 
 
 def test_flows_that_begin_together_are_told_when_the_last_of_them_has_cycled():  # R-X03

@@ -3,7 +3,7 @@ import inspect
 import pytest
 
 from kit.live_edits import LossyDriver
-from onika.host.subsystems import Stage
+from onika.host.subsystems.subsystem_registry import Stage
 from onika.host.units.unit_listener import Listener
 
 WORDS = sorted(name for name in vars(Listener) if not name.startswith("_"))

@@ -8,8 +8,7 @@ it sleeps, lest a virtual clock on which nothing else stands run away; whatever 
 from collections import deque
 from collections.abc import Callable, Mapping
 
-from onika.host.run.run_statistics import plain
-from onika.runtime.table import Table, TableEntry, value_of
+from onika.runtime.table import Table, TableEntry, plain, value_of
 from onika.wire import event
 from onika.words.shape import Shape
 

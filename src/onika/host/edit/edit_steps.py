@@ -7,8 +7,8 @@ happens, none waits for ever.
 from collections.abc import Collection, Generator, Mapping, Sequence
 
 from onika.engine import orders
-from onika.host.edit.live_subsystem import LiveSubsystem, Wait
 from onika.host.execution.spawner import shape_fault
+from onika.host.subsystems.live_subsystem import LiveSubsystem, Wait
 from onika.model.lifecycle import State
 from onika.runtime import command
 from onika.runtime.wiring import WiredTask

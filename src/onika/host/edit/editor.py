@@ -6,12 +6,12 @@ from typing import Any
 from msgspec import structs
 
 from onika.host.edit import edit_objections, transactions
-from onika.host.edit.live_subsystem import LiveSubsystem, Transaction
-from onika.host.edit.load_forecast import Coming
 from onika.host.loading.module_questions import Loading
 from onika.host.loading.plan_checks import absent_devices, conflicts, cycles, shapeless, shared_devices
 from onika.host.loading.plan_preparation import unknown_parameters
-from onika.host.subsystems import Stage
+from onika.host.subsystems.live_subsystem import LiveSubsystem, Transaction
+from onika.host.subsystems.load_forecast import Coming
+from onika.host.subsystems.subsystem_registry import Stage
 from onika.model.lifecycle import State
 from onika.model.planned import task_of
 from onika.model.rules.reconfiguration import exchange

@@ -8,7 +8,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from onika.host.edit.edit_steps import Lines, Newcomer, Step, clear, kill, reinit, spawn, switch, tasks_on, tell
-from onika.host.edit.live_subsystem import LiveSubsystem, Transaction
+from onika.host.subsystems.live_subsystem import LiveSubsystem, Transaction
 from onika.model.lifecycle import State
 from onika.model.rules.order import constant_order
 from onika.model.rules.reconfiguration import TaskExchange, dependents

@@ -1,8 +1,8 @@
 """A subsystem executor spawns, switches and kills the tasks of one subsystem, and follows what becomes of them.
 
 It decides nothing; its client does: the engine for an application (`host.run.runner`), a transaction for a change by
-hand (`host.edit.live_subsystem`). Of every piece of news the state is noted first, then sessions are told, then the
-client hears it. A task that is ON or asks lets the rest of its switch go on at once; one that failed or was refused
+hand (`host.subsystems.live_subsystem`). Of every piece of news the state is noted first, then sessions are told, then
+the client hears it. A task that is ON or asks lets the rest of its switch go on at once; one that failed or was refused
 does so when the client has decided what follows, for it may give the rest up (laws 3, 6, 10). Nothing here waits.
 """
 

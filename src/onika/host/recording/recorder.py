@@ -18,7 +18,7 @@ from onika.host.recording.recording_place import Beside, InPlace, Pen, complaint
 from onika.host.recording.recording_sink import Finish, Meet, Show, Start, Tell
 from onika.host.run.run import Performance
 from onika.host.sessions.request_server import Gate
-from onika.host.subsystems import Stage
+from onika.host.subsystems.subsystem_registry import Stage
 from onika.host.units.pose_stream import Posed
 from onika.host.units.process_socket import Post
 from onika.record import topics

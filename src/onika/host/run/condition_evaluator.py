@@ -2,8 +2,8 @@
 
 from collections.abc import Mapping
 
-from onika.host.run.run_statistics import plain
 from onika.runtime.subsystem import RunningSubsystem
+from onika.runtime.table import plain
 from onika.words.condition import Condition
 
 

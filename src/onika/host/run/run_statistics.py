@@ -4,12 +4,11 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
 from msgspec import structs
 
 from onika.host.run.transfer_statistics import TransferStatistics
 from onika.runtime.news import Statuses, TaskStatus
-from onika.runtime.table import Table
+from onika.runtime.table import Table, plain
 from onika.wire import event
 from onika.wire.figures import TaskFigures
 
@@ -130,8 +129,3 @@ def _sum(before: TaskFigures | None, more: TaskFigures) -> TaskFigures:
     most = max(before.most_us, more.most_us)
     missed = before.missed + more.missed
     return structs.replace(more, cycles=cycles, missed=missed, mean_us=round(mean, 1), most_us=most)
-
-
-def plain(value: Any) -> Any:
-    """A value that travels: arrays as lists."""
-    return value.tolist() if isinstance(value, np.ndarray) else value

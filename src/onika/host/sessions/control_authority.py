@@ -5,10 +5,10 @@ from typing import get_args
 
 from onika.host.edit import transactions
 from onika.host.run.run import Performance
-from onika.host.run.run_commands import RunCommands
 from onika.host.sessions.handover import Offer, Offers
 from onika.host.sessions.permission import changes_nothing
-from onika.host.subsystems import Stage, Tell
+from onika.host.subsystems.run_commands import RunCommands
+from onika.host.subsystems.subsystem_registry import Stage, Tell
 from onika.link.caller import Role
 from onika.wire import event, holding, live, request, steer
 

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from onika.host.subsystems import Tell
+from onika.host.subsystems.subsystem_registry import Tell
 from onika.wire import event
 
 LASTS_NS = 60_000_000_000

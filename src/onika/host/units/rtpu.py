@@ -12,8 +12,8 @@ from time import monotonic_ns
 
 from msgspec import Struct, msgpack
 
-from onika.host.loading.memory_limit import bound
 from onika.host.units.heartbeat import Heartbeat
+from onika.host.units.memory_limit import bound
 from onika.host.units.output_pipe import open_outlets
 from onika.host.units.process_socket import Post
 from onika.host.units.realtime_scheduling import become_real_time

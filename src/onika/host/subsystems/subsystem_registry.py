@@ -3,12 +3,12 @@
 from collections.abc import Callable, Collection, Mapping
 from typing import Protocol
 
-from onika.host.edit.live_subsystem import LiveSubsystem
-from onika.host.edit.load_forecast import Forecast
 from onika.host.run.clock_gate import ClockGate
 from onika.host.run.replay import Replay
 from onika.host.run.run import Performance
 from onika.host.run.status_poll import StatusPoll
+from onika.host.subsystems.live_subsystem import LiveSubsystem
+from onika.host.subsystems.load_forecast import Forecast
 from onika.host.units.unit_registry import Units
 from onika.ring.segment import Segment
 from onika.runtime import command, news

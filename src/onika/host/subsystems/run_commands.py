@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 from msgspec import structs
 
 from onika.host.run.run import Performance
-from onika.host.subsystems import Stage
+from onika.host.subsystems.subsystem_registry import Stage
 from onika.wire import request, steer
 from onika.words.condition import Condition
 

@@ -1,4 +1,4 @@
-from onika.host.edit.desired_state import DesiredState
+from onika.host.subsystems.desired_state import DesiredState
 
 
 def wanted():

@@ -1,4 +1,4 @@
-from onika.host.edit.outcomes import Outcomes
+from onika.host.subsystems.outcomes import Outcomes
 from onika.model.lifecycle import State
 
 

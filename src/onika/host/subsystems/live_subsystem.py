@@ -7,12 +7,12 @@ moves the present one on; the next one begins when it is through. Nothing here w
 from collections import deque
 from collections.abc import Callable, Collection, Generator, Mapping
 
-from onika.host.edit.desired_state import DesiredState
-from onika.host.edit.outcomes import Outcomes
 from onika.host.execution import task_events
 from onika.host.execution.reshape import Reshaping
 from onika.host.execution.spawner import Spawner
 from onika.host.execution.subsystem_executor import SubsystemExecutor, state_after
+from onika.host.subsystems.desired_state import DesiredState
+from onika.host.subsystems.outcomes import Outcomes
 from onika.host.units.unit_registry import Units
 from onika.model.lifecycle import State
 from onika.model.rules.reconfiguration import PlacedTask

@@ -2,7 +2,7 @@ import inspect
 
 import pytest
 
-from onika.host.units.driver import Driver
+from onika.host.driver import Driver
 from onika.host.units.virtual import VirtualDriver
 from onika.host.units.wall import WallDriver
 

@@ -3,7 +3,7 @@ import pytest
 from kit.live_edits import BROKEN, COUNTER, SOURCE, live_edits_with_tasks
 from kit.plan_builder import PlanBuilder
 from onika.host.edit import transactions
-from onika.host.edit.live_subsystem import LiveSubsystem
+from onika.host.subsystems.live_subsystem import LiveSubsystem
 from onika.model.rules.reconfiguration import exchange
 from onika.ring.segment import Segment
 from onika.runtime import news

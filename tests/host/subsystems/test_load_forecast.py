@@ -1,6 +1,6 @@
 import pytest
 
-from onika.host.edit.load_forecast import Coming, Forecast
+from onika.host.subsystems.load_forecast import Coming, Forecast
 from onika.runtime.load import TaskLoad
 
 

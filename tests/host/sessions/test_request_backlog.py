@@ -1,6 +1,6 @@
 import pytest
 
-from onika.host.loading.request_backlog import Backlog
+from onika.host.sessions.request_backlog import Backlog
 from onika.host.sessions.request_server import Call
 from onika.link.caller import Role
 from onika.wire import holding, live, request

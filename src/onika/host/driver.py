@@ -4,7 +4,7 @@ from typing import Protocol
 
 from onika.host.inspection import Seen
 from onika.host.recording.recorder import Seen as Recorded
-from onika.host.subsystems import Tables
+from onika.host.subsystems.subsystem_registry import Tables
 from onika.host.units.unit_listener import Listener
 
 
