@@ -1,4 +1,4 @@
-// English: the run, the stop explained, the program as sentences.
+// English: the run, the stop explained, the program as sentences, steps at switches.
 export const enPerform = {
   'perform.title': 'Run',
   'perform.ready': 'Ready to run',
@@ -205,4 +205,13 @@ export const enPerform = {
   'say.above': '{variable} is above {value}',
   'say.atMost': '{variable} is at most {value}',
   'say.atLeast': '{variable} is at least {value}',
+
+  'continuity.smooth': 'Smooth: the largest step at a switch was {n} % of what is allowed ({name}).',
+  'continuity.smoothHint': '{step} at {at} s; one cycle may change it by {limit}',
+  'continuity.blended':
+    '{name} stepped by {step} at {at} s, more than the {limit} of one cycle. It was blended over {n} cycle.|{name} stepped by {step} at {at} s, more than the {limit} of one cycle. It was blended over {n} cycles.',
+  'continuity.more': 'At {n} switch steps were blended.|At {n} switches steps were blended.',
+  'continuity.refused':
+    '{name} would have stepped by {step} at {at} s, too far to blend at {limit} in one cycle: the drive held.',
+  'continuity.unknown': '{name} stepped by {step} at most; {task} does not say how far it may.',
 }

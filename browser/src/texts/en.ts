@@ -1,13 +1,11 @@
 // English. Every text of the page has a name here; the other languages must have the same names.
 import { enCanvas } from './en.canvas'
-import { enContinuity } from './en.continuity'
 import { enDictionary } from './en.dictionary'
 import { enHelp } from './en.help'
 import { enHolding } from './en.holding'
 import { enLevels } from './en.levels'
 import { enPerform } from './en.perform'
 import { enRecording } from './en.recording'
-import { enReview } from './en.review'
 import { enRedirect } from './en.redirect'
 import { enShell } from './en.shell'
 import { enStrip } from './en.strip'
@@ -24,8 +22,6 @@ export const en = {
   ...enHelp,
   ...enRedirect,
   ...enHolding,
-  ...enReview,
   ...enRecording,
-  ...enContinuity,
 }
 export type TextKey = keyof typeof en

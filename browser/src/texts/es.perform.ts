@@ -1,4 +1,4 @@
-// Español: la ejecución, la parada explicada, el programa en frases.
+// Español: la ejecución, la parada explicada, el programa en frases, los saltos en los cambios.
 import type { enPerform } from './en.perform'
 
 export const esPerform: Record<keyof typeof enPerform, string> = {
@@ -207,4 +207,13 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
   'say.above': '{variable} es mayor que {value}',
   'say.atMost': '{variable} es como mucho {value}',
   'say.atLeast': '{variable} es al menos {value}',
+
+  'continuity.smooth': 'Suave: el mayor salto en un cambio fue el {n} % de lo permitido ({name}).',
+  'continuity.smoothHint': '{step} a los {at} s; un ciclo puede cambiarlo en {limit}',
+  'continuity.blended':
+    '{name} saltó {step} a los {at} s, más que los {limit} de un ciclo. Se repartió en {n} ciclo.|{name} saltó {step} a los {at} s, más que los {limit} de un ciclo. Se repartió en {n} ciclos.',
+  'continuity.more': 'En {n} cambio hubo que repartir saltos.|En {n} cambios hubo que repartir saltos.',
+  'continuity.refused':
+    '{name} habría saltado {step} a los {at} s, demasiado para repartirlo a {limit} por ciclo: el accionamiento se mantuvo.',
+  'continuity.unknown': '{name} saltó {step} como mucho; {task} no dice cuánto puede.',
 }

@@ -1,14 +1,12 @@
 // Español.
 import type { TextKey } from './en'
 import { esCanvas } from './es.canvas'
-import { esContinuity } from './es.continuity'
 import { esDictionary } from './es.dictionary'
 import { esHelp } from './es.help'
 import { esHolding } from './es.holding'
 import { esLevels } from './es.levels'
 import { esPerform } from './es.perform'
 import { esRecording } from './es.recording'
-import { esReview } from './es.review'
 import { esRedirect } from './es.redirect'
 import { esShell } from './es.shell'
 import { esStrip } from './es.strip'
@@ -25,7 +23,5 @@ export const es: Record<TextKey, string> = {
   ...esHelp,
   ...esRedirect,
   ...esHolding,
-  ...esReview,
   ...esRecording,
-  ...esContinuity,
 }
