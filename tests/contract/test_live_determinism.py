@@ -33,7 +33,7 @@ def fingerprint() -> str:
     _left(hand)
     _right(hand)
     _beside(hand)
-    words = [event.encode(one) for one in hand.asker.gate.told if not isinstance(one, event.Result)]
+    words = [event.encode(one) for one in hand.asker.server.told if not isinstance(one, event.Result)]
     values = [repr(hand.values(subsystem=name)) for name in ("left", "right", "flow0")]
     return hashlib.sha256(b"".join(words) + "".join(values).encode() + hand.driver.digest.encode()).hexdigest()
 

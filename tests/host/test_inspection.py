@@ -16,7 +16,7 @@ def hand():
 
 
 def shown(hand, session="me"):
-    return [(key, one) for who, key, one in hand.asker.gate.shown if who == session]
+    return [(key, one) for who, key, one in hand.asker.server.shown if who == session]
 
 
 def show(hand, wall_ns):
@@ -81,7 +81,7 @@ def test_what_is_not_there_is_not_read(hand, asked):
 
 def test_memory_that_was_overwritten_is_found(hand):  # R-A12
     assert hand.asker.ask(live.Check("s0")) == live.Findings(())
-    hand.asker.program.stage.tables["s0"].ring("LEVEL").write(b"\0" * 8)
+    hand.asker.program.subsystems.tables["s0"].ring("LEVEL").write(b"\0" * 8)
     hand.let_pass(0.1)
     (finding,) = hand.asker.ask(live.Check("s0")).findings
     assert "LEVEL" in finding
@@ -92,11 +92,11 @@ def test_readings_are_shown_when_they_have_changed_and_it_is_time(hand):
     hand.asker.ask(live.Attend(readings=("s0/COUNT", "s0/NO", "no/COUNT"), hz=10.0))
     show(hand, 10**15)
     assert [key for key, _ in shown(hand)] == ["s0/COUNT"]
-    hand.asker.gate.shown.clear()
+    hand.asker.server.shown.clear()
     show(hand, 10**15 + SECOND)
     assert shown(hand) == []
     hand.let_pass(0.1)
-    hand.asker.gate.shown.clear()
+    hand.asker.server.shown.clear()
     hand.let_pass(0.1)
     show(hand, 10**15 + 2 * SECOND)
     (key, one) = shown(hand)[-1]
@@ -137,11 +137,11 @@ def test_who_attends_nothing_or_is_gone_is_shown_nothing(hand):
     hand.asker.ask(live.Attend(readings=("s0/*",)), "one")
     hand.asker.ask(live.Attend(readings=("s0/*",)), "two")
     hand.asker.ask(live.Attend(), "two")
-    hand.asker.gate.gone.append("one")
+    hand.asker.server.gone.append("one")
     hand.asker.program.serve()
-    hand.asker.gate.shown.clear()
+    hand.asker.server.shown.clear()
     show(hand, 10**15)
-    assert hand.asker.gate.shown == []
+    assert hand.asker.server.shown == []
     assert hand.asker.program._look.due_ns(0) is None
 
 
@@ -154,4 +154,4 @@ def test_how_often_is_kept_within_bounds(hand, hz, period):
 
 def test_no_number_is_no_rate(hand):
     assert isinstance(hand.asker.ask(live.Attend(hz=float("nan"))), request.Refused)
-    assert hand.asker.gate.attends == {}
+    assert hand.asker.server.attends == {}

@@ -36,9 +36,9 @@ def test_the_last_word_of_a_drive_comes_before_the_result(desk):  # law 17
     desk.ask(request.Prepare(plan("1.0"), ()))
     desk.ask(request.Begin())
     desk.to_the_end()
-    drives = [number for number, one in enumerate(desk.gate.told) if isinstance(one, event.Drive)]
-    assert desk.gate.told[drives[-1]].state == "HELD"
-    assert drives[-1] < len(desk.gate.told) - 1
+    drives = [number for number, one in enumerate(desk.server.told) if isinstance(one, event.Drive)]
+    assert desk.server.told[drives[-1]].state == "HELD"
+    assert drives[-1] < len(desk.server.told) - 1
 
 
 def test_a_world_is_touched_and_what_is_not_there_refused(desk):  # R-K06
@@ -96,7 +96,7 @@ def test_a_run_is_ended_from_outside_with_the_cause(desk, asked):  # R-E07, law 
     assert desk.ask(asked) == request.Done()
     result = desk.to_the_end()
     assert (result.completed, result.cause, result.done) == (False, "enough", 0)
-    assert [one.state for one in desk.gate.told if isinstance(one, event.Drive)][-1] == "HELD"
+    assert [one.state for one in desk.server.told if isinstance(one, event.Drive)][-1] == "HELD"
 
 
 def test_after_a_stop_nothing_begins_before_a_deliberate_reset(desk):  # law 27
@@ -115,7 +115,7 @@ def test_an_answer_reaches_the_task_that_asks(desk):  # law 25
     desk.ask(request.Prepare(rail_tasks().plan([action("mass", "servo")]), ()))
     desk.ask(request.Begin(may_ask=True))
     assert desk.to_the_end() is None
-    asked = desk.gate.told[-1]
+    asked = desk.server.told[-1]
     assert isinstance(asked, event.Asked)
     (home,) = desk.ask(live.Survey()).subsystems
     assert (home.asks, home.on_loss) == ((asked,), "stop")  # who comes later can be asked too
@@ -161,7 +161,7 @@ def test_to_abort_what_does_not_run_is_harmless(desk):
 def test_a_run_that_goes_on_without_its_session_can_be_ended_by_others(desk):  # R-X12
     desk.ask(request.Prepare(plan("1.0"), ()), "gone")
     desk.ask(request.Begin(on_loss="run"), "gone")
-    desk.gate.gone.append("gone")
+    desk.server.gone.append("gone")
     desk.program.serve()
     assert desk.ask(request.Abort("enough"), "another") == request.Done()
     assert desk.to_the_end().cause == "enough"
@@ -188,12 +188,12 @@ def test_who_may_change_a_subsystem_is_judged_when_the_change_is_carried_out(mon
     shop = rail_tasks()
     change = live.Change("s0", spawn=(shop.planned("servo"),), code=(shop.code("servo"),))
     first, second = desk.send(change, "first"), desk.send(change, "second")
-    assert desk.gate.replies == {}
+    assert desk.server.replies == {}
     loading.is_patient = True
     for call, answer in desk.program._backlog.take():
         desk.program._try(call, answer)
-    assert isinstance(desk.gate.replies[first], live.Accepted)
-    assert "held by first" in desk.gate.replies[second].reason
+    assert isinstance(desk.server.replies[first], live.Accepted)
+    assert "held by first" in desk.server.replies[second].reason
 
 
 def test_nobody_waits_behind_a_description(monkeypatch):  # law 21
@@ -203,11 +203,11 @@ def test_nobody_waits_behind_a_description(monkeypatch):  # law 21
     shop = rail_tasks()
     described = desk.send(live.Describe((shop.code("servo"),)), "first")
     changed = desk.send(live.Change("s0", spawn=(shop.planned("servo"),), code=(shop.code("servo"),)), "first")
-    assert described not in desk.gate.replies and isinstance(desk.gate.replies[changed], live.Accepted)
+    assert described not in desk.server.replies and isinstance(desk.server.replies[changed], live.Accepted)
     loading.is_patient = True
     for call, answer in desk.program._backlog.take():
         desk.program._try(call, answer)
-    assert set(desk.gate.replies[described].sheets) == {shop.code("servo").digest}
+    assert set(desk.server.replies[described].sheets) == {shop.code("servo").digest}
 
 
 def test_motion_is_allowed_again_whatever_waits_for_the_loader(monkeypatch):  # law 27

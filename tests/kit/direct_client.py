@@ -89,19 +89,19 @@ class DirectClient:
     """Asks the program and lets it work."""
 
     def __init__(self, rtpus: tuple[str, ...] = ("rt0",)) -> None:
-        self.gate = OpenGate()
-        self.driver = VirtualDriver(rtpus, self.gate.tell, worlds=lambda _name: MassWorld())
-        self.program = Program(self.gate, self.driver, YardLoading(), rtpus)  # type: ignore[arg-type]
+        self.server = OpenGate()
+        self.driver = VirtualDriver(rtpus, self.server.tell, worlds=lambda _name: MassWorld())
+        self.program = Program(self.server, self.driver, YardLoading(), rtpus)  # type: ignore[arg-type]
         self._count = 0
 
     def lease(self, length_ns: int) -> None:
         """From now on holders are there only as long as the gate hears them."""
-        self.program.leases = Leases(self.program.holders, self.gate.hearing, length_ns)
+        self.program.leases = Leases(self.program.authority, self.server.hearing, length_ns)
 
     def send(self, asked: request.Request, session: str = "me") -> int:
         """Ask, and look for the answer later; its ticket."""
         self._count += 1
-        self.gate.waiting.append(Call(self._count, session, Role.OWNER, asked))
+        self.server.waiting.append(Call(self._count, session, Role.OWNER, asked))
         self.program.serve()
         return self._count
 
@@ -109,8 +109,8 @@ class DirectClient:
         """Ask and let the program work until it answers."""
         ticket = self.send(asked, session)
         for _ in range(10_000):
-            if ticket in self.gate.replies:
-                return self.gate.replies[ticket]
+            if ticket in self.server.replies:
+                return self.server.replies[ticket]
             self.program.advance(SECOND)
         raise TimeoutError(f"no answer to {asked}")
 
@@ -128,7 +128,7 @@ class DirectClient:
         if not isinstance(answer, live.Accepted):
             raise TypeError(f"expected Accepted, found {answer}")
         self.program.advance(SECOND)
-        ends = [one for one in self.gate.told if isinstance(one, event.Edited) and one.number == answer.number]
+        ends = [one for one in self.server.told if isinstance(one, event.Edited) and one.number == answer.number]
         if len(ends) != 1:
             raise RuntimeError(f"expected one outcome of {answer.number}, found {ends}")
         return str(ends[0].cause)
@@ -150,7 +150,7 @@ class DirectClient:
 
     def of(self, kind: type) -> list[event.Event]:
         """What was told of one kind."""
-        return [one for one in self.gate.told if isinstance(one, kind)]
+        return [one for one in self.server.told if isinstance(one, kind)]
 
     def to_the_end(self) -> event.Result | None:
         """Let everything go on until nothing happens by itself."""
@@ -161,5 +161,5 @@ class DirectClient:
     @property
     def result(self) -> event.Result | None:
         """The last thing told, if it is a result."""
-        last = self.gate.told[-1] if self.gate.told else None
+        last = self.server.told[-1] if self.server.told else None
         return last if isinstance(last, event.Result) else None

@@ -89,8 +89,8 @@ class LossyDriver(VirtualDriver):
     Lost at `fatal`, which is a number of news, counted from when it is set; the unit's last words arrive before.
     """
 
-    def __init__(self, rtpus: tuple[str, ...], gate: OpenGate) -> None:
-        super().__init__(rtpus, gate.tell, worlds=lambda _name: MassWorld())
+    def __init__(self, rtpus: tuple[str, ...], server: OpenGate) -> None:
+        super().__init__(rtpus, server.tell, worlds=lambda _name: MassWorld())
         self.gone: set[str] = set()
         self.heard: list[news.News] = []
         self.fatal: tuple[int, str] | None = None
@@ -132,24 +132,24 @@ class LossyDriver(VirtualDriver):
     @property
     def is_moving(self) -> bool:
         """As the stage says."""
-        return self._program.stage.is_moving
+        return self._program.subsystems.is_moving
 
     @property
     def is_still(self) -> bool:
         """As the stage says."""
-        return self._program.stage.is_still
+        return self._program.subsystems.is_still
 
     @property
     def is_hurried(self) -> bool:
         """As the stage says."""
-        return self._program.stage.is_hurried
+        return self._program.subsystems.is_hurried
 
     def hear(self, rtpu: str, heard: news.News, now: int) -> None:
         """Pass on what a unit that is there says."""
         if rtpu in self.gone:
             return
         self.heard.append(heard)
-        self._program.stage.hear(rtpu, heard, now)
+        self._program.subsystems.hear(rtpu, heard, now)
         if self.fatal is not None:
             left, unit = self.fatal
             self.fatal = (left - 1, unit) if left > 1 else None
@@ -158,19 +158,19 @@ class LossyDriver(VirtualDriver):
 
     def lost(self, rtpu: str, reason: str, now: int) -> None:
         """Pass it on."""
-        self._program.stage.lost(rtpu, reason, now)
+        self._program.subsystems.lost(rtpu, reason, now)
 
     def run_began(self, device: str) -> int:
         """As the stage says."""
-        return self._program.stage.run_began(device)
+        return self._program.subsystems.run_began(device)
 
     def wake_at(self) -> int | None:
         """As the stage says."""
-        return self._program.stage.wake_at()
+        return self._program.subsystems.wake_at()
 
     def tick(self, now: int) -> None:
         """As the stage does."""
-        self._program.stage.tick(now)
+        self._program.subsystems.tick(now)
 
 
 class LossyClient(DirectClient):
@@ -178,8 +178,8 @@ class LossyClient(DirectClient):
 
     def __init__(self, rtpus: tuple[str, ...] = ("rt0",)) -> None:
         super().__init__(rtpus)
-        self.driver: LossyDriver = LossyDriver(rtpus, self.gate)
-        self.program = Program(self.gate, self.driver, YardLoading(), rtpus)  # type: ignore[arg-type]
+        self.driver: LossyDriver = LossyDriver(rtpus, self.server)
+        self.program = Program(self.server, self.driver, YardLoading(), rtpus)  # type: ignore[arg-type]
         self.driver.watch(self.program)
 
 
@@ -237,7 +237,7 @@ class LiveEdits:
     def edited(self, number: int) -> list[str]:
         """The outcomes that were told of an accepted request: one, if all is well."""
         return [
-            str(one.cause) for one in self.asker.gate.told if isinstance(one, event.Edited) and one.number == number
+            str(one.cause) for one in self.asker.server.told if isinstance(one, event.Edited) and one.number == number
         ]
 
     def work(self) -> None:

@@ -14,8 +14,8 @@ def test_a_request_is_answered_once():
 def test_who_asks_gets_the_answer_that_belongs_to_it():
     asker = DirectClient()
     first, second = asker.send(live.Advance(1.0)), asker.send(live.Survey())
-    assert first not in asker.gate.replies
-    assert isinstance(asker.gate.replies[second], live.Standing)
+    assert first not in asker.server.replies
+    assert isinstance(asker.server.replies[second], live.Standing)
 
 
 def test_the_outcome_of_a_request_is_its_reason_or_nothing():

@@ -98,7 +98,7 @@ class Story:
     def step(self, kind, *what):
         """Do something, and compare."""
         before, values = self.hand.standing(), self.values()
-        self.hand.asker.gate.told.clear()
+        self.hand.asker.server.told.clear()
         if kind == "change":
             kill, spawn, on, off = what
             touched = self.change(kill, spawn, on, off - kill)
@@ -151,7 +151,7 @@ class Story:
         source = (
             code.source if is_good else code.source + "\n    def take(self, old):\n        raise RuntimeError('no')\n"
         )
-        source += f"\n# {len(hand.asker.gate.heard)}\n"
+        source += f"\n# {len(hand.asker.server.heard)}\n"
         planned = hand.shop.planned(task)
         hand.task(task, source, frequency=planned.frequency, module=planned.module, rtpu=planned.rtpu)
         self.cause = hand.swap(task)
@@ -195,5 +195,5 @@ def test_whatever_is_asked_what_lives_is_what_the_model_says(start, story):  # R
     one, story = Story(), [*start, *story]
     for step in story:
         one.step(*step)
-    edited = [end for end in one.hand.asker.gate.heard if isinstance(end[2], event.Edited)]
+    edited = [end for end in one.hand.asker.server.heard if isinstance(end[2], event.Edited)]
     assert len({end[2].number for end in edited}) == len(edited)

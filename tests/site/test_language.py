@@ -95,21 +95,21 @@ def test_two_targets_of_which_one_is_out_of_reach_are_refused_before_anything_mo
 
 def test_an_endless_loop_goes_on_until_somebody_leaves_it():  # R-D11, R-E05, R-E07
     planned = prepare_run("wave_on", open_site([], {}, None))
-    gate = OpenGate()
-    driver = VirtualDriver(("rt0",), gate.tell)
-    program = Program(gate, driver, DirectLoading(), ("rt0",))
+    server = OpenGate()
+    driver = VirtualDriver(("rt0",), server.tell)
+    program = Program(server, driver, DirectLoading(), ("rt0",))
     program.take("me", prepare(planned.plan, planned.targets, DirectLoading()))
     program.begin("me", request.Begin())
-    while [one.index for one in gate.told if isinstance(one, event.Began)].count(0) < 3:
+    while [one.index for one in server.told if isinstance(one, event.Began)].count(0) < 3:
         program.advance(0)
-    gate.waiting.append(Call(1, "me", Role.OWNER, steer.Leave("flow0")))
+    server.waiting.append(Call(1, "me", Role.OWNER, steer.Leave("flow0")))
     program.serve()
     while program.advance(1_000_000_000):
         pass
-    assert gate.replies[1] == request.Done()
-    result = gate.told[-1]
+    assert server.replies[1] == request.Done()
+    result = server.told[-1]
     assert (result.completed, result.cause) == (True, "")
-    assert [one.action for one in gate.told if isinstance(one, event.Began)] == [
+    assert [one.action for one in server.told if isinstance(one, event.Began)] == [
         "jmoveC aside",
         "jmoveC home",
         "noop",

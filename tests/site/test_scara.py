@@ -91,16 +91,16 @@ class Redirection:
 
 def told_of(plan, targets, seed=0, offsets_m=0.0):
     """Everything that is told of a run in virtual time, and its world."""
-    gate, found = OpenGate(), prepare(plan, targets, DirectLoading())
+    server, found = OpenGate(), prepare(plan, targets, DirectLoading())
     assert found.faults == []
     world = BoxesWorld(seed, offsets_m)
-    driver = VirtualDriver(tuple(f"rt{k}" for k in range(2)), gate.tell, worlds=lambda _name: world)
-    program = Program(gate, driver, DirectLoading(), ("rt0", "rt1"))
+    driver = VirtualDriver(tuple(f"rt{k}" for k in range(2)), server.tell, worlds=lambda _name: world)
+    program = Program(server, driver, DirectLoading(), ("rt0", "rt1"))
     program.take("me", found)
     program.begin("me", request.Begin(watch=("LAMP",)))
     while program.advance(1_000_000_000):
         pass
-    return gate.told, world
+    return server.told, world
 
 
 def result_of(planned, **more):

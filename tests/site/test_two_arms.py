@@ -49,13 +49,13 @@ def test_two_arms_put_the_boxes_together_and_meet_at_every_tag(capsys, time):  #
 def test_boxes_that_stand_a_millimetre_elsewhere_are_put_together_as_well(seed):  # R-K02
     planned = prepare_run("assemble_together", open_site([], {}, None))
     assert planned.faults == ()
-    gate = OpenGate()
-    driver = VirtualDriver(("rt0",), gate.tell, worlds=lambda _name: BoxesWorld(seed, 0.001))
-    program = Program(gate, driver, DirectLoading(), ("rt0",))
+    server = OpenGate()
+    driver = VirtualDriver(("rt0",), server.tell, worlds=lambda _name: BoxesWorld(seed, 0.001))
+    program = Program(server, driver, DirectLoading(), ("rt0",))
     program.take("me", prepare(planned.plan, planned.targets, DirectLoading()))
     program.begin("me", request.Begin(watch=("LAMP",)))
     while program.advance(1_000_000_000):
         pass
-    result = gate.told[-1]
+    result = server.told[-1]
     assert isinstance(result, event.Result)
     assert (result.completed, result.values["LAMP"]) == (True, 1)

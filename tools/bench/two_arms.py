@@ -57,17 +57,17 @@ class Clearance:
 def moved_run(prepared: Preparation, seed: int, *, with_clearance: bool) -> tuple[bool, Clearance]:
     """One run with every box moved by up to a millimetre: whether the lamp lit, and how near the arms came."""
     world = boxes.BoxesWorld(seed, OFFSETS_M)
-    gate = Silent()
-    driver = VirtualDriver(("rt0",), gate.tell, worlds=lambda _name: world)
-    program = Program(gate, driver, DirectLoading(), ("rt0",))
+    server = Silent()
+    driver = VirtualDriver(("rt0",), server.tell, worlds=lambda _name: world)
+    program = Program(server, driver, DirectLoading(), ("rt0",))
     program.take("", prepared)
     program.begin("", request.Begin(watch=("LAMP",)))
     clearance = Clearance(world)
-    while gate.result is None:
+    while server.result is None:
         program.advance(0 if with_clearance else 1_000_000_000)
         if with_clearance:
             clearance.look()
-    return gate.result.completed and gate.result.values["LAMP"] == 1, clearance
+    return server.result.completed and server.result.values["LAMP"] == 1, clearance
 
 
 def main() -> None:

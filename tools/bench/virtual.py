@@ -84,15 +84,15 @@ class Recorder:
 
 def whole_run(prepared: Preparation) -> tuple[float, event.Result]:
     """CPU seconds of one run, and its result."""
-    gate = Silent()
-    driver = VirtualDriver(("rt0",), gate.tell)
-    program = Program(gate, driver, DirectLoading(), ("rt0",))
+    server = Silent()
+    driver = VirtualDriver(("rt0",), server.tell)
+    program = Program(server, driver, DirectLoading(), ("rt0",))
     program.take("", prepared)
     began = process_time()
     program.begin("", request.Begin(watch=("LAMP",)))
-    while gate.result is None:
+    while server.result is None:
         program.advance(1_000_000_000)
-    return process_time() - began, gate.result
+    return process_time() - began, server.result
 
 
 def hashes(application: str) -> list[str]:

@@ -1,1 +1,1 @@
-"""The runtime program: supervisor, runner, gate, processing units, device server, loader."""
+"""The runtime program: supervisor, runner, request server, processing units, device server, loader."""

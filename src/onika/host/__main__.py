@@ -11,11 +11,11 @@ from time import monotonic_ns
 from onika.host.loading.loader import Loader
 from onika.host.loading.loader_client import LoaderClient
 from onika.host.program import Program
-from onika.host.sessions.audit_log import Witness
+from onika.host.sessions.audit_log import AuditLog
 from onika.host.sessions.audit_trail import OFF, Audit, open_for
 from onika.host.sessions.listen_options import Wanted, judge
-from onika.host.sessions.listener_process import Porter
-from onika.host.sessions.request_server import Gate
+from onika.host.sessions.listener_process import ListenerProcess
+from onika.host.sessions.request_server import RequestServer
 from onika.host.shutdown import Ending
 from onika.host.units.call_watchdog import Patience
 from onika.host.units.memory_limit import bound
@@ -40,34 +40,34 @@ def main(words: list[str]) -> None:
         die_with_parent(given.parent)
     ending = Ending(is_launched=given.parent is not None)
     open_outlets()
-    porter = _porter(given)
+    listener = _listener(given)
     audit = _audit(given)
     rtpus = tuple(given.rtpu) or ("rt0",)
     loader = Loader()
     loader_client = LoaderClient(loader)
-    gate = Gate(Sessions(secrets.token_hex(16)), monotonic_ns, porter, given.accept_code)
+    server = RequestServer(Sessions(secrets.token_hex(16)), monotonic_ns, listener, given.accept_code)
     if audit is not None:
-        _watch(gate, audit)
+        _watch(server, audit)
     if given.link_fd is not None:
-        gate.adopt(inherit(given.link_fd))
+        server.adopt(inherit(given.link_fd))
     try:
         if given.virtual:
             preload()
             patience = Patience()
             worlds = partial(open_world, shake=given.shake)
-            virtual = VirtualDriver(rtpus, gate.tell, worlds, watch=patience.watch, scale=given.scale)
+            virtual = VirtualDriver(rtpus, server.tell, worlds, watch=patience.watch, scale=given.scale)
             virtual.options = () if given.shake is None else ("--shake", str(given.shake))
             bound()
             still_garbage()
-            _virtual(Program(gate, virtual, loader_client, rtpus), gate, virtual, ending)
+            _virtual(Program(server, virtual, loader_client, rtpus), server, virtual, ending)
         else:
-            wall = WallDriver(rtpus, gate.tell, with_fifo=not given.no_fifo)
+            wall = WallDriver(rtpus, server.tell, with_fifo=not given.no_fifo)
             fine_timers()
             if not given.no_fifo:
                 first_in_first_out(RUNNER_PRIORITY)
             try:
                 lease_ns = None if given.lease is None else round(given.lease * 1e9)
-                _wall(Program(gate, wall, loader_client, rtpus, lease_ns), gate, wall, ending)
+                _wall(Program(server, wall, loader_client, rtpus, lease_ns), server, wall, ending)
             finally:
                 wall.close()
     finally:
@@ -75,8 +75,8 @@ def main(words: list[str]) -> None:
         if audit is not None:
             audit.note("the runtime ends")
             audit.close()
-        if porter is not None:
-            porter.close()
+        if listener is not None:
+            listener.close()
 
 
 def _given(words: list[str]) -> argparse.Namespace:
@@ -115,15 +115,15 @@ def _audit(given: argparse.Namespace) -> Audit | None:
     return None
 
 
-def _watch(gate: Gate, audit: Audit) -> None:
+def _watch(server: RequestServer, audit: Audit) -> None:
     def complain(text: str) -> None:
-        gate.tell(event.Lost("audit trail", f"it cannot be written: {text}", 0.0))
+        server.tell(event.Lost("audit trail", f"it cannot be written: {text}", 0.0))
 
     audit.note("the runtime begins", True, about=f"process {os.getpid()}")
-    gate.watcher = Witness(audit, complain)
+    server.watcher = AuditLog(audit, complain)
 
 
-def _porter(given: argparse.Namespace) -> Porter | None:
+def _listener(given: argparse.Namespace) -> ListenerProcess | None:
     """Listen, if that was asked for; end with everything that is missing for it."""
     if not given.listen:
         return None
@@ -132,58 +132,58 @@ def _porter(given: argparse.Namespace) -> Porter | None:
     if listening is None:
         sys.stderr.write("".join(f"{fault}\n" for fault in faults))
         raise SystemExit(2)
-    porter = Porter(listening)
+    listener = ListenerProcess(listening)
     try:
-        address = porter.open()
+        address = listener.open()
     except OSError as wrong:
-        porter.close()
+        listener.close()
         sys.stderr.write(f"{wrong}\n")
         raise SystemExit(2) from None
     # one line and one write, so that whoever waits for it reads it whole
     sys.stdout.write(f"onika runtime: listening on {address}" + (f", token in {token_at}\n" if token_at else "\n"))
     sys.stdout.flush()
-    return porter
+    return listener
 
 
-def _virtual(program: Program, gate: Gate, driver: VirtualDriver, ending: Ending) -> None:
+def _virtual(program: Program, server: RequestServer, driver: VirtualDriver, ending: Ending) -> None:
     """As fast as it goes while something happens by itself; else wait for the environment."""
-    while gate.is_open and not program.is_over and not ending.is_asked:
+    while server.is_open and not program.is_over and not ending.is_asked:
         goes_on = program.advance(_SLICE_NS)
-        wait_s = 0.0 if goes_on else gate.wait_s(program.wait_s(driver.wait_s()))
-        select.select([*gate.readers(), *program.readers()], gate.writers(), [], wait_s)
+        wait_s = 0.0 if goes_on else server.wait_s(program.wait_s(driver.wait_s()))
+        select.select([*server.readers(), *program.readers()], server.writers(), [], wait_s)
         program.serve()
-    _say_last(gate)
+    _say_last(server)
 
 
-def _wall(program: Program, gate: Gate, driver: WallDriver, ending: Ending) -> None:
+def _wall(program: Program, server: RequestServer, driver: WallDriver, ending: Ending) -> None:
     """Woken by the processes, by the environment, or by time."""
-    while gate.is_open and not program.is_over and not ending.is_asked:
-        readers = [*gate.readers(), *program.readers(), *(one.post for one in driver.posts())]
-        select.select(readers, gate.writers(), [], gate.wait_s(program.wait_s(driver.wait_s())))
+    while server.is_open and not program.is_over and not ending.is_asked:
+        readers = [*server.readers(), *program.readers(), *(post.post for post in driver.posts())]
+        select.select(readers, server.writers(), [], server.wait_s(program.wait_s(driver.wait_s())))
         driver.look_after()  # first the robot, then the listeners
         program.advance(0)
         program.serve()
-    _come_to_rest(gate, driver)
-    _say_last(gate)
+    _come_to_rest(server, driver)
+    _say_last(server)
 
 
-def _come_to_rest(gate: Gate, driver: WallDriver) -> None:
+def _come_to_rest(server: RequestServer, driver: WallDriver) -> None:
     """Every drive in hold before the processes end, as long as that takes within limits."""
     driver.stop()
     until = monotonic_ns() + _REST_NS
     while not driver.is_at_rest() and monotonic_ns() < until:
-        select.select([one.post for one in driver.posts()], [], [], 0.02)
+        select.select([post.post for post in driver.posts()], [], [], 0.02)
         driver.look_after()
-        gate.flush()
+        server.flush()
 
 
-def _say_last(gate: Gate) -> None:
+def _say_last(server: RequestServer) -> None:
     """Let the last words out, for a moment at most."""
     until = monotonic_ns() + 500_000_000
-    gate.close("the runtime ends")
-    while gate.is_waiting and monotonic_ns() < until:
-        select.select([], gate.writers(), [], 0.05)
-        gate.requests()
+    server.close("the runtime ends")
+    while server.is_waiting and monotonic_ns() < until:
+        select.select([], server.writers(), [], 0.05)
+        server.requests()
 
 
 if __name__ == "__main__":

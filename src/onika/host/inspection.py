@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 from math import isnan
 from typing import Protocol
 
-from onika.host.sessions.request_server import Gate
-from onika.host.subsystems.subsystem_registry import Stage
+from onika.host.sessions.request_server import RequestServer
+from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.model.lifecycle import State
 from onika.runtime import news
 from onika.runtime.bus import Poses
@@ -59,41 +59,43 @@ class _Watch:
     counts: dict[str, int] = field(default_factory=dict)
 
 
-class Look:
+class Inspection:
     """Answers every question that changes nothing."""
 
-    def __init__(self, stage: Stage, seen: Seen, gate: Gate, rtpus: tuple[str, ...]) -> None:
-        self._stage = stage
+    def __init__(self, subsystems: Subsystems, seen: Seen, server: RequestServer, rtpus: tuple[str, ...]) -> None:
+        self._subsystems = subsystems
         self._seen = seen
-        self._gate = gate
+        self._server = server
         self._rtpus = rtpus
         self._watches: dict[str, _Watch] = {}
 
-    def answer(self, session: str, asked: request.Request, is_stopped: bool) -> request.Response:
+    def answer(self, session: str, message: request.Request, is_stopped: bool) -> request.Response:
         """Answer at once."""
-        match asked:
+        match message:
             case live.Survey():
                 return self._standing(is_stopped)
             case live.Read():
-                return self._values(asked)
+                return self._values(message)
             case live.Check():
-                return self._findings(asked.subsystem)
+                return self._findings(message.subsystem)
             case live.Attend():
-                return self._attend(session, asked)
+                return self._attend(session, message)
             case live.Scene():
-                scene = self._seen.scene(asked.world)
-                return live.Scenery(scene) if scene is not None else request.Refused(f"no world {asked.world} is open")
-        return request.Refused(f"a runtime does not answer {type(asked).__name__}")
+                scene = self._seen.scene(message.world)
+                return (
+                    live.Scenery(scene) if scene is not None else request.Refused(f"no world {message.world} is open")
+                )
+        return request.Refused(f"a runtime does not answer {type(message).__name__}")
 
     def status(self, answer: Answer) -> None:
         """The figures of all tasks, as soon as every unit has answered."""
 
         def told(came: dict[str, news.Statuses]) -> None:
-            figures = tuple(_figure(one.rtpu, status) for one in came.values() for status in one.tasks)
-            loads = {name: one.load for name, one in came.items()}
+            figures = tuple(_figure(statuses.rtpu, status) for statuses in came.values() for status in statuses.tasks)
+            loads = {name: statuses.load for name, statuses in came.items()}
             answer(live.Figures(figures, loads, tuple(_overloads(came))))
 
-        self._stage.roll.call(told)
+        self._subsystems.status_poll.call(told)
 
     def forget(self, session: str) -> None:
         """A session is gone."""
@@ -114,7 +116,7 @@ class Look:
     def _show(self, session: str, watch: _Watch, now: int) -> None:
         for pattern in watch.readings:
             home, _, wanted = pattern.rpartition("/")
-            table = self._stage.tables.get(home)
+            table = self._subsystems.tables.get(home)
             names = [] if table is None else list(table.entries) if wanted == "*" else [wanted]
             for name in names:
                 self._show_variable(session, watch, home, name, now)
@@ -122,66 +124,66 @@ class Look:
             poses = self._seen.poses(world)
             if poses is not None and watch.counts.get(f"world:{world}") != poses[0]:
                 watch.counts[f"world:{world}"] = poses[0]
-                self._gate.show(session, f"world:{world}", reading.encode(reading.Poses(*poses)))
+                self._server.show(session, f"world:{world}", reading.encode(reading.Poses(*poses)))
 
     def _show_variable(self, session: str, watch: _Watch, home: str, name: str, now: int) -> None:
-        table = self._stage.tables[home]
+        table = self._subsystems.tables[home]
         if name not in table.entries:
             return
         key, count = f"{home}/{name}", table.ring(name).count
         if watch.counts.get(key) != count:
             watch.counts[key] = count
             body = reading.Variable(now, count, plain(table.value(name)))
-            self._gate.show(session, key, reading.encode(body))
+            self._server.show(session, key, reading.encode(body))
 
-    def _attend(self, session: str, asked: live.Attend) -> request.Response:
-        if isnan(asked.hz):
+    def _attend(self, session: str, message: live.Attend) -> request.Response:
+        if isnan(message.hz):
             return request.Refused("expected how often to show readings in hertz, found nan")
-        self._gate.attend(session, asked.subsystems)
-        hz = min(max(asked.hz, _SLOWEST_HZ), _FASTEST_HZ)
-        self._watches[session] = _Watch(round(1e9 / hz), asked.readings, asked.worlds)
+        self._server.attend(session, message.subsystems)
+        hz = min(max(message.hz, _SLOWEST_HZ), _FASTEST_HZ)
+        self._watches[session] = _Watch(round(1e9 / hz), message.readings, message.worlds)
         return request.Done()
 
-    def _values(self, asked: live.Read) -> request.Response:
-        table = self._stage.tables.get(asked.subsystem)
+    def _values(self, message: live.Read) -> request.Response:
+        table = self._subsystems.tables.get(message.subsystem)
         if table is None:
-            return request.Refused(f"there is no subsystem {asked.subsystem}")
-        unknown = [name for name in asked.names if name not in table.entries]
+            return request.Refused(f"there is no subsystem {message.subsystem}")
+        unknown = [name for name in message.names if name not in table.entries]
         if unknown:
-            return request.Refused(f"no task of {asked.subsystem} reads or writes {', '.join(unknown)}")
-        names = asked.names or tuple(sorted(table.entries))
+            return request.Refused(f"no task of {message.subsystem} reads or writes {', '.join(unknown)}")
+        names = message.names or tuple(sorted(table.entries))
         values = {name: plain(value) for name, value in table.values(names).items()}
         types = {name: str(table.entries[name].shape) for name in names}
         return live.Values(values, self._seen.now * 1e-9, types)
 
     def _findings(self, subsystem: str) -> request.Response:
-        table = self._stage.tables.get(subsystem)
+        table = self._subsystems.tables.get(subsystem)
         if table is None:
             return request.Refused(f"there is no subsystem {subsystem}")
-        found = check(table, [_accessor(one) for one in self._stage.members(subsystem).values()])
-        return live.Findings(tuple(str(one) for one in found))
+        found = check(table, [_accessor(member) for member in self._subsystems.members(subsystem).values()])
+        return live.Findings(tuple(str(finding) for finding in found))
 
     def _standing(self, is_stopped: bool) -> live.Standing:
-        names = [*self._stage.live, *(name for one in self._stage.performances for name in one.names)]
+        names = [*self._subsystems.live, *(name for run in self._subsystems.runs for name in run.names)]
         subsystems = tuple(self._subsystem(name) for name in sorted(set(names)))
-        lost, loads = self._stage.lost_units, self._stage.roll.loads
+        lost, loads = self._subsystems.lost_units, self._subsystems.status_poll.loads
         rtpus = tuple(live.RtpuStanding(name, name in lost, loads.get(name, 0.0)) for name in self._rtpus)
         seen = self._seen
         return live.Standing(subsystems, rtpus, seen.worlds, seen.is_virtual, is_stopped, seen.now * 1e-9)
 
     def _subsystem(self, name: str) -> live.SubsystemStanding:
-        performance = self._stage.performance_in(name)
-        by_hand = self._stage.live.get(name)
-        members = self._stage.members(name)
-        if performance is not None:
-            tasks = tuple(_task(one, one.state is State.ON, None, "") for one in members.values())
-            asks, on_loss = performance.runner.questions(name), performance.on_loss
-            return live.SubsystemStanding(name, performance.session, performance.application, tasks, asks, on_loss)
+        run = self._subsystems.run_in(name)
+        by_hand = self._subsystems.live.get(name)
+        members = self._subsystems.members(name)
+        if run is not None:
+            tasks = tuple(_task(member, member.state is State.ON, None, "") for member in members.values())
+            asks, on_loss = run.runner.questions(name), run.on_loss
+            return live.SubsystemStanding(name, run.session, run.application, tasks, asks, on_loss)
         if by_hand is None:
             return live.SubsystemStanding(name, "", "", ())
         tasks = tuple(
-            _task(one, by_hand.desired.is_on(task), by_hand.desired.rate(task), by_hand.reason(task))
-            for task, one in members.items()
+            _task(member, by_hand.desired.is_on(task), by_hand.desired.rate(task), by_hand.reason(task))
+            for task, member in members.items()
         )
         return live.SubsystemStanding(name, by_hand.holder, "", tasks, by_hand.executor.questions)
 
@@ -199,30 +201,30 @@ def _accessor(member: Member) -> Accessor:
     return Accessor(wired.name, member.rtpu, writes, frozenset((*wired.inconst, *wired.invar)))
 
 
-def _figure(rtpu: str, one: news.TaskStatus) -> live.TaskFigure:
+def _figure(rtpu: str, task_status: news.TaskStatus) -> live.TaskFigure:
     return live.TaskFigure(
-        subsystem=one.subsystem,
-        task=one.task,
-        rmod=one.module,
+        subsystem=task_status.subsystem,
+        task=task_status.task,
+        rmod=task_status.module,
         rtpu=rtpu,
-        tid=one.tid,
-        type=one.letter,
-        crit=one.crit,
-        state=one.state,
-        cycle=one.cycle,
-        miss=one.miss,
-        ref_hz=one.reference_hz,
-        mez_hz=one.measured_hz,
-        ptime_s=one.profiled_s,
-        total_ms=one.total_us * 1e-3,
-        tick_ms=one.tick_ms,
-        least_use=one.use(one.least_us),
-        most_use=one.use(one.most_us),
-        mean_use=one.use(one.mean_us),
-        least_ms=one.least_us * 1e-3,
-        most_ms=one.most_us * 1e-3,
-        mean_ms=one.mean_us * 1e-3,
-        warn=one.warn,
+        tid=task_status.tid,
+        type=task_status.letter,
+        crit=task_status.crit,
+        state=task_status.state,
+        cycle=task_status.cycle,
+        miss=task_status.miss,
+        ref_hz=task_status.reference_hz,
+        mez_hz=task_status.measured_hz,
+        ptime_s=task_status.profiled_s,
+        total_ms=task_status.total_us * 1e-3,
+        tick_ms=task_status.tick_ms,
+        least_use=task_status.use(task_status.least_us),
+        most_use=task_status.use(task_status.most_us),
+        mean_use=task_status.use(task_status.mean_us),
+        least_ms=task_status.least_us * 1e-3,
+        most_ms=task_status.most_us * 1e-3,
+        mean_ms=task_status.mean_us * 1e-3,
+        warn=task_status.warn,
     )
 
 
@@ -230,7 +232,7 @@ def _overloads(came: Mapping[str, news.Statuses]) -> list[str]:
     """Units whose tasks that are ON ask for more time than there is."""
     found = []
     for rtpu, statuses in came.items():
-        use = sum(one.use(one.mean_us) for one in statuses.tasks if one.state == State.ON.value)
+        use = sum(task.use(task.mean_us) for task in statuses.tasks if task.state == State.ON.value)
         if use > 1.0:
             found.append(f"the tasks that are ON take {use:.2f} of the time of unit {rtpu}: cycles are missed")
     return found

@@ -6,20 +6,20 @@ from msgspec.structs import replace
 
 from onika.host.driver import Driver
 from onika.host.edit.editor import Editor, refused
-from onika.host.inspection import Look
+from onika.host.inspection import Inspection
 from onika.host.loading.loader_client import LoaderClient, NotYet
 from onika.host.loading.module_description import describe
 from onika.host.loading.module_questions import Loading
 from onika.host.loading.plan_preparation import Preparation, inspect, prepare
 from onika.host.recording.recorder import Recorder
-from onika.host.run.run import Performance
-from onika.host.sessions.control_authority import Holders
+from onika.host.run.application_run import ApplicationRun
+from onika.host.sessions.control_authority import ControlAuthority
 from onika.host.sessions.leases import Leases
-from onika.host.sessions.presence import Company
+from onika.host.sessions.presence import Presence
 from onika.host.sessions.request_backlog import Answer, Backlog
-from onika.host.sessions.request_server import Call, Gate
+from onika.host.sessions.request_server import Call, RequestServer
 from onika.host.subsystems.run_commands import RunCommands
-from onika.host.subsystems.subsystem_registry import Stage, Tell
+from onika.host.subsystems.subsystem_registry import Subsystems, Tell
 from onika.host.units.process_socket import Post
 from onika.link.caller import Role
 from onika.runtime.subsystem import RunningSubsystem
@@ -30,32 +30,32 @@ class Program:
     """One runtime: subsystems held by hand and by applications, side by side."""
 
     def __init__(
-        self, gate: Gate, driver: Driver, loading: Loading, rtpus: tuple[str, ...], lease_ns: int | None = 0
+        self, server: RequestServer, driver: Driver, loading: Loading, rtpus: tuple[str, ...], lease_ns: int | None = 0
     ) -> None:
-        self._gate = gate
+        self._server = server
         self._driver = driver
         self._loading = loading
         self._prepared: dict[str, Preparation] = {}
         self._backlog = Backlog()
-        self.stage = Stage(driver, gate.tell, rtpus)
-        driver.listen(self.stage)
-        self._editor = Editor(self.stage, loading)
-        self._run_commands = RunCommands(self.stage)
-        self._company = Company(gate, lambda: self.holders.watching, self._lease_of)
-        self.holders = Holders(self.stage, gate.tell, self._run_commands, self._company.sessions)
-        self.leases = Leases(self.holders, gate.hearing, lease_ns, deaf=gate.deaf_ns)
-        self._look = Look(self.stage, driver, gate, rtpus)
-        self._recorder = Recorder(self.stage, driver, gate, rtpus)
+        self.subsystems = Subsystems(driver, server.tell, rtpus)
+        driver.listen(self.subsystems)
+        self._editor = Editor(self.subsystems, loading)
+        self._run_commands = RunCommands(self.subsystems)
+        self._presence = Presence(server, lambda: self.authority.watching, self._lease_of)
+        self.authority = ControlAuthority(self.subsystems, server.tell, self._run_commands, self._presence.sessions)
+        self.leases = Leases(self.authority, server.hearing, lease_ns, deaf=server.deaf_ns)
+        self._look = Inspection(self.subsystems, driver, server, rtpus)
+        self._recorder = Recorder(self.subsystems, driver, server, rtpus)
         self.is_stopped = False
         self.is_over = False
 
     @property
     def is_running(self) -> bool:
         """Whether an application is executed now."""
-        return bool(self.stage.performances)
+        return bool(self.subsystems.runs)
 
     def readers(self) -> list[Post]:
-        """What to wait for besides the gate and the driver: the loader, and who writes a recording."""
+        """What to wait for besides the request server and the driver: the loader, and who writes a recording."""
         return [*([self._loading.post] if isinstance(self._loading, LoaderClient) else []), *self._recorder.readers()]
 
     def wait_s(self, most_s: float) -> float:
@@ -67,37 +67,37 @@ class Program:
     def serve(self) -> None:
         """Carry out what was asked; look after sessions that are gone."""
         self._try_again()
-        calls = self._gate.requests()
+        calls = self._server.requests()
         for session in self.leases.judge(self._driver.now):  # before anything that takes time
             self._prepared.pop(session, None)
-        self.holders.expire(monotonic_ns())
+        self.authority.expire(monotonic_ns())
         for call in calls:
             self._serve(call)
-        self._company.look()
-        for session in self._gate.lost():
+        self._presence.look()
+        for session in self._server.lost():
             self._prepared.pop(session, None)
-            self.stage.hold.release(session)
-            self.stage.repeat.end(session)
+            self.subsystems.hold.release(session)
+            self.subsystems.repeat.end(session)
             self._recorder.lost(session)
             self._look.forget(session)
-            self.holders.lost(session, self._driver.now)
+            self.authority.lost(session, self._driver.now)
 
     def advance(self, wall_ns: int) -> bool:
         """Let everything go on for about so long; tell what is over. False: nothing happens by itself."""
         self._repeat()
-        goes_on = self._driver.advance(wall_ns) or self.stage.is_repeat_due
-        if not self.stage.repeat.is_on(self._driver.now):
-            self.stage.hold.say(self._driver.now)
+        goes_on = self._driver.advance(wall_ns) or self.subsystems.is_repeat_due
+        if not self.subsystems.repeat.is_on(self._driver.now):
+            self.subsystems.hold.say(self._driver.now)
         self._recorder.serve()
-        for performance in list(self.stage.performances):
-            if performance.is_through(self._driver.is_at_rest):
-                result = performance.result(self._driver.digest, self._driver.outside)
-                if not self._recorder.may_end(performance, result):
+        for run in list(self.subsystems.runs):
+            if run.is_through(self._driver.is_at_rest):
+                result = run.result(self._driver.digest, self._driver.outside)
+                if not self._recorder.may_end(run, result):
                     continue
-                self.stage.performances.remove(performance)
-                self.stage.hold.release(performance.session)
-                self.stage.repeat.end(performance.session)
-                performance.end(result)
+                self.subsystems.runs.remove(run)
+                self.subsystems.hold.release(run.session)
+                self.subsystems.repeat.end(run.session)
+                run.end(result)
         self._look.show(monotonic_ns())
         return goes_on
 
@@ -107,35 +107,39 @@ class Program:
         if not prepared.faults:
             self._prepared[session] = prepared
 
-    def begin(self, session: str, asked: request.Begin) -> request.Response:
+    def begin(self, session: str, message: request.Begin) -> request.Response:
         """Start a run of the session's plan on empty, zeroed tables (law 4)."""
         prepared = self._prepared.get(session)
         if prepared is None:
             return request.Refused("no plan is prepared, or it has faults")
-        refusal = self.holders.occupied(session, [flow.subsystem for flow in prepared.plan.flows])
+        refusal = self.authority.occupied(session, [flow.subsystem for flow in prepared.plan.flows])
         if refusal or self.is_stopped:
             return request.Refused(refusal or "the runtime is stopped; reset it first")
-        gone = [one for flow in prepared.plan.flows for task in flow.tasks if (one := self.stage.gone(task.rtpu))]
+        gone = [
+            reason for flow in prepared.plan.flows for task in flow.tasks if (reason := self.subsystems.gone(task.rtpu))
+        ]
         if gone:
             return request.Refused(f"{gone[0]}; start the runtime anew")
-        refusal = self._recorder.begin(session, asked, prepared)
+        refusal = self._recorder.begin(session, message, prepared)
         if refusal:
             return request.Refused(refusal)
         subsystems = {}
         for number, flow in enumerate(prepared.plan.flows):
-            rtpus = {task.name: self.stage.unit(task.rtpu) for task in flow.tasks}
-            known = prepared.constants[number]
-            table = self.stage.table(flow.subsystem)
-            subsystems[number] = RunningSubsystem(flow.subsystem, table, prepared.flows[number], rtpus, known)
-        if not self.stage.performances:
+            rtpus = {task.name: self.subsystems.unit(task.rtpu) for task in flow.tasks}
+            constants = prepared.constants[number]
+            table = self.subsystems.table(flow.subsystem)
+            subsystems[number] = RunningSubsystem(flow.subsystem, table, prepared.flows[number], rtpus, constants)
+        if not self.subsystems.runs:
             self._driver.begin()
         tell: Tell
-        tell, name = self._gate.tell, prepared.plan.flows[0].subsystem
-        if asked.is_held and self._driver.is_virtual:
-            tell = self.stage.hold.begin(session, name, self._driver.now)
-        self.stage.repeat.begin(session, asked, self._driver.now)
-        self.stage.perform(Performance(session, prepared, asked, subsystems, self._driver, tell, self.stage.lost_units))
-        self.holders.began(session)
+        tell, name = self._server.tell, prepared.plan.flows[0].subsystem
+        if message.is_held and self._driver.is_virtual:
+            tell = self.subsystems.hold.begin(session, name, self._driver.now)
+        self.subsystems.repeat.begin(session, message, self._driver.now)
+        self.subsystems.perform(
+            ApplicationRun(session, prepared, message, subsystems, self._driver, tell, self.subsystems.lost_units)
+        )
+        self.authority.began(session)
         return request.Done()
 
     def _lease_of(self, session: str) -> int:
@@ -143,7 +147,7 @@ class Program:
 
     def _serve(self, call: Call) -> None:
         def answer(response: request.Response) -> None:
-            self._gate.reply(call.ticket, response)
+            self._server.reply(call.ticket, response)
 
         self._try(call, answer)
 
@@ -155,8 +159,8 @@ class Program:
         if self._backlog.is_before(call):
             self._backlog.keep(call, answer)
             return
-        refusal = self.holders.refusal(call.session, call.asked, self.is_stopped)
-        refusal = refusal or self.stage.repeat.refusal(call.session, call.asked, self._driver.now)
+        refusal = self.authority.refusal(call.session, call.asked, self.is_stopped)
+        refusal = refusal or self.subsystems.repeat.refusal(call.session, call.asked, self._driver.now)
         try:
             if refusal:
                 answer(request.Refused(refusal))
@@ -168,11 +172,11 @@ class Program:
 
     def _repeat(self) -> None:
         """What is due of a run that is repeated is asked in the name of who began it."""
-        driver, repeat = self._driver, self.stage.repeat
-        asked = repeat.take(driver.now, driver.turn, self.stage.is_asking)
-        if asked is not None:
-            self._carry_out(Call(0, repeat.session, Role.OWNER, asked), lambda _: None)
-            self._recorder.command(repeat.session, asked)
+        driver, repeat = self._driver, self.subsystems.repeat
+        due = repeat.take(driver.now, driver.turn, self.subsystems.is_asking)
+        if due is not None:
+            self._carry_out(Call(0, repeat.session, Role.OWNER, due), lambda _: None)
+            self._recorder.command(repeat.session, due)
 
     def _carry_out(self, call: Call, answer: Answer) -> None:
         match call.asked:
@@ -205,100 +209,100 @@ class Program:
             for call, answer in self._backlog.take():
                 self._try(call, answer)
 
-    def _respond(self, session: str, asked: request.Request) -> request.Response:
-        match asked:
+    def _respond(self, session: str, message: request.Request) -> request.Response:
+        match message:
             case request.Prepare():
-                self._loading.expect(asked.plan.code)
-                prepared = prepare(asked.plan, asked.targets, self._loading)
+                self._loading.expect(message.plan.code)
+                prepared = prepare(message.plan, message.targets, self._loading)
                 self.take(session, prepared)
-                self._recorder.keep(session, asked)
+                self._recorder.keep(session, message)
                 return replace(refused(prepared.faults, prepared.notes), resolved=tuple(prepared.resolved))
             case request.Inspect():
-                return refused(*inspect(asked.tasks, asked.code, self._loading))
+                return refused(*inspect(message.tasks, message.code, self._loading))
             case live.Describe():
-                return describe(asked.code, self._loading)
+                return describe(message.code, self._loading)
             case request.Begin():
-                return self.begin(session, asked)
+                return self.begin(session, message)
             case request.Reply():
-                return self._answer(asked)
+                return self._answer(message)
             case request.Abort():
-                return self._abort(session, asked)
+                return self._abort(session, message)
             case request.Stop() | live.Reset():
-                return self._stop(session, asked)
+                return self._stop(session, message)
             case live.Touch():
-                return self._touch(asked)
+                return self._touch(message)
             case steer.Onward():
-                return self.stage.hold.onward(session, asked)
+                return self.subsystems.hold.onward(session, message)
             case request.Snapshot():
                 return request.Worlds(self._driver.snapshots())
             case request.Quit():
                 self.is_over = True
                 return request.Done()
-        return self._by_hand(session, asked)
+        return self._by_hand(session, message)
 
-    def _by_hand(self, session: str, asked: request.Request) -> request.Response:
-        match asked:
+    def _by_hand(self, session: str, message: request.Request) -> request.Response:
+        match message:
             case live.Change():
-                return self.holders.takes(session, asked.subsystem, self._editor.change(asked))
+                return self.authority.takes(session, message.subsystem, self._editor.change(message))
             case live.Reinit():
-                return self._editor.reinit(asked)
+                return self._editor.reinit(message)
             case live.Swap():
-                return self._editor.swap(asked)
+                return self._editor.swap(message)
             case live.Clear():
-                return self._editor.clear(asked)
+                return self._editor.clear(message)
             case live.Close():
-                return self._editor.close(asked)
+                return self._editor.close(message)
             case live.Take() | live.Release():
-                return self.holders.change(session, asked)
+                return self.authority.change(session, message)
             case holding.Hand():
-                return self.holders.hand(session, asked, monotonic_ns())
+                return self.authority.hand(session, message, monotonic_ns())
             case holding.Decline():
-                return self.holders.decline(session, asked)
+                return self.authority.decline(session, message)
             case holding.OnlyWatch():
-                return self.holders.only_watch(session)
+                return self.authority.only_watch(session)
             case holding.Sessions():
-                return self._company.answer(session)
-        return self._look.answer(session, asked, self.is_stopped)
+                return self._presence.answer(session)
+        return self._look.answer(session, message, self.is_stopped)
 
-    def _touch(self, asked: live.Touch) -> request.Response:
+    def _touch(self, message: live.Touch) -> request.Response:
         try:
-            self._driver.touch(asked.world, asked.part, asked.value)
+            self._driver.touch(message.world, message.part, message.value)
         except ValueError as wrong:
             return request.Refused(str(wrong))
         return request.Done()
 
-    def _answer(self, asked: request.Reply) -> request.Response:
-        performance = self.stage.performance_in(asked.subsystem)
-        if performance is None:
-            return self._editor.answer(asked)
-        performance.runner.answer(asked.subsystem, asked.task, asked.line)
+    def _answer(self, message: request.Reply) -> request.Response:
+        run = self.subsystems.run_in(message.subsystem)
+        if run is None:
+            return self._editor.answer(message)
+        run.runner.answer(message.subsystem, message.task, message.line)
         return request.Done()
 
-    def _abort(self, session: str, asked: request.Abort) -> request.Response:
+    def _abort(self, session: str, message: request.Abort) -> request.Response:
         """End the applications of this session and those that are nobody's: whoever may run anything may end them."""
-        meant = [one for one in self.stage.performances if asked.subsystem in ("", *one.names)]
-        own = [one for one in meant if one.session in (session, "")]
-        for performance in own:
-            performance.runner.abort(asked.cause, self._driver.now)
+        meant = [run for run in self.subsystems.runs if message.subsystem in ("", *run.names)]
+        own = [performance for performance in meant if performance.session in (session, "")]
+        for run in own:
+            run.runner.abort(message.cause, self._driver.now)
         if meant and not own:
             other = meant[0]
             return request.Refused(f"application {other.application} was begun by {other.session}; everybody can stop")
         return request.Done()
 
-    def _stop(self, session: str, asked: request.Stop | live.Reset) -> request.Response:
+    def _stop(self, session: str, message: request.Stop | live.Reset) -> request.Response:
         """Straight to the devices and every unit; left by a deliberate reset only (law 27)."""
         cause = ""
-        if isinstance(asked, request.Stop):
+        if isinstance(message, request.Stop):
             self._driver.stop()
-            cause = asked.cause
-            for performance in self.stage.performances:
-                performance.runner.abort(cause, self._driver.now)
-            for one in self.stage.live.values():
+            cause = message.cause
+            for run in self.subsystems.runs:
+                run.runner.abort(cause, self._driver.now)
+            for one in self.subsystems.live.values():
                 one.desired.turn_everything_off()
         else:
             self._driver.reset()
-        self.is_stopped = isinstance(asked, request.Stop)
-        self._gate.tell(event.Stopped(self.is_stopped, cause), "", session)
+        self.is_stopped = isinstance(message, request.Stop)
+        self._server.tell(event.Stopped(self.is_stopped, cause), "", session)
         return request.Done()
 
     def _advance(self, seconds: float, answer: Answer) -> None:
@@ -307,4 +311,4 @@ class Program:
         elif not 0 <= seconds <= 1e6:
             answer(request.Refused(f"expected 0 to 1000000 seconds, found {seconds:g}"))
         else:
-            self.stage.when(self._driver.now + round(seconds * 1e9), lambda: answer(request.Done()))
+            self.subsystems.when(self._driver.now + round(seconds * 1e9), lambda: answer(request.Done()))

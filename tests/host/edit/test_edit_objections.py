@@ -86,9 +86,9 @@ def test_code_that_does_not_load_is_refused(hand):  # law 21
 
 def test_a_parameter_that_cannot_be_is_refused_before_anything_goes_off(hand):  # law 12
     asked = live.Reinit("s0", "source", (("SIZE", ("many",)),))
-    hand.asker.gate.told.clear()
+    hand.asker.server.told.clear()
     assert "'many'" in found(hand, asked)[0]
-    assert hand.asker.gate.told == []
+    assert hand.asker.server.told == []
 
 
 def test_a_living_task_keeps_its_device(hand):  # law 16

@@ -14,7 +14,7 @@ def hand():
 def test_a_task_turned_off_and_on_by_one_change_begins_anew(hand):  # R-A05
     hand.change(spawn=["counter"], on=["counter"])
     hand.let_pass(0.1)
-    hand.asker.gate.told.clear()
+    hand.asker.server.told.clear()
     assert hand.change(off=["counter"], on=["counter"]) == ""
     assert [one.state for one in hand.asker.of(event.TaskState)] == ["OFF", "ON"]
 
@@ -79,7 +79,7 @@ def test_a_change_is_told_once_though_a_task_fails_meanwhile(hand):  # R-X10
     first = hand.asker.send(hand.order(("source",), ("source",)))
     hand.let_pass(0.1)
     assert hand.states == {"bad": "ERROR", "source": "ON"}
-    assert hand.edited(hand.asker.gate.replies[first].number) == [""]
+    assert hand.edited(hand.asker.server.replies[first].number) == [""]
     assert hand.change(kill=["bad"]) == ""
 
 
@@ -135,5 +135,5 @@ def test_a_subsystem_that_is_closed_is_no_more(hand):  # R-A06
     hand.change(spawn=["source"], on=["source"])
     assert hand.outcome(hand.asker.ask(live.Close("s0"))) == ""
     assert hand.asker.ask(live.Survey()).subsystems == ()
-    assert hand.asker.gate.told[-1] == event.Held("s0", "")
+    assert hand.asker.server.told[-1] == event.Held("s0", "")
     assert hand.change(spawn=["source"], on=["source"], session="you") == ""

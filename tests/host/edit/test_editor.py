@@ -54,7 +54,7 @@ def pushed():
         one.task(name, PUSH.format(force=force), frequency=500.0)
     assert one.change(spawn=["mass", "push"], on=["mass", "push"]) == ""
     one.let_pass(0.2)
-    one.asker.gate.told.clear()
+    one.asker.server.told.clear()
     return one
 
 
@@ -157,7 +157,7 @@ def test_every_accepted_order_has_a_number_of_its_own_and_one_outcome(hand):  # 
     ]
     tickets = [hand.asker.send(one) for one in asked]
     hand.work()
-    numbers = [hand.asker.gate.replies[ticket].number for ticket in tickets]
+    numbers = [hand.asker.server.replies[ticket].number for ticket in tickets]
     assert len(set(numbers)) == len(asked)
     assert [hand.edited(number) for number in numbers] == [[""]] * len(asked)
 

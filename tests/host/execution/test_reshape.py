@@ -91,7 +91,7 @@ def levels():
 def test_constants_pass_on_over_three_levels_and_units(levels):  # R-A13, law 10, law 12
     levels.let_pass(1.0)
     levels.figures()
-    levels.asker.gate.told.clear()
+    levels.asker.server.told.clear()
     assert levels.reinit("source", SIZE="3") == ""
     levels.let_pass(1.0)
     assert levels.values("ALL")["ALL"] == 6.0
@@ -108,7 +108,7 @@ def test_a_refusal_at_the_third_level_is_taken_back_at_all_three(levels):  # R-X
 
 def test_memory_is_used_again_over_a_thousand_dimensions(hand):  # law 12
     hand.change(spawn=["source", "user", "reader"], on=["source", "user"])
-    table = hand.asker.program.stage.tables["s0"]
+    table = hand.asker.program.subsystems.tables["s0"]
     for size in ("3", "1", "2"):
         assert hand.reinit("source", SIZE=size) == ""
     end = table.end

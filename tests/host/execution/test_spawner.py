@@ -71,7 +71,7 @@ def test_code_that_nobody_runs_any_more_is_forgotten():  # R-A14
     for number in range(5):
         hand.task("counter", f"# {number}\n{source}", frequency=50.0)
         assert hand.swap("counter") == ""
-    spawner = hand.asker.program.stage.live["s0"].executor.spawner
+    spawner = hand.asker.program.subsystems.live["s0"].executor.spawner
     assert spawner.code(hand.shop.code("counter").digest).source.startswith("# 4")
     with pytest.raises(KeyError):
         spawner.code(first)

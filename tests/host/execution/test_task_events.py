@@ -45,7 +45,7 @@ def speaker():
     hand.task("speaker", SPEAKER)
     hand.change(spawn=["speaker"], on=["speaker"])
     hand.let_pass(0.1)
-    hand.asker.gate.told.clear()
+    hand.asker.server.told.clear()
     return hand
 
 
@@ -61,7 +61,7 @@ def heard(hand):
             type(one).__name__,
             getattr(one, "state", getattr(one, "kind", getattr(one, "text", getattr(one, "cause", "")))),
         )
-        for one in hand.asker.gate.told
+        for one in hand.asker.server.told
     ]
 
 
@@ -103,7 +103,7 @@ def test_a_finish_tells_its_flow_and_a_user_signal_its_number(speaker):  # R-A07
 
 @pytest.mark.parametrize("word", [*GOES_ON, *ENDS])
 def test_a_word_of_a_task_that_is_gone_is_told_to_nobody(speaker, word):  # R-A07
-    stage = speaker.asker.program.stage
+    subsystems = speaker.asker.program.subsystems
     late = {
         "OFF": news.Changed("s0", "speaker", "OFF", 1, "OFF"),
         "FINISH": news.Finished("s0", "speaker", 0, False, 1),
@@ -111,9 +111,9 @@ def test_a_word_of_a_task_that_is_gone_is_told_to_nobody(speaker, word):  # R-A0
         "WARNING": news.Warned("s0", "speaker", "warm", 1),
     }.get(word, news.Signalled("s0", "speaker", word, 0, "", 1))
     speaker.change(kill=["speaker"])
-    speaker.asker.gate.told.clear()
-    stage.hear("rt0", late, 1)
-    assert speaker.asker.gate.told == []
+    speaker.asker.server.told.clear()
+    subsystems.hear("rt0", late, 1)
+    assert speaker.asker.server.told == []
     assert speaker.states == {}
 
 

@@ -40,7 +40,7 @@ def test_a_full_disk_ends_a_recording_and_no_run():  # R-X05
     pen = InPlace("/dev/null", run())
     pen._stream.close()  # what is written now fails as on a disk that is full, but for the exception
     pen._stream = Path("/dev/full").open("wb", buffering=0)  # noqa: SIM115
-    pen._scribe._stream = pen._scribe._writer._stream = pen._stream
+    pen._sink._stream = pen._sink._writer._stream = pen._stream
     pen.take(TELL)
     pen.look(10**12)
     assert "No space left" in pen.reason

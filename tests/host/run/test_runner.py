@@ -171,7 +171,7 @@ def test_when_the_last_trigger_has_finished_things_settle_are_read_and_reported(
     assert [order.task for _, order in bench.units.take(command.Kill)] == ["bell"]
     bench.hear(news.Changed("flow0", "bell", "KILLED", bench.now))
     assert bench.runner.is_over
-    assert (bench.runner.tally.completed, bench.runner.tally.done) == (True, 1)
+    assert (bench.runner.statistics.completed, bench.runner.statistics.done) == (True, 1)
 
 
 def test_the_watcher_is_told_states_actions_and_times_since_the_run_began():  # R-E11
@@ -194,7 +194,7 @@ def test_an_abort_kills_every_task_and_names_the_cause():  # R-E14
         assert not bench.runner.is_over
         bench.hear(news.Changed("flow0", name, "KILLED", bench.now))
     assert bench.runner.is_over
-    assert (bench.runner.tally.completed, bench.runner.tally.cause) == (False, "enough")
+    assert (bench.runner.statistics.completed, bench.runner.statistics.cause) == (False, "enough")
     assert bench.units.released == ["yard:m0"]
 
 
@@ -212,7 +212,7 @@ def test_a_second_abort_changes_nothing():
     bench.runner.abort("second", bench.now)
     bench.hear(news.Changed("flow0", "bell", "KILLED", bench.now))
     bench.runner.abort("third", bench.now)
-    assert bench.runner.tally.cause == "first"
+    assert bench.runner.statistics.cause == "first"
     assert len(bench.units.take(command.Kill)) == 1
 
 
@@ -221,7 +221,7 @@ def test_an_abort_while_things_settle_ends_the_run_as_aborted():  # R-E14
     bench.runner.abort("enough", bench.now)
     assert bench.runner.wake_at() is None
     bench.hear(news.Changed("flow0", "bell", "KILLED", bench.now))
-    assert not bench.runner.tally.completed
+    assert not bench.runner.statistics.completed
 
 
 def test_a_task_in_error_ends_the_run_and_is_told_with_its_line():  # R-A09, R-E08
@@ -230,7 +230,9 @@ def test_a_task_in_error_ends_the_run_and_is_told_with_its_line():  # R-A09, R-E
     (failed,) = bench.of(event.Failed)
     assert (failed.text, failed.path, failed.line) == ("cycle: ValueError: no", "bell.py", 7)
     bench.hear(news.Changed("flow0", "bell", "KILLED", bench.now))
-    assert bench.runner.tally.cause == ("test.appl:1 (action 0): bell is in error: cycle: ValueError: no (bell.py:7)")
+    assert bench.runner.statistics.cause == (
+        "test.appl:1 (action 0): bell is in error: cycle: ValueError: no (bell.py:7)"
+    )
 
 
 def test_a_passive_task_in_error_is_noted_and_the_job_goes_on():  # reading 17
@@ -247,7 +249,7 @@ def test_a_device_that_cannot_be_claimed_ends_the_run_with_the_reason():  # law 
     units.refuses = "expected a device of world yard (m0), found 'm7'"
     bench = Bench(BOTH, units=units).start()
     assert bench.runner.is_over
-    assert "found 'm7'" in bench.runner.tally.cause
+    assert "found 'm7'" in bench.runner.statistics.cause
 
 
 def test_a_lost_unit_takes_its_tasks_with_it():  # R-E10
@@ -283,7 +285,7 @@ def test_a_task_that_may_not_go_on_ends_the_run(kind):  # R-A08
     bench = Bench([action("bell")]).start().born("bell").on("bell")
     bench.hear(news.Signalled("flow0", "bell", kind, 0, "too hot", bench.now))
     bench.hear(news.Changed("flow0", "bell", "KILLED", bench.now))
-    assert f"{kind}: too hot" in bench.runner.tally.cause
+    assert f"{kind}: too hot" in bench.runner.statistics.cause
 
 
 def test_signals_that_end_nothing_change_nothing():  # R-A08
@@ -314,14 +316,16 @@ def test_a_given_answer_is_used_once():  # law 25
     bench.hear(news.Asked("flow0", "bell", "too low", (ITEM,), bench.now))
     assert answers(bench) == []
     bench.hear(news.Changed("flow0", "bell", "KILLED", bench.now))
-    assert bench.runner.tally.cause.endswith("task bell asks for bell.level (too low) and nobody is there to answer")
+    assert bench.runner.statistics.cause.endswith(
+        "task bell asks for bell.level (too low) and nobody is there to answer"
+    )
 
 
 def test_an_answer_under_a_name_that_is_not_asked_for_ends_the_run():  # law 25
     bench = asking(Begin(answers=(("bell", "lvl", "0.5"),)))
     assert answers(bench) == []
     bench.hear(news.Changed("flow0", "bell", "KILLED", bench.now))
-    assert "task bell asks for level, and an answer is given for lvl" in bench.runner.tally.cause
+    assert "task bell asks for level, and an answer is given for lvl" in bench.runner.statistics.cause
 
 
 def test_whoever_is_there_is_asked_and_answers():  # law 25, R-E15

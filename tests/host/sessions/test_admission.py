@@ -1,6 +1,6 @@
 import pytest
 
-from onika.host.sessions.admission import BACK_OFF_NS, FROM_ONE_ADDRESS, IN_THE_DOOR, WRONG_TOKENS, Doorkeeper, No, Yes
+from onika.host.sessions.admission import BACK_OFF_NS, FROM_ONE_ADDRESS, IN_THE_DOOR, WRONG_TOKENS, Admission, No, Yes
 from onika.host.sessions.users import User, Users
 from onika.link.caller import Role
 from onika.link.channel import Channel
@@ -12,7 +12,7 @@ HOST, BEARER = ("Host", "robot:7994"), ("Authorization", "Bearer anns")
 
 @pytest.fixture
 def door():
-    return Doorkeeper(Users((ANN,)), ("Robot",), is_private=True)
+    return Admission(Users((ANN,)), ("Robot",), is_private=True)
 
 
 def status(door, *headers, path="/", address="a", now=0):
@@ -58,7 +58,7 @@ def test_a_wrong_token_is_told_apart_from_a_wrong_page(door, value):
 
 
 def test_ten_wrong_tokens_bar_an_address_for_a_minute_and_no_other():
-    door = Doorkeeper(Users((ANN,)), ("robot",), is_private=False)
+    door = Admission(Users((ANN,)), ("robot",), is_private=False)
     assert {status(door, HOST) for _ in range(WRONG_TOKENS)} == {401}
     assert status(door, HOST, BEARER) == 429
     assert status(door, HOST, BEARER, address="b") == 101

@@ -2,7 +2,7 @@ import pytest
 
 from kit.plan_builder import action
 from kit.rail_world import rail_tasks
-from onika.host.sessions.audit_log import Witness
+from onika.host.sessions.audit_log import AuditLog
 from onika.host.sessions.request_server import Call
 from onika.link.caller import Caller, Role
 from onika.link.channel import Channel
@@ -28,7 +28,7 @@ def book():
 
 
 def answered(book, asked, response=None, complain=lambda _text: None):
-    Witness(book, complain).answered(Call(1, "ann#2", Role.OPERATOR, asked, "192.0.2.7"), response or request.Done())
+    AuditLog(book, complain).answered(Call(1, "ann#2", Role.OPERATOR, asked, "192.0.2.7"), response or request.Done())
 
 
 def test_a_command_is_one_line_with_who_from_where_what_and_what_came_of_it(book):  # R-X12
@@ -96,9 +96,9 @@ def test_code_is_named_by_its_whole_digest_and_goes_to_the_disk_at_once(book):  
 
 def test_stops_and_changes_of_holder_go_to_the_disk_at_once(book):  # R-X12
     answered(book, request.Stop("x"))
-    witness = Witness(book)
+    audit_log = AuditLog(book)
     for one in (event.Held("s0", "bob#3", "why"), event.Stopped(True, "x"), event.Stopped(False, "")):
-        witness.told(one)
+        audit_log.told(one)
     assert [line[:2] for line in book.lines] == [
         ("Stop", True),
         ("held", True),
@@ -109,21 +109,21 @@ def test_stops_and_changes_of_holder_go_to_the_disk_at_once(book):  # R-X12
 
 
 def test_how_what_was_accepted_ended_is_a_line_too(book):  # R-X12
-    witness = Witness(book)
-    witness.told(event.Edited("s0", 3, "it is gone", 1.0))
-    witness.told(event.Edited("s0", 4, "", 1.0))
-    witness.told(event.TaskState("s0", "arm", "ON", 1.0))
+    audit_log = AuditLog(book)
+    audit_log.told(event.Edited("s0", 3, "it is gone", 1.0))
+    audit_log.told(event.Edited("s0", 4, "", 1.0))
+    audit_log.told(event.TaskState("s0", "arm", "ON", 1.0))
     assert [line[2]["result"] for line in book.lines] == ["it is gone", "done"]
 
 
 def test_who_comes_and_goes_is_a_line_once_and_not_for_each_connection(book):  # R-X12
-    witness = Witness(book)
+    audit_log = AuditLog(book)
     caller = Caller("ann", Role.VIEWER, "192.0.2.7", False)
     for channel in (Channel.SESSION, Channel.SIGNAL, Channel.STREAM):
-        witness.came(Introduction(channel, "c", "", caller), "")
-    witness.came(Introduction(Channel.ALL, "c", "", caller), "there are 32 sessions already")
-    witness.lost("ann#2")
-    witness.garbage("ann#2", "no request")
+        audit_log.came(Introduction(channel, "c", "", caller), "")
+    audit_log.came(Introduction(Channel.ALL, "c", "", caller), "there are 32 sessions already")
+    audit_log.lost("ann#2")
+    audit_log.garbage("ann#2", "no request")
     results = [(what, about.get("result")) for what, _, about in book.lines]
     assert results[:2] == [("connect", "connected"), ("connect", "refused: there are 32 sessions already")]
     assert [what for what, _ in results[2:]] == ["gone", "garbage"]
@@ -131,8 +131,8 @@ def test_who_comes_and_goes_is_a_line_once_and_not_for_each_connection(book):  #
 
 def test_that_it_cannot_be_written_is_told_once_until_it_can_again(book):  # R-X12
     told = []
-    witness = Witness(book, told.append)
+    audit_log = AuditLog(book, told.append)
     for trouble in ("full", "full", "", "full"):
         book.trouble = trouble
-        witness.told(event.Held("s0", "bob#3"))
+        audit_log.told(event.Held("s0", "bob#3"))
     assert told == ["full", "full"]

@@ -16,7 +16,7 @@ def held(hand):
 
 
 def leave(hand, session):
-    hand.asker.gate.gone.append(session)
+    hand.asker.server.gone.append(session)
     hand.asker.program.serve()
     hand.work()
 
@@ -86,7 +86,7 @@ def test_an_empty_subsystem_that_nobody_holds_is_no_more(hand):  # R-A06
     hand.asker.ask(live.Take("s1"), "one")
     leave(hand, "one")
     assert hand.asker.ask(live.Survey()).subsystems == ()
-    assert hand.asker.program.stage.tables == {}
+    assert hand.asker.program.subsystems.tables == {}
 
 
 def test_a_holder_that_is_gone_leaves_its_tasks_off_and_its_subsystem_free(hand):  # R-X12
@@ -114,7 +114,7 @@ def test_hardware_of_a_holder_that_is_gone_holds(hand):  # R-X12, law 17
 def test_a_holder_that_goes_in_the_midst_of_its_change_leaves_everything_off(hand):  # R-X12
     ticket = hand.asker.send(hand.order(("counter", "source"), ("counter", "source")), "one")
     leave(hand, "one")
-    assert hand.edited(hand.asker.gate.replies[ticket].number) == [""]
+    assert hand.edited(hand.asker.server.replies[ticket].number) == [""]
     assert set(hand.states.values()) == {"OFF"}
 
 
@@ -144,10 +144,10 @@ SECOND = 1_000_000_000
 
 
 def silent(hand, session, seconds):
-    hand.asker.gate.silent[session] = round(seconds * SECOND)
+    hand.asker.server.silent[session] = round(seconds * SECOND)
     hand.asker.program.serve()
     hand.work()
-    hand.asker.gate.silent[session] = 0
+    hand.asker.server.silent[session] = 0
 
 
 def there(hand, *sessions):
@@ -364,5 +364,5 @@ def test_there_are_never_two_writers_and_nothing_starts_by_itself(deeds):  # R-X
         standing = hand.asker.ask(live.Survey(), "witness").subsystems
         (found,) = [(one.holder, one.tasks[0].state == "ON") for one in standing if one.name == "s0"]
         assert found == (rule.holder, rule.is_on), deeds[: number + 1]
-        writers = {one for one in SESSIONS if not hand.asker.program.holders.refusal(one, live.Close("s0"), False)}
+        writers = {one for one in SESSIONS if not hand.asker.program.authority.refusal(one, live.Close("s0"), False)}
         assert not rule.holder or writers <= {rule.holder}

@@ -36,10 +36,10 @@ def watched():
 
 
 def silent(hand, session, seconds):
-    hand.asker.gate.silent[session] = round(seconds * SECOND)
+    hand.asker.server.silent[session] = round(seconds * SECOND)
     hand.asker.program.serve()
     hand.work()
-    hand.asker.gate.silent[session] = 0
+    hand.asker.server.silent[session] = 0
 
 
 def test_a_holder_that_is_silent_for_its_lease_leaves_everything_off(watched):  # R-X12, network.md D4

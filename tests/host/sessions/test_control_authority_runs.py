@@ -14,7 +14,7 @@ def hand():
 
 
 def leave(hand, session):
-    hand.asker.gate.gone.append(session)
+    hand.asker.server.gone.append(session)
     hand.asker.program.serve()
     hand.work()
 
@@ -76,14 +76,14 @@ def test_a_run_whose_session_is_gone_is_told_to_be_nobodys(hand, on_loss):  # R-
 def test_one_run_is_ended_by_its_name_and_only_by_who_may(hand):  # R-X12, R-E10
     def abort(subsystem, session):
         ticket = hand.asker.send(request.Abort("enough", subsystem), session)
-        return hand.asker.gate.replies[ticket]
+        return hand.asker.server.replies[ticket]
 
     perform(hand, "one", on_loss="run")
     hand.asker.send(live.Advance(0.2), "two")
     hand.asker.program.advance(1)
     assert "begun by one" in abort("flow0", "two").reason
     assert abort("elsewhere", "one") == request.Done()
-    hand.asker.gate.gone.append("one")
+    hand.asker.server.gone.append("one")
     hand.asker.program.serve()
     assert abort("flow0", "two") == request.Done()
     hand.asker.to_the_end()

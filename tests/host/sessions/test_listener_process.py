@@ -4,7 +4,7 @@ import socket
 import pytest
 
 from onika.host.sessions.listen_options import Listening
-from onika.host.sessions.listener_process import Porter
+from onika.host.sessions.listener_process import ListenerProcess
 from onika.host.sessions.users import User
 from onika.link.address import Address
 from onika.link.caller import Caller, Role
@@ -25,12 +25,12 @@ def listening(port=0):
 
 @pytest.mark.site
 def test_whom_it_lets_in_the_program_is_given_with_an_end_of_the_connection():  # R-F01
-    porter = Porter(listening())
-    address = Address.parse(porter.open())
+    listener = ListenerProcess(listening())
+    address = Address.parse(listener.open())
     outside = WebSocketOpening(address, "anns")(Channel.STREAM)
     outside.send(HELLO)
-    select.select([porter.post], [], [], 10.0)
-    ((new, connected),) = porter.arrivals()
+    select.select([listener.post], [], [], 10.0)
+    ((new, connected),) = listener.arrivals()
     assert new == Introduction(Channel.STREAM, "me", "e", Caller("ann", Role.VIEWER, "127.0.0.1", True))
     inside = SocketCarrier(connected)
     assert received(inside) == [HELLO]
@@ -40,8 +40,8 @@ def test_whom_it_lets_in_the_program_is_given_with_an_end_of_the_connection():  
     with pytest.raises(LinkLost):
         received(outside)
     outside.close()
-    assert porter.ending() == ""
-    porter.close()
+    assert listener.ending() == ""
+    listener.close()
 
 
 def received(carrier):
@@ -55,18 +55,18 @@ def received(carrier):
 @pytest.mark.site
 def test_a_place_that_is_taken_is_told():
     with socket.create_server(("127.0.0.1", 0)) as taken:
-        porter = Porter(listening(taken.getsockname()[1]))
+        listener = ListenerProcess(listening(taken.getsockname()[1]))
         with pytest.raises(OSError, match=r"cannot listen on 127\.0\.0\.1 port"):
-            porter.open()
-        porter.close()
+            listener.open()
+        listener.close()
 
 
 @pytest.mark.site
 def test_its_end_is_noticed():
-    porter = Porter(listening())
-    porter.open()
-    porter._process.kill()
-    porter._process.wait()
-    assert porter.arrivals() == []
-    assert porter.ending() == "was killed by signal 9"
-    porter.close()
+    listener = ListenerProcess(listening())
+    listener.open()
+    listener._process.kill()
+    listener._process.wait()
+    assert listener.arrivals() == []
+    assert listener.ending() == "was killed by signal 9"
+    listener.close()

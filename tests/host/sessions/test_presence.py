@@ -1,4 +1,4 @@
-from onika.host.sessions.presence import Company
+from onika.host.sessions.presence import Presence
 from onika.wire import event, holding
 
 
@@ -16,7 +16,7 @@ class Doorway:
 
 def test_who_is_there_is_told_when_it_changes_to_those_who_want_to_know():  # R-X12
     doorway, watching = Doorway("one"), set()
-    company = Company(doorway, lambda: watching)
+    company = Presence(doorway, lambda: watching)
     company.look()
     company.look()
     doorway.names.append("two")
@@ -29,10 +29,10 @@ def test_who_is_there_is_told_when_it_changes_to_those_who_want_to_know():  # R-
 
 
 def test_who_asks_learns_its_own_name():  # R-X12
-    answer = Company(Doorway("one", "two"), set).answer("two")
+    answer = Presence(Doorway("one", "two"), set).answer("two")
     assert (answer.you, [one.name for one in answer.sessions]) == ("two", ["one", "two"])
 
 
 def test_how_long_each_may_be_silent_is_told_too():  # R-X12, network.md D4
     leases = {"one": 250_000_000, "two": 0}
-    assert [one.lease_s for one in Company(Doorway("one", "two"), set, leases.get).sessions()] == [0.25, 0.0]
+    assert [one.lease_s for one in Presence(Doorway("one", "two"), set, leases.get).sessions()] == [0.25, 0.0]

@@ -7,7 +7,7 @@ from websockets.client import ClientProtocol
 from websockets.frames import Frame
 from websockets.uri import parse_uri
 
-from onika.host.sessions.admission import Doorkeeper
+from onika.host.sessions.admission import Admission
 from onika.host.sessions.relay import Relay, Unwelcome
 from onika.host.sessions.users import User, Users
 from onika.link.caller import Role
@@ -24,7 +24,7 @@ class Visitor:
     """Somebody outside, and the relay that serves him."""
 
     def __init__(self):
-        self.doorkeeper = Doorkeeper(Users((ANN,)), ("localhost",), is_private=False)
+        self.admission = Admission(Users((ANN,)), ("localhost",), is_private=False)
         self.protocol = ClientProtocol(parse_uri("ws://localhost/signal"))
 
     async def __aenter__(self):
@@ -62,7 +62,7 @@ class Visitor:
                 return heard
 
     async def greet(self):
-        return await self.relay.greet(self.doorkeeper, 1)
+        return await self.relay.greet(self.admission, 1)
 
     async def shake(self):
         """The handshake with the relay."""

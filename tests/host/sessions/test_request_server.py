@@ -3,7 +3,7 @@ import socket
 import pytest
 
 from kit.plan_builder import PlanBuilder, action
-from onika.host.sessions.request_server import Call, Gate
+from onika.host.sessions.request_server import Call, RequestServer
 from onika.link.caller import Caller, Role
 from onika.link.carrier import SocketCarrier, memory_pair
 from onika.link.channel import Channel
@@ -45,20 +45,20 @@ class House:
         self.road = Road()
         self.guests = Sessions("life")
         self.connections: list[Connection] = []
-        self.gate = Gate(self.guests, lambda: self.now, self.road, accepts_code)
+        self.server = RequestServer(self.guests, lambda: self.now, self.road, accepts_code)
         self.calls: list[Call] = []
         self.answers = True
 
     def serve(self, _sources=(), _timeout=None):
         self.now += 1_000_000
-        for call in self.gate.requests():
+        for call in self.server.requests():
             self.calls.append(call)
             if self.answers:
-                self.gate.reply(call.ticket, request.Done())
+                self.server.reply(call.ticket, request.Done())
 
     def parent(self):
         here, there = memory_pair()
-        self.gate.adopt(there)
+        self.server.adopt(there)
         return self._opened(Connection(here, lambda: self.now, CHILD, wait=self.serve))
 
     def guest(self, role=Role.OWNER, near=True, client="me", epoch=""):
@@ -118,7 +118,7 @@ def test_a_response_may_come_later_and_in_any_order(house):  # R-F07
     parent.poll()
     house.serve()
     for call, reason in zip(reversed(house.calls), "yx", strict=True):
-        house.gate.reply(call.ticket, request.Refused(reason))
+        house.server.reply(call.ticket, request.Refused(reason))
     replied = {one.number: request.decode_response(one.body).reason for one in parent.poll() if hasattr(one, "number")}
     assert replied == {first: "x", second: "y"}
 
@@ -127,20 +127,20 @@ def test_events_arrive_in_their_order(house):  # R-F01
     parent = house.parent()
     said = [event.Done(0, number, number / 2) for number in range(5)]
     for one in said:
-        house.gate.tell(one)
+        house.server.tell(one)
     house.serve()
     assert heard(parent) == said
 
 
 def test_an_event_goes_to_those_who_attend_and_to_the_one_it_is_for(house):  # R-F01
     parent, near, far = house.parent(), house.guest(client="a"), house.guest(client="b")
-    house.gate.attend("owner#2", ("left",))
+    house.server.attend("owner#2", ("left",))
     said = [event.Done(0, number, 0.0) for number in range(5)]
-    house.gate.tell(said[0], "left")
-    house.gate.tell(said[1], "right", "owner#3")
-    house.gate.tell(said[2])
-    house.gate.attend("owner#3", ("*",))
-    house.gate.tell(said[3], "right")
+    house.server.tell(said[0], "left")
+    house.server.tell(said[1], "right", "owner#3")
+    house.server.tell(said[2])
+    house.server.attend("owner#3", ("*",))
+    house.server.tell(said[3], "right")
     house.serve()
     assert heard(parent) == [said[2]]
     assert heard(near) == [said[0], said[2]]
@@ -149,10 +149,10 @@ def test_an_event_goes_to_those_who_attend_and_to_the_one_it_is_for(house):  # R
 
 def test_a_reading_is_shown_to_one_session_and_only_the_newest(house):
     near, far = house.guest(client="a"), house.guest(client="b")
-    house.gate.show("owner#1", "X", b"1")
-    house.gate.show("owner#1", "X", b"2")
-    house.gate.show("nobody", "X", b"3")
-    assert house.gate.due_s() == 0
+    house.server.show("owner#1", "X", b"1")
+    house.server.show("owner#1", "X", b"2")
+    house.server.show("nobody", "X", b"3")
+    assert house.server.due_s() == 0
     house.serve()
     assert [one for one in near.poll() if isinstance(one, ReadingReceived)] == [ReadingReceived("X", b"2")]
     assert [one for one in far.poll() if isinstance(one, ReadingReceived)] == []
@@ -162,16 +162,16 @@ def test_it_is_open_until_the_launching_program_goes(house):  # R-E10
     parent, _ = house.parent(), house.guest()
     parent.close(timeout_s=0)
     house.serve()
-    assert not house.gate.is_open
-    assert house.gate.lost() == ["owner#1"]
-    assert house.gate.lost() == []
+    assert not house.server.is_open
+    assert house.server.lost() == ["owner#1"]
+    assert house.server.lost() == []
 
 
 def test_one_without_a_launching_program_is_always_open(house):
-    assert house.gate.is_open
+    assert house.server.is_open
     house.guest().close(timeout_s=0)
     house.serve()
-    assert house.gate.is_open
+    assert house.server.is_open
 
 
 @pytest.mark.parametrize(
@@ -215,7 +215,7 @@ def test_a_flood_is_served_a_little_at_a_time_and_the_others_in_between(house): 
     house.serve()
     assert [call.session for call in house.calls].count("owner#1") <= 16
     assert "owner#2" in [call.session for call in house.calls]
-    assert house.gate.due_s() == 0
+    assert house.server.due_s() == 0
     for _ in range(200):
         flood.poll()
         house.serve()
@@ -226,9 +226,9 @@ def test_a_session_that_is_silent_for_too_long_is_lost_once_and_another_users_is
     house.guest()
     house.serve()
     house.now += 4 * SECOND
-    house.gate.requests()
-    assert house.gate.lost() == ["owner#1"]
-    assert house.gate.lost() == []
+    house.server.requests()
+    assert house.server.lost() == ["owner#1"]
+    assert house.server.lost() == []
     with pytest.raises(Exception, match="another user's"):
         house.guest(Role.VIEWER)
 
@@ -267,17 +267,17 @@ class Witnessed:
 
 
 def test_its_witness_sees_every_request_with_its_answer_refused_ones_too(house):  # R-X12
-    witness = house.gate.watcher = Witnessed()
+    audit_log = house.server.watcher = Witnessed()
     viewer = house.guest(Role.VIEWER)
-    (session,) = [one.name for one in house.gate.sessions()]
+    (session,) = [one.name for one in house.server.sessions()]
     viewer.request(request.encode(live.Survey()))
     viewer.request(request.encode(live.Take("s0")))
     viewer.request(b"garbage")
-    house.gate.tell(event.Held("s0", "me"))
+    house.server.tell(event.Held("s0", "me"))
     viewer.close()
     house.serve()
-    house.gate.lost()
-    came, survey, take, garbage, told, lost = witness.seen
+    house.server.lost()
+    came, survey, take, garbage, told, lost = audit_log.seen
     assert (survey[0], take[0], take[3]) == ("Survey", "Take", "Refused")
     assert take[1:3] == (session, survey[2])
     assert (came[0], garbage, told, lost) == ("came", ("garbage", session), ("told", "Held"), ("lost", session))
@@ -286,20 +286,20 @@ def test_its_witness_sees_every_request_with_its_answer_refused_ones_too(house):
 def test_who_is_there_and_how_long_he_was_silent(house):  # R-X12
     house.parent()
     house.guest(Role.OPERATOR)
-    parent, guest = house.gate.sessions()
+    parent, guest = house.server.sessions()
     assert (parent.role, guest.role, guest.is_here) == ("owner", "operator", True)
-    before = house.gate.hearing(guest.name)
+    before = house.server.hearing(guest.name)
     house.now += SECOND
-    assert house.gate.hearing(guest.name).silent_ns == before.silent_ns + SECOND
+    assert house.server.hearing(guest.name).silent_ns == before.silent_ns + SECOND
     assert before.beats == 0
-    assert house.gate.hearing(parent.name) is None
-    assert house.gate.hearing("nobody") is None
+    assert house.server.hearing(parent.name) is None
+    assert house.server.hearing("nobody") is None
 
 
 def test_whoever_overhears_is_told_everything_at_once(house):  # law 29
     told = []
-    house.gate.overhear(lambda one, subsystem: told.append((one, subsystem)))
-    house.gate.tell(event.Stopped(True, "x"), "flow0")
-    house.gate.overhear(None)
-    house.gate.tell(event.Stopped(False, ""))
+    house.server.overhear(lambda one, subsystem: told.append((one, subsystem)))
+    house.server.tell(event.Stopped(True, "x"), "flow0")
+    house.server.overhear(None)
+    house.server.tell(event.Stopped(False, ""))
     assert told == [(event.Stopped(True, "x"), "flow0")]

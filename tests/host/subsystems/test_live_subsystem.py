@@ -31,7 +31,7 @@ def test_a_change_that_waits_finds_what_those_before_it_leave(hand):  # law 22
     ]
     tickets = [hand.asker.send(one) for one in asked]
     hand.work()
-    numbers = [hand.asker.gate.replies[ticket].number for ticket in tickets]
+    numbers = [hand.asker.server.replies[ticket].number for ticket in tickets]
     outcomes = [hand.edited(number) for number in numbers]
     assert outcomes[:4] == [[""]] * 4
     assert outcomes[4] == ["expected one of no task, found user"]
@@ -44,9 +44,9 @@ def test_what_was_asked_of_a_task_that_is_gone_when_its_turn_comes_is_refused(ha
     first = hand.asker.send(live.Change("s0", kill=("user",), off=("source",)))
     late = [hand.asker.send(live.Reinit("s0", "user")), hand.asker.send(live.Swap("s0", "user", *hand.code("user")))]
     hand.work()
-    assert hand.edited(hand.asker.gate.replies[first].number) == [""]
+    assert hand.edited(hand.asker.server.replies[first].number) == [""]
     for ticket in late:
-        assert hand.edited(hand.asker.gate.replies[ticket].number) == ["user: it was changed or ended meanwhile"]
+        assert hand.edited(hand.asker.server.replies[ticket].number) == ["user: it was changed or ended meanwhile"]
 
 
 def test_a_stop_in_the_midst_of_a_change_leaves_nothing_hanging(hand):  # law 27
@@ -55,7 +55,7 @@ def test_a_stop_in_the_midst_of_a_change_leaves_nothing_hanging(hand):  # law 27
     ticket = hand.asker.send(hand.order(("other",), ("other",), kill=("source",)))
     hand.asker.ask(Stop("enough"))
     hand.work()
-    assert len(hand.edited(hand.asker.gate.replies[ticket].number)) == 1
+    assert len(hand.edited(hand.asker.server.replies[ticket].number)) == 1
     assert set(hand.states.values()) == {"OFF"}
     hand.asker.ask(live.Reset())
     assert hand.change(on=[name for name in hand.states if name != "counter"][:1]) == ""
@@ -120,10 +120,10 @@ def test_a_unit_lost_at_any_moment_leaves_nothing_hanging(asked, lost):  # R-X10
         if is_through:
             hand.driver.lose(lost)
         hand.work()
-        accepted = hand.asker.gate.replies[ticket]
+        accepted = hand.asker.server.replies[ticket]
         assert accepted == number
         assert len(hand.edited(accepted.number)) == 1
-        subsystem = hand.asker.program.stage.live.get("s0")
+        subsystem = hand.asker.program.subsystems.live.get("s0")
         assert subsystem is None or not subsystem.is_busy
         truth = {task: state.state.value for (_, task), state in hand.driver.living().items()}
         assert {name: one.state for name, one in hand.standing().items() if one.state != "WAITING"} == truth
@@ -150,7 +150,7 @@ def test_other_subsystems_with_the_same_names_are_not_touched():  # R-A06
         assert hand.change(spawn=everyone, on=everyone, subsystem=subsystem) == ""
     hand.let_pass(1.0)
     before = hand.values("N", "LEVEL", "COUNT", subsystem="s1")
-    hand.asker.gate.told.clear()
+    hand.asker.server.told.clear()
     assert hand.reinit("source", SIZE="3") == ""
     assert hand.change(kill=everyone) == ""
     assert {one.subsystem for one in hand.asker.of(event.TaskState)} == {"s0"}

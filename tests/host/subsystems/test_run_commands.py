@@ -123,7 +123,7 @@ def test_who_steers_is_who_began_it_until_that_session_is_gone():  # law 27, R-E
     bridge = Bridge("1", "2", on_loss="finish").until(0.1)
     assert "was begun by me" in refused(bridge.ask(steer.Pause("flow0"), session="other"))
     assert [one.state for one in bridge.ask(steer.Who(), session="other").flows] == ["running"]
-    bridge.asker.gate.gone.append("me")
+    bridge.asker.server.gone.append("me")
     bridge.asker.program.serve()
     for _ in range(100):  # nobody holds the clock any more
         bridge.asker.program.advance(10_000_000)
@@ -163,7 +163,7 @@ def test_who_holds_the_clock_lets_time_pass_while_every_flow_waits_for_its_user(
 
 def test_the_virtual_clock_stands_while_every_flow_waits_for_its_user():  # law 15
     bridge = Bridge("1", "2")
-    bridge.asker.program.stage.hold.release()
+    bridge.asker.program.subsystems.hold.release()
     bridge.ask(steer.Pause())
     for _ in range(50):
         bridge.asker.program.advance(10_000_000)

@@ -13,8 +13,8 @@ def hand():
 
 
 @pytest.fixture
-def stage(hand):
-    return hand.asker.program.stage
+def subsystems(hand):
+    return hand.asker.program.subsystems
 
 
 def perform(hand, *goals, **begin):
@@ -24,62 +24,62 @@ def perform(hand, *goals, **begin):
     return hand.asker.ask(request.Begin(**begin))
 
 
-def test_the_clock_stands_where_nothing_wants_it_to_go_on(hand, stage):  # law 15
+def test_the_clock_stands_where_nothing_wants_it_to_go_on(hand, subsystems):  # law 15
     hand.change(spawn=["counter"], on=["counter"])
     hand.work()
     assert hand.driver.now == 0
-    assert not stage.is_moving
+    assert not subsystems.is_moving
     hand.let_pass(0.5)
     assert hand.driver.now == 500_000_000
-    assert not stage.is_moving
+    assert not subsystems.is_moving
 
 
 def test_seconds_are_let_pass_for_several_who_ask_at_once(hand):  # law 15
     first, second = hand.asker.send(live.Advance(1.0)), hand.asker.send(live.Advance(0.5))
     hand.asker.program.advance(10**9)
-    assert hand.asker.gate.replies[first] == hand.asker.gate.replies[second] == request.Done()
+    assert hand.asker.server.replies[first] == hand.asker.server.replies[second] == request.Done()
     assert hand.driver.now == 10**9
 
 
-def test_the_clock_stands_while_an_application_asks(hand, stage):  # law 15
+def test_the_clock_stands_while_an_application_asks(hand, subsystems):  # law 15
     perform(hand, "", may_ask=True)
     hand.work()
-    assert stage.is_asking
+    assert subsystems.is_asking
     ticket = hand.asker.send(live.Advance(1.0))
     hand.work()
-    assert ticket not in hand.asker.gate.replies
+    assert ticket not in hand.asker.server.replies
     hand.asker.ask(request.Reply("flow0", "servo", "1.0"))
     hand.work()
-    assert hand.asker.gate.replies[ticket] == request.Done()
+    assert hand.asker.server.replies[ticket] == request.Done()
 
 
-def test_two_applications_and_a_hand_live_side_by_side(hand, stage):  # R-A06
+def test_two_applications_and_a_hand_live_side_by_side(hand, subsystems):  # R-A06
     hand.change(spawn=["counter"], on=["counter"])
     assert perform(hand, "1.0") == request.Done()
     hand.asker.to_the_end()
-    assert stage.performances == []
+    assert subsystems.runs == []
     assert hand.states == {"counter": "ON"}
     assert hand.values("X", subsystem="flow0")["X"][0] == pytest.approx(1.0, abs=0.05)
     assert hand.values("COUNT")["COUNT"] > 10
 
 
-def test_a_subsystem_is_made_anew_for_each_run_and_by_hand(hand, stage):  # law 4
+def test_a_subsystem_is_made_anew_for_each_run_and_by_hand(hand, subsystems):  # law 4
     perform(hand, "1.0")
     hand.asker.to_the_end()
-    first = stage.tables["flow0"]
+    first = subsystems.tables["flow0"]
     perform(hand, "1.0")
     hand.asker.to_the_end()
-    assert stage.tables["flow0"] is not first
+    assert subsystems.tables["flow0"] is not first
     hand.shop = rail_tasks()
     assert hand.change(spawn=["mass"], subsystem="flow0") == ""
     assert hand.values("FORCE", subsystem="flow0")["FORCE"] == 0.0
 
 
-def test_a_unit_that_is_lost_is_told_to_everybody_and_takes_its_tasks_along(hand, stage):  # R-E10
+def test_a_unit_that_is_lost_is_told_to_everybody_and_takes_its_tasks_along(hand, subsystems):  # R-E10
     hand.change(spawn=["counter", "source"], on=["counter", "source"])
     hand.driver.lose("rt1")
-    assert stage.lost_units == {"rt1": "processing unit rt1 was lost"}
-    assert ("", "", event.Lost("rt1", "processing unit rt1 was lost", 0.0)) in hand.asker.gate.heard
+    assert subsystems.lost_units == {"rt1": "processing unit rt1 was lost"}
+    assert ("", "", event.Lost("rt1", "processing unit rt1 was lost", 0.0)) in hand.asker.server.heard
     killed = [one for one in hand.asker.of(event.TaskState) if one.state == "KILLED"]
     assert [one.task for one in killed] == ["counter"]
     assert hand.states == {"source": "ON"}
@@ -95,19 +95,19 @@ def test_a_unit_that_is_lost_ends_the_application_that_needs_it(hand):  # R-E10
     assert (result.completed, result.cause) == (False, "processing unit rt0 was lost")
 
 
-def test_the_device_server_is_lost_without_the_tasks(hand, stage):  # law 17
+def test_the_device_server_is_lost_without_the_tasks(hand, subsystems):  # law 17
     hand.change(spawn=["counter"], on=["counter"])
-    stage.lost("", "the device server was lost", 5)
+    subsystems.lost("", "the device server was lost", 5)
     assert hand.asker.of(event.Lost) == [event.Lost("device server", "the device server was lost", 5e-9)]
     assert hand.states == {"counter": "ON"}
-    assert stage.lost_units == {}
+    assert subsystems.lost_units == {}
 
 
-def test_a_task_is_put_on_the_unit_it_names_or_on_one_that_lives(stage):  # reading 12
-    assert (stage.unit("rt1"), stage.unit("unknown")) == ("rt1", "rt0")
-    stage.lost("rt0", "gone", 0)
-    assert (stage.unit("rt0"), stage.unit("unknown")) == ("rt0", "rt1")
-    assert (stage.gone("rt0"), stage.gone("rt1"), stage.gone("unknown")) == ("gone", "", "")
+def test_a_task_is_put_on_the_unit_it_names_or_on_one_that_lives(subsystems):  # reading 12
+    assert (subsystems.unit("rt1"), subsystems.unit("unknown")) == ("rt1", "rt0")
+    subsystems.lost("rt0", "gone", 0)
+    assert (subsystems.unit("rt0"), subsystems.unit("unknown")) == ("rt0", "rt1")
+    assert (subsystems.gone("rt0"), subsystems.gone("rt1"), subsystems.gone("unknown")) == ("gone", "", "")
 
 
 def test_loads_are_not_asked_for_in_virtual_time(hand):  # law 14
@@ -116,24 +116,24 @@ def test_loads_are_not_asked_for_in_virtual_time(hand):  # law 14
     assert not any(isinstance(order, command.Load) for _, order in hand.driver.commands)
 
 
-def test_words_of_nobody_are_told_to_nobody(hand, stage):
-    before = list(hand.asker.gate.told)
+def test_words_of_nobody_are_told_to_nobody(hand, subsystems):
+    before = list(hand.asker.server.told)
     for word in (news.Changed("s9", "x", "ON", 1), news.Got("s9", "x", "y", 1), news.Initialised("s0", "x")):
-        stage.hear("rt0", word, 1)
-    assert hand.asker.gate.told == before
+        subsystems.hear("rt0", word, 1)
+    assert hand.asker.server.told == before
 
 
 def test_an_event_of_a_subsystem_is_heard_by_its_listeners_and_its_holder(hand):  # R-X12
     hand.change(spawn=["counter"], session="one")
-    told = {(where, who) for where, who, one in hand.asker.gate.heard if isinstance(one, event.TaskState)}
+    told = {(where, who) for where, who, one in hand.asker.server.heard if isinstance(one, event.TaskState)}
     assert told == {("s0", "one")}
 
 
-def test_a_drive_is_told_in_the_time_of_the_run_that_uses_it(hand, stage):  # law 24
+def test_a_drive_is_told_in_the_time_of_the_run_that_uses_it(hand, subsystems):  # law 24
     hand.let_pass(0.5)
     assert perform(hand, "1.0") == request.Done()
     result = hand.asker.to_the_end()
     drives = hand.asker.of(event.Drive)
     assert [one.state for one in drives] == ["DRIVEN", "HELD"]
     assert drives[-1].at_s == pytest.approx(result.runtime_s) and drives[0].at_s < 0.1
-    assert stage.run_began("yard:m0") == 0  # nobody uses it any more
+    assert subsystems.run_began("yard:m0") == 0  # nobody uses it any more

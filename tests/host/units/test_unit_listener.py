@@ -3,13 +3,13 @@ import inspect
 import pytest
 
 from kit.live_edits import LossyDriver
-from onika.host.subsystems.subsystem_registry import Stage
+from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.host.units.unit_listener import Listener
 
 WORDS = sorted(name for name in vars(Listener) if not name.startswith("_"))
 
 
-@pytest.mark.parametrize("listener", [Stage, LossyDriver])
+@pytest.mark.parametrize("listener", [Subsystems, LossyDriver])
 @pytest.mark.parametrize("name", WORDS)
 def test_whoever_listens_hears_the_same(listener, name):  # law 1
     wanted, given = vars(Listener)[name], inspect.getattr_static(listener, name)

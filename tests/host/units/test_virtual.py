@@ -59,7 +59,7 @@ class Run:
 
     @property
     def result(self):
-        return self.runner.tally.result(0, 0.0, self.driver.digest)
+        return self.runner.statistics.result(0, 0.0, self.driver.digest)
 
 
 def move(*goals):

@@ -55,7 +55,7 @@ class Run:
     def over(self):
         self.until(lambda: self.runner.is_over)
         self.until(self.driver.is_at_rest)
-        return self.runner.tally
+        return self.runner.statistics
 
     @property
     def drives(self):
@@ -74,9 +74,9 @@ def start():
 
 def test_a_run_in_real_processes_comes_to_its_end(start):  # R-A15, R-E03, laws 16, 30
     run = start(rtpus=("left", "right"), most="0.3")
-    tally = run.over()
-    assert (tally.completed, tally.done) == (True, 1)
-    assert tally.values["GRIP_MEZ"][0] > 0.1  # m: the hand is open
+    statistics = run.over()
+    assert (statistics.completed, statistics.done) == (True, 1)
+    assert statistics.values["GRIP_MEZ"][0] > 0.1  # m: the hand is open
     assert run.drives == ["DRIVEN", "HELD"]
     assert run.driver.granted.keys() == {"left", "right", DEVICES}
     assert run.driver.snapshots().keys() == {"boxes"}
@@ -88,8 +88,8 @@ def test_a_stop_goes_straight_to_the_drives(start):  # law 27
     run.driven()
     run.driver.stop()
     run.runner.abort("stop", run.driver.now)
-    tally = run.over()
-    assert (tally.completed, tally.cause) == (False, "stop")
+    statistics = run.over()
+    assert (statistics.completed, statistics.cause) == (False, "stop")
     assert run.drives == ["DRIVEN", "HELD"]
     assert [one.cause for one in run.told if isinstance(one, event.Drive)][-1] == "stop"
 

@@ -77,11 +77,11 @@ class Explainer:
         after = self._positions()
         self._has_moved = True
         if self._told == told and not _is_over(before):
-            found = self._cause(why)
+            cause = self._cause(why)
             if _is_over(after):
-                self._explain(replace(found, ends=True), before, now)
-            elif _has_stopped(found.subsystem, before, after):
-                self._explain(found, after, now)
+                self._explain(replace(cause, ends=True), before, now)
+            elif _has_stopped(cause.subsystem, before, after):
+                self._explain(cause, after, now)
                 self._stuck = frozenset(causes(after))  # who waits for it is told with it
         self.look(now)
 
@@ -97,16 +97,16 @@ class Explainer:
         positions = self._positions()
         self._is_over = _is_over(positions)
         stuck = causes(positions)
-        for one in stuck:
-            if one not in self._stuck:
-                self._explain(one, positions, now)
+        for cause in stuck:
+            if cause not in self._stuck:
+                self._explain(cause, positions, now)
         self._stuck = frozenset(stuck)
 
-    def _explain(self, found: Cause, positions: Sequence[Position], now: int) -> None:
+    def _explain(self, cause: Cause, positions: Sequence[Position], now: int) -> None:
         self._told += 1
         self._history.look(now)
         at_s = round((now - self._began) * 1e-9, 9)
-        self._tell(explain(self._prepared, found, positions, self._history, at_s))
+        self._tell(explain(self._prepared, cause, positions, self._history, at_s))
 
     def _cause(self, why: Why) -> Cause:
         match why:
@@ -126,15 +126,17 @@ class Explainer:
 
     def _is_hardware(self, subsystem: str, task: str) -> bool:
         flows = zip(self._prepared.plan.flows, self._prepared.flows, strict=True)
-        wired = (one for planned, flow in flows if planned.subsystem == subsystem for one in flow)
-        return any(one.name == task and one.sheet.hardware for one in wired)
+        wired = (wired_task for planned, flow in flows if planned.subsystem == subsystem for wired_task in flow)
+        return any(wired_task.name == task and wired_task.sheet.hardware for wired_task in wired)
 
 
 def _is_over(positions: Sequence[Position]) -> bool:
-    return any(one.state in ("killing", "ended") for one in positions)
+    return any(position.state in ("killing", "ended") for position in positions)
 
 
 def _has_stopped(subsystem: str, before: Sequence[Position], after: Sequence[Position]) -> bool:
     """Whether a flow stands that did not; it has then stopped anew if it would not be cleared."""
-    stood, stands = (next((p.state for p in found if p.subsystem == subsystem), "") for found in (before, after))
+    stood, stands = (
+        next((p.state for p in positions if p.subsystem == subsystem), "") for positions in (before, after)
+    )
     return stands == "stopped" and stood != "stopped"

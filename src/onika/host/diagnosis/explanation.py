@@ -71,14 +71,16 @@ class _Scene:
 
 
 def _scene(prepared: Preparation, cause: Cause, positions: Sequence[Position]) -> _Scene:
-    number = next((n for n, one in enumerate(prepared.plan.flows) if one.subsystem == cause.subsystem), None)
+    number = next((n for n, flow in enumerate(prepared.plan.flows) if flow.subsystem == cause.subsystem), None)
     if number is None:
         return _Scene(None, -1, None, ())
     planned, wired = prepared.plan.flows[number], prepared.flows[number]
-    index = next((one.action for one in positions if one.subsystem == cause.subsystem), -1)
+    index = next((position.action for position in positions if position.subsystem == cause.subsystem), -1)
     action = planned.actions[index] if 0 <= index < len(planned.actions) else None
-    task = next((one for one in wired if one.name == cause.task), None)
-    on = tuple(one for one in wired if action is None or not action.tasks or one.name in action.tasks)
+    task = next((wired_task for wired_task in wired if wired_task.name == cause.task), None)
+    on = tuple(
+        wired_task for wired_task in wired if action is None or not action.tasks or wired_task.name in action.tasks
+    )
     return _Scene(action, index, task, on)
 
 
@@ -104,8 +106,8 @@ def _suspicion(scene: _Scene, cause: Cause, history: History) -> Suspicion:
 
 def _seen_first(scene: _Scene, cause: Cause) -> str:
     """Who was first to write what was no number at that instant, among the tasks of its own unit (law 5)."""
-    said = _FIRST.search(cause.text)
-    return said[1] if said and any(one.name == said[1] for one in scene.beside) else ""
+    mention = _FIRST.search(cause.text)
+    return mention[1] if mention and any(wired_task.name == mention[1] for wired_task in scene.beside) else ""
 
 
 def _as_failed(task: WiredTask, cause: Cause) -> dict[str, Any]:
@@ -117,30 +119,30 @@ def _as_failed(task: WiredTask, cause: Cause) -> dict[str, Any]:
 def _courses(scene: _Scene, cause: Cause, suspected: Suspicion, history: History) -> tuple[event.Course, ...]:
     if scene.task is None:
         return ()
-    units = {port.svar: port.unit for one in (*scene.beside, scene.task) for port in one.ports}
-    found: list[event.Course] = []
+    units = {port.svar: port.unit for wired_task in (*scene.beside, scene.task) for port in wired_task.ports}
+    courses: list[event.Course] = []
     numbers = 0
     for svar in dict.fromkeys(_that_matter(scene.task, scene.beside, cause, suspected)):
         course = history.course(cause.subsystem, svar)
         cost = 0 if course is None else len(course.values) * _count(course.values[0])
-        if course is not None and numbers + cost <= MOST_NUMBERS and len(found) < MOST_COURSES:
-            found.append(structs.replace(course, unit=units.get(svar, "")))
+        if course is not None and numbers + cost <= MOST_NUMBERS and len(courses) < MOST_COURSES:
+            courses.append(structs.replace(course, unit=units.get(svar, "")))
             numbers += cost
-    return tuple(found)
+    return tuple(courses)
 
 
 def _that_matter(task: WiredTask, beside: Sequence[WiredTask], cause: Cause, suspected: Suspicion) -> Iterator[str]:
     """Variables in the order in which they matter: the way of the trouble, the task's own, then what feeds it."""
     yield from (svar for svar, _ in suspected.trail)
-    for one in beside:
-        if one.name == suspected.task:
-            yield from one.invar
+    for wired_task in beside:
+        if wired_task.name == suspected.task:
+            yield from wired_task.invar
     if cause.kind in (Kind.ASKING, Kind.REFUSED) or cause.entry in ("init", "reinit"):
         yield from (*task.inconst, *task.outconst)
     yield from (*task.invar, *task.outvar)
-    for one in beside:
-        if set(one.outvar) & set(task.invar):
-            yield from one.invar
+    for wired_task in beside:
+        if set(wired_task.outvar) & set(task.invar):
+            yield from wired_task.invar
 
 
 def _count(value: Any) -> int:

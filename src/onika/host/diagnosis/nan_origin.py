@@ -32,7 +32,12 @@ class Suspicion:
 
 def suspicion(failed: WiredTask, beside: Sequence[WiredTask], is_wrong: Callable[[str], bool]) -> Suspicion:
     """Follow what is no number upstream among the tasks that were ON beside the failed one, which may be among them."""
-    writers = {svar: one for one in beside if one.name != failed.name for svar in (*one.outconst, *one.outvar)}
+    writers = {
+        svar: wired_task
+        for wired_task in beside
+        if wired_task.name != failed.name
+        for svar in (*wired_task.outconst, *wired_task.outvar)
+    }
     trail: list[tuple[str, str]] = []
     reader, met = failed, {failed.name}
     while True:

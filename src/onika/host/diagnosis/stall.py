@@ -21,9 +21,9 @@ def causes(positions: Sequence[Position]) -> tuple[Cause, ...]:
 
     Equal positions give equal causes, so whoever asks at each move sees which are new. None once the run is over.
     """
-    if any(one.state in _OVER for one in positions):
+    if any(position.state in _OVER for position in positions):
         return ()
-    flows = {one.subsystem: one for one in positions}
+    flows = {position.subsystem: position for position in positions}
     leads = _leads(flows)
     circles, deserted = [], []
     told: set[str] = set()
@@ -44,10 +44,10 @@ def waiting_for(subsystem: str, positions: Sequence[Position]) -> tuple[tuple[st
     found: dict[str, str] = {}
     wanted = [subsystem]
     for name in wanted:
-        for one in positions:
-            if name in one.waits_for and one.subsystem not in found and one.subsystem != subsystem:
-                found[one.subsystem] = tag_of(one)
-                wanted.append(one.subsystem)
+        for position in positions:
+            if name in position.waits_for and position.subsystem not in found and position.subsystem != subsystem:
+                found[position.subsystem] = tag_of(position)
+                wanted.append(position.subsystem)
     return tuple(found.items())
 
 
@@ -58,21 +58,23 @@ def tag_of(position: Position) -> str:
 
 def last_of(subsystem: str, positions: Sequence[Position]) -> str:
     """Where the waiting of a flow that waits in no circle leads: the flow that has ended or stands still."""
-    return _way(subsystem, _leads({one.subsystem: one for one in positions}))[-1]
+    return _way(subsystem, _leads({position.subsystem: position for position in positions}))[-1]
 
 
 def _leads(flows: Mapping[str, Position]) -> dict[str, str]:
     """Each flow that waits for ever, and the first flow that keeps it."""
-    able = {name for name, one in flows.items() if one.state not in (*_WAITING, *_STANDING)}
+    able = {name for name, flow in flows.items() if flow.state not in (*_WAITING, *_STANDING)}
     while True:
         new = {
-            n for n, one in flows.items() if n not in able and one.state in _WAITING and able.issuperset(one.waits_for)
+            n
+            for n, flow in flows.items()
+            if n not in able and flow.state in _WAITING and able.issuperset(flow.waits_for)
         }
         if not new:
             break
         able |= new
-    stuck = (one for name, one in flows.items() if name not in able and one.state in _WAITING)
-    return {one.subsystem: next(name for name in one.waits_for if name not in able) for one in stuck}
+    stuck = (flow for name, flow in flows.items() if name not in able and flow.state in _WAITING)
+    return {position.subsystem: next(name for name in position.waits_for if name not in able) for position in stuck}
 
 
 def _way(name: str, leads: Mapping[str, str]) -> list[str]:
@@ -103,6 +105,6 @@ def _chain(way: Sequence[str], flows: Mapping[str, Position]) -> str:
     return f"{way[0]} {', which '.join([*waits, stands])}"
 
 
-def _waits(one: Position, other: str) -> str:
-    tag = tag_of(one)
+def _waits(position: Position, other: str) -> str:
+    tag = tag_of(position)
     return f"waits {f'at {tag} ' if tag else ''}for {other}"

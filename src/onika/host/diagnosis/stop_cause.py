@@ -57,32 +57,32 @@ class Cause:
     """Whether the run ends by it: then nothing can be done any more."""
 
 
-def of_failure(heard: news.Failed, is_hardware: bool = False) -> Cause:
+def of_failure(message: news.Failed, is_hardware: bool = False) -> Cause:
     """A task is in ERROR; of a hardware task what its module says tells whether its drive is the reason."""
-    text = f"{heard.entry}: {heard.text}" if heard.entry else heard.text
-    kind = _of_drive(heard.text) if is_hardware else Kind.ERROR
-    return Cause(kind, text, heard.subsystem, heard.task, heard.path, heard.line, heard.entry, heard.values)
+    text = f"{message.entry}: {message.text}" if message.entry else message.text
+    kind = _of_drive(message.text) if is_hardware else Kind.ERROR
+    return Cause(kind, text, message.subsystem, message.task, message.path, message.line, message.entry, message.values)
 
 
-def of_signal(heard: news.Signalled) -> Cause:
+def of_signal(message: news.Signalled) -> Cause:
     """A task has signalled ILLEGAL or SHUTDOWN; raises ValueError for another signal."""
-    if heard.kind not in ("ILLEGAL", "SHUTDOWN"):
-        raise ValueError(f"expected the signal ILLEGAL or SHUTDOWN, found {heard.kind}")
-    text = f"{heard.kind}: {heard.text}" if heard.text else heard.kind
-    return Cause(Kind(heard.kind.lower()), text, heard.subsystem, heard.task)
+    if message.kind not in ("ILLEGAL", "SHUTDOWN"):
+        raise ValueError(f"expected the signal ILLEGAL or SHUTDOWN, found {message.kind}")
+    text = f"{message.kind}: {message.text}" if message.text else message.kind
+    return Cause(Kind(message.kind.lower()), text, message.subsystem, message.task)
 
 
-def of_refusal(heard: news.Refused) -> Cause:
+def of_refusal(message: news.Refused) -> Cause:
     """A command for a task was not carried out."""
-    return Cause(Kind.REFUSED, f"{heard.command} is refused: {heard.reason}", heard.subsystem, heard.task)
+    return Cause(Kind.REFUSED, f"{message.command} is refused: {message.reason}", message.subsystem, message.task)
 
 
-def of_question(heard: news.Asked) -> Cause:
+def of_question(message: news.Asked) -> Cause:
     """A task asks, and what it was given does not answer it."""
-    names = ", ".join(one.name for one in heard.items)
-    reason = f" ({heard.reason})" if heard.reason else ""
+    names = ", ".join(item.name for item in message.items)
+    reason = f" ({message.reason})" if message.reason else ""
     text = f"asks for {names}{reason}, and there is no answer that fits"
-    return Cause(Kind.ASKING, text, heard.subsystem, heard.task)
+    return Cause(Kind.ASKING, text, message.subsystem, message.task)
 
 
 def of_loss(reason: str, tasks: Iterable[tuple[str, str]]) -> Cause:

@@ -24,18 +24,18 @@ def choices(cause: Cause, flows: Sequence[PlannedFlow], positions: Sequence[Posi
     """What can be done, the likeliest first."""
     if cause.ends or cause.kind in (Kind.USER, Kind.LOST):
         return ()
-    places = {one.subsystem: one for one in positions}
+    places = {position.subsystem: position for position in positions}
     names = {flow.subsystem: flow for flow in flows}
-    found: list[Choice] = []
+    choices: list[Choice] = []
     standing = _standing(cause, positions)
     for name in standing:
         if name in names and name in places:
-            found += _of_stopped(names[name], places[name], cause, len(flows) > 1)
+            choices += _of_stopped(names[name], places[name], cause, len(flows) > 1)
     waiting = dict(waiting_for(standing[0], positions)) if standing else {}
     for name in dict.fromkeys((*_stuck(cause, positions), *waiting)):
         if name in places:
-            found += _of_waiting(places[name])
-    return (*found, _ABORT)
+            choices += _of_waiting(places[name])
+    return (*choices, _ABORT)
 
 
 def _standing(cause: Cause, positions: Sequence[Position]) -> list[str]:
@@ -43,7 +43,7 @@ def _standing(cause: Cause, positions: Sequence[Position]) -> list[str]:
     if cause.kind is Kind.DEADLOCK:
         return []
     name = last_of(cause.subsystem, positions) if cause.kind is Kind.DESERTED else cause.subsystem
-    return [one.subsystem for one in positions if one.subsystem == name and one.state == "stopped"]
+    return [position.subsystem for position in positions if position.subsystem == name and position.state == "stopped"]
 
 
 def _stuck(cause: Cause, positions: Sequence[Position]) -> list[str]:
@@ -52,7 +52,7 @@ def _stuck(cause: Cause, positions: Sequence[Position]) -> list[str]:
     if cause.kind is not Kind.DEADLOCK:
         return []
     behind = [name for name, _ in waiting_for(cause.subsystem, positions)]
-    awaited = {name for one in positions if one.state == "waiting" for name in one.waits_for}
+    awaited = {name for position in positions if position.state == "waiting" for name in position.waits_for}
     return [cause.subsystem, *(name for name in behind if name in awaited)]
 
 

@@ -76,7 +76,7 @@ class History:
         table = self._tables[name]
         if len(table.entries) != self._known[name]:
             met = {entry.name for film in films for entry in film.entries}
-            new = [one for one in table.entries.values() if one.name not in met and _is_sampled(one.shape)]
+            new = [entry for entry in table.entries.values() if entry.name not in met and _is_sampled(entry.shape)]
             self._known[name] = len(table.entries)
             if new:
                 films.append(_Film(table, new, self._kept))
@@ -87,7 +87,7 @@ class _Film:
 
     def __init__(self, table: Table, entries: list[TableEntry], kept: int) -> None:
         self.entries = entries
-        self._row = bytearray(sum(one.shape.size for one in entries))
+        self._row = bytearray(sum(entry.shape.size for entry in entries))
         self._rows: deque[bytes] = deque(maxlen=kept)
         self._refresh: list[Callable[[], None]] = []
         self._begins: dict[str, int] = {}
@@ -95,12 +95,12 @@ class _Film:
         self._taken = 0
         at = 0
         view = memoryview(self._row)
-        for one in entries:
-            end = at + one.shape.size
-            self._refresh.append(table.ring(one.name).refresher(view[at:end]))
-            self._begins[one.name] = at
+        for entry in entries:
+            end = at + entry.shape.size
+            self._refresh.append(table.ring(entry.name).refresher(view[at:end]))
+            self._begins[entry.name] = at
             at = end
-        self._unwritten = {one.name: table.ring(one.name) for one in entries}
+        self._unwritten = {entry.name: table.ring(entry.name) for entry in entries}
 
     def take(self, is_new: bool) -> bool:
         """Take a picture, a new one or in place of the last one; whether it differs from the one before."""
@@ -127,7 +127,7 @@ class _Film:
         """What the pictures show of a variable since it was first written, oldest first."""
         if variable not in self._since:
             return []
-        shape = next(one.shape for one in self.entries if one.name == variable)
+        shape = next(entry.shape for entry in self.entries if entry.name == variable)
         at = self._begins[variable]
         first = self._taken - len(self._rows) + 1
         rows = list(self._rows)[max(self._since[variable] - first, 0) :]

@@ -11,7 +11,7 @@ from onika.host.loading.plan_checks import absent_devices, conflicts, cycles, sh
 from onika.host.loading.plan_preparation import unknown_parameters
 from onika.host.subsystems.live_subsystem import LiveSubsystem, Transaction
 from onika.host.subsystems.load_forecast import Coming
-from onika.host.subsystems.subsystem_registry import Stage
+from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.model.lifecycle import State
 from onika.model.planned import task_of
 from onika.model.rules.reconfiguration import exchange
@@ -30,8 +30,8 @@ Answer = Callable[[request.Response], None]
 class Editor:
     """One runtime's subsystems as they are held by hand."""
 
-    def __init__(self, stage: Stage, loading: Loading) -> None:
-        self._stage = stage
+    def __init__(self, subsystems: Subsystems, loading: Loading) -> None:
+        self._subsystems = subsystems
         self._loading = loading
         self._count = 0
 
@@ -43,13 +43,13 @@ class Editor:
         faults += wrong + [edit_objections.of_change(fault) for fault in absent_devices(new, self._loading)]
         constants, unstated = self._known(order, new)
         faults += unstated
-        live = self._stage.live.get(order.subsystem)
+        live = self._subsystems.live.get(order.subsystem)
         is_next = live is None or not live.is_busy  # else it finds what those before it leave
         if is_next:
             faults += self._faults(order, new, bool(faults))
         if faults:
             return refused(faults, notes)
-        live = self._stage.by_hand(order.subsystem)
+        live = self._subsystems.by_hand(order.subsystem)
         for code in order.code:
             live.executor.spawner.add_code(code, self._loading.cost_ns(code))
         return self._begin(live, self._carry_out(live, order, new, constants, is_next))
@@ -69,7 +69,7 @@ class Editor:
         kept = [wired_task for wired_task in live.wired if wired_task.name not in order.kill]
         for task, text in self._overloads(order, [*kept, *new])[1]:
             live.warn(task, text)
-        comers = tuple((wired_task, self._stage.unit(wired_task.task.rtpu)) for wired_task in new)
+        comers = tuple((wired_task, self._subsystems.unit(wired_task.task.rtpu)) for wired_task in new)
         swapped = exchange(
             [wired_task.placed for wired_task in live.wired], order.kill, [wired_task.placed for wired_task in new]
         )
@@ -133,7 +133,7 @@ class Editor:
 
     def close(self, order: asked.Close) -> request.Response:
         """Kill every task of a subsystem."""
-        live = self._stage.live.get(order.subsystem)
+        live = self._subsystems.live.get(order.subsystem)
         if live is None:
             return request.Refused(f"there is no subsystem {order.subsystem} held by hand")
         return self._begin(live, transactions.close(live))
@@ -150,7 +150,7 @@ class Editor:
 
     def ask(self, order: asked.Get | asked.Set, answer: Answer) -> None:
         """Ask a module something, or tell it; the answer comes later."""
-        member = self._stage.members(order.subsystem).get(order.task)
+        member = self._subsystems.members(order.subsystem).get(order.task)
         if member is None:
             answer(request.Refused(f"there is no task {order.task} in subsystem {order.subsystem}"))
             return
@@ -161,7 +161,7 @@ class Editor:
         name = order.name
         to = command.Set if isinstance(order, asked.Set) else command.Get
         words: tuple[Any, ...] = (name, order.value) if isinstance(order, asked.Set) else (name,)
-        self._stage.roll.ask(member.rtpu, to(order.subsystem, order.task, *words), take_answer)
+        self._subsystems.status_poll.ask(member.rtpu, to(order.subsystem, order.task, *words), take_answer)
 
     def _begin(self, live: LiveSubsystem, transaction: Transaction) -> asked.Accepted:
         self._count += 1
@@ -169,11 +169,11 @@ class Editor:
         return asked.Accepted(self._count)
 
     def _living(self, subsystem: str) -> list[WiredTask]:
-        live = self._stage.live.get(subsystem)
+        live = self._subsystems.live.get(subsystem)
         return live.wired if live is not None else []
 
     def _task(self, subsystem: str, task: str) -> tuple[LiveSubsystem | None, request.Refused]:
-        live = self._stage.live.get(subsystem)
+        live = self._subsystems.live.get(subsystem)
         if live is None or live.state(task) is State.KILLED:  # never born, dead, or gone with its unit
             return None, request.Refused(f"there is no task {task} in subsystem {subsystem}")
         return live, request.Refused("")
@@ -199,7 +199,7 @@ class Editor:
                 edit_objections.INSTEAD,
             )
             for wired_task in new
-            if (gone := self._stage.gone(wired_task.task.rtpu))
+            if (gone := self._subsystems.gone(wired_task.task.rtpu))
         ]
         everyone = [*(wired_task for wired_task in living if wired_task.name not in order.kill), *new]
         if not (faults or is_wrong):
@@ -210,7 +210,7 @@ class Editor:
         """What is wrong with these tasks living together, and with devices that others hold."""
         faults = disagreements(everyone) + conflicts(everyone) + cycles(everyone)
         others = [
-            wired_task for name, live in self._stage.live.items() if name != subsystem for wired_task in live.wired
+            wired_task for name, live in self._subsystems.live.items() if name != subsystem for wired_task in live.wired
         ]
         return [edit_objections.of_change(fault) for fault in faults + shared_devices([*others, *everyone])]
 
@@ -218,16 +218,16 @@ class Editor:
         """Tasks for which a unit has no time, and those for which it hardly has (X13)."""
         by_name = {task.name: task for task in tasks}
         rates = dict(order.rates)
-        live = self._stage.live.get(order.subsystem)
+        live = self._subsystems.live.get(order.subsystem)
         units = {name: member.rtpu for name, member in live.members.items()} if live is not None else {}
         coming = []
         for name in dict.fromkeys((*(turn.task for turn in order.on), *rates)):
             task = by_name[name].task
             hz = rates.get(name) or (live.desired.rate(name) if live is not None else None) or task.frequency or 0.0
-            rtpu = units.get(name) or self._stage.unit(task.rtpu)
+            rtpu = units.get(name) or self._subsystems.unit(task.rtpu)
             coming.append(Coming(rtpu, order.subsystem, name, task.digest, hz))
         off = [(order.subsystem, name) for name in (*order.off, *order.kill)]
-        warnings = self._stage.forecast.warnings(off, coming)
+        warnings = self._subsystems.forecast.warnings(off, coming)
         place = Place(f"subsystem {order.subsystem}")
         faults = [
             Fault(

@@ -16,9 +16,9 @@ from onika.host.loading.plan_preparation import Preparation
 from onika.host.recording.recorded_variable import Variable
 from onika.host.recording.recording_place import Beside, InPlace, Pen, complaints
 from onika.host.recording.recording_sink import Finish, Meet, Show, Start, Tell
-from onika.host.run.run import Performance
-from onika.host.sessions.request_server import Gate
-from onika.host.subsystems.subsystem_registry import Stage
+from onika.host.run.application_run import ApplicationRun
+from onika.host.sessions.request_server import RequestServer
+from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.host.units.pose_stream import Posed
 from onika.host.units.process_socket import Post
 from onika.record import topics
@@ -84,10 +84,10 @@ class Seen(Protocol):
 class Recorder:
     """`begin` raises NotYet until whoever writes is up; `has_come` says when to try again."""
 
-    def __init__(self, stage: Stage, seen: Seen, gate: Gate, rtpus: tuple[str, ...]) -> None:
-        self._stage = stage
+    def __init__(self, subsystems: Subsystems, seen: Seen, server: RequestServer, rtpus: tuple[str, ...]) -> None:
+        self._subsystems = subsystems
         self._seen = seen
-        self._gate = gate
+        self._server = server
         self._rtpus = rtpus
         self._asked: dict[str, request.Prepare] = {}
         self._pen: Pen | None = None
@@ -104,9 +104,9 @@ class Recorder:
         self._shown: dict[str, int] = {}
         self._end_at = 0
 
-    def keep(self, session: str, asked: request.Prepare) -> None:
+    def keep(self, session: str, message: request.Prepare) -> None:
         """The plan that a session has prepared, as it came."""
-        self._asked[session] = asked
+        self._asked[session] = message
 
     def lost(self, session: str) -> None:
         """A session is gone."""
@@ -114,16 +114,16 @@ class Recorder:
         if self._pen is not None and self._session == session and self._began < 0:
             self._close()  # it never began
 
-    def begin(self, session: str, asked: request.Begin, prepared: Preparation) -> str:
+    def begin(self, session: str, message: request.Begin, prepared: Preparation) -> str:
         """Open the recording of a run that is to begin now; why that cannot be, or nothing."""
         is_first, self._has_run = self._is_first(), True
-        if self._session == session and self._began < 0 and self._path != asked.record:
+        if self._session == session and self._began < 0 and self._path != message.record:
             self._close()  # it was asked for once, and the run refused
-        if not asked.record:
+        if not message.record:
             return ""
         if self._pen is None:
             self._has_run = not is_first
-            refusal = self._open(session, asked, prepared, is_first)
+            refusal = self._open(session, message, prepared, is_first)
             if refusal:
                 return refusal
         elif self._session != session or self._began >= 0:
@@ -143,7 +143,7 @@ class Recorder:
         self._has_run = True
         if pen is not None:
             pen.take(Start(monotonic_ns()))
-        self._gate.overhear(self._hear)
+        self._server.overhear(self._hear)
         if self._seen.is_virtual:
             self._seen.each_instant(self._look)
         return ""
@@ -160,11 +160,11 @@ class Recorder:
         """What to wait for."""
         return () if self._pen is None else self._pen.readers()
 
-    def command(self, session: str, asked: request.Request) -> None:
+    def command(self, session: str, message: request.Request) -> None:
         """Something was asked and carried out."""
-        if self._began >= 0 and isinstance(asked, topics.STEERING) and not self._end_at:
-            topic = topics.ANSWERS if isinstance(asked, request.Reply) else topics.COMMANDS
-            self._say(topic, topics.encode(topics.RequestRecord(self._seen.turn, session, asked)))
+        if self._began >= 0 and isinstance(message, topics.STEERING) and not self._end_at:
+            topic = topics.ANSWERS if isinstance(message, request.Reply) else topics.COMMANDS
+            self._say(topic, topics.encode(topics.RequestRecord(self._seen.turn, session, message)))
 
     def serve(self) -> None:
         """Look after it, now and then."""
@@ -172,10 +172,10 @@ class Recorder:
             self._look()
             self._pen.serve()
 
-    def may_end(self, performance: Performance, result: event.Result) -> bool:
+    def may_end(self, run: ApplicationRun, result: event.Result) -> bool:
         """Whether the end of a run may be told: its recording, if one is made, has to be finished by then."""
         pen = self._pen
-        if pen is None or performance.session != self._session or self._began < 0:
+        if pen is None or run.session != self._session or self._began < 0:
             return True
         if not self._end_at:
             self._look()
@@ -186,37 +186,37 @@ class Recorder:
         if not pen.is_done and monotonic_ns() < self._end_at:
             return False
         for text in complaints(pen):
-            performance.warn(text, round((self._seen.now - self._began) * 1e-9, 9))
+            run.warn(text, round((self._seen.now - self._began) * 1e-9, 9))
         self._close()
         return True
 
     # Inner
 
     def _is_first(self) -> bool:
-        lives = not all(one.is_empty for one in self._stage.live.values())  # one that is only held changes nothing
+        lives = not all(one.is_empty for one in self._subsystems.live.values())  # one that is only held changes nothing
         return not (self._has_run or lives or self._seen.worlds) and (self._seen.now == 0 or not self._seen.is_virtual)
 
-    def _open(self, session: str, asked: request.Begin, prepared: Preparation, is_first: bool) -> str:
+    def _open(self, session: str, message: request.Begin, prepared: Preparation, is_first: bool) -> str:
         original = self._asked.get(session)
         if original is None:
             return "no plan is prepared"
-        bare = replace(asked, record="", repeat=(), repeat_until_ns=0, is_held=False)
+        bare = replace(message, record="", repeat=(), repeat_until_ns=0, is_held=False)
         began = datetime.now(UTC).isoformat(timespec="milliseconds")
         run = RunRecord(
             original, bare, self._rtpus, self._seen.is_virtual, is_first, began, options=tuple(self._seen.options)
         )
         try:
             if self._seen.is_virtual:
-                self._pen = InPlace(asked.record, run)
+                self._pen = InPlace(message.record, run)
             else:
-                self._pen = Beside(asked.record, run, _every_ns(prepared), self._seen.with_fifo)
+                self._pen = Beside(message.record, run, _every_ns(prepared), self._seen.with_fifo)
         except OSError as wrong:
             return f"no recording can be made: {wrong}"
-        self._session, self._path, self._was_up = session, asked.record, False
+        self._session, self._path, self._was_up = session, message.record, False
         return ""
 
     def _close(self) -> None:
-        self._gate.overhear(None)
+        self._server.overhear(None)
         if self._seen.is_virtual:
             self._seen.each_instant(None)
         if self._pen is not None:
@@ -224,10 +224,10 @@ class Recorder:
         self._pen, self._session = None, ""
         self._forget()
 
-    def _hear(self, one: event.Event, subsystem: str) -> None:
+    def _hear(self, message: event.Event, subsystem: str) -> None:
         is_ours = not subsystem or subsystem in self._names
-        if is_ours and not self._end_at and not isinstance(one, event.Result | event.Stood):
-            self._say(topics.EVENTS, topics.encode(topics.EventRecord(subsystem, one)))
+        if is_ours and not self._end_at and not isinstance(message, event.Result | event.Stood):
+            self._say(topics.EVENTS, topics.encode(topics.EventRecord(subsystem, message)))
 
     def _say(self, topic: str, body: bytes) -> None:
         if self._pen is not None:
@@ -239,7 +239,7 @@ class Recorder:
         if pen is None or self._end_at:
             return
         for name in self._names:
-            table = self._stage.tables.get(name)
+            table = self._subsystems.tables.get(name)
             if table is not None and len(table.entries) != self._met.get(name, 0):
                 self._meet(pen, name)
         pen.look(now)
@@ -247,11 +247,13 @@ class Recorder:
             self._show(pen, world, now)
 
     def _meet(self, pen: Pen, name: str) -> None:
-        table, known = self._stage.tables[name], self._met.get(name, 0)
+        table, known = self._subsystems.tables[name], self._met.get(name, 0)
         new = list(table.entries.values())[known:]
         self._met[name] = known + len(new)
         units = self._units.get(name, {})
-        variables = tuple(Variable(one.name, str(one.shape), units.get(one.name, ""), one.offset) for one in new)
+        variables = tuple(
+            Variable(entry.name, str(entry.shape), units.get(entry.name, ""), entry.offset) for entry in new
+        )
         is_needed = not known or self._seen.is_virtual
         pen.take(Meet(name, variables), table.segment if is_needed else None)
 
@@ -280,6 +282,7 @@ def _every_ns(prepared: Preparation) -> int:
     """How often the tables are looked at, in wall time."""
     rates = [task.frequency for flow in prepared.plan.flows for task in flow.tasks if task.frequency]
     fastest = max(
-        [*rates, *(hz for flow in prepared.plan.flows for one in flow.actions for _, hz in one.rates)], default=50.0
+        [*rates, *(hz for flow in prepared.plan.flows for action in flow.actions for _, hz in action.rates)],
+        default=50.0,
     )
     return min(max(round(_LOOKS * 1e9 / fastest), _FASTEST_NS), _SLOWEST_NS)

@@ -8,7 +8,7 @@ from time import monotonic_ns
 from typing import Protocol
 
 from onika.host.recording import recording_process
-from onika.host.recording.recording_sink import Order, Scribe, Tell, encode
+from onika.host.recording.recording_sink import Order, RecordingSink, Tell, encode
 from onika.host.units.child_process import start
 from onika.host.units.process_socket import Post
 from onika.record.run import RunRecord
@@ -17,7 +17,7 @@ from onika.ring.segment import Segment
 
 _BUFFER = 1 << 18
 _MOST_WAITING = 2000
-"""Datagrams that may wait for a scribe that does not come to take them; more are counted and thrown away."""
+"""Datagrams that may wait for a recording process that does not come to take them; more are counted and thrown away."""
 _PATIENCE_NS = 5_000_000_000
 _ENDED_NS = 2_000_000_000
 
@@ -83,8 +83,8 @@ class InPlace:
         self._stream = open(path, "wb", buffering=_BUFFER)  # noqa: SIM115, PTH123 - it stays open for the run
         writer = Writer(self._stream)
         run.write(writer)
-        self._scribe = Scribe(self._stream, writer)
-        self._scribe.flush()
+        self._sink = RecordingSink(self._stream, writer)
+        self._sink.flush()
         self._flush_at = 0
         self.reason = ""
         self.untold = 0
@@ -95,18 +95,18 @@ class InPlace:
     @property
     def is_done(self) -> bool:
         """Whether the file is finished, or never will be."""
-        return self._scribe.is_finished or bool(self.reason)
+        return self._sink.is_finished or bool(self.reason)
 
     @property
     def missed(self) -> int:
         """Values that were written over before they were looked at: a task that writes four times in one cycle."""
-        return self._scribe.missed
+        return self._sink.missed
 
     def take(self, order: Order, segment: Segment | None = None) -> None:
         """Write this down."""
         if not self.reason:
             try:
-                self._scribe.take(order, None if segment is None else segment.view)
+                self._sink.take(order, None if segment is None else segment.view)
             except OSError as wrong:
                 self.reason = str(wrong)
 
@@ -114,7 +114,7 @@ class InPlace:
         """Write down what variables have changed."""
         if not self.reason:
             try:
-                self._scribe.look(now)
+                self._sink.look(now)
             except OSError as wrong:
                 self.reason = str(wrong)
 
@@ -123,7 +123,7 @@ class InPlace:
         if not self.is_done and monotonic_ns() >= self._flush_at:
             self._flush_at = monotonic_ns() + _BESIDES_NS
             try:
-                self._scribe.flush()
+                self._sink.flush()
             except OSError as wrong:
                 self.reason = str(wrong)
 

@@ -1,4 +1,4 @@
-"""The scribe as a process, in wall time: it looks into the tables by itself, and is never in anybody's way (law 29).
+"""The recording sink as a process, in wall time: it looks into the tables by itself, in nobody's way (law 29).
 
 It outlives the runtime for a moment: whatever kills that, what was seen is written before this process ends.
 """
@@ -14,7 +14,7 @@ from time import monotonic_ns
 from msgspec import Struct, msgpack
 from msgspec.structs import replace
 
-from onika.host.recording.recording_sink import Finish, Meet, Scribe, Start, decode
+from onika.host.recording.recording_sink import Finish, Meet, RecordingSink, Start, decode
 from onika.host.units.output_pipe import open_outlets
 from onika.host.units.pose_stream import Posed
 from onika.host.units.process_socket import Post
@@ -55,26 +55,26 @@ def record(post: Post, every_ns: int) -> None:
         return
     _, (run_fd, file_fd, inlet_fd) = received
     memory, inlet = Segment.attach(run_fd), Post(socket.socket(fileno=inlet_fd))
-    scribe, reason = None, ""
+    sink, reason = None, ""
     try:
         with os.fdopen(file_fd, "wb", buffering=_BUFFER) as stream:
             writer = Writer(stream)
             _decode_run(bytes(memory.view)).write(writer)
             memory.close()
-            scribe = Scribe(stream, writer)
-            scribe.flush()
+            sink = RecordingSink(stream, writer)
+            sink.flush()
             post.send(encode_word(Up()))
-            _follow(post, inlet, scribe, every_ns)
+            _follow(post, inlet, sink, every_ns)
     except OSError as wrong:
         reason = str(wrong)
     inlet.close()
-    post.send(encode_word(Ended(scribe.missed, reason, scribe.untold) if scribe else Ended(reason=reason)))
+    post.send(encode_word(Ended(sink.missed, reason, sink.untold) if sink else Ended(reason=reason)))
 
 
-def _follow(post: Post, inlet: Post, scribe: Scribe, every_ns: int) -> None:
+def _follow(post: Post, inlet: Post, sink: RecordingSink, every_ns: int) -> None:
     memories: dict[str, memoryview] = {}
     due, zero = 0, -1
-    while not (scribe.is_finished or post.is_closed):
+    while not (sink.is_finished or post.is_closed):
         wait = max(due - monotonic_ns(), 0) * 1e-9 if zero >= 0 else None
         ready, _, _ = select.select([post], [], [], wait)
         while ready and not post.is_closed and (received := post.receive()) is not None:
@@ -83,28 +83,28 @@ def _follow(post: Post, inlet: Post, scribe: Scribe, every_ns: int) -> None:
             if isinstance(order, Start):
                 due = zero = order.at_ns  # before the run there is no time to write down
             if isinstance(order, Finish):
-                _look(inlet, scribe, zero)
+                _look(inlet, sink, zero)
             if isinstance(order, Meet):
                 if descriptors:
                     memories[order.subsystem] = Segment.attach(descriptors[0]).view
-                scribe.take(order, memories[order.subsystem])
+                sink.take(order, memories[order.subsystem])
             else:
-                scribe.take(order)
+                sink.take(order)
         now = monotonic_ns()
-        if now >= due and zero >= 0 and not scribe.is_finished:
-            _look(inlet, scribe, zero)
+        if now >= due and zero >= 0 and not sink.is_finished:
+            _look(inlet, sink, zero)
             due = max(due + every_ns, now)
-    if not scribe.is_finished:
-        scribe.flush()  # the runtime is gone: what was seen is all there is
+    if not sink.is_finished:
+        sink.flush()  # the runtime is gone: what was seen is all there is
 
 
-def _look(inlet: Post, scribe: Scribe, zero: int) -> None:
+def _look(inlet: Post, sink: RecordingSink, zero: int) -> None:
     """At the variables, and at what has come from the device server."""
-    scribe.look(monotonic_ns() - zero)
+    sink.look(monotonic_ns() - zero)
     while not inlet.is_closed and (received := inlet.receive()) is not None:
         order = decode(received[0])
         if isinstance(order, Posed):
-            scribe.take(replace(order, at_ns=order.told_ns - zero))
+            sink.take(replace(order, at_ns=order.told_ns - zero))
 
 
 def main(words: list[str]) -> None:

@@ -1,4 +1,4 @@
-"""The scribe: writes a recording from what it is told and from the memory in which variables lie (law 29).
+"""The recording sink writes a recording from what it is told and from the memory in which variables lie (law 29).
 
 In virtual time it sits beside the clock; in wall time it is a process of its own (`recording_process`), so that
 neither a slow disk nor compression stands between two jobs.
@@ -60,7 +60,7 @@ encode = msgpack.Encoder().encode
 decode = msgpack.Decoder(Order).decode
 
 
-class Scribe:
+class RecordingSink:
     """Raises OSError where the file cannot take it, or is not the one any more that was begun."""
 
     def __init__(self, stream: BinaryIO, writer: Writer) -> None:
@@ -82,7 +82,7 @@ class Scribe:
         """Write it down; variables need the memory in which they lie."""
         match order:
             case Meet() if memory is not None:
-                some = [Watched(order.subsystem, one, memory, self._writer) for one in order.variables]
+                some = [Watched(order.subsystem, variable, memory, self._writer) for variable in order.variables]
                 self._watched += some
                 self._counts += [0] * len(some)
             case Tell():
@@ -101,11 +101,11 @@ class Scribe:
 
     def look(self, now: int) -> None:
         """Write down what has changed in the variables since the last call."""
-        counts = [one.words[0] for one in self._watched]
+        counts = [watched.words[0] for watched in self._watched]
         if counts != self._counts:
-            for one, count, before in zip(self._watched, counts, self._counts, strict=True):
+            for watched, count, before in zip(self._watched, counts, self._counts, strict=True):
                 if count != before:
-                    one.take(now, self._looked_at)
+                    watched.take(now, self._looked_at)
             self._counts = counts
         self._looked_at = now
         if now >= self._flush_at:
@@ -118,7 +118,7 @@ class Scribe:
     @property
     def missed(self) -> int:
         """Values that were written over before anybody looked."""
-        return sum(one.missed for one in self._watched)
+        return sum(watched.missed for watched in self._watched)
 
     def flush(self) -> None:
         """Let everything out."""
@@ -128,8 +128,8 @@ class Scribe:
         self._out()
 
     def _settle(self) -> None:
-        for one in self._watched:
-            one.settle()
+        for watched in self._watched:
+            watched.settle()
 
     def _out(self) -> None:
         self._stream.flush()

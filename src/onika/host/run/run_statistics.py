@@ -1,4 +1,4 @@
-"""The tally of a run: what is counted and read for its result."""
+"""The statistics of a run: what is counted and read for its result."""
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass

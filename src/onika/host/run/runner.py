@@ -77,7 +77,7 @@ class Runner:
         self._explainer = Explainer(prepared, self._tables, self._engine.positions, tell)
         self._settling = Settling(begin.settle_s, subsystems, units)
         self._now = 0
-        self.tally = RunStatistics(begin.watch)
+        self.statistics = RunStatistics(begin.watch)
         self.is_over = False
         self._stands_still = False
 
@@ -98,7 +98,7 @@ class Runner:
 
     def start(self, now: int) -> None:
         """Begin the run."""
-        self._now = self._events.began = self.tally.began_at = now
+        self._now = self._events.began = self.statistics.began_at = now
         for executor in self._executors.values():
             executor.begin(now)
         self._explainer.begin(now)
@@ -204,7 +204,7 @@ class Runner:
         self._now = now
         self._explainer.tick(now)
         if self._settling.is_due(now):
-            self.tally.read(self._tables)
+            self.statistics.read(self._tables)
             self._settling.ask()
 
     # News of units
@@ -221,7 +221,7 @@ class Runner:
             self._prepared_switches.refresh()
 
     def _report(self, rtpu: str, statuses: news.Statuses) -> None:
-        self.tally.figures(statuses, self._flows)
+        self.statistics.figures(statuses, self._flows)
         if self._settling.reported(rtpu):
             self._feed(engine_news.Settled())
 
@@ -255,13 +255,13 @@ class Runner:
     def _count(self, flow: int, message: news.TaskNews) -> None:
         match message:
             case news.Stepped():
-                self.tally.strides.note(message)
+                self.statistics.strides.note(message)
             case news.Cycled():
-                meeting = self.tally.first_cycle(flow, message.at_ns)
+                meeting = self.statistics.first_cycle(flow, message.at_ns)
                 if meeting is not None:
                     self._events.met(meeting, message.at_ns)
             case news.Finished():
-                self.tally.finished(flow, message.now_ns)
+                self.statistics.finished(flow, message.now_ns)
 
     # Orders of the engine
 
@@ -280,7 +280,7 @@ class Runner:
             case orders.Together():
                 self._switches.together(len(order.flows))
                 if order.tag:
-                    self.tally.meets(order.tag, order.flows)
+                    self.statistics.meets(order.tag, order.flows)
             case orders.Switch():
                 self._switches.switch(order)
             case orders.Off():
@@ -294,14 +294,14 @@ class Runner:
                 self._settling.begin(self._now)
             case orders.End():
                 self.is_over = True
-                self.tally.end(order.completed, order.cause, self._now)
+                self.statistics.end(order.completed, order.cause, self._now)
             case _:
                 self._note(order)
 
     def _note(self, note: FlowNote) -> None:
         self._events.note(note, self._now)
         if isinstance(note, orders.Done):
-            self.tally.done += 1
+            self.statistics.done += 1
         elif isinstance(note, orders.Moved):
             self._explainer.moved()
 

@@ -1,4 +1,4 @@
-"""The roll: asks all processing units and puts their answers together (requirements A11, A17)."""
+"""The status poll asks all processing units and puts their answers together (requirements A11, A17)."""
 
 from collections.abc import Callable, Iterable
 

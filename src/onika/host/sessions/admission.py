@@ -1,4 +1,4 @@
-"""The doorkeeper: who may come in, who has tried too often, who waits too long in the door. No I/O, no clock."""
+"""Admission: who may come in, who has tried too often, who waits too long in the door. No I/O, no clock."""
 
 import ipaddress
 from collections import OrderedDict
@@ -34,7 +34,7 @@ class Yes:
     channel: Channel
 
 
-class Doorkeeper:
+class Admission:
     """Judges requests by address, name, origin, path and token, the cheap questions first."""
 
     def __init__(self, users: Users, names: Iterable[str], is_private: bool) -> None:
@@ -85,19 +85,19 @@ class Doorkeeper:
         self._wrong.pop(address, None)
         return Yes(user, _PATHS[path])
 
-    def _wrong_name(self, asked: dict[str, list[str]]) -> str:
+    def _wrong_name(self, message: dict[str, list[str]]) -> str:
         """Against pages that have their own name resolved to this machine: a number cannot be resolved anew."""
-        hosts = asked.get("host", [])
+        hosts = message.get("host", [])
         try:
             (host,) = [split_host(value)[0] for value in hosts]
         except ValueError:
             return "expected one Host header"
         return "" if host in self._names or _is_number(host) else "this runtime is not called by that name"
 
-    def _wrong_origin(self, asked: dict[str, list[str]]) -> str:
+    def _wrong_origin(self, message: dict[str, list[str]]) -> str:
         """Against foreign pages in somebody's browser: only programs, which have none, or a page from here."""
-        own = f"{'https' if self._is_private else 'http'}://{asked['host'][0]}"
-        fine = all(origin == own for origin in asked.get("origin", []))
+        own = f"{'https' if self._is_private else 'http'}://{message['host'][0]}"
+        fine = all(origin == own for origin in message.get("origin", []))
         return "" if fine else "pages of another origin have no access"
 
     def _user(self, values: list[str]) -> User | None:

@@ -1,7 +1,7 @@
-"""The witness: says to the audit trail who asked what from where, what came of it, and who holds what (X12).
+"""The audit log says to the audit trail who asked what from where, what came of it, and who holds what (X12).
 
 It looks at what sessions ask and at what is told, so that there is no command without a line. Looking is no command,
-and neither is letting virtual time pass. No token ever comes here: the porter keeps them.
+and neither is letting virtual time pass. No token ever comes here: the listener keeps them.
 """
 
 from collections.abc import Callable
@@ -31,7 +31,7 @@ class Book(Protocol):
         ...
 
 
-class Witness:
+class AuditLog:
     """Writes to a book; `complain` is told once when that no longer succeeds."""
 
     def __init__(self, book: Book, complain: Callable[[str], None] = lambda _text: None) -> None:
@@ -53,7 +53,7 @@ class Witness:
             address=call.address,
             on=getattr(asked, "subsystem", ""),
             about=_words(asked),
-            code=[one.digest for one in _code(asked)],
+            code=[code.digest for code in _code(asked)],
             result=_result(response),
         )
 
@@ -72,22 +72,28 @@ class Witness:
         """A session is gone."""
         self._note("gone", who=session)
 
-    def told(self, one: event.Event) -> None:
+    def told(self, message: event.Event) -> None:
         """Something was told: changes of holder, ends of what was accepted, stops, ends of runs."""
-        match one:
+        match message:
             case event.Held():
-                self._note("held", True, on=one.subsystem, who=one.holder or "nobody", result=one.cause)
+                self._note("held", True, on=message.subsystem, who=message.holder or "nobody", result=message.cause)
             case event.Offered():
-                self._note("offered", on=one.subsystem, who=one.holder, about=f"to {one.to}", result=one.outcome)
+                self._note(
+                    "offered",
+                    on=message.subsystem,
+                    who=message.holder,
+                    about=f"to {message.to}",
+                    result=message.outcome,
+                )
             case event.Stopped():
-                self._note("stopped" if one.is_stopped else "may move again", True, result=one.cause)
+                self._note("stopped" if message.is_stopped else "may move again", True, result=message.cause)
             case event.Edited():
-                self._note("edited", on=one.subsystem, about=str(one.number), result=one.cause or "done")
+                self._note("edited", on=message.subsystem, about=str(message.number), result=message.cause or "done")
             case event.Result():
-                how = "completed" if one.completed else f"aborted: {one.cause}"
-                self._note("run over", about=f"{one.done} of {one.of} actions", result=how)
+                how = "completed" if message.completed else f"aborted: {message.cause}"
+                self._note("run over", about=f"{message.done} of {message.of} actions", result=how)
             case event.Lost():
-                self._note("lost", who=one.name, result=one.cause)
+                self._note("lost", who=message.name, result=message.cause)
 
     def _note(self, what: str, weighs: bool = False, **about: object) -> None:
         self._book.note(what, weighs, **about)
@@ -98,18 +104,18 @@ class Witness:
         self._trouble = trouble
 
 
-def _code(asked: request.Request) -> tuple[Code, ...]:
-    found = getattr(asked, "code", ())
-    if isinstance(asked, request.Prepare):
-        found = asked.plan.code
-    return (found,) if isinstance(found, Code) else tuple(found)
+def _code(message: request.Request) -> tuple[Code, ...]:
+    code = getattr(message, "code", ())
+    if isinstance(message, request.Prepare):
+        code = message.plan.code
+    return (code,) if isinstance(code, Code) else tuple(code)
 
 
-def _words(asked: request.Request) -> str:
+def _words(message: request.Request) -> str:
     """What a request says, in short."""
-    fields = [one for one in asked.__struct_fields__ if one not in ("subsystem", "code")]
-    found = [(one, _piece(getattr(asked, one))) for one in fields]
-    return " ".join(f"{name}={text}" for name, text in found if text)
+    names = [name for name in message.__struct_fields__ if name not in ("subsystem", "code")]
+    pieces = [(name, _piece(getattr(message, name))) for name in names]
+    return " ".join(f"{name}={text}" for name, text in pieces if text)
 
 
 def _piece(value: Any) -> str:
@@ -126,7 +132,9 @@ def _piece(value: Any) -> str:
             return value.application
         case tuple():
             pieces = [_piece(one) for one in value[:_MOST]]
-            return ",".join(one for one in pieces if one) + (f" and {len(value) - _MOST} more" if value[_MOST:] else "")
+            return ",".join(piece for piece in pieces if piece) + (
+                f" and {len(value) - _MOST} more" if value[_MOST:] else ""
+            )
     return ""
 
 

@@ -16,8 +16,8 @@ class _Line:
     last: int = 0
 
 
-class BeatBook:
-    """The connections of a porter that may beat by datagram; `port` 0: none may."""
+class HeartbeatRegistry:
+    """The connections of a listener that may beat by datagram; `port` 0: none may."""
 
     def __init__(self, port: int = 0) -> None:
         self.port = port

@@ -2,7 +2,7 @@
 
 Silence is judged on the runtime's own clock that never goes back, by what was read: a runtime that was busy itself
 takes in first what waits, and judges then. What counts is silence that was listened to: time in which the runtime, or
-its porter, stood still itself is excused, for as long as the lease once more at most. The program that launched the
+its listener, stood still itself is excused, for as long as the lease once more at most. The program that launched the
 runtime has none: its end is noticed. In virtual time there are no leases (law 15).
 """
 
@@ -100,8 +100,8 @@ class Leases:
 
     def of(self, session: str) -> int:
         """For how long a session may be silent now, in ns; 0: for ever."""
-        heard = self._hearing(session) if self._length_ns != 0 else None
-        return 0 if heard is None else self._length(heard)
+        hearing = self._hearing(session) if self._length_ns != 0 else None
+        return 0 if hearing is None else self._length(hearing)
 
     def _left(self, session: str, heard: Heard) -> int:
         return self._length(heard) - heard.silent_ns + self._excused.get(session, (0, 0))[1]

@@ -29,7 +29,7 @@ class Wanted(Struct, frozen=True):
 
 
 class Listening(Struct, frozen=True):
-    """What the porter needs: no token, only what is kept of tokens."""
+    """What the listener needs: no token, only what is kept of tokens."""
 
     host: str
     port: int

@@ -1,6 +1,6 @@
-"""The porter as a process: it listens, so that TLS, HTTP, garbage and floods never touch the program.
+"""The listener as a process, so that TLS, HTTP, garbage and floods never touch the program.
 
-It lets in whom the doorkeeper lets in and hands the program one end of a socket pair for each connection.
+It lets in whom admission lets in and hands the program one end of a socket pair for each connection.
 """
 
 import argparse
@@ -16,8 +16,8 @@ from functools import partial
 
 from msgspec import msgpack
 
-from onika.host.sessions.admission import Doorkeeper, Yes
-from onika.host.sessions.heartbeat_registry import BeatBook
+from onika.host.sessions.admission import Admission, Yes
+from onika.host.sessions.heartbeat_registry import HeartbeatRegistry
 from onika.host.sessions.listen_options import Listening, context
 from onika.host.sessions.listener_process import AWAKE_NS, Arrived, Awake, Failed, Ready, encode
 from onika.host.sessions.relay import Relay, Unwelcome
@@ -50,12 +50,12 @@ class House:
         self._listening = listening
         self._post = post
         is_private = bool(listening.certificate)
-        self._doorkeeper = Doorkeeper(Users(listening.users), listening.names, is_private)
+        self._admission = Admission(Users(listening.users), listening.names, is_private)
         self._context: ssl.SSLContext | None = context(listening.certificate, listening.key) if is_private else None
         self._tasks: dict[int, asyncio.Task[None]] = {}
         self._relays: set[asyncio.Task[None]] = set()
         self._inside = 0
-        self._book = BeatBook()
+        self._book = HeartbeatRegistry()
 
     async def serve(self, listener: socket.socket, beats: socket.socket | None) -> None:
         """Take connections until the program is gone; and their beats, where they can come as datagrams."""
@@ -107,7 +107,7 @@ class House:
             taken += 1
             if taken % _AT_ONCE == 0:  # a few at a time: who has said what he wants is heard before others crowd in
                 await asyncio.sleep(0)
-            number, evicted = self._doorkeeper.enter(peer[0])
+            number, evicted = self._admission.enter(peer[0])
             if evicted is not None and evicted in self._tasks:
                 self._tasks[evicted].cancel()
             task = asyncio.create_task(self._receive(number, connected, peer[0]))
@@ -118,7 +118,7 @@ class House:
     def _gone(self, number: int, task: "asyncio.Task[None]") -> None:
         self._relays.discard(task)
         self._tasks.pop(number, None)
-        self._doorkeeper.leave(number)
+        self._admission.leave(number)
 
     async def _receive(self, number: int, connected: socket.socket, address: str) -> None:
         """One connection from its first byte to its last."""
@@ -126,7 +126,7 @@ class House:
         try:
             async with asyncio.timeout(GREETING_S):
                 relay = await self._relay(connected, address)
-                answer, hello, payloads = await relay.greet(self._doorkeeper, number)
+                answer, hello, payloads = await relay.greet(self._admission, number)
             self._tasks.pop(number, None)
             await self._inwards(relay, answer, hello, payloads, address)
         except (Unwelcome, OSError, TimeoutError, asyncio.CancelledError):

@@ -1,4 +1,4 @@
-"""The porter as the program sees it: a process that listens on the network, and what it says.
+"""The listener as the program sees it: a process that listens on the network, and what it says.
 
 It hands the program one end of a socket pair for each connection that it has let in (`host.sessions.listener_main`).
 """
@@ -54,8 +54,8 @@ encode = msgpack.Encoder().encode
 _decode = msgpack.Decoder(Ready | Failed | Arrived | Awake).decode
 
 
-class Porter:
-    """The porter as the program sees it."""
+class ListenerProcess:
+    """The listener as the program sees it."""
 
     def __init__(self, listening: Listening) -> None:
         self._listening = listening
@@ -85,8 +85,8 @@ class Porter:
     def arrivals(self) -> list[tuple[Introduction, socket.socket]]:
         """Who has come since the last call."""
         came = []
-        while (one := self._post.receive()) is not None:
-            body, descriptors = one
+        while (packet := self._post.receive()) is not None:
+            body, descriptors = packet
             arrived = _decode(body)
             if isinstance(arrived, Awake):
                 self._awake_ns = monotonic_ns()

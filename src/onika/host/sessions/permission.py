@@ -25,40 +25,40 @@ OUTSIDE = ("PARTNER", "STARTS")
 """LOCAL lines that name a program to be started or talked with: as good as code, whatever module reads them."""
 
 
-def refusal(caller: Caller, asked: request.Request, accepts_code: bool) -> str:
+def refusal(caller: Caller, message: request.Request, accepts_code: bool) -> str:
     """Why this may not be asked by this caller; empty: it may.
 
     accepts_code    whether code from other machines is taken
     """
-    least = _least(asked)
+    least = _least(message)
     if caller.role < least:
-        what = type(asked).__name__
+        what = type(message).__name__
         return f"expected {_article(least)} {least.word} for {what}, found {caller.user}, who is {caller.role.word}"
-    if brings_code(asked) and not caller.is_near and not accepts_code:
+    if brings_code(message) and not caller.is_near and not accepts_code:
         return f"code from another machine ({caller.address}) is not accepted; start the runtime with --accept-code"
-    if isinstance(asked, request.Begin) and asked.record and caller != PARENT:
+    if isinstance(message, request.Begin) and message.record and caller != PARENT:
         return f"a recording is written for the program that launched the runtime; {caller.user} called from elsewhere"
     return ""
 
 
-def changes_nothing(asked: request.Request) -> bool:
+def changes_nothing(message: request.Request) -> bool:
     """Whether who only watches may ask it: it looks, or stops."""
-    return isinstance(asked, (*_LOOKING, live.Get, live.Describe, request.Inspect))
+    return isinstance(message, (*_LOOKING, live.Get, live.Describe, request.Inspect))
 
 
-def brings_code(asked: request.Request) -> bool:
+def brings_code(message: request.Request) -> bool:
     """Whether module code comes with it."""
-    match asked:
+    match message:
         case request.Prepare():
-            return bool(asked.plan.code)
+            return bool(message.plan.code)
         case request.Inspect() | live.Describe():
-            return bool(asked.code)
+            return bool(message.code)
         case live.Change():
-            return bool(asked.code) or any(_leads_outside(task.local) for task in asked.spawn)
+            return bool(message.code) or any(_leads_outside(task.local) for task in message.spawn)
         case live.Swap():
             return True
         case live.Reinit():
-            return _leads_outside(asked.local or ())
+            return _leads_outside(message.local or ())
     return False
 
 
@@ -66,12 +66,12 @@ def _leads_outside(local: Iterable[tuple[str, tuple[str, ...]]]) -> bool:
     return any(key in OUTSIDE for key, _ in local)
 
 
-def _least(asked: request.Request) -> Role:
-    if isinstance(asked, _LOOKING):
+def _least(message: request.Request) -> Role:
+    if isinstance(message, _LOOKING):
         return Role.VIEWER
-    if brings_code(asked):
+    if brings_code(message):
         return Role.PROGRAMMER
-    return Role.OWNER if isinstance(asked, request.Quit) else Role.OPERATOR
+    return Role.OWNER if isinstance(message, request.Quit) else Role.OPERATOR
 
 
 def _article(role: Role) -> str:

@@ -15,12 +15,12 @@ class Doorway(Protocol):
         """All that are known, here or not."""
         ...
 
-    def tell(self, one: event.Event, subsystem: str = "", session: str = "") -> None:
+    def tell(self, message: event.Event, subsystem: str = "", session: str = "") -> None:
         """Say an event to who attends."""
         ...
 
 
-class Company:
+class Presence:
     """The sessions of a runtime, with what each of them has said of itself."""
 
     def __init__(
@@ -34,8 +34,8 @@ class Company:
     def sessions(self) -> tuple[holding.SessionStanding, ...]:
         """Who is known."""
         watching = self._watching()
-        known = self._doorway.sessions()
-        return tuple(self._standing(one, watching) for one in known)
+        sessions = self._doorway.sessions()
+        return tuple(self._standing(standing, watching) for standing in sessions)
 
     def answer(self, session: str) -> holding.Company:
         """To whoever asks who is there."""
@@ -48,5 +48,7 @@ class Company:
             self._told = sessions
             self._doorway.tell(event.Company(sessions), holding.COMPANY)
 
-    def _standing(self, one: holding.SessionStanding, watching: Set[str]) -> holding.SessionStanding:
-        return structs.replace(one, only_watches=one.name in watching, lease_s=self._lease(one.name) * 1e-9)
+    def _standing(self, standing: holding.SessionStanding, watching: Set[str]) -> holding.SessionStanding:
+        return structs.replace(
+            standing, only_watches=standing.name in watching, lease_s=self._lease(standing.name) * 1e-9
+        )

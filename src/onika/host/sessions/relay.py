@@ -10,8 +10,8 @@ from websockets.http11 import Request, Response
 from websockets.protocol import Event, State
 from websockets.server import ServerProtocol
 
-from onika.host.sessions.admission import Doorkeeper, No, Yes
-from onika.host.sessions.heartbeat_registry import BeatBook
+from onika.host.sessions.admission import Admission, No, Yes
+from onika.host.sessions.heartbeat_registry import HeartbeatRegistry
 from onika.link.heartbeat import HEADER, HeartbeatKey
 from onika.link.websocket_messages import SILENT, WebSocketMessages
 from onika.wire.frame import FRAME_LIMIT, FrameReader, frame
@@ -34,9 +34,13 @@ class Relay:
     """One connection, given as the streams of its outside."""
 
     def __init__(
-        self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter, address: str, book: BeatBook | None = None
+        self,
+        reader: asyncio.StreamReader,
+        writer: asyncio.StreamWriter,
+        address: str,
+        book: HeartbeatRegistry | None = None,
     ) -> None:
-        self._book = book or BeatBook()
+        self._book = book or HeartbeatRegistry()
         self._heartbeat_key: HeartbeatKey | None = None
         self._inside: asyncio.StreamWriter | None = None
         self._reader = reader
@@ -45,13 +49,13 @@ class Relay:
         self._protocol = ServerProtocol(max_size=FRAME_LIMIT, logger=SILENT)
         self._messages = WebSocketMessages()
 
-    async def greet(self, doorkeeper: Doorkeeper, number: int) -> tuple[Yes, Hello, list[bytes]]:
+    async def greet(self, admission: Admission, number: int) -> tuple[Yes, Hello, list[bytes]]:
         """Let in or turn away, then wait for the hello: who it is, and all payloads so far. Raises Unwelcome.
 
         From the moment his token is known to be right, nobody else's crowding in the door puts him out again.
         """
-        answer = self._answer(await self._request(), doorkeeper)
-        doorkeeper.leave(number)
+        answer = self._answer(await self._request(), admission)
+        admission.leave(number)
         payloads: list[bytes] = []
         while not payloads:
             payloads = await self._receive()
@@ -97,11 +101,11 @@ class Relay:
                 await self._send()
                 raise Unwelcome("no HTTP")
 
-    def _answer(self, request: Request, doorkeeper: Doorkeeper) -> Yes:
+    def _answer(self, request: Request, admission: Admission) -> Yes:
         response = self._protocol.accept(request)  # 400, 405, 426: no WebSocket at all
         answer: Yes | No | None = None
         if response.status_code == 101:
-            answer = doorkeeper.judge(request.path, request.headers.raw_items(), self._address, monotonic_ns())
+            answer = admission.judge(request.path, request.headers.raw_items(), self._address, monotonic_ns())
             if isinstance(answer, No):
                 response = self._protocol.reject(answer.status, answer.reason + "\n")
             elif answer.channel.asks:

@@ -1,4 +1,4 @@
-"""The gate: the runtime's end of all links; requests in, replies, events and readings out."""
+"""The request server is the runtime's end of all links; requests in, replies, events and readings out."""
 
 import select
 import socket
@@ -45,7 +45,7 @@ class Descriptor(Protocol):
 
 
 class Door(Protocol):
-    """Where guests come from: the porter, or a test's."""
+    """Where guests come from: the listener, or a test's."""
 
     @property
     def post(self) -> Descriptor:
@@ -84,19 +84,19 @@ class Watcher(Protocol):
         """A session is gone."""
         ...
 
-    def told(self, one: event.Event) -> None:
+    def told(self, message: event.Event) -> None:
         """Something was told."""
         ...
 
 
-class Gate:
+class RequestServer:
     """All sessions of a runtime; every request gets exactly one response, now or later."""
 
     def __init__(
-        self, guests: Sessions, clock: Callable[[], int], porter: Door | None = None, accepts_code: bool = False
+        self, guests: Sessions, clock: Callable[[], int], listener: Door | None = None, accepts_code: bool = False
     ) -> None:
         self._guests = guests
-        self._porter = porter
+        self._listener = listener
         self._clock = clock
         self._accepts_code = accepts_code
         self._parent: EnvironmentSession | None = None
@@ -126,7 +126,7 @@ class Gate:
 
     def readers(self) -> list[Descriptor]:
         """What to wait for reading."""
-        return [*self._ports(), *([] if self._porter is None else [self._porter.post])]
+        return [*self._ports(), *([] if self._listener is None else [self._listener.post])]
 
     def writers(self) -> list[Descriptor]:
         """What to wait for writing."""
@@ -137,7 +137,7 @@ class Gate:
         if self._told:
             return 0.0
         now = self._clock()
-        times = [due for one in self._guests.sessions if (due := one.due_ns(now)) is not None]
+        times = [due for session in self._guests.sessions if (due := session.due_ns(now)) is not None]
         return min(times) * 1e-9 if times else None
 
     def wait_s(self, most_s: float) -> float:
@@ -145,17 +145,17 @@ class Gate:
         due_s = self.due_s()
         return most_s if due_s is None else min(most_s, due_s)
 
-    def tell(self, one: event.Event, subsystem: str = "", session: str = "") -> None:
+    def tell(self, message: event.Event, subsystem: str = "", session: str = "") -> None:
         """Say an event to every session that attends the subsystem (empty: to all), and to the named one in any case.
 
         Numbered, acknowledged, never lost. It goes out at the next `flush`, so that telling never stands between a
         trigger's finish and the next job.
         """
-        self._told.append((one, subsystem, session))
+        self._told.append((message, subsystem, session))
         if self.watcher is not None:
-            self.watcher.told(one)
+            self.watcher.told(message)
         if self._ear is not None:
-            self._ear(one, subsystem)
+            self._ear(message, subsystem)
 
     def overhear(self, ear: Callable[[event.Event, str], None] | None) -> None:
         """From now on this one hears every event as it is told, and the subsystem it is about; none: nobody does."""
@@ -172,15 +172,15 @@ class Gate:
     def attend(self, session: str, subsystems: tuple[str, ...]) -> None:
         """From now on the session hears these subsystems, in place of what it heard before; `*`: all."""
         self.flush()  # what was told before was told to those who attended then
-        found = self._guests.find(session)
-        if found is not None:
-            found.attends = frozenset(subsystems)
+        find = self._guests.find(session)
+        if find is not None:
+            find.attends = frozenset(subsystems)
 
     def show(self, session: str, key: str, body: bytes) -> None:
         """The newest reading under a key, to one session; dropped where there is no room."""
-        found = self._guests.find(session)
-        if found is not None:
-            found.show(key, body, self._clock())
+        find = self._guests.find(session)
+        if find is not None:
+            find.show(key, body, self._clock())
 
     def requests(self) -> list[Call]:
         """What was asked since the last call; what is no request, or is not allowed, is refused at once."""
@@ -191,7 +191,7 @@ class Gate:
         self._turn += 1
         first = self._turn % len(sessions) if sessions else 0  # in turns: nobody is always the last
         stirring = self._stirring(sessions[first:] + sessions[:first], now)
-        asked = [(one, each) for one in stirring for each in one.service(now)]
+        asked = [(session, each) for session in stirring for each in session.service(now)]
         calls = [self._judge(session, each) for session, each in asked if isinstance(each, RequestReceived)]
         return [call for call in calls if call is not None]
 
@@ -212,20 +212,20 @@ class Gate:
 
     def sessions(self) -> tuple[holding.SessionStanding, ...]:
         """Who is known; here is who is heard at present."""
-        known = self._guests.sessions
-        return tuple(holding.SessionStanding(one.name, one.caller.role.word, one.is_linked) for one in known)
+        sessions = self._guests.sessions
+        return tuple(holding.SessionStanding(one.name, one.caller.role.word, one.is_linked) for one in sessions)
 
     def hearing(self, session: str) -> Heard | None:
         """How a session is heard; None: it is not known, or the launching program, whose end is told."""
-        found = self._guests.find(session)
-        if found is None or found is self._parent:
+        find = self._guests.find(session)
+        if find is None or find is self._parent:
             return None
-        now, link_quality = self._clock(), found.link_quality
-        return Heard(now - found.heard_ns, link_quality.beats, now - link_quality.last_ns, link_quality.round_trip_us)
+        now, link_quality = self._clock(), find.link_quality
+        return Heard(now - find.heard_ns, link_quality.beats, now - link_quality.last_ns, link_quality.round_trip_us)
 
     def deaf_ns(self) -> int:
         """For how long nothing could be heard, whoever spoke."""
-        return 0 if self._porter is None else self._porter.deaf_ns()
+        return 0 if self._listener is None else self._listener.deaf_ns()
 
     def lost(self) -> list[str]:
         """The sessions given up since the last call: good-bye, or silence for too long; each loss once."""
@@ -242,13 +242,17 @@ class Gate:
             if port.fileno() >= 0:
                 poller.register(port.fileno(), select.POLLIN | (select.POLLOUT if port.want_write() else 0))
         ready = {-1, *(descriptor for descriptor, _ in poller.poll(0))}
-        return [one for one in sessions if one.due_ns(now) == 0 or any(port.fileno() in ready for port in one.ports)]
+        return [
+            session
+            for session in sessions
+            if session.due_ns(now) == 0 or any(port.fileno() in ready for port in session.ports)
+        ]
 
     def _welcome(self) -> None:
         """Take in who has come, and notice when nobody can come any more."""
-        if self._porter is None:
+        if self._listener is None:
             return
-        for new, connected in self._porter.arrivals():
+        for new, connected in self._listener.arrivals():
             carrier = SocketCarrier(connected, buffer_limit=_WAITING, turn=_PACKETS, turn_bytes=_BYTES)
             why = self._guests.admit(new, carrier, self._clock())
             if self.watcher is not None:
@@ -256,24 +260,24 @@ class Gate:
             if why:
                 carrier.send(encode(Bye("refused", why)))
                 carrier.close()
-        ending = self._porter.ending()
+        ending = self._listener.ending()
         if ending:
-            self._porter = None
+            self._listener = None
             self.tell(event.Lost("porter", f"the porter {ending}; nobody new can connect", self._clock() * 1e-9))
 
     def _judge(self, session: EnvironmentSession, each: RequestReceived) -> Call | None:
         self._count += 1
         self._tickets[self._count] = (session, each.ticket)
         try:
-            asked = request.decode_request(each.body)
+            decode_request = request.decode_request(each.body)
         except ValueError as wrong:
             if self.watcher is not None:
                 self.watcher.garbage(session.name, str(wrong))
             self.reply(self._count, request.Refused(f"expected a request, found something else: {wrong}"))
             return None
-        call = Call(self._count, session.name, session.caller.role, asked, session.caller.address)
+        call = Call(self._count, session.name, session.caller.role, decode_request, session.caller.address)
         self._calls[self._count] = call
-        why = refusal(session.caller, asked, self._accepts_code)
+        why = refusal(session.caller, decode_request, self._accepts_code)
         if why:
             self.reply(self._count, request.Refused(why))
             return None

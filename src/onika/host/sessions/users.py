@@ -37,8 +37,8 @@ class Users:
     def find(self, token: str) -> User | None:
         """The user whose token this is; takes as long for a wrong one as for a right one."""
         asked = digest(token)
-        found = [user for user in self.users if hmac.compare_digest(user.digest, asked)]
-        return found[0] if found else None
+        users = [user for user in self.users if hmac.compare_digest(user.digest, asked)]
+        return users[0] if users else None
 
 
 def read(text: str, place: str) -> tuple[tuple[User, ...], list[Fault]]:

@@ -4,8 +4,8 @@ from collections.abc import Callable, Sequence
 
 from msgspec import structs
 
-from onika.host.run.run import Performance
-from onika.host.subsystems.subsystem_registry import Stage
+from onika.host.run.application_run import ApplicationRun
+from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.wire import request, steer
 from onika.words.condition import Condition
 
@@ -15,27 +15,27 @@ Answer = Callable[[request.Response], None]
 class RunCommands:
     """Judges and passes on the steering messages for all applications of a runtime."""
 
-    def __init__(self, stage: Stage) -> None:
-        self._stage = stage
+    def __init__(self, subsystems: Subsystems) -> None:
+        self._subsystems = subsystems
 
     def refusal(self, session: str, command: steer.Steering) -> str:
         """Why this session may not ask it; empty: it may. A run whose session is gone is everybody's."""
-        performance = self._performance(session, command)
-        if isinstance(performance, str):
-            return performance
-        if performance.session not in (session, ""):
-            return f"application {performance.application} was begun by {performance.session}; everybody can stop"
+        run = self._run_meant(session, command)
+        if isinstance(run, str):
+            return run
+        if run.session not in (session, ""):
+            return f"application {run.application} was begun by {run.session}; everybody can stop"
         return ""
 
     def carry_out(self, session: str, command: steer.Steering, now: int, answer: Answer) -> None:
         """Do it; answered once the engine has said that it does, or why not."""
-        performance = self._performance(session, command)
-        if isinstance(performance, str):
-            answer(request.Refused(performance))
+        run = self._run_meant(session, command)
+        if isinstance(run, str):
+            answer(request.Refused(run))
             return
-        names = (command.subsystem,) if command.subsystem else performance.names
+        names = (command.subsystem,) if command.subsystem else run.names
         if len(names) > 1 and not isinstance(command, steer.Pause | steer.Resume | steer.Step | steer.Recover):
-            answer(request.Refused(f"expected one of the flows {', '.join(performance.names)}, found none"))
+            answer(request.Refused(f"expected one of the flows {', '.join(run.names)}, found none"))
             return
         wrong = _wrong_condition(command)
         if wrong:
@@ -43,20 +43,20 @@ class RunCommands:
             return
         waits = _Answers(len(names), answer)
         for name in names:
-            performance.runner.steer(structs.replace(command, subsystem=name), now, waits.take)
+            run.runner.steer(structs.replace(command, subsystem=name), now, waits.take)
 
     def who(self, session: str) -> request.Response:
         """Where every flow is: of the asker's applications, of all where it has none."""
-        own = [run for run in self._stage.performances if run.session == session]
-        runs: Sequence[Performance] = own or self._stage.performances
+        own = [run for run in self._subsystems.runs if run.session == session]
+        runs: Sequence[ApplicationRun] = own or self._subsystems.runs
         return steer.Positions(tuple(position for run in runs for position in run.runner.positions()))
 
-    def _performance(self, session: str, command: steer.Steering) -> Performance | str:
+    def _run_meant(self, session: str, command: steer.Steering) -> ApplicationRun | str:
         """The application that is meant, or why there is none."""
         if command.subsystem:
-            named = self._stage.performance_in(command.subsystem)
+            named = self._subsystems.run_in(command.subsystem)
             return named if named is not None else f"no application runs in subsystem {command.subsystem}"
-        runs = self._stage.performances
+        runs = self._subsystems.runs
         candidates = [run for run in runs if run.session == session] or runs
         if len(candidates) == 1:
             return candidates[0]

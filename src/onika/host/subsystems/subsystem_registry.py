@@ -1,11 +1,11 @@
-"""The stage: every subsystem of a runtime, held by hand or by an application; news finds its way here."""
+"""Every subsystem of a runtime, held by hand or by an application; news finds its way here."""
 
 from collections.abc import Callable, Collection, Mapping
 from typing import Protocol
 
+from onika.host.run.application_run import ApplicationRun
 from onika.host.run.clock_gate import ClockGate
 from onika.host.run.replay import Replay
-from onika.host.run.run import Performance
 from onika.host.run.status_poll import StatusPoll
 from onika.host.subsystems.live_subsystem import LiveSubsystem
 from onika.host.subsystems.load_forecast import Forecast
@@ -49,15 +49,15 @@ class Tables(Units, Protocol):
         ...
 
 
-class Stage:
+class Subsystems:
     """Who lives where. It is the driver's listener."""
 
     def __init__(self, units: Tables, tell: Tell, rtpus: Collection[str]) -> None:
         self.live: dict[str, LiveSubsystem] = {}
         self.tables: dict[str, Table] = {}
-        self.performances: list[Performance] = []
+        self.runs: list[ApplicationRun] = []
         self.lost_units: dict[str, str] = {}
-        self.roll = StatusPoll(units, self._alive)
+        self.status_poll = StatusPoll(units, self._alive)
         self.forecast = Forecast()
         self.hold = ClockGate(tell)
         self.repeat = Replay()
@@ -83,8 +83,8 @@ class Stage:
         """The subsystem of this name as it is held by hand; it is made with its first task."""
         if name not in self.live:
 
-            def tell(one: event.Event) -> None:
-                self._tell(one, name, self.live[name].holder if name in self.live else "")
+            def tell(message: event.Event) -> None:
+                self._tell(message, name, self.live[name].holder if name in self.live else "")
 
             self.live[name] = LiveSubsystem(
                 name,
@@ -115,14 +115,14 @@ class Stage:
         """Why no task can run on the unit it would be on; empty: it can."""
         return self.lost_units.get(self.unit(wanted), "")
 
-    def performance_in(self, subsystem: str) -> Performance | None:
+    def run_in(self, subsystem: str) -> ApplicationRun | None:
         """The application that runs in a subsystem."""
-        return next((one for one in self.performances if subsystem in one.names), None)
+        return next((run for run in self.runs if subsystem in run.names), None)
 
-    def perform(self, performance: Performance) -> None:
+    def perform(self, run: ApplicationRun) -> None:
         """An application begins."""
-        self.performances.append(performance)
-        performance.runner.start(self._units.now)
+        self.runs.append(run)
+        run.runner.start(self._units.now)
 
     def when(self, at: int, then: Callable[[], None]) -> None:
         """In virtual time: let the clock go on to this time, then do this."""
@@ -137,16 +137,16 @@ class Stage:
         if self._stands:
             return False
         is_running = False
-        for one in self.performances:  # asked at every instant of virtual time
-            if not one.runner.is_over and one.runner.is_asking:
+        for run in self.runs:  # asked at every instant of virtual time
+            if not run.runner.is_over and run.runner.is_asking:
                 return False
-            is_running = is_running or one.runner.is_moving
+            is_running = is_running or run.runner.is_moving
         return is_running or self._is_let_pass
 
     @property
     def is_asking(self) -> bool:
         """Whether a task of an application waits for user input."""
-        return any(one.runner.is_asking and not one.runner.is_over for one in self.performances)
+        return any(run.runner.is_asking and not run.runner.is_over for run in self.runs)
 
     @property
     def is_still(self) -> bool:
@@ -154,7 +154,7 @@ class Stage:
         lives = any(live.members for live in self.live.values()) or self._is_let_pass
         if self.is_asking or self._stands:
             return True
-        return not (lives or any(one.runner.is_moving for one in self.performances))
+        return not (lives or any(run.runner.is_moving for run in self.runs))
 
     @property
     def is_hurried(self) -> bool:
@@ -184,45 +184,47 @@ class Stage:
         now = self._units.now
         return self.repeat.wake_at(now) if self.repeat.is_on(now) else self.hold.wake_at()
 
-    def hear(self, rtpu: str, heard: news.News, now: int) -> None:
+    def hear(self, rtpu: str, message: news.News, now: int) -> None:
         """Tell whose task it is."""
-        if isinstance(heard, news.Loads):
-            self.forecast.hear(heard.rtpu, [(load, self._digest(load.subsystem, load.task)) for load in heard.tasks])
+        if isinstance(message, news.Loads):
+            self.forecast.hear(
+                message.rtpu, [(load, self._digest(load.subsystem, load.task)) for load in message.tasks]
+            )
             return
-        if isinstance(heard, news.Statuses):
-            self.roll.hear(heard)
-            for one in self.performances:
-                one.hear(rtpu, heard, now)
+        if isinstance(message, news.Statuses):
+            self.status_poll.hear(message)
+            for each in self.runs:
+                each.hear(rtpu, message, now)
             return
-        if isinstance(heard, news.Got) or (isinstance(heard, news.Refused) and heard.command == "get or set"):
-            self.roll.answered(heard)
+        if isinstance(message, news.Got) or (isinstance(message, news.Refused) and message.command == "get or set"):
+            self.status_poll.answered(message)
             return
-        performance = self.performance_in(heard.subsystem)
-        if performance is not None:
-            performance.hear(rtpu, heard, now)
-        elif heard.subsystem in self.live:
-            self.live[heard.subsystem].hear(rtpu, heard, now)
+        run = self.run_in(message.subsystem)
+        if run is not None:
+            run.hear(rtpu, message, now)
+        elif message.subsystem in self.live:
+            self.live[message.subsystem].hear(rtpu, message, now)
 
     def lost(self, rtpu: str, reason: str, now: int) -> None:
         """A process is gone, and with a unit its tasks."""
         if rtpu:
             self.lost_units[rtpu] = reason
         self._tell(event.Lost(rtpu or "device server", reason, round(now * 1e-9, 9)), "", "")
-        for performance in self.performances:
-            performance.runner.lost(rtpu, reason, now)
+        for run in self.runs:
+            run.runner.lost(rtpu, reason, now)
         for live in list(self.live.values()):
             live.lost(rtpu, reason, now)
-        self.roll.lost()
+        self.status_poll.lost()
 
     def run_began(self, device: str) -> int:
         """When the run began that uses a device; 0 where none does."""
-        return max((one.runner.run_began(device) for one in self.performances), default=0)
+        return max((run.runner.run_began(device) for run in self.runs), default=0)
 
     def wake_at(self) -> int | None:
         """The next time somebody has something to do."""
         earliest = self._let_to
-        for one in self.performances:
-            wake = one.runner.wake_at()
+        for run in self.runs:
+            wake = run.runner.wake_at()
             if wake is not None and (earliest is None or wake < earliest):
                 earliest = wake
         for at, _ in self._reached:
@@ -232,8 +234,8 @@ class Stage:
 
     def tick(self, now: int) -> None:
         """Let time pass."""
-        for performance in self.performances:
-            performance.runner.tick(now)
+        for run in self.runs:
+            run.runner.tick(now)
         reached = [then for at, then in self._reached if at <= now]
         self._reached = [(at, then) for at, then in self._reached if at > now]
         for then in reached:
@@ -242,7 +244,7 @@ class Stage:
 
     def _ask_loads(self, now: int) -> None:
         """What everything costs, once a second; in virtual time nothing may depend on it."""
-        if not self._units.is_virtual and (self.live or self.performances) and now >= self._asked_loads_at:
+        if not self._units.is_virtual and (self.live or self.runs) and now >= self._asked_loads_at:
             self._asked_loads_at = now + _LOADS_EVERY_NS
             for rtpu in self._alive():
                 self._units.send(rtpu, command.Load())
@@ -253,9 +255,9 @@ class Stage:
 
     def members(self, subsystem: str) -> Mapping[str, Member]:
         """The tasks of a subsystem, whoever holds it."""
-        performance = self.performance_in(subsystem)
-        if performance is not None:
-            return performance.members(subsystem)
+        run = self.run_in(subsystem)
+        if run is not None:
+            return run.members(subsystem)
         by_hand = self.live.get(subsystem)
         return by_hand.members if by_hand is not None else {}
 

@@ -169,8 +169,8 @@ class DeviceServer:
             self._take_orders()
             for name, bus in self._buses.items():
                 self._step(name, bus)
-        for one in self._posing.values():
-            one.close()
+        for posing in self._posing.values():
+            posing.close()
 
     def _now(self) -> int:
         return monotonic_ns() - self._zero
@@ -193,8 +193,8 @@ class DeviceServer:
         until = now - self._behind[name]
         if until >= world.now_ns + world.step_ns:
             bus.step(until)
-        for one in world.take_events():
-            self._post.send(encode(_driven(name, one, self._behind[name])))
+        for event in world.take_events():
+            self._post.send(encode(_driven(name, event, self._behind[name])))
         if name in self._posing and self._posing[name].is_due(now):
             self._posing[name].tell(now, *bus.poses())
 
@@ -261,9 +261,9 @@ class DeviceServer:
         return Opened(name)
 
 
-def _driven(world: str, one: DriveEvent, behind_ns: int) -> Driven:
-    times = one.at_ns, one.previous_step_ns, one.last_command_ns
-    return Driven(world, one.device, int(one.state), *times, one.cause, behind_ns)
+def _driven(world: str, drive_event: DriveEvent, behind_ns: int) -> Driven:
+    times = drive_event.at_ns, drive_event.previous_step_ns, drive_event.last_command_ns
+    return Driven(world, drive_event.device, int(drive_event.state), *times, drive_event.cause, behind_ns)
 
 
 def main(words: list[str]) -> None:

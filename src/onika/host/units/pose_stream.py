@@ -1,4 +1,4 @@
-"""Tells where the bodies of a world are, thirty times a second, to everybody who asked: the runner, a scribe."""
+"""Tells where the bodies of a world are, thirty times a second, to everybody who asked: the runner, a recording."""
 
 from time import monotonic_ns
 

@@ -73,13 +73,13 @@ class Rtpu:
         """Until told to quit, or until the runtime is gone: then devices are put in hold."""
         while not (self._over or self._post.is_closed):
             self._heartbeat.beat()
-            heard = self._executive.run_next(self._now())
-            if heard is None:
+            run_next = self._executive.run_next(self._now())
+            if run_next is None:
                 self._tell()
                 if not self._rest():
                     continue  # nothing was said meanwhile: to look would only make the next cycle later
             else:
-                self._note(heard)
+                self._note(run_next)
                 self._take_events(0.0)
             self._take_commands()
         self._executive.handle(command.Stop("the runtime ends"), self._now())
@@ -114,21 +114,21 @@ class Rtpu:
                 self._tell(self._executive.event(events[one], self._now()))
         return bool(free) or self._post in ready
 
-    def _note(self, heard: Sequence[news.News]) -> None:
+    def _note(self, newses: Sequence[news.News]) -> None:
         """Tell what a cycle led to; what nobody has to answer only when the cycles that are due now have begun.
 
         To send it takes about as long as a cycle, and would part a finish from the job that follows, or the first
         cycles of flows that have met.
         """
-        if heard and not self._untold:
+        if newses and not self._untold:
             self._untold_since = self._now()
-        self._untold += heard
-        if not all(map(_may_wait, heard)) or (self._untold and self._now() - self._untold_since > _KEPT_NS):
+        self._untold += newses
+        if not all(map(_may_wait, newses)) or (self._untold and self._now() - self._untold_since > _KEPT_NS):
             self._tell()
 
-    def _tell(self, heard: Sequence[news.News] = ()) -> None:
+    def _tell(self, newses: Sequence[news.News] = ()) -> None:
         """Tell this, after whatever is still to be told."""
-        self._untold += heard
+        self._untold += newses
         if self._untold:
             self._post.send(encode(self._untold))
             self._untold.clear()
@@ -161,15 +161,15 @@ class Rtpu:
             self._views[order.name] = segment.view
 
 
-def _may_wait(one: news.News) -> bool:
+def _may_wait(message: news.News) -> bool:
     """Whether it is the outcome of what was wanted, so that nobody waits for it to decide what follows."""
-    match one:
+    match message:
         case news.Cycled() | news.Stepped():
             return True
         case news.Changed():
-            return not one.signal
+            return not message.signal
         case news.Finished():
-            return one.switched > 0
+            return message.switched > 0
     return False
 
 

@@ -72,20 +72,20 @@ class Supervisor:
     def troubles(self) -> list[tuple[Supervised, str]]:
         """Every process that has failed since the last call, with the reason; it is ended."""
         now, found = monotonic_ns(), []
-        for one in self.processes.values():
-            reason = "" if one.is_lost else one.trouble(now)
+        for process in self.processes.values():
+            reason = "" if process.is_lost else process.trouble(now)
             if reason:
-                one.is_lost = True
-                one.end()
-                found.append((one, reason))
+                process.is_lost = True
+                process.end()
+                found.append((process, reason))
         return found
 
     def end(self) -> None:
         """End them all."""
-        for one in self.processes.values():
-            if not one.is_lost:
-                one.is_lost = True
-                one.end()
+        for process in self.processes.values():
+            if not process.is_lost:
+                process.is_lost = True
+                process.end()
 
 
 def _is_stopped(pid: int) -> bool:

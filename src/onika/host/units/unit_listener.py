@@ -27,7 +27,7 @@ class Listener(Protocol):
         """When the run began that uses a device, in ns of the runtime's time; 0 where none does."""
         ...
 
-    def hear(self, rtpu: str, heard: news.News, now: int) -> None:
+    def hear(self, rtpu: str, message: news.News, now: int) -> None:
         """Take in one piece of news."""
         ...
 

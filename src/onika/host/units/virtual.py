@@ -116,9 +116,9 @@ class VirtualDriver:
     def _dated(self, tell: Callable[[event.Event], None]) -> Callable[[event.Drive], None]:
         """Drives are told in the time of the run that uses them, as all else of it."""
 
-        def dated(told: event.Drive) -> None:
-            began = self._listener.run_began(told.device) if self._listener is not None else 0
-            tell(structs.replace(told, at_s=round((told.at_ns - began) * 1e-9, 9)))
+        def dated(drive: event.Drive) -> None:
+            began = self._listener.run_began(drive.device) if self._listener is not None else 0
+            tell(structs.replace(drive, at_s=round((drive.at_ns - began) * 1e-9, 9)))
 
         return dated
 
@@ -233,8 +233,8 @@ class VirtualDriver:
             listener.tick(now)
             self._deliver()
         self._take_events()
-        while (heard := self._executive.run_due(now, _AT_ONCE)) is not None:
-            self._hear(heard)
+        while (run_due := self._executive.run_due(now, _AT_ONCE)) is not None:
+            self._hear(run_due)
             self._deliver()
         self.turn += 1
         if self._look is not None:
@@ -281,8 +281,8 @@ class VirtualDriver:
             else:
                 self._hear(self._executive.handle(order, self._now))
 
-    def _hear(self, heard: Sequence[news.News]) -> None:
-        for one in heard:
+    def _hear(self, newses: Sequence[news.News]) -> None:
+        for one in newses:
             if isinstance(one, news.Statuses | news.Loads):  # its times are of the wall
                 rtpu = one.rtpu
             else:
@@ -301,5 +301,5 @@ class VirtualDriver:
         return self._statuses.pop(rtpu)
 
     def _share(self, statuses: news.Statuses, rtpu: str) -> news.Statuses:
-        own = tuple(one for one in statuses.tasks if self._homes.get((one.subsystem, one.task)) == rtpu)
+        own = tuple(task for task in statuses.tasks if self._homes.get((task.subsystem, task.task)) == rtpu)
         return news.Statuses(rtpu, statuses.load, own)

@@ -45,7 +45,9 @@ class WallDriver:
         self._rtpus = {
             name: self._supervisor.launch(name, "onika.host.units.rtpu", ("--name", name)) for name in sorted(rtpus)
         }
-        self._await(lambda: all(one.is_up for one in self._supervisor.processes.values()), "the processes to start")
+        self._await(
+            lambda: all(process.is_up for process in self._supervisor.processes.values()), "the processes to start"
+        )
 
     @property
     def digest(self) -> str:
@@ -64,7 +66,7 @@ class WallDriver:
 
     def posts(self) -> list[Supervised]:
         """What to wait for in `select`."""
-        return [one for one in self._supervisor.processes.values() if not one.is_lost]
+        return [process for process in self._supervisor.processes.values() if not process.is_lost]
 
     # Units, as the runner sees them
 
@@ -130,13 +132,13 @@ class WallDriver:
 
     def unshare(self, name: str) -> None:
         """The table is not used any more."""
-        for one in self._rtpus.values():
-            one.post.send(rtpu.encode(rtpu.Unshare(name)))
+        for supervised in self._rtpus.values():
+            supervised.post.send(rtpu.encode(rtpu.Unshare(name)))
 
     def share(self, name: str, segment: Segment) -> None:
         """Let the RTPUs see a table, in place of an old one of this name."""
-        for one in self._rtpus.values():
-            one.post.send(rtpu.encode(rtpu.Share(name)), (segment.fd,))
+        for supervised in self._rtpus.values():
+            supervised.post.send(rtpu.encode(rtpu.Share(name)), (segment.fd,))
 
     def listen(self, listener: Listener) -> None:
         """Tell this one what happens."""
@@ -162,8 +164,8 @@ class WallDriver:
         while self._heard and self._listener is not None:
             name, heard = self._heard.popleft()
             self._listener.hear(name, heard, self.now)
-        for one, reason in self._supervisor.troubles():
-            self._lost(one, reason)
+        for supervised, reason in self._supervisor.troubles():
+            self._lost(supervised, reason)
 
     def wait_s(self) -> float:
         """How long the loop may sleep before `advance` has something to do."""
@@ -207,21 +209,23 @@ class WallDriver:
     # Inner
 
     def _receive(self) -> None:
-        for one in self.posts():
-            one.post.flush()
-            while (received := one.post.receive()) is not None:
-                if one is self._devices:
+        for post in self.posts():
+            post.post.flush()
+            while (received := post.post.receive()) is not None:
+                if post is self._devices:
                     self._word(device_server.decode_word(received[0]))
                 else:
-                    for heard in rtpu.decode_news(received[0]):
-                        self._news(one, heard)
+                    for decode_news in rtpu.decode_news(received[0]):
+                        self._news(post, decode_news)
 
-    def _news(self, one: Supervised, heard: rtpu.Ready | news.News) -> None:
+    def _news(self, supervised: Supervised, heard: rtpu.Ready | news.News) -> None:
         if isinstance(heard, rtpu.Ready):
-            one.is_up = True
-            self.granted[one.name] = heard.granted
+            supervised.is_up = True
+            self.granted[supervised.name] = heard.granted
         else:
-            self._heard.append((one.name, heard))  # heard by the runner in its turn, never in the midst of an order
+            self._heard.append(
+                (supervised.name, heard)
+            )  # heard by the runner in its turn, never in the midst of an order
 
     def _word(self, word: device_server.Word) -> None:
         match word:
@@ -244,20 +248,20 @@ class WallDriver:
         times = word.at_ns, word.previous_step_ns, word.last_command_ns
         return event.Drive(device, DriveState(word.state).name, *times, word.cause, at_s)
 
-    def _lost(self, one: Supervised, reason: str) -> None:
+    def _lost(self, supervised: Supervised, reason: str) -> None:
         """A process is gone: fence its claims, let hardware tasks know, name the cause."""
-        if one is self._devices:
+        if supervised is self._devices:
             for name in self._rtpus:
                 self.send(name, command.Fail(f"the {reason}"))
         else:
             for epoch, holder in self._claims.values():
-                if holder == one.name:
+                if holder == supervised.name:
                     self._devices.post.send(device_server.encode(device_server.Fence(epoch)))
         if self._listener is not None:
-            if one is self._devices:
+            if supervised is self._devices:
                 self._listener.lost("", f"the {reason}", self.now)
             else:
-                self._listener.lost(one.name, f"processing unit {reason}", self.now)
+                self._listener.lost(supervised.name, f"processing unit {reason}", self.now)
 
     def _open(self, world: str) -> None:
         segment = Segment.create(f"bus-{world}", SEGMENT_SIZE)
@@ -267,8 +271,8 @@ class WallDriver:
         if isinstance(answer, device_server.Denied):
             raise ValueError(answer.reason)
         self._opened.add(world)
-        for one in self._rtpus.values():
-            one.post.send(rtpu.encode(rtpu.Share(f"bus:{world}")), (segment.fd,))
+        for supervised in self._rtpus.values():
+            supervised.post.send(rtpu.encode(rtpu.Share(f"bus:{world}")), (segment.fd,))
 
     def _ask_devices(self, order: device_server.Order) -> device_server.Word:
         self._devices.post.send(device_server.encode(order))
@@ -286,8 +290,10 @@ class WallDriver:
                 raise ValueError(f"the {DEVICES} is gone, waiting for {what} is in vain")
             if monotonic_ns() > until:
                 raise ValueError(f"waited {_PATIENCE_S:g} s for {what}")
-            select.select([one.post for one in self.posts()], [], [], 0.02)
+            select.select([post.post for post in self.posts()], [], [], 0.02)
             self._receive()
-            failed = next((one for one in self._supervisor.processes.values() if one.process.poll() is not None), None)
+            failed = next(
+                (process for process in self._supervisor.processes.values() if process.process.poll() is not None), None
+            )
             if failed is not None:
                 raise ValueError(f"{failed.name} ended while waiting for {what}")

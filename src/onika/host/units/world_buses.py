@@ -103,6 +103,15 @@ class Buses:
         return self._buses[world]
 
     def _tell_drives(self, world: str) -> None:
-        for one in self._buses[world].world.take_events():
-            device, state = f"{world}:{one.device}", DriveState(one.state).name
-            self._tell(event.Drive(device, state, one.at_ns, one.previous_step_ns, one.last_command_ns, one.cause))
+        for drive_event in self._buses[world].world.take_events():
+            device, state = f"{world}:{drive_event.device}", DriveState(drive_event.state).name
+            self._tell(
+                event.Drive(
+                    device,
+                    state,
+                    drive_event.at_ns,
+                    drive_event.previous_step_ns,
+                    drive_event.last_command_ns,
+                    drive_event.cause,
+                )
+            )

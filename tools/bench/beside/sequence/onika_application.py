@@ -34,7 +34,7 @@ class Step(Module):
 """
 
 
-class Gate:
+class RequestServer:
     """Hears what the runtime tells; keeps when the first action began, when the last was done, and the result."""
 
     def __init__(self) -> None:
@@ -88,16 +88,16 @@ class Application:
 
     def run(self) -> float:
         """Microseconds from the first action's beginning to the last one's end."""
-        gate = Gate()
-        driver = VirtualDriver(("rt0",), gate.tell, watch=self._watch)
-        program = Program(gate, driver, DirectLoading(), ("rt0",))  # type: ignore[arg-type]
+        server = RequestServer()
+        driver = VirtualDriver(("rt0",), server.tell, watch=self._watch)
+        program = Program(server, driver, DirectLoading(), ("rt0",))  # type: ignore[arg-type]
         program.take("", self._prepared)
         program.begin("", request.Begin(settle_s=0.0))
-        while gate.result is None:
+        while server.result is None:
             program.advance(1_000_000_000)
-        if not gate.result.completed or gate.result.done != self._actions:
-            raise RuntimeError(f"expected {self._actions} actions done, found {gate.result}")
-        return (gate.done_ns - gate.began_ns) / 1e3
+        if not server.result.completed or server.result.done != self._actions:
+            raise RuntimeError(f"expected {self._actions} actions done, found {server.result}")
+        return (server.done_ns - server.began_ns) / 1e3
 
 
 def main() -> None:

@@ -18,7 +18,7 @@ _REST_NS = 300_000_000
 """How long the end of a run waits at most until every drive holds."""
 
 
-class Performance:
+class ApplicationRun:
     """A run from its beginning to its result."""
 
     def __init__(
@@ -68,7 +68,7 @@ class Performance:
     def result(self, digest: str, outside: tuple[str, ...] = ()) -> event.Result:
         """What came of it; `outside` are the tasks that make it one which may not repeat (law 15)."""
         wall = (monotonic_ns() - self._began_wall) * 1e-9
-        result = self.runner.tally.result(self._actions, wall, digest)
+        result = self.runner.statistics.result(self._actions, wall, digest)
         return structs.replace(
             result, outside=tuple(address for address in outside if address.split("/")[0] in self.names)
         )

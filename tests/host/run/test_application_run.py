@@ -11,39 +11,39 @@ def performed(*goals, session="me", **begin):
     plan = hand.shop.plan([action("mass", "servo", arguments=goal) for goal in goals])
     hand.asker.ask(request.Prepare(plan, ()), session)
     hand.asker.ask(request.Begin(**begin), session)
-    return hand, hand.asker.program.stage.performances[0]
+    return hand, hand.asker.program.subsystems.runs[0]
 
 
 def test_a_run_knows_who_began_it_and_where_it_is():  # R-X12
-    _, performance = performed("1.0", session="one", on_loss="run")
-    assert (performance.session, performance.application, performance.names) == ("one", "test", ("flow0",))
-    assert performance.on_loss == "run"
-    assert set(performance.members("flow0")) == {"mass", "servo"}
+    _, run = performed("1.0", session="one", on_loss="run")
+    assert (run.session, run.application, run.names) == ("one", "test", ("flow0",))
+    assert run.on_loss == "run"
+    assert set(run.members("flow0")) == {"mass", "servo"}
 
 
 def test_its_events_are_for_who_began_it_and_for_listeners_of_its_subsystem():  # R-X12
     hand, _ = performed("1.0", session="one")
     hand.asker.to_the_end()
-    ours = [one for one in hand.asker.gate.heard if not isinstance(one[2], event.Drive)]
+    ours = [one for one in hand.asker.server.heard if not isinstance(one[2], event.Drive)]
     assert {(where, who) for where, who, _ in ours if not where.startswith("@")} == {("flow0", "one")}
 
 
 def test_its_result_is_told_once_and_last():  # R-E14
-    hand, performance = performed("1.0", "2.0")
-    assert not performance.is_through(lambda: True)
+    hand, run = performed("1.0", "2.0")
+    assert not run.is_through(lambda: True)
     result = hand.asker.to_the_end()
     assert hand.asker.of(event.Result) == [result]
     assert (result.done, result.of, result.completed) == (2, 2, True)
-    assert hand.asker.program.stage.performances == []
+    assert hand.asker.program.subsystems.runs == []
 
 
 def test_it_is_through_only_when_every_drive_holds():  # law 17
-    _, performance = performed("1.0")
-    performance.runner.is_over = True
-    assert not performance.is_through(lambda: False)
-    assert performance.is_through(lambda: True)
+    _, run = performed("1.0")
+    run.runner.is_over = True
+    assert not run.is_through(lambda: False)
+    assert run.is_through(lambda: True)
 
 
 def test_its_result_names_its_tasks_that_had_to_do_with_the_outside():  # law 15
-    _, performance = performed("1.0")
-    assert performance.result("digest", ("flow0/mass", "elsewhere/view")).outside == ("flow0/mass",)
+    _, run = performed("1.0")
+    assert run.result("digest", ("flow0/mass", "elsewhere/view")).outside == ("flow0/mass",)
