@@ -72,3 +72,16 @@ def test_the_answer_to_the_shell_says_whether_there_is_a_complaint(tool, house, 
     (house / "src/onika/model/port.py").touch()
     assert tool["main"](house) == 1
     assert capsys.readouterr().out.startswith("src/onika/model/port.py")
+
+
+def test_what_is_tested_as_one_needs_no_test_of_each_file(tool, house):
+    (house / "src/onika/wire").mkdir()
+    (house / "src/onika/wire/steer.py").touch()
+    assert found(tool, house) == []
+
+
+def test_what_is_tested_as_one_may_have_a_test_of_a_file_but_none_of_no_file(tool, house):
+    for name in ("src/onika/wire/frame.py", "tests/wire/test_frame.py", "tests/wire/test_gone.py"):
+        (house / name).parent.mkdir(exist_ok=True)
+        (house / name).touch()
+    assert found(tool, house) == ["tests/wire/test_gone.py tests no src/onika/wire/gone.py"]

@@ -34,12 +34,6 @@ PACKETS = st.one_of(
 )
 
 
-@settings(max_examples=200, deadline=None)
-@given(PACKETS)
-def test_a_packet_comes_back_as_it_was(packet: Packet):  # R-F01
-    assert decode(encode(packet)) == packet
-
-
 @settings(max_examples=300, deadline=None)
 @given(st.binary(max_size=100))
 def test_any_bytes_are_a_packet_or_a_value_error(payload):
