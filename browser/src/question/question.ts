@@ -92,6 +92,20 @@ export function line(words: readonly string[]): string {
   return words.map((word) => (word && !/[\s"]/.test(word) ? word : `"${word.replace(/[\\"]/g, '\\$&')}"`)).join(' ')
 }
 
+/** What Up and Down make of a number: one step more or less, with Shift ten; undefined: the key or the word is another. */
+export function stepped(
+  field: Field,
+  word: string,
+  event: Pick<KeyboardEvent, 'key' | 'shiftKey'>,
+): string | undefined {
+  const way = { ArrowUp: 1, ArrowDown: -1 }[event.key]
+  const value = Number(word)
+  if (!way || !isNumber(field.item.type) || !Number.isFinite(value)) return undefined
+  const size = (field.isBounded ? step(field) : 1) * (event.shiftKey ? 10 : 1)
+  const inside = Math.max(field.low, Math.min(field.high, value + way * size))
+  return String(Number(inside.toPrecision(12)))
+}
+
 /** The step of a slider and of the arrow keys: a round five-hundredth of its range, one where only whole numbers count. */
 export function step(field: Field): number {
   if (!isReal(field.item.type)) return 1

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest'
 import type { AskItem } from '../../src/api.gen'
-import { complaint, ends, fields, first, line, step } from '../../src/question/question'
+import { complaint, ends, fields, first, line, step, stepped } from '../../src/question/question'
 
 const item = (more: Partial<AskItem>): AskItem => ({
   name: 'endpoint',
@@ -84,5 +84,21 @@ describe('the argument line (C13)', () => {
   it('quotes words that are empty or hold blanks or quotes', () => {
     expect(line(['1.5', '', 'two words', 'a"b', 'c\\d'])).toBe('1.5 "" "two words" "a\\"b" c\\d')
     expect(line(['a \\ "b"'])).toBe('"a \\\\ \\"b\\""')
+  })
+})
+
+describe('Up and Down in a number', () => {
+  const row = field({ low: [-1], high: [1] })
+  const by = step(row)
+
+  it('take one step, with Shift ten, and stay inside the bounds', () => {
+    expect(Number(stepped(row, '0', { key: 'ArrowUp', shiftKey: false }))).toBeCloseTo(by)
+    expect(Number(stepped(row, '0', { key: 'ArrowDown', shiftKey: true }))).toBeCloseTo(-10 * by)
+    expect(stepped(row, '1', { key: 'ArrowUp', shiftKey: false })).toBe('1')
+  })
+
+  it('do nothing in what is no number, and other keys nothing at all', () => {
+    expect(stepped(row, 'two', { key: 'ArrowUp', shiftKey: false })).toBeUndefined()
+    expect(stepped(row, '0', { key: 'Enter', shiftKey: false })).toBeUndefined()
   })
 })
