@@ -120,8 +120,9 @@ class ExecutiveRig:
         return self.executive.tasks[HOME, name]
 
     def heard(self, kind: type[_Kind]) -> list[_Kind]:
-        """The news of one kind."""
-        return [one for _, one in self.news if isinstance(one, kind)]
+        """The news of one kind, in English."""
+        in_english = (news.in_english(one) for _, one in self.news)
+        return [one for one in in_english if isinstance(one, kind)]
 
     def last(self, kind: type[_Kind]) -> _Kind:
         """The last news of one kind."""

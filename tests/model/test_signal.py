@@ -14,7 +14,7 @@ def test_the_kinds_are_those_of_table_9():  # R-A07
 def test_each_maker_makes_its_kind():  # R-A07
     made = [off(), finish(), shutdown("a"), illegal("b"), legal(), user_signal(END + 1)]
     assert [item.kind.value for item in made] == ["OFF", "FINISH", "SHUTDOWN", "ILLEGAL", "LEGAL", "USER"]
-    assert [item.text for item in made] == ["", "", "a", "b", "", ""]
+    assert [str(item.text) for item in made] == ["", "", "a", "b", "", ""]
 
 
 @given(st.integers(0, 9), st.booleans())

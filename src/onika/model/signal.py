@@ -3,6 +3,9 @@
 from dataclasses import dataclass
 from enum import Enum
 
+from onika.words.module_sentence import of_sentence
+from onika.words.reason import Text
+
 END = 16
 """The number after the last signal that the runtime keeps for itself; user signals are counted from here."""
 
@@ -28,7 +31,7 @@ class Signal:
     flow: int = 0
     loop: bool = False
     number: int = 0
-    text: str = ""
+    text: Text = ""
 
 
 def finish(flow: int = 0, loop: bool = False) -> Signal:
@@ -43,9 +46,9 @@ def off() -> Signal:
     return Signal(SignalKind.OFF)
 
 
-def illegal(text: str) -> Signal:
+def illegal(sentence: Text, /, **arguments: object) -> Signal:
     """The machine is in a state in which it may not go on; an application aborts."""
-    return Signal(SignalKind.ILLEGAL, text=text)
+    return Signal(SignalKind.ILLEGAL, text=of_sentence(sentence, arguments))
 
 
 def legal() -> Signal:
@@ -53,9 +56,9 @@ def legal() -> Signal:
     return Signal(SignalKind.LEGAL)
 
 
-def shutdown(text: str) -> Signal:
+def shutdown(sentence: Text, /, **arguments: object) -> Signal:
     """The machine shuts down; an application aborts."""
-    return Signal(SignalKind.SHUTDOWN, text=text)
+    return Signal(SignalKind.SHUTDOWN, text=of_sentence(sentence, arguments))
 
 
 def user_signal(number: int) -> Signal:

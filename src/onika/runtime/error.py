@@ -1,7 +1,20 @@
 """The exceptions that a module raises, and those that the runtime raises in its name."""
 
+from onika.words.module_sentence import of_sentence
+from onika.words.reason import Text
 
-class ModuleError(Exception):
+
+class _Sentence(Exception):
+    """An exception with a sentence of a module: `ModuleError("joint {joint} is beyond {limit}", joint=3, limit=2.1)`.
+
+    Without arguments the sentence is taken as it is.
+    """
+
+    def __init__(self, sentence: Text = "", /, **arguments: object) -> None:
+        super().__init__(of_sentence(sentence, arguments))
+
+
+class ModuleError(_Sentence):
     """What a module raises when it cannot do its work; goes to its `error` entry first (dissertation §C.2)."""
 
 
@@ -9,5 +22,5 @@ class LawBroken(ModuleError):
     """What the law, not the module, finds wrong in a cycle: no `error` entry may mend it (law 5)."""
 
 
-class AskAgain(Exception):
+class AskAgain(_Sentence):
     """Raised by `on`: the input cannot be used, for this reason; the user is asked again."""

@@ -3,10 +3,11 @@
 from typing import Any
 
 import msgspec
-from msgspec import Struct
+from msgspec import Struct, structs
 
 from onika.runtime.load import TaskLoad
 from onika.runtime.user_input import AskedItem
+from onika.words.reason import Text
 
 
 class TaskStatus(Struct, frozen=True):
@@ -133,7 +134,7 @@ class Failed(Struct, frozen=True, tag=True):
     subsystem: str
     task: str
     entry: str
-    text: str
+    text: Text
     path: str
     line: int
     traceback: str
@@ -148,7 +149,7 @@ class Warned(Struct, frozen=True, tag=True):
 
     subsystem: str
     task: str
-    text: str
+    text: Text
     now_ns: int
 
 
@@ -159,7 +160,7 @@ class Signalled(Struct, frozen=True, tag=True):
     task: str
     kind: str
     number: int
-    text: str
+    text: Text
     now_ns: int
     activation: int = 0
 
@@ -188,7 +189,7 @@ class Asked(Struct, frozen=True, tag=True):
 
     subsystem: str
     task: str
-    reason: str
+    reason: Text
     items: tuple[AskedItem, ...]
     now_ns: int
     activation: int = 0
@@ -254,3 +255,13 @@ def _plain(value: Any) -> Any:
 
 encode = msgspec.msgpack.Encoder(enc_hook=_plain).encode
 decode = msgspec.msgpack.Decoder(News).decode
+
+
+def in_english(word: News) -> News:
+    """The news with its sentence in English alone: what a run is, and hashes to, knows no keys and no translations."""
+    match word:
+        case Failed() | Warned() | Signalled():
+            return structs.replace(word, text=str(word.text))
+        case Asked():
+            return structs.replace(word, reason=str(word.reason))
+    return word

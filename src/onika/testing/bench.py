@@ -176,16 +176,16 @@ class Bench:
     @property
     def warnings(self) -> list[str]:
         """The texts of all warnings."""
-        return [one.text for one in self.news if isinstance(one, news.Warned)]
+        return [str(one.text) for one in self.news if isinstance(one, news.Warned)]
 
     @property
     def why(self) -> str:
         """The last refusal, error or question as a sentence; empty if there was none."""
         for one in reversed(self.news):
             if isinstance(one, news.Failed):
-                return one.text
+                return str(one.text)
             if isinstance(one, news.Refused | news.Asked):
-                return one.reason
+                return str(one.reason)
         return ""
 
     # Inner
@@ -229,7 +229,8 @@ class Bench:
         raise RuntimeError(answer.reason if isinstance(answer, news.Refused) else str(answer))
 
     def _last(self, kind: type[_Kind]) -> _Kind | None:
-        return next((one for one in reversed(self.news) if isinstance(one, kind)), None)
+        messages = (news.in_english(one) for one in reversed(self.news) if isinstance(one, kind))
+        return next((one for one in messages if isinstance(one, kind)), None)
 
 
 def _class_of(source: str, path: Path) -> type[Module]:

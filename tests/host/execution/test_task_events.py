@@ -59,7 +59,7 @@ def heard(hand):
     return [
         (
             type(one).__name__,
-            getattr(one, "state", getattr(one, "kind", getattr(one, "text", getattr(one, "cause", "")))),
+            str(getattr(one, "state", getattr(one, "kind", getattr(one, "text", getattr(one, "cause", ""))))),
         )
         for one in hand.asker.server.told
     ]
@@ -136,7 +136,7 @@ def test_a_run_tells_only_steps_that_are_too_far():  # R-X04
 def test_a_run_tells_failures_and_warnings_and_leaves_signals_to_the_engine():  # R-A08, R-A18, Table 9
     failed = news.Failed("left", "arm", "cycle", "no", "arm.py", 7, "trace", 1, values={"X": 1})
     told = in_a_run(failed, 0.125)
-    assert (told.text, told.line, told.at_s, told.values) == ("cycle: no", 7, 0.125, {"X": 1})
+    assert (str(told.text), told.line, told.at_s, told.values) == ("cycle: no", 7, 0.125, {"X": 1})
     assert in_a_run(news.Warned("left", "arm", "hot", 1), 0.0) == event.Warned("left", "arm", "hot", 0.0)
     assert in_a_run(news.Finished("left", "arm", 0, False, 1), 0.0) is None
     assert in_a_run(news.Signalled("left", "arm", "LEGAL", 0, "", 1), 0.0) is None

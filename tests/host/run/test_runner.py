@@ -228,7 +228,7 @@ def test_a_task_in_error_ends_the_run_and_is_told_with_its_line():  # R-A09, R-E
     bench = Bench([action("bell")]).start().born("bell").on("bell")
     bench.hear(news.Failed("flow0", "bell", "cycle", "ValueError: no", "bell.py", 7, "trace", bench.now))
     (failed,) = bench.of(event.Failed)
-    assert (failed.text, failed.path, failed.line) == ("cycle: ValueError: no", "bell.py", 7)
+    assert (str(failed.text), failed.path, failed.line) == ("cycle: ValueError: no", "bell.py", 7)
     bench.hear(news.Changed("flow0", "bell", "KILLED", bench.now))
     assert bench.runner.statistics.cause == (
         "test.appl:1 (action 0): bell is in error: cycle: ValueError: no (bell.py:7)"

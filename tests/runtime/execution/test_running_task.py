@@ -130,7 +130,7 @@ def test_off_publishes_nothing(place):  # law 3
 def test_a_first_value_that_was_never_written_is_warned_of(place):  # reading 6
     task = place.task(Steps)
     task.init()
-    assert task.warnings == ["B was never written: its first value here is zero"]
+    assert [str(warning) for warning in task.warnings] == ["B was never written: its first value here is zero"]
     place.write(B=1.0)
     other = place.task(Steps)
     other.init()

@@ -59,8 +59,8 @@ class Cause:
 
 def of_failure(message: news.Failed, is_hardware: bool = False) -> Cause:
     """A task is in ERROR; of a hardware task what its module says tells whether its drive is the reason."""
-    text = f"{message.entry}: {message.text}" if message.entry else message.text
-    kind = _of_drive(message.text) if is_hardware else Kind.ERROR
+    text = f"{message.entry}: {message.text}" if message.entry else str(message.text)
+    kind = _of_drive(str(message.text)) if is_hardware else Kind.ERROR
     return Cause(kind, text, message.subsystem, message.task, message.path, message.line, message.entry, message.values)
 
 

@@ -6,6 +6,7 @@ from msgspec import structs
 
 from onika.runtime import news
 from onika.wire import event
+from onika.words.reason import Reason
 
 TaskEvent = Callable[[news.TaskNews, float], event.Event | None]
 """Makes the event of a piece of news at a time in seconds; None where nothing is told but the change of state."""
@@ -48,7 +49,7 @@ def _failed(message: news.Failed, at_s: float) -> event.Failed:
     return event.Failed(
         subsystem=message.subsystem,
         task=message.task,
-        text=f"{message.entry}: {message.text}",
+        text=Reason.of("host.entry_failed", entry=message.entry, why=message.text),
         path=message.path,
         line=message.line,
         traceback=message.traceback,

@@ -25,7 +25,7 @@ def of_task(flow: int, message: news.TaskNews, before: State) -> engine_news.New
             line = f" ({message.path}:{message.line})" if message.line else ""
             return engine_news.Failed(flow, task, f"{message.entry}: {message.text}{line}")
         case news.Asked():
-            return engine_news.Asked(flow, task, message.reason)
+            return engine_news.Asked(flow, task, str(message.reason))
         case news.Signalled() if message.kind in _ENDS_WORK:
             return engine_news.Illegal(flow, task, f"{message.kind}: {message.text}")
         case news.Refused() if message.command in _REFUSALS:

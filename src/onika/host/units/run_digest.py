@@ -27,7 +27,7 @@ class Digest:
 
     def hear(self, word: news.News) -> None:
         """Take in what the runner is told."""
-        self._hash.update(news.encode(word))
+        self._hash.update(news.encode(news.in_english(word)))
 
     def hexdigest(self) -> str:
         """Of everything that was taken in."""

@@ -10,7 +10,8 @@ from onika.runtime.execution.running_task import RunningTask
 from onika.runtime.execution.statistics import values_of
 from onika.runtime.execution.unit import ProcessingUnit
 from onika.runtime.modules.binding_guard import BindingChanged
-from onika.runtime.modules.code import showable, traceback_text, where
+from onika.runtime.modules.code import raised, sayable, traceback_text, where
+from onika.words.reason import Reason, Text
 
 RAISED = (Exception, SystemExit, KeyboardInterrupt)
 """What a module's code may raise without harm to anybody else; a module that exits is as wrong as any other."""
@@ -76,8 +77,8 @@ class EntryPoints:
         """Pass on what the module warned of."""
         if task.warnings:
             task.counters.warnings += len(task.warnings)
-            for text in task.warnings:
-                self._unit.tell(news.Warned(*task.address, showable(str(text)), now))
+            for reason in task.warnings:
+                self._unit.tell(news.Warned(*task.address, sayable(reason, task.spawn.module), now))
             task.warnings.clear()
 
     def fail(self, task: RunningTask, entry: str, wrong: BaseException, now: int) -> None:
@@ -92,7 +93,7 @@ class EntryPoints:
         self._unit.prepared.drop(task.address[0])
         task.step(Step.FAIL)
         path, line, trace = where(task.spawn.path, wrong)
-        text = traceback_text(wrong) + (self._source_of(task, wrong) if isinstance(wrong, LawBroken) else "")
+        text = self._traced(task, wrong) if isinstance(wrong, LawBroken) else raised(wrong, task.spawn.module)
         values = values_of(task.binding)
         self._unit.tell(news.Failed(*task.address, entry, text, path, line, trace, now, task.activation, values))
 
@@ -102,14 +103,15 @@ class EntryPoints:
         except RAISED:
             return False
 
-    def _source_of(self, task: RunningTask, wrong: LawBroken) -> str:
-        """The task on this unit that first wrote what is not finite, in the order of data flow; empty if none did."""
+    def _traced(self, task: RunningTask, wrong: LawBroken) -> Text:
+        """What is wrong, and which task on this unit first wrote what is not finite, in the order of data flow."""
+        reason = raised(wrong, task.spawn.module)
         if isinstance(wrong, BindingChanged):
-            return ""
+            return reason
         home = task.spawn.subsystem
         others = [other for other in self._unit.tasks.values() if other.spawn.subsystem == home and other is not task]
         for other in sorted(others, key=lambda other: other.spawn.rank):
             outputs = other.binding.not_finite_outputs()
             if outputs:
-                return f"; first written by task {other.spawn.task}, in {outputs[0]}"
-        return ""
+                return Reason.of("runtime.first_written", reason=reason, task=other.spawn.task, variable=outputs[0])
+        return reason

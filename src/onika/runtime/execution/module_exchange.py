@@ -14,6 +14,7 @@ from onika.runtime.execution.task_lifecycle import TaskLifecycle
 from onika.runtime.execution.unit import ProcessingUnit
 from onika.runtime.modules.module import Module
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 _SWAP = "swap"
 
@@ -118,7 +119,7 @@ class ModuleExchange:
     def _farewell(self, old: RunningTask, new: RunningTask, entry: str, now: int) -> None:
         reason = self._entry_points.trial(old, entry, now, old.off if entry == "off" else old.module.kill)
         if reason:
-            new.module.warn(f"{reason}, in the module that was exchanged")
+            new.module.warn(Reason.of("runtime.in_exchanged", why=reason))
 
 
 def _why_not(old: RunningTask, spawn: command.Spawn) -> str:

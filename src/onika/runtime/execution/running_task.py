@@ -21,6 +21,7 @@ from onika.runtime.period import SLOWEST_GRID_NS, period_of
 from onika.runtime.scheduler import TaskSlot
 from onika.runtime.transfer.input_guard import InputGuard
 from onika.runtime.user_input import UserInput
+from onika.words.reason import Reason, reason_of
 
 CHECKED_EVERY = 1023
 """Once in 1024 cycles, so that it costs nothing, a task is looked at: whether its module is still what was bound."""
@@ -126,7 +127,7 @@ class RunningTask:
         """All of `init` or `reinit` but what others see of it."""
         for svar, ring in self.binding.first_values:
             if not ring.count:
-                self.module.warn(f"{svar} was never written: its first value here is zero")
+                self.module.warn(Reason.of("runtime.never_written", svar=svar))
         for read in self.binding.copies("init_in"):
             read()
         began = perf_counter_ns()
@@ -194,7 +195,7 @@ class RunningTask:
             self.module.partner.begin()
         if self.input_guard is not None:
             if self.device is None:
-                raise ModuleError("a hardware task needs a device")
+                raise ModuleError(Reason.of("runtime.no_device"))
             self.input_guard.begin(now)
         self.module.on(inputs)
 
@@ -250,7 +251,7 @@ class RunningTask:
             except ModuleError as missing:
                 if not self.passive:
                     raise
-                self.module.warn(f"{missing}: it goes off")
+                self.module.warn(Reason.of("runtime.goes_off", why=reason_of(missing)))
                 return off()
         for read in self._reads:
             read()

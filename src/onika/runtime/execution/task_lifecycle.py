@@ -11,10 +11,11 @@ from onika.runtime.error import AskAgain, ModuleError
 from onika.runtime.execution.entry_points import RAISED, EntryPoints
 from onika.runtime.execution.running_task import RunningTask
 from onika.runtime.execution.unit import Address, ProcessingUnit
-from onika.runtime.modules.code import load, traceback_text
+from onika.runtime.modules.code import load, sayable, traceback_text
 from onika.runtime.modules.cycle_result import signal_of
 from onika.runtime.prepared_switches import lines
 from onika.words.fault import Fault
+from onika.words.reason import Text, reason_of
 
 _ON, _OFF = State.ON.value, State.OFF.value
 
@@ -149,7 +150,8 @@ class TaskLifecycle:
             if self._leave(task, Step.OFF, now):
                 self._unit.tell(news.Changed(*address, _OFF, now, "OFF", run))
         else:
-            self._unit.tell(news.Signalled(*address, signal.kind.value, signal.number, signal.text, now, run))
+            text = sayable(signal.text, task.spawn.module) if signal.text else ""
+            self._unit.tell(news.Signalled(*address, signal.kind.value, signal.number, text, now, run))
         return None
 
     # Inner
@@ -205,7 +207,7 @@ class TaskLifecycle:
         try:
             began = self._entry_points.attempt(task, "on", now, partial(task.begin, now, inputs), passing=AskAgain)
         except AskAgain as again:
-            self._ask(task, str(again), now)
+            self._ask(task, sayable(reason_of(again), task.spawn.module), now)
             return
         if not began or self._steps_too_far(task, now):
             return
@@ -231,7 +233,7 @@ class TaskLifecycle:
             self._unit.refuse(task.address, "on", reason)
         return True
 
-    def _ask(self, task: RunningTask, reason: str, now: int) -> None:
+    def _ask(self, task: RunningTask, reason: Text, now: int) -> None:
         task.step(Step.ASK)
         items = task.input.items if task.input else ()
         self._unit.tell(news.Asked(*task.address, reason, items, now, task.activation))

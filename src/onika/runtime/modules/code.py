@@ -6,7 +6,8 @@ import types
 
 from onika.runtime.modules.module import Module
 from onika.words.fault import Fault, Place
-from onika.words.reason import Reason, reason_of
+from onika.words.module_sentence import of_module
+from onika.words.reason import Reason, Text, reason_of
 
 
 def compiled(source: str, path: str, module: str) -> types.CodeType | Fault:
@@ -80,6 +81,29 @@ def traceback_text(wrong: BaseException) -> str:
     except Exception:
         text = ""  # an exception whose own text raises
     return showable(f"{type(wrong).__name__}: {text}" if text else type(wrong).__name__)
+
+
+def raised(wrong: BaseException, module: str) -> Text:
+    """An exception of a module as a reason that can be shown: its kind and what it says."""
+    reason = wrong.args[0] if wrong.args else None
+    if not isinstance(reason, Reason) or not reason:
+        return traceback_text(wrong)
+    return Reason.of("runtime.raised", kind=type(wrong).__name__, why=sayable(reason, module))
+
+
+def sayable(text: Text, module: str) -> Reason:
+    """What a module says, in its name and as it can be shown; what cannot be shown as it is has no translation."""
+    english = showable(str(text))
+    if not isinstance(text, Reason) or not _is_showable(text):
+        return Reason.plain(english)
+    return of_module(text, module)
+
+
+def _is_showable(reason: Reason) -> bool:
+    values = [item for value in reason.args.values() for item in (value if isinstance(value, tuple) else (value,))]
+    texts = [value for value in values if isinstance(value, str)]
+    reasons = [value for value in values if isinstance(value, Reason)]
+    return all(showable(text) == text for text in (reason.key, reason.text, *texts)) and all(map(_is_showable, reasons))
 
 
 def showable(text: str, longest: int = 1000) -> str:

@@ -3,6 +3,7 @@
 from operator import index
 
 from onika.model.signal import Signal, SignalKind
+from onika.words.reason import Reason
 
 
 def signal_of(returned: object, *, is_trigger: bool) -> Signal:
@@ -14,4 +15,5 @@ def signal_of(returned: object, *, is_trigger: bool) -> Signal:
     if type(returned.flow) is int and type(returned.loop) is bool and not returned.text and not returned.number:
         return returned
     flow, number = index(returned.flow), index(returned.number)
-    return Signal(returned.kind, flow, bool(returned.loop), number, str(returned.text))
+    text = returned.text if isinstance(returned.text, Reason) else str(returned.text)
+    return Signal(returned.kind, flow, bool(returned.loop), number, text)

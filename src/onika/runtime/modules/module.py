@@ -9,6 +9,8 @@ from onika.model.signal import Signal
 from onika.runtime.declaration import Input, Local, PortDeclaration, slot
 from onika.runtime.device import Device
 from onika.runtime.error import ModuleError
+from onika.words.module_sentence import of_sentence
+from onika.words.reason import Reason, Text
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -59,14 +61,14 @@ class Module:
         self.random = random.Random(0)  # noqa: S311 - noise for simulation, no secret
         self.device: Device = Device.absent()
         self.partner: Partner | None = None
-        self.warnings: list[str] = []
+        self.warnings: list[Reason] = []
         self.in_force: frozenset[str] = frozenset()
 
     # What a module may call
 
-    def warn(self, text: str) -> None:
-        """Send a WARNING; nothing else happens."""
-        self.warnings.append(str(text))
+    def warn(self, sentence: Text, /, **arguments: object) -> None:
+        """Send a WARNING; nothing else happens. With arguments the sentence has gaps for them, as in `{limit:.2f}`."""
+        self.warnings.append(of_sentence(sentence, arguments))
 
     def continues(self, name: str) -> bool:
         """During `on`: whether the variable's present value still steers something, so that it must not jump.
@@ -92,15 +94,15 @@ class Module:
         if not self.device.is_held:
             return  # as nearly always: one look is enough
         if self.device.is_pressed:
-            raise ModuleError("panic button pressed; the drive holds until it is let go and cleared")
+            raise ModuleError(Reason.of("runtime.button_pressed"))
         if self.device.is_tripped:
-            raise ModuleError("the drive has tripped: it heard nothing for too long; clear brings it back to hold")
+            raise ModuleError(Reason.of("runtime.drive_tripped"))
 
     def clear_drive(self) -> None:
         """In `clear`: a tripped drive comes back to hold. Raises ModuleError while its panic button is pressed."""
         self.device.read()
         if self.device.is_pressed:
-            raise ModuleError("panic button pressed: let it go, then clear")
+            raise ModuleError(Reason.of("runtime.button_still_pressed"))
         self.device.clear()
 
     def state_constants(self) -> dict[str, Any]:
@@ -144,7 +146,7 @@ class Module:
         """Of a synchronous module: the file descriptor whose input is its event; asked once it is on. Never -1."""
         if self.partner is not None:
             return self.partner.fileno()
-        raise ModuleError("a synchronous module says with `fileno` which descriptor it waits for")
+        raise ModuleError(Reason.of("runtime.no_descriptor"))
 
     def off(self) -> None:
         """The task goes off; outputs are not published any more."""
@@ -161,11 +163,11 @@ class Module:
 
     def get(self, name: str) -> Any:
         """The present value of something that `status` does not show."""
-        raise ModuleError(f"there is nothing called {name!r} to get")
+        raise ModuleError(Reason.of("runtime.nothing_to_get", name=name))
 
     def set(self, name: str, value: str) -> None:
         """Change something while the task lives."""
-        raise ModuleError(f"there is nothing called {name!r} to set")
+        raise ModuleError(Reason.of("runtime.nothing_to_set", name=name))
 
     def hold(self) -> None:
         """A hardware task whose inputs are not all fresh yet: called in place of `cycle`; read, command nothing."""
