@@ -63,7 +63,7 @@ def lost(watcher, subsystem):
 
 
 def silent_s(told):
-    return float(re.search(r"silent for ([0-9.]+) s", told.cause)[1])
+    return float(re.search(r"silent for ([0-9.]+) s", str(told.cause))[1])
 
 
 def test_where_datagrams_get_through_silence_counts_after_a_quarter_of_a_second(there):  # R-X12, network.md D4

@@ -14,6 +14,7 @@ from onika.runtime.integrity import Accessor, check
 from onika.runtime.subsystem import Member
 from onika.runtime.table import plain
 from onika.wire import live, reading, request
+from onika.words.reason import Reason
 
 _FASTEST_HZ = 60.0
 _SLOWEST_HZ = 0.1
@@ -82,9 +83,9 @@ class Inspection:
                 return self._attend(session, message)
             case live.Scene():
                 scene = self._seen.scene(message.world)
-                return (
-                    live.Scenery(scene) if scene is not None else request.Refused(f"no world {message.world} is open")
-                )
+                if scene is None:
+                    return request.Refused(Reason.of("host.no_world_open", world=message.world))
+                return live.Scenery(scene)
         return request.Refused(f"a runtime does not answer {type(message).__name__}")
 
     def status(self, answer: Answer) -> None:
@@ -138,7 +139,7 @@ class Inspection:
 
     def _attend(self, session: str, message: live.Attend) -> request.Response:
         if isnan(message.hz):
-            return request.Refused("expected how often to show readings in hertz, found nan")
+            return request.Refused(Reason.of("host.hz_nan"))
         self._server.attend(session, message.subsystems)
         hz = min(max(message.hz, _SLOWEST_HZ), _FASTEST_HZ)
         self._watches[session] = _Watch(round(1e9 / hz), message.readings, message.worlds)
@@ -147,10 +148,10 @@ class Inspection:
     def _values(self, message: live.Read) -> request.Response:
         table = self._subsystems.tables.get(message.subsystem)
         if table is None:
-            return request.Refused(f"there is no subsystem {message.subsystem}")
+            return request.Refused(Reason.of("host.no_subsystem", subsystem=message.subsystem))
         unknown = [name for name in message.names if name not in table.entries]
         if unknown:
-            return request.Refused(f"no task of {message.subsystem} reads or writes {', '.join(unknown)}")
+            return request.Refused(Reason.of("host.not_read", subsystem=message.subsystem, names=tuple(unknown)))
         names = message.names or tuple(sorted(table.entries))
         values = {name: plain(value) for name, value in table.values(names).items()}
         types = {name: str(table.entries[name].shape) for name in names}
@@ -159,7 +160,7 @@ class Inspection:
     def _findings(self, subsystem: str) -> request.Response:
         table = self._subsystems.tables.get(subsystem)
         if table is None:
-            return request.Refused(f"there is no subsystem {subsystem}")
+            return request.Refused(Reason.of("host.no_subsystem", subsystem=subsystem))
         found = check(table, [_accessor(member) for member in self._subsystems.members(subsystem).values()])
         return live.Findings(tuple(str(finding) for finding in found))
 

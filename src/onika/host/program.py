@@ -24,6 +24,7 @@ from onika.host.units.process_socket import Post
 from onika.link.caller import Role
 from onika.runtime.subsystem import RunningSubsystem
 from onika.wire import event, holding, live, request, steer
+from onika.words.reason import NOTHING, Reason
 
 
 class Program:
@@ -111,36 +112,43 @@ class Program:
         """Start a run of the session's plan on empty, zeroed tables (law 4)."""
         prepared = self._prepared.get(session)
         if prepared is None:
-            return request.Refused("no plan is prepared, or it has faults")
-        refusal = self.authority.occupied(session, [flow.subsystem for flow in prepared.plan.flows])
-        if refusal or self.is_stopped:
-            return request.Refused(refusal or "the runtime is stopped; reset it first")
-        gone = [
-            reason for flow in prepared.plan.flows for task in flow.tasks if (reason := self.subsystems.gone(task.rtpu))
-        ]
-        if gone:
-            return request.Refused(f"{gone[0]}; start the runtime anew")
-        refusal = self._recorder.begin(session, message, prepared)
+            return request.Refused(Reason.of("host.no_plan"))
+        refusal = self._refusal_of_run(session, prepared) or self._recorder.begin(session, message, prepared)
         if refusal:
             return request.Refused(refusal)
-        subsystems = {}
+        running = self._running_subsystems(prepared)
+        if not self.subsystems.runs:
+            self._driver.begin()
+        tell: Tell = self._server.tell
+        if message.is_held and self._driver.is_virtual:
+            tell = self.subsystems.hold.begin(session, prepared.plan.flows[0].subsystem, self._driver.now)
+        self.subsystems.repeat.begin(session, message, self._driver.now)
+        self.subsystems.perform(
+            ApplicationRun(session, prepared, message, running, self._driver, tell, self.subsystems.lost_units)
+        )
+        self.authority.began(session)
+        return request.Done()
+
+    def _refusal_of_run(self, session: str, prepared: Preparation) -> Reason:
+        """Why no run of this plan may begin now."""
+        refusal = self.authority.occupied(session, [flow.subsystem for flow in prepared.plan.flows])
+        if refusal:
+            return refusal
+        if self.is_stopped:
+            return Reason.of("host.is_stopped")
+        units = [task.rtpu for flow in prepared.plan.flows for task in flow.tasks]
+        gone = [reason for unit in units if (reason := self.subsystems.gone(unit))]
+        return Reason.of("host.start_anew", gone=gone[0]) if gone else NOTHING
+
+    def _running_subsystems(self, prepared: Preparation) -> dict[int, RunningSubsystem]:
+        """The subsystems of a run that begins, by the number of their flow."""
+        running = {}
         for number, flow in enumerate(prepared.plan.flows):
             rtpus = {task.name: self.subsystems.unit(task.rtpu) for task in flow.tasks}
             constants = prepared.constants[number]
             table = self.subsystems.table(flow.subsystem)
-            subsystems[number] = RunningSubsystem(flow.subsystem, table, prepared.flows[number], rtpus, constants)
-        if not self.subsystems.runs:
-            self._driver.begin()
-        tell: Tell
-        tell, name = self._server.tell, prepared.plan.flows[0].subsystem
-        if message.is_held and self._driver.is_virtual:
-            tell = self.subsystems.hold.begin(session, name, self._driver.now)
-        self.subsystems.repeat.begin(session, message, self._driver.now)
-        self.subsystems.perform(
-            ApplicationRun(session, prepared, message, subsystems, self._driver, tell, self.subsystems.lost_units)
-        )
-        self.authority.began(session)
-        return request.Done()
+            running[number] = RunningSubsystem(flow.subsystem, table, prepared.flows[number], rtpus, constants)
+        return running
 
     def _lease_of(self, session: str) -> int:
         return self.leases.of(session)
@@ -286,7 +294,7 @@ class Program:
             run.runner.abort(message.cause, self._driver.now)
         if meant and not own:
             other = meant[0]
-            return request.Refused(f"application {other.application} was begun by {other.session}; everybody can stop")
+            return request.Refused(Reason.of("host.begun_by", application=other.application, session=other.session))
         return request.Done()
 
     def _stop(self, session: str, message: request.Stop | live.Reset) -> request.Response:
@@ -307,8 +315,8 @@ class Program:
 
     def _advance(self, seconds: float, answer: Answer) -> None:
         if not self._driver.is_virtual:
-            answer(request.Refused("wall time passes by itself; only virtual time can be let pass"))
+            answer(request.Refused(Reason.of("host.wall_passes")))
         elif not 0 <= seconds <= 1e6:
-            answer(request.Refused(f"expected 0 to 1000000 seconds, found {seconds:g}"))
+            answer(request.Refused(Reason.of("host.advance_range", seconds=seconds)))
         else:
             self.subsystems.when(self._driver.now + round(seconds * 1e9), lambda: answer(request.Done()))

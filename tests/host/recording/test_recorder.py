@@ -78,7 +78,7 @@ def test_a_file_that_cannot_be_made_refuses_the_run(tmp_path):  # R-E01
     desk = DirectClient()
     desk.ask(request.Prepare(PLAN, ()))
     answer = desk.ask(request.Begin(record=str(tmp_path / "none" / "run.mcap")))
-    assert answer.reason.startswith("no recording can be made")
+    assert str(answer.reason).startswith("no recording can be made")
     assert desk.ask(request.Begin()) == request.Done()
 
 

@@ -38,11 +38,11 @@ def test_an_answer_that_nobody_asks_for_holds_nothing_up():
 def test_it_is_on_up_to_its_instant_and_nobody_else_steers_meanwhile():  # R-X05
     repeat = repeated()
     assert repeat.is_on(10 * SECOND - 1)
-    assert "being repeated" in repeat.refusal("you", PAUSE, 0)
-    assert repeat.refusal("me", request.Abort("enough"), 0) == ""
-    assert repeat.refusal("me", steer.Who(), 0) == ""
+    assert "being repeated" in repeat.refusal("you", PAUSE, 0).text
+    assert not repeat.refusal("me", request.Abort("enough"), 0)
+    assert not repeat.refusal("me", steer.Who(), 0)
     assert not repeat.is_on(10 * SECOND)
-    assert repeat.refusal("me", PAUSE, 10 * SECOND) == ""
+    assert not repeat.refusal("me", PAUSE, 10 * SECOND)
     assert repeat.wake_at(10 * SECOND) is None
 
 

@@ -53,7 +53,7 @@ def test_what_changes_a_subsystem_is_for_its_holder(hand, asked):  # R-X12
     before = hand.standing()
     answer = hand.asker.ask(asked, "two")
     assert isinstance(answer, request.Refused)
-    assert "held by one" in answer.reason
+    assert "held by one" in str(answer.reason)
     assert hand.standing() == before
 
 
@@ -175,10 +175,10 @@ def test_what_is_offered_is_for_the_one_it_is_offered_to(hand):  # R-X12
     there(hand, "two", "three")
     hand.change(spawn=["counter"], session="one")
     hand.asker.ask(holding.Hand("s0", "two"), "one")
-    assert hand.asker.ask(live.Take("s0"), "three") == request.Refused("subsystem s0 is held by one")
+    assert str(hand.asker.ask(live.Take("s0"), "three").reason) == "subsystem s0 is held by one"
     assert isinstance(hand.asker.ask(holding.Decline("s0"), "three"), request.Refused)
     assert hand.asker.ask(holding.Decline("s0"), "two") == request.Done()
-    assert hand.asker.ask(live.Take("s0"), "two") == request.Refused("subsystem s0 is held by one")
+    assert str(hand.asker.ask(live.Take("s0"), "two").reason) == "subsystem s0 is held by one"
     assert offers(hand)[-1] == ("one", "two", "two declines")
 
 
@@ -209,27 +209,27 @@ def test_an_offer_is_withdrawn_and_ends_with_either_side(hand):  # R-X12
 def test_what_cannot_be_handed_over_is_refused_with_the_reason(hand, session, to, reason):  # R-X12
     hand.asker.ask(holding.OnlyWatch() if to == "two" else holding.Sessions(), "two")
     hand.change(spawn=["counter"], session="one")
-    assert hand.asker.ask(holding.Hand("s0", to), session) == request.Refused(reason)
+    assert str(hand.asker.ask(holding.Hand("s0", to), session).reason) == reason
 
 
 def test_a_user_with_one_session_is_enough_of_a_name(hand):  # R-X12
     there(hand, "ada#2", "bob#3", "bob#4")
     hand.change(spawn=["counter"], session="one")
     assert hand.asker.ask(holding.Hand("s0", "ada"), "one") == request.Done()
-    assert "bob#3, bob#4" in hand.asker.ask(holding.Hand("s0", "bob"), "one").reason
+    assert "bob#3, bob#4" in str(hand.asker.ask(holding.Hand("s0", "bob"), "one").reason)
 
 
 def test_who_only_watches_changes_nothing_and_may_stop(hand):  # R-X12, law 27
     assert hand.asker.ask(holding.OnlyWatch(), "two") == request.Done()
     for asked in (live.Take("s0"), live.Change("s0"), live.Reset(), request.Abort("no"), steer.Resume("s0")):
-        assert "only watches" in hand.asker.ask(asked, "two").reason
+        assert "only watches" in str(hand.asker.ask(asked, "two").reason)
     assert isinstance(hand.asker.ask(live.Survey(), "two"), live.Standing)
     assert hand.asker.ask(request.Stop("enough"), "two") == request.Done()
 
 
 def test_a_holder_releases_before_it_only_watches(hand):  # R-X12
     hand.change(spawn=["counter"], session="one")
-    assert "holds s0" in hand.asker.ask(holding.OnlyWatch(), "one").reason
+    assert "holds s0" in str(hand.asker.ask(holding.OnlyWatch(), "one").reason)
     hand.asker.ask(live.Release("s0"), "one")
     assert hand.asker.ask(holding.OnlyWatch(), "one") == request.Done()
     there_now = hand.asker.ask(holding.Sessions(), "two").sessions

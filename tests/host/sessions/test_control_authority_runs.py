@@ -29,9 +29,9 @@ def perform(hand, session="me", on_loss="stop", goals=("5.0",)):
 def test_an_application_does_not_begin_where_others_hold_or_tasks_live(hand):  # law 4, R-X12
     hand.task("mass", MASS, frequency=500.0, local={"DEVICE": "yard:m1"})
     hand.change(spawn=["counter"], session="one", subsystem="flow0")
-    assert "held by one" in perform(hand, "two").reason
+    assert "held by one" in str(perform(hand, "two").reason)
     answer = perform(hand, "one")
-    assert answer.reason == "subsystem flow0 has tasks already (counter); kill them, or use another subsystem"
+    assert str(answer.reason) == "subsystem flow0 has tasks already (counter); kill them, or use another subsystem"
     assert hand.change(kill=["counter"], session="one", subsystem="flow0") == ""
     assert perform(hand, "one") == request.Done()
     assert hand.asker.to_the_end().completed
@@ -69,7 +69,7 @@ def test_a_run_whose_session_is_gone_is_told_to_be_nobodys(hand, on_loss):  # R-
     leave(hand, "one")
     told = hand.asker.of(event.Held)[-1]
     assert (told.subsystem, told.holder) == ("flow0", "")
-    assert "one that began it is gone" in told.cause
+    assert "one that began it is gone" in str(told.cause)
     assert hand.asker.ask(live.Take("flow0"), "two") == request.Done()
 
 
@@ -81,7 +81,7 @@ def test_one_run_is_ended_by_its_name_and_only_by_who_may(hand):  # R-X12, R-E10
     perform(hand, "one", on_loss="run")
     hand.asker.send(live.Advance(0.2), "two")
     hand.asker.program.advance(1)
-    assert "begun by one" in abort("flow0", "two").reason
+    assert "begun by one" in str(abort("flow0", "two").reason)
     assert abort("elsewhere", "one") == request.Done()
     hand.asker.server.gone.append("one")
     hand.asker.program.serve()
@@ -120,6 +120,6 @@ def test_a_run_is_handed_over_and_goes_on(hand):  # R-X12
     hand.asker.program.advance(1)
     assert hand.asker.ask(holding.Hand("flow0", "two"), "one") == request.Done()
     hand.asker.ask(live.Take("flow0"), "two")
-    assert "was begun by two" in hand.asker.ask(steer.Pause("flow0"), "one").reason
+    assert "was begun by two" in str(hand.asker.ask(steer.Pause("flow0"), "one").reason)
     leave(hand, "one")
     assert hand.asker.to_the_end().completed

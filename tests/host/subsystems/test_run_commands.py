@@ -48,7 +48,7 @@ class Bridge:
 
 def refused(answer):
     assert isinstance(answer, request.Refused)
-    return answer.reason
+    return str(answer.reason)
 
 
 def test_a_flow_pauses_after_its_action_and_goes_on():  # R-E07

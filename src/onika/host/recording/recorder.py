@@ -25,6 +25,7 @@ from onika.record import topics
 from onika.record.run import RunRecord, ending
 from onika.runtime.bus import Poses
 from onika.wire import event, request
+from onika.words.reason import NOTHING, Reason, reason_of
 
 _POSED_EVERY_NS = 33_000_000
 _LOOKS = 4
@@ -114,26 +115,38 @@ class Recorder:
         if self._pen is not None and self._session == session and self._began < 0:
             self._close()  # it never began
 
-    def begin(self, session: str, message: request.Begin, prepared: Preparation) -> str:
+    def begin(self, session: str, message: request.Begin, prepared: Preparation) -> Reason:
         """Open the recording of a run that is to begin now; why that cannot be, or nothing."""
         is_first, self._has_run = self._is_first(), True
         if self._session == session and self._began < 0 and self._path != message.record:
             self._close()  # it was asked for once, and the run refused
         if not message.record:
-            return ""
+            return NOTHING
         if self._pen is None:
             self._has_run = not is_first
             refusal = self._open(session, message, prepared, is_first)
             if refusal:
                 return refusal
         elif self._session != session or self._began >= 0:
-            return "another run is being recorded"
+            return Reason.of("host.records_another")
+        refusal = self._refusal_of_pen()
+        if refusal:
+            self._close()
+            return refusal
+        self._start(prepared)
+        return NOTHING
+
+    def _refusal_of_pen(self) -> Reason:
+        """Why whoever writes cannot; raises NotYet until it is up."""
         pen = self._pen
         if pen is not None and pen.reason:
-            self._close()
-            return f"no recording can be made: {pen.reason}"
+            return Reason.of("host.no_recording", why=pen.reason)
         if pen is not None and not pen.is_up:
             raise NotYet
+        return NOTHING
+
+    def _start(self, prepared: Preparation) -> None:
+        """The recording begins, with the run."""
         self._names = tuple(flow.subsystem for flow in prepared.plan.flows)
         self._units = {
             flow.subsystem: {port.svar: port.unit for wired in tasks for port in wired.ports}
@@ -141,12 +154,11 @@ class Recorder:
         }
         self._began = self._seen.now
         self._has_run = True
-        if pen is not None:
-            pen.take(Start(monotonic_ns()))
+        if self._pen is not None:
+            self._pen.take(Start(monotonic_ns()))
         self._server.overhear(self._hear)
         if self._seen.is_virtual:
             self._seen.each_instant(self._look)
-        return ""
 
     def has_come(self) -> bool:
         """Whether whoever writes has come up, or failed, since the last call."""
@@ -196,10 +208,10 @@ class Recorder:
         lives = not all(one.is_empty for one in self._subsystems.live.values())  # one that is only held changes nothing
         return not (self._has_run or lives or self._seen.worlds) and (self._seen.now == 0 or not self._seen.is_virtual)
 
-    def _open(self, session: str, message: request.Begin, prepared: Preparation, is_first: bool) -> str:
+    def _open(self, session: str, message: request.Begin, prepared: Preparation, is_first: bool) -> Reason:
         original = self._asked.get(session)
         if original is None:
-            return "no plan is prepared"
+            return Reason.of("host.none_prepared")
         bare = replace(message, record="", repeat=(), repeat_until_ns=0, is_held=False)
         began = datetime.now(UTC).isoformat(timespec="milliseconds")
         run = RunRecord(
@@ -211,9 +223,9 @@ class Recorder:
             else:
                 self._pen = Beside(message.record, run, _every_ns(prepared), self._seen.with_fifo)
         except OSError as wrong:
-            return f"no recording can be made: {wrong}"
+            return Reason.of("host.no_recording", why=reason_of(wrong))
         self._session, self._path, self._was_up = session, message.record, False
-        return ""
+        return NOTHING
 
     def _close(self) -> None:
         self._server.overhear(None)

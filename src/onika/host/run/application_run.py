@@ -13,6 +13,7 @@ from onika.runtime.subsystem import Member, RunningSubsystem
 from onika.wire import event
 from onika.wire.request import Begin
 from onika.wire.steer import Pause
+from onika.words.reason import Text
 
 _REST_NS = 300_000_000
 """How long the end of a run waits at most until every drive holds."""
@@ -50,10 +51,10 @@ class ApplicationRun:
         """Take in one piece of news of its tasks."""
         self.runner.hear(rtpu, message, now)
 
-    def abandon(self, cause: str, now: int) -> None:
+    def abandon(self, cause: Text, now: int) -> None:
         """The session that began it is gone: it ends, finishes its actions and pauses, or runs on, as it was begun."""
         if self.on_loss == "stop":
-            self.runner.abort(cause, now)
+            self.runner.abort(str(cause), now)
         elif self.on_loss == "finish":
             for name in self.names:
                 self.runner.steer(Pause(name), now, lambda _refusal: None)

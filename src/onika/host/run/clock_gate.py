@@ -9,6 +9,7 @@ again. So the same words lead to the same run, bit for bit.
 from collections.abc import Callable
 
 from onika.wire import event, request, steer
+from onika.words.reason import Reason
 
 Tell = Callable[[event.Event, str, str], None]
 
@@ -37,7 +38,7 @@ class ClockGate:
     def onward(self, session: str, command: steer.Onward) -> request.Response:
         """Let the clock go on, to the next thing that happens or to a time."""
         if not self._session or session != self._session:
-            return request.Refused("no run of this session is held")
+            return request.Refused(Reason.of("host.not_held"))
         self._is_let = True
         self._until = None if command.until_s is None else self._began + round(command.until_s * 1e9)
         return request.Done()

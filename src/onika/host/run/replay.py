@@ -7,6 +7,7 @@ requests at the same instants make the same run, bit for bit.
 from collections import deque
 
 from onika.wire import request, steer
+from onika.words.reason import NOTHING, Reason
 
 _STEERING = (
     request.Reply,
@@ -82,8 +83,8 @@ class Replay:
         at = self._began + (self._left[0].at_ns if self._left else self._until)
         return at if at > now else None
 
-    def refusal(self, session: str, message: request.Request, now: int) -> str:
+    def refusal(self, session: str, message: request.Request, now: int) -> Reason:
         """Why this may not be asked meanwhile; empty: it may."""
         if not isinstance(message, _STEERING) or not self.is_on(now):
-            return ""
-        return "a recorded run is being repeated; it can be stopped, or steered when it has come to its instant"
+            return NOTHING
+        return Reason.of("host.is_repeated")

@@ -76,7 +76,9 @@ class AuditLog:
         """Something was told: changes of holder, ends of what was accepted, stops, ends of runs."""
         match message:
             case event.Held():
-                self._note("held", True, on=message.subsystem, who=message.holder or "nobody", result=message.cause)
+                self._note(
+                    "held", True, on=message.subsystem, who=message.holder or "nobody", result=str(message.cause)
+                )
             case event.Offered():
                 self._note(
                     "offered",
@@ -86,14 +88,16 @@ class AuditLog:
                     result=message.outcome,
                 )
             case event.Stopped():
-                self._note("stopped" if message.is_stopped else "may move again", True, result=message.cause)
+                self._note("stopped" if message.is_stopped else "may move again", True, result=str(message.cause))
             case event.Edited():
-                self._note("edited", on=message.subsystem, about=str(message.number), result=message.cause or "done")
+                self._note(
+                    "edited", on=message.subsystem, about=str(message.number), result=str(message.cause) or "done"
+                )
             case event.Result():
                 how = "completed" if message.completed else f"aborted: {message.cause}"
                 self._note("run over", about=f"{message.done} of {message.of} actions", result=how)
             case event.Lost():
-                self._note("lost", who=message.name, result=message.cause)
+                self._note("lost", who=message.name, result=str(message.cause))
 
     def _note(self, what: str, weighs: bool = False, **about: object) -> None:
         self._book.note(what, weighs, **about)

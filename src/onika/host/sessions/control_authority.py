@@ -11,6 +11,7 @@ from onika.host.subsystems.run_commands import RunCommands
 from onika.host.subsystems.subsystem_registry import Subsystems, Tell
 from onika.link.caller import Role
 from onika.wire import event, holding, live, request, steer
+from onika.words.reason import NOTHING, Reason, Text
 
 _HOLDER_ONLY = (
     live.Change,
@@ -53,41 +54,45 @@ class ControlAuthority:
         by_hand = {one.holder for one in self._subsystems.live.values()}
         return (by_hand | {run.session for run in self._subsystems.runs if run.on_loss != "run"}) - {""}
 
-    def refusal(self, session: str, message: request.Request, is_stopped: bool) -> str:
+    def refusal(self, session: str, message: request.Request, is_stopped: bool) -> Text:
         """Why this session may not ask this now; empty: it may."""
         if session in self.watching and not changes_nothing(message):
-            return "this session only watches, as it has said; connect anew to change something"
+            return Reason.of("host.watches_only")
         if session in self._lapsed and isinstance(message, _FENCED):
-            return "this session held something and was not heard for too long; take a subsystem to go on"
+            return Reason.of("host.holder_lapsed")
         if isinstance(message, live.Reset):
             return self._foreign(session)
         if isinstance(message, steer.Steering):
             return self._run_commands.refusal(session, message)
         if not isinstance(message, _HOLDER_ONLY):
-            return ""
+            return NOTHING
         if is_stopped and isinstance(message, live.Change) and (message.on or message.spawn):
-            return "the runtime is stopped; reset it first"
-        holder, application = self._holder(message.subsystem)
-        if application and not isinstance(message, request.Reply):
-            return f"application {application} runs in subsystem {message.subsystem}; let it end, or abort it"
-        if holder and holder != session:
-            return f"subsystem {message.subsystem} is held by {holder}; it can release it, everybody can stop"
-        return ""
+            return Reason.of("host.is_stopped")
+        return self._refusal_of_change(session, message.subsystem, is_answer=isinstance(message, request.Reply))
 
-    def occupied(self, session: str, names: Iterable[str]) -> str:
+    def _refusal_of_change(self, session: str, subsystem: str, *, is_answer: bool) -> Reason:
+        """Why this session may not change this subsystem, or answer in it; an application may be answered."""
+        holder, application = self._holder(subsystem)
+        if application and not is_answer:
+            return Reason.of("host.runs_in", application=application, subsystem=subsystem)
+        if holder and holder != session:
+            return Reason.of("host.held_stop", subsystem=subsystem, holder=holder)
+        return NOTHING
+
+    def occupied(self, session: str, names: Iterable[str]) -> Reason:
         """Why an application may not begin in these subsystems; empty: all are free, or hold nothing."""
         for name in names:
             holder, application = self._holder(name)
             if application:
-                return f"application {application} runs in subsystem {name} already; let it end, or abort it"
+                return Reason.of("host.runs_in_already", application=application, subsystem=name)
             if holder and holder != session:
-                return f"subsystem {name} is held by {holder}; it can release it, or use another subsystem"
+                return Reason.of("host.held_elsewhere", subsystem=name, holder=holder)
             if name in self._subsystems.live:
-                tasks = ", ".join(self._subsystems.live[name].members)
+                tasks = tuple(self._subsystems.live[name].members)
                 if tasks:
-                    return f"subsystem {name} has tasks already ({tasks}); kill them, or use another subsystem"
+                    return Reason.of("host.has_tasks", subsystem=name, tasks=tasks)
                 self._subsystems.drop(name)
-        return ""
+        return NOTHING
 
     def takes(self, session: str, subsystem: str, response: request.Response) -> request.Response:
         """Whoever changes a subsystem that nobody holds becomes its holder."""
@@ -112,10 +117,11 @@ class ControlAuthority:
         name = message.subsystem
         holder, _ = self._holder(name)
         if not holder or holder != session:
-            return request.Refused(f"subsystem {name} is held by {holder or 'nobody'}; only its holder hands it over")
+            hand_held = Reason.of("host.hand_held", subsystem=name, holder=holder)
+            return request.Refused(hand_held if holder else Reason.of("host.hand_free", subsystem=name))
         if not message.to:
             if self._offer(name) is None:
-                return request.Refused(f"nobody is offered subsystem {name}")
+                return request.Refused(Reason.of("host.offered_nobody", subsystem=name))
             self._offers.end(name, "withdrawn")
             return request.Done()
         to, why = self._meant(session, message.to)
@@ -128,7 +134,7 @@ class ControlAuthority:
         """Say no to an offer."""
         offer = self._offer(message.subsystem)
         if offer is None or offer.to != session:
-            return request.Refused(f"nobody offers subsystem {message.subsystem} to this session")
+            return request.Refused(Reason.of("host.offers_nobody", subsystem=message.subsystem))
         self._offers.end(message.subsystem, f"{session} declines")
         return request.Done()
 
@@ -137,7 +143,7 @@ class ControlAuthority:
         held = [name for name, one in self._subsystems.live.items() if one.holder == session]
         held += [name for run in self._subsystems.runs if run.session == session for name in run.names]
         if held:
-            return request.Refused(f"this session holds {', '.join(sorted(held))}; release it first, or let it end")
+            return request.Refused(Reason.of("host.holds_still", names=tuple(sorted(held))))
         self.watching.add(session)
         return request.Done()
 
@@ -155,7 +161,7 @@ class ControlAuthority:
         When it is heard again it may look; for anything else it takes a subsystem, or prepares a run, anew.
         """
         self._lapsed.add(session)
-        cause = f"its holder {session} has been silent for {silent_ns * 1e-9:.2f} s"
+        cause = Reason.of("host.holder_silent", session=session, seconds=silent_ns * 1e-9)
         for run in self._subsystems.runs:
             if run.session == session and run.on_loss != "run":
                 self._abandon(run, cause, session, now)
@@ -163,20 +169,20 @@ class ControlAuthority:
 
     def lost(self, session: str, now: int) -> None:
         """A session is gone: its runs end unless they were begun to go on; what it held by hand comes to rest."""
-        cause = f"the session {session} that began it is gone"
+        cause = Reason.of("host.run_deserted", session=session)
         for run in self._subsystems.runs:
             if run.session == session:
                 self._abandon(run, cause, session, now)
-        self._rest(session, f"its holder {session} is gone")
+        self._rest(session, Reason.of("host.holder_gone", session=session))
 
-    def _abandon(self, run: ApplicationRun, cause: str, session: str, now: int) -> None:
+    def _abandon(self, run: ApplicationRun, cause: Reason, session: str, now: int) -> None:
         """A run is nobody's: it goes as it was begun to go, and others may take it."""
         run.session = ""
         run.abandon(cause, now)
         for name in run.names:
             self._tell(event.Held(name, "", cause), name, session)
 
-    def _rest(self, session: str, cause: str) -> None:
+    def _rest(self, session: str, cause: Reason) -> None:
         """What a session held by hand comes to rest, and is nobody's."""
         self._offers.leave(session)
         for name, subsystem in list(self._subsystems.live.items()):
@@ -184,33 +190,33 @@ class ControlAuthority:
                 subsystem.begin(0, transactions.rest(subsystem))
                 self._leave(name, cause)
 
-    def _take(self, session: str, name: str) -> str:
+    def _take(self, session: str, name: str) -> Reason:
         """Take what is offered, what nobody holds, or a run that is nobody's any more; why not, or nothing."""
         holder, application = self._holder(name)
         offer = self._offer(name)
         if offer is not None and offer.to == session:
             self._offers.end(name, "accepted")
-            return self._pass_on(name, session, f"{holder} has handed it over")
+            return self._pass_on(name, session, Reason.of("host.handed_over", holder=holder))
         if application and not holder:
-            return self._pass_on(name, session, "nobody held its run")
+            return self._pass_on(name, session, Reason.of("host.run_of_nobody"))
         if application or (holder and holder != session):
-            return f"subsystem {name} is held by {holder}"
+            return Reason.of("host.held_by", subsystem=name, holder=holder)
         self._subsystems.by_hand(name)
         self._give(name, session)
-        return ""
+        return NOTHING
 
-    def _pass_on(self, name: str, session: str, cause: str) -> str:
+    def _pass_on(self, name: str, session: str, cause: Reason) -> Reason:
         """What is there goes on; only who may change it is another. A run is passed on with all its subsystems."""
         run = self._subsystems.run_in(name)
         if run is None:
             self._give(name, session, cause)
-            return ""
+            return NOTHING
         self._subsystems.hold.release(run.session)
         run.session = session
         for subsystem in run.names:
             self._offers.end(subsystem, "its run was passed on")
             self._tell(event.Held(subsystem, session, cause), subsystem, session)
-        return ""
+        return NOTHING
 
     def _offer(self, subsystem: str) -> Offer | None:
         """What its present holder offers of it."""
@@ -220,18 +226,19 @@ class ControlAuthority:
             return None
         return offer
 
-    def _meant(self, session: str, to: str) -> tuple[str, str]:
+    def _meant(self, session: str, to: str) -> tuple[str, Reason]:
         """The session of that name, or the only one of that user; or why it can be none."""
         others = [standing for standing in self._sessions() if standing.name != session and standing.is_here]
         matches = [other for other in others if other.name == to] or [
             other for other in others if other.name.split("#")[0] == to
         ]
         if len(matches) != 1:
-            names = ", ".join(standing.name for standing in matches or others) or "nobody else"
-            return "", f"expected one of those who are there ({names}), found {to}"
+            names = tuple(standing.name for standing in matches or others)
+            handed_to = Reason.of("host.handed_to", names=names, to=to)
+            return "", handed_to if names else Reason.of("host.handed_alone", to=to)
         if matches[0].role == Role.VIEWER.word or matches[0].only_watches:
-            return "", f"{matches[0].name} only watches and can take nothing"
-        return matches[0].name, ""
+            return "", Reason.of("host.takes_nothing", name=matches[0].name)
+        return matches[0].name, NOTHING
 
     def _holder(self, subsystem: str) -> tuple[str, str]:
         """The session that holds it and the application that runs in it."""
@@ -241,23 +248,23 @@ class ControlAuthority:
         by_hand = self._subsystems.live.get(subsystem)
         return (by_hand.holder if by_hand is not None else ""), ""
 
-    def _foreign(self, session: str) -> str:
+    def _foreign(self, session: str) -> Reason:
         """Whether others hold something and this session does not: then it is not its stop to leave."""
         holders = {one.holder for one in self._subsystems.live.values()} | {
             run.session for run in self._subsystems.runs
         }
         holders.discard("")
         if holders and session not in holders:
-            return f"only a holder ({', '.join(sorted(holders))}) leaves a stop"
-        return ""
+            return Reason.of("host.stop_of_holder", names=tuple(sorted(holders)))
+        return NOTHING
 
-    def _leave(self, subsystem: str, cause: str = "") -> None:
+    def _leave(self, subsystem: str, cause: Reason = NOTHING) -> None:
         """Nobody holds it any more; if nothing is left of it either, it is no more."""
         self._give(subsystem, "", cause)
         if self._subsystems.live[subsystem].is_empty:
             self._subsystems.drop(subsystem)
 
-    def _give(self, subsystem: str, session: str, cause: str = "") -> None:
+    def _give(self, subsystem: str, session: str, cause: Reason = NOTHING) -> None:
         one = self._subsystems.live[subsystem]
         if one.holder != session:
             former, one.holder = one.holder, session

@@ -4,6 +4,7 @@ from collections.abc import Iterable
 
 from onika.link.caller import PARENT, Caller, Role
 from onika.wire import holding, live, request, steer
+from onika.words.reason import NOTHING, Reason
 
 _LOOKING = (
     request.Stop,
@@ -25,7 +26,7 @@ OUTSIDE = ("PARTNER", "STARTS")
 """LOCAL lines that name a program to be started or talked with: as good as code, whatever module reads them."""
 
 
-def refusal(caller: Caller, message: request.Request, accepts_code: bool) -> str:
+def refusal(caller: Caller, message: request.Request, accepts_code: bool) -> Reason:
     """Why this may not be asked by this caller; empty: it may.
 
     accepts_code    whether code from other machines is taken
@@ -33,12 +34,16 @@ def refusal(caller: Caller, message: request.Request, accepts_code: bool) -> str
     least = _least(message)
     if caller.role < least:
         what = type(message).__name__
-        return f"expected {_article(least)} {least.word} for {what}, found {caller.user}, who is {caller.role.word}"
+        if least in (Role.OPERATOR, Role.OWNER):
+            return Reason.of(
+                "host.role_wanted_an", least=least.word, what=what, user=caller.user, role=caller.role.word
+            )
+        return Reason.of("host.role_wanted", least=least.word, what=what, user=caller.user, role=caller.role.word)
     if brings_code(message) and not caller.is_near and not accepts_code:
-        return f"code from another machine ({caller.address}) is not accepted; start the runtime with --accept-code"
+        return Reason.of("host.code_from_afar", address=caller.address)
     if isinstance(message, request.Begin) and message.record and caller != PARENT:
-        return f"a recording is written for the program that launched the runtime; {caller.user} called from elsewhere"
-    return ""
+        return Reason.of("host.recording_of_launcher", user=caller.user)
+    return NOTHING
 
 
 def changes_nothing(message: request.Request) -> bool:
@@ -72,7 +77,3 @@ def _least(message: request.Request) -> Role:
     if brings_code(message):
         return Role.PROGRAMMER
     return Role.OWNER if isinstance(message, request.Quit) else Role.OPERATOR
-
-
-def _article(role: Role) -> str:
-    return "an" if role in (Role.OPERATOR, Role.OWNER) else "a"

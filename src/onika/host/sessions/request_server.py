@@ -17,6 +17,7 @@ from onika.link.session import EnvironmentSession
 from onika.link.sessions import Introduction, Sessions
 from onika.wire import event, holding, request
 from onika.wire.packet import Bye, encode
+from onika.words.reason import Reason, reason_of
 
 _EVERY = "*"
 _WAITING = 4 * 1024 * 1024
@@ -273,7 +274,7 @@ class RequestServer:
         except ValueError as wrong:
             if self.watcher is not None:
                 self.watcher.garbage(session.name, str(wrong))
-            self.reply(self._count, request.Refused(f"expected a request, found something else: {wrong}"))
+            self.reply(self._count, request.Refused(Reason.of("host.no_request", why=reason_of(wrong))))
             return None
         call = Call(self._count, session.name, session.caller.role, decode_request, session.caller.address)
         self._calls[self._count] = call

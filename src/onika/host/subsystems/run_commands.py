@@ -8,6 +8,7 @@ from onika.host.run.application_run import ApplicationRun
 from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.wire import request, steer
 from onika.words.condition import Condition
+from onika.words.reason import NOTHING, Reason
 
 Answer = Callable[[request.Response], None]
 
@@ -18,24 +19,24 @@ class RunCommands:
     def __init__(self, subsystems: Subsystems) -> None:
         self._subsystems = subsystems
 
-    def refusal(self, session: str, command: steer.Steering) -> str:
+    def refusal(self, session: str, command: steer.Steering) -> Reason:
         """Why this session may not ask it; empty: it may. A run whose session is gone is everybody's."""
         run = self._run_meant(session, command)
-        if isinstance(run, str):
+        if isinstance(run, Reason):
             return run
         if run.session not in (session, ""):
-            return f"application {run.application} was begun by {run.session}; everybody can stop"
-        return ""
+            return Reason.of("host.begun_by", application=run.application, session=run.session)
+        return NOTHING
 
     def carry_out(self, session: str, command: steer.Steering, now: int, answer: Answer) -> None:
         """Do it; answered once the engine has said that it does, or why not."""
         run = self._run_meant(session, command)
-        if isinstance(run, str):
+        if isinstance(run, Reason):
             answer(request.Refused(run))
             return
         names = (command.subsystem,) if command.subsystem else run.names
         if len(names) > 1 and not isinstance(command, steer.Pause | steer.Resume | steer.Step | steer.Recover):
-            answer(request.Refused(f"expected one of the flows {', '.join(run.names)}, found none"))
+            answer(request.Refused(Reason.of("host.one_flow", names=tuple(run.names))))
             return
         wrong = _wrong_condition(command)
         if wrong:
@@ -51,17 +52,17 @@ class RunCommands:
         runs: Sequence[ApplicationRun] = own or self._subsystems.runs
         return steer.Positions(tuple(position for run in runs for position in run.runner.positions()))
 
-    def _run_meant(self, session: str, command: steer.Steering) -> ApplicationRun | str:
+    def _run_meant(self, session: str, command: steer.Steering) -> ApplicationRun | Reason:
         """The application that is meant, or why there is none."""
         if command.subsystem:
             named = self._subsystems.run_in(command.subsystem)
-            return named if named is not None else f"no application runs in subsystem {command.subsystem}"
+            return named if named is not None else Reason.of("host.nothing_runs_in", subsystem=command.subsystem)
         runs = self._subsystems.runs
         candidates = [run for run in runs if run.session == session] or runs
         if len(candidates) == 1:
             return candidates[0]
-        names = ", ".join(name for run in candidates for name in run.names)
-        return f"expected one of the subsystems {names}, found none" if candidates else "no application runs"
+        names = tuple(name for run in candidates for name in run.names)
+        return Reason.of("host.one_subsystem", names=names) if candidates else Reason.of("host.nothing_runs")
 
 
 class _Answers:
