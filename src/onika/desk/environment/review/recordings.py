@@ -9,8 +9,8 @@ from onika.desk.environment.outcome.outcome import Done, Procedure, Work
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.review.opening import NOT_HERE
 from onika.desk.environment.state.model import Model
-from onika.record.glimpse import glimpse
 from onika.record.reader import UNREADABLE
+from onika.record.summary import summary
 from onika.wire import act
 from onika.wire.view import RecordingFile, RecordingsView
 
@@ -33,7 +33,7 @@ def _files(folder: Path, made: str) -> Iterator[RecordingFile]:
     for path in folder.glob(f"*{ENDING}"):
         if str(path) != made:
             try:
-                recording = glimpse(path)
+                recording = summary(path)
                 began_at_s = datetime.fromisoformat(recording.began).timestamp()
                 size = path.stat().st_size
             except UNREADABLE:

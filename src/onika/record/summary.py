@@ -1,0 +1,66 @@
+"""The summary of a recording, for lists of many: of which application, since when, how long."""
+
+from dataclasses import dataclass
+from io import SEEK_END
+from itertools import islice
+from pathlib import Path
+from typing import BinaryIO
+
+from mcap.reader import FOOTER_SIZE
+from mcap.records import Footer, Metadata, Statistics
+from mcap.stream_reader import MAGIC_SIZE, StreamReader
+
+from onika.record.reader import UNREADABLE, Reader
+from onika.record.run import NOTE
+
+_FIRST = 8
+"""The note stands among so many first records."""
+
+
+@dataclass(frozen=True, slots=True)
+class Summary:
+    """`began` is ISO 8601."""
+
+    application: str
+    began: str
+    took_s: float
+    is_whole: bool
+
+
+def summary(path: Path) -> Summary:
+    """Raises what `reader.UNREADABLE` names where it is no recording of a run."""
+    with path.open("rb") as stream:
+        words = _note(stream)
+        last_ns = _last_ns(stream)
+    if words is None:
+        raise ValueError(f"{path}: expected a recording of a run, found none in this file")
+    is_whole = last_ns is not None
+    if last_ns is None:
+        reader = Reader(path)
+        last_ns = reader.span[1]
+        reader.close()
+    return Summary(words.get("application", ""), words.get("began", ""), last_ns * 1e-9, is_whole)
+
+
+def _note(stream: BinaryIO) -> dict[str, str] | None:
+    records = islice(StreamReader(stream, emit_chunks=True).records, _FIRST)
+    notes = (record for record in records if isinstance(record, Metadata) and record.name == NOTE)
+    note = next(notes, None)
+    return None if note is None else dict(note.metadata)
+
+
+def _last_ns(stream: BinaryIO) -> int | None:
+    """The time of the last message, as the file's own summary says it; None: it was cut short and has none.
+
+    The summary is read up to its statistics only: an index of every chunk follows, which is long in a long recording.
+    """
+    try:
+        stream.seek(-(FOOTER_SIZE + MAGIC_SIZE), SEEK_END)
+        (footer,) = StreamReader(stream, skip_magic=True).records
+        if not isinstance(footer, Footer) or not footer.summary_start:
+            return None
+        stream.seek(footer.summary_start)
+        records = StreamReader(stream, skip_magic=True).records
+        return next((int(record.message_end_time) for record in records if isinstance(record, Statistics)), None)
+    except UNREADABLE:
+        return None
