@@ -99,8 +99,7 @@ def reinitialise(
         return f"{task}: it is in ERROR, clear it first"
     before = _Before(live, ())
     former = live.members[task].wired
-    others = dependents([placed.ports for placed in live.placed() if placed.name != task], former.outconst)
-    chain = [task, *others]
+    chain = _chain(live, task)
     errors = [name for name in chain if live.state(name) is State.ERROR]
     on = [Turn(name, line) for name, line in before.on.items() if name in chain]
     yield from switch(live, [turn.task for turn in on], ())
@@ -110,10 +109,22 @@ def reinitialise(
     back = on if cause else _to_return(live, on)
     if cause and wired is not None:
         _rewire(live, former, before.desired.constants_of(task))
-        for name in chain:
-            yield from _restore(live, name, name not in errors, former.task.local if name == task else None)
+        yield from _restore_chain(live, chain, errors, former.task.local)
     yield from switch(live, (), [turn for turn in back if live.state(turn.task) is State.OFF])
     return cause or live.outcomes.trouble([turn.task for turn in back])
+
+
+def _chain(live: LiveSubsystem, task: str) -> list[str]:
+    """A task, then all that read its constants, suppliers first."""
+    others = [placed.ports for placed in live.placed() if placed.name != task]
+    return [task, *dependents(others, live.members[task].wired.outconst)]
+
+
+def _restore_chain(live: LiveSubsystem, chain: Sequence[str], errors: Collection[str], local: Lines) -> Step:
+    """Initialise a task, with its former parameters, and its readers anew; who was in ERROR before stays there."""
+    task = chain[0]
+    for name in chain:
+        yield from _restore(live, name, name not in errors, local if name == task else None)
 
 
 def swap(live: LiveSubsystem, task: str, wired: WiredTask) -> Transaction:

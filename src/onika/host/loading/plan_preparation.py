@@ -18,7 +18,7 @@ from onika.host.loading.plan_checks import (
     wrong_rates,
 )
 from onika.host.loading.plan_conditions import wrong_conditions
-from onika.host.loading.target_resolution import notes_on_resolved, resolve
+from onika.host.loading.target_resolution import Resolution, notes_on_resolved, resolve
 from onika.model.planned import task_of
 from onika.runtime.modules.sheet import differences, strangers
 from onika.runtime.user_input import UserInput
@@ -57,23 +57,7 @@ def prepare(plan: Plan, targets: Sequence[TargetValues], loading: Loading) -> Pr
     preparation.faults += resolution.faults
     preparation.notes += notes_on_resolved(plan, resolution.resolved)
     for number, flow in enumerate(plan.flows):
-        wired = _wired(flow, sheets, preparation)
-        preparation.flows.append(wired)
-        preparation.notes += remarks(wired, loading)
-        if len(wired) == len(flow.tasks):  # else every further word would only repeat what is missing
-            preparation.faults += disagreements(wired) + missing_constants(wired) + conflicts(wired) + cycles(wired)
-        _actions(number, flow, wired, preparation)
-        _rates(flow, sheets, preparation)
-        refused = {action for flow_of, action in resolution.refused if flow_of == number}
-        _values(
-            number,
-            flow,
-            wired,
-            [target for target in resolution.targets if target.flow == number],
-            loading,
-            preparation,
-            refused,
-        )
+        _flow(number, flow, sheets, resolution, loading, preparation)
     preparation.faults += shared_devices(
         [wire(task, sheets[task.digest]) for flow in plan.flows for task in flow.tasks if task.digest in sheets]
     )
@@ -84,6 +68,27 @@ def prepare(plan: Plan, targets: Sequence[TargetValues], loading: Loading) -> Pr
     preparation.faults = sorted(set(preparation.faults))
     preparation.notes = list(dict.fromkeys(preparation.notes))
     return preparation
+
+
+def _flow(
+    number: int,
+    flow: PlannedFlow,
+    sheets: Mapping[str, ModuleSheet],
+    resolution: Resolution,
+    loading: Loading,
+    preparation: Preparation,
+) -> None:
+    """Look at the tasks, actions, rates and targets of one flow."""
+    wired = _wired(flow, sheets, preparation)
+    preparation.flows.append(wired)
+    preparation.notes += remarks(wired, loading)
+    if len(wired) == len(flow.tasks):  # else every further word would only repeat what is missing
+        preparation.faults += disagreements(wired) + missing_constants(wired) + conflicts(wired) + cycles(wired)
+    _actions(number, flow, wired, preparation)
+    _rates(flow, sheets, preparation)
+    refused = {action for flow_of, action in resolution.refused if flow_of == number}
+    targets = [target for target in resolution.targets if target.flow == number]
+    _values(number, flow, wired, targets, loading, preparation, refused)
 
 
 def inspect(tasks: Sequence[PlannedTask], code: Sequence[Code], loading: Loading) -> tuple[list[Fault], list[str]]:

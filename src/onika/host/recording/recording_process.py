@@ -9,12 +9,13 @@ import select
 import signal
 import socket
 import sys
+from collections.abc import Sequence
 from time import monotonic_ns
 
 from msgspec import Struct, msgpack
 from msgspec.structs import replace
 
-from onika.host.recording.recording_sink import Finish, Meet, RecordingSink, Start, decode
+from onika.host.recording.recording_sink import Finish, Meet, Order, RecordingSink, Start, decode
 from onika.host.units.output_pipe import open_outlets
 from onika.host.units.pose_stream import Posed
 from onika.host.units.process_socket import Post
@@ -84,18 +85,23 @@ def _follow(post: Post, inlet: Post, sink: RecordingSink, every_ns: int) -> None
                 due = zero = order.at_ns  # before the run there is no time to write down
             if isinstance(order, Finish):
                 _look(inlet, sink, zero)
-            if isinstance(order, Meet):
-                if descriptors:
-                    memories[order.subsystem] = Segment.attach(descriptors[0]).view
-                sink.take(order, memories[order.subsystem])
-            else:
-                sink.take(order)
+            _carry_out(order, descriptors, sink, memories)
         now = monotonic_ns()
         if now >= due and zero >= 0 and not sink.is_finished:
             _look(inlet, sink, zero)
             due = max(due + every_ns, now)
     if not sink.is_finished:
         sink.flush()  # the runtime is gone: what was seen is all there is
+
+
+def _carry_out(order: Order, descriptors: Sequence[int], sink: RecordingSink, memories: dict[str, memoryview]) -> None:
+    """Hand an order to the sink, with the memory of its subsystem where it is about variables."""
+    if not isinstance(order, Meet):
+        sink.take(order)
+        return
+    if descriptors:
+        memories[order.subsystem] = Segment.attach(descriptors[0]).view
+    sink.take(order, memories[order.subsystem])
 
 
 def _look(inlet: Post, sink: RecordingSink, zero: int) -> None:
