@@ -60,7 +60,7 @@ def test_tasks_of_the_puma_are_spawned_moved_read_and_killed_by_a_script(tmp_pat
     assert code == 0, said
     angles = re.search(r"^Q_MEZ = (.*)$", said, re.MULTILINE)[1].split()
     assert [float(angle) for angle in angles] == pytest.approx([0, -1.2, 1.2, 0, 0, 0], abs=0.02)
-    assert re.search(r"^puma +puma +rt0 +ON +[1-9]\d* ", said, re.MULTILINE)
+    assert re.search(r"^puma +arm +rt0 +ON +[1-9]\d* ", said, re.MULTILINE)
     assert "main: the memory of variables is sound" in said
     assert re.search(r"^[0-9.]+ main Q_MEZ double\[6\] ", (tmp_path / "readings").read_text(), re.MULTILINE)
     assert "no task lives here" in said
