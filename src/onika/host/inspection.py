@@ -86,7 +86,7 @@ class Inspection:
                 if scene is None:
                     return request.Refused(Reason.of("host.no_world_open", world=message.world))
                 return live.Scenery(scene)
-        return request.Refused(f"a runtime does not answer {type(message).__name__}")
+        return request.Refused(Reason.of("host.not_answered", request=type(message).__name__))
 
     def status(self, answer: Answer) -> None:
         """The figures of all tasks, as soon as every unit has answered."""

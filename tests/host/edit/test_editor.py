@@ -109,7 +109,7 @@ def test_what_is_not_there_is_refused_by_name(hand, asked):  # R-A05
     hand.change(spawn=["counter"])
     answer = hand.asker.ask(asked)
     assert isinstance(answer, request.Refused)
-    assert "no" in answer.reason.split()
+    assert "no" in str(answer.reason).split()
 
 
 def test_a_module_is_asked_and_told(hand):  # R-A05

@@ -22,7 +22,7 @@ from onika.wire import live as asked, request
 from onika.wire.plan import Code
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 Answer = Callable[[request.Response], None]
 
@@ -127,7 +127,7 @@ class Editor:
         if live is None:
             return refusal
         if live.state(order.task) is not State.ERROR:
-            return request.Refused(f"{order.task} is {live.state(order.task).value}, not ERROR")
+            return request.Refused(Reason.of("host.not_in_error", task=order.task, state=live.state(order.task).value))
         wired = live.members[order.task].wired
         return self._begin(live, _still(live, wired, transactions.clearing(live, order.task)))
 
@@ -135,7 +135,7 @@ class Editor:
         """Kill every task of a subsystem."""
         live = self._subsystems.live.get(order.subsystem)
         if live is None:
-            return request.Refused(f"there is no subsystem {order.subsystem} held by hand")
+            return request.Refused(Reason.of("host.not_by_hand", subsystem=order.subsystem))
         return self._begin(live, transactions.close(live))
 
     def answer(self, order: request.Reply) -> request.Response:
@@ -144,7 +144,7 @@ class Editor:
         if live is None:
             return refusal
         if live.state(order.task) is not State.ASKING:
-            return request.Refused(f"{order.task} asks for nothing")
+            return request.Refused(Reason.of("host.asks_nothing", task=order.task))
         live.answer(order.task, order.line)
         return request.Done()
 
@@ -152,7 +152,7 @@ class Editor:
         """Ask a module something, or tell it; the answer comes later."""
         member = self._subsystems.members(order.subsystem).get(order.task)
         if member is None:
-            answer(request.Refused(f"there is no task {order.task} in subsystem {order.subsystem}"))
+            answer(request.Refused(Reason.of("host.no_such_task", task=order.task, subsystem=order.subsystem)))
             return
 
         def take_answer(message: news.Got | news.Refused) -> None:
@@ -175,8 +175,8 @@ class Editor:
     def _task(self, subsystem: str, task: str) -> tuple[LiveSubsystem | None, request.Refused]:
         live = self._subsystems.live.get(subsystem)
         if live is None or live.state(task) is State.KILLED:  # never born, dead, or gone with its unit
-            return None, request.Refused(f"there is no task {task} in subsystem {subsystem}")
-        return live, request.Refused("")
+            return None, request.Refused(Reason.of("host.no_such_task", task=task, subsystem=subsystem))
+        return live, request.Refused(NOTHING)
 
     def _sheets(self, codes: Sequence[Code]) -> tuple[dict[str, ModuleSheet], list[Fault]]:
         sheets, faults = {}, []
