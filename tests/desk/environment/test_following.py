@@ -66,7 +66,7 @@ def test_hardware_is_not_switched_on_again_by_an_exchange(duet):  # law 12
     duet.do(act.Toggle(doc, "arm"))
     duet.alias("arm", "Y", "W")
     assert duet.state(doc, "arm") == "OFF"
-    assert any("stays OFF until you turn it on" in one.text for one in duet.says)
+    assert any("stays OFF until you turn it on" in str(one.text) for one in duet.says)
 
 
 def test_undo_asks_before_anything_comes_on_again(duet):  # law 22
@@ -74,7 +74,7 @@ def test_undo_asks_before_anything_comes_on_again(duet):  # law 22
     duet.do(act.Toggle(doc, "arm"))
     duet.do(act.Toggle(doc, "arm"))
     refused = duet.no(act.Undo(doc))
-    assert "arm" in refused.reason
+    assert "arm" in str(refused.reason)
     duet.do(refused.remedies[0].act)
     assert duet.state(doc, "arm") == "ON"
 
@@ -82,7 +82,7 @@ def test_undo_asks_before_anything_comes_on_again(duet):  # law 22
 def test_what_cannot_live_is_refused_and_nothing_is_changed(duet, tmp_path):  # R-X01
     doc = duet.connected("source")
     (tmp_path / "module" / "other.py").unlink()
-    assert duet.no(act.Place(doc, "other", 0, 0)).reason.startswith("other cannot live")
+    assert str(duet.no(act.Place(doc, "other", 0, 0)).reason).startswith("other cannot live")
 
 
 def test_a_stopped_runtime_lets_nobody_live_but_whom_it_has_may_go(duet):  # law 27
@@ -97,7 +97,7 @@ def test_what_is_held_by_another_can_be_looked_at_only(duet):  # R-X12
     doc = duet.connected("source")
     duet.tell(event.Held("Untitled-1", "anna#2"))
     refused = duet.no(act.Remove(doc, ("source",)))
-    assert "held by anna#2" in refused.reason and refused.remedies[0].act == act.Take(doc)
+    assert "held by anna#2" in str(refused.reason) and refused.remedies[0].act == act.Take(doc)
 
 
 def test_what_nobody_here_shows_any_more_may_be_held_by_others(duet):  # R-X12

@@ -27,7 +27,7 @@ from onika.link.state import LinkState
 from onika.link.token import read_token, token_path
 from onika.link.websocket_opening import WebSocketOpening
 from onika.wire import event, live, request
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason, Text
 
 _PATIENCE_S = 60.0
 _PRINTED = "; it printed last: "
@@ -144,7 +144,7 @@ class Conversation:
 
     def _explained(self, lost: LinkLost | TimeoutError) -> LinkLost:
         cause = lost.cause if isinstance(lost, LinkLost) else LossCause.TIMEOUT
-        return LinkLost(cause, Reason.of("link.runtime_gone", why=_why(lost), more=""))
+        return LinkLost(cause, Reason.of("link.runtime_gone", why=_why(lost), how=NOTHING, printed=NOTHING))
 
     def _judge_absence(self) -> None:
         now = monotonic_ns()
@@ -202,10 +202,10 @@ class Runtime(Conversation):
     def _explained(self, lost: LinkLost | TimeoutError) -> LinkLost:
         cause = lost.cause if isinstance(lost, LinkLost) else LossCause.SILENT
         code = self._child.wait(0.5)
-        how = "" if code is None else f"; it {_ended(code)}"
-        printed = self._child.tail().strip()
-        output = f"{_PRINTED}{printed[-2000:]}" if printed else ""
-        return LinkLost(cause, Reason.of("link.runtime_gone", why=_why(lost), more=f"{how}{output}"))
+        how = NOTHING if code is None else _ended(code)
+        output = self._child.tail().strip()[-2000:]
+        printed = Reason.of("link.printed_last", output=output) if output else NOTHING
+        return LinkLost(cause, Reason.of("link.runtime_gone", why=_why(lost), how=how, printed=printed))
 
 
 class Reached(Conversation):
@@ -242,9 +242,13 @@ def connect(url: str, token: str = "", ca: Path | None = None) -> Reached:
     return Reached(WebSocketOpening(address, token or _token(address), ca))
 
 
-def in_short(reason: str) -> str:
+def in_short(reason: Text) -> Text:
     """Why a runtime is gone, without what it printed last: that is for who looks closer."""
-    return reason.partition(_PRINTED)[0]
+    if isinstance(reason, str):
+        return reason.partition(_PRINTED)[0]
+    if reason.key != "link.runtime_gone":
+        return reason
+    return Reason.of("link.runtime_gone", why=reason.args["why"], how=reason.args["how"], printed=NOTHING)
 
 
 def _token(address: Address) -> str:
@@ -265,5 +269,7 @@ def _why(lost: LinkLost | TimeoutError) -> Reason:
     return lost.reason if isinstance(lost, LinkLost) else Reason.plain(str(lost))
 
 
-def _ended(code: int) -> str:
-    return f"was killed by signal {-code}" if code < 0 else f"ended with code {code}"
+def _ended(code: int) -> Reason:
+    if code < 0:
+        return Reason.of("link.killed_by_signal", signal=-code)
+    return Reason.of("link.ended_with_code", code=code)

@@ -23,7 +23,7 @@ def of_change(fault: Fault) -> Fault:
 
 def wired(
     tasks: Sequence[PlannedTask], sheets: dict[str, ModuleSheet]
-) -> tuple[list[WiredTask], list[Fault], list[str]]:
+) -> tuple[list[WiredTask], list[Fault], list[Reason]]:
     """Tasks bound to their modules' ports; in what they differ from these, and what is worth knowing."""
     wired, faults, notes = [], [], []
     for task in tasks:

@@ -253,7 +253,7 @@ class Editor:
         return constants, faults + [edit_objections.of_change(fault) for fault in shapeless(new, together)]
 
 
-def refused(faults: Sequence[Fault], notes: Sequence[str]) -> request.Prepared:
+def refused(faults: Sequence[Fault], notes: Sequence[Reason]) -> request.Prepared:
     """All that is wrong, as it travels."""
     texts = (
         request.FaultText(fault.place.file, fault.place.line, fault.reason, fault.instead, fault.where, fault.remedies)

@@ -9,7 +9,7 @@ from onika.runtime.modules.sheet import SLOWEST_HARDWARE_HZ
 from onika.runtime.wiring import WiredTask
 from onika.wire.plan import Code, Plan
 from onika.words.fault import NOT_RUN, Fault, Place
-from onika.words.reason import Reason
+from onika.words.reason import Reason, Text
 
 _SLOWEST_HZ = 1e-3
 _FASTEST_HZ = 1e6
@@ -122,7 +122,14 @@ def unfit_together(tasks: Sequence[WiredTask], loading: Loading) -> list[Fault]:
     return faults
 
 
-def remarks(tasks: Sequence[WiredTask], loading: Loading) -> list[str]:
+def note_at(place: Place, note: Text) -> Reason:
+    """What is only worth knowing, with where it stands."""
+    if place.line:
+        return Reason.of("host.note_at", file=place.file, line=place.line, note=note)
+    return Reason.of("host.note_in", file=place.file, note=note)
+
+
+def remarks(tasks: Sequence[WiredTask], loading: Loading) -> list[Reason]:
     """What is odd about the devices of one flow, and forbids nothing: an arm moves, and the other arm's hand closes."""
     worlds: dict[str, dict[str, WiredTask]] = {}
     for task in (task for task in tasks if task.device and task.sheet.hardware):
@@ -133,7 +140,7 @@ def remarks(tasks: Sequence[WiredTask], loading: Loading) -> list[str]:
         objections = loading.company(world, tuple(sorted(claimed)), is_of_flow=True) if len(claimed) > 1 else ()
         for remark in objections if isinstance(objections, tuple) else ():
             place = next((wired_task.task.place for name, wired_task in claimed.items() if name in remark), world)
-            notes.append(f"{place}: {remark}")
+            notes.append(note_at(Place(place), remark))
     return notes
 
 

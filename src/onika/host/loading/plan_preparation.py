@@ -10,6 +10,7 @@ from onika.host.loading.plan_checks import (
     at_action,
     conflicts,
     cycles,
+    note_at,
     remarks,
     shapeless,
     shared_devices,
@@ -43,7 +44,7 @@ class Preparation:
     resolved: list[Resolved] = field(default_factory=list)
     """Joint targets that other robots take by way of their poses."""
     faults: list[Fault] = field(default_factory=list)
-    notes: list[str] = field(default_factory=list)
+    notes: list[Reason] = field(default_factory=list)
 
 
 def prepare(plan: Plan, targets: Sequence[TargetValues], loading: Loading) -> Preparation:
@@ -91,10 +92,10 @@ def _flow(
     _values(number, flow, wired, targets, loading, preparation, refused)
 
 
-def inspect(tasks: Sequence[PlannedTask], code: Sequence[Code], loading: Loading) -> tuple[list[Fault], list[str]]:
+def inspect(tasks: Sequence[PlannedTask], code: Sequence[Code], loading: Loading) -> tuple[list[Fault], list[Reason]]:
     """Check tasks against their modules, each by itself: faults, and what is only worth knowing."""
     faults: list[Fault] = []
-    notes: list[str] = []
+    notes: list[Reason] = []
     sheets = _sheets(code, loading, faults)
     for task in tasks:
         if task.digest in sheets:
@@ -128,10 +129,10 @@ def _wired(flow: PlannedFlow, sheets: Mapping[str, ModuleSheet], preparation: Pr
     return wired
 
 
-def unknown_parameters(task: PlannedTask, sheet: ModuleSheet) -> list[str]:
+def unknown_parameters(task: PlannedTask, sheet: ModuleSheet) -> list[Reason]:
     """LOCAL lines that say nothing to the module."""
     return [
-        f"{task.place}: LOCAL {name} is no parameter of module {task.module}; it is kept and not used"
+        note_at(Place(task.place), Reason.of("host.parameter_unknown", name=name, module=task.module))
         for name in strangers(task_of(task), sheet)
     ]
 
@@ -152,9 +153,8 @@ def _actions(number: int, flow: PlannedFlow, wired: Sequence[WiredTask], prepara
             )
         if len(triggers) > 1:
             others = ", ".join(triggers[1:])
-            preparation.notes.append(
-                f"{Place(action.place, action.line)}: {action.job} ends with {triggers[0]}; {others} is a trigger too"
-            )
+            note = Reason.of("host.triggers_more", job=action.job, trigger=triggers[0], others=others)
+            preparation.notes.append(note_at(Place(action.place, action.line), note))
 
 
 def _rates(flow: PlannedFlow, sheets: Mapping[str, ModuleSheet], preparation: Preparation) -> None:

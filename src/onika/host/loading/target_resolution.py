@@ -12,7 +12,7 @@ from typing import Any
 from msgspec.structs import replace
 
 from onika.host.loading.module_questions import Loading
-from onika.host.loading.plan_checks import at_action
+from onika.host.loading.plan_checks import at_action, note_at
 from onika.runtime.user_input import UserInput
 from onika.wire.plan import Code, Plan, PlannedAction, PlannedFlow, PlannedTask
 from onika.wire.request import Resolved, TargetValues
@@ -194,7 +194,7 @@ class _Pair:
             self._found.faults.append(at_action(self._found.plan, aim.flow, aim.action, reason(target)))
 
 
-def notes_on_resolved(plan: Plan, resolved: Sequence[Resolved]) -> Iterator[str]:
+def notes_on_resolved(plan: Plan, resolved: Sequence[Resolved]) -> Iterator[Reason]:
     """In words, once for all uses of a target: what became of it."""
     uses: dict[tuple[Any, ...], list[Resolved]] = {}
     for use in resolved:
@@ -202,11 +202,13 @@ def notes_on_resolved(plan: Plan, resolved: Sequence[Resolved]) -> Iterator[str]
     for (target, task, values), uses_of_target in uses.items():
         first = plan.flows[uses_of_target[0].flow].actions[uses_of_target[0].action]
         numbers = " ".join(f"{value:.4g}" if isinstance(value, float) else str(value) for value in values)
-        often = f", {len(uses_of_target)} times" if len(uses_of_target) > 1 else ""
-        yield (
-            f"{Place(first.place, first.line)}: {target} is re-resolved for {task}{often}, "
-            f"by the pose that it is for {uses_of_target[0].instead_of}: {numbers}"
+        count, old = len(uses_of_target), uses_of_target[0].instead_of
+        note = (
+            Reason.of("host.resolved_often", target=target, task=task, count=count, old=old, numbers=numbers)
+            if count > 1
+            else Reason.of("host.resolved", target=target, task=task, old=old, numbers=numbers)
         )
+        yield note_at(Place(first.place, first.line), note)
 
 
 def _rewrite(resolution: Resolution) -> None:

@@ -38,7 +38,7 @@ def test_a_run_that_was_taken_is_something_that_is_held(duet):  # R-X12
     duet.do(act.Release(doc))
     duet.tell(event.Held("far", "you"))
     no = duet.no(act.OnlyWatch())
-    assert no.reason == "far is held here; release it first" and no.remedies[0].act == act.Release(subsystem="far")
+    assert str(no.reason) == "far is held here; release it first" and no.remedies[0].act == act.Release(subsystem="far")
 
 
 def test_the_promise_ends_by_coming_anew_and_nothing_is_held_then(duet):  # R-X12
@@ -55,12 +55,12 @@ def test_the_promise_ends_by_coming_anew_and_nothing_is_held_then(duet):  # R-X1
 def test_who_cannot_come_anew_has_lost_the_runtime(duet):  # R-E10
     promised(duet)
     duet.rebuffs = {live.Survey: request.Refused("it does not answer")}
-    assert "it does not answer" in duet.answer(act.WatchNoMore()).no.reason
+    assert "it does not answer" in str(duet.answer(act.WatchNoMore()).no.reason)
     assert duet.environment.tree.runtime.state == "lost"
 
 
 def test_without_a_promise_there_is_nothing_to_end(duet):
-    assert duet.no(act.WatchNoMore()).reason == "this environment has not promised that it only watches"
+    assert str(duet.no(act.WatchNoMore()).reason) == "this environment has not promised that it only watches"
     doc = duet.connected("a")
     duet.do(act.Release(doc))
     duet.runtime.sessions = (holding.SessionStanding("you", "owner", only_watches=True),)

@@ -113,7 +113,7 @@ def test_without_a_terminal_it_runs_here_and_says_so():  # §A.6
 
 
 def test_a_command_that_cannot_begin_is_refused(shown):  # R-G02
-    assert "null" in shown.start("echo \0").reason
+    assert "null" in str(shown.start("echo \0").reason)
 
 
 def test_what_nobody_shows_is_not_shown(shown):  # R-G02

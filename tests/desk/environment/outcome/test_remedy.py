@@ -12,11 +12,11 @@ TRAPEZ = Task("trapez", "trapez", outvar=("Y",), aliases=(("Y", "Q_REF"),))
 
 def test_a_refusal_becomes_a_sentence_with_buttons():  # R-X01
     (reason,) = reasons(placement.refusals(TRAPEZ, [CUBIC]), "c1", TRAPEZ)
-    assert reason.text == "writes Q_REF, which cubic already writes"
+    assert str(reason.text) == "writes Q_REF, which cubic already writes"
     replaces, alias, shows = reason.remedies
-    assert (replaces.label, replaces.act) == ("Replace cubic", act.Exchange("c1", "cubic", "trapez"))
-    assert (alias.label, alias.act, alias.show) == ("Alias Q_REF…", None, ShowPin("trapez", "Y"))
-    assert (shows.label, shows.show) == ("Show cubic", ShowTask("cubic"))
+    assert (str(replaces.label), replaces.act) == ("Replace cubic", act.Exchange("c1", "cubic", "trapez"))
+    assert (str(alias.label), alias.act, alias.show) == ("Alias Q_REF…", None, ShowPin("trapez", "Y"))
+    assert (str(shows.label), shows.show) == ("Show cubic", ShowTask("cubic"))
 
 
 def test_marks_for_terminals_are_left_out():
@@ -26,7 +26,7 @@ def test_marks_for_terminals_are_left_out():
 def test_another_alias_is_given_at_its_pin():  # R-X01, reading 9
     task = Task("t", "t", aliases=(("A", "B"),), outvar=("A", "B"))
     (reason,) = reasons(placement.alias_refusals(task, ()), "c1", task)
-    assert [(one.label, one.show) for one in reason.remedies] == [("Alias B…", ShowPin("t", "B"))]
+    assert [(str(one.label), one.show) for one in reason.remedies] == [("Alias B…", ShowPin("t", "B"))]
 
 
 def test_to_overwrite_is_offered_only_where_that_would_help():  # R-X01
@@ -34,7 +34,7 @@ def test_to_overwrite_is_offered_only_where_that_would_help():  # R-X01
     assert overwriting(Refusal("the disk is full", ("save it elsewhere",)), again) == ()
     (removed,) = overwriting(Refusal("it was removed", ("save it all the same", "save it elsewhere")), again)
     (there,) = overwriting(Refusal("it is there", ("save it elsewhere", "overwrite it")), again)
-    assert (removed.label, there.label) == ("Save it all the same", "Overwrite it")
+    assert (str(removed.label), str(there.label)) == ("Save it all the same", "Overwrite it")
     assert removed.act == there.act == again
 
 

@@ -24,9 +24,9 @@ def test_a_fault_is_told_at_the_step_in_whose_lines_it_stands():
     )
     head, one, two = told(application, faults, is_partial=True)
     assert (head.step, one.step, two.step) == (0, 1, 2)
-    assert (head.text, head.level) == ("line 3 of its file: expected conditional, found odd", "fault")
-    assert one.text.startswith("line 39 of its file: expected x")
-    assert (two.level, two.text.endswith("it acts as Complete job")) == ("warning", True)
+    assert (str(head.text), head.level) == ("line 3 of its file: expected conditional, found odd", "fault")
+    assert str(one.text).startswith("line 39 of its file: expected x")
+    assert (two.level, str(two.text).endswith("it acts as Complete job")) == ("warning", True)
     assert {one.level for one in told(application, faults, is_partial=False)} == {"warning"}
 
 
@@ -40,5 +40,5 @@ def test_what_could_be_read_only_in_part_is_not_run(tmp_path):  # issue: bad inp
     path.write_text(path.read_text().replace("MARKER      no", "MARKER      odd", 1))
     doc = gallery.do(act.Open(str(path)))
     no = gallery.no(act.Run(doc))
-    assert no.reason.startswith("job1 could not be read whole: line ")
+    assert str(no.reason).startswith("job1 could not be read whole: line ")
     assert no.remedies[0].show == ShowStep(gallery.number(doc, "grip"))

@@ -41,7 +41,7 @@ def test_what_is_offered_here_is_shown_and_said_and_gone_with_its_end(duet):  # 
     duet.tell(event.Offered("Untitled-1", "anna#2", "you"))
     shown = duet.environment.tree.documents[doc]
     assert (shown.offered_by, shown.offered_to, shown.is_offered_here) == ("anna#2", "you", True)
-    assert "anna#2 offers Untitled-1: take it, or decline" in [one.text for one in duet.says]
+    assert "anna#2 offers Untitled-1: take it, or decline" in [str(one.text) for one in duet.says]
     duet.tell(event.Offered("Untitled-1", "anna#2", "you", "withdrawn"))
     assert duet.environment.tree.documents[doc].offered_by == ""
 
@@ -62,4 +62,4 @@ def test_who_offered_it_is_told_that_it_was_declined_and_is_offered_no_longer(du
     duet.connected("a")
     duet.tell(event.Offered("Untitled-1", "you", "bob#3"))
     duet.tell(event.Offered("Untitled-1", "you", "bob#3", "bob#3 declines"))
-    assert duet.says[-1].text == "Untitled-1 is no longer offered to bob#3: bob#3 declines"
+    assert str(duet.says[-1].text) == "Untitled-1 is no longer offered to bob#3: bob#3 declines"

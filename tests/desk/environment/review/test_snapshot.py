@@ -68,18 +68,18 @@ def test_tasks_of_an_open_configuration_are_found_in_their_subsystem(watched):  
 def test_a_world_is_what_was_drawn_live(watched):  # R-X05: 3-D
     (shape,) = watched.do(act.RecordedScene("yard"))["shapes"]
     assert shape == {key: list(one) if isinstance(one, tuple) else one for key, one in LAMP.items()}
-    assert "nothing of a world moon" in watched.no(act.RecordedScene("moon")).reason
+    assert "nothing of a world moon" in str(watched.no(act.RecordedScene("moon")).reason)
 
 
 def test_nothing_is_shown_of_another_one_that_is_not_there(watched):
-    assert "no other recording" in watched.no(act.Glance(0.0, of_other=True)).reason
-    assert "no other recording" in watched.no(act.RecordedScene("yard", of_other=True)).reason
+    assert "no other recording" in str(watched.no(act.Glance(0.0, of_other=True)).reason)
+    assert "no other recording" in str(watched.no(act.RecordedScene("yard", of_other=True)).reason)
 
 
 def test_a_file_that_is_written_over_meanwhile_does_no_harm(watched):  # R-X05: the same name recorded again
     path = watched.environment.model.looking.subject.path
     with path.open("wb") as other:
         other.write(b"\x89MCAP0\r\n")
-    assert "film.mcap cannot be read there" in watched.no(act.Glance(1.5)).reason
-    assert "film.mcap cannot be read there" in watched.later(act.Course("flow0/A", 0.0, 3.0)).no.reason
+    assert "film.mcap cannot be read there" in str(watched.no(act.Glance(1.5)).reason)
+    assert "film.mcap cannot be read there" in str(watched.later(act.Course("flow0/A", 0.0, 3.0)).no.reason)
     watched.do(act.CloseRecording())

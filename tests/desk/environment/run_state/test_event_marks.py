@@ -14,7 +14,7 @@ def marks(cinema, *, told=(), asked=()):
     for at_s, one in asked:
         tape.ask(at_s, one)
     tape.end()
-    return [(one.at_s, one.kind, one.text) for one in cinema.look(tape.path).marks]
+    return [(one.at_s, one.kind, str(one.text)) for one in cinema.look(tape.path).marks]
 
 
 def test_errors_standstills_meetings_and_ends_are_marked(cinema):  # R-X05

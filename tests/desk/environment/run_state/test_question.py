@@ -9,5 +9,5 @@ def test_a_question_is_shown_with_its_ranges_and_with_where_the_robot_stands(): 
     view = ask_view(told, {"goal": [0.1, 0.2]})
     (item,) = view.items
     assert (item.name, item.count, item.unit, item.low, item.high) == ("goal", 2, "rad", (-1.0, -2.0), (1.0, 2.0))
-    assert (view.reason, view.present) == ("9 is too far", {"goal": (0.1, 0.2)})
+    assert (str(view.reason), view.present) == ("9 is too far", {"goal": (0.1, 0.2)})
     assert ask_view(told).present == {}

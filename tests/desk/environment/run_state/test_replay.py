@@ -30,4 +30,4 @@ def test_nothing_can_be_chosen_at_a_standstill_of_the_past():  # R-X05
     stop = event.Explained("flow0", "servo", "", 0, "", "it failed", "", 0, (), (), (("retry", "again"),), 1.0, "error")
     replay = Replay(begun("a1", PLAN, 0, 0.0, Belonging({}, {})), [(1_000_000_000, "flow0", stop)])
     assert replay.at(0.5).stops == {}
-    assert (replay.at(1.0).stops["flow0"].text, replay.at(1.0).stops["flow0"].choices) == ("it failed", ())
+    assert (str(replay.at(1.0).stops["flow0"].text), replay.at(1.0).stops["flow0"].choices) == ("it failed", ())

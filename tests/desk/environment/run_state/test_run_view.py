@@ -34,7 +34,10 @@ def test_a_standstill_leads_to_its_step_and_its_code(run):  # R-X06
 
 def test_choices_are_words_of_steering_and_one_that_leaves_something_open_is_none_yet(run):  # R-E08
     shown = stop_view(run, explained((("clear", "repeats it"), ("skip flow9 N", "goes elsewhere"))))
-    assert [(one.label, one.act) for one in shown.choices] == [("clear", act.Steer("clear")), ("skip flow9 N", None)]
+    assert [(str(one.label), one.act) for one in shown.choices] == [
+        ("clear", act.Steer("clear")),
+        ("skip flow9 N", None),
+    ]
     assert shown.meanings == ("repeats it", "goes elsewhere")
 
 

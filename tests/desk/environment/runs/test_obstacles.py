@@ -37,4 +37,4 @@ def test_a_subsystem_that_nobody_shows_is_named(play):  # reading 30
     play.do(act.New())
     play.do(act.Close(lower, discards=True, alive="leave"))
     no = play.answer(act.Run(play.open([job("aC")]))).no
-    assert "a in subsystem Untitled-1" in no.reason
+    assert "a in subsystem Untitled-1" in str(no.reason)

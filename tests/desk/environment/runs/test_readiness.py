@@ -28,7 +28,7 @@ def look(play, judge, cases):
 
 
 def shown(play, doc):
-    return sorted(one.text for one in play.environment.tree.applications[doc].faults.values())
+    return sorted(str(one.text) for one in play.environment.tree.applications[doc].faults.values())
 
 
 def test_what_is_open_is_judged_once_and_again_after_a_change(play):  # R-E01
@@ -123,7 +123,7 @@ def test_whatever_stands_in_an_application_it_is_judged(seed):  # R-E01
         found = judge.judge(Case(OpenApplication("a1", application, last), syntax, ()))
         assert found.of is application
         known = {0, *spots(application)}
-        assert all(fault.step in known and fault.text for fault in found.faults)
+        assert all(fault.step in known and str(fault.text) for fault in found.faults)
 
 
 def test_flows_that_nothing_chooses_are_told_with_what_would_choose(play):  # R-D04, R-X01
@@ -131,6 +131,9 @@ def test_flows_that_nothing_chooses_are_told_with_what_would_choose(play):  # R-
     doc = play.open([job("aC")], [job("bC")])
     look(play, judge, judge.cases(play.environment.model))
     (told,) = play.environment.tree.applications[doc].faults.values()
-    assert told.text == "run by itself, only flow 0 runs: nothing before it chooses another" and told.level == "warning"
+    assert (
+        str(told.text) == "run by itself, only flow 0 runs: nothing before it chooses another"
+        and told.level == "warning"
+    )
     play.do(told.remedies[0].act)
     assert any(one.kind == "branch" for one in play.environment.tree.applications[doc].steps.values())

@@ -56,27 +56,27 @@ def test_where_nothing_can_be_written_it_is_told_before_and_can_run_without(play
     (tmp_path / "state").write_text("a file where a folder is wanted")
     doc = play.open([job("aC")])
     no = play.no(act.Run(doc, is_recorded=True))
-    assert "nothing can be written" in no.reason and play.carried_out == []
+    assert "nothing can be written" in str(no.reason) and play.carried_out == []
     (remedy,) = no.remedies
-    assert (remedy.label, remedy.act) == ("Run without recording", act.Run(doc))
+    assert (str(remedy.label), remedy.act) == ("Run without recording", act.Run(doc))
     play.do(remedy.act)
     assert play.view.state == "running"
 
 
 def test_a_disk_that_is_nearly_full_is_told_before(play, monkeypatch):  # R-X05
     monkeypatch.setattr(recording.shutil, "disk_usage", lambda _: SimpleNamespace(free=7_000_000))
-    assert "room for 7 MB" in play.no(act.Run(play.open([job("aC")]), is_recorded=True)).reason
+    assert "room for 7 MB" in str(play.no(act.Run(play.open([job("aC")]), is_recorded=True)).reason)
 
 
 def test_a_runtime_that_somebody_else_started_records_nothing_for_us(play):  # R-X05
     play.do(act.Connect(play.new("c"), url="ws://there"))
     no = play.no(act.Run(play.open([job("aC")]), is_recorded=True))
-    assert "ws://there" in no.reason and not no.remedies[0].act.is_recorded
+    assert "ws://there" in str(no.reason) and not no.remedies[0].act.is_recorded
 
 
 def test_a_recording_that_the_runtime_cannot_make_is_offered_to_be_left_out(play):  # R-X05
     doc = play.open([job("aC")])
     play.rebuffs = {request.Begin: request.Refused("no recording can be made: the disk is gone")}
     no = play.answer(act.Run(doc, is_recorded=True)).no
-    assert no.reason == "the run cannot be recorded: the disk is gone"
+    assert str(no.reason) == "the run cannot be recorded: the disk is gone"
     assert no.remedies[0].act == act.Run(doc) and play.environment.tree.run is None

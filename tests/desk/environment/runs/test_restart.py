@@ -14,18 +14,18 @@ def test_what_ends_with_it_is_told_before(play):  # R-X01
     play.connected("c")
     play.run(play.open([job("aC")]))
     no = play.no(act.StartAnew())
-    assert "play, Untitled-1 with it" in no.reason and no.remedies[0].act == act.StartAnew(confirmed=True)
+    assert "play, Untitled-1 with it" in str(no.reason) and no.remedies[0].act == act.StartAnew(confirmed=True)
 
 
 def test_the_run_is_over_and_documents_are_connected_no_more(play):  # R-E10
     doc = play.connected("c")
     play.run(play.open([job("aC")]))
     play.do(act.StartAnew(confirmed=True))
-    assert play.view.state == "over" and "anew" in play.view.cause
+    assert play.view.state == "over" and "anew" in str(play.view.cause)
     assert play.document(doc).live is None and play.environment.tree.runtime.state == "linked"
     order = next(one for one in play.orders if one.reach is not None and one.reach.is_anew)
     assert isinstance(order.asked, live.Survey)
-    assert any("Untitled-1 is no longer connected" in one.text for one in play.says)
+    assert any("Untitled-1 is no longer connected" in str(one.text) for one in play.says)
 
 
 def test_where_nothing_lives_nothing_is_asked(play):
@@ -36,10 +36,10 @@ def test_where_nothing_lives_nothing_is_asked(play):
 def test_a_runtime_elsewhere_is_not_ours_to_start(play):
     doc = play.new("c")
     play.do(act.Connect(doc, url="ws://there"))
-    assert "ws://there" in play.no(act.StartAnew(confirmed=True)).reason
+    assert "ws://there" in str(play.no(act.StartAnew(confirmed=True)).reason)
 
 
 def test_where_none_comes_the_reason_is_the_answer(play):
     play.rebuffs = {live.Survey: request.Refused("no program")}
-    assert "no program" in play.answer(act.StartAnew()).no.reason
+    assert "no program" in str(play.answer(act.StartAnew()).no.reason)
     assert play.environment.tree.runtime.state == "lost"

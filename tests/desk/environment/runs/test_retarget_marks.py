@@ -23,10 +23,10 @@ def test_steps_whose_targets_another_robot_takes_by_their_poses_are_marked(play)
 
     play.runtime.ask = answered
     play.run(doc)
-    notes = {number: view.note for number, view in play.environment.tree.applications[doc].steps.items()}
+    notes = {number: str(view.note) for number, view in play.environment.tree.applications[doc].steps.items()}
     said = "is re-resolved for scara, by the pose that it is for puma"
     assert notes == {"1": "", "2": f"home {said}; there {said}"}
     play.end()
     found[0] = ()
     play.do(act.Run(doc))
-    assert {view.note for view in play.environment.tree.applications[doc].steps.values()} == {""}
+    assert {str(view.note) for view in play.environment.tree.applications[doc].steps.values()} == {""}

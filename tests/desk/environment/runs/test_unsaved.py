@@ -18,7 +18,7 @@ def test_a_nested_application_that_is_not_saved_counts_too(play):  # R-E12
     play.do(act.RemoveIcons(inner, (2,)))
     assert dirty(play.environment.model) == ((inner, "inner"),)
     no = play.no(act.Run(doc))
-    assert "inner is changed here and not saved; play would run what its file says" in no.reason
+    assert "inner is changed here and not saved; play would run what its file says" in str(no.reason)
     play.do(no.remedies[0].act)
     assert dirty(play.environment.model) == () and play.view.of == 1
 

@@ -26,6 +26,7 @@ from onika.desk.environment.state.open_file import Kind
 from onika.wire import act, live, page, request, view
 from onika.wire.view import Remedy, ShowConnect, ShowTask
 from onika.words.name import TASK_NAME
+from onika.words.reason import Reason, Text
 
 _MAIN = "main"
 
@@ -51,7 +52,7 @@ def connect(model: Model, document: Document, command: act.Connect, outside: Sur
     if model.runtime.state != "linked" or url not in ("", model.runtime.address):
         model = replace(model, runtime=view.RuntimeView("starting", url))
     model, outcome = yield from _joined(model, document.id, wish, Reach(url, command.token), outside)
-    if isinstance(outcome, str):
+    if isinstance(outcome, Reason | str):
         yield Shown(_as_before(model, document.id, subsystem_facts, outcome))
         name = model.documents[document.id].name
         return No(f"{name} is not connected: {outcome}", (Remedy("Connect…", show=ShowConnect()),))
@@ -107,7 +108,7 @@ def _elsewhere(model: Model, command: act.Connect) -> No | None:
 
 def _joined(
     model: Model, doc: str, wish: str, reach: Reach, outside: Surroundings
-) -> Steps[tuple[Model, Done | No | str]]:
+) -> Steps[tuple[Model, Done | No | Text]]:
     """Hold a subsystem, and merge the document with what runs in it; a sentence says why that cannot be."""
     model, standing = yield Ask(model, live.Survey(), reach)
     document = model.documents.get(doc)
@@ -133,7 +134,7 @@ def _joined(
     return done.model, replace(done, orders=(*done.orders, ask_company()))
 
 
-def _as_before(model: Model, doc: str, former: Live | None, reason: str) -> Model:
+def _as_before(model: Model, doc: str, former: Live | None, reason: Text) -> Model:
     """The model where a document could not be connected."""
     model = model.with_document(replace(model.documents[doc], live=former))
     if model.runtime.state == "starting":

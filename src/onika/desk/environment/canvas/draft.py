@@ -19,6 +19,7 @@ from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import OpenedText
 from onika.store.site import Site
 from onika.words.fault import Place
+from onika.words.reason import Reason, Text
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +39,7 @@ class Draft:
     kind: ActionType
     edges: tuple[int, int]
     warnings: tuple[str, ...]
-    notes: tuple[str, ...]
+    notes: tuple[Text, ...]
     source: Path
     former: OpenedText[Onikon] | None = None
     taken: str = ""
@@ -133,7 +134,7 @@ def _role(kind: ActionType, syntax: Syntax) -> str:
     return role_of(syntax.acting(kind.type))
 
 
-def _notes(document: Document, tasks: Sequence[Task]) -> tuple[str, ...]:
+def _notes(document: Document, tasks: Sequence[Task]) -> tuple[Reason, ...]:
     place = Place(document.name)
     return tuple(
         said(further_trigger)

@@ -15,6 +15,7 @@ from onika.desk.environment.runs.runtime_loss import lost
 from onika.desk.environment.state.model import Model
 from onika.wire import act, holding, live, request
 from onika.wire.view import Remedy
+from onika.words.reason import Reason
 
 
 def only_watch(model: Model, _asked: act.OnlyWatch, _outside: Surroundings) -> Procedure:
@@ -47,7 +48,7 @@ def watch_no_more(model: Model, _asked: act.WatchNoMore, _outside: Surroundings)
         why = refusal(response)
         done = lost(model, why)
         yield Shown(done.model, says=done.says, orders=done.orders, news=done.news)
-        return No(f"the runtime cannot be reached anew: {why}")
+        return No(Reason.of("run.not_reached_anew", why=why))
     model = replace(model, runtime=runtime_view(structs.replace(model.runtime, sessions={}), response))
     for document in model.documents.values():
         if document.live is not None and document.live.state == "live":

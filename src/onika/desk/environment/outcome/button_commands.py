@@ -16,6 +16,7 @@ from onika.desk.environment.state.model import Model
 from onika.model.button import Button
 from onika.wire.view import ButtonView
 from onika.words.fault import Refusal
+from onika.words.reason import NOTHING, Reason, Text
 
 KEPT = 8192
 """Bytes of a command's output that are shown: the last ones."""
@@ -43,7 +44,7 @@ class Commands:
         self._running: dict[str, _Command] = {}
         self._is_closed = False
 
-    def start(self, button: Button) -> str | Refusal:
+    def start(self, button: Button) -> Text | Refusal:
         """Run a command; gives a sentence where it does not run as it was asked, else an empty one."""
         terminal = _terminal(self._environment) if button.spawns_terminal else ()
         line = (*terminal, "/bin/sh", "-c", _in_front(button.command))
@@ -54,7 +55,7 @@ class Commands:
         self._running[button.name] = command
         command.begin(self._shower(button.name))
         lacks_terminal = button.spawns_terminal and not terminal
-        return f"no terminal was found: {button.name} runs here" if lacks_terminal else ""
+        return Reason.of("run.no_terminal", name=button.name) if lacks_terminal else NOTHING
 
     def halt(self, name: str) -> bool:
         """End a command; False where it does not run."""

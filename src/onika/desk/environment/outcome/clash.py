@@ -12,6 +12,7 @@ from onika.model.task import Task
 from onika.wire import act
 from onika.wire.view import Objection, Remedy, ShowPin, ShowTask
 from onika.words.fault import Refusal
+from onika.words.reason import Reason, Text
 
 
 def clashes(model: Model, after: Shelf, names: Collection[str]) -> tuple[Objection, ...]:
@@ -28,11 +29,11 @@ def clashes(model: Model, after: Shelf, names: Collection[str]) -> tuple[Objecti
     return tuple(dict.fromkeys(found))
 
 
-def refused(what: str, against: tuple[Objection, ...], field: str = "") -> No:
+def refused(what: Text, against: tuple[Objection, ...], field: str = "") -> No:
     """The no to a change that something speaks against."""
-    text = "; ".join(str(one.text) for one in against)
-    remedies = tuple(dict.fromkeys(remedy for one in against for remedy in one.remedies))
-    return No(f"{what}: {text}", remedies, {field: text} if field else {})
+    why = Reason.of("run.together", parts=tuple(objection.text for objection in against))
+    remedies = tuple(dict.fromkeys(remedy for objection in against for remedy in objection.remedies))
+    return No(Reason.of("run.what_why", what=what, why=why), remedies, {field: why} if field else {})
 
 
 def _beside(task: Task, document: Document, before: Shelf, after: Shelf) -> Iterator[Objection]:
@@ -43,7 +44,8 @@ def _beside(task: Task, document: Document, before: Shelf, after: Shelf) -> Iter
         known = _known(before.tasks.get(task.name), before.tasks.get(name))
         for one in placement.refusals(task, (other,)):
             if one.reason not in known:
-                yield Objection(f"in {document.name}, {_said(one, task)}", _remedies(one, other, document))
+                reason = Reason.of("run.objection_in", name=document.name, reason=_said(one, task))
+                yield Objection(reason, _remedies(one, other, document))
 
 
 def _known(task: Task | None, other: Task | None) -> set[str]:
@@ -52,14 +54,19 @@ def _known(task: Task | None, other: Task | None) -> set[str]:
     return {str(one.reason) for one in placement.refusals(task, (other,))}
 
 
-def _said(one: Refusal, task: Task) -> str:
+def _said(one: Refusal, task: Task) -> Text:
     text = plain(one.reason)
-    return f"{task.name} {text}" if text.startswith("writes") else text
+    speaks_of_task = str(text).startswith("writes")
+    return Reason.of("run.task_speaks", task=task.name, reason=text) if speaks_of_task else text
 
 
 def _remedies(one: Refusal, other: Task, document: Document) -> tuple[Remedy, ...]:
     """The ways out on the side of the other task: what is wrong with the changed one is being typed just now."""
     svars = [words.removeprefix("alias ") for words in one.remedies if words.startswith("alias ")]
-    aliases = (Remedy(f"Alias {svar} of {other.name}…", show=ShowPin(other.name, coded(other, svar))) for svar in svars)
-    remove = Remedy(f"Remove {other.name} from {document.name}", act.Remove(document.id, (other.name,)))
-    return (remove, *aliases, Remedy(f"Show {other.name}", show=ShowTask(other.name)))
+    aliases = (
+        Remedy(Reason.of("run.alias", svar=svar, task=other.name), show=ShowPin(other.name, coded(other, svar)))
+        for svar in svars
+    )
+    removal = Reason.of("run.remove_from", task=other.name, name=document.name)
+    remove = Remedy(removal, act.Remove(document.id, (other.name,)))
+    return (remove, *aliases, Remedy(Reason.of("run.show_task", task=other.name), show=ShowTask(other.name)))

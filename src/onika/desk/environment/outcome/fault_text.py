@@ -3,6 +3,8 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
+from msgspec import structs
+
 from onika.desk.environment.outcome.remedy import plain
 from onika.desk.plan.icon_names import kind_named
 from onika.words.catalogue import sentence
@@ -101,6 +103,11 @@ def arguments(reason: Reason) -> dict[str, Argument]:
         if isinstance(value, Reason):
             every = arguments(value) | every
     return every
+
+
+def bare(reason: Reason) -> Reason:
+    """The reason without the marks that terminals show names with."""
+    return structs.replace(reason, text=plain(reason))
 
 
 def together(faults: Iterable[Fault]) -> list[Fault]:

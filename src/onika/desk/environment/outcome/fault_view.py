@@ -1,14 +1,15 @@
 """What is wrong with an application, told of its steps and with what could be done about it (E01, X01)."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal
 
 from onika.desk.environment.outcome.fault_text import arguments, said, together
+from onika.desk.environment.outcome.kind_text import kind_or_kinds, kind_text, with_article
 from onika.desk.environment.run_state.membership import Belonging, icons
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.plan.icon_names import a, kind_named, listed, quoted
+from onika.desk.plan.icon_names import quoted
 from onika.desk.plan.preparation import PreparedRun
 from onika.desk.plan.substitutes import with_substitutes
 from onika.files import appl, rmod
@@ -35,6 +36,7 @@ _OF_TAGS = (
     "rules.tag_in_endless_loop",
     "rules.tags_too_many",
 )
+_FITS_HERE = Reason.of("run.fits_here")
 _OF_WHAT_IS_MISSING = ("rules.configuration_missing", "rules.application_missing", "rules.action_missing")
 
 
@@ -90,9 +92,9 @@ class Troubles:
         found: dict[tuple[int, str], FaultView] = {}
         for one in every:
             step = self._meant(one)
-            text, remedies = str(said(self._shown(one, step))), tuple(dict.fromkeys(self._remedies(one, step)))
+            reason, remedies = said(self._shown(one, step)), tuple(dict.fromkeys(self._remedies(one, step)))
             level: Literal["fault", "warning"] = "warning" if one.is_note else "fault"
-            found.setdefault((step, text), FaultView(text, level, step, remedies, is_of_runtime))
+            found.setdefault((step, str(reason)), FaultView(reason, level, step, remedies, is_of_runtime))
         yield from found.values()
 
     def step_of(self, place: Place) -> int:
@@ -140,11 +142,9 @@ class Troubles:
         for one in holes(outline, self.syntax):
             steps = one.passage.flow.steps
             before = steps[one.position - 1].number if one.position else 0
-            show = Remedy("What fits here", show=ShowFits(path_of[one.passage.path], before))
-            wanted = [Remedy(f"New {kind_named(kind)}…", show=ShowTarget(kind)) for kind in dict.fromkeys(one.types)]
-            missing = a(listed(map(kind_named, one.types))) if one.types else "an action"
-            text = f"{missing} is missing here"
-            yield FaultView(text, "fault", steps[one.position].number, (show, *wanted))
+            show = Remedy(_FITS_HERE, show=ShowFits(path_of[one.passage.path], before))
+            wanted = [_new_target(kind) for kind in dict.fromkeys(one.types)]
+            yield FaultView(_missing(one.types), "fault", steps[one.position].number, (show, *wanted))
 
     def _step(self, number: int) -> Step | None:
         spot = self._spots.get(number)
@@ -156,15 +156,16 @@ class Troubles:
         if not fault.is_note:
             yield from self._redirections(fault)
         if isinstance(step, Icon) and not self._is_own(fault) and fault.place.file.endswith(appl.ENDING):
-            yield Remedy(f"Open {Path(fault.place.file).stem}", act.Open(fault.place.file))
+            label = Reason.of("run.open_file", name=Path(fault.place.file).stem)
+            yield Remedy(label, act.Open(fault.place.file))
         elif isinstance(step, Icon):
             yield from self._of_icon(fault, step)
         if isinstance(step, Branch) and fault.reason.key == "rules.condition_count":
-            yield Remedy("Its conditions…", show=ShowStep(number))
+            yield Remedy(Reason.of("run.its_conditions"), show=ShowStep(number))
         elif not number and fault.reason.key == "rules.flow_empty":
-            yield Remedy("What fits here", show=ShowFits(str(arguments(fault.reason)["number"]), 0))
+            yield Remedy(_FITS_HERE, show=ShowFits(str(arguments(fault.reason)["number"]), 0))
         elif number:
-            yield Remedy("Show it", show=ShowStep(number))
+            yield Remedy(Reason.of("run.show_it"), show=ShowStep(number))
 
     def _redirections(self, fault: Fault) -> Iterator[Remedy]:
         """Another robot for what this one cannot do: the one that was meant, then the substitutes."""
@@ -172,30 +173,42 @@ class Troubles:
         for one in self.redirects:
             is_of_it = fault.place.file == f"redirect {one}" or file.name == f"{one.new}{rmod.ENDING}"
             if is_of_it or _is_of_reach(fault) or _is_of_company(fault):
-                yield Remedy(f"Let {one.old} do it again", act.Redirect(self.doc, one.home, one.old, ""))
+                yield Remedy(Reason.of("run.let_again", task=one.old), act.Redirect(self.doc, one.home, one.old, ""))
         for way in fault.remedies:
             if isinstance(way, Reason) and way.key == "desk.redirect_to":
                 old, new = str(way.args["old"]), str(way.args["new"])
-                yield Remedy(f"Redirect {old} to {new}", act.Redirect(self.doc, "", old, new))
+                yield Remedy(Reason.of("run.redirect", old=old, new=new), act.Redirect(self.doc, "", old, new))
 
     def _of_icon(self, fault: Fault, icon: Icon) -> Iterator[Remedy]:
         key, number = fault.reason.key, icon.number
         if key.startswith("rules.loop") and icon.while_tag is not None:
-            yield Remedy("Remove the loop", act.RemoveLoop(self.doc, number))
-            yield Remedy("Mark it anew…", show=ShowLoop(number))
+            yield Remedy(Reason.of("run.loop_removed"), act.RemoveLoop(self.doc, number))
+            yield Remedy(Reason.of("run.mark_anew"), show=ShowLoop(number))
         elif key in _OF_TAGS and icon.synch_tag is not None:
-            yield Remedy("Remove the tag", act.SetSynchTag(self.doc, number))
+            yield Remedy(Reason.of("run.tag_removed"), act.SetSynchTag(self.doc, number))
         elif key in ("rules.kind_of_trigger", "rules.kind_unknown"):
-            yield Remedy("Take it from the dictionary anew", act.ExchangeIcon(self.doc, number, icon.onikon.name))
+            anew = act.ExchangeIcon(self.doc, number, icon.onikon.name)
+            yield Remedy(Reason.of("run.exchanged_from_dictionary"), anew)
         elif _is_of_values(fault) or _is_of_reach(fault):
-            yield Remedy("Its values…", show=ShowValues(number))
+            yield Remedy(Reason.of("run.its_values"), show=ShowValues(number))
         elif key == "rules.target_missing":
             spot = self._spots[number]
-            yield Remedy("What fits behind it", show=ShowFits(spot.path, number))
+            yield Remedy(Reason.of("run.fits_behind"), show=ShowFits(spot.path, number))
         elif key in _OF_WHAT_IS_MISSING:
-            yield Remedy("Remove it", act.RemoveIcons(self.doc, (number,)))
+            yield Remedy(Reason.of("run.remove_it"), act.RemoveIcons(self.doc, (number,)))
         elif self.program is not None and icon.onikon.name in self.program.configurations and not fault.is_note:
-            yield Remedy("Open its configuration", show=ShowConfiguration(icon.onikon.name))
+            yield Remedy(Reason.of("run.open_configuration"), show=ShowConfiguration(icon.onikon.name))
+
+
+def _new_target(kind: str) -> Remedy:
+    return Remedy(Reason.of("run.new_target", kind=kind_text(kind)), show=ShowTarget(kind))
+
+
+def _missing(types: Sequence[str]) -> Reason:
+    """What is missing at a hole: a target of these types, or an action."""
+    if not types:
+        return Reason.of("run.action_missing_here")
+    return Reason.of("run.kind_missing_here", kind=with_article(kind_or_kinds(types)))
 
 
 def _is_of_reach(fault: Fault) -> bool:

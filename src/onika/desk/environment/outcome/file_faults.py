@@ -3,14 +3,20 @@
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from onika.desk.environment.outcome.remedy import plain
+from onika.desk.environment.outcome.fault_text import bare
 from onika.wire import page
 from onika.words.fault import Fault
 from onika.words.reason import Reason
 
 _MOST = 3
 """Files of one folder that are told one by one."""
-_LISTS = {"module": "library", "dict": "dictionary"}
+_OF_FOLDER = {
+    ("module", True): "run.files_left_out_of_library",
+    ("module", False): "run.files_odd_in_library",
+    ("dict", True): "run.files_left_out",
+    ("dict", False): "run.files_odd",
+}
+"""What many faults in the files of a folder are said to be: by its name, and whether the files are left out."""
 _SECOND = Reason.of("words.first_used")
 
 
@@ -24,17 +30,16 @@ def told(faults: Iterable[Fault]) -> tuple[page.Say, ...]:
 
 def _lines(folder: Path, found: list[Fault], *, is_out: bool) -> Iterator[page.Say]:
     count = len({one.place.file for one in found})
-    if folder.name in _LISTS and count > _MOST:
-        what = "are left out" if is_out else "are used and have something odd"
-        where = f"{folder.parent.name}/{folder.name}"
-        yield _line(f"{count} files of {where} {what}; the {_LISTS[folder.name]} lists them", found)
+    if (folder.name, is_out) in _OF_FOLDER and count > _MOST:
+        key = _OF_FOLDER[folder.name, is_out]
+        yield _line(Reason.of(key, count=count, where=f"{folder.parent.name}/{folder.name}"), found)
         return
     for one in found:
-        yield _line(plain(str(one)), [one])
+        yield _line(bare(one.sentence), [one])
 
 
-def _line(text: str, found: list[Fault]) -> page.Say:
-    return page.Say("info" if all(one.is_note for one in found) else "warning", text)
+def _line(reason: Reason, found: list[Fault]) -> page.Say:
+    return page.Say("info" if all(one.is_note for one in found) else "warning", reason)
 
 
 def _is_left_out(fault: Fault) -> bool:

@@ -3,20 +3,21 @@
 from collections.abc import Iterable
 from pathlib import Path
 
+from onika.desk.environment.outcome.kind_text import kind_text, with_article
 from onika.desk.environment.outcome.remedy import plain
 from onika.desk.environment.state.dictionary import Dictionary
 from onika.desk.environment.state.icon_types import role_of
 from onika.desk.environment.state.model import Model
-from onika.desk.plan.icon_names import a, a_kind, in_words, kind_named
+from onika.desk.plan.icon_names import in_words
 from onika.files import appl, conf
 from onika.model.configuration import Configuration
 from onika.model.onikon import Onikon
 from onika.model.rules.iconify import ActionType, job_type
 from onika.model.syntax import Syntax, same_type
 from onika.words.fault import Refusal
+from onika.words.reason import NOTHING, Reason
 
 _ENDINGS = {"job": conf.ENDING, "application": appl.ENDING}
-_WORDS = {"job": "configuration", "application": "application"}
 
 
 class Sources:
@@ -41,21 +42,25 @@ class Sources:
         beside = str(dictionary.base.path / name.rpartition(".")[2] / name)
         return beside if beside in self._sources else self._first.get(name, "")
 
-    def trouble(self, onikon: Onikon, path: str) -> str:
-        """Why an action cannot run; empty: nothing is in the way, or it is none."""
+    def trouble(self, onikon: Onikon, path: str) -> Reason:
+        """Why an action cannot run; nothing: nothing is in the way, or it is none."""
         role = role_of(self._syntax.acting(onikon.type))
         if role not in _ENDINGS:
-            return ""
+            return NOTHING
+        is_job = role == "job"
         if not path:
-            return f"there is no {_WORDS[role]} {onikon.name}"
+            key = "run.no_configuration" if is_job else "run.no_application"
+            return Reason.of(key, name=onikon.name)
         kind = self._kind(path)
         if kind is None:
-            return f"the {_WORDS[role]} {path} is at fault"
+            key = "run.configuration_at_fault" if is_job else "run.application_at_fault"
+            return Reason.of(key, path=path)
         if not isinstance(kind, ActionType):
-            return "; ".join(in_words(plain(one.reason)) for one in kind)
+            return Reason.of("run.together", parts=tuple(in_words(plain(refusal.reason)) for refusal in kind))
         if _is_alike((onikon.type, *onikon.more_targets), (kind.type, *kind.more_targets)):
-            return ""
-        return f"its {_WORDS[role]} makes {a(_said(kind))} now, not {a(_said(onikon))}: make its icon again"
+            return NOTHING
+        key = "run.its_configuration_makes" if is_job else "run.its_application_makes"
+        return Reason.of(key, kind=with_article(_said(kind)), given=with_article(_said(onikon)))
 
     def _kind(self, path: str) -> ActionType | tuple[Refusal, ...] | None:
         source = self._sources.get(path)
@@ -67,6 +72,7 @@ def _is_alike(one: Iterable[str], other: Iterable[str]) -> bool:
     return len(first) == len(second) and all(map(same_type, first, second))
 
 
-def _said(kind: ActionType | Onikon) -> str:
-    more = " and ".join(a_kind(one) for one in kind.more_targets)
-    return f"{kind_named(kind.type)} with {more}" if more else kind_named(kind.type)
+def _said(kind: ActionType | Onikon) -> Reason:
+    more = tuple(with_article(kind_text(target)) for target in kind.more_targets)
+    named = kind_text(kind.type)
+    return Reason.of("run.kind_with", kind=named, more=more) if more else named

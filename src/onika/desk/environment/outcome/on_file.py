@@ -13,6 +13,7 @@ from onika.desk.environment.state.open_file import Kind
 from onika.model.syntax import Syntax
 from onika.wire import act
 from onika.wire.view import Remedy, ShowSaveAs
+from onika.words.reason import Reason
 
 
 class _OfFile(Protocol):
@@ -32,7 +33,8 @@ _NO_SYNTAX = Syntax((), ())
 
 def closed(kind: Kind) -> No:
     """The file is no longer open: somebody else has closed it."""
-    return No(f"this {kind.value} is no longer open")
+    is_application = kind is Kind.APPLICATION
+    return No(Reason.of("run.application_closed") if is_application else Reason.of("run.configuration_closed"))
 
 
 def on_file(carry_out: _Inner[AnyFile, _A, _R]) -> _Handler[_A, _R]:
@@ -91,8 +93,9 @@ def is_running(model: Model, doc: str) -> bool:
 
 def running(file: AnyFile) -> No:
     """Nothing is changed in what runs."""
-    remedies = (Remedy("Abort the run", act.Steer("abort")), Remedy("Save a copy…", show=ShowSaveAs()))
-    return No(f"{file.name} is running: nothing in it is changed until it has ended", remedies)
+    abort = Remedy(Reason.of("run.abort_run"), act.Steer("abort"))
+    copy = Remedy(Reason.of("run.save_copy"), show=ShowSaveAs())
+    return No(Reason.of("run.unchanged_while_running", name=file.name), (abort, copy))
 
 
 def syntax_of(model: Model) -> Syntax:

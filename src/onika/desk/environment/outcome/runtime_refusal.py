@@ -5,16 +5,17 @@ from pathlib import Path
 from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure
 from onika.desk.environment.state.model import Model
 from onika.wire import request
+from onika.words.reason import Reason, Text
 
 
-def refusal(response: request.Response) -> str:
-    """Why a runtime does not do something, in words."""
+def refusal(response: request.Response) -> Text:
+    """Why a runtime does not do something."""
     match response:
         case request.Refused():
-            return str(response.reason)
+            return response.reason
         case request.Prepared():
-            return "; ".join(_sentence(one) for one in response.faults) or "; ".join(map(str, response.notes))
-    return f"expected the runtime to do it, found {type(response).__name__}"
+            return Reason.of("run.together", parts=tuple(map(_sentence, response.faults)) or response.notes)
+    return Reason.of("run.runtime_answer", answer=type(response).__name__)
 
 
 def simply_done(model: Model, wish: request.Request) -> Procedure:
@@ -23,6 +24,6 @@ def simply_done(model: Model, wish: request.Request) -> Procedure:
     return Done(model) if isinstance(response, request.Done) else No(refusal(response))
 
 
-def _sentence(fault: request.FaultText) -> str:
+def _sentence(fault: request.FaultText) -> Reason:
     where = Path(fault.file).name + (f":{fault.line}" if fault.line else "")
-    return f"{where}: {fault.reason}"
+    return Reason.of("run.what_why", what=where, why=fault.reason)

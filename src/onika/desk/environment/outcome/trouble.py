@@ -2,7 +2,8 @@
 
 from collections.abc import Mapping, Sequence
 
-from onika.desk.environment.outcome.remedy import plain, reasons
+from onika.desk.environment.outcome.fault_text import bare
+from onika.desk.environment.outcome.remedy import reasons
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import TaskFacts
 from onika.desk.environment.state.open_libraries import Shelf
@@ -21,6 +22,7 @@ from onika.wire.view import (
     ShowTask,
 )
 from onika.words.fault import Fault, Place, Refusal
+from onika.words.reason import Reason
 
 
 def error_view(document: Document, name: str, facts: TaskFacts) -> ErrorView | None:
@@ -28,14 +30,14 @@ def error_view(document: Document, name: str, facts: TaskFacts) -> ErrorView | N
     if facts.state != "ERROR":
         return None
     remedies = (
-        Remedy("Clear, switch on", act.Clear(document.id, name, turns_on=True)),
-        Remedy("Clear", act.Clear(document.id, name)),
-        Remedy("Source…", show=ShowSource(name)),
-        Remedy("Remove", act.Remove(document.id, (name,))),
+        Remedy(Reason.of("run.clear_switch_on"), act.Clear(document.id, name, turns_on=True)),
+        Remedy(Reason.of("run.clear"), act.Clear(document.id, name)),
+        Remedy(Reason.of("run.source"), show=ShowSource(name)),
+        Remedy(Reason.of("run.remove_failed"), act.Remove(document.id, (name,))),
     )
     failed = facts.failed
     if failed is None:
-        return ErrorView(facts.note or "it failed", remedies=remedies)
+        return ErrorView(facts.note or Reason.of("run.task_failed_unsaid"), remedies=remedies)
     return ErrorView(
         text=str(failed.text).removeprefix(f"{failed.entry}: "),
         entry=failed.entry,
@@ -89,23 +91,26 @@ def _warnings(tasks: Sequence[Task], place: Place) -> dict[str, ProblemView]:
 
 
 def _missing(document: Document, name: str) -> ProblemView:
-    text = f"no open library has a task {name}: it is kept in the file, and left out of what runs"
     remedies = (
-        Remedy("Open a library…", show=ShowLibraries()),
-        Remedy(f"Remove {name}", act.Remove(document.id, (name,))),
+        Remedy(Reason.of("run.open_library"), show=ShowLibraries()),
+        Remedy(Reason.of("run.remove", task=name), act.Remove(document.id, (name,))),
     )
-    return ProblemView(text, "fault", ShowTask(name), remedies)
+    return ProblemView(Reason.of("run.no_task_open", name=name), "fault", ShowTask(name), remedies)
 
 
 def _conflict(document: Document, later: Task, earlier: Task, refused: Sequence[Refusal]) -> ProblemView:
     """Two tasks that may not stand together; one of them goes, or a pin gets another variable."""
     found = reasons(refused, document.id, later)
-    removing = [Remedy(f"Remove {one.name}", act.Remove(document.id, (one.name,))) for one in (later, earlier)]
-    aliasing = [one for reason in found for one in reason.remedies if isinstance(one.show, ShowPin)]
-    text = f"{later.name}: {'; '.join(str(reason.text) for reason in found)}"
-    return ProblemView(text, "fault", ShowTask(later.name), tuple(dict.fromkeys((*removing, *aliasing))))
+    removing = [
+        Remedy(Reason.of("run.remove", task=task.name), act.Remove(document.id, (task.name,)))
+        for task in (later, earlier)
+    ]
+    aliasing = [remedy for objection in found for remedy in objection.remedies if isinstance(remedy.show, ShowPin)]
+    why = Reason.of("run.together", parts=tuple(objection.text for objection in found))
+    reason = Reason.of("run.what_why", what=later.name, why=why)
+    return ProblemView(reason, "fault", ShowTask(later.name), tuple(dict.fromkeys((*removing, *aliasing))))
 
 
-def said(fault: Fault) -> str:
+def said(fault: Fault) -> Reason:
     """A fault as a sentence without its place."""
-    return plain(f"{fault.reason}; {fault.instead}")
+    return bare(Reason.of("run.fault_instead", reason=fault.reason, instead=fault.instead))

@@ -2,13 +2,14 @@
 
 from collections.abc import Iterable
 
+from onika.desk.environment.outcome.fault_text import bare
 from onika.desk.environment.outcome.outcome import No
-from onika.desk.environment.outcome.remedy import plain
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.model.application import Application
 from onika.model.flow_path import spots
 from onika.wire.view import FaultView, Remedy, ShowSaveAs, ShowStep
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 
 def told(application: Application, faults: Iterable[Fault], *, is_partial: bool) -> tuple[FaultView, ...]:
@@ -23,17 +24,19 @@ def not_run(opened: OpenApplication) -> No | None:
         return None
     lost = [one for one in opened.file_faults if one.level == "fault"]
     where = [one.step for one in lost if one.step][:1]
-    show = tuple(Remedy("Show where", show=ShowStep(step)) for step in where)
-    reason = f"{opened.name} could not be read whole: {lost[0].text}" if lost else f"{opened.name} was not read whole"
-    return No(f"{reason}; mend it and save it first", (*show, Remedy("Save as…", show=ShowSaveAs())))
+    show = tuple(Remedy(Reason.of("run.show_where"), show=ShowStep(step)) for step in where)
+    if lost:
+        reason = Reason.of("run.application_unread", name=opened.name, why=lost[0].text)
+    else:
+        reason = Reason.of("run.application_unread_in_part", name=opened.name)
+    return No(reason, (*show, Remedy(Reason.of("run.save_as"), show=ShowSaveAs())))
 
 
 def _view(fault: Fault, lines: list[tuple[int, int]], is_partial: bool) -> FaultView:
     line = fault.place.line
     before = [number for at, number in lines if at <= line]
-    where = f"line {line} of its file: " if line else ""
-    text = f"{where}{fault.reason}"
+    reason = Reason.of("run.at_line", line=line, reason=fault.reason) if line else fault.reason
     step = before[-1] if before and line else 0
     if is_partial and not fault.is_note:
-        return FaultView(plain(text), "fault", step)
-    return FaultView(plain(f"{text}; {fault.instead}"), "warning", step)
+        return FaultView(bare(reason), "fault", step)
+    return FaultView(bare(Reason.of("run.fault_instead", reason=reason, instead=fault.instead)), "warning", step)

@@ -113,9 +113,9 @@ def _repeated(model: Model, run: Run, recorded: RecordedRun) -> Steps[tuple[Mode
     connected = [document for document in model.documents.values() if document.live is not None]
     after = left(model, [document.live.subsystem for document in connected if document.live is not None])
     after = replace(after, runtime=view.RuntimeView("starting"), run=run)
-    why = "is no longer connected: the simulator has taken the place of its runtime"
+    taken = "is no longer connected: the simulator has taken the place of its runtime"
     says = tuple(
-        page.Say("info", f"{document.name} {why}", document.id)
+        page.Say("info", f"{document.name} {taken}", document.id)
         for document in connected
         if document.live is not None and document.live.tasks
     )

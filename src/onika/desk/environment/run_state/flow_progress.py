@@ -13,6 +13,7 @@ from onika.desk.run import transfer_text
 from onika.desk.run.flow_status import WAITS
 from onika.wire import event
 from onika.wire.view import MeetView, StepRunView
+from onika.words.reason import Reason, Text
 
 ABORTED = "aborted by the user"
 _WHERE = re.compile(r"^\w+: (?:ModuleError|LawBroken): ")
@@ -42,10 +43,7 @@ def after(run: Run, message: event.Event) -> Run:
         case event.Failed() if message.subsystem in run.view.flows:
             return replace(run, failures={**run.failures, _key(message): message})
         case event.Warned() if message.subsystem in run.view.flows:
-            is_shown = not message.task and is_question(str(message.text))
-            return (
-                run if is_shown else run.noted(f"{message.task}: {message.text}" if message.task else str(message.text))
-            )
+            return _warned(run, message)
         case event.Stepped() if message.subsystem in run.view.flows and message.is_too_far:
             return run.noted(transfer_text.sentence(message))
         case event.Explained() if message.subsystem in ("", *run.view.flows):
@@ -54,6 +52,13 @@ def after(run: Run, message: event.Event) -> Run:
         case event.Result():
             return over(run, message)
     return run
+
+
+def _warned(run: Run, message: event.Warned) -> Run:
+    """A warning, with the task that it is of; a question that nobody answered is shown as a question anyway."""
+    if message.task:
+        return run.noted(Reason.of("run.what_why", what=message.task, why=message.text))
+    return run if is_question(str(message.text)) else run.noted(message.text)
 
 
 def over(run: Run, result: event.Result) -> Run:
@@ -72,17 +77,19 @@ def over(run: Run, result: event.Result) -> Run:
     )
 
 
-def lost(run: Run, cause: str) -> Run:
+def lost(run: Run, cause: Text) -> Run:
     """The run where nothing more can be heard of it (E10): aborted, as far as it had come."""
     at_s = max((flow.began_s for flow in run.view.flows.values()), default=0.0)
     return over(run, event.Result(False, cause, run.view.done, run.view.of, at_s, 0.0, {}, (), ""))
 
 
-def _cause(run: Run, text: str) -> str:
+def _cause(run: Run, text: Text) -> Text:
     """Why it ended; where somebody ended it because it stood, also why it stood."""
     standing = sorted((stop for key, stop in run.view.stops.items() if key), key=lambda stop: stop.at_s)
     reason = standing[0].text if standing else run.reason
-    return f"ended by you, after: {_WHERE.sub('', str(reason))}" if reason and text == ABORTED else text
+    if not reason or str(text) != ABORTED:
+        return text
+    return Reason.of("run.ended_by_you", why=_WHERE.sub("", str(reason)))
 
 
 def _began(run: Run, began: event.Began) -> Run:
@@ -159,7 +166,7 @@ def _moved(run: Run, moved: event.Moved) -> Run:
     if not gone:
         return run
     if moved.state in _ENDS and moved.subsystem in gone:
-        run = replace(run, reason=run.reason or str(run.view.stops[moved.subsystem].text))
+        run = replace(run, reason=run.reason or run.view.stops[moved.subsystem].text)
     return run.shown(stops={key: stop for key, stop in run.view.stops.items() if key not in gone})
 
 

@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import TypeVar
 
 from onika.desk.environment.run_state.membership import icons
 from onika.desk.plan.icon_names import named
@@ -13,7 +14,9 @@ from onika.model.syntax import Syntax
 from onika.store.program import ApplicationProgram
 from onika.wire.plan import Plan, PlannedAction
 from onika.words.fault import Place
-from onika.words.reason import Text
+from onika.words.reason import PLAIN, Argument, Reason, Text
+
+_T = TypeVar("_T")
 
 _Icons = Mapping[str, str]
 """What icons show, by their names."""
@@ -77,9 +80,28 @@ class Speech:
         """What an icon shows."""
         return self.by_icon.get(name, name)
 
-    def with_icons(self, reason: Text) -> str:
-        """A text of the runtime."""
-        text = str(reason)
+    def with_icons(self, reason: Text) -> Text:
+        """A text of the runtime: of a reason, what fills its gaps."""
+        if isinstance(reason, str):
+            return self._shown(reason)
+        if reason.key in ("host.note_at", "host.note_in"):
+            file, note = str(reason.args["file"]), self._argument(reason.args["note"])
+            return Reason.of("run.what_why", what=self.files.get(file, file), why=note)
+        if not reason.args:
+            return Reason.plain(self._shown(reason.text)) if reason.key == PLAIN else reason
+        args = {name: self._argument(value) for name, value in reason.args.items()}
+        return reason if args == reason.args else Reason.of(reason.key, **args)
+
+    def _argument(self, value: Argument) -> Argument:
+        if isinstance(value, tuple):
+            return tuple(self._item(item) for item in value)
+        return self._item(value)
+
+    def _item(self, value: _T) -> _T | Text:
+        return self.with_icons(value) if isinstance(value, Reason | str) else value
+
+    def _shown(self, text: str) -> str:
+        """A text with icons in place of files and lines."""
         for file, name in self.files.items():
             if file in text:
                 here = rf"(?<!\w){re.escape(file)}"

@@ -3,9 +3,9 @@
 import re
 
 from onika.desk.environment.run_state.run import Run
-from onika.desk.plan.icon_names import listed
 from onika.wire import act, event
 from onika.wire.view import CourseView, Remedy, StopView
+from onika.words.reason import Reason
 
 _DESERTED = "deserted"
 _ASKS = re.compile(r": \S+ asks(: .*)?$")
@@ -50,17 +50,21 @@ def left_for(run: Run, subsystem: str) -> set[str]:
         waiting |= more
 
 
-def standing(run: Run, whom: str) -> list[tuple[str, Remedy]]:
+def standing(run: Run, whom: str) -> list[tuple[Reason, Remedy]]:
     """The flows that stand and do not pause, or the one of a subsystem: why, and what lets each go on."""
     flows = {name: flow for name, flow in run.view.flows.items() if whom in ("", name)}
     ways = []
     for name, flow in flows.items():
         if flow.state == "stopped":
-            ways.append((f"{name} stands at an error", Remedy(f"Clear {name}", act.Steer(f"clear {name}"))))
+            clear = Remedy(Reason.of("run.clear_flow", flow=name), act.Steer(f"clear {name}"))
+            ways.append((Reason.of("run.flow_at_error", flow=name), clear))
         elif flow.state == "waiting":
-            others = f" for {listed(flow.waits_for)}" if flow.waits_for else ""
-            text = f"{name} waits at {flow.tag}{others}"
-            ways.append((text, Remedy(f"Let {name} pass", act.Steer(f"pass {name}"))))
+            let_pass = Remedy(Reason.of("run.let_pass", flow=name), act.Steer(f"pass {name}"))
+            if flow.waits_for:
+                why = Reason.of("run.flow_waits_for", flow=name, tag=flow.tag, others=flow.waits_for)
+            else:
+                why = Reason.of("run.flow_waits", flow=name, tag=flow.tag)
+            ways.append((why, let_pass))
     return ways
 
 

@@ -14,6 +14,7 @@ from onika.desk.environment.run_state.membership import Belonging
 from onika.desk.environment.run_state.messages import Speech
 from onika.wire.plan import Plan, PlannedAction, PlannedFlow
 from onika.words.fault import Place
+from onika.words.reason import Text
 
 _NAMED = 3
 """How many of the actions that have no icon are named."""
@@ -39,7 +40,7 @@ class Recast:
     doc: str = ""
     belonging: Belonging = field(default_factory=lambda: Belonging({}, {}))
     speech: Speech = field(default_factory=Speech)
-    notes: tuple[str, ...] = ()
+    notes: tuple[Text, ...] = ()
 
 
 def recast(recorded: Plan, present: Present | None) -> Recast:

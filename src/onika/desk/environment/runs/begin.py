@@ -40,10 +40,9 @@ from onika.wire import act, live, page, request
 from onika.wire.plan import Plan
 from onika.wire.request import TargetValues
 from onika.wire.view import Remedy
+from onika.words.reason import Reason, Text
 
-_END_THEM = "End them and run"
-_NO_RECORDING = "no recording can be made"
-_ABORT = Remedy("Abort it", act.Steer("abort"))
+_ABORT = Remedy(Reason.of("run.abort_it"), act.Steer("abort"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +57,7 @@ class _Start:
     speech: Speech
     troubles: Troubles
     durations: dict[tuple[int, int], float]
-    notes: tuple[str, ...]
+    notes: tuple[Text, ...]
     began_at_s: float
     record: str = ""
     """The file of its recording; empty: none is made."""
@@ -78,7 +77,7 @@ def run(model: Model, command: act.Run, outside: Surroundings) -> Procedure:
     if model.run is None:
         return Done(model)
     run = model.run if model.run.is_over else model.run.shown(state="running")
-    says = (page.Say("info", f"{start.name} runs", command.doc),)
+    says = (page.Say("info", Reason.of("run.runs", name=start.name), command.doc),)
     described = describe(replace(model, run=run, performed=model.performed + 1))  # what tasks ask can be prefilled then
     end = (Order(request.Abort("aborted by the user")),) if _is_given_up(model) else ()
     return Done(described.model, value=run.view.number, says=says, orders=(*end, run_reducer.look(), *described.orders))
@@ -94,7 +93,7 @@ def _start(model: Model, command: act.Run, outside: Surroundings) -> tuple[Model
     if busy is not None:
         return busy
     if syntax is None:
-        return No("there is no syntax definition that can be read: nothing is known of the types of icons")
+        return No(Reason.of("run.no_icon_types"))
     unread = not_run(opened)
     if unread is not None:
         return unread
@@ -111,7 +110,7 @@ def _start(model: Model, command: act.Run, outside: Surroundings) -> tuple[Model
     if complaint is not None:
         return complaint
     if prepared.plan is None:
-        return No(f"{opened.name} has nothing to run")
+        return No(Reason.of("run.has_nothing", name=opened.name))
     file = recording.place(model, command, opened.name, outside)
     if isinstance(file, No):
         return file
@@ -133,11 +132,11 @@ def _start(model: Model, command: act.Run, outside: Surroundings) -> tuple[Model
 def _busy(model: Model) -> No | None:
     """Why nothing can run beside what runs."""
     if model.run is not None and not model.run.is_over:
-        return No(f"{model.run.view.name} runs already, and one application runs at a time", (_ABORT,))
+        return No(Reason.of("run.another_runs", name=model.run.view.name), (_ABORT,))
     taken = run_here(model)
     if taken:
         other = model.runtime.holds[taken].application
-        return No(f"{other}, which was taken over here, runs already, and one application runs at a time")
+        return No(Reason.of("run.taken_runs", name=other))
     return None
 
 
@@ -179,7 +178,7 @@ def _begun(model: Model, start: _Start) -> Steps[tuple[Model, No | None]]:
     model, standing = yield Ask(model, live.Survey(), Reach(url))
     if not isinstance(standing, live.Standing):
         why = refusal(standing)
-        return flow_placement.lost(model, why), No(f"no runtime: {in_short(why)}")
+        return flow_placement.lost(model, why), No(Reason.of("run.no_runtime", why=in_short(why)))
     model = replace(model, runtime=runtime_view(model.runtime, standing))
     placed = _placed(model, standing, start)
     if isinstance(placed, No):
@@ -216,26 +215,29 @@ def _placed(model: Model, standing: live.Standing, start: _Start) -> tuple[_Star
 
 
 def _in_the_way(in_the_way: Sequence[Obstacle], start: _Start) -> No:
-    what = ", ".join(dict.fromkeys(obstacle.document or f"subsystem {obstacle.subsystem}" for obstacle in in_the_way))
-    has = "has" if len(in_the_way) == 1 else "have"
-    reason = (
-        f"{' and '.join(map(str, in_the_way))} live already, and {start.name} needs such tasks for itself. "
-        f"{what} {has} to end first, with all tasks; nothing else ends"
+    reason = Reason.of(
+        "run.obstacles",
+        obstacles=tuple(obstacle.named for obstacle in in_the_way),
+        name=start.name,
+        what=tuple(dict.fromkeys(obstacle.home for obstacle in in_the_way)),
     )
-    return No(reason, (Remedy(_END_THEM, msgspec.structs.replace(start.command, confirmed=True)),))
+    confirmed = msgspec.structs.replace(start.command, confirmed=True)
+    return No(reason, (Remedy(Reason.of("run.end_them"), confirmed),))
 
 
 def _ended(model: Model, start: _Start, subsystem: str) -> Steps[tuple[Model, No | None]]:
     """End what stands in the way, with all its tasks."""
     documents = model.documents.values()
     names = [document.name for document in documents if document.live and document.live.subsystem == subsystem]
-    says = tuple(page.Say("info", f"{name} is no longer connected: its tasks end for {start.name}") for name in names)
+    says = tuple(
+        page.Say("info", Reason.of("run.disconnected_for", name=name, application=start.name)) for name in names
+    )
     after = left(model, (subsystem,))
     model, response = yield Ask(after, live.Close(subsystem), says=says, news=given_up(model, after))
     if not isinstance(response, live.Accepted):
         return model, No(refusal(response))
     if model.run is None:
-        return model, No("the run was given up")
+        return model, No(Reason.of("run.given_up"))
     cause = model.run.outcomes.get(response.number)  # its outcome is told by an event, before or after this
     refused_ = No(cause) if cause else None
     if cause is None:
@@ -260,11 +262,11 @@ def _prepared(model: Model, response: request.Response, start: _Start) -> tuple[
     return model, None
 
 
-def _unbegun(start: _Start, why: str) -> No:
+def _unbegun(start: _Start, why: Text) -> No:
     """The runtime will not begin it, for its recording's sake or another's."""
-    if start.record and why.startswith(_NO_RECORDING):
-        return recording.without(why.removeprefix(f"{_NO_RECORDING}: "), start.command)
-    return No(f"{start.name} does not run: {why}")
+    if start.record and isinstance(why, Reason) and why.key == "host.no_recording":
+        return recording.without(why.args["why"], start.command)
+    return No(Reason.of("run.does_not_run", name=start.name, why=why))
 
 
 def _is_given_up(model: Model) -> bool:
@@ -273,4 +275,4 @@ def _is_given_up(model: Model) -> bool:
 
 
 def _given_up(start: _Start) -> No:
-    return No(f"{start.name} was aborted before it had begun")
+    return No(Reason.of("run.aborted_before", name=start.name))

@@ -12,8 +12,9 @@ from onika.desk.plan.subsystem_renaming import chiefs
 from onika.wire import act, view
 from onika.wire.plan import Plan
 from onika.wire.view import Remedy
+from onika.words.reason import Reason, Text
 
-_ANEW = Remedy("Start the runtime anew…", act.StartAnew())
+_ANEW = Remedy(Reason.of("run.start_runtime_anew"), act.StartAnew())
 
 
 def starting(runtime: view.RuntimeView) -> view.RuntimeView:
@@ -21,7 +22,7 @@ def starting(runtime: view.RuntimeView) -> view.RuntimeView:
     return view.RuntimeView("starting", runtime.address)
 
 
-def lost(model: Model, reason: str) -> Model:
+def lost(model: Model, reason: Text) -> Model:
     """The model where it could not be got hold of."""
     return replace(model, runtime=structs.replace(model.runtime, state="lost", text=reason))
 
@@ -30,22 +31,24 @@ def refused(model: Model, plan: Plan) -> No | None:
     """Why nothing can run there now."""
     runtime = model.runtime
     if runtime.is_stopped:
-        why = f": {runtime.stop_text}" if runtime.stop_text else ""
-        return No(f"everything is stopped{why}. Allow motion again first", (Remedy("Allow motion", act.Reset()),))
+        allow = Remedy(Reason.of("run.allow_motion"), act.Reset())
+        if runtime.stop_text:
+            return No(Reason.of("run.everything_stopped_why", why=runtime.stop_text), (allow,))
+        return No(Reason.of("run.everything_stopped_first"), (allow,))
     units = runtime.units
     wanted = {_unit(task.rtpu, units) for flow in plan.flows for task in flow.tasks}
     gone = sorted(name for name in wanted if name not in units or units[name].is_lost)
     if gone:
-        return No(f"unit {gone[0]} of the runtime is lost, and tasks of this application run on it", (_ANEW,))
+        return No(Reason.of("run.unit_lost", name=gone[0]), (_ANEW,))
     return None
 
 
-def notes(model: Model, plan: Plan) -> tuple[str, ...]:
+def notes(model: Model, plan: Plan) -> tuple[Reason, ...]:
     """Units that tasks name and that are not there."""
     units = model.runtime.units
     named = {task.rtpu for flow in plan.flows for task in flow.tasks} - {UNKNOWN, *units}
     instead = _unit(UNKNOWN, units)
-    return tuple(f"there is no unit {name}: its tasks run on {instead}" for name in sorted(named))
+    return tuple(Reason.of("run.no_unit", name=name, instead=instead) for name in sorted(named))
 
 
 def free(model: Model, plan: Plan, taken: Collection[str]) -> dict[str, str]:

@@ -18,7 +18,6 @@ from onika.desk.environment.runs import unsaved
 from onika.desk.environment.runs.begin import ready
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.plan.icon_names import listed
 from onika.desk.run.runtime import in_short
 from onika.desk.run.settings import RunSettings
 from onika.desk.trial.home import FOLDER
@@ -29,6 +28,7 @@ from onika.wire import act, page
 from onika.wire.view import KeepingView, Remedy
 from onika.words.condition import Condition
 from onika.words.name import TASK_NAME
+from onika.words.reason import Reason, reason_of
 
 _NICE = 10
 
@@ -37,9 +37,9 @@ _NICE = 10
 def keep_test(model: Model, opened: OpenApplication, command: act.KeepTest, outside: Surroundings) -> Done | No:
     """Begin to keep it; the value is the file."""
     if outside.keeping is None:
-        return No("no test can be kept here")
+        return No(Reason.of("run.keep_nowhere"))
     if model.keeping is not None and model.keeping.state == "running":
-        return No(f"{Path(model.keeping.path).name} is being kept now, and one test is kept at a time")
+        return No(Reason.of("run.keep_other", name=Path(model.keeping.path).name))
     expectations = _expectations(command.expects)
     path = _path(opened, command.path, outside)
     wrong = [part for part in (expectations, path, _unrunnable(opened)) if isinstance(part, No)]
@@ -47,7 +47,7 @@ def keep_test(model: Model, opened: OpenApplication, command: act.KeepTest, outs
         return wrong[0]
     if path.exists() and not command.confirmed:
         again = msgspec.structs.replace(command, confirmed=True)
-        return No(f"{path} is there already", (Remedy("Replace it", again),))
+        return No(Reason.of("run.keep_there", path=str(path)), (Remedy(Reason.of("run.keep_replace"), again),))
     saved = _saved(model, opened, command, outside)
     if isinstance(saved, No):
         return saved
@@ -70,7 +70,7 @@ def _expectations(texts: Sequence[str]) -> tuple[Condition, ...] | No:
         try:
             conditions.append(Condition.parse(text))
         except ValueError as wrong:
-            return No(str(wrong), fields={"expects": str(wrong)})
+            return No(reason_of(wrong), fields={"expects": reason_of(wrong)})
     return tuple(conditions)
 
 
@@ -82,18 +82,18 @@ def _path(opened: OpenApplication, wanted: str, outside: Surroundings) -> Path |
         own = outside.site.own
         base = own if opened.base is None or is_shipped(opened.base) else opened.base
         if base is None:
-            return _unnamed("it has no base directory: expected a whole path, as in /home/me/tests/lamp.test")
+            return _unnamed(Reason.of("run.keep_no_base"))
         if path.name != str(path) or not TASK_NAME.match(path.stem):
-            return _unnamed("expected a name of letters, digits and _ . - that begins with a letter, or a whole path")
+            return _unnamed(Reason.of("run.keep_name"))
         path = base / FOLDER / path.name
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as wrong:
-        return _unnamed(f"{path.parent} cannot be made: {wrong.strerror}")
+        return _unnamed(Reason.of("run.keep_folder", folder=str(path.parent), why=str(wrong.strerror)))
     return path
 
 
-def _unnamed(text: str) -> No:
+def _unnamed(text: Reason) -> No:
     return No(text, fields={"path": text})
 
 
@@ -105,14 +105,14 @@ def _unrunnable(opened: OpenApplication) -> No | None:
     faults = [fault.text for fault in opened.judgement.faults if fault.level == "fault"] if opened.judgement else []
     if not opened.is_judged or not faults:
         return None
-    more = f", and {len(faults) - 1} more" if len(faults) > 1 else ""
-    return No(f"{opened.name} cannot run as it is: {faults[0]}{more}")
+    several = Reason.of("run.and_more_faults", first=faults[0], count=len(faults) - 1)
+    return No(Reason.of("run.cannot_run_as_it_is", name=opened.name, why=several if len(faults) > 1 else faults[0]))
 
 
 def _saved(model: Model, opened: OpenApplication, command: act.KeepTest, outside: Surroundings) -> Model | No:
     """With everything saved that the test would use: it does what files say."""
     if model.syntax is None:
-        return No("there is no syntax definition that can be read: nothing is known of the types of icons")
+        return No(Reason.of("run.no_icon_types"))
     dirty = unsaved.dirty(model)
     program = ready(opened, outside.site, model.syntax).program
     own = () if opened.opened is not None and not opened.is_dirty else ((opened.id, opened.name),)
@@ -120,10 +120,8 @@ def _saved(model: Model, opened: OpenApplication, command: act.KeepTest, outside
     if not changed:
         return model
     if not command.saves_unsaved:
-        remedy = Remedy("Save and keep", msgspec.structs.replace(command, saves_unsaved=True))
-        are = "is" if len(changed) == 1 else "are"
-        names = listed([name for _, name in changed])
-        return No(f"{names} {are} changed here and not saved; a test does what files say", (remedy,))
+        remedy = Remedy(Reason.of("run.save_and_keep"), msgspec.structs.replace(command, saves_unsaved=True))
+        return No(Reason.of("run.keep_unsaved", names=tuple(name for _, name in changed)), (remedy,))
     saved = unsaved.saved(model, changed, outside)
     return saved if isinstance(saved, No) else saved.model
 
@@ -137,12 +135,12 @@ def _keep(aside: Aside, opened: OpenApplication, path: Path, settings: RunSettin
     _stand_back()
     is_kept, lines = keep_in(path, settings, site, progress=progress)
     first, *notes = map(in_short, lines)
-    text = "; ".join((first.removeprefix(f"{path}: "), *notes))
+    text = "; ".join((str(first).removeprefix(f"{path}: "), *map(str, notes)))
     shown = KeepingView(opened.id, str(path), "kept" if is_kept else "failed", text)
     if is_kept:
-        say = page.Say("success", f"{path.name} is kept: {text}", opened.id)
+        say = page.Say("success", Reason.of("run.is_kept", name=path.name, text=text), opened.id)
     else:
-        say = page.Say("error", f"{path.name} is not kept: {text}", opened.id)
+        say = page.Say("error", Reason.of("run.is_not_kept", name=path.name, text=text), opened.id)
     aside.tell(lambda model: Done(_shown(model, shown), says=(say,)))
 
 

@@ -9,6 +9,7 @@ from onika.model.rules.union import devices
 from onika.model.task import Task
 from onika.wire import live
 from onika.wire.plan import Plan
+from onika.words.reason import Reason, Text
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,9 +21,17 @@ class Obstacle:
     document: str = ""
     """The name of the configuration that is connected with it; empty: none is open here."""
 
-    def __str__(self) -> str:
-        tasks = ", ".join(self.tasks)
-        return f"{tasks} of {self.document}" if self.document else f"{tasks} in subsystem {self.subsystem}"
+    @property
+    def named(self) -> Reason:
+        """Its tasks, and whose they are."""
+        if self.document:
+            return Reason.of("run.obstacle_of", tasks=self.tasks, name=self.document)
+        return Reason.of("run.obstacle_in", tasks=self.tasks, subsystem=self.subsystem)
+
+    @property
+    def home(self) -> Text:
+        """What has to end."""
+        return self.document or Reason.of("run.subsystem", name=self.subsystem)
 
 
 def obstacles(model: Model, standing: live.Standing, plan: Plan) -> tuple[Obstacle, ...]:

@@ -23,6 +23,7 @@ from onika.wire import act, live, request
 from onika.wire.plan import Plan
 from onika.wire.request import TargetValues
 from onika.wire.view import FaultView, Remedy
+from onika.words.reason import Reason
 
 
 @on_application
@@ -34,12 +35,13 @@ def preflight(
     if busy is not None:
         return busy
     if model.syntax is None:
-        return No("there is no syntax definition that can be read: nothing is known of the types of icons")
+        return No(Reason.of("run.no_icon_types"))
     prepared = ready(opened, outside.site, model.syntax)
     troubles = Troubles.of(opened, model.syntax, prepared, outside.site)
     views = tuple(troubles.views(prepared))
     if prepared.plan is None or not any(flow.tasks for flow in prepared.plan.flows):
-        return Done(model, value=_count(views)) if _count(views) else No(f"{opened.name} has nothing to run")
+        count = _count(views)
+        return Done(model, value=count) if count else No(Reason.of("run.has_nothing", name=opened.name))
     return _checked(model, opened, troubles, prepared.plan, prepared.targets, views)
 
 
@@ -58,7 +60,7 @@ def _checked(
     if not isinstance(standing, live.Standing):
         why = refusal(standing)
         yield Shown(flow_placement.lost(model, why))
-        return No(f"no runtime: {in_short(why)}")
+        return No(Reason.of("run.no_runtime", why=in_short(why)))
     model = replace(model, runtime=runtime_view(model.runtime, standing))
     busy = _busy(model, opened.name)  # somebody began a run meanwhile
     if busy is not None:
@@ -66,7 +68,7 @@ def _checked(
         return busy
     model, response = yield Ask(model, request.Prepare(plan, targets))
     if not isinstance(response, request.Prepared):
-        return No(f"{opened.name} cannot be checked: {refusal(response)}")
+        return No(Reason.of("run.cannot_be_checked", name=opened.name, why=refusal(response)))
     model = looked(model, troubles, plan, response)
     here = model.applications.get(opened.id)
     result = here.looked if here is not None else None
@@ -77,10 +79,10 @@ def _busy(model: Model, name: str) -> No | None:
     """A run is not disturbed."""
     if model.run is None or model.run.is_over:
         return None
-    remedies = (Remedy("Abort it", act.Steer("abort")),)
-    return No(f"{model.run.view.name} runs: {name} is checked when that has ended", remedies)
+    remedies = (Remedy(Reason.of("run.abort_it"), act.Steer("abort")),)
+    return No(Reason.of("run.is_checked_later", running=model.run.view.name, name=name), remedies)
 
 
 def _count(fault_views: tuple[FaultView, ...]) -> int:
     """Each that keeps it from running, once."""
-    return len({(fault_view.step, fault_view.text) for fault_view in fault_views if fault_view.level == "fault"})
+    return len({(fault_view.step, str(fault_view.text)) for fault_view in fault_views if fault_view.level == "fault"})

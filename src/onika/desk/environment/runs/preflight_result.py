@@ -1,6 +1,5 @@
 """What a runtime has found when it looked at an application, kept beside it until it changes (X02)."""
 
-import re
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
@@ -11,15 +10,15 @@ from onika.desk.environment.runs.retarget_marks import marked
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import Looked
 from onika.desk.plan.preparation import fault_of
-from onika.files import appl, conf, rmod
+from onika.files import rmod
 from onika.wire.plan import Plan
 from onika.wire.request import Prepared
 from onika.wire.view import FaultView, Remedy, ShowStep
 from onika.words.fault import Place
+from onika.words.reason import Reason, Text
 
-_ENDINGS = "|".join(map(re.escape, (appl.ENDING, conf.ENDING, rmod.ENDING)))
-_NOTE = re.compile(rf"(.*?(?:{_ENDINGS}))(?::(\d+))?: (.*)", re.DOTALL)
-_RESOLVED = " is re-resolved for "
+_PLACED = ("host.note_at", "host.note_in")
+_RESOLVED = ("host.resolved", "host.resolved_often")
 
 
 def looked(model: Model, troubles: Troubles, plan: Plan, prepared: Prepared) -> Model:
@@ -32,27 +31,48 @@ def looked(model: Model, troubles: Troubles, plan: Plan, prepared: Prepared) -> 
     return marked(model.with_application(replace(opened, looked=result)), troubles, plan, prepared)
 
 
-def worth_noting(prepared: Prepared) -> Iterator[str]:
+def worth_noting(prepared: Prepared) -> Iterator[Text]:
     """The notes of a run: targets that are re-resolved are counted, for each of them has a mark at its icon."""
-    yield from (str(note) for note in prepared.notes if _RESOLVED not in str(note))
+    yield from (note for note in prepared.notes if not _is_of_resolved(note))
     targets = {(resolved.target, resolved.were, resolved.task, resolved.instead_of) for resolved in prepared.resolved}
     for (task, old), count in sorted(Counter(target[2:] for target in targets).items()):
         if count == 1:
-            yield f"1 target is re-resolved for {task}, by the pose that it is for {old}"
+            yield Reason.of("run.target_resolved", task=task, old=old)
         else:
-            yield f"{count} targets are re-resolved for {task}, by the poses that they are for {old}"
+            yield Reason.of("run.targets_resolved", count=count, task=task, old=old)
 
 
 def _noted(troubles: Troubles, prepared: Prepared) -> Iterator[FaultView]:
     """What is only worth knowing; targets that are re-resolved bear a mark of their own."""
-    for note in map(str, prepared.notes):
-        if _RESOLVED in note:
+    for note in prepared.notes:
+        if _is_of_resolved(note):
             continue
-        match = _NOTE.fullmatch(note)
-        step = troubles.step_of(Place(match[1], int(match[2] or 0))) if match else 0
-        text = note
-        if match:
-            name = Path(match[1]).name
-            text = f"{name.removesuffix(rmod.ENDING)}: {match[3]}" if name.endswith(rmod.ENDING) else match[3]
-        show = (Remedy("Show it", show=ShowStep(step)),) if step else ()
-        yield FaultView(text, "warning", step, show, is_of_runtime=True)
+        place = _place(note)
+        step = troubles.step_of(place) if place is not None else 0
+        show = (Remedy(Reason.of("run.show_it"), show=ShowStep(step)),) if step else ()
+        yield FaultView(_without_place(note), "warning", step, show, is_of_runtime=True)
+
+
+def _is_of_resolved(note: Text) -> bool:
+    """Whether it says what became of a joint target that another robot takes."""
+    within = note.args.get("note") if isinstance(note, Reason) and note.key in _PLACED else None
+    return isinstance(within, Reason) and within.key in _RESOLVED
+
+
+def _place(note: Text) -> Place | None:
+    """Where it stands; None: nowhere."""
+    if not isinstance(note, Reason) or note.key not in _PLACED:
+        return None
+    line = note.args.get("line", 0)
+    return Place(str(note.args["file"]), line if isinstance(line, int) else 0)
+
+
+def _without_place(note: Text) -> Text:
+    """What it says, of a task with its name."""
+    place = _place(note)
+    if place is None or not isinstance(note, Reason):
+        return note
+    name, within = Path(place.file).name, note.args["note"]
+    if name.endswith(rmod.ENDING):
+        return Reason.of("run.what_why", what=name.removesuffix(rmod.ENDING), why=within)
+    return within if isinstance(within, Reason) else str(within)

@@ -27,6 +27,7 @@ from onika.store.program import ApplicationProgram
 from onika.store.site import Site
 from onika.wire import act
 from onika.wire.view import FaultView, Remedy
+from onika.words.reason import Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,8 +149,8 @@ def _homes(opened: OpenApplication, prepared: PreparedRun) -> dict[str, tuple[st
 
 def _unsaved(case: Case, troubles: Troubles, program: ApplicationProgram | None) -> Iterator[FaultView]:
     for doc, name in unsaved.used(case.dirty, program):
-        text = f"{name} is changed here and not saved: what its file says is run"
-        yield FaultView(text, "warning", troubles.user_of(name), (Remedy(f"Save {name}", act.Save(doc)),))
+        save = Remedy(Reason.of("run.save", name=name), act.Save(doc))
+        yield FaultView(Reason.of("run.unsaved_use", name=name), "warning", troubles.user_of(name), (save,))
 
 
 def _unchosen(opened: OpenApplication) -> Iterator[FaultView]:
@@ -158,5 +159,5 @@ def _unchosen(opened: OpenApplication) -> Iterator[FaultView]:
     if not application.is_parallel and len(application.flows) > 1:
         last = next((step.number for step in reversed(application.flows[0].steps)), 0)
         branch = act.InsertBranch(opened.id, "0", last, len(application.flows))
-        text = "run by itself, only flow 0 runs: nothing before it chooses another"
-        yield FaultView(text, "warning", 0, (Remedy("Insert a branch", branch),))
+        insert = Remedy(Reason.of("run.insert_branch"), branch)
+        yield FaultView(Reason.of("run.chosen_flow_0"), "warning", 0, (insert,))

@@ -9,6 +9,7 @@ from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.plan.preparation import fault_of
 from onika.wire import request
 from onika.wire.view import FaultView, Remedy
+from onika.words.reason import Reason, Text
 
 _TOLD = 8
 """Faults that are told in a refusal; all of them stand in the list beside the application."""
@@ -20,22 +21,28 @@ def refused(opened: OpenApplication, fault_views: Sequence[FaultView]) -> No | N
     faults = [fault_view for fault_view in fault_views if fault_view.level == "fault"]
     if not faults:
         return None
-    return No(f"{opened.name} cannot run: {_listed(faults)}", _offered(faults))
+    return No(Reason.of("run.cannot_run", name=opened.name, why=_listed(faults)), _offered(faults))
 
 
 def refused_by_runtime(troubles: Troubles, response: request.Response) -> No:
     """Why the runtime will not: its modules, argument lines and targets are looked at there."""
+    name = troubles.application.name
     if not isinstance(response, request.Prepared):
-        return No(f"{troubles.application.name} cannot run: {refusal(response)}")
+        return No(Reason.of("run.cannot_run", name=name, why=refusal(response)))
     faults = list(troubles.told(map(fault_of, response.faults)))
-    return No(f"{troubles.application.name} cannot run: {_listed(faults)}", _offered(faults))
+    return No(Reason.of("run.cannot_run", name=name, why=_listed(faults)), _offered(faults))
 
 
-def _listed(faults: Sequence[FaultView]) -> str:
+def _listed(faults: Sequence[FaultView]) -> Text:
     """What is told in a line; all of it stands at the icons and in the list beside them."""
-    texts = [str(fault.text) for fault in faults[:_TOLD]]
-    more = f"; and {len(faults) - _TOLD} more" if len(faults) > _TOLD else ""
-    return texts[0] if len(faults) == 1 else f"{len(faults)} things: {'; '.join(texts)}{more}"
+    if len(faults) == 1:
+        return faults[0].text
+    parts = tuple(fault.text for fault in faults[:_TOLD])
+    if len(faults) > _TOLD:
+        what = Reason.of("run.faults_more", parts=parts, count=len(faults) - _TOLD)
+    else:
+        what = Reason.of("run.together", parts=parts)
+    return Reason.of("run.faults_several", count=len(faults), what=what)
 
 
 def _offered(faults: Sequence[FaultView]) -> tuple[Remedy, ...]:

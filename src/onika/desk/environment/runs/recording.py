@@ -13,6 +13,7 @@ from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.state.model import Model
 from onika.wire import act
 from onika.wire.view import Remedy
+from onika.words.reason import NOTHING, Argument, Reason
 
 LEAST_BYTES = 50_000_000
 """So much room must be there: some minutes of a robot with all that is measured at it."""
@@ -25,19 +26,18 @@ def place(model: Model, command: act.Run, name: str, outside: Surroundings) -> P
     if not command.is_recorded:
         return None
     if model.runtime.address:
-        where = f"the runtime at {model.runtime.address} was started by somebody else"
-        return without(f"{where}: it records runs only for the program that launched it", command)
+        return without(Reason.of("run.record_not_ours", address=model.runtime.address), command)
     if outside.state is None:
-        return without("there is no folder for recordings in this session", command)
+        return without(Reason.of("run.record_no_folder"), command)
     path = recording_path(outside.state, name, outside.calendar())
     wrong = _unwritable(path.parent)
     return without(wrong, command) if wrong else path
 
 
-def without(why: str, command: act.Run) -> No:
+def without(why: Argument, command: act.Run) -> No:
     """It cannot be recorded; the user may run it all the same."""
-    remedy = Remedy("Run without recording", msgspec.structs.replace(command, is_recorded=False))
-    return No(f"the run cannot be recorded: {why}", (remedy,))
+    remedy = Remedy(Reason.of("run.without_recording"), msgspec.structs.replace(command, is_recorded=False))
+    return No(Reason.of("run.record_not", why=why), (remedy,))
 
 
 def measured(run: Run) -> Run:
@@ -51,14 +51,15 @@ def measured(run: Run) -> Run:
     return run.shown(recorded_bytes=size)
 
 
-def _unwritable(folder: Path) -> str:
-    """Why nothing can be written there; empty: it can."""
+def _unwritable(folder: Path) -> Reason:
+    """Why nothing can be written there; nothing: it can."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=folder):
             free = shutil.disk_usage(folder).free
     except OSError as wrong:
-        return f"nothing can be written in {folder}: {wrong.strerror or wrong}"
+        return Reason.of("run.record_unwritable", folder=str(folder), why=wrong.strerror or str(wrong))
     if free < LEAST_BYTES:
-        return f"{folder} has room for {free // _MEGA} MB, and {LEAST_BYTES // _MEGA} MB are wanted at least"
-    return ""
+        free_mb, wanted_mb = free // _MEGA, LEAST_BYTES // _MEGA
+        return Reason.of("run.record_no_room", folder=str(folder), free=free_mb, wanted=wanted_mb)
+    return NOTHING

@@ -20,6 +20,7 @@ from onika.model.rules.union import devices
 from onika.store.library import open_libraries
 from onika.wire import act
 from onika.wire.view import CandidateView, SeatsView, SeatView
+from onika.words.reason import Reason, Text
 
 
 @on_resting_application
@@ -34,8 +35,8 @@ def redirect(model: Model, opened: OpenApplication, command: act.Redirect, outsi
     if wish in redirects and prepared.plan is not None and prepared.program is not None:
         faults = list(redirection.faults((wish,), prepared.plan, prepared.program))
         if faults:
-            reasons = "; ".join(str(said(fault)) for fault in faults)
-            return No(f"{wish.new} cannot stand for {wish.old}: {reasons}")
+            reasons = tuple(map(said, faults))
+            return No(Reason.of("run.cannot_stand_for", new=wish.new, old=wish.old, reasons=reasons))
     changed = replace(opened, redirects=redirects, judgement=None, marks={}, looked=None)
     return Done(model.with_application(changed))
 
@@ -55,7 +56,7 @@ def seats(model: Model, opened: OpenApplication, command: act.Seats, outside: Su
     """Who could stand for whom; the value is a `view.SeatsView`."""
     prepared = ready(opened, outside.site, syntax_of(model))
     if prepared.plan is None or prepared.program is None:
-        return No(f"{opened.name} has nothing to run")
+        return No(Reason.of("run.has_nothing", name=opened.name))
     library_tasks = [
         record.task for library in open_libraries(outside.site.directories) for record in library.tasks.values()
     ]
@@ -75,9 +76,9 @@ def _everywhere(flows: dict[str, tuple[SeatView, ...]]) -> tuple[SeatView, ...]:
 
 def _joined(seats: Sequence[SeatView]) -> SeatView:
     first, holders = seats[0], {seat.taken_by for seat in seats}
-    reasons: dict[str, dict[str, None]] = {}
+    reasons: dict[str, dict[Text, None]] = {}
     for each in (each for seat in seats for each in seat.candidates):
-        reasons.setdefault(each.name, {}).update(dict.fromkeys(map(str, each.reasons)))
+        reasons.setdefault(each.name, {}).update(dict.fromkeys(each.reasons))
     candidates = [structs.replace(each, reasons=tuple(reasons[each.name])) for each in first.candidates]
     candidates.sort(key=lambda each: (bool(each.reasons), each.name))
     return structs.replace(first, taken_by=first.taken_by if len(holders) == 1 else "", candidates=tuple(candidates))
@@ -86,7 +87,7 @@ def _joined(seats: Sequence[SeatView]) -> SeatView:
 def _seat(seat: Seat) -> SeatView:
     candidates = tuple(
         CandidateView(
-            each.task.name, each.task.description, each.more, tuple(str(refusal.reason) for refusal in each.refusals)
+            each.task.name, each.task.description, each.more, tuple(refusal.reason for refusal in each.refusals)
         )
         for each in seat.candidates
     )

@@ -1,6 +1,6 @@
 """Starting the runtime of this environment anew: all that lives there ends, and the workcell is as it was."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 
 from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, Reach, Shown
@@ -11,42 +11,67 @@ from onika.desk.environment.reconcile.watches import is_going
 from onika.desk.environment.run_state import flow_progress
 from onika.desk.environment.runs import flow_placement
 from onika.desk.environment.runs.obstacles import left
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.live import Live
 from onika.desk.environment.state.model import Model
 from onika.desk.run.runtime import in_short
 from onika.wire import act, live, page
 from onika.wire.view import Remedy
+from onika.words.reason import Reason
 
-_CAUSE = "the runtime was started anew"
+_CAUSE = Reason.of("run.started_anew")
 
 
 def start_anew(model: Model, command: act.StartAnew, _outside: Surroundings) -> Procedure:
     """End the runtime that was started here, and start another; what was connected is connected no more."""
     if model.runtime.address:
-        return No(f"the runtime at {model.runtime.address} was started by somebody else, who alone can start it anew")
-    connected = [
-        document for document in model.documents.values() if document.live is not None and document.live.state == "live"
-    ]
-    living = [document for document in connected if document.live is not None and document.live.tasks]
-    ends = [*([model.run.view.name] if is_going(model) and model.run else []), *(document.name for document in living)]
+        return No(Reason.of("run.runtime_not_ours", address=model.runtime.address))
+    ends = tuple(_ends(model))
     if ends and not command.confirmed:
-        return No(_told(ends), (Remedy("Start anew", act.StartAnew(confirmed=True)),))
-    after = left(model, [document.live.subsystem for document in connected if document.live is not None])
-    says = [page.Say("info", f"{document.name} is no longer connected: {_CAUSE}", document.id) for document in living]
-    if after.run is not None and not after.run.is_over:
-        after = replace(after, run=flow_progress.lost(after.run, _CAUSE))
-        says.append(page.Say("error", f"{model.run.view.name if model.run else ''} was aborted: {_CAUSE}"))
-    after = replace(after, runtime=flow_placement.starting(model.runtime))
-    model, response = yield Ask(after, live.Survey(), Reach(is_anew=True), says=tuple(says))
+        sure = Remedy(Reason.of("run.start_anew"), act.StartAnew(confirmed=True))
+        return No(Reason.of("run.runtime_ends", names=ends), (sure,))
+    after = _at_its_end(model)
+    model, response = yield Ask(after, live.Survey(), Reach(is_anew=True), says=tuple(_says(model)))
     if not isinstance(response, live.Standing):
         why = refusal(response)
         yield Shown(flow_placement.lost(model, why))
-        return No(f"no runtime: {in_short(why)}")
-    note = page.Say("info", "a new runtime is there; its workcell is as it was at the beginning")
+        return No(Reason.of("run.no_runtime", why=in_short(why)))
+    note = page.Say("info", Reason.of("run.new_runtime"))
     return Done(replace(model, runtime=runtime_view(model.runtime, response)), says=(note,))
 
 
-def _told(ends: Sequence[str]) -> str:
-    return (
-        f"the runtime ends, and {', '.join(ends)} with it; "
-        "then another one starts, and its workcell is as it was at the beginning"
-    )
+def _homes(model: Model) -> dict[str, Live]:
+    """What is known of the subsystems of the connected documents, by document."""
+    return {
+        document.id: document.live
+        for document in model.documents.values()
+        if document.live is not None and document.live.state == "live"
+    }
+
+
+def _living(model: Model) -> list[Document]:
+    """The connected documents of which tasks live."""
+    return [model.documents[doc] for doc, subsystem_facts in _homes(model).items() if subsystem_facts.tasks]
+
+
+def _ends(model: Model) -> Iterator[str]:
+    """The names of what ends with the runtime."""
+    if is_going(model) and model.run is not None:
+        yield model.run.view.name
+    yield from (document.name for document in _living(model))
+
+
+def _at_its_end(model: Model) -> Model:
+    """The model when nothing lives any more and another runtime starts."""
+    after = left(model, [subsystem_facts.subsystem for subsystem_facts in _homes(model).values()])
+    if after.run is not None and not after.run.is_over:
+        after = replace(after, run=flow_progress.lost(after.run, _CAUSE))
+    return replace(after, runtime=flow_placement.starting(model.runtime))
+
+
+def _says(model: Model) -> Iterator[page.Say]:
+    """What of this model ends with the runtime, one line for each."""
+    for document in _living(model):
+        yield page.Say("info", Reason.of("run.disconnected_why", name=document.name, why=_CAUSE), document.id)
+    if is_going(model) and model.run is not None:
+        yield page.Say("error", Reason.of("run.aborted_why", name=model.run.view.name, why=_CAUSE))

@@ -6,6 +6,7 @@ from onika.desk.environment.outcome.fault_view import Troubles
 from onika.desk.environment.state.model import Model
 from onika.wire.plan import Plan
 from onika.wire.request import Prepared
+from onika.words.reason import Reason
 
 
 def marked(model: Model, troubles: Troubles, plan: Plan, prepared: Prepared) -> Model:
@@ -13,12 +14,13 @@ def marked(model: Model, troubles: Troubles, plan: Plan, prepared: Prepared) -> 
     opened = model.applications.get(troubles.doc)
     if opened is None:
         return model
-    marks: dict[int, str] = {}
+    marks: dict[int, tuple[Reason, ...]] = {}
     for resolved in prepared.resolved:
         spot = plan.flows[resolved.flow].actions[resolved.action].spot
         if spot:
             new, old = resolved.task, resolved.instead_of
-            words = f"{resolved.target} is re-resolved for {new}, by the pose that it is for {old}"
+            reason = Reason.of("run.target_resolved_here", target=resolved.target, new=new, old=old)
             step = troubles.target_of(spot[0], resolved.target) if len(spot) == 1 else spot[0]
-            marks[step] = "; ".join(dict.fromkeys((*filter(None, [marks.get(step)]), words)))
-    return model if marks == opened.marks else model.with_application(replace(opened, marks=marks))
+            marks[step] = tuple(dict.fromkeys((*marks.get(step, ()), reason)))
+    said = {step: Reason.of("run.together", parts=reasons) for step, reasons in marks.items()}
+    return model if said == opened.marks else model.with_application(replace(opened, marks=said))

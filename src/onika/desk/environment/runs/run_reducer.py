@@ -14,6 +14,7 @@ from onika.desk.environment.runs import recording
 from onika.desk.environment.state.model import Model
 from onika.wire import event, live, page, request, steer
 from onika.wire.view import ShowStep
+from onika.words.reason import Reason, Text
 
 
 def after_event(model: Model, message: event.Event) -> Done:
@@ -35,7 +36,7 @@ def after_event(model: Model, message: event.Event) -> Done:
     )
 
 
-def lost(model: Model, reason: str) -> Done:
+def lost(model: Model, reason: Text) -> Done:
     """The runtime is gone: the run is reported aborted (E10); one that had not begun is refused to who wanted it."""
     run = model.run
     if run is None or run.is_over:
@@ -43,7 +44,7 @@ def lost(model: Model, reason: str) -> Done:
     if run.view.state == "beginning":
         news = () if run.awaits is None else ((Ending(run.awaits), No(reason)),)
         return Done(replace(model, run=replace(run, awaits=None)), news=news)
-    now = recording.measured(flow_progress.lost(run, f"the runtime is lost: {reason}"))
+    now = recording.measured(flow_progress.lost(run, Reason.of("run.lost_runtime", why=reason)))
     return Done(replace(model, run=now), says=(end(now),))
 
 
@@ -60,7 +61,7 @@ def look() -> Order:
 def _edited(model: Model, run: Run, message: event.Edited) -> Done:
     """A live change has come to its end while the run is about to begin; it may be what the run waits for."""
     if run.awaits != message.number:
-        return Done(replace(model, run=replace(run, outcomes={**run.outcomes, message.number: str(message.cause)})))
+        return Done(replace(model, run=replace(run, outcomes={**run.outcomes, message.number: message.cause})))
     news = ((Ending(message.number), No(message.cause) if message.cause else None),)
     return Done(replace(model, run=replace(run, awaits=None)), news=news)
 
@@ -83,7 +84,8 @@ def _says(run: Run, message: event.Event, *, is_held: bool) -> tuple[page.Say, .
         case event.Explained() if message.choices and not is_held:  # an end is told with the result, a stop by the stop
             where = run.step_at(message.subsystem, message.index)
             who_ = "/".join(part for part in (message.subsystem, message.task) if part)
-            text = run.speech.with_icons(f"{who_}: {message.text}" if who_ else message.text)
+            reason = Reason.of("run.what_why", what=who_, why=message.text) if who_ else message.text
+            text = run.speech.with_icons(reason)
             return (page.Say("error", text, doc, ShowStep(where) if where else None, message.at_s),)
         case event.Warned() | event.Stepped():
             return (page.Say("warning", run.view.notes[-1], doc, None, message.at_s),)
@@ -96,12 +98,10 @@ def end(run: Run) -> page.Say:
     """How a run has ended, in words."""
     view = run.view
     if view.is_completed:
-        return page.Say("success", f"{view.name} is done: {_actions(view.done)} in {view.took_s:.1f} s", run.doc)
-    return page.Say("error", f"{view.name} was aborted after {_actions(view.done)}: {view.cause}", run.doc)
-
-
-def _actions(count: int) -> str:
-    return f"{count} action{'' if count == 1 else 's'}"
+        reason = Reason.of("run.done", name=view.name, done=view.done, took_s=view.took_s)
+        return page.Say("success", reason, run.doc)
+    reason = Reason.of("run.aborted_after", name=view.name, done=view.done, cause=view.cause)
+    return page.Say("error", reason, run.doc)
 
 
 def _ask_present(model: Model, run: Run, message: event.Asked) -> tuple[Order, ...]:

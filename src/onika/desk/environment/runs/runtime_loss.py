@@ -11,11 +11,10 @@ from onika.desk.environment.state.live import Live
 from onika.desk.environment.state.model import Model
 from onika.desk.run.runtime import in_short
 from onika.wire import page, view
+from onika.words.reason import Reason, Text
 
-_ENDED = "The runtime has ended. Run starts a new one."
 
-
-def lost(model: Model, reason: str) -> Done:
+def lost(model: Model, reason: Text) -> Done:
     """The runtime is gone: layouts stay, nothing lives, nothing is wanted; connecting again merges."""
     documents = {
         key: replace(
@@ -29,7 +28,8 @@ def lost(model: Model, reason: str) -> Done:
     }
     runtime = view.RuntimeView("lost", model.runtime.address, reason)  # there it is told in full
     done = run_lost(replace(model, documents=documents, runtime=runtime), in_short(reason))
-    text = f"The runtime at {runtime.address} is gone." if runtime.address else _ENDED
+    is_elsewhere = bool(runtime.address)
+    text = Reason.of("run.runtime_gone", address=runtime.address) if is_elsewhere else Reason.of("run.runtime_ended")
     return replace(done, says=(page.Say("error", text), *done.says))
 
 

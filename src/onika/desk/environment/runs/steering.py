@@ -17,6 +17,7 @@ from onika.desk.run import steering
 from onika.model.application import Application
 from onika.wire import act, page, request, steer
 from onika.wire.view import Remedy
+from onika.words.reason import Reason, reason_of
 
 
 def steer_line(model: Model, command: act.Steer, _outside: Surroundings) -> Done | No | Procedure:
@@ -27,11 +28,11 @@ def steer_line(model: Model, command: act.Steer, _outside: Surroundings) -> Done
     try:
         wish = steering.act(command.line, run.flow_index)
     except ValueError as wrong:
-        return No(str(wrong))
+        return No(reason_of(wrong))
     if isinstance(wish, steering.PositionQuery):
         return _look(model)
     if not isinstance(wish, steering.SteeringOrder):
-        return No(f"`{command.line}` is for scripts: it waits, and a page goes on")
+        return No(Reason.of("run.for_scripts", line=command.line))
     if isinstance(wish.message, request.Abort) and run.view.state == "beginning":
         return Done(replace(model, run=replace(run, is_given_up=True)))  # what is asked for already comes to its end
     if isinstance(wish.message, steer.Resume):
@@ -50,7 +51,7 @@ def skip_to(model: Model, command: act.SkipTo, _outside: Surroundings) -> No | P
         return run
     action_place = next(run.actions_of(command.step), None)
     if action_place is None:
-        return No("nothing of this run is carried out there: it was begun without it")
+        return No(Reason.of("run.not_begun_with"))
     flow, index = action_place
     return _steered(model, steer.Skip(run.homes[flow], index))
 
@@ -63,7 +64,7 @@ def answer(model: Model, command: act.Answer, outside: Surroundings) -> No | Pro
     if run is None or command.doc != run.doc:
         return task_commands.answer(model, command, outside)
     if command.task not in run.view.asks:
-        return No(f"{command.task} asks for nothing")
+        return No(Reason.of("run.asks_nothing", task=command.task))
     subsystem, _, task = command.task.rpartition("/")
     return simply_done(model, request.Reply(subsystem, task, command.line))
 
@@ -71,7 +72,8 @@ def answer(model: Model, command: act.Answer, outside: Surroundings) -> No | Pro
 def dismiss(model: Model, _asked: act.Dismiss, _outside: Surroundings) -> Done | No:
     """Put away what is shown of a run that is over."""
     if model.run is not None and not model.run.is_over:
-        return No(f"{model.run.view.name} still runs", (Remedy("Abort it", act.Steer("abort")),))
+        abort = Remedy(Reason.of("run.abort_it"), act.Steer("abort"))
+        return No(Reason.of("run.still_runs", name=model.run.view.name), (abort,))
     return Done(replace(model, run=None))
 
 
@@ -102,7 +104,7 @@ def _breakpoints(application: Application) -> dict[int, str]:
 
 def _going(model: Model) -> Run | No:
     run = model.run
-    return No("nothing runs") if run is None or run.is_over else run
+    return No(Reason.of("run.nothing_runs")) if run is None or run.is_over else run
 
 
 def _steered(model: Model, wish: request.Request) -> Procedure:
@@ -121,7 +123,8 @@ def _resumed(model: Model, whom: str) -> Procedure:
     stands = standing(model.run, whom) if model.run is not None else ()
     if not stands:
         return No(refusal(response))
-    return No("nothing pauses: " + "; ".join(text for text, _ in stands), tuple(remedy for _, remedy in stands))
+    reason = Reason.of("run.nothing_pauses", parts=tuple(why for why, _ in stands))
+    return No(reason, tuple(remedy for _, remedy in stands))
 
 
 def _look(model: Model) -> Procedure:
@@ -132,7 +135,7 @@ def _look(model: Model) -> Procedure:
 def _marked(model: Model, response: request.Response) -> Done:
     if isinstance(response, request.Done):
         return Done(model)
-    message = page.Say("warning", f"the breakpoint counts from the next run on: {refusal(response)}")
+    message = page.Say("warning", Reason.of("run.breakpoint_later", why=refusal(response)))
     return Done(model, says=(message,))
 
 

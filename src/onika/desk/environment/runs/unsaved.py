@@ -13,6 +13,7 @@ from onika.desk.environment.state.open_file import Kind
 from onika.store.program import ApplicationProgram
 from onika.wire import act
 from onika.wire.view import Remedy
+from onika.words.reason import Reason
 
 Changed = tuple[str, str]
 """A document's id and name."""
@@ -48,10 +49,10 @@ def refused(opened: OpenApplication, changed: Sequence[Changed], command: act.Ru
     """Why it does not run like this: what is shown is not what would run."""
     if not changed or command.ignores_unsaved:
         return None
-    names = ", ".join(name for _, name in changed)
-    are, what = ("is", "its file says") if len(changed) == 1 else ("are", "their files say")
+    is_one = len(changed) == 1
+    as_saved = Reason.of("run.runs_as_saved") if is_one else Reason.of("run.runs_as_all_saved")
     remedies = (
-        Remedy("Save and run", msgspec.structs.replace(command, saves_unsaved=True)),
-        Remedy(f"Run what {what}", msgspec.structs.replace(command, ignores_unsaved=True)),
+        Remedy(Reason.of("run.save_and_run"), msgspec.structs.replace(command, saves_unsaved=True)),
+        Remedy(as_saved, msgspec.structs.replace(command, ignores_unsaved=True)),
     )
-    return No(f"{names} {are} changed here and not saved; {opened.name} would run what {what}", remedies)
+    return No(Reason.of("run.unsaved", names=tuple(name for _, name in changed), name=opened.name), remedies)
