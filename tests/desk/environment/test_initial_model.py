@@ -35,7 +35,7 @@ def test_everything_that_is_at_fault_is_told_once_and_the_rest_is_there(tmp_path
     (base.path / "conf" / "bad.conf").write_text("LOCUS q\n")
     site = Site((base, BaseDirectory(tmp_path / "nowhere")), shipped() / "prefs", home)
     model, says = opened(site, tmp_path / "state", {"ONIKA_WARNINGS": "no"})
-    texts = [said.text for said in says]
+    texts = [str(said.text) for said in says]
     for part in ("nowhere", ".onika:", ".onika.buttons", ".OnikaUpperSetUp.dta", "bad.rmod", "bad.conf"):
         assert any(part in text for text in texts), part
     assert len(texts) == len(set(texts))

@@ -118,7 +118,7 @@ def test_a_task_at_fault_or_gone_is_left_out_told_and_stays_placed_as_missing(si
     sitting.look()
     assert sitting.environment.tree.tasks == {}
     assert all(one.is_missing for one in sitting.environment.tree.documents[doc].tasks.values())
-    assert any("a.rmod" in said.text for said in sitting.says)
+    assert any("a.rmod" in str(said.text) for said in sitting.says)
     rewrite(sitting, A)
     rewrite(sitting, B)
     sitting.look()
@@ -129,7 +129,7 @@ def test_a_file_that_clashes_in_an_open_configuration_is_taken_and_told(sitting)
     saved(sitting)
     rewrite(sitting, Task("b", "b", outvar=("Q",), frequency=10.0))
     sitting.look()
-    assert [said.text for said in sitting.says] == ["in job, b writes Q, which a already writes"]
+    assert [str(said.text) for said in sitting.says] == ["in job, b writes Q, which a already writes"]
 
 
 def test_a_document_that_is_as_it_was_saved_is_read_again_and_undo_brings_back_what_was_here(sitting):  # R-C06, R-X10
@@ -139,7 +139,9 @@ def test_a_document_that_is_as_it_was_saved_is_read_again_and_undo_brings_back_w
     sitting.look()
     assert document(sitting, doc).content.configuration.placed[0].rtpu == "rt7"
     assert not sitting.environment.tree.documents[doc].is_dirty
-    assert [said.text for said in sitting.says] == ["job was changed on the disk by somebody else and is read again"]
+    assert [str(said.text) for said in sitting.says] == [
+        "job was changed on the disk by somebody else and is read again"
+    ]
     sitting.do(act.Undo(doc))
     assert document(sitting, doc).content == before
 
@@ -158,7 +160,7 @@ def test_a_document_with_something_to_lose_is_left_and_marked(sitting, how):  # 
     sitting.look()
     assert document(sitting, doc).content is content
     assert sitting.environment.tree.documents[doc].has_changed_on_disk
-    assert "stays until you read it again" in sitting.says[0].text
+    assert "stays until you read it again" in str(sitting.says[0].text)
     path.write_text(mine)
     sitting.look()
     assert not sitting.environment.tree.documents[doc].has_changed_on_disk
@@ -169,11 +171,11 @@ def test_a_document_whose_file_is_gone_or_at_fault_stays_and_is_marked(sitting):
     content = document(sitting, doc).content
     path.write_text("VERSION 1.3\nRMODFILE a\nEOF\n")
     sitting.look()
-    assert "is at fault now" in sitting.says[0].text
+    assert "is at fault now" in str(sitting.says[0].text)
     assert len(sitting.says) == 1
     path.unlink()
     sitting.look()
-    assert "was removed" in sitting.says[0].text
+    assert "was removed" in str(sitting.says[0].text)
     assert document(sitting, doc).content is content
     assert sitting.environment.tree.documents[doc].has_changed_on_disk
     assert sitting.environment.tree.files == {}
@@ -188,7 +190,7 @@ def test_configurations_that_come_and_go_are_in_the_list_and_not_in_it(sitting):
     path.write_text("nonsense")
     sitting.look()
     assert sitting.environment.tree.files[str(path)].tasks == 0
-    assert any("new.conf" in said.text for said in sitting.says)
+    assert any("new.conf" in str(said.text) for said in sitting.says)
     path.unlink()
     sitting.look()
     assert sitting.environment.tree.files == {}

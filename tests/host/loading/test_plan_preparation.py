@@ -150,7 +150,7 @@ def test_of_several_triggers_the_first_counts_and_the_others_are_noted(shop):  #
     prepared = found(shop, [action("bell", "move", "robot")])
     assert prepared.triggers[0, 0] == "bell"
     assert prepared.faults == []
-    assert "job0 ends with bell; move is a trigger too" in prepared.notes[0]
+    assert "job0 ends with bell; move is a trigger too" in str(prepared.notes[0])
 
 
 @pytest.mark.parametrize(

@@ -142,4 +142,4 @@ def test_a_module_that_breaks_at_the_question_is_named(name):  # law 21
 def test_a_target_is_told_once_however_often_it_is_used():  # law 26
     found = Shop(SCALE="2").prepared(1.0)
     (note,) = found.notes
-    assert note == "test.appl:1: t0 is re-resolved for new, by the pose that it is for old: 2 1.5"
+    assert str(note) == "test.appl:1: t0 is re-resolved for new, by the pose that it is for old: 2 1.5"

@@ -129,5 +129,5 @@ def test_a_disk_that_is_full_ends_the_recording_and_not_the_run(path):  # R-X05
     desk.program._recorder._pen.reason = "No space left on device"
     result = desk.to_the_end()
     assert result.completed
-    warned = [one.text for one in desk.of(event.Warned)]
+    warned = [str(one.text) for one in desk.of(event.Warned)]
     assert warned == ["the recording is not whole: No space left on device"]

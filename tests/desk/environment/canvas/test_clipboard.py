@@ -94,9 +94,9 @@ def test_nothing_is_pasted_where_one_task_may_not_be_and_every_reason_is_named(s
     other = sitting.new("cubic", "pd")
     text = sitting.do(act.Copy(one, ("trapez", "pd", "robot")))
     no = sitting.no(act.Paste(other, 0, 0, text))
-    assert "trapez: writes Q_REF, which cubic already writes" in no.reason
-    assert "pd is placed already" in no.reason
-    assert "robot" not in no.reason
+    assert "trapez: writes Q_REF, which cubic already writes" in str(no.reason)
+    assert "pd is placed already" in str(no.reason)
+    assert "robot" not in str(no.reason)
     assert ShowTask("pd") in [remedy.show for remedy in no.remedies]
     assert not any(isinstance(remedy.act, act.Exchange) for remedy in no.remedies)
 
@@ -114,13 +114,15 @@ def test_a_task_that_no_library_has_is_named(sitting, tmp_path):  # R-C10
     theirs = elsewhere.new("grav")
     text = elsewhere.do(act.Copy(theirs, ("grav",)))
     no = sitting.no(act.Paste(sitting.new(), 0, 0, text))
-    assert "grav: no open library has it" in no.reason
+    assert "grav: no open library has it" in str(no.reason)
     assert [remedy.show for remedy in no.remedies] == [ShowLibraries()]
 
 
 def test_tasks_of_a_text_that_contradict_each_other_are_not_pasted(sitting):  # R-C07
     text = '{"onika":1,"tasks":[{"task":"cubic","x":0,"y":0},{"task":"trapez","x":0,"y":0}]}'
-    assert "trapez: writes Q_REF, which cubic already writes" in sitting.no(act.Paste(sitting.new(), 0, 0, text)).reason
+    assert "trapez: writes Q_REF, which cubic already writes" in str(
+        sitting.no(act.Paste(sitting.new(), 0, 0, text)).reason
+    )
 
 
 def test_a_task_that_is_placed_and_in_no_library_is_placed_all_the_same(sitting):  # R-C10
@@ -130,7 +132,7 @@ def test_a_task_that_is_placed_and_in_no_library_is_placed_all_the_same(sitting)
     base.configuration_file("old").write_text(text)
     doc = sitting.do(act.Open(str(base.configuration_file("old"))))
     copied = sitting.do(act.Copy(doc, ("gone",)))
-    assert "gone is placed already" in sitting.no(act.Paste(doc, 0, 0, copied)).reason
+    assert "gone is placed already" in str(sitting.no(act.Paste(doc, 0, 0, copied)).reason)
 
 
 @pytest.mark.parametrize(
@@ -147,7 +149,7 @@ def test_a_task_that_is_placed_and_in_no_library_is_placed_all_the_same(sitting)
 )
 def test_what_cannot_be_copied_or_pasted_is_said(sitting, asked, reason):  # R-X01
     sitting.new("pd")
-    assert reason in sitting.no(asked).reason
+    assert reason in str(sitting.no(asked).reason)
 
 
 def test_supermodules_come_along_under_a_name_that_is_free(sitting):  # R-C10, R-C17

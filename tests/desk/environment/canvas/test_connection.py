@@ -37,7 +37,7 @@ def test_a_fresh_runtime_gets_everything_that_is_placed_off(duet):  # R-C12, Equ
     assert {name: duet.state(doc, name) for name in document.content.names} == {"a": "OFF", "b": "OFF"}
     assert document.live.subsystem == "Untitled-1" and document.live.is_held_here
     assert duet.environment.tree.runtime.state == "linked" and duet.environment.tree.runtime.is_virtual
-    assert document.history.last.label == "placing b"  # connecting has changed nothing on the canvas
+    assert str(document.history.last.label) == "placing b"  # connecting has changed nothing on the canvas
 
 
 def test_what_runs_wins_and_comes_onto_the_canvas_as_one_step(duet):  # R-C12, Equation (4)
@@ -47,8 +47,8 @@ def test_what_runs_wins_and_comes_onto_the_canvas_as_one_step(duet):  # R-C12, E
     document = duet.document(doc)
     assert document.content.names == ("b", "c", "rival")
     assert document.content.wanted == {"c": True, "rival": True, "b": False}
-    assert document.history.last.label == "connecting"
-    assert any(one.text.startswith("a leaves the canvas: ") for one in duet.says)
+    assert str(document.history.last.label) == "connecting"
+    assert any(str(one.text).startswith("a leaves the canvas: ") for one in duet.says)
     duet.do(act.Undo(doc, confirmed=True))
     assert duet.document(doc).content.names == ("a", "b", "c")
     assert set(duet.runtime.lives["main"]) == {"a", "b", "c"}
@@ -81,7 +81,7 @@ def test_a_document_goes_to_the_subsystem_of_its_name_or_to_the_only_one(duet): 
     assert duet.document(second).live.subsystem == "left"
     third = duet.new()
     refused = duet.answer(act.Connect(third, subsystem="left")).no
-    assert "connected with subsystem left" in refused.reason and duet.document(third).live is None
+    assert "connected with subsystem left" in str(refused.reason) and duet.document(third).live is None
 
 
 @pytest.mark.parametrize("name", ["1st", "a b", "ü"])
@@ -99,9 +99,11 @@ def test_where_there_is_no_runtime_the_session_goes_on_unconnected(duet):  # R-C
     duet.rebuffs = {live.Survey: request.Refused("nobody is there")}
     doc = duet.new("a")
     refused = duet.answer(act.Connect(doc)).no
-    assert "nobody is there" in refused.reason and refused.remedies[0].show == ShowConnect()
+    assert "nobody is there" in str(refused.reason) and refused.remedies[0].show == ShowConnect()
     assert duet.document(doc).live is None
-    assert duet.environment.tree.runtime.state == "lost" and duet.environment.tree.runtime.text == "nobody is there"
+    assert (
+        duet.environment.tree.runtime.state == "lost" and str(duet.environment.tree.runtime.text) == "nobody is there"
+    )
     duet.do(act.Remove(doc, ("a",)))
 
 
@@ -109,7 +111,7 @@ def test_an_application_that_runs_is_not_disturbed(duet):  # reading 30
     home = live.SubsystemStanding("main", "anna#2", "assemble", ())
     duet.rebuffs = {live.Survey: live.Standing((home,), (), (), True, False, 0.0)}
     refused = duet.answer(act.Connect(duet.new(), subsystem="main")).no
-    assert "application assemble runs in subsystem main" in refused.reason
+    assert "application assemble runs in subsystem main" in str(refused.reason)
 
 
 def test_whoever_may_not_take_it_watches(duet):  # R-X12
@@ -120,21 +122,21 @@ def test_whoever_may_not_take_it_watches(duet):  # R-X12
     duet.do(act.Connect(doc))
     view = duet.environment.tree.documents[doc]
     assert view.holder == "anna#2" and not view.is_held_here and set(duet.runtime.lives["main"]) == {"a"}
-    assert "you can only watch" in duet.says[-1].text
+    assert "you can only watch" in str(duet.says[-1].text)
 
 
 def test_who_has_no_code_is_left_out_and_the_others_live(duet, tmp_path):  # R-C01
     (tmp_path / "module" / "a.py").unlink()
     doc = duet.connected("a", "b")
     assert {name: duet.state(doc, name) for name in ("a", "b")} == {"a": "", "b": "OFF"}
-    assert any(one.text.endswith("it is left out") for one in duet.says)
+    assert any(str(one.text).endswith("it is left out") for one in duet.says)
 
 
 def test_a_stopped_runtime_is_connected_with_and_nobody_is_born(duet):  # law 27
     duet.runtime.is_stopped = True
     doc = duet.connected("a")
     assert duet.state(doc, "a") == "" and duet.environment.tree.documents[doc].connection == "live"
-    assert "nothing is spawned" in duet.says[-1].text
+    assert "nothing is spawned" in str(duet.says[-1].text)
 
 
 def test_leaving_keeps_the_layout_and_what_runs(duet):  # R-C18
@@ -144,7 +146,7 @@ def test_leaving_keeps_the_layout_and_what_runs(duet):  # R-C18
     view = duet.environment.tree.documents[doc]
     assert view.connection == "none" and view.tasks["a"].state == "" and "a" in view.tasks
     assert duet.runtime.lives["Untitled-1"]["a"].state.value == "ON"
-    assert duet.no(act.Disconnect(doc)).reason == "Untitled-1 is not connected"
+    assert str(duet.no(act.Disconnect(doc)).reason) == "Untitled-1 is not connected"
     duet.do(act.Connect(doc))
     assert duet.state(doc, "a") == "ON"
 
@@ -156,7 +158,7 @@ def test_there_is_one_runtime_at_a_time(duet):  # R-C18
     assert refused.remedies[0].act == act.Disconnect(doc)
     duet.do(act.Disconnect(doc))
     refused = duet.no(act.Connect(other, url="ws://elsewhere:7994"))
-    assert "Untitled-1, which ends with it" in refused.reason
+    assert "Untitled-1, which ends with it" in str(refused.reason)
     assert refused.remedies[0].act == act.Connect(other, url="ws://elsewhere:7994", confirmed=True)
     duet.do(refused.remedies[0].act)
 
@@ -172,7 +174,7 @@ def test_one_that_is_launched_connected_is_merged_at_once(duet):  # R-C18
 
 @pytest.mark.parametrize("asked", [act.Connect("c9"), act.Disconnect("c9")])
 def test_a_document_that_is_closed_is_not_connected(duet, asked):
-    assert duet.no(asked).reason == "this configuration is no longer open"
+    assert str(duet.no(asked).reason) == "this configuration is no longer open"
 
 
 def test_a_runtime_elsewhere_that_was_lost_is_looked_for_where_it_was(duet):  # R-E10, R-C18
@@ -191,7 +193,7 @@ def test_where_another_runtime_cannot_be_reached_the_one_before_is_not_shown_any
     duet.rebuffs = {live.Survey: request.Refused("nobody is there")}
     assert duet.answer(act.Connect(doc, url="ws://lab:7994", confirmed=True)).no
     runtime = duet.environment.tree.runtime
-    assert (runtime.state, runtime.address, runtime.text) == ("lost", "ws://lab:7994", "nobody is there")
+    assert (runtime.state, runtime.address, str(runtime.text)) == ("lost", "ws://lab:7994", "nobody is there")
 
 
 def test_the_runtime_on_which_an_application_runs_is_not_left(tmp_path):  # R-C18

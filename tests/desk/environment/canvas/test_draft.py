@@ -51,14 +51,14 @@ def test_the_first_task_that_takes_a_target_gives_the_type_and_its_edges(site, b
     syntax = site.syntax()[0]
     assert found.edges == (syntax.find("Joint job").left_edge, syntax.find("Joint job").right_edge)
     (note,) = found.notes
-    assert "grip (Gripper job)" in note
+    assert "grip (Gripper job)" in str(note)
     assert (found.warnings, found.former, found.path) == ((), None, base.onikon_file("move"))
 
 
 def test_without_such_a_task_it_is_a_complete_job_and_hanging_inputs_are_noted(site, base):  # R-C16
     assert draft(site, base, "pd").kind.type == "Complete job"
     (note,) = draft(site, base, "jmove").notes
-    assert "writes Q" in note
+    assert "writes Q" in str(note)
 
 
 def test_every_reason_why_there_is_no_job_is_given(site, base):  # R-C16

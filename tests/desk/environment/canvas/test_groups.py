@@ -39,7 +39,7 @@ def spots(desk, doc="c1"):
 
 
 def remedies(no):
-    return {remedy.label: remedy.act or remedy.show for remedy in no.remedies}
+    return {str(remedy.label): remedy.act or remedy.show for remedy in no.remedies}
 
 
 # -- grouping and expanding
@@ -82,7 +82,7 @@ def test_a_part_of_another_supermodule_is_not_taken_without_a_word(sitting):  # 
     doc = sitting.new("robot", "grav", "pd")
     sitting.do(act.Group(doc, "arm", ("grav", "robot")))
     no = sitting.no(act.Group(doc, "control", ("pd", "grav")))
-    assert no.reason == "control is not made: grav is in the supermodule arm already"
+    assert str(no.reason) == "control is not made: grav is in the supermodule arm already"
     assert remedies(no) == {
         "Take all of arm": act.Group(doc, "control", ("pd", "grav", "robot")),
         "Expand arm": act.Ungroup(doc, "arm"),
@@ -113,7 +113,7 @@ def test_a_part_of_another_supermodule_is_not_taken_without_a_word(sitting):  # 
 def test_what_cannot_be_done_with_a_supermodule_is_said(sitting, asked, reason):  # R-C17, R-X01
     sitting.new("robot", "pd")
     sitting.do(act.Group("c1", "arm", ("robot",)))
-    assert sitting.no(asked).reason == reason
+    assert str(sitting.no(asked).reason) == reason
 
 
 def test_a_task_that_goes_leaves_its_supermodule_and_the_last_one_takes_it_along(sitting):  # R-C17
@@ -154,7 +154,7 @@ def test_where_a_supermodule_could_be_saved_is_said(sitting):  # R-X01
     doc = sitting.new("robot")
     sitting.do(act.Group(doc, "arm", ("robot",)))
     no = sitting.no(act.SaveGroup(doc, "arm"))
-    assert no.reason == "Untitled-1 has no file yet: say in which base directory arm is to be"
+    assert str(no.reason) == "Untitled-1 has no file yet: say in which base directory arm is to be"
     assert sitting.do(no.remedies[0].act) == str(sitting.base.configuration_file("arm"))
 
 
@@ -176,7 +176,7 @@ def test_a_supermodule_never_overwrites_the_configuration_that_it_is_a_part_of(s
     sitting.do(act.Save(doc, "arm", str(sitting.base.path)))
     sitting.do(act.Group(doc, "arm", ("robot",)))
     no = sitting.no(act.SaveGroup(doc, "arm", overwrites=True))
-    assert "is the file of the configuration that arm is a part of" in no.reason
+    assert "is the file of the configuration that arm is a part of" in str(no.reason)
 
 
 def test_a_configuration_without_supermodules_is_inserted_as_one_in_the_order_of_its_file(sitting, tmp_path):  # R-C17
@@ -208,14 +208,14 @@ def test_nothing_is_inserted_where_one_task_may_not_be_and_every_reason_is_named
         "trapez: writes Q_REF, which cubic already writes",
         "pd is placed already",
     ):
-        assert reason in no.reason
-    assert "grav" not in no.reason
+        assert reason in str(no.reason)
+    assert "grav" not in str(no.reason)
     assert remedies(no)["Show pd"] == ShowTask("pd") and remedies(no)["Expand arm"] == act.Ungroup(other, "arm")
 
 
 def test_an_empty_configuration_is_no_supermodule(sitting, tmp_path):  # R-C17
     Laboratory(tmp_path).configuration("blank")
-    assert sitting.no(act.Insert(sitting.new(), "blank", 0, 0)).reason == "blank has no tasks"
+    assert str(sitting.no(act.Insert(sitting.new(), "blank", 0, 0)).reason) == "blank has no tasks"
 
 
 # -- in the running system
@@ -226,7 +226,7 @@ def test_a_supermodule_comes_on_in_its_order_and_goes_off_the_other_way_round(du
     duet.do(act.Group(doc, "arm", ("cubic", "grav", "robot")))
     duet.do(act.TurnGroup(doc, "arm", is_on=True))
     assert [turn.task for turn in duet.edits()[-1].on] == ["cubic", "grav", "robot"]
-    assert duet.document(doc).history.last.label == "turning arm ON"
+    assert str(duet.document(doc).history.last.label) == "turning arm ON"
     duet.do(act.TurnGroup(doc, "arm", is_on=False))
     assert duet.edits()[-1].off == ("robot", "grav", "cubic")
     assert {duet.state(doc, name) for name in ("cubic", "grav", "robot")} == {"OFF"}
@@ -262,7 +262,7 @@ def test_an_inserted_supermodule_that_cannot_live_is_not_inserted(duet):  # R-C1
     duet.do(act.SaveGroup(doc, "arm", str(duet.base.path)))
     (duet.base.path / "module" / "grav.py").unlink()
     other = duet.connected()
-    assert "grav cannot live" in duet.no(act.Insert(other, "arm", 0, 0)).reason
+    assert "grav cannot live" in str(duet.no(act.Insert(other, "arm", 0, 0)).reason)
     assert spots(duet, other) == {} and groups(duet, other) == {}
 
 

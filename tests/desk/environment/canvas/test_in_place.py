@@ -26,7 +26,7 @@ def duet(tmp_path):
 def test_what_becomes_of_every_task_is_said_before_it_happens(duet):  # R-C15
     doc = duet.connected("const", "user", "stays", "goes")
     refused = duet.no(act.OpenInPlace(doc, "other"))
-    assert refused.reason.partition(": ")[2] == (
+    assert str(refused.reason).partition(": ")[2] == (
         "stays goes on untouched; user is initialised anew; const, goes are killed; new_const, comes are spawned, OFF"
     )
     assert refused.remedies[0].act == act.OpenInPlace(doc, "other", confirmed=True)
@@ -53,15 +53,15 @@ def test_where_nothing_lives_nothing_is_asked(duet):  # reading 15
 
 
 def test_a_file_that_is_not_there_is_said(duet):  # R-X01
-    assert "nowhere" in duet.no(act.OpenInPlace(duet.new(), "nowhere")).reason
-    assert duet.no(act.OpenInPlace("c9", "other")).reason == "this configuration is no longer open"
+    assert "nowhere" in str(duet.no(act.OpenInPlace(duet.new(), "nowhere")).reason)
+    assert str(duet.no(act.OpenInPlace("c9", "other")).reason) == "this configuration is no longer open"
 
 
 def test_what_the_runtime_refuses_leaves_the_document_tied_to_its_own_file(duet, tmp_path):  # R-C15, R-X10
     doc = duet.connected("const")
     duet.do(act.Save(doc, name="mine", base=str(tmp_path)))
     duet.rebuffs = {live.Change: request.Refused("there is no room")}
-    assert "no room" in duet.answer(act.OpenInPlace(doc, "other", confirmed=True)).no.reason
+    assert "no room" in str(duet.answer(act.OpenInPlace(doc, "other", confirmed=True)).no.reason)
     assert (duet.document(doc).name, duet.document(doc).opened.path.name) == ("mine", "mine.conf")
     assert not duet.document(doc).is_dirty
 

@@ -53,7 +53,7 @@ def test_a_unit_that_the_runtime_lacks_is_refused_where_that_is_known(duet):  # 
     assert duet.document(doc).content.placed("a").rtpu == "unknown"
     duet.do(act.Connect(doc))
     assert duet.no(act.Unit(doc, "a", "rt7")).fields["rtpu"] == "expected one of rt0, rt1"
-    assert "no name" in duet.no(act.Unit(doc, "a", "1 2")).reason
+    assert "no name" in str(duet.no(act.Unit(doc, "a", "1 2")).reason)
 
 
 @pytest.mark.parametrize(
@@ -61,5 +61,5 @@ def test_a_unit_that_the_runtime_lacks_is_refused_where_that_is_known(duet):  # 
 )
 def test_what_is_not_there_is_not_tuned(duet, kind):
     doc = duet.new("a")
-    assert duet.no(kind(doc, "b")).reason == "there is no b on the canvas"
-    assert duet.no(kind("c9", "a")).reason == "this configuration is no longer open"
+    assert str(duet.no(kind(doc, "b")).reason) == "there is no b on the canvas"
+    assert str(duet.no(kind("c9", "a")).reason) == "this configuration is no longer open"

@@ -30,9 +30,9 @@ def fail(duet, task="a"):
 def test_a_task_is_toggled_on_and_off(duet):  # R-C11
     doc = duet.connected("a")
     duet.do(act.Toggle(doc, "a"))
-    assert duet.state(doc, "a") == "ON" and duet.document(doc).history.last.label == "turning a ON"
+    assert duet.state(doc, "a") == "ON" and str(duet.document(doc).history.last.label) == "turning a ON"
     duet.do(act.Toggle(doc, "a"))
-    assert duet.state(doc, "a") == "OFF" and duet.document(doc).history.last.label == "turning a OFF"
+    assert duet.state(doc, "a") == "OFF" and str(duet.document(doc).history.last.label) == "turning a OFF"
 
 
 def test_several_are_turned_at_one_instant(duet):  # R-X10
@@ -62,7 +62,7 @@ def test_an_argument_line_answers_before_anything_is_asked(duet):  # law 25
 
 def test_a_question_is_answered_and_one_that_nobody_asks_is_not(duet):  # R-C13
     doc = duet.connected("asks")
-    assert "asks for nothing" in duet.no(act.Answer(doc, "asks", "0.5")).reason
+    assert "asks for nothing" in str(duet.no(act.Answer(doc, "asks", "0.5")).reason)
     duet.do(act.Toggle(doc, "asks"))
     duet.do(act.Answer(doc, "asks", "0.5"))
     assert duet.state(doc, "asks") == "ON"
@@ -89,7 +89,7 @@ def test_clearing_alone_leaves_it_off(duet):  # R-C11
     fail(duet)
     duet.do(act.Clear(doc, "a"))
     assert duet.state(doc, "a") == "OFF" and duet.document(doc).content.wanted == {"a": False}
-    assert duet.document(doc).history.last.label == "turning a ON"  # a way out of an error is no step
+    assert str(duet.document(doc).history.last.label) == "turning a ON"  # a way out of an error is no step
 
 
 class Broken(LiveRuntime):
@@ -108,7 +108,7 @@ def test_an_error_that_cannot_be_cleared_stays_and_the_task_can_be_replaced(tmp_
     fail(duet)
     duet.do(act.Clear(doc, "a"))
     assert duet.state(doc, "a") == "ERROR"
-    assert duet.says[-1].text == "nothing is changed: a: clear: the panic button is pressed"
+    assert str(duet.says[-1].text) == "nothing is changed: a: clear: the panic button is pressed"
     duet.do(act.Exchange(doc, "a", "b"))
     assert set(duet.runtime.lives["Untitled-1"]) == {"b"}
 
@@ -125,12 +125,12 @@ def test_who_waits_for_a_constant_cannot_come_on_and_says_for_which(duet):  # la
     waiting = document.live.with_task("a", replace(document.live.tasks["a"], state="WAITING", note="waits for NDOF"))
     duet.environment.become(lambda model: Done(model.with_document(replace(document, live=waiting))))
     refused = duet.no(act.Toggle(doc, "a"))
-    assert refused.reason == "a waits for NDOF: it cannot come on before a task supplies it"
+    assert str(refused.reason) == "a waits for NDOF: it cannot come on before a task supplies it"
 
 
 def test_what_is_not_in_error_is_not_cleared(duet):
     doc = duet.connected("a")
-    assert duet.no(act.Clear(doc, "a")).reason == "a is OFF, not in ERROR"
+    assert str(duet.no(act.Clear(doc, "a")).reason) == "a is OFF, not in ERROR"
 
 
 def test_a_task_is_initialised_anew(duet):  # R-C04
@@ -167,32 +167,32 @@ def test_who_is_about_to_be_born_comes_on_as_soon_as_it_lives(duet):  # R-C11
 def test_what_does_not_live_is_not_operated(duet, asked):  # R-C25
     doc = duet.new("a")
     refused = duet.no(asked)
-    assert "is not connected" in refused.reason and refused.remedies[0].act == act.Connect(doc)
+    assert "is not connected" in str(refused.reason) and refused.remedies[0].act == act.Connect(doc)
     duet.do(act.Connect(doc))
     duet.tell(event.Held("Untitled-1", "anna#2"))
-    assert "held by anna#2" in duet.no(asked).reason
+    assert "held by anna#2" in str(duet.no(asked).reason)
     duet.do(act.Close(doc, discards=True))
-    assert duet.no(asked).reason == "this configuration is no longer open"
+    assert str(duet.no(asked).reason) == "this configuration is no longer open"
 
 
 @pytest.mark.parametrize("asked", [act.Clear("c1", "b"), act.Reinit("c1", "b"), act.Answer("c1", "b", "1")])
 def test_a_task_that_is_not_there_is_not_operated(duet, asked):
     duet.connected("a")
-    assert duet.no(asked).reason == "b does not live"
+    assert str(duet.no(asked).reason) == "b does not live"
 
 
 def test_a_task_that_no_library_knows_cannot_be_turned_on(duet, tmp_path):  # reading 11
     Laboratory(tmp_path).configuration("old", "lost 10")
     doc = duet.do(act.Open("old"))
     duet.do(act.Connect(doc))
-    assert duet.no(act.Toggle(doc, "lost")).reason == "no open library has a task lost"
+    assert str(duet.no(act.Toggle(doc, "lost")).reason) == "no open library has a task lost"
 
 
 def test_what_the_runtime_refuses_is_said_in_its_words(duet):  # R-X01
     doc = duet.connected("asks")
     duet.do(act.Toggle(doc, "asks"))
     duet.rebuffs = {request.Reply: request.Refused("it is gone")}
-    assert duet.answer(act.Answer(doc, "asks", "0.5")).no.reason == "it is gone"
+    assert str(duet.answer(act.Answer(doc, "asks", "0.5")).no.reason) == "it is gone"
 
 
 def test_a_living_task_goes_on_with_the_code_that_its_file_has_now(duet):  # R-C05, law 21
@@ -209,5 +209,5 @@ def test_a_living_task_goes_on_with_the_code_that_its_file_has_now(duet):  # R-C
 def test_code_that_cannot_be_had_changes_nothing(duet):  # R-C05
     doc = duet.connected("a")
     duet.base.code_file("a").unlink()
-    assert "keeps its code" in duet.no(act.Renew(doc, "a")).reason
-    assert "does not live" in duet.no(act.Renew(doc, "b")).reason
+    assert "keeps its code" in str(duet.no(act.Renew(doc, "a")).reason)
+    assert "does not live" in str(duet.no(act.Renew(doc, "b")).reason)

@@ -42,11 +42,11 @@ def test_whatever_is_open_is_saved_under_a_name_and_opened_by_its_file(gallery, 
 
 def test_a_name_that_is_none_is_refused_at_its_field(gallery, doc):  # R-X01
     no = gallery.no(save(gallery, doc, "no name"))
-    assert no.reason == "'no name' is no name for a file" and "name" in no.fields
+    assert str(no.reason) == "'no name' is no name for a file" and "name" in no.fields
 
 
 def test_what_has_no_file_is_not_read_again(gallery, doc):
-    assert gallery.no(act.Reload(doc)).reason.endswith("has no file yet")
+    assert str(gallery.no(act.Reload(doc)).reason).endswith("has no file yet")
 
 
 def test_a_file_that_another_has_written_is_overwritten_once_what_is_here_is_kept(gallery, doc, kind):  # R-B07
@@ -54,12 +54,12 @@ def test_a_file_that_another_has_written_is_overwritten_once_what_is_here_is_kep
     folder = gallery.base
     file = folder.application_file("mine") if kind is Kind.APPLICATION else folder.configuration_file("mine")
     file.write_text(file.read_text() + "\n")
-    assert [remedy.label for remedy in gallery.no(act.Save(doc)).remedies][-1] == "Save as…"
+    assert [str(remedy.label) for remedy in gallery.no(act.Save(doc)).remedies][-1] == "Save as…"
     gallery.do(act.Keep(doc))
     assert gallery.do(act.Save(doc)) == path
 
 
 @pytest.mark.parametrize("wish", [act.Save, act.Close, act.Reload, act.Keep], ids=lambda wish: wish.__name__)
 def test_what_somebody_else_has_closed_is_told_by_its_kind(gallery, wish):
-    assert gallery.no(wish("c99")).reason == "this configuration is no longer open"
-    assert gallery.no(wish("a99")).reason == "this application is no longer open"
+    assert str(gallery.no(wish("c99")).reason) == "this configuration is no longer open"
+    assert str(gallery.no(wish("a99")).reason) == "this application is no longer open"

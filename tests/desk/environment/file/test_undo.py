@@ -35,9 +35,9 @@ def test_edits_are_told_by_name_and_none_is_as_the_file_says():
 def test_there_is_nothing_to_take_back_at_first(tmp_path):  # R-X10
     sitting = EnvironmentFixture(tmp_path, (Task("t", "m", outvar=("Q",), frequency=1.0),))
     doc = sitting.new()
-    assert "nothing" in sitting.no(act.Undo(doc)).reason
-    assert "nothing" in sitting.no(act.Redo(doc)).reason
-    assert "no longer open" in sitting.no(act.Undo("c9")).reason
+    assert "nothing" in str(sitting.no(act.Undo(doc)).reason)
+    assert "nothing" in str(sitting.no(act.Redo(doc)).reason)
+    assert "no longer open" in str(sitting.no(act.Undo("c9")).reason)
 
 
 def test_a_task_that_was_saved_with_its_rate_is_what_it_was(tmp_path):  # law 22: nothing that lives is exchanged for it

@@ -22,7 +22,7 @@ def test_new_types_appear_while_it_runs_by_editing_the_definition_alone(cabinet)
     assert tree.types["Weld object"].items[0].name == "heat"
     assert cabinet.icon("weldC").right == "7" and cabinet.icon("weldC").takes == ("Weld object",)
     assert "Weld job" in tree.job_types
-    assert "Weld job, Weld application, Weld target" in cabinet.says[-1].text
+    assert "Weld job, Weld application, Weld target" in str(cabinet.says[-1].text)
     cabinet.do(act.MakeTarget("hot", "Weld object", (("1", "2"),), WHITE))
     assert cabinet.icon("hot").left == "7"
 
@@ -42,7 +42,7 @@ def test_a_definition_at_fault_is_told_and_the_shipped_one_counts(cabinet):  # R
     path.write_text("ONIKON\n")
     cabinet.look()
     assert "Weld job" not in cabinet.environment.tree.types
-    assert any("OnikaUpperSetUp.dta" in said.text for said in cabinet.says)
+    assert any("OnikaUpperSetUp.dta" in str(said.text) for said in cabinet.says)
     path.unlink()
     assert cabinet.look() == 0  # the types are the shipped ones already
 

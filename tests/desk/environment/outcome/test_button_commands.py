@@ -108,7 +108,7 @@ def test_a_command_that_wants_a_terminal_gets_one_that_is_found(tmp_path):  # §
 
 def test_without_a_terminal_it_runs_here_and_says_so():  # §A.6
     shown = Shown({"PATH": "/bin:/usr/bin"})
-    assert shown.start("echo hello", spawns_terminal=True) == "no terminal was found: b runs here"
+    assert str(shown.start("echo hello", spawns_terminal=True)) == "no terminal was found: b runs here"
     assert shown.end().output == "hello\n"
 
 

@@ -7,7 +7,6 @@ from kit.app_fixture import AppFixture
 from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.outcome.on_file import is_running
-from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.run_state.membership import Belonging
 from onika.desk.environment.run_state.run import begun
 from onika.desk.plan.preparation import prepare
@@ -108,4 +107,4 @@ ON_CONFIGURATIONS = (
 def test_an_act_on_a_configuration_that_was_closed_is_refused_in_one_sentence(tmp_path, asked):
     sitting = EnvironmentFixture(tmp_path)
     result = HANDLERS[type(asked)](sitting.environment.model, asked, sitting.surroundings)
-    assert result == No("this configuration is no longer open")
+    assert str(result.reason) == "this configuration is no longer open"

@@ -4,5 +4,5 @@ from onika.wire import live, request
 
 def test_every_no_of_a_runtime_has_words():
     assert refusal(request.Refused("it is full")) == "it is full"
-    assert refusal(request.Prepared((), ("a note",))) == "a note"
-    assert refusal(live.Value(1)) == "expected the runtime to do it, found Value"
+    assert str(refusal(request.Prepared((), ("a note",)))) == "a note"
+    assert str(refusal(live.Value(1))) == "expected the runtime to do it, found Value"

@@ -15,7 +15,7 @@ def play(tmp_path):
 
 def test_a_unit_that_is_not_there_is_noted(play):  # reading 12
     play.files.configuration("aC", "a 100 rt7")
-    assert play.run(play.open([job("aC")])).notes == ("there is no unit rt7: its tasks run on rt0",)
+    assert tuple(map(str, play.run(play.open([job("aC")])).notes)) == ("there is no unit rt7: its tasks run on rt0",)
 
 
 def test_a_unit_that_is_lost_is_told_and_a_new_runtime_is_offered(play):  # R-E10

@@ -19,7 +19,7 @@ def play(tmp_path):
 def reason(play, *tasks):
     play.connected(*tasks)
     no = play.answer(act.Run(play.open([job("aC"), job("bC")]))).no
-    return "" if no is None else no.reason
+    return "" if no is None else str(no.reason)
 
 
 @pytest.mark.parametrize(("lives", "why"), [("a", "its name"), ("twin", "its module"), ("rival", "its device")])

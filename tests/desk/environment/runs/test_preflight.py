@@ -113,7 +113,11 @@ def test_a_task_that_cannot_live_as_it_is_is_told_with_who_could_stand_for_it(pl
 def test_what_is_only_worth_knowing_is_a_warning_at_its_step(play):  # R-X02
     doc = play.open([job("aC"), job("bC")])
     ask, rmod = play.runtime.ask, play.files.path / "module" / "b.rmod"
-    notes = (f"{rmod}: LOCAL ODD is no parameter of module b; it is kept", f"{path(play)}:1: aC ends with a", "plain")
+    notes = (
+        Reason.of("host.note_in", file=str(rmod), note="LOCAL ODD is no parameter of module b; it is kept"),
+        Reason.of("host.note_at", file=str(path(play)), line=1, note="aC ends with a"),
+        "plain",
+    )
 
     def answered(asked):
         answer = ask(asked)

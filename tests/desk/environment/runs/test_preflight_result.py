@@ -70,11 +70,12 @@ def test_a_run_counts_the_targets_that_are_re_resolved_and_names_no_joint_values
     def resolved(name, task="scara", at=0):
         return request.Resolved(0, at, name, task, "puma", (0.1, 0.2), (0.3,))
 
-    notes = ("play.appl:4: near is re-resolved for scara, 2 times, by the pose that it is for puma: 0.3", "other")
+    near = Reason.of("host.resolved_often", target="near", task="scara", count=2, old="puma", numbers="0.3")
+    notes = (Reason.of("host.note_at", file="play.appl", line=4, note=near), "other")
     twice = request.Prepared((), notes, resolved=(resolved("near"), resolved("near", at=1), resolved("far")))
-    assert list(worth_noting(twice)) == [
+    assert list(map(str, worth_noting(twice))) == [
         "other",
         "2 targets are re-resolved for scara, by the poses that they are for puma",
     ]
     once = request.Prepared((), (), resolved=(resolved("near"),))
-    assert list(worth_noting(once)) == ["1 target is re-resolved for scara, by the pose that it is for puma"]
+    assert list(map(str, worth_noting(once))) == ["1 target is re-resolved for scara, by the pose that it is for puma"]

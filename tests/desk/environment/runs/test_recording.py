@@ -6,6 +6,7 @@ from kit.laboratory import job
 from kit.run_fixture import RunFixture
 from onika.desk.environment.runs import recording
 from onika.wire import act, request
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -76,7 +77,7 @@ def test_a_runtime_that_somebody_else_started_records_nothing_for_us(play):  # R
 
 def test_a_recording_that_the_runtime_cannot_make_is_offered_to_be_left_out(play):  # R-X05
     doc = play.open([job("aC")])
-    play.rebuffs = {request.Begin: request.Refused("no recording can be made: the disk is gone")}
+    play.rebuffs = {request.Begin: request.Refused(Reason.of("host.no_recording", why="the disk is gone"))}
     no = play.answer(act.Run(doc, is_recorded=True)).no
     assert str(no.reason) == "the run cannot be recorded: the disk is gone"
     assert no.remedies[0].act == act.Run(doc) and play.environment.tree.run is None

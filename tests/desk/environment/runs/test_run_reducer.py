@@ -48,7 +48,7 @@ def test_warnings_are_noted_and_old_ones_forgotten(play):  # R-E11
     play.run(play.open([job("aC")]))
     for number in range(70):
         play.tell(event.Warned("flow0", "a", f"odd {number}", 1.0))
-    assert play.view.notes[-1] == "a: odd 69" and len(play.view.notes) == 60
+    assert str(play.view.notes[-1]) == "a: odd 69" and len(play.view.notes) == 60
     assert ("warning", "a: odd 69", None) in lines(play)
 
 

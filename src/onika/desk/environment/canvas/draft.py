@@ -38,7 +38,7 @@ class Draft:
     home: BaseDirectory
     kind: ActionType
     edges: tuple[int, int]
-    warnings: tuple[str, ...]
+    warnings: tuple[Text, ...]
     notes: tuple[Text, ...]
     source: Path
     former: OpenedText[Onikon] | None = None

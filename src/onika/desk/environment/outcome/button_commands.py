@@ -16,7 +16,7 @@ from onika.desk.environment.state.model import Model
 from onika.model.button import Button
 from onika.wire.view import ButtonView
 from onika.words.fault import Refusal
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import Reason, Text
 
 KEPT = 8192
 """Bytes of a command's output that are shown: the last ones."""
@@ -55,7 +55,7 @@ class Commands:
         self._running[button.name] = command
         command.begin(self._shower(button.name))
         lacks_terminal = button.spawns_terminal and not terminal
-        return Reason.of("run.no_terminal", name=button.name) if lacks_terminal else NOTHING
+        return Reason.of("run.no_terminal", name=button.name) if lacks_terminal else ""
 
     def halt(self, name: str) -> bool:
         """End a command; False where it does not run."""

@@ -15,7 +15,7 @@ from onika.model.onikon import Onikon
 from onika.model.rules.iconify import ActionType, job_type
 from onika.model.syntax import Syntax, same_type
 from onika.words.fault import Refusal
-from onika.words.reason import NOTHING, Reason
+from onika.words.reason import Reason, Text
 
 _ENDINGS = {"job": conf.ENDING, "application": appl.ENDING}
 
@@ -42,11 +42,11 @@ class Sources:
         beside = str(dictionary.base.path / name.rpartition(".")[2] / name)
         return beside if beside in self._sources else self._first.get(name, "")
 
-    def trouble(self, onikon: Onikon, path: str) -> Reason:
-        """Why an action cannot run; nothing: nothing is in the way, or it is none."""
+    def trouble(self, onikon: Onikon, path: str) -> Text:
+        """Why an action cannot run; empty: nothing is in the way, or it is none."""
         role = role_of(self._syntax.acting(onikon.type))
         if role not in _ENDINGS:
-            return NOTHING
+            return ""
         is_job = role == "job"
         if not path:
             key = "run.no_configuration" if is_job else "run.no_application"
@@ -58,7 +58,7 @@ class Sources:
         if not isinstance(kind, ActionType):
             return Reason.of("run.together", parts=tuple(in_words(plain(refusal.reason)) for refusal in kind))
         if _is_alike((onikon.type, *onikon.more_targets), (kind.type, *kind.more_targets)):
-            return NOTHING
+            return ""
         key = "run.its_configuration_makes" if is_job else "run.its_application_makes"
         return Reason.of(key, kind=with_article(_said(kind)), given=with_article(_said(onikon)))
 
