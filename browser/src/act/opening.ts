@@ -17,8 +17,8 @@ export function remember(path: string): void {
 
 /** Open a configuration or an application beside the others, or go to where it is open already; false where it was refused. */
 export async function open(path: string): Promise<boolean> {
-  const known = new Set(Object.keys(all()))
-  const id = opened(await act({ t: 'Open', path }), known) ?? byPath(path)
+  const ids = new Set(Object.keys(all()))
+  const id = opened(await act({ t: 'Open', path }), ids) ?? byPath(path)
   if (!id) return false
   show(id)
   remember(all()[id]?.path || path)
@@ -26,15 +26,15 @@ export async function open(path: string): Promise<boolean> {
 }
 
 export async function openBlank(): Promise<void> {
-  const known = new Set(Object.keys(all()))
-  const id = opened(await act({ t: 'New' }), known)
+  const ids = new Set(Object.keys(all()))
+  const id = opened(await act({ t: 'New' }), ids)
   if (id) show(id)
 }
 
 /** A blank application; false where it was refused. */
 export async function openBlankApplication(flows = 1, isParallel = false): Promise<boolean> {
-  const known = new Set(Object.keys(all()))
-  const id = opened(await act({ t: 'NewApplication', flows, is_parallel: isParallel }), known)
+  const ids = new Set(Object.keys(all()))
+  const id = opened(await act({ t: 'NewApplication', flows, is_parallel: isParallel }), ids)
   if (id) show(id)
   return id !== undefined
 }
@@ -42,9 +42,9 @@ export async function openBlankApplication(flows = 1, isParallel = false): Promi
 const all = (): Readonly<Record<string, Opened>> => ({ ...desk.live.documents, ...desk.live.applications })
 
 /** What an act has opened: what it answered, else what is new. */
-function opened(answer: unknown, known: ReadonlySet<string>): string | undefined {
+function opened(answer: unknown, ids: ReadonlySet<string>): string | undefined {
   if (answer === undefined) return undefined
-  return typeof answer === 'string' && answer in all() ? answer : Object.keys(all()).find((id) => !known.has(id))
+  return typeof answer === 'string' && answer in all() ? answer : Object.keys(all()).find((id) => !ids.has(id))
 }
 
 const byPath = (path: string): string | undefined => Object.entries(all()).find(([, one]) => one.path === path)?.[0]

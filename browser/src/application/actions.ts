@@ -66,7 +66,7 @@ export function actionsOf(app: ApplicationView): Actions {
 }
 
 export function loopsOf(app: ApplicationView): Loop[] {
-  const found: (Loop & { from: number; to: number })[] = []
+  const loops: (Loop & { from: number; to: number })[] = []
   for (const [flow, { steps = [] }] of Object.entries(app.flows ?? {})) {
     const ends = new Map<string, number[]>()
     steps.forEach((number, at) => {
@@ -77,17 +77,17 @@ export function loopsOf(app: ApplicationView): Loop[] {
       if (a === undefined || b === undefined) continue
       const isFirst = app.steps?.[steps[a]!]?.is_test === true
       const [test, anchor] = isFirst ? [steps[a]!, steps[b]!] : [steps[b]!, steps[a]!]
-      found.push({ tag, flow, test, anchor, condition: app.steps?.[test]?.loop_if ?? '', depth: 0, from: a, to: b })
+      loops.push({ tag, flow, test, anchor, condition: app.steps?.[test]?.loop_if ?? '', depth: 0, from: a, to: b })
     }
   }
-  const deep = (one: (typeof found)[number]): number =>
+  const deep = (one: (typeof loops)[number]): number =>
     Math.max(
       0,
-      ...found
+      ...loops
         .filter((other) => other !== one && other.flow === one.flow && other.from >= one.from && other.to <= one.to)
         .map((other) => 1 + deep(other)),
     )
-  return found.map((one) => ({
+  return loops.map((one) => ({
     tag: one.tag,
     flow: one.flow,
     test: one.test,

@@ -246,11 +246,11 @@ class Laying {
     if (opened === START) alone(GHOST)
     else if (!numbers.length) alone(EMPTY, this.width, true)
     for (const number of numbers) {
-      const known = this.content.step(number)
-      const piece = known.flows.length
-        ? this.branch(path, number, known.flows, limit)
-        : { step: number, w: this.width, h: this.frame.size, isHole: known.isHole }
-      if (known.joined) groups.at(-1)!.push(piece)
+      const stepView = this.content.step(number)
+      const piece = stepView.flows.length
+        ? this.branch(path, number, stepView.flows, limit)
+        : { step: number, w: this.width, h: this.frame.size, isHole: stepView.isHole }
+      if (stepView.joined) groups.at(-1)!.push(piece)
       else groups.push([piece])
       if (opened === number) groups.at(-1)!.push({ step: GHOST, w: this.width, h: this.frame.size, isHole: false })
     }

@@ -17,7 +17,7 @@ export function faultsOf(app: ApplicationView): FaultView[] {
   return all.sort((a, b) => placeOf(a) - placeOf(b))
 }
 
-const known = new WeakMap<object, ReadonlyMap<number, FaultView[]>>()
+const faultMaps = new WeakMap<object, ReadonlyMap<number, FaultView[]>>()
 
 export function faultsAt(app: ApplicationView | undefined, step: number): FaultView[] {
   return app ? (faultsByStep(app).get(step) ?? []) : []
@@ -26,20 +26,20 @@ export function faultsAt(app: ApplicationView | undefined, step: number): FaultV
 /** All that stand at a step, by it; sought once for all who ask, a thousand icons may have a fault each. */
 export function faultsByStep(app: ApplicationView): ReadonlyMap<number, FaultView[]> {
   if (!app.faults) return new Map()
-  const found = known.get(app.faults) ?? sought(app)
-  known.set(app.faults, found)
-  return found
+  const faultsOfSteps = faultMaps.get(app.faults) ?? sought(app)
+  faultMaps.set(app.faults, faultsOfSteps)
+  return faultsOfSteps
 }
 
 function sought(app: ApplicationView): ReadonlyMap<number, FaultView[]> {
-  const found = new Map<number, FaultView[]>()
+  const faultsOfSteps = new Map<number, FaultView[]>()
   for (const one of ordered(Object.values(app.faults ?? {}))) {
     if (!one.step) continue
-    const known = found.get(one.step)
-    if (known) known.push(one)
-    else found.set(one.step, [one])
+    const faults = faultsOfSteps.get(one.step)
+    if (faults) faults.push(one)
+    else faultsOfSteps.set(one.step, [one])
   }
-  return found
+  return faultsOfSteps
 }
 
 const ordered = (faults: FaultView[]): FaultView[] => [

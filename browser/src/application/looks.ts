@@ -17,17 +17,17 @@ export interface Look {
 }
 
 export class Looks {
-  private known = new Map<string, Look>()
+  private looks = new Map<string, Look>()
 
   /** How these look now. */
   of(app: ApplicationView, pictures: Readonly<Record<string, string>>, cells: readonly Cell[]): Look[] {
-    const { known } = this
-    this.known = new Map()
+    const { looks } = this
+    this.looks = new Map()
     return cells.map((cell) => {
       const now = lookOf(app, pictures, cell)
-      const old = known.get(now.key)
+      const old = looks.get(now.key)
       const look = old && isSame(old, now) ? old : now
-      this.known.set(look.key, look)
+      this.looks.set(look.key, look)
       return look
     })
   }

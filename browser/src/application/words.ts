@@ -46,10 +46,10 @@ function marksOf(step: StepView): string[] {
 }
 
 function troublesOf(app: ApplicationView, number: number): string[] {
-  const told = faultsAt(app, number).map((one) =>
+  const sentences = faultsAt(app, number).map((one) =>
     t(isFault(one) ? 'redirect.readFault' : 'redirect.readWarning', { text: heard(one.text) }),
   )
-  return app.steps?.[number]?.note ? [...told, t('redirect.readNote')] : told
+  return app.steps?.[number]?.note ? [...sentences, t('redirect.readNote')] : sentences
 }
 
 /** `1/17/0` is flow 0 of a branch in flow 1. */

@@ -73,8 +73,8 @@ const isPage = ({ target }: Event): boolean =>
   target instanceof Element && target.closest('.first') !== null && !target.closest('button')
 
 function light(target: EventTarget | null): void {
-  const found = target instanceof Element ? target.closest<SVGElement>('[data-locus], [data-net]') : null
-  canvasState.lit = found?.dataset.locus ?? found?.dataset.net ?? ''
+  const element = target instanceof Element ? target.closest<SVGElement>('[data-locus], [data-net]') : null
+  canvasState.lit = element?.dataset.locus ?? element?.dataset.net ?? ''
 }
 
 function wheel(event: WheelEvent): void {

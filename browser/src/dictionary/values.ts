@@ -43,8 +43,8 @@ const ANGLE = /^\s*([+-]?(?:\d+\.?\d*|\.\d+))\s*(?:°|deg|grados?)\s*$/i
 
 /** An angle typed in degrees where radians are asked for, as radians; other words as they are. */
 export function inUnit(word: string, unit: string): string {
-  const found = unit === 'rad' ? ANGLE.exec(word.replace('−', '-')) : null
-  return found ? String(Number(((Number(found[1]) * Math.PI) / 180).toPrecision(10))) : word
+  const match = unit === 'rad' ? ANGLE.exec(word.replace('−', '-')) : null
+  return match ? String(Number(((Number(match[1]) * Math.PI) / 180).toPrecision(10))) : word
 }
 
 /** A number of radians in degrees, for reading; empty where it is none. */

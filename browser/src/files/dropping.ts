@@ -19,10 +19,10 @@ function atTasks(): boolean {
 export async function takeFile(file: File): Promise<void> {
   const isApplication = /\.appl$/.test(file.name)
   const name = file.name.replace(/\.(conf|appl)$/, '')
-  const known = Object.values(isApplication ? desk.tree.application_files : desk.tree.files).find(
+  const listed = Object.values(isApplication ? desk.tree.application_files : desk.tree.files).find(
     (one) => one.name === name,
   )
-  if (known) await open(known.path)
+  if (listed) await open(listed.path)
   else if (isApplication) showRefusal(new Refusal(t('drop.unknown', { name: file.name })))
   else if (atTasks())
     await act({

@@ -4,6 +4,6 @@ import type { OnikonView } from '../api.gen'
 /** The words, else the name, of the job whose configuration lies there; empty: no open dictionary has one. */
 export function jobOf(path: string | undefined, onikons: Readonly<Record<string, OnikonView>>): string {
   if (!path) return ''
-  const found = Object.entries(onikons).find(([, one]) => one.role === 'job' && one.source === path)
-  return found ? found[1].description || found[0] : ''
+  const entry = Object.entries(onikons).find(([, one]) => one.role === 'job' && one.source === path)
+  return entry ? entry[1].description || entry[0] : ''
 }

@@ -13,21 +13,21 @@ interface Peeked {
   why: string
 }
 
-const known = new SvelteMap<string, Peeked>()
+const previews = new SvelteMap<string, Peeked>()
 
 /** What is known of a file; nothing before it was asked for. */
-export const peeked = (path: string): Peeked | undefined => known.get(path)
+export const peeked = (path: string): Peeked | undefined => previews.get(path)
 
 /** Ask for it, where that was not done lately. */
 export async function peek(path: string, now: number = Date.now()): Promise<void> {
-  const before = known.get(path)
+  const before = previews.get(path)
   if (!path || (before && now - before.at < FRESH_MS)) return
-  known.set(path, { at: now, view: before?.view, why: before?.why ?? '' })
+  previews.set(path, { at: now, view: before?.view, why: before?.why ?? '' })
   try {
     const view = await send({ t: 'Peek', path })
-    known.set(path, { at: now, view: view as PeekView, why: '' })
+    previews.set(path, { at: now, view: view as PeekView, why: '' })
   } catch (refused) {
     if (!(refused instanceof Refusal)) throw refused
-    known.set(path, { at: now, view: undefined, why: refused.reason })
+    previews.set(path, { at: now, view: undefined, why: refused.reason })
   }
 }

@@ -42,11 +42,11 @@ export class Cells<T extends Area> {
 
   /** The items that touch an area. */
   near(area: Area): T[] {
-    const found: T[] = []
+    const members: T[] = []
     const [i0, i1, j0, j1] = [column(area.x0), column(area.x1), column(area.y0), column(area.y1)]
     if ((i1 - i0 + 1) * (j1 - j0 + 1) > this.entries.size) {
-      for (const item of this.entries.keys()) if (touches(item, area)) found.push(item)
-      return found
+      for (const item of this.entries.keys()) if (touches(item, area)) members.push(item)
+      return members
     }
     const turn = ++this.turn // an item in several cells is reported once
     for (let i = i0; i <= i1; i++) {
@@ -54,11 +54,11 @@ export class Cells<T extends Area> {
         for (const entry of this.cells.get(i * 2 * HALF + j) ?? []) {
           if (entry.seen === turn) continue
           entry.seen = turn
-          if (touches(entry.item, area)) found.push(entry.item)
+          if (touches(entry.item, area)) members.push(entry.item)
         }
       }
     }
-    return found
+    return members
   }
 }
 

@@ -69,13 +69,13 @@ export class Obstacles {
 
   /** What stands in the way of a variable's wires within an area. */
   blocking(area: Area, svar: string): Obstacle[] {
-    const found: Obstacle[] = []
+    const obstacles: Obstacle[] = []
     for (const box of this.boxCells.near(grown(area, PAD))) {
       const obstacle = this.obstacle(box)
-      if (touches(obstacle.wide, area)) found.push(obstacle)
+      if (touches(obstacle.wide, area)) obstacles.push(obstacle)
     }
-    for (const locus of this.locusCells.near(area)) if (locus.svar !== svar) found.push(locus)
-    return found
+    for (const locus of this.locusCells.near(area)) if (locus.svar !== svar) obstacles.push(locus)
+    return obstacles
   }
 
   /** The boxes themselves that touch an area. */

@@ -49,9 +49,9 @@ const apart = (a: Lane, b: Lane): boolean => sideBySide(a, b) && !(a.held && b.h
 
 /** Which of the first `count` lanes a lane must be apart from. */
 function earlier(lanes: readonly Lane[], lane: Lane, count: number): number[] {
-  const found: number[] = []
-  for (let i = 0; i < count; i++) if (apart(lanes[i], lane)) found.push(i)
-  return found
+  const indices: number[] = []
+  for (let i = 0; i < count; i++) if (apart(lanes[i], lane)) indices.push(i)
+  return indices
 }
 
 /**

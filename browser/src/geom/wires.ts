@@ -120,13 +120,13 @@ export class Wires {
   preview(rect: Rect, pins: readonly Pin[], loci: ReadonlyMap<string, Pt> = new Map()): Map<string, Pt[]> {
     const ghost = '\0ghost' // no task can have this name
     this.obstacles.setBox(ghost, rect)
-    const found = new Map<string, Pt[]>()
+    const paths = new Map<string, Pt[]>()
     for (const pin of pins) {
       const locus = loci.get(pin.svar) ?? this.loci.get(pin.svar)?.place
-      if (locus) found.set(pin.id, this.router.route(newLink(ghost, rect, pin).pin, locus, pin.svar))
+      if (locus) paths.set(pin.id, this.router.route(newLink(ghost, rect, pin).pin, locus, pin.svar))
     }
     this.obstacles.removeBox(ghost)
-    return found
+    return paths
   }
 
   private addLink(link: Link): void {

@@ -41,19 +41,19 @@ export const meIn = (runtime: RuntimeView): string =>
 /** Everything that lives on a runtime; `own` are the flows of the run of this environment. */
 export function heldIn(runtime: RuntimeView, documents: Documents, own: readonly string[]): Held[] {
   const me = meIn(runtime)
-  const found = new Map<string, Held>()
+  const rows = new Map<string, Held>()
   for (const [subsystem, hold] of Object.entries(runtime.holds ?? {})) {
     const key = hold.application
       ? `${hold.application}/${hold.holder ?? ''}/${own.includes(subsystem)}`
       : `/${subsystem}`
-    const known = found.get(key)
-    if (known) {
-      known.subsystems.push(subsystem)
-      Object.assign(known.asks, asksIn(subsystem, hold))
-      if (hold.state && !known.states.includes(hold.state)) known.states.push(hold.state)
-    } else found.set(key, one(subsystem, hold, documents, own, me))
+    const row = rows.get(key)
+    if (row) {
+      row.subsystems.push(subsystem)
+      Object.assign(row.asks, asksIn(subsystem, hold))
+      if (hold.state && !row.states.includes(hold.state)) row.states.push(hold.state)
+    } else rows.set(key, one(subsystem, hold, documents, own, me))
   }
-  return [...found.values()]
+  return [...rows.values()]
 }
 
 function one(subsystem: string, hold: HoldView, documents: Documents, own: readonly string[], me: string): Held {

@@ -27,10 +27,10 @@ export class Past {
   with(run: RunView, app: ApplicationView | undefined): Past {
     const before = run.number === this.run ? this : new Past(run.number)
     const homes = app ? flowsOfSteps(app) : before.homes
-    const known = new Map(before.blocks.map((block) => [block.key, block]))
-    takeActions(known, run, homes)
-    takeWaits(known, run)
-    const blocks = [...known.values()].sort((one, other) => one.from_s - other.from_s)
+    const byKey = new Map(before.blocks.map((block) => [block.key, block]))
+    takeActions(byKey, run, homes)
+    takeWaits(byKey, run)
+    const blocks = [...byKey.values()].sort((one, other) => one.from_s - other.from_s)
     return new Past(run.number, blocks.slice(-MOST), homes)
   }
 }
@@ -44,9 +44,9 @@ export function flowsOfSteps(app: ApplicationView): Map<number, number> {
   return homes
 }
 
-function takeActions(known: Map<string, Block>, run: RunView, homes: ReadonlyMap<number, number>): void {
+function takeActions(byKey: Map<string, Block>, run: RunView, homes: ReadonlyMap<number, number>): void {
   const open = new Map(
-    [...known.values()].filter((block) => block.kind === 'action' && isOpen(block)).map((block) => [block.step, block]),
+    [...byKey.values()].filter((block) => block.kind === 'action' && isOpen(block)).map((block) => [block.step, block]),
   )
   const stops = Object.values(run.stops ?? {}).filter(
     (one) => one.subsystem && run.flows?.[one.subsystem]?.state === 'stopped',
@@ -58,24 +58,24 @@ function takeActions(known: Map<string, Block>, run: RunView, homes: ReadonlyMap
     // a step that has begun again has ended before, however few messages said so
     const former = open.get(step)
     if (former && former.key !== key)
-      known.set(former.key, { ...former, to_s: Math.min(from_s, former.from_s + took_s) })
+      byKey.set(former.key, { ...former, to_s: Math.min(from_s, former.from_s + took_s) })
     const stop = stops.find((one) => one.step === step && one.at_s >= from_s)
     const wasRunning = (at.state ?? 'running') === 'running'
     const end_s = wasRunning ? Math.max(from_s, run.took_s ?? from_s) : from_s + took_s
-    const before = known.get(key)
+    const before = byKey.get(key)
     const to_s = stop ? stop.at_s : before?.isFault ? before.to_s : wasRunning && run.state !== 'over' ? NaN : end_s
     const isFault = stop !== undefined || before?.isFault === true
     if (before && isFault === before.isFault && Object.is(before.to_s, to_s)) continue
-    known.set(key, { key, kind: 'action', flow: homes.get(step) ?? 0, step, from_s, to_s, isFault })
+    byKey.set(key, { key, kind: 'action', flow: homes.get(step) ?? 0, step, from_s, to_s, isFault })
   }
 }
 
-function takeWaits(known: Map<string, Block>, run: RunView): void {
+function takeWaits(byKey: Map<string, Block>, run: RunView): void {
   for (const flow of Object.values(run.flows ?? {})) {
     if (flow.is_nested) continue
     const since_s = flow.waits_since_s ?? 0
     const isWaiting = flow.state === 'waiting' && run.state !== 'over'
-    for (const block of known.values()) {
+    for (const block of byKey.values()) {
       if (
         block.kind !== 'wait' ||
         block.flow !== flow.order ||
@@ -84,14 +84,14 @@ function takeWaits(known: Map<string, Block>, run: RunView): void {
       )
         continue
       const began_s = flow.began_s ?? 0
-      known.set(block.key, {
+      byKey.set(block.key, {
         ...block,
         to_s: began_s > block.from_s ? began_s : Math.max(block.from_s, run.took_s ?? 0),
       })
     }
     const key = `wait ${flow.order}@${since_s}`
-    if (isWaiting && !known.has(key))
-      known.set(key, {
+    if (isWaiting && !byKey.has(key))
+      byKey.set(key, {
         key,
         kind: 'wait',
         flow: flow.order,

@@ -12,12 +12,12 @@ export interface Standstill {
 /** What stands still in a run, or why it ended; an end that somebody wanted needs no explanation. */
 export function standstills(run: RunView | null | undefined): Standstill[] {
   if (!run) return []
-  const found = Object.entries(run.stops ?? {}).map(([at, stop]) => ({
+  const stops = Object.entries(run.stops ?? {}).map(([at, stop]) => ({
     at,
     stop,
     key: `${run.number}/${at}/${stop.at_s}/${stop.kind}`,
   }))
-  return found
+  return stops
     .filter(({ at, stop }) => stop.kind !== 'user' && !(stop.kind === 'deserted' && isComing(run, at)))
     .sort((one, other) => one.stop.at_s - other.stop.at_s)
 }

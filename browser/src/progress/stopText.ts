@@ -52,8 +52,8 @@ export function titleOf(run: RunView, at: string, stop: StopView): string {
 
 /** What was said, without where in the module it was said: a module's own error is a sentence for people. */
 export function inShort(text: Text): string {
-  const said = heard(text).replace(/^\w+: (?:ModuleError|LawBroken): /, '')
-  return said.charAt(0).toUpperCase() + said.slice(1)
+  const sentence = heard(text).replace(/^\w+: (?:ModuleError|LawBroken): /, '')
+  return sentence.charAt(0).toUpperCase() + sentence.slice(1)
 }
 
 /** The choices in order. What each does is told by whoever knows the run; in other languages by us, more shortly. */

@@ -97,7 +97,7 @@ export class Scene {
   readonly wires = new Wires()
   /** Grows when the document was followed: who depends on this is not bothered by what only moves under the pointer. */
   layout = $state(0)
-  private readonly told = new Map<string, Told>()
+  private readonly reading = new Map<string, Told>()
   /** Which variable a link is of, and which drawing holds its line; these differ while a pin gets another name. */
   private readonly svarOf = new Map<string, string>()
   private readonly drawnIn = new Map<string, Net>()
@@ -108,12 +108,12 @@ export class Scene {
 
   /** Take over what the document says now. It is read first, so that an effect depends on that and on nothing else. */
   follow(document: DocumentView, tasks: Readonly<Record<string, TaskView>>, shown: Shown): void {
-    const told = read(document, tasks)
+    const reading = read(document, tasks)
     const { kinds, constants, opened } = shown
     const plain = { kinds, constants, opened: new Set(opened) }
     untrack(() => {
-      this.followLoci(told.loci, plain)
-      this.followTasks(told, plain)
+      this.followLoci(reading.loci, plain)
+      this.followTasks(reading, plain)
       this.redraw()
       this.layout += 1
     })
@@ -125,9 +125,9 @@ export class Scene {
     if (!box || (box.x === x && box.y === y)) return
     box.x = x
     box.y = y
-    const told = this.told.get(name)
-    if (told) told.rect = box.rect
-    this.wires.setBox(name, box.rect, told?.pins ?? [])
+    const reading = this.reading.get(name)
+    if (reading) reading.rect = box.rect
+    this.wires.setBox(name, box.rect, reading?.pins ?? [])
   }
 
   holdDot(svar: string, x: number, y: number): void {
@@ -200,7 +200,7 @@ export class Scene {
     for (const name of [...this.boxes.keys()])
       if (!tasks.has(name)) {
         this.boxes.delete(name)
-        this.told.delete(name)
+        this.reading.delete(name)
         this.wires.removeBox(name)
       }
     for (const [name, one] of tasks) {
@@ -234,7 +234,7 @@ export class Scene {
   /** Tell the wires of a box where anything about it is new. */
   private tell(box: Box, isDrawn: (pin: PinView) => boolean): void {
     const drawn = box.pins.filter(isDrawn)
-    const told = this.told.get(box.name)
+    const reading = this.reading.get(box.name)
     const now: Told = {
       rect: box.rect,
       inLeft: box.inLeft,
@@ -242,7 +242,7 @@ export class Scene {
       all: box.pins,
       pins: [],
     }
-    if (told && isSame(told, now)) return
+    if (reading && isSame(reading, now)) return
     now.pins = drawn.map((pin) => ({
       id: pin.name,
       svar: pin.svar,
@@ -250,7 +250,7 @@ export class Scene {
       dy: pin.y,
     }))
     for (const pin of drawn) this.svarOf.set(`${box.name}/${pin.name}`, pin.svar)
-    this.told.set(box.name, now)
+    this.reading.set(box.name, now)
     this.wires.setBox(box.name, now.rect, now.pins)
   }
 }

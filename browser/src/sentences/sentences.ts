@@ -177,15 +177,15 @@ class Teller {
   }
 
   private groups(path: string): Group[] {
-    const found: { step: number; view: StepView; rest: number[] }[] = []
+    const ways: { step: number; view: StepView; rest: number[] }[] = []
     for (const step of this.app.flows?.[path]?.steps ?? []) {
       const view = this.app.steps?.[step]
       if (!view) continue
-      const last = found.at(-1)
+      const last = ways.at(-1)
       if (view.is_joined && last && last.view.kind !== 'branch') last.rest.push(step)
-      else found.push({ step, view, rest: [] })
+      else ways.push({ step, view, rest: [] })
     }
-    return found
+    return ways
   }
 
   private group({ step, view, rest }: Group, path: string, depth: number): Sentence {

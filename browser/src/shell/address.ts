@@ -8,10 +8,10 @@ export interface Place {
 }
 
 export function read(hash: string): Place | undefined {
-  const found = /^#\/(config|appl)\/([^?]+)(?:\?(.*))?$/.exec(hash) ?? /^#(appl)=([^?]+)$/.exec(hash)
-  if (!found) return undefined
-  const kind = found[1] === 'appl' ? 'appl' : 'config'
-  return { kind, name: decoded(found[2]!), task: new URLSearchParams(found[3] ?? '').get('task') ?? '' }
+  const match = /^#\/(config|appl)\/([^?]+)(?:\?(.*))?$/.exec(hash) ?? /^#(appl)=([^?]+)$/.exec(hash)
+  if (!match) return undefined
+  const kind = match[1] === 'appl' ? 'appl' : 'config'
+  return { kind, name: decoded(match[2]!), task: new URLSearchParams(match[3] ?? '').get('task') ?? '' }
 }
 
 export function written({ kind, name, task }: Place): string {

@@ -23,10 +23,10 @@ export const timesPlaced = (documents: Readonly<Record<string, DocumentView>>, n
 
 /** A rate as it was typed: `500`, `500 Hz`, `2 ms`, `40 us`; NaN where it is none. */
 export function hertz(text: string): number {
-  const found = /^\s*(\d+(?:[.,]\d+)?)\s*(hz|ms|us|µs|s)?\s*$/i.exec(text)
-  if (!found) return NaN
-  const number = Number(found[1]!.replace(',', '.'))
-  const unit = (found[2] ?? 'hz').toLowerCase()
+  const match = /^\s*(\d+(?:[.,]\d+)?)\s*(hz|ms|us|µs|s)?\s*$/i.exec(text)
+  if (!match) return NaN
+  const number = Number(match[1]!.replace(',', '.'))
+  const unit = (match[2] ?? 'hz').toLowerCase()
   if (unit === 'hz') return number
   return (unit === 's' ? 1 : unit === 'ms' ? 1e3 : 1e6) / number
 }

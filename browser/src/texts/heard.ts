@@ -8,11 +8,11 @@ const SAYINGS: Partial<Record<Language, Sayings>> = { es: esHeard }
 
 export function heard(text: Reason | string, language: Language = look.language): string {
   if (typeof text !== 'string') return say(text, language)
-  for (const [said, words] of SAYINGS[language] ?? []) {
-    const found = said.exec(text)
-    if (found)
+  for (const [pattern, words] of SAYINGS[language] ?? []) {
+    const match = pattern.exec(text)
+    if (match)
       return words.replace(/\{(=?)(\d)\}/g, (_, again: string, k: string) =>
-        again ? heard(found[Number(k) + 1] ?? '', language) : (found[Number(k) + 1] ?? ''),
+        again ? heard(match[Number(k) + 1] ?? '', language) : (match[Number(k) + 1] ?? ''),
       )
   }
   return text

@@ -14,8 +14,8 @@ export function variables(doc: DocumentView, tasks: Record<string, TaskView>): V
   const pins = new Map<string, PinView>()
   for (const task of Object.keys(doc.tasks ?? {}))
     for (const pin of tasks[task]?.pins ?? []) {
-      const known = pins.get(pin.svar)
-      if (!known || (!isOutput(known) && isOutput(pin))) pins.set(pin.svar, pin)
+      const port = pins.get(pin.svar)
+      if (!port || (!isOutput(port) && isOutput(pin))) pins.set(pin.svar, pin)
     }
   return Object.entries(doc.loci ?? {})
     .map(([name, locus]) => {

@@ -46,7 +46,7 @@ export class ValueBuffer {
   private readonly listeners = new Set<() => void>()
   private isDue = false
   private isToldSoon = false
-  private told = ''
+  private lastWish = ''
 
   /** `tell` sends what is wanted; `soon` runs something with the next picture of the screen. */
   constructor(
@@ -100,7 +100,7 @@ export class ValueBuffer {
 
   /** Says again what is wanted: after a new connection, and where somebody asks for fresh figures. */
   again(): void {
-    this.told = ''
+    this.lastWish = ''
     this.tellSoon()
   }
 
@@ -154,8 +154,8 @@ export class ValueBuffer {
       }
       const text = JSON.stringify(wish)
       const isNothing = !wish.variables?.length && !wish.worlds?.length && !wish.figures
-      if (text === this.told || (isNothing && !this.told)) return
-      this.told = text
+      if (text === this.lastWish || (isNothing && !this.lastWish)) return
+      this.lastWish = text
       this.tell(wish)
     })
   }

@@ -29,10 +29,10 @@ type At = { x: number; y: number }
 const at = (event: { clientX: number; clientY: number }): At => ({ x: event.clientX, y: event.clientY })
 
 export function overOf(target: EventTarget | null): Over {
-  const found = target instanceof Element ? target.closest<SVGElement>('[data-step], [data-flow]') : null
-  const step = Number(found?.dataset.step ?? 0)
+  const element = target instanceof Element ? target.closest<SVGElement>('[data-step], [data-flow]') : null
+  const step = Number(element?.dataset.step ?? 0)
   if (step > 0) return { kind: 'step', step }
-  return found?.dataset.flow === undefined ? { kind: 'ground' } : { kind: 'flow', flow: found.dataset.flow }
+  return element?.dataset.flow === undefined ? { kind: 'ground' } : { kind: 'flow', flow: element.dataset.flow }
 }
 
 export class PointerGestures {

@@ -12,11 +12,11 @@ export function lamp(): { readonly isLit: boolean | undefined } {
     const names = worlds ? worlds.split('\n') : []
     const lamps = new Set<string>()
     const look = (): void => {
-      const told = names
+      const answers = names
         .filter((name) => lamps.has(name))
         .map((name) => isLit(poses(name)))
         .filter((one) => one !== undefined)
-      found = told.length ? told.some(Boolean) : undefined
+      found = answers.length ? answers.some(Boolean) : undefined
     }
     const ends = [...names.map((name) => watchWorld(name)), onFrame(look)]
     // A workcell without a lamp says nothing of one.
