@@ -180,4 +180,4 @@ def test_notes_travel_with_the_faults(hand):
     hand.task("counter", COUNTER, local={"NOBODY": "1"})
     answer = hand.asker.ask(hand.order(("counter", "counter")))
     assert [found_by(one) for one in answer.faults] == ["counter twice"]
-    assert "NOBODY" in " ".join(answer.notes)
+    assert "NOBODY" in " ".join(map(str, answer.notes))
