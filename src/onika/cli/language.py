@@ -4,13 +4,16 @@ It stands in the environment of the process, so that a program launched from her
 """
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 
+from onika.store.base_directory import BaseDirectory
+from onika.store.module_catalogue import translations_of
 from onika.words.reason import Text, in_language
 from onika.words.sentence import LANGUAGES
 
 _VARIABLE = "ONIKA_LANG"
+_of_modules: dict[str, str] = {}
 
 
 def language() -> str:
@@ -34,6 +37,12 @@ def speaking(wanted: str | None) -> Iterator[None]:
             os.environ.pop(_VARIABLE, None)
 
 
+def learn(bases: Iterable[BaseDirectory]) -> None:
+    """Take up what the modules of a search path say in the language of this process."""
+    if language() != LANGUAGES[0]:
+        _of_modules.update(translations_of(bases, language()))
+
+
 def say(reason: Text) -> str:
     """The sentence of a reason in the language of this process."""
-    return in_language(reason, language())
+    return in_language(reason, language(), _of_modules)

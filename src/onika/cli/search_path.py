@@ -4,14 +4,16 @@ import argparse
 import os
 from pathlib import Path
 
-from onika.cli.language import say
+from onika.cli.language import learn, say
 from onika.store.site import Site, open_site
 from onika.words.reason import Reason
 
 
 def site_here(local: list[str]) -> Site:
     """The site: directories named on the command line first, then ONIKA_LOCAL, then what is shipped."""
-    return open_site([Path(directory) for directory in local], os.environ, Path.home())
+    site = open_site([Path(directory) for directory in local], os.environ, Path.home())
+    learn(site.directories)
+    return site
 
 
 def directory(text: str) -> str:

@@ -4,6 +4,8 @@
 gaps; `str()` of a reason is its English. Programs look at `key` and `args`, never at the sentence (decision 34).
 """
 
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Self
 
 from msgspec import Struct
@@ -56,20 +58,27 @@ NOTHING = Reason("", "")
 """The reason that says nothing."""
 
 
-def in_language(reason: Text, language: str) -> str:
-    """The sentence of a reason in a language, or its English where that language does not have it whole."""
+def in_language(reason: Text, language: str, of_modules: Mapping[str, str] = MappingProxyType({})) -> str:
+    """The sentence of a reason in a language, or its English where that language does not have it whole.
+
+    `of_modules` has what modules say in that language, by the keys of their sentences.
+    """
     if isinstance(reason, str):
         return reason
     if language == "en":
         return reason.text
+    of_module = of_modules.get(reason.key)
+    if of_module is not None and not reason.args:
+        return of_module
     try:
-        return fill(sentence(language, reason.key), reason.args, language, lambda value: _shown(value, language))
+        translation = sentence(language, reason.key) if of_module is None else of_module
+        return fill(translation, reason.args, language, lambda value: _shown(value, language, of_modules))
     except (KeyError, ValueError):
         return reason.text
 
 
-def _shown(value: object, language: str) -> str:
-    return in_language(value, language) if isinstance(value, Reason) else str(value)
+def _shown(value: object, language: str, of_modules: Mapping[str, str]) -> str:
+    return in_language(value, language, of_modules) if isinstance(value, Reason) else str(value)
 
 
 def reason_of(error: Exception) -> Reason:

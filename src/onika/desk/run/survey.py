@@ -11,6 +11,7 @@ from onika.desk.run.runtime import Runtime
 from onika.files import appl, buttons, conf, onk, picture, preferences, rmod, syntax, text
 from onika.model.rules.warning import self_fed
 from onika.model.syntax import Syntax
+from onika.store import module_catalogue
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import Site
 from onika.wire import request
@@ -85,7 +86,7 @@ def _files(path: Path) -> list[Path]:
 
 
 def _is_ours(file: Path) -> bool:
-    endings = (rmod.ENDING, conf.ENDING, onk.ENDING, appl.ENDING, ".dta", ".py")
+    endings = (rmod.ENDING, conf.ENDING, onk.ENDING, appl.ENDING, ".dta", ".py", *module_catalogue.ENDINGS)
     own = (preferences.NAME, buttons.NAME, f".{syntax.NAME}")
     return (file.name.endswith(endings) and not file.name.startswith(".")) or file.name in own
 
@@ -98,6 +99,8 @@ def _read(file: Path, types: Syntax) -> list[Fault]:
     if content is None:
         return list(faults)
     name, place = file.stem, str(file)
+    if file.name.endswith(module_catalogue.ENDINGS):
+        return list(module_catalogue.read(content, place)[1])
     match file.suffix:
         case rmod.ENDING:
             return _read_task(content, name, place)

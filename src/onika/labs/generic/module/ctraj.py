@@ -51,7 +51,11 @@ class Ctraj(Module):
         self._line = StraightLine(start, self._end)
         shortest = self._line.duration(self.SPEED, self.TURN)
         if inputs.duration < shortest * (1.0 - 1e-9):
-            self.warn(f"{inputs.duration:g} s is too short for the tool's speed; the motion takes {shortest:.2f} s")
+            self.warn(
+                "{duration:g} s is too short for the tool's speed; the motion takes {shortest:.2f} s",
+                duration=inputs.duration,
+                shortest=shortest,
+            )
         self._time, self._duration = 0.0, max(inputs.duration, shortest)
         self._last = self.X_MEZ.copy()
         self.X_REF = start

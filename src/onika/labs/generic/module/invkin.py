@@ -83,11 +83,20 @@ class Invkin(Module):
         offset = self.Q_REF - posture
         joint = int(np.abs(offset).argmax())
         if abs(offset[joint]) > self.STEP:
-            away = f"joint {joint + 1} {abs(offset[joint]):.3f} rad away from where it stands"
-            raise ModuleError(f"expected a first pose within {self.STEP:g} rad, found {away}")
+            raise ModuleError(
+                "expected a first pose within {step:g} rad, "
+                "found joint {joint} {away:.3f} rad away from where it stands",
+                step=self.STEP,
+                joint=joint + 1,
+                away=abs(offset[joint]),
+            )
         return offset
 
     def _too_fast(self, speed):
         joint = int((np.abs(speed) / self.Qd_MAX).argmax())
-        found = f"{abs(speed[joint]):.2f} rad/s"
-        raise ModuleError(f"expected joint {joint + 1} within {self.Qd_MAX[joint]:.2f} rad/s, found {found}")
+        raise ModuleError(
+            "expected joint {joint} within {limit:.2f} rad/s, found {speed:.2f} rad/s",
+            joint=joint + 1,
+            limit=self.Qd_MAX[joint],
+            speed=abs(speed[joint]),
+        )

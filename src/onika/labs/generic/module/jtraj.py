@@ -55,7 +55,11 @@ class Jtraj(Module):
         self._end = inputs.endpoint
         shortest = joint_duration(self._start, self._end, self.SPEED * self.Qd_MAX)
         if inputs.duration < shortest * (1.0 - 1e-9):
-            self.warn(f"{inputs.duration:g} s is too short for the joint speeds; the motion takes {shortest:.2f} s")
+            self.warn(
+                "{duration:g} s is too short for the joint speeds; the motion takes {shortest:.2f} s",
+                duration=inputs.duration,
+                shortest=shortest,
+            )
         self._time, self._duration = 0.0, max(inputs.duration, shortest)
         self._last = self.Q_MEZ.copy()
         self.Q_REF = self._start

@@ -56,7 +56,11 @@ class Jvia(Module):
         times = (inputs.first, inputs.second)
         self._path = Via(start, inputs.via, inputs.endpoint, times, self.SPEED * self.Qd_MAX)
         if self._path.stretch > 1.0 + 1e-9:
-            self.warn(f"{sum(times):g} s is too short for the joint speeds; it takes {self._path.duration:.2f} s")
+            self.warn(
+                "{duration:g} s is too short for the joint speeds; it takes {shortest:.2f} s",
+                duration=sum(times),
+                shortest=self._path.duration,
+            )
         self._end, self._time = inputs.endpoint.copy(), 0.0
         self._last = self.Q_MEZ.copy()
         self.Q_REF = start

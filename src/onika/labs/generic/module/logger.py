@@ -38,7 +38,7 @@ class Logger(Module):
     def sync(self):
         rows = int(self.partner.answer.number("rows", 0, 2**53))
         if rows <= self._rows:
-            raise ModuleError(f"expected more than {self._rows} rows in the log, found {rows}")
+            raise ModuleError("expected more than {rows} rows in the log, found {count}", rows=self._rows, count=rows)
         self._rows = rows
 
     def on(self, inputs):

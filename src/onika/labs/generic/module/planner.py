@@ -86,7 +86,11 @@ class Planner(Module):
         needs = [joint_duration(a, b, self.SPEED * self.Qd_MAX) for a, b in pairwise(points)]
         whole = sum(needs)
         if whole > self._duration:
-            self.warn(f"{self._duration:g} s is too short for the joint speeds; it takes {whole:.2f} s")
+            self.warn(
+                "{duration:g} s is too short for the joint speeds; it takes {shortest:.2f} s",
+                duration=self._duration,
+                shortest=whole,
+            )
         stretch = max(self._duration, whole) / whole if whole else 0.0
         self._legs = [(a, b - a, need * stretch) for (a, b), need in zip(pairwise(points), needs, strict=True)]
 

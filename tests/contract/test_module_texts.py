@@ -1,0 +1,36 @@
+"""One rule for what shipped modules say: every sentence that stands in their code has its Spanish beside it."""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+from onika.store.module_catalogue import read
+
+LABS = Path(__file__).parents[2] / "src" / "onika" / "labs"
+MODULES = sorted(LABS.glob("*/module/*.py"))
+SAY = ("ModuleError", "AskAgain", "self.warn", "illegal", "shutdown")
+
+
+def said(path):
+    """What stands first in each call that says something."""
+    calls = [node for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.Call)]
+    return [call.args[0] for call in calls if ast.unparse(call.func) in SAY and call.args]
+
+
+@pytest.mark.parametrize("path", MODULES, ids=lambda path: path.stem)
+def test_every_sentence_of_a_shipped_module_has_its_spanish_with_the_same_gaps(path):
+    sentences = {node.value for node in said(path) if isinstance(node, ast.Constant)}
+    catalogue = path.with_name(f"{path.stem}.es.toml")
+    translations, faults = read(catalogue.read_text() if catalogue.exists() else "", str(catalogue))
+    assert faults == ()
+    assert set(translations) == sentences
+
+
+@pytest.mark.parametrize("path", MODULES, ids=lambda path: path.stem)
+def test_no_shipped_module_puts_values_into_its_sentences_itself(path):
+    assert not any(isinstance(node, ast.JoinedStr) for node in said(path))
+
+
+def test_shipped_modules_say_something():
+    assert sum(isinstance(node, ast.Constant) for path in MODULES for node in said(path)) >= 7
