@@ -817,8 +817,8 @@ export interface ApplicationView {
   base?: string;
   is_dirty?: boolean;
   has_changed_on_disk?: boolean;
-  undo?: string;
-  redo?: string;
+  undo?: Text;
+  redo?: Text;
   is_parallel?: boolean;
   flows?: Record<string, AppFlowView>;
   steps?: Record<string, StepView>;
@@ -947,7 +947,7 @@ export interface OnikonView {
 /** What is measured now, as the values of a target. */
 export interface TaughtView {
   values: Record<string, (number)[]>;
-  source?: string;
+  source?: Text;
   subsystem?: string;
   others?: (string)[];
 }
@@ -971,8 +971,8 @@ export interface DocumentView {
   is_dirty?: boolean;
   is_moved?: boolean;
   has_changed_on_disk?: boolean;
-  undo?: string;
-  redo?: string;
+  undo?: Text;
+  redo?: Text;
   tasks?: Record<string, PlacedView>;
   loci?: Record<string, LocusView>;
   groups?: Record<string, GroupView>;
@@ -1520,7 +1520,7 @@ export interface Tree {
   onikons?: Record<string, OnikonView>;
   types?: Record<string, TypeView>;
   pictures?: Record<string, string>;
-  icon_clipboard?: string;
+  icon_clipboard?: Text;
   run?: RunView | null;
   review?: ReviewView | null;
   keeping?: KeepingView | null;

@@ -6,6 +6,7 @@ import { workspace } from '../state/workspace.svelte'
 import type { Point } from '../act/refused.svelte'
 import { homeOf } from '../application/redirectChoices'
 import type { Item } from '../widgets/Menu.svelte'
+import { heard } from '../texts/heard'
 import { t } from '../texts/index.svelte'
 import { headOf, topsOf } from '../application/actions'
 import { workspaceState, type Opened } from './workspaceState.svelte'
@@ -149,7 +150,7 @@ function placeItems(at: Point): Item[] {
       keys: 'V',
       run: () => paste(),
       isOff: !buffer,
-      note: buffer || t('upper.nothingCopied'),
+      note: heard(buffer) || t('upper.nothingCopied'),
     }),
     locked({
       label: t('upper.insertBranch'),

@@ -5,8 +5,11 @@ from collections.abc import Iterable, Sequence
 
 from onika.model.application import Branch, Hole, Icon, Step
 from onika.model.onikon import Onikon
+from onika.words.reason import Reason, Text
 
 _OBJECT = re.compile(r"(?<=\w )(?<!\bthe )(?<!\ban )(?<!\bthis )object(?=s?\b)", re.IGNORECASE)
+_TARGET_WORD = "object"
+"""The last word of a type of target, as files have it."""
 
 
 def named(onikon: Onikon) -> str:
@@ -19,17 +22,17 @@ def quoted(onikon: Onikon) -> str:
     return f"“{named(onikon)}”"
 
 
-def step_named(step: Step) -> str:
+def step_named(step: Step) -> Text:
     """A step by what it shows."""
     if isinstance(step, Icon):
         return named(step.onikon)
-    return "a branch" if isinstance(step, Branch) else "a hole"
+    return Reason.of("desk.a_branch") if isinstance(step, Branch) else Reason.of("desk.a_hole")
 
 
-def several(steps: Sequence[Step]) -> str:
+def several(steps: Sequence[Step]) -> Text:
     """Some steps: by name where it is one, else how many; holes beside icons do not count."""
     solid = [step for step in steps if not isinstance(step, Hole)] or steps
-    return step_named(solid[0]) if len(solid) == 1 else f"{len(solid)} icons"
+    return step_named(solid[0]) if len(solid) == 1 else Reason.of("desk.icon_count", count=len(solid))
 
 
 def kind_named(type_: str) -> str:
@@ -47,9 +50,15 @@ def a(noun: str) -> str:
     return f"an {noun}" if noun[:1].lower() in "aeiou" else f"a {noun}"
 
 
-def a_kind(type_: str) -> str:
+def a_kind(type_: str) -> Reason:
     """A type in words, with its article."""
-    return a(kind_named(type_))
+    *words, last = type_.split() or [""]
+    has_vowel = type_.lstrip()[:1].lower() in "aeiou"
+    if words and last.lower() == _TARGET_WORD:
+        kind = " ".join(words)
+        return Reason.of("desk.an_target_kind", kind=kind) if has_vowel else Reason.of("desk.a_target_kind", kind=kind)
+    kind = kind_named(type_)
+    return Reason.of("desk.an_kind", kind=kind) if has_vowel else Reason.of("desk.a_kind", kind=kind)
 
 
 def listed(names: Iterable[str]) -> str:

@@ -83,8 +83,8 @@ class ApplicationView(View, frozen=True):
     base: str = ""
     is_dirty: bool = False
     has_changed_on_disk: bool = False
-    undo: str = ""
-    redo: str = ""
+    undo: Text = ""
+    redo: Text = ""
     is_parallel: bool = False
     flows: dict[str, AppFlowView] = field(default_factory=dict)
     """By their paths; those of branches too."""

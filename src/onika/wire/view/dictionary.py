@@ -81,7 +81,7 @@ class TaughtView(View, frozen=True):
 
     values: dict[str, tuple[float, ...]]
     """By item; those that nothing measures are left out (D23)."""
-    source: str = ""
+    source: Text = ""
     """What was read, in words."""
     subsystem: str = ""
     """Where it was read."""

@@ -70,9 +70,9 @@ class DocumentView(View, frozen=True):
     is_moved: bool = False
     """Whether only its looks have changed since it was saved (C06)."""
     has_changed_on_disk: bool = False
-    undo: str = ""
+    undo: Text = ""
     """What Undo would take back; empty: nothing."""
-    redo: str = ""
+    redo: Text = ""
     tasks: dict[str, PlacedView] = field(default_factory=dict)
     loci: dict[str, LocusView] = field(default_factory=dict)
     groups: dict[str, GroupView] = field(default_factory=dict)

@@ -12,6 +12,7 @@ from onika.wire.view.review import KeepingView, ReviewView
 from onika.wire.view.run import RunView
 from onika.wire.view.runtime import RuntimeView
 from onika.wire.view.view import View
+from onika.words.reason import Text
 
 
 class ButtonView(View, frozen=True):
@@ -58,7 +59,7 @@ class Tree(View, frozen=True):
     """Those of the syntax definition, by their names."""
     pictures: dict[str, str] = field(default_factory=dict)
     """1024 digits each, by their keys; those of the start and end icons are `start` and `end`."""
-    icon_clipboard: str = ""
+    icon_clipboard: Text = ""
     """The icons in the buffer, in words."""
     run: RunView | None = None
     review: ReviewView | None = None

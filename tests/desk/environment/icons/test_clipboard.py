@@ -16,13 +16,13 @@ def numbers(gallery, doc, *names):
 def test_icons_are_copied_within_and_between_applications(gallery):  # R-D05
     one, other = gallery.begun("move", "there", "grip"), gallery.begun("wait")
     gallery.do(act.CopyIcons(one, numbers(gallery, one, "move", "there")))
-    assert gallery.environment.tree.icon_clipboard == "2 icons"
+    assert str(gallery.environment.tree.icon_clipboard) == "2 icons"
     pasted = gallery.do(act.PasteIcons(other, "0", gallery.number(other, "wait")))
     assert gallery.flow(other) == "wait move there"
     assert [gallery.view(other).steps[str(one)].name for one in pasted] == ["move", "there"]
     gallery.do(act.PasteIcons(one))
     assert gallery.flow(one) == "move there move there grip"
-    assert gallery.view(one).undo == "pasting 2 icons"
+    assert str(gallery.view(one).undo) == "pasting 2 icons"
 
 
 def test_the_text_travels_by_mail(gallery):  # R-D05, R-D14
@@ -49,14 +49,14 @@ def test_pasting_is_all_or_nothing(gallery):  # R-D03, R-X01
     gallery.do(act.CopyIcons(doc, numbers(gallery, doc, "there", "grip")))
     no = gallery.no(act.PasteIcons(doc, "0", gallery.number(doc, "grip")))
     expected = "nothing is pasted: a Joint target does not fit behind “close the hand”: an action comes next"
-    assert no.reason == expected
+    assert str(no.reason) == expected
     assert no.remedies
 
 
 def test_cut_is_one_step_and_what_was_cut_can_be_pasted(gallery):  # R-D05, R-X10
     doc = gallery.begun("grip", "open")
     text = gallery.do(act.CutIcons(doc, numbers(gallery, doc, "grip")))
-    assert (gallery.flow(doc), gallery.view(doc).undo) == ("open", "cutting close the hand")
+    assert (gallery.flow(doc), str(gallery.view(doc).undo)) == ("open", "cutting close the hand")
     gallery.do(act.Undo(doc))
     assert gallery.flow(doc) == "grip open"
     assert len(gallery.do(act.PasteIcons(doc, text=text))) == 1
@@ -65,17 +65,17 @@ def test_cut_is_one_step_and_what_was_cut_can_be_pasted(gallery):  # R-D05, R-X1
 @pytest.mark.parametrize("text", ["x", "VERSION 9.9\nEOF\n", "FLOW\nENDFLOW\n", "\0", "{}"])
 def test_a_text_that_is_none_is_refused_with_the_reason(gallery, text):  # R-D05
     doc = gallery.begun()
-    assert gallery.no(act.PasteIcons(doc, text=text)).reason.startswith("this is no text of icons: the text")
+    assert str(gallery.no(act.PasteIcons(doc, text=text)).reason).startswith("this is no text of icons: the text")
 
 
 def test_a_text_of_several_flows_or_of_none_is_refused(gallery):
     doc = gallery.begun()
     flow = "FLOW\nENDFLOW\n"
-    assert "2 flows" in gallery.no(act.PasteIcons(doc, text=f"{flow}{flow}EOF\n")).reason
-    assert gallery.no(act.PasteIcons(doc, text=f"{flow}EOF\n")).reason == "nothing was copied yet"
-    assert gallery.no(act.PasteIcons(doc)).reason == "nothing was copied yet"
+    assert "2 flows" in str(gallery.no(act.PasteIcons(doc, text=f"{flow}{flow}EOF\n")).reason)
+    assert str(gallery.no(act.PasteIcons(doc, text=f"{flow}EOF\n")).reason) == "nothing was copied yet"
+    assert str(gallery.no(act.PasteIcons(doc)).reason) == "nothing was copied yet"
     gallery.add(doc, "move")
-    assert gallery.no(act.CopyIcons(doc, numbers(gallery, doc, "_"))).reason == "a hole cannot be copied"
+    assert str(gallery.no(act.CopyIcons(doc, numbers(gallery, doc, "_"))).reason) == "a hole cannot be copied"
 
 
 def test_a_copied_loop_gets_a_tag_of_its_own_and_half_a_loop_is_none(gallery):  # R-D06, reading 23

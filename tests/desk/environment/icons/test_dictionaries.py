@@ -40,7 +40,7 @@ def test_another_dictionary_is_opened_by_its_base_directory_or_its_folder(cabine
 
 
 def test_what_is_no_dictionary_is_refused_with_what_could_be_opened(cabinet, tmp_path):  # R-X01
-    assert "there is no" in cabinet.no(act.OpenDictionary(str(tmp_path / "none"))).fields["path"]
+    assert "there is no" in str(cabinet.no(act.OpenDictionary(str(tmp_path / "none"))).fields["path"])
     base = far(tmp_path)
     (tmp_path / "all" / "inner" / "dict").mkdir(parents=True)
     no = cabinet.no(act.OpenDictionary(str(tmp_path / "all")))

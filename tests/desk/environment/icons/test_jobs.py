@@ -103,7 +103,7 @@ def test_the_icon_of_an_application_is_replaced_only_where_that_is_meant(sitting
     sitting.base.save_onikon(Onikon("move", "Complete application", "theirs", (), blank()))
     no = sitting.no(act.MakeJob(doc, BLANK))
     assert "the icon of something else" in str(no.reason)
-    assert str(no.reason) in sitting.do(act.Draft(doc)).warnings
+    assert no.reason in sitting.do(act.Draft(doc)).warnings
     sitting.do(no.remedies[0].act)
     assert onikon(sitting).type == "Joint job"
 
@@ -116,7 +116,7 @@ def test_where_it_cannot_be_written_the_reason_is_given(sitting, doc):
 def test_what_was_changed_of_a_task_and_not_saved_is_told(sitting, doc):  # R-C04
     edits = {"jmove": replace(TASKS[0], aliases=(("Q", "Q_2"),))}
     sitting.environment.become(lambda now: Done(replace(now, shelf=now.shelf.edited(edits))))
-    assert "jmove was changed here" in sitting.do(act.Draft(doc)).warnings[0]
+    assert "jmove was changed here" in str(sitting.do(act.Draft(doc)).warnings[0])
 
 
 def test_no_job_is_made_of_nothing(sitting):  # R-C16
@@ -132,7 +132,7 @@ def test_the_dictionary_has_the_job_at_once(tmp_path):  # R-C16, R-D01
     cabinet.do(act.Save(doc, "napC", str(cabinet.own.path)))
     cabinet.do(act.MakeJob(doc, BLANK, "wait"))
     view = cabinet.icon("napC")
-    assert (view.type, view.description, view.trouble) == ("Pause job", "wait", "")
+    assert (view.type, view.description, str(view.trouble)) == ("Pause job", "wait", "")
     assert view.source == str(cabinet.own.configuration_file("napC"))
     cabinet.look()
     assert cabinet.icon("napC") == view

@@ -13,4 +13,4 @@ def test_a_picture_gets_its_black_border_and_a_nine_is_black():  # R-B11, readin
 @pytest.mark.parametrize("digits", ["", "7" * 1023, "7" * 1023 + "x", "7" * 1023 + "٣"])
 def test_what_is_no_picture_is_told(digits):  # R-D07
     found = painted(digits)
-    assert isinstance(found, str) and found.startswith("expected 1024 digits")
+    assert str(found).startswith("expected 1024 digits")

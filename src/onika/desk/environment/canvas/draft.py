@@ -19,7 +19,7 @@ from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import OpenedText
 from onika.store.site import Site
 from onika.words.fault import Place
-from onika.words.reason import Reason, Text
+from onika.words.reason import NOTHING, Reason, Text
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,12 +42,12 @@ class Draft:
     notes: tuple[Text, ...]
     source: Path
     former: OpenedText[Onikon] | None = None
-    taken: str = ""
+    taken: Text = ""
 
     @property
-    def says(self) -> str:
+    def says(self) -> Reason:
         """What it is then, in words."""
-        return "a job" if self.source.suffix == conf.ENDING else "an icon for other applications"
+        return Reason.of("desk.a_job") if self.source.suffix == conf.ENDING else Reason.of("desk.icon_for_applications")
 
     @property
     def path(self) -> Path:
@@ -55,13 +55,13 @@ class Draft:
         return self.home.onikon_file(self.name)
 
 
-def drafted(document: Document, site: Site) -> Draft | tuple[str, ...]:
+def drafted(document: Document, site: Site) -> Draft | tuple[Text, ...]:
     """The job of a document that has a file; else all reasons why it makes none. Tasks count as their files say."""
     if document.base is None:
         raise ValueError(f"expected a document with a file, found {document.id}")
     syntax, faults = site.syntax()
     if syntax is None:
-        return tuple(map(str, faults))
+        return tuple(fault.sentence for fault in faults)
     home = BaseDirectory(document.base)
     tasks = _tasks(document, site.at(home.path))
     kind = job_type(document.content.configuration, tasks, syntax)
@@ -73,7 +73,7 @@ def drafted(document: Document, site: Site) -> Draft | tuple[str, ...]:
     warnings = (
         *((taken,) if taken else ()),
         *(
-            f"{later.name} and {earlier.name} may not stand together"
+            Reason.of("desk.may_not_stand_together", later=later.name, earlier=earlier.name)
             for later, earlier, _ in conflict.conflicts(standing)
         ),
         *of_type(kind, syntax, former),
@@ -97,44 +97,47 @@ def _tasks(document: Document, site: Site) -> dict[str, Task]:
     return {name: record.task for name, record in records.items() if record}
 
 
-def former_of(name: str, home: BaseDirectory, syntax: Syntax, role: str) -> tuple[OpenedText[Onikon] | None, str]:
+def former_of(name: str, home: BaseDirectory, syntax: Syntax, role: str) -> tuple[OpenedText[Onikon] | None, Reason]:
     """The icon that a job or application has; and why what stands in its place is none of its own (reading 34)."""
     path = home.onikon_file(name)
     if not path.exists():
-        return None, ""
+        return None, NOTHING
     former, faults = home.open_onikon(name, syntax)
     if former is None:
-        return None, f"{path} cannot be read and would be lost: {'; '.join(map(str, faults))}"
+        return None, Reason.of(
+            "desk.icon_lost_unread", path=str(path), reasons=tuple(fault.sentence for fault in faults)
+        )
     if role_of(syntax.acting(former.value.type)) != role:
-        return None, f"{path} is the icon of something else, {a_kind(former.value.type)}, which would be lost"
-    return former, ""
+        return None, Reason.of("desk.icon_lost", path=str(path), kind=a_kind(former.value.type))
+    return former, NOTHING
 
 
-def of_type(kind: ActionType, syntax: Syntax, former: OpenedText[Onikon] | None) -> Iterator[str]:
+def of_type(kind: ActionType, syntax: Syntax, former: OpenedText[Onikon] | None) -> Iterator[Reason]:
     """A type that is not defined (D16), and an icon that says another one (reading 36)."""
     if syntax.find(kind.type) is None:
-        yield f"the syntax does not define {kind_named(kind.type)}: its icon acts as a complete {_role(kind, syntax)}"
+        yield Reason.of("desk.type_undefined", kind=kind_named(kind.type), role=_role(kind, syntax))
     if former and (former.value.type, former.value.more_targets) != (kind.type, kind.more_targets):
-        yield f"its icon says {kind_named(former.value.type)}, as it was before"
+        yield Reason.of("desk.icon_says", kind=kind_named(former.value.type))
 
 
-def namesakes(name: str, home: BaseDirectory, site: Site) -> Iterator[str]:
+def namesakes(name: str, home: BaseDirectory, site: Site) -> Iterator[Reason]:
     """Other icons of that name: of two the first on the search path counts (D15)."""
     paths = [base.path.resolve() for base in site.directories]
     own = paths.index(home.path.resolve()) if home.path.resolve() in paths else None
     if own is None:
-        yield f"{home.path} is not on the search path: no dictionary shows this icon"
+        yield Reason.of("desk.not_on_path", path=str(home.path))
     for place, base in enumerate(site.directories):
         if place != own and base.onikon_file(name).exists():
-            counts = "this one" if own is not None and own < place else "that one"
-            yield f"{base.path} has an icon {name} too: {counts} counts, as it comes first"
+            path, is_ours = str(base.path), own is not None and own < place
+            ours = Reason.of("desk.this_icon_counts", path=path, name=name)
+            yield ours if is_ours else Reason.of("desk.that_icon_counts", path=path, name=name)
 
 
 def _role(kind: ActionType, syntax: Syntax) -> str:
     return role_of(syntax.acting(kind.type))
 
 
-def _notes(document: Document, tasks: Sequence[Task]) -> tuple[Reason, ...]:
+def _notes(document: Document, tasks: Sequence[Task]) -> tuple[Text, ...]:
     place = Place(document.name)
     return tuple(
         said(further_trigger)

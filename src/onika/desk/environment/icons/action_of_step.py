@@ -12,6 +12,7 @@ from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.plan.icon_names import step_named
 from onika.model.application import Action, AppFlow, Branch, Icon, actions
 from onika.model.flow_path import spots
+from onika.words.reason import Reason
 
 
 class Acting(NamedTuple):
@@ -30,14 +31,14 @@ def action_of(model: Model, opened: OpenApplication, number: int) -> Acting | No
     """The action to which the step of this number belongs."""
     spot = spots(opened.application).get(number)
     if spot is None:
-        return No("what was selected is no longer there")
+        return No(Reason.of("desk.selection_gone"))
     if isinstance(spot.step, Branch):
-        return No("a branch bears no marks: mark an action before it, behind it or in it")
+        return No(Reason.of("desk.branch_without_marks"))
     flow = flow_at(opened.application, spot.path) or AppFlow(())
     for action in actions(flow, syntax_of(model)):
         if action.position <= spot.position < action.end:
             return Acting(spot.path, flow, action)
-    return No(f"{step_named(spot.step)} belongs to no action, and only actions bear marks")
+    return No(Reason.of("desk.no_action_of_step", step=step_named(spot.step)))
 
 
 def exchanged(flow: AppFlow, icons: dict[int, Icon]) -> AppFlow:

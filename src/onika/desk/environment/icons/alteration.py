@@ -10,9 +10,10 @@ from onika.desk.environment.state.open_application import OpenApplication
 from onika.model.application import AppFlow, Application
 from onika.model.flow_path import StepAddress, flows_by_path, numbered, spot_of, spots, with_flows
 from onika.wire import act
+from onika.words.reason import Reason, Text
 
 
-def altered(model: Model, opened: OpenApplication, application: Application, label: str, value: Any = None) -> Done:
+def altered(model: Model, opened: OpenApplication, application: Application, label: Text, value: Any = None) -> Done:
     """With other content; steps that are new get their numbers."""
     application, last = numbered(application, opened.last_number)
     now = replace(opened, application=application, last_number=last)
@@ -20,7 +21,7 @@ def altered(model: Model, opened: OpenApplication, application: Application, lab
 
 
 def reflowed(
-    model: Model, opened: OpenApplication, flows: Mapping[str, AppFlow], label: str, value: Any = None
+    model: Model, opened: OpenApplication, flows: Mapping[str, AppFlow], label: Text, value: Any = None
 ) -> Done:
     """With other flows, by their paths."""
     return altered(model, opened, with_flows(opened.application, dict(flows)), label, value)
@@ -34,13 +35,13 @@ def flow_at(application: Application, path: str) -> AppFlow | None:
 def place_behind(application: Application, path: str, after: int) -> tuple[str, int] | No:
     """The flow and position of the step `after`, wherever it is now; of 0 the beginning of the flow `path`."""
     if not after:
-        return (path, -1) if flow_at(application, path) is not None else No("this flow is no longer there")
+        return (path, -1) if flow_at(application, path) is not None else No(Reason.of("desk.flow_gone"))
     spot = spot_of(application, after)
-    return (spot.path, spot.position) if spot else No("the icon it should stand behind is no longer there")
+    return (spot.path, spot.position) if spot else No(Reason.of("desk.place_gone"))
 
 
 def spots_of(application: Application, steps: act.Steps) -> list[StepAddress] | No:
     """Where steps stand, in their order there; those that somebody else has deleted are passed over."""
     wanted = set(steps)
     there = [spot for number, spot in spots(application).items() if number in wanted]
-    return there or No("what was selected is no longer there" if wanted else "nothing is selected")
+    return there or No(Reason.of("desk.selection_gone") if wanted else Reason.of("desk.nothing_selected"))

@@ -1,6 +1,6 @@
 """The icon that an application would make for others (requirement D09, readings 31 and 34, §5.6.4)."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 from onika.desk.environment.canvas.draft import Draft, former_of, namesakes, of_type
 from onika.desk.environment.outcome.fault_text import said
@@ -19,6 +19,7 @@ from onika.store.site import Site
 from onika.wire import act
 from onika.wire.view import Remedy, ShowSaveAs, ShowStep
 from onika.words.fault import Refusal
+from onika.words.reason import Reason
 
 _MOST = 4
 """Buttons beside a refusal."""
@@ -28,15 +29,15 @@ def drafted(model: Model, opened: OpenApplication, site: Site) -> Draft | No:
     """The icon of an application that is saved; else all reasons why it makes none, with what could be done."""
     syntax = model.syntax
     if syntax is None:
-        return No("there is no syntax definition, which says what types of icons there are")
+        return No(Reason.of("desk.no_syntax"))
     if opened.opened is None or opened.base is None:
-        return No(f"{opened.name} has no file yet: an icon is made of one", (_elsewhere(),))
+        return No(Reason.of("desk.icon_of_no_file", name=opened.name), (_elsewhere(),))
     if opened.is_dirty:
-        reason = f"{opened.name} has changed since it was saved: an icon is made of what its file says"
-        return No(reason, (Remedy("Save it", act.Save(opened.id)), _elsewhere()))
+        reason = Reason.of("desk.icon_of_unsaved", name=opened.name)
+        return No(reason, (Remedy(Reason.of("desk.save_it"), act.Save(opened.id)), _elsewhere()))
     kind = application_type(opened.application, syntax)
     if not isinstance(kind, ActionType):
-        return No("; ".join(_reasons(opened, syntax, kind)), tuple(_remedies(opened, syntax))[:_MOST])
+        return No(_refused(opened, syntax, kind), tuple(_remedies(opened, syntax))[:_MOST])
     home = BaseDirectory(opened.base)
     former, taken = former_of(opened.name, home, syntax, "application")
     acting = syntax.acting(kind.type)
@@ -60,13 +61,14 @@ def drafted(model: Model, opened: OpenApplication, site: Site) -> Draft | No:
 
 
 def _elsewhere() -> Remedy:
-    return Remedy("Save as…", show=ShowSaveAs())
+    return Remedy(Reason.of("desk.save_as"), show=ShowSaveAs())
 
 
-def _reasons(opened: OpenApplication, syntax: Syntax, refused: Sequence[Refusal]) -> Iterable[str]:
+def _refused(opened: OpenApplication, syntax: Syntax, refused: Sequence[Refusal]) -> Reason:
     """What is wrong with its steps, which comes first, in the words of the list beside it; then what its holes want."""
-    wrong = [str(said(fault)) for fault in shape.faults(Outline.of(opened.application, syntax, opened.name), syntax)]
-    return dict.fromkeys((*wrong, *(in_words(plain(refusal.reason)) for refusal in refused[len(wrong) :])))
+    wrong = [said(fault) for fault in shape.faults(Outline.of(opened.application, syntax, opened.name), syntax)]
+    wanted = [in_words(plain(refusal.reason)) for refusal in refused[len(wrong) :]]
+    return Reason.of("desk.several_reasons", reasons=tuple(dict.fromkeys((*wrong, *wanted))))
 
 
 def _remedies(opened: OpenApplication, syntax: Syntax) -> Iterator[Remedy]:
@@ -76,24 +78,28 @@ def _remedies(opened: OpenApplication, syntax: Syntax) -> Iterator[Remedy]:
     )
     for open_hole in holes:
         step = open_hole.passage.flow.steps[open_hole.position]
-        label = f"Fill the hole for {a_kind(open_hole.types[0])}" if open_hole.types else "Fill the hole"
+        label = (
+            Reason.of("desk.fill_hole_for", kind=a_kind(open_hole.types[0]))
+            if open_hole.types
+            else Reason.of("desk.fill_hole")
+        )
         yield Remedy(label, show=ShowStep(step.number))
 
 
-def _filled(opened: OpenApplication, syntax: Syntax) -> Iterator[str]:
+def _filled(opened: OpenApplication, syntax: Syntax) -> Iterator[Reason]:
     """That one target fills several holes (D09), which is worth knowing before."""
     outline = Outline.of(opened.application, syntax, opened.name)
     wanted = [kind for open_hole in hole.holes(outline, syntax) for kind in open_hole.types]
     for kind in hole.open_types(outline, syntax):
         count = sum(wanted_kind.lower() == kind.lower() for wanted_kind in wanted)
         if count > 1:
-            yield f"the {kind_named(kind)} behind it fills {count} holes"
+            yield Reason.of("desk.target_fills_holes", kind=kind_named(kind), count=count)
 
 
-def _within_itself(opened: OpenApplication, syntax: Syntax) -> Iterator[str]:
+def _within_itself(opened: OpenApplication, syntax: Syntax) -> Iterator[Reason]:
     for _, flow in every_flow(opened.application):
         for step in flow.steps:
             kind = syntax.acting(step.onikon.type) if isinstance(step, Icon) else None
             if isinstance(step, Icon) and kind and kind.is_application and step.onikon.name == opened.name:
-                yield f"{opened.name} stands in itself: it cannot run"
+                yield Reason.of("desk.icon_within_itself", name=opened.name)
                 return

@@ -13,6 +13,7 @@ from onika.model.flow_path import spots, with_step
 from onika.wire import act
 from onika.wire.view import Remedy, ShowStep
 from onika.words.condition import Condition
+from onika.words.reason import Reason, Text, reason_of
 
 
 @on_resting_application
@@ -27,7 +28,7 @@ def set_conditions(
     if isinstance(conditions, No):
         return conditions
     application = with_step(opened.application, command.step, replace(branch, conditions=conditions))
-    return altered(model, opened, application, "saying which flow of a branch runs")
+    return altered(model, opened, application, Reason.of("desk.saying_flow_of_branch"))
 
 
 @on_resting_application
@@ -39,7 +40,7 @@ def add_flow(model: Model, opened: OpenApplication, command: act.AddFlow, _outsi
             return _too_many()
         flows = (*application.flows, AppFlow(()))
         path = str(len(application.flows))
-        return altered(model, opened, replace(application, flows=flows), "adding a flow", path)
+        return altered(model, opened, replace(application, flows=flows), Reason.of("desk.adding_flow"), path)
     branch = _branch(application, command.step)
     if isinstance(branch, No):
         return branch
@@ -48,13 +49,15 @@ def add_flow(model: Model, opened: OpenApplication, command: act.AddFlow, _outsi
     if branch.conditions:
         freed = act.SetConditions(opened.id, command.step, ())
         remedies = (
-            Remedy("Choose by what was returned", freed),
-            Remedy("Show the branch", show=ShowStep(command.step)),
+            Remedy(Reason.of("desk.choose_by_returned"), freed),
+            Remedy(Reason.of("desk.show_branch"), show=ShowStep(command.step)),
         )
-        return No("this branch chooses by conditions: one more flow would have none", remedies)
+        return No(Reason.of("desk.branch_has_conditions"), remedies)
     grown = replace(branch, flows=(*branch.flows, AppFlow(())))
     path = f"{spots(application)[command.step].path}/{command.step}/{len(branch.flows)}"
-    return altered(model, opened, with_step(application, command.step, grown), "adding a flow to a branch", path)
+    return altered(
+        model, opened, with_step(application, command.step, grown), Reason.of("desk.adding_flow_to_branch"), path
+    )
 
 
 @on_resting_application
@@ -62,30 +65,32 @@ def remove_flow(model: Model, opened: OpenApplication, command: act.RemoveFlow, 
     """Take a flow away with all that is in it; of a branch its condition too."""
     application = opened.application
     if flow_at(application, command.flow) is None:
-        return No("this flow is no longer there")
+        return No(Reason.of("desk.flow_gone"))
     *way, last = command.flow.split("/")
     number = int(last)
     if not way:
         if len(application.flows) == 1:
-            return No("an application has at least one flow")
+            return No(Reason.of("desk.application_without_flow"))
         flows = _but(application.flows, number)
-        return altered(model, opened, replace(application, flows=flows), "deleting a flow")
+        return altered(model, opened, replace(application, flows=flows), Reason.of("desk.deleting_flow"))
     branch = _branch(application, int(way[-1]))
     if isinstance(branch, No):
         return branch
     if len(branch.flows) == 1:
-        remedy = Remedy("Delete the branch", act.RemoveIcons(opened.id, (branch.number,)))
-        return No("a branch has at least one flow", (remedy,))
+        remedy = Remedy(Reason.of("desk.delete_branch"), act.RemoveIcons(opened.id, (branch.number,)))
+        return No(Reason.of("desk.branch_without_flow"), (remedy,))
     gone = min(number, len(branch.conditions) - 1)  # the last flow has none: then what was the last but one is it
     conditions = (*branch.conditions[:gone], *branch.conditions[gone + 1 :]) if branch.conditions else ()
     shrunk = replace(branch, flows=_but(branch.flows, number), conditions=conditions)
-    return altered(model, opened, with_step(application, branch.number, shrunk), "deleting a flow of a branch")
+    return altered(
+        model, opened, with_step(application, branch.number, shrunk), Reason.of("desk.deleting_flow_of_branch")
+    )
 
 
 @on_resting_application
 def set_parallel(model: Model, opened: OpenApplication, command: act.SetParallel, _outside: Surroundings) -> Done | No:
     """Whether the flows run side by side, or one of them is chosen."""
-    label = "making it parallel" if command.is_parallel else "making it conditional"
+    label = Reason.of("desk.making_parallel") if command.is_parallel else Reason.of("desk.making_conditional")
     if opened.application.is_parallel == command.is_parallel:
         return Done(model)
     return altered(model, opened, replace(opened.application, is_parallel=command.is_parallel), label)
@@ -94,8 +99,10 @@ def set_parallel(model: Model, opened: OpenApplication, command: act.SetParallel
 def branch_of(flows: int, conditions: tuple[str, ...]) -> Branch | No:
     """A branch with so many empty flows."""
     if not 2 <= flows <= MOST_FLOWS:
-        form = f"from 2 to {MOST_FLOWS}"
-        return No(f"a branch has {form} flows, not {flows}", fields={"flows": f"expected {form}"})
+        return No(
+            Reason.of("desk.branch_flow_count", most=MOST_FLOWS, flows=flows),
+            fields={"flows": Reason.of("desk.flow_count_form", most=MOST_FLOWS)},
+        )
     parsed = conditions_of(conditions, flows)
     return parsed if isinstance(parsed, No) else Branch((AppFlow(()),) * flows, parsed)
 
@@ -105,22 +112,24 @@ def conditions_of(texts: tuple[str, ...], flows: int) -> tuple[str, ...] | No:
     if not texts:
         return ()
     if len(texts) != flows - 1:
-        return No(f"expected {flows - 1} conditions for {flows} flows, or none, found {len(texts)}")
-    wrong: dict[str, str] = {}
+        return No(Reason.of("desk.condition_count", count=flows - 1, flows=flows, given=len(texts)))
+    wrong: dict[str, Text] = {}
     parsed = []
     for at, text in enumerate(texts):
         try:
             parsed.append(Condition.parse(text).text)
         except ValueError as error:
-            wrong[f"conditions[{at}]"] = str(error)
-    return No("; ".join(wrong.values()), fields=wrong) if wrong else tuple(parsed)
+            wrong[f"conditions[{at}]"] = reason_of(error)
+    if wrong:
+        return No(Reason.of("desk.several_reasons", reasons=tuple(wrong.values())), fields=wrong)
+    return tuple(parsed)
 
 
 def _branch(application: Application, number: int) -> Branch | No:
     spot = spots(application).get(number)
     if spot is None:
-        return No("this branch is no longer there")
-    return spot.step if isinstance(spot.step, Branch) else No("this is no branch")
+        return No(Reason.of("desk.branch_gone"))
+    return spot.step if isinstance(spot.step, Branch) else No(Reason.of("desk.not_a_branch"))
 
 
 def _but(flows: tuple[AppFlow, ...], number: int) -> tuple[AppFlow, ...]:
@@ -128,4 +137,4 @@ def _but(flows: tuple[AppFlow, ...], number: int) -> tuple[AppFlow, ...]:
 
 
 def _too_many() -> No:
-    return No(f"there are {MOST_FLOWS} flows already, and no more can be had")
+    return No(Reason.of("desk.flows_too_many", most=MOST_FLOWS))

@@ -9,6 +9,7 @@ from onika.desk.environment.icons.alteration import flow_at, place_behind, reflo
 from onika.desk.environment.icons.fitting import misfit
 from onika.desk.environment.icons.insertion import is_too_deep, is_within, remove_icons, too_deep
 from onika.desk.environment.icons.loops import for_pasting
+from onika.desk.environment.outcome import fault_text
 from onika.desk.environment.outcome.on_file import (
     is_running,
     on_application,
@@ -17,7 +18,6 @@ from onika.desk.environment.outcome.on_file import (
     syntax_of,
 )
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.remedy import plain
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
@@ -28,6 +28,8 @@ from onika.model.flow_path import numbered, unnumbered, with_flows
 from onika.model.rules import jigsaw
 from onika.model.syntax import Syntax
 from onika.wire import act
+from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 _NAME = "copied"
 
@@ -41,7 +43,7 @@ def copy_icons(model: Model, opened: OpenApplication, command: act.CopyIcons, _o
     numbers = {spot.step.number for spot in spots}
     steps = unnumbered(spot.step for spot in spots if not is_within(spot.path, numbers))
     if all(isinstance(step, Hole) for step in steps):
-        return No("a hole cannot be copied")
+        return No(Reason.of("desk.hole_not_copied"))
     return Done(replace(model, icons=steps), value=_written(steps))
 
 
@@ -56,7 +58,7 @@ def cut_icons(model: Model, opened: OpenApplication, command: act.CutIcons, outs
     done = remove_icons(copied.model, act.RemoveIcons(command.doc, command.steps), outside)
     if isinstance(done, No):
         return done
-    return replace(done, label=done.label.replace("deleting", "cutting", 1), value=copied.value)
+    return replace(done, label=Reason.of("desk.cutting", icons=several(copied.model.icons)), value=copied.value)
 
 
 @on_resting_application
@@ -68,7 +70,7 @@ def paste_icons(model: Model, opened: OpenApplication, command: act.PasteIcons, 
         return steps
     first = next((step for step in steps if not isinstance(step, Hole)), None)
     if first is None:
-        return No("nothing was copied yet")
+        return No(Reason.of("desk.nothing_copied"))
     place = place_behind(opened.application, command.flow, command.after)
     if isinstance(place, No):
         return place
@@ -76,7 +78,7 @@ def paste_icons(model: Model, opened: OpenApplication, command: act.PasteIcons, 
     flow = flow_at(opened.application, path) or AppFlow(())
     refused = misfit(model, opened, flow, position, first, path=path)
     if refused:
-        return replace(refused, reason=f"nothing is pasted: {refused.reason}")
+        return replace(refused, reason=Reason.of("desk.nothing_pasted", reason=refused.reason))
     new, last = numbered(Application("", False, (AppFlow(for_pasting(steps, flow)),)), opened.last_number)
     pasted = new.flows[0].steps
     after = jigsaw.insert_all(flow, position, pasted, syntax)
@@ -84,7 +86,7 @@ def paste_icons(model: Model, opened: OpenApplication, command: act.PasteIcons, 
         return too_deep()
     opened = replace(opened, last_number=last)
     numbers = tuple(step.number for step in pasted if not isinstance(step, Hole))
-    return reflowed(model, opened, {path: after}, f"pasting {several(pasted)}", numbers)
+    return reflowed(model, opened, {path: after}, Reason.of("desk.pasting", icons=several(pasted)), numbers)
 
 
 def _written(steps: tuple[Step, ...]) -> str:
@@ -95,7 +97,12 @@ def _read(text: str, syntax: Syntax) -> tuple[Step, ...] | No:
     """The steps of a text; those of its only flow."""
     application, faults = appl.read(text.strip() + "\n", _NAME, "the text", syntax)
     if application is None:
-        return No(f"this is no text of icons: {plain(str(faults[0]).partition('; instead')[0])}")
+        return No(Reason.of("desk.text_without_icons", why=_why(faults[0])))
     if len(application.flows) != 1:
-        return No(f"expected the icons of one flow, found {len(application.flows)} flows")
+        return No(Reason.of("desk.icons_of_one_flow", count=len(application.flows)))
     return unnumbered(application.flows[0].steps)
+
+
+def _why(fault: Fault) -> Reason:
+    """What is wrong with the text, and where in it."""
+    return Reason.of("desk.placed_fault", place=str(fault.place), reason=fault_text.simple(fault.reason))

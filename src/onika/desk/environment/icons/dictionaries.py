@@ -14,6 +14,7 @@ from onika.store.base_directory import BaseDirectory
 from onika.store.site import Site
 from onika.wire import act
 from onika.wire.view import Remedy
+from onika.words.reason import Reason, reason_of
 
 
 def open_dictionary(model: Model, command: act.OpenDictionary, outside: Surroundings) -> Done | No:
@@ -24,7 +25,9 @@ def open_dictionary(model: Model, command: act.OpenDictionary, outside: Surround
         whole = path.resolve()
         refused = _no_dictionary(path)
     except (OSError, RuntimeError, ValueError) as error:  # a name that no system allows, or no such user
-        return No(f"{command.path!r} cannot be opened: {error}", fields={"path": str(error)})
+        return No(
+            Reason.of("desk.path_unopened", path=command.path, why=reason_of(error)), fields={"path": reason_of(error)}
+        )
     if refused:
         return refused
     dictionary = next(
@@ -40,7 +43,7 @@ def close_dictionary(model: Model, command: act.CloseDictionary, _outside: Surro
     """Close a dictionary; what is placed of it stays, and names that it kept from later ones are theirs."""
     left = [dictionary.base for dictionary in model.dictionaries if str(dictionary.base.path) != command.dictionary]
     if len(left) == len(model.dictionaries):
-        return No(f"the dictionary {command.dictionary} is not open")
+        return No(Reason.of("desk.dictionary_closed", dictionary=command.dictionary))
     return rearranged(model, left, frozenset())
 
 
@@ -119,10 +122,19 @@ def _is_on(site: Site, base: BaseDirectory) -> bool:
 def _no_dictionary(path: Path) -> No | None:
     """Why a path is none of a dictionary, if so."""
     if not path.is_dir():
-        reason = f"{path} is no directory" if path.exists() else f"there is no {path}"
+        shown = str(path)
+        is_file = path.exists()
+        reason = (
+            Reason.of("desk.not_a_directory", path=shown) if is_file else Reason.of("desk.path_missing", path=shown)
+        )
         return No(reason, fields={"path": reason})
     if has_dictionary(BaseDirectory(path)):
         return None
-    reason = f"{path} has no dictionary: expected a folder dict in it, found none"
+    reason = Reason.of("desk.no_dictionary", path=str(path))
     below = sorted(path for path in path.iterdir() if (path / "dict").is_dir())[:3]
-    return No(reason, tuple(Remedy(f"Open {path}", act.OpenDictionary(str(path))) for path in below), {"path": reason})
+    remedies = tuple(_opening(str(path)) for path in below)
+    return No(reason, remedies, {"path": reason})
+
+
+def _opening(path: str) -> Remedy:
+    return Remedy(Reason.of("desk.open_dictionary", path=path), act.OpenDictionary(path))

@@ -1,6 +1,7 @@
 """Which icons of the open dictionaries fit where another one does not, and buttons that take them (requirement X01)."""
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 from onika.desk.environment.outcome.on_file import syntax_of
 from onika.desk.environment.outcome.outcome import No
@@ -16,6 +17,7 @@ from onika.model.rules.jigsaw import fits, solid_at, stands_in_flow
 from onika.model.syntax import IconType, Syntax
 from onika.wire import act
 from onika.wire.view import Remedy, ShowFits
+from onika.words.reason import Reason, Text
 
 _MOST = 4
 """Buttons of a refusal."""
@@ -30,7 +32,7 @@ def onikons(model: Model) -> Iterator[Onikon]:
 def onikon(model: Model, name: str) -> Onikon | No:
     """The icon of this name."""
     onikon = next((onikon for onikon in onikons(model) if onikon.name == name), None)
-    return onikon or No(f"no open dictionary has an icon {name}")
+    return onikon or No(Reason.of("desk.no_icon", name=name))
 
 
 def misfit(model: Model, opened: OpenApplication, flow: AppFlow, after: int, step: Solid, *, path: str) -> No | None:
@@ -42,23 +44,49 @@ def misfit(model: Model, opened: OpenApplication, flow: AppFlow, after: int, ste
     at = solid_at(flow, after)
     left, kind = kind_at(flow, at, syntax), kind_of(step, syntax)
     if isinstance(step, Icon) and (kind is None or not stands_in_flow(kind)):
-        return No(f"{quoted(step.onikon)} is {a_kind(step.onikon.type)}, which stands in no flow")
+        return No(Reason.of("desk.in_no_flow", icon=quoted(step.onikon), kind=a_kind(step.onikon.type)))
     if left is None or kind is None or fits(left, kind):
         return None
-    shown = "a branch" if isinstance(step, Branch) else a_kind(kind.name)
     before = flow.steps[at] if at >= 0 else None
-    behind = quoted(before.onikon) if isinstance(before, Icon) else "a branch" if before else "the start"
+    shown = Reason.of("desk.a_branch") if isinstance(step, Branch) else a_kind(kind.name)
+    reason = Reason.of("desk.step_unfit", step=shown, behind=_place(before), needed=_needed(left, syntax, at))
+    return No(reason, tuple(_ways(model, opened, _Misfit(path, before, step, left, kind))))
+
+
+@dataclass(frozen=True, slots=True)
+class _Misfit:
+    """A step that does not fit: the flow's path, the step before it, and the types on both sides."""
+
+    path: str
+    before: Solid | Hole | None
+    step: Solid
+    left: IconType
+    kind: IconType
+
+
+def _place(before: Solid | Hole | None) -> Text:
+    """What a step would stand behind."""
+    if isinstance(before, Icon):
+        return quoted(before.onikon)
+    return Reason.of("desk.a_branch") if before else Reason.of("desk.the_start")
+
+
+def _ways(model: Model, opened: OpenApplication, misfit: _Misfit) -> list[Remedy]:
+    """What could be done instead: the last button, which shows all that fit, is always among them."""
+    syntax, before, kind = syntax_of(model), misfit.before, misfit.kind
     number = before.number if before else 0
-    fitting = fitting_behind(model, left)
-    remedies = [*_in_its_place(model, opened, before, step, syntax)]
-    remedies += [*_use(opened, path, number, _likeliest(fitting, kind, opened, syntax), kind, syntax)]
+    fitting = fitting_behind(model, misfit.left)
+    remedies = [*_in_its_place(model, opened, before, misfit.step, syntax)]
+    remedies += _use(opened, misfit.path, number, _likeliest(fitting, kind, opened, syntax), kind, syntax)
     if isinstance(before, Icon) and kind.is_target:
         remedies += _other_jobs(model, opened, before, kind, syntax)
     if fitting:
-        count = f"{len(fitting)} that fit" if len(fitting) > 1 else "one that fits"
-        remedies.append(Remedy(f"Show the {count}", show=ShowFits(path, number)))
-    reason = f"{shown} does not fit behind {behind}: {_needed(left, syntax, at)}"
-    return No(reason, tuple(remedies[: _MOST - 1] + remedies[-1:] if len(remedies) > _MOST else remedies))
+        remedies.append(Remedy(_show_fitting(len(fitting)), show=ShowFits(misfit.path, number)))
+    return remedies[: _MOST - 1] + remedies[-1:] if len(remedies) > _MOST else remedies
+
+
+def _show_fitting(count: int) -> Reason:
+    return Reason.of("desk.show_fitting", count=count) if count > 1 else Reason.of("desk.show_only_fitting")
 
 
 def fitting_behind(model: Model, left: IconType) -> list[Onikon]:
@@ -68,12 +96,12 @@ def fitting_behind(model: Model, left: IconType) -> list[Onikon]:
     return [onikon for onikon, kind in kinds if kind and stands_in_flow(kind) and fits(left, kind)]
 
 
-def _needed(left: IconType, syntax: Syntax, at: int) -> str:
+def _needed(left: IconType, syntax: Syntax, at: int) -> Reason:
     """What has to stand behind an icon of this type, as it stands there."""
     kinds = [kind.name for kind in syntax.types if kind.is_target and fits(left, kind)]
     if kinds:
-        return "it needs " + " or ".join(a_kind(kind) for kind in kinds)
-    return "there is no action to give it to" if at < 0 else "an action comes next"
+        return Reason.of("desk.needs_kind", kinds=tuple(a_kind(kind) for kind in kinds))
+    return Reason.of("desk.no_action_for_it") if at < 0 else Reason.of("desk.action_next")
 
 
 def _in_its_place(
@@ -87,7 +115,7 @@ def _in_its_place(
         return
     is_like = (stands.left_edge, stands.right_edge) == (new.left_edge, new.right_edge)
     if is_like and isinstance(onikon(model, step.onikon.name), Onikon):
-        yield Remedy("Put it in its place", act.ExchangeIcon(opened.id, before.number, step.onikon.name))
+        yield Remedy(Reason.of("desk.put_in_place"), act.ExchangeIcon(opened.id, before.number, step.onikon.name))
 
 
 def _likeliest(fitting: list[Onikon], meant: IconType, opened: OpenApplication, syntax: Syntax) -> list[Onikon]:
@@ -114,7 +142,11 @@ def _use(
     opened: OpenApplication, path: str, number: int, fitting: list[Onikon], meant: IconType, syntax: Syntax
 ) -> Iterator[Remedy]:
     for onikon in fitting[:2]:
-        label = f"First insert {named(onikon)}" if _leads_to(onikon, meant, syntax) else f"Use {named(onikon)}"
+        label = (
+            Reason.of("desk.first_insert", icon=named(onikon))
+            if _leads_to(onikon, meant, syntax)
+            else Reason.of("desk.use_icon", icon=named(onikon))
+        )
         yield Remedy(label, act.InsertIcon(opened.id, onikon.name, path, number))
 
 
@@ -135,5 +167,5 @@ def _other_jobs(
         kind = syntax.acting(onikon.type)
         if kind and role_of(kind) == role_of(now) and kind.left_edge == now.left_edge and fits(kind, target):
             act_ = act.ExchangeIcon(opened.id, before.number, onikon.name)
-            yield Remedy(f"Change {named(before.onikon)} to {named(onikon)}", act_)
+            yield Remedy(Reason.of("desk.change_icon_to", before=named(before.onikon), after=named(onikon)), act_)
             return

@@ -16,7 +16,9 @@ from onika.desk.plan.icon_names import a_kind, named, quoted
 from onika.model.application import Icon
 from onika.model.flow_path import spots, with_step
 from onika.model.onikon import Onikon
+from onika.model.picture import Picture
 from onika.wire import act
+from onika.words.reason import Reason
 
 
 @on_resting_application
@@ -24,32 +26,32 @@ def edit_icon(model: Model, opened: OpenApplication, command: act.EditIcon, _out
     """Change this one icon; those of the dictionary and its other instances stay as they are."""
     spot = spots(opened.application).get(command.step)
     if spot is None:
-        return No("this icon is no longer there")
+        return No(Reason.of("desk.icon_gone"))
     icon = spot.step
     if not isinstance(icon, Icon):
-        return No("only icons can be changed")
+        return No(Reason.of("desk.only_icons"))
     changed = _changed(model, icon.onikon, command)
     if isinstance(changed, No):
         return changed
     if changed == icon.onikon:
         return Done(model)
     application = with_step(opened.application, command.step, replace(icon, onikon=changed))
-    return altered(model, opened, application, f"changing {named(icon.onikon)}")
+    return altered(model, opened, application, Reason.of("desk.changing_icon", icon=named(icon.onikon)))
 
 
 def _changed(model: Model, onikon: Onikon, command: act.EditIcon) -> Onikon | No:
     if command.values is not None:
         items = items_of(model, onikon.type)
         if not items and command.values:
-            return No(f"{quoted(onikon)} is {a_kind(onikon.type)}, which has no values")
+            return No(Reason.of("desk.without_values", icon=quoted(onikon), kind=a_kind(onikon.type)))
         typed = target_values.checked(items, command.values)
         if isinstance(typed, dict):
             return No(target_values.refusal_text(typed), fields=typed)
         onikon = replace(onikon, values=typed)
     if command.picture is not None:
         picture = painted(command.picture)
-        if isinstance(picture, str):
-            return No(f"the picture cannot be kept: {picture}", fields={"picture": picture})
+        if not isinstance(picture, Picture):
+            return No(Reason.of("desk.picture_unkept", why=picture), fields={"picture": picture})
         onikon = replace(onikon, picture=picture)
     if command.description is not None:
         description = " ".join(command.description.split())

@@ -19,6 +19,7 @@ from onika.model.onikon import Onikon
 from onika.model.rules import jigsaw
 from onika.model.rules.gap import Solid, kind_of
 from onika.wire import act
+from onika.words.reason import Reason
 
 
 @on_resting_application
@@ -59,7 +60,7 @@ def exchange_icon(
         if refused:
             return refused
     after = jigsaw.exchange(flow, position, new, syntax_of(model))
-    label = f"exchanging {step_named(step)} for {named(wanted)}"
+    label = Reason.of("desk.exchanging_icon", step=step_named(step), icon=named(wanted))
     return reflowed(model, opened, {path: after}, label, command.step)
 
 
@@ -71,9 +72,9 @@ def remove_icons(model: Model, opened: OpenApplication, command: act.RemoveIcons
         return spots
     gone = [spot.step for spot in spots if not isinstance(spot.step, Hole) or spot.step.kept]
     if not gone:
-        return No("a hole cannot be deleted: it closes as soon as what fits stands in it, or beside it")
+        return No(Reason.of("desk.hole_not_deleted"))
     flows = without(model, opened, {step.number for step in gone})
-    return reflowed(model, opened, flows, f"deleting {several(gone)}")
+    return reflowed(model, opened, flows, Reason.of("desk.deleting", icons=several(gone)))
 
 
 def without(model: Model, opened: OpenApplication, numbers: set[int]) -> dict[str, AppFlow]:
@@ -104,7 +105,7 @@ def is_too_deep(application: Application) -> bool:
 
 def too_deep() -> No:
     """Why no more branches are put into each other."""
-    return No(f"at most {DEEPEST} branches may stand within each other")
+    return No(Reason.of("desk.branches_too_deep", most=DEEPEST))
 
 
 def _inserted(model: Model, opened: OpenApplication, path: str, after: int, step: Solid) -> Done | No:
@@ -122,7 +123,7 @@ def _inserted(model: Model, opened: OpenApplication, path: str, after: int, step
     after_ = jigsaw.insert(flow, position, step, syntax_of(model))
     if isinstance(step, Branch) and is_too_deep(with_flows(opened.application, {path: after_})):
         return too_deep()
-    return reflowed(model, opened, {path: after_}, f"inserting {step_named(step)}", number)
+    return reflowed(model, opened, {path: after_}, Reason.of("desk.inserting", step=step_named(step)), number)
 
 
 def _exchanged(model: Model, step: Icon, wanted: Onikon) -> Icon:

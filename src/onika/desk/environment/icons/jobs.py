@@ -19,9 +19,11 @@ from onika.desk.environment.state.open_file import Kind
 from onika.desk.environment.state.picture_digits import painted
 from onika.desk.plan.icon_names import kind_named
 from onika.model.onikon import Onikon
+from onika.model.picture import Picture
 from onika.wire import act, page
 from onika.wire.view import DraftView, Remedy, ShowSaveAs
 from onika.words.fault import Refusal
+from onika.words.reason import Reason
 
 
 def draft(model: Model, command: act.Draft, outside: Surroundings) -> Done | No:
@@ -36,20 +38,20 @@ def make_job(model: Model, command: act.MakeJob, outside: Surroundings) -> Done 
     if isinstance(job, No):
         return job
     picture = painted(command.picture)
-    if isinstance(picture, str):
-        return No(f"the picture cannot be kept: {picture}", fields={"picture": picture})
+    if not isinstance(picture, Picture):
+        return No(Reason.of("desk.picture_unkept", why=picture), fields={"picture": picture})
     name, path = job.name, job.path
-    meant = Remedy("Replace it", msgspec.structs.replace(command, overwrites=True))
+    meant = Remedy(Reason.of("desk.replace_it"), msgspec.structs.replace(command, overwrites=True))
     if path.exists() and not command.overwrites:
-        return No(job.taken or f"{path} is there already", (meant,))
+        return No(job.taken or Reason.of("desk.there_already", path=str(path)), (meant,))
     description = " ".join(command.description.split())
     words = told_again(job.former.value, description) if job.former else ()
     made = Onikon(name, job.kind.type, description, (), picture, job.kind.more_targets, words)
     saved = job.home.save_onikon(made, job.former, overwrites=command.overwrites)
     if isinstance(saved, Refusal):
-        again = overwriting(saved, msgspec.structs.replace(command, overwrites=True), "Replace it")
+        again = overwriting(saved, msgspec.structs.replace(command, overwrites=True), Reason.of("desk.replace_it"))
         return No(plain(saved.reason), () if command.overwrites else again)
-    text = f"{name} is {job.says} now: {kind_named(made.type)}, in {saved.path}"
+    text = Reason.of("desk.icon_made", name=name, what=job.says, kind=kind_named(made.type), path=str(saved.path))
     source = file_index.again(job.source, model.syntax)
     model = source.beside(model) if source else model  # what was saved just now is what the icon is judged by
     now = shown_at_once(model, saved.path, outside.site)
@@ -66,25 +68,31 @@ def _drafted(model: Model, doc: str, outside: Surroundings) -> Draft | No:
     document = model.documents.get(doc)
     if document is None:
         return closed(Kind.CONFIGURATION)
-    unsaved = _unsaved(document)
-    if unsaved:
-        return unsaved
+    refused = _unsaved(document)
+    if refused:
+        return refused
     job = drafted(document, outside.site)
     if isinstance(job, Draft):
         edited = [name for name in document.content.names if name in model.shelf.edits]
-        text = "{} was changed here and is not saved: the job runs what its file says"
-        warnings = (*(text.format(name) for name in edited), *job.warnings)
+        unsaved = (Reason.of("desk.task_unsaved", name=name) for name in edited)
+        warnings = (*unsaved, *job.warnings)
         return replace(job, warnings=warnings + (job.notes if model.habits.shows_warnings else ()))
-    return No("; ".join(job))
+    return No(Reason.of("desk.several_reasons", reasons=job))
 
 
 def _unsaved(document: Document) -> No | None:
     if document.opened is None or document.base is None:
-        reason = f"{document.name} has no file yet: a job is made of one"
-        return No(reason, (Remedy("Save as…", show=ShowSaveAs()),))
+        reason = Reason.of("desk.job_of_no_file", name=document.name)
+        return No(reason, (Remedy(Reason.of("desk.save_as"), show=ShowSaveAs()),))
     if document.is_dirty:
-        reason = f"{document.name} has changed since it was saved: a job is made of what its file says"
-        return No(reason, (Remedy("Save it", act.Save(document.id)), Remedy("Save as…", show=ShowSaveAs())))
+        reason = Reason.of("desk.job_of_unsaved", name=document.name)
+        return No(
+            reason,
+            (
+                Remedy(Reason.of("desk.save_it"), act.Save(document.id)),
+                Remedy(Reason.of("desk.save_as"), show=ShowSaveAs()),
+            ),
+        )
     return None
 
 

@@ -12,12 +12,13 @@ from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.plan.icon_names import listed, named, quoted
+from onika.desk.plan.icon_names import named, quoted
 from onika.model.application import AppFlow, Application, Icon, Step, actions
 from onika.model.flow_path import flows_by_path, with_flows
 from onika.model.syntax import Syntax
 from onika.wire import act
 from onika.wire.view import Remedy
+from onika.words.reason import Reason
 
 
 @on_resting_application
@@ -26,22 +27,25 @@ def set_loop(model: Model, opened: OpenApplication, command: act.SetLoop, _outsi
     condition = condition_of(command.condition)
     refused = condition if isinstance(condition, No) else tag_refused(command.tag)
     if isinstance(condition, No) or refused:
-        return refused or No("this is no condition")
+        return refused or No(Reason.of("desk.no_condition"))
     test, anchor = action_of(model, opened, command.test), action_of(model, opened, command.anchor)
     if isinstance(test, No):
         return test
     if isinstance(anchor, No):
         return anchor
     if test.path != anchor.path:
-        return No("a loop goes back within one flow, and these two stand in different ones")
+        return No(Reason.of("desk.loop_over_flows"))
     if test.action.position == anchor.action.position:
-        return No("a loop has two actions: one that decides, and one that is gone back to")
+        return No(Reason.of("desk.loop_of_one_action"))
     syntax = syntax_of(model)
     freed = _without(test.flow, {test.action.icon.while_tag, anchor.action.icon.while_tag})
     tag = command.tag or _free(with_flows(opened.application, {test.path: freed}))
     if tag in tags(freed.steps):
-        other = Remedy("Take a free tag", act.SetLoop(command.doc, command.test, command.anchor, "", command.condition))
-        return No(f"there is a loop {tag} in this flow already", (other,), {"tag": "expected another tag"})
+        other = Remedy(
+            Reason.of("desk.take_free_tag"),
+            act.SetLoop(command.doc, command.test, command.anchor, "", command.condition),
+        )
+        return No(Reason.of("desk.loop_there", tag=tag), (other,), {"tag": Reason.of("desk.another_tag")})
     job, back = freed.steps[test.action.position], freed.steps[anchor.action.position]
     if not (isinstance(job, Icon) and isinstance(back, Icon)):
         raise TypeError(f"expected icons at the positions of actions, found {job} and {back}")
@@ -54,9 +58,11 @@ def set_loop(model: Model, opened: OpenApplication, command: act.SetLoop, _outsi
     )
     crossed = _crossed(flow, tag, syntax)
     if crossed:
-        remove = (Remedy(f"Remove the loop {tag}", act.RemoveLoop(opened.id, at)) for tag, at in crossed.items())
-        return No(f"this loop would cross the loop {listed(crossed)}: one has to lie within the other", tuple(remove))
-    label = f"looping from {named(job.onikon)} to {named(back.onikon)}"
+        remove = (
+            Remedy(Reason.of("desk.remove_loop", tag=tag), act.RemoveLoop(opened.id, at)) for tag, at in crossed.items()
+        )
+        return No(Reason.of("desk.loop_crosses", loops=tuple(crossed)), tuple(remove))
+    label = Reason.of("desk.looping", test=named(job.onikon), anchor=named(back.onikon))
     return reflowed(model, opened, {test.path: flow}, label, tag)
 
 
@@ -68,8 +74,10 @@ def remove_loop(model: Model, opened: OpenApplication, command: act.RemoveLoop, 
         return action
     tag = action.action.icon.while_tag
     if tag is None:
-        return No(f"{quoted(action.action.icon.onikon)} is part of no loop")
-    return reflowed(model, opened, {action.path: _without(action.flow, {tag})}, f"removing the loop {tag}")
+        return No(Reason.of("desk.in_no_loop", icon=quoted(action.action.icon.onikon)))
+    return reflowed(
+        model, opened, {action.path: _without(action.flow, {tag})}, Reason.of("desk.removing_loop", tag=tag)
+    )
 
 
 def for_pasting(steps: Sequence[Step], flow: AppFlow) -> tuple[Step, ...]:

@@ -14,6 +14,7 @@ from onika.desk.plan.icon_names import named
 from onika.model.application import AppFlow, Icon
 from onika.wire import act
 from onika.words.condition import Condition
+from onika.words.reason import Reason, reason_of
 
 _TAG = re.compile(r"[^\s\x00-\x1f\x7f-\x9f#]{1,16}\Z")
 
@@ -29,13 +30,12 @@ def set_breakpoint(
     actions = [action_of(model, opened, step) for step in command.steps]
     marked = [action for action in actions if not isinstance(action, No)]
     if not marked:
-        return next((action for action in actions if isinstance(action, No)), No("nothing is selected"))
+        return next((action for action in actions if isinstance(action, No)), No(Reason.of("desk.nothing_selected")))
     flows: dict[str, AppFlow] = {}
     for path, flow, action in marked:
         icon = replace(action.icon, marker=command.is_set, marker_if=condition if command.is_set else "")
         flows[path] = exchanged(flows.get(path, flow), {action.position: icon})
-    label = f"{'setting' if command.is_set else 'removing'} {_breakpoints(marked)}"
-    done = reflowed(model, opened, flows, label)
+    done = reflowed(model, opened, flows, _marking(marked, command.is_set))
     return done if condition else _still_looked(done, opened)
 
 
@@ -60,7 +60,7 @@ def set_synch_tag(model: Model, opened: OpenApplication, command: act.SetSynchTa
         return action
     icon: Icon = replace(action.action.icon, synch_tag=tag or None)
     name = named(icon.onikon)
-    label = f"setting the tag {tag} at {name}" if tag else f"removing the tag at {name}"
+    label = Reason.of("desk.setting_tag", tag=tag, name=name) if tag else Reason.of("desk.removing_tag", name=name)
     return reflowed(model, opened, {action.path: action.having(icon)}, label)
 
 
@@ -68,8 +68,7 @@ def tag_refused(tag: str) -> No | None:
     """Why a text is no tag; None: it is one, or empty."""
     if not tag or _TAG.match(tag):
         return None
-    form = "a letter, or a word of at most 16 signs without blanks"
-    return No(f"a tag is {form}, not {tag!r}", fields={"tag": f"expected {form}"})
+    return No(Reason.of("desk.tag_unfit", tag=tag), fields={"tag": Reason.of("desk.tag_form")})
 
 
 def condition_of(text: str) -> str | No:
@@ -79,10 +78,15 @@ def condition_of(text: str) -> str | No:
     try:
         return Condition.parse(text).text
     except ValueError as wrong:
-        return No(str(wrong), fields={"condition": str(wrong)})
+        return No(reason_of(wrong), fields={"condition": reason_of(wrong)})
 
 
-def _breakpoints(marked: list[Acting]) -> str:
-    if len(marked) == 1:
-        return f"a breakpoint after {named(marked[0].action.icon.onikon)}"
-    return f"{len(marked)} breakpoints"
+def _marking(marked: list[Acting], is_set: bool) -> Reason:
+    """What is done with breakpoints after these actions."""
+    count = len(marked)
+    if count > 1:
+        setting, removing = "desk.setting_breakpoints", "desk.removing_breakpoints"
+        return Reason.of(setting if is_set else removing, count=count)
+    icon = named(marked[0].action.icon.onikon)
+    setting, removing = "desk.setting_breakpoint", "desk.removing_breakpoint"
+    return Reason.of(setting if is_set else removing, icon=icon)

@@ -10,6 +10,7 @@ from onika.desk.environment.state.target_items import ports_of, uses_of
 from onika.model.port import PortKind
 from onika.model.syntax import IconType
 from onika.wire.sheet import InputSheet, PortSheet
+from onika.words.reason import Reason
 from onika.words.value import ValueType
 
 
@@ -43,13 +44,15 @@ def measures_of(model: Model, kind: IconType) -> tuple[Measure, ...]:
     return tuple(measures)
 
 
-def values_of(measure: Measure, value: Any) -> tuple[float, ...] | str:
-    """The values of a variable as those of a datum; else why they are none, in words."""
+def values_of(measure: Measure, value: Any) -> tuple[float, ...] | Reason:
+    """The values of a variable as those of a datum; else why they are none."""
     if measure.is_frame:
         return pose_numbers.nine_of(value)
     numbers = tuple(_flat(value))
     if len(numbers) != measure.count and not (measure.dimension and numbers):
-        return f"{measure.variable} has {len(numbers)} values and {measure.item} {measure.count}"
+        return Reason.of(
+            "desk.values_unfit", variable=measure.variable, given=len(numbers), item=measure.item, count=measure.count
+        )
     return tuple(round(number) for number in numbers) if measure.type.is_whole else numbers
 
 

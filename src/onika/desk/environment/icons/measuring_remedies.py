@@ -11,6 +11,7 @@ from onika.model.configuration import Configuration
 from onika.model.task import Task
 from onika.wire import act
 from onika.wire.view import Remedy
+from onika.words.reason import Reason
 
 _MOST = 3
 
@@ -26,15 +27,15 @@ def _ways(model: Model, wanted: frozenset[str]) -> Iterator[Remedy]:
     for document, tasks in able:
         sleeping = tuple(name for name in _with_hardware(model, document, tasks) if _is_off(document, name))
         if document.live is not None and document.live.state == "live" and sleeping:
-            yield Remedy(f"Turn {' and '.join(sleeping)} ON", act.Turn(document.id, sleeping, True))
+            yield Remedy(Reason.of("desk.turn_on_tasks", names=sleeping), act.Turn(document.id, sleeping, True))
     for document, _ in able:
         if document.live is None:
-            yield Remedy(f"Connect {document.name}", act.Connect(document.id))
+            yield Remedy(Reason.of("desk.connect", name=document.name), act.Connect(document.id))
     opened = {str(document.opened.path) for document in documents if document.opened}
     for path, source in sorted(model.sources.items(), key=_size):
         is_other = isinstance(source, Configuration) and path not in opened
         if is_other and _writers(model, _names(source), wanted):
-            yield Remedy(f"Open {Path(path).stem}", act.Open(path))
+            yield Remedy(Reason.of("desk.open_file", name=Path(path).stem), act.Open(path))
 
 
 def _writers(model: Model, names: Iterable[str], wanted: frozenset[str]) -> list[Task]:

@@ -17,6 +17,7 @@ from onika.model.flow_path import flows_by_path, with_flows
 from onika.model.rules import jigsaw
 from onika.model.syntax import Syntax
 from onika.wire import act
+from onika.words.reason import Reason
 
 
 @on_resting_application
@@ -28,14 +29,14 @@ def move_icons(model: Model, opened: OpenApplication, command: act.MoveIcons, _o
     syntax = syntax_of(model)
     wanted = {spot.step.number for spot in spots if not isinstance(spot.step, Hole) or spot.step.kept}
     if not wanted:
-        return No("a hole is no icon: it goes where it is needed by itself")
+        return No(Reason.of("desk.hole_no_icon"))
     steps = list(taken(opened.application, wanted, syntax))
     numbers = {step.number for step in steps}
     place = place_behind(opened.application, command.flow, command.after)
     if isinstance(place, No):
         return place
     if is_within(place[0], numbers):
-        return No("a branch cannot be moved into itself")
+        return No(Reason.of("desk.branch_into_itself"))
     after = _before(opened.application, *place, numbers)
     left = with_flows(opened.application, without(model, opened, numbers))
     place = place_behind(left, place[0], after)
@@ -45,7 +46,7 @@ def move_icons(model: Model, opened: OpenApplication, command: act.MoveIcons, _o
     flow = flow_at(left, path) or AppFlow(())
     first = next((step for step in steps if not isinstance(step, Hole)), None)
     if first is None:
-        return No("a hole is no icon: it goes where it is needed by itself")
+        return No(Reason.of("desk.hole_no_icon"))
     refused = misfit(model, replace(opened, application=left), flow, position, first, path=path)
     if refused:
         shown = tuple(
@@ -57,7 +58,7 @@ def move_icons(model: Model, opened: OpenApplication, command: act.MoveIcons, _o
         return too_deep()
     if application == opened.application:
         return Done(model)
-    return altered(model, opened, application, f"moving {several(steps)}")
+    return altered(model, opened, application, Reason.of("desk.moving", icons=several(steps)))
 
 
 def taken(application: Application, numbers: set[int], syntax: Syntax) -> Iterable[Step]:

@@ -17,12 +17,17 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.picture_digits import painted
 from onika.desk.environment.state.target_items import items_of
 from onika.model.onikon import Onikon
+from onika.model.picture import Picture
 from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import OpenedText
 from onika.store.site import is_shipped
 from onika.wire import act, page
 from onika.wire.view import Remedy
 from onika.words.fault import Refusal
+from onika.words.reason import NOTHING, Reason, Text
+
+_MOST = 5
+"""Applications that are named."""
 
 
 def edit_onikon(model: Model, command: act.EditOnikon, outside: Surroundings) -> Done | No:
@@ -42,9 +47,9 @@ def edit_onikon(model: Model, command: act.EditOnikon, outside: Surroundings) ->
     if isinstance(saved, Refusal):
         meant = overwriting(saved, msgspec.structs.replace(command, overwrites=True))
         return No(plain(saved.reason), () if is_copy or command.overwrites else meant)
-    text = f"{command.onikon} is changed, in {saved.path}"
     gone = forgotten(opened.value, changed.description)
-    text += f"; {gone}" if gone else ""
+    lost = Reason.of("desk.icon_words_lost", why=gone) if gone else NOTHING
+    text = Reason.of("desk.icon_changed", name=command.onikon, path=str(saved.path), lost=lost)
     now = shown_at_once(model, saved.path, outside.site)
     return Done(now, value=str(saved.path), says=(page.Say("success", text),))
 
@@ -56,27 +61,27 @@ def remove_onikon(model: Model, command: act.RemoveOnikon, outside: Surroundings
         return place
     home, opened = place
     if is_shipped(home.path):
-        close = Remedy(f"Close the dictionary {home.path.name}", act.CloseDictionary(str(home.path)))
-        return No(f"{command.onikon} comes with Onika and stays", (close,))
+        close = Remedy(Reason.of("desk.close_dictionary", name=home.path.name), act.CloseDictionary(str(home.path)))
+        return No(Reason.of("desk.icon_stays", name=command.onikon), (close,))
     if not command.confirmed:
-        reason = f"the file {opened.path} is deleted, and nothing brings it back{_placed(model, opened.value)}"
-        return No(reason, (Remedy("Delete it", act.RemoveOnikon(command.onikon, confirmed=True)),))
+        reason = Reason.of("desk.icon_file_deleted", path=str(opened.path), placed=_placed(model, opened.value))
+        return No(reason, (Remedy(Reason.of("desk.delete_it"), act.RemoveOnikon(command.onikon, confirmed=True)),))
     try:
         opened.path.unlink(missing_ok=True)
     except OSError as error:
-        return No(f"{opened.path} cannot be deleted: {error.strerror}")
+        return No(Reason.of("desk.not_deleted", path=str(opened.path), why=str(error.strerror)))
     now = shown_at_once(model, opened.path, outside.site)
-    return Done(now, says=(page.Say("success", f"{command.onikon} is deleted"),))
+    return Done(now, says=(page.Say("success", Reason.of("desk.icon_deleted", name=command.onikon)),))
 
 
 def _found(model: Model, name: str) -> tuple[BaseDirectory, OpenedText[Onikon]] | No:
     home = home_of(model.dictionaries, name)
-    return No(f"no open dictionary has an icon {name}") if home is None else (home.base, home.onikons[name])
+    return No(Reason.of("desk.no_icon", name=name)) if home is None else (home.base, home.onikons[name])
 
 
 def _changed(model: Model, command: act.EditOnikon, onikon: Onikon) -> Onikon | No:
     """The icon as it is to be, or everything that is wrong with it."""
-    wrong: dict[str, str] = {}
+    wrong: dict[str, Text] = {}
     if command.values is not None:
         typed = target_values.checked(items_of(model, onikon.type), command.values)
         if isinstance(typed, dict):
@@ -85,7 +90,7 @@ def _changed(model: Model, command: act.EditOnikon, onikon: Onikon) -> Onikon | 
             onikon = replace(onikon, values=typed)
     if command.picture is not None:
         picture = painted(command.picture)
-        if isinstance(picture, str):
+        if not isinstance(picture, Picture):
             wrong["picture"] = picture
         else:
             onikon = replace(onikon, picture=picture)
@@ -99,15 +104,21 @@ def _changed(model: Model, command: act.EditOnikon, onikon: Onikon) -> Onikon | 
 
 def _shipped(command: act.EditOnikon, own: Path | None) -> No:
     """What comes with Onika is not changed by the way; a copy of the user's own comes before it."""
-    here = () if own is None else (Remedy(f"Save a copy in {own}", msgspec.structs.replace(command, base=str(own))),)
-    meant = Remedy("Change the shipped one", msgspec.structs.replace(command, overwrites=True))
-    return No(f"{command.onikon} is part of Onika itself", (*here, meant))
+    here = () if own is None else (_copied_to(command, str(own)),)
+    meant = Remedy(Reason.of("desk.change_shipped_one"), msgspec.structs.replace(command, overwrites=True))
+    return No(Reason.of("desk.icon_of_onika", name=command.onikon), (*here, meant))
 
 
-def _placed(model: Model, onikon: Onikon) -> str:
+def _copied_to(command: act.EditOnikon, own: str) -> Remedy:
+    return Remedy(Reason.of("desk.save_copy_in", path=own), msgspec.structs.replace(command, base=own))
+
+
+def _placed(model: Model, onikon: Onikon) -> Reason:
     """Where it is placed, in words: there it stays, with its picture and its values."""
     users = users_of(model, onikon)
     if not users:
-        return ""
-    names = ", ".join(users[:5]) + (f" and {len(users) - 5} more" if len(users) > 5 else "")
-    return f"; it stays where it is placed: in {names}"
+        return NOTHING
+    first, more = users[:_MOST], len(users) - _MOST
+    if more > 0:
+        return Reason.of("desk.placed_in_more", names=first, count=more)
+    return Reason.of("desk.placed_in", names=first)

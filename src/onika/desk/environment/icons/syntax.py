@@ -14,6 +14,7 @@ from onika.model.syntax import Edge, Syntax
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import Site
 from onika.wire import page
+from onika.words.reason import Reason
 
 
 def with_syntax(model: Model, syntax: Syntax | None, bases: Iterable[BaseDirectory]) -> Model:
@@ -41,7 +42,9 @@ def redefined(model: Model, site: Site) -> Done:
         defined = reread.beside(defined) if reread else defined
     names = {kind.name for kind in model.syntax.types} if model.syntax else set()
     new = [kind.name for kind in syntax.types if kind.name not in names]
-    text = "the types of icons are defined anew" + (f": {', '.join(map(kind_named, new))}" if new else "")
+    kinds = tuple(map(kind_named, new))
+    plain = Reason.of("desk.syntax_defined_anew")
+    text = Reason.of("desk.syntax_defined_with", kinds=kinds) if kinds else plain
     old = {fault for dictionary in model.dictionaries for fault in dictionary.faults}
     faults = tuple(fault for dictionary in defined.dictionaries for fault in dictionary.faults if fault not in old)
     return Done(defined, says=(*says, page.Say("info", text), *told(faults)))

@@ -24,8 +24,7 @@ from onika.wire import act, page
 from onika.wire.view import Remedy
 from onika.words.fault import Refusal
 from onika.words.name import TASK_NAME
-
-_FORM = "expected a name of letters, digits and _ . - that begins with a letter"
+from onika.words.reason import Reason, Text
 
 
 def make_target(model: Model, command: act.MakeTarget, outside: Surroundings) -> Done | No:
@@ -35,9 +34,7 @@ def make_target(model: Model, command: act.MakeTarget, outside: Surroundings) ->
         return kind
     base = Path(command.base).expanduser().absolute() if command.base else outside.site.own
     if base is None:
-        return No(
-            "there is no home directory: say in which base directory it is to be", fields={"base": "expected one"}
-        )
+        return No(Reason.of("desk.no_home_directory"), fields={"base": Reason.of("desk.expected_one")})
     wrong = _wrong(model, command)
     if wrong:
         return No(target_values.refusal_text(wrong), fields=wrong)
@@ -53,8 +50,8 @@ def make_target(model: Model, command: act.MakeTarget, outside: Surroundings) ->
     saved = home.save_onikon(onikon, former, overwrites=command.overwrites)
     if isinstance(saved, Refusal):
         again = msgspec.structs.replace(command, overwrites=True)
-        return No(plain(saved.reason), overwriting(saved, again, "Replace it"))
-    text = f"{command.name} is {a_kind(kind.name)} now, in {saved.path}"
+        return No(plain(saved.reason), overwriting(saved, again, Reason.of("desk.replace_it")))
+    text = Reason.of("desk.target_made", name=command.name, kind=a_kind(kind.name), path=str(saved.path))
     now = shown_at_once(model, saved.path, outside.site)
     return Done(now, value=command.name, says=(page.Say("success", text),))
 
@@ -69,21 +66,22 @@ def _kind(model: Model, name: str) -> IconType | No:
         for icon_type in (model.syntax.types if model.syntax else ())
         if icon_type.is_target or icon_type.is_noop
     ]
-    expected = f"expected one of {', '.join(names)}"
+    expected = Reason.of("desk.one_of", names=tuple(names))
     if kind is None:
-        return No(f"there is no type {kind_named(name)!r}", fields={"type": expected})
-    what = "a configuration" if kind.is_job else "an application"
-    reason = f"{a_kind(kind.name)} is made of {what}, not drawn by itself"
+        return No(Reason.of("desk.no_type", kind=kind_named(name)), fields={"type": expected})
+    what = Reason.of("desk.a_configuration") if kind.is_job else Reason.of("desk.an_application")
+    reason = Reason.of("desk.made_of", kind=a_kind(kind.name), what=what)
     return No(reason, fields={"type": expected})
 
 
-def _wrong(model: Model, command: act.MakeTarget) -> dict[str, str]:
+def _wrong(model: Model, command: act.MakeTarget) -> dict[str, Text]:
     """What is wrong with name, values and picture, each by its field."""
-    wrong: dict[str, str] = {} if TASK_NAME.match(command.name) else {"name": f"{_FORM}, found {command.name!r}"}
+    is_name = TASK_NAME.match(command.name)
+    wrong: dict[str, Text] = {} if is_name else {"name": Reason.of("desk.icon_name", name=command.name)}
     typed = target_values.checked(items_of(model, command.type), command.values)
     wrong |= typed if isinstance(typed, dict) else {}
     picture = painted(command.picture)
-    return wrong | ({"picture": picture} if isinstance(picture, str) else {})
+    return wrong | ({} if isinstance(picture, Picture) else {"picture": picture})
 
 
 def _taken(model: Model, command: act.MakeTarget, home: BaseDirectory, site: Site) -> No | None:
@@ -101,9 +99,9 @@ def _taken(model: Model, command: act.MakeTarget, home: BaseDirectory, site: Sit
     is_first = ours in places and (theirs not in places or places.index(ours) < places.index(theirs))
     if is_first and command.overwrites:
         return None
-    reason = f"{other.base.path.name} has an icon {command.name}, and names are unique over all dictionaries"
-    remedies = (_renamed(model, command), *(_over(command, "Use it in place of that one") if is_first else ()))
-    return No(reason, remedies, {"name": f"there is one in {other.base.path}"})
+    reason = Reason.of("desk.name_taken", base=other.base.path.name, name=command.name)
+    remedies = (_renamed(model, command), *(_over(command, Reason.of("desk.use_in_place")) if is_first else ()))
+    return No(reason, remedies, {"name": Reason.of("desk.one_there", path=str(other.base.path))})
 
 
 def _standing(model: Model, command: act.MakeTarget, home: BaseDirectory) -> No | None:
@@ -113,16 +111,17 @@ def _standing(model: Model, command: act.MakeTarget, home: BaseDirectory) -> No 
         return None
     opened, _ = home.open_onikon(command.name, model.syntax)
     role = role_of(model.syntax.acting(opened.value.type)) if opened else ""
-    field = {"name": f"there is one in {home.path}"}
+    field = {"name": Reason.of("desk.one_there", path=str(home.path))}
     if role in ("job", "application"):
-        what = "configuration" if role == "job" else "application"
-        reason = f"{command.name} is the icon of the {what} of that name there"
+        of_job, of_other = "desk.icon_of_configuration", "desk.icon_of_application"
+        reason = Reason.of(of_job if role == "job" else of_other, name=command.name)
         return No(reason, (_renamed(model, command),), field)
     if command.overwrites:
         return None
-    reason = f"{command.name} is there already" + (
-        f", {a_kind(opened.value.type)}" if opened else " and cannot be read"
-    )
+    if opened:
+        reason = Reason.of("desk.icon_there", name=command.name, kind=a_kind(opened.value.type))
+    else:
+        reason = Reason.of("desk.icon_unreadable_there", name=command.name)
     return No(reason, (_renamed(model, command), *_over(command)), field)
 
 
@@ -131,17 +130,18 @@ def _renamed(model: Model, command: act.MakeTarget) -> Remedy:
     while home_of(model.dictionaries, f"{command.name}_{number}"):
         number += 1
     other = msgspec.structs.replace(command, name=f"{command.name}_{number}", overwrites=False)
-    return Remedy(f"Call it {other.name}", other)
+    return Remedy(Reason.of("desk.call_it", name=other.name), other)
 
 
-def _over(command: act.MakeTarget, label: str = "Replace it") -> tuple[Remedy, ...]:
-    return () if command.overwrites else (Remedy(label, msgspec.structs.replace(command, overwrites=True)),)
+def _over(command: act.MakeTarget, label: Reason | None = None) -> tuple[Remedy, ...]:
+    again = msgspec.structs.replace(command, overwrites=True)
+    return () if command.overwrites else (Remedy(label or Reason.of("desk.replace_it"), again),)
 
 
 def _shipped(command: act.MakeTarget, own: Path | None) -> No:
     """What comes with Onika is not changed by the way."""
     here = msgspec.structs.replace(command, base="")
-    remedies = () if own is None else (Remedy(f"Save it in {own}", here),)
+    remedies = () if own is None else (Remedy(Reason.of("desk.save_in", path=str(own)), here),)
     return No(
-        f"{command.name} would be part of Onika itself there", (*remedies, *_over(command, "Change Onika itself"))
+        Reason.of("desk.part_of_onika", name=command.name), (*remedies, *_over(command, Reason.of("desk.change_onika")))
     )

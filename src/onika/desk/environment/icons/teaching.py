@@ -12,6 +12,7 @@ from onika.desk.plan.icon_names import a_kind, kind_named
 from onika.model.planned import task_of
 from onika.wire import act, live
 from onika.wire.view import TaughtView
+from onika.words.reason import Reason
 
 Writers = Mapping[str, str]
 """By variable: the task that writes it now."""
@@ -21,21 +22,27 @@ def teach(model: Model, command: act.Teach, _outside: Surroundings) -> Procedure
     """Ask for what is measured now; the value is a `view.TaughtView`, of which what nothing measures is left out."""
     kind = model.syntax.find(command.type) if model.syntax else None
     if kind is None or not kind.is_target:
-        return No(f"{kind_named(command.type)} is no type of target", fields={"type": "expected a type of target"})
+        return No(
+            Reason.of("desk.no_target_type", kind=kind_named(command.type)),
+            fields={"type": Reason.of("desk.target_type_form")},
+        )
     measures = measures_of(model, kind)
     if not measures:
-        return No(f"no task that takes {a_kind(kind.name)} measures anything like it: its values are typed in")
+        return No(Reason.of("desk.nothing_measures", kind=a_kind(kind.name)))
     if model.runtime.state != "linked":
-        return No("no robot is connected: nothing is measured", ways_to_measure(model, measures))
+        return No(Reason.of("desk.no_robot"), ways_to_measure(model, measures))
     model, standing = yield Ask(model, live.Survey())
     if not isinstance(standing, live.Standing):
         return No(refusal(standing))
     places = {home.name: writers for home in standing.subsystems if (writers := _writers(home, measures))}
     if command.subsystem and command.subsystem not in places:
-        return No(f"nothing in {command.subsystem} measures {a_kind(kind.name)} now", ways_to_measure(model, measures))
+        return No(
+            Reason.of("desk.not_measured_in", subsystem=command.subsystem, kind=a_kind(kind.name)),
+            ways_to_measure(model, measures),
+        )
     if not places:
-        names = " or ".join(dict.fromkeys(measure.variable for measure in measures))
-        return No(f"nothing that runs measures {names} now", ways_to_measure(model, measures))
+        names = tuple(dict.fromkeys(measure.variable for measure in measures))
+        return No(Reason.of("desk.not_measured", names=names), ways_to_measure(model, measures))
     subsystem = command.subsystem or _nearest(model, places)
     others = tuple(name for name in places if name != subsystem)
     model, response = yield Ask(model, live.Read(subsystem, tuple(places[subsystem])))
@@ -54,18 +61,23 @@ def _taught(
 ) -> Done | No:
     """What was measured, as far as it fits the type."""
     taken: dict[str, tuple[float, ...]] = {}
-    wrong: list[str] = []
+    wrong: list[Reason] = []
     for measure in measures:
         if measure.variable in response.values and measure.item not in taken:
             values = values_of(measure, response.values[measure.variable])
-            if isinstance(values, str):
+            if isinstance(values, Reason):
                 wrong.append(values)
             else:
                 taken[measure.item] = values
     if not taken:
-        return No("what is measured does not fit: " + "; ".join(wrong))
+        return No(Reason.of("desk.measured_unfit", reasons=tuple(wrong)))
     used = {measure.variable for measure in measures if measure.item in taken and measure.variable in writers}
-    source = " and ".join(f"{name}, as {writers[name]} measures it in {subsystem}" for name in writers if name in used)
+    sources = tuple(
+        Reason.of("desk.measured_by", name=name, task=writers[name], subsystem=subsystem)
+        for name in writers
+        if name in used
+    )
+    source = Reason.of("desk.measured_sources", sources=sources)
     return Done(model, value=TaughtView(taken, source, subsystem, others))
 
 

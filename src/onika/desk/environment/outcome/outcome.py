@@ -80,7 +80,7 @@ class Done:
     """A new model; with a label it is a step of its document, which Undo takes back."""
 
     model: Model
-    label: str = ""
+    label: Text = ""
     doc: str = ""
     value: Any = None
     orders: tuple[Order, ...] = ()

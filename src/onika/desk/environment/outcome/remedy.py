@@ -34,7 +34,7 @@ def unreadable(file: str, faults: Sequence[Fault]) -> str:
     return f"{file} cannot be opened: {told}{more}"
 
 
-def overwriting(refused: Refusal, again: act.AnyAct, label: str = "Overwrite it") -> tuple[Remedy, ...]:
+def overwriting(refused: Refusal, again: act.AnyAct, label: Text = "Overwrite it") -> tuple[Remedy, ...]:
     """The button that saves all the same; none where that would be refused too, as on a full disk."""
     match refused.remedies:
         case ("save it elsewhere",):

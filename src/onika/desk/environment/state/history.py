@@ -9,6 +9,7 @@ from onika.desk.environment.state.open_libraries import Shelf
 from onika.model.configuration import Configuration
 from onika.model.task import Task
 from onika.store.opened_text import OpenedText
+from onika.words.reason import Text
 
 _KEPT = 500
 
@@ -31,7 +32,7 @@ class File:
 class Step(Generic[_C]):
     """One thing that was done: what is open before and after it, and the tasks of the libraries it changed."""
 
-    label: str
+    label: Text
     by: str
     before: _C
     after: _C

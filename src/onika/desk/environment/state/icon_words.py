@@ -2,8 +2,8 @@
 
 from onika.desk.environment.state.dictionary import find
 from onika.desk.environment.state.model import Model
-from onika.desk.plan.icon_names import listed
 from onika.model.onikon import Onikon
+from onika.words.reason import NOTHING, Reason
 
 
 def words_of(model: Model, onikon: Onikon) -> dict[str, str]:
@@ -27,9 +27,8 @@ def told_again(former: Onikon, description: str) -> tuple[tuple[str, str], ...]:
     return former.words if " ".join(former.description.split()) == description else ()
 
 
-def forgotten(former: Onikon, description: str) -> str:
-    """That words in other languages are gone, in words; empty: there were none, or they still say the same."""
+def forgotten(former: Onikon, description: str) -> Reason:
+    """That words in other languages are gone; nothing: there were none, or they still say the same."""
     if not former.words or told_again(former, description):
-        return ""
-    codes = listed(code for code, _ in former.words)
-    return f"what {former.name} said in other languages ({codes}) is gone, for it says something else now"
+        return NOTHING
+    return Reason.of("desk.words_forgotten", name=former.name, codes=tuple(code for code, _ in former.words))
