@@ -60,9 +60,9 @@ def test_undo_goes_back_through_every_state_and_redo_forward(tmp_path_factory, d
 def test_every_step_is_told_by_its_label(tmp_path):  # R-X10
     sitting = EnvironmentFixture(tmp_path, TASKS)
     doc = sitting.new("a")
-    assert sitting.environment.tree.documents[doc].undo == "placing a"
+    assert str(sitting.environment.tree.documents[doc].undo) == "placing a"
     sitting.do(act.Undo(doc))
-    assert sitting.environment.tree.documents[doc].redo == "placing a"
+    assert str(sitting.environment.tree.documents[doc].redo) == "placing a"
 
 
 def test_an_observer_is_told_of_every_act_and_its_end(tmp_path):  # R-H01
@@ -164,7 +164,7 @@ def test_an_act_may_wait_until_something_comes_by_itself_and_so_may_several(begi
 def test_a_refused_change_that_no_act_waits_for_is_worth_a_line(tmp_path):  # law 22
     sitting = EnvironmentFixture(tmp_path, TASKS)
     sitting.environment.become(lambda model: Done(model, news=((Change("c1", 1), No("they disagree")),)))
-    assert [(line.text, line.doc) for line in sitting.says] == [("they disagree", "c1")]
+    assert [(str(line.text), line.doc) for line in sitting.says] == [("they disagree", "c1")]
 
 
 def test_a_change_from_outside_reaches_every_page(tmp_path):

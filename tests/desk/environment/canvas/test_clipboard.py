@@ -70,7 +70,7 @@ def test_cut_is_one_step_and_leaves_what_was_cut_in_the_buffer(sitting):  # R-C1
     doc = sitting.new("cubic", "pd")
     text = sitting.do(act.Cut(doc, ("pd",)))
     assert sorted(places(sitting, doc)) == ["cubic"]
-    assert sitting.environment.tree.documents[doc].undo == "cutting pd"
+    assert str(sitting.environment.tree.documents[doc].undo) == "cutting pd"
     sitting.do(act.Undo(doc))
     assert places(sitting, doc)["pd"] == (200, 100)
     sitting.do(act.Remove(doc, ("pd",)))

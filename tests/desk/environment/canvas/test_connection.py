@@ -43,7 +43,7 @@ def test_a_fresh_runtime_gets_everything_that_is_placed_off(duet):  # R-C12, Equ
 def test_what_runs_wins_and_comes_onto_the_canvas_as_one_step(duet):  # R-C12, Equation (4)
     running(duet, "rival", "c")
     doc = duet.new("a", "b", "c")
-    assert duet.do(act.Connect(doc)) == "connected with main"
+    assert str(duet.do(act.Connect(doc))) == "connected with main"
     document = duet.document(doc)
     assert document.content.names == ("b", "c", "rival")
     assert document.content.wanted == {"c": True, "rival": True, "b": False}

@@ -58,7 +58,7 @@ def test_grouping_is_a_step_and_a_change_to_be_saved(sitting):  # R-C17, R-X10, 
     sitting.do(act.Save(doc, "move", str(sitting.base.path)))
     sitting.do(act.Group(doc, "arm", ("grav", "robot")))
     shown = sitting.environment.tree.documents[doc]
-    assert shown.is_dirty and shown.undo == "making grav and robot the supermodule arm"
+    assert shown.is_dirty and str(shown.undo) == "making grav and robot the supermodule arm"
     sitting.do(act.Save(doc))
     assert "GROUP       arm grav robot\n" in sitting.base.configuration_file("move").read_text()
     sitting.do(act.Undo(doc))
@@ -145,7 +145,7 @@ def test_a_saved_supermodule_is_recalled_whole_with_its_places_and_its_order(sit
     assert groups(sitting, other) == {"arm": ("pd", "robot")}
     assert spots(sitting, other) == {"grav": (0, 100), "robot": (1000, 500), "pd": (1400, 500)}
     shown = sitting.environment.tree.documents[other]
-    assert (shown.loci["KP"].x, shown.loci["KP"].y) == (1070, 440) and shown.undo == "inserting arm"
+    assert (shown.loci["KP"].x, shown.loci["KP"].y) == (1070, 440) and str(shown.undo) == "inserting arm"
     sitting.do(act.Undo(other))
     assert spots(sitting, other) == {"grav": (0, 100)} and groups(sitting, other) == {}
 

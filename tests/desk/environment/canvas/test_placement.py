@@ -129,7 +129,8 @@ def test_their_lower_edges_are_aligned_whatever_their_heights(sitting):
 )
 def test_what_is_not_there_is_refused_by_name(sitting, asked):
     sitting.new("cubic")
-    assert "nobody" in (reason := str(sitting.no(asked).reason)) or "NOTHING" in reason or "no longer open" in reason
+    reason = str(sitting.no(asked).reason)
+    assert "nobody" in reason or "NOTHING" in reason or "no longer open" in reason
 
 
 def test_nothing_is_placed_farther_out_than_it_could_be_found_again(sitting):

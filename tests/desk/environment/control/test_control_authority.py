@@ -69,7 +69,7 @@ def test_what_is_handed_over_can_only_be_watched_from_then_on(duet):  # R-X12
     duet.do(act.Hand(doc, "anna#2"))
     duet.tell(event.Held("Untitled-1", "anna#2", "you has handed it over"))
     assert not duet.environment.tree.documents[doc].is_held_here
-    assert str(duet.no(act.Hand(doc, "anna#2")).reason) == "Untitled-1 is not held here, so it cannot be handed over"
+    assert duet.no(act.Hand(doc, "anna#2")).reason == "Untitled-1 is not held here, so it cannot be handed over"
     assert "held by anna#2" in str(duet.no(act.Toggle(doc, "a")).reason)
 
 

@@ -24,7 +24,7 @@ def test_undo_after_undo_comes_to_the_beginning_and_redo_to_the_end(gallery):  #
         labels.append(gallery.view(doc).undo)
         gallery.do(act.Undo(doc))
     assert gallery.flow(doc) == ""
-    assert labels[:2] == ["deleting close the hand", "setting a breakpoint after close the hand"]
+    assert list(map(str, labels[:2])) == ["deleting close the hand", "setting a breakpoint after close the hand"]
     assert gallery.no(act.Undo(doc)).reason == "there is nothing to take back"
     while gallery.view(doc).redo:
         gallery.do(act.Redo(doc))

@@ -38,9 +38,6 @@ def test_what_speaks_against_it_already_is_no_reason_against_a_change(tmp_path):
 def test_a_no_names_all_reasons_and_each_way_out_once():  # R-X01
     show = Remedy("Show a", show=ShowTask("a"))
     no = refused("it cannot be", (Objection("one", (show,)), Objection("two", (show,))), "svar")
-    assert (str(no.reason), no.remedies, {field: str(text) for field, text in no.fields.items()}) == (
-        "it cannot be: one; two",
-        (show,),
-        {"svar": "one; two"},
-    )
+    assert (str(no.reason), no.remedies) == ("it cannot be: one; two", (show,))
+    assert {field: str(why) for field, why in no.fields.items()} == {"svar": "one; two"}
     assert refused("it cannot be", (Objection("one"),)).fields == {}

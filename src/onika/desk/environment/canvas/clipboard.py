@@ -19,6 +19,7 @@ from onika.model.task import Task
 from onika.wire import act
 from onika.wire.view import Objection, Remedy, ShowLibraries, ShowTask
 from onika.words.fault import Refusal
+from onika.words.reason import Reason, Text
 
 
 @on_document
@@ -39,25 +40,31 @@ def cut(model: Model, command: act.Cut, outside: Surroundings) -> Done | No:
     if isinstance(taken, No):
         return taken
     done = remove(taken.model, act.Remove(command.doc, command.tasks), outside)
-    return done if isinstance(done, No) else replace(done, label=f"cutting {several(command.tasks)}", value=taken.value)
+    return (
+        done
+        if isinstance(done, No)
+        else replace(done, label=Reason.of("desk.cutting", icons=several(command.tasks)), value=taken.value)
+    )
 
 
 @on_document
 def paste(model: Model, document: Document, command: act.Paste, _outside: Surroundings) -> Done | No:
     """Place what is in the buffer or in a text, as one step; the value is the names of the tasks."""
     taken = read(command.text) if command.text else model.buffer
-    if isinstance(taken, str):
+    if isinstance(taken, Reason):
         return No(taken)
     if not taken.placed:
-        return No("nothing was copied yet")
+        return No(Reason.of("desk.nothing_copied"))
     against = objections(model.shelf, document, taken)
     if against:
-        return refusal("nothing is pasted", against)
+        return refusal(Reason.of("desk.nothing_pasted_plain"), against)
     names = tuple(placed.task for placed in taken.placed)
-    return placed(model, document, taken.at(*inside(command.x, command.y)), f"pasting {several(names)}")
+    return placed(
+        model, document, taken.at(*inside(command.x, command.y)), Reason.of("desk.pasting", icons=several(names))
+    )
 
 
-def placed(model: Model, document: Document, taken: Copied, label: str) -> Done:
+def placed(model: Model, document: Document, taken: Copied, label: Text) -> Done:
     """The tasks on the canvas, and with them their supermodules and the loci that were not there before."""
     names = tuple(placed.task for placed in taken.placed)
     configuration = document.content.configuration
@@ -79,7 +86,7 @@ def _inside(placed: Placed) -> Placed:
 
 
 def _nothing(names: Iterable[str]) -> No | None:
-    return None if tuple(names) else No("nothing is selected")
+    return None if tuple(names) else No(Reason.of("desk.nothing_selected"))
 
 
 def _renamed(groups: Iterable[Group], standing: Iterable[Group]) -> Iterator[Group]:
@@ -104,23 +111,26 @@ def objections(shelf: Shelf, document: Document, taken: Copied) -> list[Objectio
         if placed.task in missing:
             objections.append(
                 Objection(
-                    f"{placed.task} is placed already", (Remedy(f"Show {placed.task}", show=ShowTask(placed.task)),)
+                    Reason.of("desk.placed_already", task=placed.task),
+                    (Remedy(Reason.of("desk.show_task", name=placed.task), show=ShowTask(placed.task)),),
                 )
             )
         elif task is None:
-            open_one = Remedy("Open a library…", show=ShowLibraries())
-            objections.append(Objection(f"{placed.task}: no open library has it", (open_one,)))
+            open_one = Remedy(Reason.of("desk.open_library"), show=ShowLibraries())
+            objections.append(Objection(Reason.of("desk.in_no_library", task=placed.task), (open_one,)))
         else:
             for reason in reasons(against.get(task.name, ()), document.id, task):
                 remedies = tuple(remedy for remedy in reason.remedies if _helps(remedy, taken))
-                objections.append(Objection(_sentence(task.name, str(reason.text)), remedies))
+                objections.append(Objection(_sentence(task.name, reason.text), remedies))
     return objections
 
 
-def refusal(what: str, against: Sequence[Objection]) -> No:
+def refusal(what: Reason, against: Sequence[Objection]) -> No:
     """A no with everything that speaks against it."""
     remedies = tuple(dict.fromkeys(remedy for reason in against for remedy in reason.remedies))
-    return No(f"{what}: {'; '.join(str(reason.text) for reason in against)}", remedies)
+    return No(
+        Reason.of("desk.with_reasons", what=what, reasons=tuple(objection.text for objection in against)), remedies
+    )
 
 
 def _against(standing: Sequence[Task], pasted: Sequence[Task]) -> dict[str, tuple[Refusal, ...]]:
@@ -131,8 +141,8 @@ def _against(standing: Sequence[Task], pasted: Sequence[Task]) -> dict[str, tupl
     return refusals
 
 
-def _sentence(name: str, text: str) -> str:
-    return text if text.startswith(f"{name} ") else f"{name}: {text}"
+def _sentence(name: str, text: Text) -> Text:
+    return text if str(text).startswith(f"{name} ") else Reason.of("desk.named_wrong", name=name, why=text)
 
 
 def _helps(remedy: Remedy, taken: Copied) -> bool:

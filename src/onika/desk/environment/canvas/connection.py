@@ -35,12 +35,13 @@ _MAIN = "main"
 def connect(model: Model, document: Document, command: act.Connect, outside: Surroundings) -> Procedure:
     """Merge a document with what runs in a subsystem, which comes into being with its first task."""
     if command.subsystem and not TASK_NAME.match(command.subsystem):
-        text = "expected a name of letters, digits and _ . - that begins with a letter"
-        return No(f"{command.subsystem!r} is no name for a subsystem", fields={"subsystem": text})
+        text = Reason.of("desk.name_of_letters")
+        return No(Reason.of("desk.no_subsystem_name", name=command.subsystem), fields={"subsystem": text})
     subsystem_facts = document.live
     if subsystem_facts is not None and subsystem_facts.state != "lost":
-        again = Remedy("Disconnect it", act.Disconnect(document.id))
-        return No(f"{document.name} is connected already, with {subsystem_facts.subsystem or 'its runtime'}", (again,))
+        again = Remedy(Reason.of("desk.disconnect_it"), act.Disconnect(document.id))
+        place = subsystem_facts.subsystem or Reason.of("desk.its_runtime")
+        return No(Reason.of("desk.connected_already", name=document.name, subsystem=place), (again,))
     elsewhere = _elsewhere(model, command)
     if elsewhere:
         return elsewhere
@@ -52,10 +53,13 @@ def connect(model: Model, document: Document, command: act.Connect, outside: Sur
     if model.runtime.state != "linked" or url not in ("", model.runtime.address):
         model = replace(model, runtime=view.RuntimeView("starting", url))
     model, outcome = yield from _joined(model, document.id, wish, Reach(url, command.token), outside)
-    if isinstance(outcome, Reason | str):
+    if not isinstance(outcome, Done | No):
         yield Shown(_as_before(model, document.id, subsystem_facts, outcome))
         name = model.documents[document.id].name
-        return No(f"{name} is not connected: {outcome}", (Remedy("Connect…", show=ShowConnect()),))
+        return No(
+            Reason.of("desk.not_connected_for", name=name, why=outcome),
+            (Remedy(Reason.of("desk.connect_to"), show=ShowConnect()),),
+        )
     return outcome
 
 
@@ -63,7 +67,7 @@ def connect(model: Model, document: Document, command: act.Connect, outside: Sur
 def disconnect(model: Model, document: Document, command: act.Disconnect, _outside: Surroundings) -> Done | No:
     """Leave what runs as it is; the layout stays, what was known of its tasks does not."""
     if document.live is None:
-        return No(f"{document.name} is not connected")
+        return No(Reason.of("desk.not_connected", name=document.name))
     content = replace(document.content, wanted={})
     return Done(model.with_document(replace(document, content=content, live=None)))
 
@@ -82,7 +86,12 @@ def connected(model: Model, doc: str, standing: live.Standing, outside: Surround
     described = describe(done.model)
     bounds = joint_limits.connected(described.model, described.model.documents[doc])
     orders, says = (*done.orders, *described.orders, *bounds), (*merged_document.says, *done.says)
-    return Done(described.model, value=f"connected with {subsystem_facts.subsystem}", orders=orders, says=says)
+    return Done(
+        described.model,
+        value=Reason.of("desk.connected_with", subsystem=subsystem_facts.subsystem),
+        orders=orders,
+        says=says,
+    )
 
 
 def _elsewhere(model: Model, command: act.Connect) -> No | None:
@@ -92,18 +101,21 @@ def _elsewhere(model: Model, command: act.Connect) -> No | None:
     users = [
         document for document in model.documents.values() if document.live is not None and document.live.state == "live"
     ]
-    here = model.runtime.address or "the runtime that was started here"
+    here = model.runtime.address or Reason.of("desk.runtime_here")
     if is_going(model):
-        return No("an application runs on the runtime that would be left", (Remedy("Abort it", act.Steer("abort")),))
+        return No(Reason.of("desk.application_on_runtime"), (Remedy(Reason.of("desk.abort_it"), act.Steer("abort")),))
     if users:
-        remedies = tuple(Remedy(f"Disconnect {user.name}", act.Disconnect(user.id)) for user in users)
-        return No(f"{users[0].name} is connected with {here}, and there is one runtime at a time", remedies)
-    left = ", ".join(model.runtime.subsystems)
+        remedies = tuple(
+            Remedy(Reason.of("desk.disconnect_file", name=user.name), act.Disconnect(user.id)) for user in users
+        )
+        return No(Reason.of("desk.one_runtime", name=users[0].name, here=here), remedies)
+    left = tuple(model.runtime.subsystems)
     if not left or command.confirmed:
         return None
     meant = msgspec.structs.replace(command, confirmed=True)
-    what = "which ends with it" if not model.runtime.address else "which comes to rest where this environment held it"
-    return No(f"{here} is left, and with it {left}, {what}", (Remedy("Go on", meant),))
+    ends, rests = "desk.runtime_left_ends", "desk.runtime_left_rests"
+    reason = Reason.of(rests if model.runtime.address else ends, here=here, subsystems=left)
+    return No(reason, (Remedy(Reason.of("desk.go_on"), meant),))
 
 
 def _joined(
@@ -154,15 +166,15 @@ def _subsystem(model: Model, document: Document, standing: live.Standing) -> str
     return document.name if TASK_NAME.match(document.name) and document.name not in taken else _MAIN
 
 
-def _occupied(model: Model, name: str, document: Document, standing: live.Standing) -> str:
+def _occupied(model: Model, name: str, document: Document, standing: live.Standing) -> Text:
     """Why this subsystem is not for this document."""
     for other in model.documents.values():
         if other.live is not None and other.live.subsystem == name and other.id != document.id:
-            return f"{other.name} is connected with subsystem {name}; name another one"
+            return Reason.of("desk.subsystem_connected", name=other.name, subsystem=name)
     running = [
         subsystem.application for subsystem in standing.subsystems if subsystem.name == name and subsystem.application
     ]
-    return f"application {running[0]} runs in subsystem {name}; let it end, or name another one" if running else ""
+    return Reason.of("desk.subsystem_runs", application=running[0], subsystem=name) if running else ""
 
 
 def _stepped(document: Document, merged_tasks: Merged) -> Document:
@@ -171,7 +183,7 @@ def _stepped(document: Document, merged_tasks: Merged) -> Document:
     if old.configuration is new.configuration:
         return settled(merged_tasks.document)
     wanted = {name: new.wanted.get(name, False) for name in old.names}
-    step = Step("connecting", "", Content(old.configuration, wanted), new)
+    step = Step(Reason.of("desk.connecting"), "", Content(old.configuration, wanted), new)
     return settled(replace(merged_tasks.document, history=document.history.done(step)))
 
 
@@ -182,13 +194,15 @@ def _spawned(model: Model, merged_tasks: Merged, outside: Surroundings) -> Done:
     wanted, says = {}, []
     for name in merged_tasks.spawn:
         placed = document.content.placed(name)
-        born = birth(placed, model.shelf, units) if placed else f"there is no {name}"
+        born = birth(placed, model.shelf, units) if placed else Reason.of("desk.task_missing", name=name)
         if isinstance(born, str):
-            says.append(page.Say("warning", f"{born}; it is left out", document.id, ShowTask(name)))
+            says.append(page.Say("warning", Reason.of("desk.left_out", why=born), document.id, ShowTask(name)))
         else:
             wanted[name] = False
     content = replace(document.content, wanted={**document.content.wanted, **wanted})
     done = following.follow(model, model.with_document(document.having(content)), outside)
     if isinstance(done, No):
-        return Done(model, says=(*says, page.Say("warning", f"nothing is spawned: {done.reason}", document.id)))
+        return Done(
+            model, says=(*says, page.Say("warning", Reason.of("desk.nothing_spawned", why=done.reason), document.id))
+        )
     return replace(done, says=(*says, *done.says))

@@ -23,6 +23,7 @@ from onika.wire import act
 from onika.wire.view import Objection, Remedy, ShowTask
 from onika.words.fault import Refusal
 from onika.words.name import TASK_NAME
+from onika.words.reason import Reason, Text
 
 
 @on_document
@@ -30,10 +31,11 @@ def group(model: Model, document: Document, command: act.Group, _outside: Surrou
     """Handle tasks as one, in this order; supermodules that are among them whole go into it, under its name."""
     tasks = tuple(dict.fromkeys(command.tasks))
     if not TASK_NAME.match(command.name):
-        form = "a name of letters, digits and _ . - that begins with a letter"
-        return No(f"{command.name!r} is no name for a supermodule", fields={"name": f"expected {form}"})
+        return No(
+            Reason.of("desk.no_supermodule_name", name=command.name), fields={"name": Reason.of("desk.name_of_letters")}
+        )
     if not tasks:
-        return No("nothing is selected")
+        return No(Reason.of("desk.nothing_selected"))
     refused = absent(document, tasks) or _taken(document, command.name, tasks)
     if refused:
         return refused
@@ -42,7 +44,7 @@ def group(model: Model, document: Document, command: act.Group, _outside: Surrou
     others = [
         group for group in configuration.groups if group.name != command.name and not set(group.tasks) <= set(tasks)
     ]
-    label = f"making {several(tasks)} the supermodule {command.name}"
+    label = Reason.of("desk.making_supermodule", tasks=several(tasks), name=command.name)
     return _regrouped(model, document, replace(configuration, groups=(*others, new)), label)
 
 
@@ -54,7 +56,9 @@ def ungroup(model: Model, command: act.Ungroup, _outside: Surroundings) -> Done 
     document, group = group_place
     configuration = document.content.configuration
     others = tuple(other for other in configuration.groups if other is not group)
-    return _regrouped(model, document, replace(configuration, groups=others), f"expanding {command.name}")
+    return _regrouped(
+        model, document, replace(configuration, groups=others), Reason.of("desk.expanding", name=command.name)
+    )
 
 
 def save_group(model: Model, command: act.SaveGroup, outside: Surroundings) -> Done | No:
@@ -65,12 +69,12 @@ def save_group(model: Model, command: act.SaveGroup, outside: Surroundings) -> D
     document, group = group_place
     base = Path(command.base) if command.base else document.base
     if base is None:
-        reason = f"{document.name} has no file yet: say in which base directory {command.name} is to be"
+        reason = Reason.of("desk.supermodule_place", file=document.name, name=command.name)
         return No(reason, _elsewhere(command, None, outside))
     directory = BaseDirectory(base)
     path = directory.configuration_file(command.name)
     if document.opened is not None and document.opened.path.resolve() == path.resolve():
-        return No(f"{path} is the file of the configuration that {command.name} is a part of: give it another name")
+        return No(Reason.of("desk.supermodule_file", path=str(path), name=command.name))
     done = directory.save_configuration(_part(model, document, group), overwrites=command.overwrites)
     if isinstance(done, Refusal):
         again = act.SaveGroup(command.doc, command.name, command.base, overwrites=True)
@@ -87,13 +91,15 @@ def insert(model: Model, document: Document, command: act.Insert, outside: Surro
     configuration = reading.opened.value
     name = configuration.name
     if not configuration.placed:
-        return No(f"{name} has no tasks")
+        return No(Reason.of("desk.without_tasks", name=name))
     new = Group(name, tuple(_in_order(configuration)))
     taken = Copied(configuration.placed, configuration.loci, (new,))
     against = [*_namesake(document, name), *clipboard.objections(model.shelf, document, taken)]
     if against:
-        return clipboard.refusal(f"{name} is not inserted", against)
-    return clipboard.placed(model, document, taken.at(*inside(command.x, command.y)), f"inserting {name}")
+        return clipboard.refusal(Reason.of("desk.not_inserted", name=name), against)
+    return clipboard.placed(
+        model, document, taken.at(*inside(command.x, command.y)), Reason.of("desk.inserting", step=name)
+    )
 
 
 def turn_group(model: Model, command: act.TurnGroup, outside: Surroundings) -> Done | No:
@@ -104,11 +110,10 @@ def turn_group(model: Model, command: act.TurnGroup, outside: Surroundings) -> D
     document, group = group_place
     tasks = group.tasks if command.is_on else group.tasks[::-1]
     done = task_commands.turn(model, act.Turn(document.id, tasks, command.is_on), outside)
-    return (
-        done
-        if isinstance(done, No)
-        else replace(done, label=f"turning {group.name} {'ON' if command.is_on else 'OFF'}")
-    )
+    if isinstance(done, No):
+        return done
+    key_on, key_off = "desk.turning_on", "desk.turning_off"
+    return replace(done, label=Reason.of(key_on if command.is_on else key_off, name=group.name))
 
 
 def _of(model: Model, doc: str, name: str) -> tuple[Document, Group] | No:
@@ -116,7 +121,7 @@ def _of(model: Model, doc: str, name: str) -> tuple[Document, Group] | No:
     if document is None:
         return closed(Kind.CONFIGURATION)
     group = document.content.configuration.group(name)
-    return (document, group) if group else No(f"there is no supermodule {name}")
+    return (document, group) if group else No(Reason.of("desk.no_supermodule", name=name))
 
 
 def _elsewhere(command: act.SaveGroup, base: Path | None, outside: Surroundings) -> tuple[Remedy, ...]:
@@ -126,10 +131,13 @@ def _elsewhere(command: act.SaveGroup, base: Path | None, outside: Surroundings)
         for directory in outside.site.directories
         if directory.path != base and os.access(directory.path, os.W_OK)
     ]
-    return tuple(Remedy(f"Save it in {base}", act.SaveGroup(command.doc, command.name, str(base))) for base in bases)
+    return tuple(
+        Remedy(Reason.of("desk.save_in", path=str(base)), act.SaveGroup(command.doc, command.name, str(base)))
+        for base in bases
+    )
 
 
-def _regrouped(model: Model, document: Document, configuration: Configuration, label: str) -> Done:
+def _regrouped(model: Model, document: Document, configuration: Configuration, label: Text) -> Done:
     content = replace(document.content, configuration=configuration)
     return Done(model.with_document(document.having(content)), label, document.id)
 
@@ -143,13 +151,14 @@ def _taken(document: Document, name: str, tasks: tuple[str, ...]) -> No | None:
             against += [] if among else _namesake(document, name)
         elif among and len(among) < len(group.tasks):
             rest = tuple(task for task in group.tasks if task not in tasks)
-            verb = "is" if len(among) == 1 else "are"
+            single, plural = "desk.in_supermodule", "desk.are_in_supermodule"
+            key = single if len(among) == 1 else plural
             remedies = (
-                Remedy(f"Take all of {group.name}", act.Group(document.id, name, (*tasks, *rest))),
-                Remedy(f"Expand {group.name}", act.Ungroup(document.id, group.name)),
+                Remedy(Reason.of("desk.take_all_of", name=group.name), act.Group(document.id, name, (*tasks, *rest))),
+                Remedy(Reason.of("desk.expand", name=group.name), act.Ungroup(document.id, group.name)),
             )
-            against.append(Objection(f"{several(among)} {verb} in the supermodule {group.name} already", remedies))
-    return clipboard.refusal(f"{name} is not made", against) if against else None
+            against.append(Objection(Reason.of(key, names=several(among), group=group.name), remedies))
+    return clipboard.refusal(Reason.of("desk.not_made", name=name), against) if against else None
 
 
 def _namesake(document: Document, name: str) -> list[Objection]:
@@ -157,9 +166,9 @@ def _namesake(document: Document, name: str) -> list[Objection]:
     group = document.content.configuration.group(name)
     if group is None:
         return []
-    show = Remedy(f"Show {group.tasks[0]}", show=ShowTask(group.tasks[0]))
-    expand = Remedy(f"Expand {name}", act.Ungroup(document.id, name))
-    return [Objection(f"there is a supermodule {name} already", (show, expand))]
+    show = Remedy(Reason.of("desk.show_task", name=group.tasks[0]), show=ShowTask(group.tasks[0]))
+    expand = Remedy(Reason.of("desk.expand", name=name), act.Ungroup(document.id, name))
+    return [Objection(Reason.of("desk.supermodule_there", name=name), (show, expand))]
 
 
 def _part(model: Model, document: Document, group: Group) -> Configuration:

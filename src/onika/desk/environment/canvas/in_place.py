@@ -19,6 +19,7 @@ from onika.model.rules.order import Ports
 from onika.model.rules.reconfiguration import PlacedTask as Standing, exchange
 from onika.wire import act
 from onika.wire.view import Remedy
+from onika.words.reason import NOTHING, Reason, Text
 
 
 @on_document
@@ -32,10 +33,13 @@ def open_in_place(model: Model, document: Document, command: act.OpenInPlace, ou
     if document.live is not None and document.live.state == "live" and not command.confirmed:
         sentence = _told(model, document, document.live, content)
         if sentence:
-            meant = Remedy("Go on", act.OpenInPlace(command.doc, command.path, confirmed=True))
-            return No(f"opening {opened.value.name} in place of {document.name}: {sentence}", (meant,))
+            meant = Remedy(Reason.of("desk.go_on"), act.OpenInPlace(command.doc, command.path, confirmed=True))
+            return No(
+                Reason.of("desk.in_place_outcome", name=opened.value.name, document=document.name, outcome=sentence),
+                (meant,),
+            )
     new = replace(document, content=content, opened=opened, base=base.path, has_changed_on_disk=False)
-    label = f"opening {opened.value.name} in place of {document.name}"
+    label = Reason.of("desk.opening_in_place", name=opened.value.name, document=document.name)
     return Done(with_loci(model, new), label, document.id, value=document.id)
 
 
@@ -47,11 +51,11 @@ def _content(document: Document, configuration: Configuration) -> Content:
     return Content(configuration, {placed.task: wanted.get(placed.task, False) for placed in configuration.placed})
 
 
-def _told(model: Model, document: Document, subsystem_facts: Live, content: Content) -> str:
-    """What becomes of each task, in words; empty: nothing happens to any."""
+def _told(model: Model, document: Document, subsystem_facts: Live, content: Content) -> Reason:
+    """What becomes of each task; nothing: nothing happens to any."""
     what = reconfiguration(document.content, content, subsystem_facts, model.shelf, (), living_units(model))
     if what.is_nothing and not what.faults:
-        return ""
+        return NOTHING
     both = [birth.task.name for birth in what.spawn if birth.task.name in what.kill]
     new = [birth.task.name for birth in what.spawn if birth.task.name not in what.kill]
     gone = [name for name in what.kill if name not in both]
@@ -60,15 +64,15 @@ def _told(model: Model, document: Document, subsystem_facts: Live, content: Cont
     kept = [
         name for name in content.wanted if name in subsystem_facts.tasks and name not in touched and name not in again
     ]
-    parts = (
-        _part("goes on untouched", "go on untouched", kept),
-        _part("is exchanged", "are exchanged", both),
-        _part("is initialised anew", "are initialised anew", again),
-        _part("is killed", "are killed", gone),
-        _part("is spawned, OFF", "are spawned, OFF", new),
+    parts: tuple[Text, ...] = (
+        _part("desk.tasks_go_on", kept),
+        _part("desk.tasks_exchanged", both),
+        _part("desk.tasks_initialised", again),
+        _part("desk.tasks_killed", gone),
+        _part("desk.tasks_spawned", new),
         *what.faults,
     )
-    return "; ".join(part for part in parts if part)
+    return Reason.of("desk.several_reasons", reasons=tuple(part for part in parts if part))
 
 
 def _again(model: Model, subsystem_facts: Live, what: Reconfiguration) -> tuple[str, ...]:
@@ -79,5 +83,5 @@ def _again(model: Model, subsystem_facts: Live, what: Reconfiguration) -> tuple[
     return exchange(living, what.kill, new).reinit
 
 
-def _part(singular: str, several: str, names: Sequence[str]) -> str:
-    return f"{', '.join(names)} {singular if len(names) == 1 else several}" if names else ""
+def _part(key: str, names: Sequence[str]) -> Reason:
+    return Reason.of(key, tasks=tuple(names)) if names else NOTHING

@@ -20,6 +20,7 @@ from onika.store.base_directory import BaseDirectory
 from onika.store.library import Library, reopen_libraries
 from onika.wire import act, page
 from onika.wire.view import Remedy
+from onika.words.reason import Reason, reason_of
 
 _FOLDERS = ("module", "conf", "dict", "appl")
 
@@ -31,7 +32,9 @@ def open_library(model: Model, command: act.OpenLibrary, _outside: Surroundings)
         whole = path.resolve()
         refused = _no_base(path)
     except (OSError, RuntimeError, ValueError) as error:  # a name that no system allows, or no such user
-        return No(f"{command.path!r} cannot be opened: {error}", fields={"path": str(error)})
+        return No(
+            Reason.of("desk.path_unopened", path=command.path, why=reason_of(error)), fields={"path": reason_of(error)}
+        )
     if refused:
         return refused
     library = next((library for library in model.shelf.libraries if library.base.path.resolve() == whole), None)
@@ -48,7 +51,7 @@ def close_library(model: Model, command: act.CloseLibrary, _outside: Surrounding
     bases = [library.base for library in model.shelf.libraries]
     left = [base for base in bases if str(base.path) != command.library]
     if len(left) == len(bases):
-        return No(f"the library {command.library} is not open")
+        return No(Reason.of("desk.library_closed", library=command.library))
     done = rearranged(model, left, frozenset())
     return replace(done, model=file_index.without(done.model, file_index.of_base(model, command.library)))
 
@@ -82,14 +85,17 @@ def rearranged(model: Model, bases: Iterable[BaseDirectory], changed: Set[Path])
 def _no_base(path: Path) -> No | None:
     """Why a path is none of a base directory, if so."""
     if not path.is_dir():
-        reason = f"{path} is no directory" if path.exists() else f"there is no {path}"
+        is_file, shown = path.exists(), str(path)
+        reason = (
+            Reason.of("desk.not_a_directory", path=shown) if is_file else Reason.of("desk.path_missing", path=shown)
+        )
         return No(reason, fields={"path": reason})
     if any((path / folder).is_dir() for folder in _FOLDERS):
         return None
-    reason = f"{path} is no base directory: expected a folder module, conf, dict or appl in it, found none"
+    reason = Reason.of("desk.no_base_directory", path=str(path))
     parent = path.parent
     is_part = path.name in _FOLDERS
-    remedies = (Remedy(f"Open {parent}", act.OpenLibrary(str(parent))),) if is_part else ()
+    remedies = (Remedy(Reason.of("desk.open_file", name=str(parent)), act.OpenLibrary(str(parent))),) if is_part else ()
     return No(reason, remedies, {"path": reason})
 
 
@@ -111,7 +117,7 @@ def _rebased(shelf: Shelf, former: Shelf, living: frozenset[str]) -> tuple[Shelf
         is_other = new.module != changed.module or _is_elsewhere(name, former, shelf)
         if is_other or placement.alias_refusals(edits[name], ()):
             edits[name] = new
-            says.append(page.Say("warning", f"{name} is as its file says again: what was changed here does not fit it"))
+            says.append(page.Say("warning", Reason.of("desk.edit_unfit", name=name)))
     return replace(shelf, edits={name: task for name, task in edits.items() if task != shelf.filed(name)}), says
 
 

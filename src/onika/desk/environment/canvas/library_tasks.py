@@ -20,6 +20,7 @@ from onika.wire import act
 from onika.wire.view import Remedy, ShowLibraries
 from onika.words.fault import Refusal
 from onika.words.name import SVAR_NAME
+from onika.words.reason import NOTHING, Reason, reason_of
 
 
 def alias(model: Model, command: act.Alias, _outside: Surroundings) -> Done | No:
@@ -28,18 +29,22 @@ def alias(model: Model, command: act.Alias, _outside: Surroundings) -> Done | No
     if task is None or filed is None:
         return unknown(command.task)
     if command.pin not in task.kinds():
-        return No(f"{command.task} has no pin {command.pin}")
+        return No(Reason.of("desk.no_pin", task=command.task, pin=command.pin))
     svar = command.svar.strip()
     if svar and not SVAR_NAME.match(svar):
-        expected = "expected capital letters, digits, _ and ^, a letter first"
-        return No(f"{svar!r} is no name of a variable: {expected}", fields={"svar": expected})
+        expected = Reason.of("desk.variable_form")
+        return No(Reason.of("desk.no_variable_name", svar=svar), fields={"svar": expected})
     changed = task_edit.aliased(task, command.pin, svar, filed)
     shelf = model.shelf.edited({command.task: changed})
     against = clashes(model, shelf, (command.task,))
     name = svar or command.pin
     if against:
-        return refused(f"{command.pin} of {command.task} cannot be {name}", against, "svar")
-    return Done(_taken_over(model, shelf), f"aliasing {command.pin} of {command.task} to {name}", command.doc)
+        return refused(Reason.of("desk.pin_cannot_be", pin=command.pin, task=command.task, name=name), against, "svar")
+    return Done(
+        _taken_over(model, shelf),
+        Reason.of("desk.aliasing", pin=command.pin, task=command.task, name=name),
+        command.doc,
+    )
 
 
 def library_rate(model: Model, command: act.LibraryRate, _outside: Surroundings) -> Done | No:
@@ -48,11 +53,11 @@ def library_rate(model: Model, command: act.LibraryRate, _outside: Surroundings)
     if task is None:
         return unknown(command.task)
     if task.type is not TaskType.PERIODIC:
-        reason = f"{command.task} is {task.type.value}: only periodic tasks have a rate to set"
+        reason = Reason.of("desk.not_periodic", task=command.task, type=task.type.value)
         return No(reason, fields={"hz": reason})
     if not (math.isfinite(command.hz) and command.hz > 0):
-        reason = f"expected a number above 0 (Hz), found {command.hz}"
-        return No(f"the rate of {command.task}: {reason}", fields={"hz": reason})
+        reason = Reason.of("desk.rate_form", hz=str(command.hz))
+        return No(Reason.of("desk.rate_unfit", task=command.task, why=reason), fields={"hz": reason})
     rate = None if command.hz == task.frequency else command.hz
     return Done(replace(model, shelf=model.shelf.rated({command.task: rate})))
 
@@ -65,11 +70,13 @@ def local(model: Model, command: act.Local, _outside: Surroundings) -> Done | No
     lines = tuple(LocalLine(key, words) for key, words in command.lines)
     wrong = {f"line {number}": text for number, line in enumerate(lines) if (text := _wrong(task, line))}
     keys = [line.key for line in lines]
-    wrong |= {f"line {number}": f"expected {key} once" for number, key in enumerate(keys) if key in keys[:number]}
+    wrong |= {
+        f"line {number}": Reason.of("desk.key_once", key=key) for number, key in enumerate(keys) if key in keys[:number]
+    }
     if wrong:
-        return No(f"the parameters of {command.task}: {'; '.join(wrong.values())}", fields=wrong)
+        return No(Reason.of("desk.parameters_unfit", task=command.task, reasons=tuple(wrong.values())), fields=wrong)
     shelf = model.shelf.edited({command.task: replace(task, local=lines)})
-    return Done(_taken_over(model, shelf), f"setting the parameters of {command.task}", command.doc)
+    return Done(_taken_over(model, shelf), Reason.of("desk.setting_parameters", task=command.task), command.doc)
 
 
 def save_task(model: Model, command: act.SaveTask, _outside: Surroundings) -> Done | No:
@@ -86,7 +93,7 @@ def save_task(model: Model, command: act.SaveTask, _outside: Surroundings) -> Do
     if isinstance(done, Refusal):
         remedies = (
             *overwriting(done, act.SaveTask(command.task, overwrites=True)),
-            Remedy("Take it as the file says", act.ForgetTask(command.task)),
+            Remedy(Reason.of("desk.take_as_filed"), act.ForgetTask(command.task)),
         )
         return No(plain(done.reason), remedies)
     return replace(_as_filed(model, command.task, path), value=str(path))
@@ -99,12 +106,12 @@ def forget_task(model: Model, command: act.ForgetTask, _outside: Surroundings) -
     path = model.shelf.homes[command.task].base.task_file(command.task)
     done = _as_filed(model, command.task, path)
     against = clashes(model, done.model.shelf, (command.task,))
-    return refused(f"{command.task} cannot be as its file says", against) if against else done
+    return refused(Reason.of("desk.not_as_filed", task=command.task), against) if against else done
 
 
 def unknown(name: str) -> No:
     """No open library has the task."""
-    return No(f"no open library has a task {name}", (Remedy("Open a library…", show=ShowLibraries()),))
+    return No(Reason.of("desk.no_task", name=name), (Remedy(Reason.of("desk.open_library"), show=ShowLibraries()),))
 
 
 def _taken_over(model: Model, shelf: Shelf) -> Model:
@@ -119,16 +126,16 @@ def _as_filed(model: Model, name: str, path: Path) -> Done:
     return replace(done, model=_taken_over(done.model, shelf))
 
 
-def _wrong(task: Task, line: LocalLine) -> str:
+def _wrong(task: Task, line: LocalLine) -> Reason:
     """Why a line cannot stand in the LOCAL block, if so: read again it must be the same."""
     alone = replace(task, local=(line,))
     try:
         text = rmod.write(RmodText(alone), alone)
     except ValueError as error:
-        return str(error)
+        return reason_of(error)
     record, faults = rmod.read(text, task.name, task.name)
     if record is not None and record.task.local == (line,):
-        return ""
+        return NOTHING
     fault = next((fault for fault in faults if not fault.is_note), None)
     shown = " ".join((line.key, *line.words))
-    return str(fault.reason) if fault else f"{shown!r} is no line of a key and words"
+    return fault.reason if fault else Reason.of("desk.no_key_line", line=shown)

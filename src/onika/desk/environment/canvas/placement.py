@@ -14,6 +14,7 @@ from onika.model.configuration import UNKNOWN_RTPU, Configuration, Group, Placed
 from onika.model.rules import loci, placement
 from onika.wire import act
 from onika.wire.view import Remedy, ShowLibraries
+from onika.words.reason import Reason, Text
 
 _LIMIT = 100_000
 """Pixels: nothing is placed farther out, so that it can be found again."""
@@ -30,7 +31,10 @@ def place(model: Model, document: Document, command: act.Place, _outside: Surrou
     new = Placed(command.task, *spot, command.in_left, rate, command.rtpu or UNKNOWN_RTPU)
     configuration = document.content.configuration
     return with_other_tasks(
-        model, document, replace(configuration, placed=(*configuration.placed, new)), f"placing {command.task}"
+        model,
+        document,
+        replace(configuration, placed=(*configuration.placed, new)),
+        Reason.of("desk.placing", task=command.task),
     )
 
 
@@ -39,7 +43,7 @@ def exchange(model: Model, document: Document, command: act.Exchange, _outside: 
     """Place a task where another stands."""
     old = document.content.placed(command.old)
     if old is None:
-        return No(f"there is no {command.old} on the canvas")
+        return No(Reason.of("desk.not_on_canvas", name=command.old))
     refused = _refused(model, document, command.new, (command.old,))
     if refused:
         return refused
@@ -49,7 +53,7 @@ def exchange(model: Model, document: Document, command: act.Exchange, _outside: 
     exchanged = replace(
         configuration, placed=placed, groups=_taken_over(configuration.groups, command.old, command.new)
     )
-    return with_other_tasks(model, document, exchanged, f"replacing {command.old} by {command.new}")
+    return with_other_tasks(model, document, exchanged, Reason.of("desk.replacing", old=command.old, new=command.new))
 
 
 @on_document
@@ -61,7 +65,7 @@ def remove(model: Model, document: Document, command: act.Remove, _outside: Surr
     configuration = document.content.configuration
     placed = tuple(placed for placed in configuration.placed if placed.task not in command.tasks)
     return with_other_tasks(
-        model, document, replace(configuration, placed=placed), f"removing {several(command.tasks)}"
+        model, document, replace(configuration, placed=placed), Reason.of("desk.removing", names=several(command.tasks))
     )
 
 
@@ -75,7 +79,7 @@ def move(model: Model, document: Document, command: act.Move, _outside: Surround
     svars = {locus.svar for locus in configuration.loci}
     lost = [svar for svar in command.loci if svar not in svars]
     if lost:
-        return No(f"there is no locus of {lost[0]} on the canvas")
+        return No(Reason.of("desk.no_locus", svar=lost[0]))
     tasks = {name: inside(*spot) for name, spot in command.tasks.items()}
     spots = {svar: inside(*spot) for svar, spot in command.loci.items()}
     placed = tuple(_at(placed, tasks.get(placed.task)) for placed in configuration.placed)
@@ -83,7 +87,7 @@ def move(model: Model, document: Document, command: act.Move, _outside: Surround
         replace(locus, x=spots[locus.svar][0], y=spots[locus.svar][1]) if locus.svar in spots else locus
         for locus in configuration.loci
     )
-    label = f"moving {several((*command.tasks, *command.loci))}"
+    label = Reason.of("desk.moving", icons=several((*command.tasks, *command.loci)))
     return _as_it_stands(model, document, replace(configuration, placed=placed, loci=moved), label)
 
 
@@ -101,7 +105,10 @@ def flip(model: Model, document: Document, command: act.Flip, _outside: Surround
     turned = replace(configuration, placed=placed)
     boxes = model.shelf.boxes(document.content.names)
     return _as_it_stands(
-        model, document, loci.flipped(turned, command.tasks, boxes), f"flipping {several(command.tasks)}"
+        model,
+        document,
+        loci.flipped(turned, command.tasks, boxes),
+        Reason.of("desk.flipping", names=several(command.tasks)),
     )
 
 
@@ -117,7 +124,9 @@ def align(model: Model, document: Document, command: act.Align, _outside: Surrou
     heights = {name: box.height for name, box in boxes.items()}
     spots = _aligned(chosen, heights, command.edge)
     placed = tuple(_at(placed, spots.get(placed.task)) for placed in configuration.placed)
-    return _as_it_stands(model, document, replace(configuration, placed=placed), f"aligning {several(command.tasks)}")
+    return _as_it_stands(
+        model, document, replace(configuration, placed=placed), Reason.of("desk.aligning", names=several(command.tasks))
+    )
 
 
 @on_document
@@ -127,18 +136,20 @@ def show(model: Model, document: Document, command: act.Show, _outside: Surround
     turned = tuple(
         replace(locus, show=command.is_shown) if locus.svar in command.svars else locus for locus in configuration.loci
     )
-    verb = "showing" if command.is_shown else "hiding"
-    label = f"{verb} the connections of {several(command.svars)}"
+    showing, hiding = "desk.showing_connections", "desk.hiding_connections"
+    label = Reason.of(showing if command.is_shown else hiding, names=several(command.svars))
     return _as_it_stands(model, document, replace(configuration, loci=turned), label)
 
 
-def several(names: Iterable[str]) -> str:
+def several(names: Iterable[str]) -> Reason:
     """A few names, or how many there are."""
     names = tuple(names)
-    return " and ".join(names) if len(names) <= 2 else f"{len(names)} things"
+    return (
+        Reason.of("desk.names_and", names=names) if len(names) <= 2 else Reason.of("desk.thing_count", count=len(names))
+    )
 
 
-def _as_it_stands(model: Model, document: Document, configuration: Configuration, label: str) -> Done:
+def _as_it_stands(model: Model, document: Document, configuration: Configuration, label: Text) -> Done:
     content = replace(document.content, configuration=configuration)
     return Done(model.with_document(document.having(content)), label, document.id)
 
@@ -148,20 +159,27 @@ def _refused(model: Model, document: Document, name: str, leaving: tuple[str, ..
     tasks = model.shelf.tasks
     task = tasks.get(name)
     if task is None:
-        return No(f"no open library has a task {name}", (Remedy("Open a library…", show=ShowLibraries()),))
+        return No(Reason.of("desk.no_task", name=name), (Remedy(Reason.of("desk.open_library"), show=ShowLibraries()),))
     others = [tasks[name] for name in document.content.names if name in tasks and name not in leaving]
     objections = reasons(placement.refusals(task, others), document.id, task)
     if not objections:
         return None
     remedies = tuple(dict.fromkeys(remedy for reason in objections for remedy in reason.remedies))
-    return No(f"{name} cannot be placed: {'; '.join(str(reason.text) for reason in objections)}", remedies)
+    return No(
+        Reason.of("desk.not_placed", name=name, reasons=tuple(objection.text for objection in objections)), remedies
+    )
 
 
 def absent(document: Document, names: Iterable[str]) -> No | None:
     """Why tasks that are not on the canvas cannot be meant, if so."""
     placed_names = set(document.content.names)
     lost = [name for name in names if name not in placed_names]
-    return No(f"there is no {' and no '.join(lost)} on the canvas") if lost else None
+    if not lost:
+        return None
+    name: Text = lost[0]
+    for other in lost[1:]:
+        name = Reason.of("desk.and_no", left=name, right=other)
+    return No(Reason.of("desk.not_on_canvas", name=name))
 
 
 def inside(x: int, y: int) -> tuple[int, int]:

@@ -17,6 +17,7 @@ from onika.wire import act, page
 from onika.wire.view import Remedy, TextView
 from onika.words.fault import Refusal
 from onika.words.name import TASK_NAME
+from onika.words.reason import Reason
 
 _STAMP = re.compile(r"[0-9a-f]{64}\Z")
 
@@ -38,17 +39,17 @@ def write_text(model: Model, command: act.WriteText, _outside: Surroundings) -> 
     if isinstance(path, No):
         return path
     if not _STAMP.match(command.stamp):
-        return No("it cannot be told which text this one was made of: read it again first")
+        return No(Reason.of("desk.text_unstamped"))
     try:
         refused = whole.write(path, command.text, whole.ANYTHING if command.overwrites else command.stamp)
     except ValueError:
-        return No("the text holds signs that no file in UTF-8 can hold")
+        return No(Reason.of("desk.text_not_utf8"))
     if isinstance(refused, Refusal):
         return _refused(path, refused, command)
     view = _view(path, command.text, refused)
     done = libraries.reread(model, {path})
     left_out = command.kind == "rmod" and path.stem not in done.model.shelf.tasks
-    message = page.Say("warning", f"{path.name} is saved; it is at fault, and the task is left out until it is mended")
+    message = page.Say("warning", Reason.of("desk.saved_at_fault", name=path.name))
     return replace(done, value=view, says=(message,) if left_out else done.says)
 
 
@@ -59,7 +60,7 @@ def _path(model: Model, task: str, kind: str) -> Path | No:
         return path
     file = path.resolve()
     if not any(file.is_relative_to(library.base.path.resolve()) for library in model.shelf.libraries):
-        return No(f"{path} leads out of the open libraries")
+        return No(Reason.of("desk.outside_libraries", path=str(path)))
     return path
 
 
@@ -79,7 +80,7 @@ def _code(model: Model, task: str) -> Path | No:
         return unknown(task)
     path = model.shelf.code_file(task)
     if path is None:
-        return No(f"no open library has the source of {described.module}, the module of {task}")
+        return No(Reason.of("desk.no_source", module=described.module, task=task))
     return path
 
 
@@ -89,7 +90,7 @@ def _refused(path: Path, refused: Refusal, command: act.WriteText) -> No:
     fields = {"theirs": text[0], "stamp": text[1]} if text and text[1] != command.stamp else {}
     again = act.WriteText(command.task, command.kind, command.text, command.stamp, overwrites=True)
     is_other = bool(fields) or not path.exists()
-    return No(plain(refused.reason), (Remedy("Overwrite it", again),) if is_other else (), fields)
+    return No(plain(refused.reason), (Remedy(Reason.of("desk.overwrite_it"), again),) if is_other else (), fields)
 
 
 def _view(path: Path, text: str, stamp: whole.Stamp) -> TextView:

@@ -14,6 +14,7 @@ from onika.desk.environment.state.live import Live
 from onika.desk.environment.state.model import Model
 from onika.wire import act, live, request
 from onika.wire.view import Remedy, ShowLibraries
+from onika.words.reason import Reason
 
 
 @on_document
@@ -27,12 +28,12 @@ def turn(model: Model, document: Document, command: act.Turn, _outside: Surround
         return subsystem_facts
     broken = [name for name in command.tasks if subsystem_facts.state_of(name) == "ERROR"]
     if command.is_on and broken:
-        clear = Remedy("Clear, switch on", act.Clear(document.id, broken[0], turns_on=True))
-        return No(f"{several(broken)} failed and has to be cleared first", (clear,))
+        clear = Remedy(Reason.of("desk.clear_and_on"), act.Clear(document.id, broken[0], turns_on=True))
+        return No(Reason.of("desk.failed_first", names=several(broken)), (clear,))
     waiting = [name for name in command.tasks if command.is_on and subsystem_facts.state_of(name) == "WAITING"]
     if waiting:
-        why = subsystem_facts.tasks[waiting[0]].note or "waits for a constant"
-        return No(f"{waiting[0]} {why}: it cannot come on before a task supplies it")
+        why = subsystem_facts.tasks[waiting[0]].note or Reason.of("desk.waits_for_constant")
+        return No(Reason.of("desk.on_before_supplied", name=waiting[0], why=why))
     wanted = {**document.content.wanted, **dict.fromkeys(command.tasks, command.is_on)}
     resting = [
         name for name in command.tasks if command.is_on and subsystem_facts.state_of(name) not in ("ON", "ASKING")
@@ -42,7 +43,8 @@ def turn(model: Model, document: Document, command: act.Turn, _outside: Surround
     )
     content = replace(document.content, wanted=wanted)
     turned = replace(document, content=content, live=subsystem_facts)
-    label = f"turning {several(command.tasks)} {'ON' if command.is_on else 'OFF'}"
+    key_on, key_off = "desk.turning_on", "desk.turning_off"
+    label = Reason.of(key_on if command.is_on else key_off, name=several(command.tasks))
     return Done(model.with_document(turned), label, document.id)
 
 
@@ -57,7 +59,7 @@ def toggle(model: Model, document: Document, command: act.Toggle, outside: Surro
         wanted = document.content.wanted.get(command.task, False)
         return clear(model, act.Clear(command.doc, command.task, turns_on=wanted), outside)
     if state == "KILLING":
-        return No(f"{command.task} is {state}: wait for it")
+        return No(Reason.of("desk.state_wait", task=command.task, state=state))
     is_on = state not in ("ON", "ASKING")
     return turn(model, act.Turn(command.doc, (command.task,), is_on), outside)
 
@@ -69,7 +71,7 @@ def clear(model: Model, document: Document, command: act.Clear, _outside: Surrou
     if isinstance(of_living, No):
         return of_living
     if of_living.state_of(command.task) != "ERROR":
-        return No(f"{command.task} is {of_living.state_of(command.task)}, not in ERROR")
+        return No(Reason.of("desk.not_in_error", task=command.task, state=of_living.state_of(command.task)))
     order = live.Clear(of_living.subsystem, command.task)
     if command.turns_on:  # the change that turns it ON goes out behind
         content = replace(document.content, wanted={**document.content.wanted, command.task: True})
@@ -96,10 +98,10 @@ def renew(model: Model, document: Document, command: act.Renew, _outside: Surrou
         return of_living
     task = model.shelf.tasks.get(command.task)
     if task is None:
-        return No(f"no open library has a task {command.task}")
+        return No(Reason.of("desk.no_task", name=command.task))
     code = code_of(task.module, model.shelf, command.task)
     if isinstance(code, str):
-        return No(f"{command.task} keeps its code: {code}")
+        return No(Reason.of("desk.keeps_code", task=command.task, why=code))
     return _asked(model, document, live.Swap(of_living.subsystem, command.task, code), command.task)
 
 
@@ -110,7 +112,7 @@ def answer(model: Model, document: Document, command: act.Answer, _outside: Surr
     if isinstance(of_living, No):
         return of_living
     if of_living.state_of(command.task) != "ASKING":
-        return No(f"{command.task} asks for nothing: it is {of_living.state_of(command.task)}")
+        return No(Reason.of("desk.asks_nothing", task=command.task, state=of_living.state_of(command.task)))
     return simply_done(model, request.Reply(of_living.subsystem, command.task, command.line))
 
 
@@ -128,12 +130,12 @@ def _asked(model: Model, document: Document, order: request.Request, task: str) 
 def _connected(document: Document) -> Live | No:
     subsystem_facts = document.live
     if subsystem_facts is None or subsystem_facts.state != "live":
-        connect = (Remedy("Connect", act.Connect(document.id)),)
-        return No(f"{document.name} is not connected: its tasks do not live", connect)
+        connect = (Remedy(Reason.of("desk.connect_it"), act.Connect(document.id)),)
+        return No(Reason.of("desk.tasks_not_living", name=document.name), connect)
     if subsystem_facts.is_foreign:
         name, holder = subsystem_facts.subsystem, subsystem_facts.holder
-        reason = f"{name} is held by {holder}, who can release it; everybody can stop it"
-        return No(reason, (Remedy("Take it", act.Take(document.id)),))
+        reason = Reason.of("desk.held_by", name=name, holder=holder)
+        return No(reason, (Remedy(Reason.of("desk.take_it"), act.Take(document.id)),))
     return subsystem_facts
 
 
@@ -141,7 +143,7 @@ def _of_living(document: Document, task: str) -> Live | No:
     subsystem_facts = _connected(document)
     if isinstance(subsystem_facts, No) or task in subsystem_facts.tasks:
         return subsystem_facts
-    return No(f"{task} does not live")
+    return No(Reason.of("desk.not_living", task=task))
 
 
 def _unknown(model: Model, document: Document, tasks: tuple[str, ...]) -> No | None:
@@ -150,4 +152,6 @@ def _unknown(model: Model, document: Document, tasks: tuple[str, ...]) -> No | N
     lost = [name for name in tasks if name not in model.shelf.tasks and name not in facts_by_task]
     if not lost:
         return None
-    return No(f"no open library has a task {several(lost)}", (Remedy("Open a library…", show=ShowLibraries()),))
+    return No(
+        Reason.of("desk.no_task", name=several(lost)), (Remedy(Reason.of("desk.open_library"), show=ShowLibraries()),)
+    )

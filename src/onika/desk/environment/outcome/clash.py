@@ -31,9 +31,9 @@ def clashes(model: Model, after: Shelf, names: Collection[str]) -> tuple[Objecti
 
 def refused(what: Text, against: tuple[Objection, ...], field: str = "") -> No:
     """The no to a change that something speaks against."""
-    why = Reason.of("run.together", parts=tuple(objection.text for objection in against))
-    remedies = tuple(dict.fromkeys(remedy for objection in against for remedy in objection.remedies))
-    return No(Reason.of("run.what_why", what=what, why=why), remedies, {field: why} if field else {})
+    text = Reason.of("desk.several_reasons", reasons=tuple(one.text for one in against))
+    remedies = tuple(dict.fromkeys(remedy for one in against for remedy in one.remedies))
+    return No(Reason.of("desk.named_wrong", name=what, why=text), remedies, {field: text} if field else {})
 
 
 def _beside(task: Task, document: Document, before: Shelf, after: Shelf) -> Iterator[Objection]:

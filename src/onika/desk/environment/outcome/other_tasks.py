@@ -7,9 +7,10 @@ from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.model.configuration import Configuration
 from onika.model.rules import loci
+from onika.words.reason import Text
 
 
-def with_other_tasks(model: Model, document: Document, configuration: Configuration, label: str) -> Done:
+def with_other_tasks(model: Model, document: Document, configuration: Configuration, label: Text) -> Done:
     """The outcome of giving a document another configuration; new tasks are wanted OFF where it is connected."""
     names = tuple(placed.task for placed in configuration.placed)
     boxes = model.shelf.boxes((*names, *document.content.names))

@@ -7,7 +7,7 @@ from onika.model.task import Task
 from onika.wire import act
 from onika.wire.view import Objection, Remedy, ShowPin, ShowTask
 from onika.words.fault import Fault, Refusal
-from onika.words.reason import Text
+from onika.words.reason import Reason, Text
 
 _NAMED = re.compile(r"(replace|show|alias) `?([^`]+)`?\Z")
 _TOLD = 4
@@ -34,14 +34,14 @@ def unreadable(file: str, faults: Sequence[Fault]) -> str:
     return f"{file} cannot be opened: {told}{more}"
 
 
-def overwriting(refused: Refusal, again: act.AnyAct, label: Text = "Overwrite it") -> tuple[Remedy, ...]:
+def overwriting(refused: Refusal, again: act.AnyAct, label: Text = "") -> tuple[Remedy, ...]:
     """The button that saves all the same; none where that would be refused too, as on a full disk."""
     match refused.remedies:
         case ("save it elsewhere",):
             return ()
         case ("save it all the same", *_):
-            return (Remedy("Save it all the same", again),)
-    return (Remedy(label, again),)
+            return (Remedy(Reason.of("desk.save_all_the_same"), again),)
+    return (Remedy(label or Reason.of("desk.overwrite_it"), again),)
 
 
 def _remedy(words: str, doc: str, task: Task) -> Remedy:

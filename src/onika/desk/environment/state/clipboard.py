@@ -11,6 +11,7 @@ from msgspec import Meta, Struct
 
 from onika.model.configuration import UNKNOWN_RTPU, Configuration, Group, Locus, Placed
 from onika.words.name import SVAR_NAME, TASK_NAME
+from onika.words.reason import Reason
 
 _VERSION = 1
 _FAR = 10**9
@@ -63,22 +64,22 @@ def write(copied: Copied) -> str:
     return msgspec.json.encode(_Text(_VERSION, tasks, loci, groups)).decode()
 
 
-def read(text: str) -> Copied | str:
-    """What a text holds; a sentence where it was not copied from a configuration."""
+def read(text: str) -> Copied | Reason:
+    """What a text holds; the reason where it was not copied from a configuration."""
     try:
         decoded = _DECODER.decode(text)
     except (msgspec.DecodeError, UnicodeEncodeError) as wrong:
-        return f"expected tasks that were copied from a configuration, found {_beginning(text)} ({wrong})"
+        return Reason.of("desk.text_without_tasks", text=_beginning(text), why=str(wrong))
     if decoded.onika != _VERSION:
-        return f"expected tasks as this version copies them, found those of version {decoded.onika}"
+        return Reason.of("desk.tasks_of_version", version=decoded.onika)
     wrong_names = [task.task for task in decoded.tasks if not TASK_NAME.match(task.task)]
     wrong_names += [locus.svar for locus in decoded.loci if not SVAR_NAME.match(locus.svar)]
     wrong_names += [task.rtpu for task in decoded.tasks if not TASK_NAME.match(task.rtpu)]
     wrong_names += [group.name for group in decoded.groups if not TASK_NAME.match(group.name)]
     if wrong_names:
-        return f"expected names of tasks, units and variables, found {_beginning(wrong_names[0])}"
+        return Reason.of("desk.names_in_text", text=_beginning(wrong_names[0]))
     if any(not math.isfinite(task.hz) or task.hz < 0 for task in decoded.tasks):
-        return "expected rates of at least 0 Hz, found another"
+        return Reason.of("desk.rates_in_text")
     return _unique(decoded)
 
 
@@ -113,21 +114,30 @@ class _Text(Struct, frozen=True, omit_defaults=True):
 _DECODER = msgspec.json.Decoder(_Text)
 
 
-def _unique(decoded: _Text) -> Copied | str:
-    count = Counter(task.task for task in decoded.tasks)
-    twice = next((name for name, times in count.items() if times > 1), None)
+def _unique(decoded: _Text) -> Copied | Reason:
+    twice = _repeated(task.task for task in decoded.tasks)
     if twice:
-        return f"expected every task once, found {twice} again"
-    loci = {locus.svar: Locus(locus.svar, locus.x, locus.y, show=locus.is_shown) for locus in decoded.loci}
-    placed = (Placed(task.task, task.x, task.y, task.in_left, task.hz, task.rtpu) for task in decoded.tasks)
-    members = Counter(task for group in decoded.groups for task in group.tasks)
-    stray = next((task for task, times in members.items() if times > 1 or task not in count), None)
-    names = Counter(group.name for group in decoded.groups)
-    stray = stray or next((name for name, times in names.items() if times > 1), None)
+        return Reason.of("desk.task_twice", name=twice)
+    stray = _stray(decoded)
     if stray:
-        return f"expected supermodules of these tasks, each in one of them, found {_beginning(stray)}"
+        return Reason.of("desk.supermodules_in_text", text=_beginning(stray))
+    placed = tuple(Placed(task.task, task.x, task.y, task.in_left, task.hz, task.rtpu) for task in decoded.tasks)
+    loci = {locus.svar: Locus(locus.svar, locus.x, locus.y, show=locus.is_shown) for locus in decoded.loci}
     groups = tuple(Group(group.name, group.tasks) for group in decoded.groups)
-    return Copied(tuple(placed), tuple(loci.values()), groups)
+    return Copied(placed, tuple(loci.values()), groups)
+
+
+def _stray(decoded: _Text) -> str | None:
+    """What stands in no supermodule rightly: a task in two of them or in none that is there, or a name used twice."""
+    tasks = {task.task for task in decoded.tasks}
+    members = [task for group in decoded.groups for task in group.tasks]
+    missing = next((task for task in members if task not in tasks), None)
+    return missing or _repeated(members) or _repeated(group.name for group in decoded.groups)
+
+
+def _repeated(names: Iterable[str]) -> str | None:
+    """The first name that is there more than once."""
+    return next((name for name, times in Counter(names).items() if times > 1), None)
 
 
 def _beginning(text: str) -> str:
