@@ -43,7 +43,7 @@ class Play:
     def refuses(self, news: Steering, why: str) -> Self:
         """The user cannot do this now, for a reason that has these words in it; said all the same it is not done."""
         found = self._engine.refusal(news)
-        if not found or why not in found:
+        if not found or why not in str(found):
             raise AssertionError(self._tell(f"expected {news} refused: {why}", f"found    {found or 'no refusal'}"))
         return self >> news
 

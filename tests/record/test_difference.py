@@ -32,7 +32,7 @@ def test_how_many_actions_are_to_come_is_no_difference_of_the_one_that_begins(tm
 
 def test_the_first_value_that_is_another_is_told_with_its_element(tmp_path):  # R-X05
     difference_ = difference(tmp_path, course=((0.0, [0.0, 0.0]), (1.0, [1.0, 2.5]), (2.0, [9.0, 9.0])))
-    assert str(difference_) == "at 1 s: flow0/X[1]: 2.0, in the other 2.5"
+    assert str(difference_.sentence) == "at 1 s: flow0/X[1]: 2.0, in the other 2.5"
 
 
 @pytest.mark.parametrize(

@@ -117,7 +117,7 @@ def test_a_bit_that_has_fallen_over_is_never_taken_for_what_was_said(path, at, b
         reader = Reader(path)
         plan, messages = reader.attachment("plan"), dict(reader.messages("a"))
     except UNREADABLE as wrong:
-        assert complaint(path, wrong).startswith(f"{path}: ")
+        assert str(complaint(path, wrong)).startswith(f"{path}: ")
         return
     assert plan in (None, b"the plan")
     assert {*messages.values()} <= {b'{"a":%d}' % k for k in range(60)}
@@ -128,6 +128,6 @@ def test_why_it_cannot_be_read_is_said_in_words_with_its_name(path, tmp_path):  
     for other, expected in ((path, "no such file"), (tmp_path, "found a folder"), (tmp_path / "pipe", "found a pipe")):
         with pytest.raises(UNREADABLE) as wrong:
             Reader(other)
-        assert expected in complaint(other, wrong.value)
-        assert complaint(other, wrong.value).startswith(f"{other}: ")
-    assert "one that is spoilt" in complaint(path, KeyError("x"))
+        assert expected in str(complaint(other, wrong.value))
+        assert str(complaint(other, wrong.value)).startswith(f"{other}: ")
+    assert "one that is spoilt" in str(complaint(path, KeyError("x")))

@@ -34,12 +34,12 @@ def carry_out(given: argparse.Namespace) -> int:
     records = trail.read(files)
     shown = [] if given.quiet else list(lines(records))
     for line in shown if given.last is None else shown[-given.last :] if given.last > 0 else []:
-        print(line)
+        print(say(line))
     for note in records.notes:
         print(say(Reason.of("cli.note", text=note)))
     for fault in records.faults:
         print(say(fault.sentence), file=sys.stderr)
-    print(verdict(records))
+    print(say(verdict(records)))
     if given.head and given.head not in records.hashes:
         print(say(Reason.of("cli.no_head", head=given.head)), file=sys.stderr)
         return 1

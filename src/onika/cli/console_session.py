@@ -34,7 +34,7 @@ def sit_down(
 ) -> int:
     """Hold the conversation, or carry out the script alone, or only serve; the exit code."""
     wire = _RemoteRuntime()
-    session = ConsoleSession(runtime, site, wire, time.monotonic, addresses=addresses)
+    session = ConsoleSession(runtime, site, wire, time.monotonic, addresses=addresses, in_words=say)
     console = Console(session)
     with in_order(), _desk(console) if has_console else PlainConsole() as desk:
         wire.face = desk

@@ -5,6 +5,7 @@ import argparse
 from rich.console import Console
 from rich.text import Text
 
+from onika.cli.language import say
 from onika.desk.run.machine import features
 from onika.words.reason import Reason
 
@@ -26,7 +27,8 @@ def carry_out(given: argparse.Namespace) -> int:
     for offer in features():
         missing += not offer.is_there
         mark = Text("ok  ", style="green") if offer.is_there else Text("no  ", style="red")
-        console.print(mark, Text(f"{offer.name:<12}"), Text(offer.actual), sep="")
+        console.print(mark, Text(f"{say(offer.name):<12}"), Text(say(offer.actual)), sep="")
         if not offer.is_there:
-            console.print(Text(f"    {'':<12}cost: {offer.cost}", style="yellow"))
+            cost = say(Reason.of("cli.doctor_cost", cost=offer.cost))
+            console.print(Text(f"    {'':<12}{cost}", style="yellow"))
     return 1 if missing else 0

@@ -20,7 +20,7 @@ def lines(happening: event.Event, total: int, flows: Sequence[str] = (), width: 
     width   columns that there are for what takes several lines
     """
     if isinstance(happening, event.Explained):
-        yield from explanation_text.lines(happening, width)
+        yield from explanation_text.lines(happening, width, say)
     elif line := sentence(happening, total, flows):
         yield line
 
@@ -56,7 +56,7 @@ def _reason(happening: event.Met | event.Stepped | event.Warned | event.Failed |
             tag = happening.tag.rpartition(" ")[2]
             return Reason.of("cli.flows_met", flows=happening.subsystems, tag=tag, skew=happening.skew_us)
         case event.Stepped():
-            return Reason.of("cli.note", text=f"{happening.subsystem}/{transfer_text.sentence(happening)}")
+            return Reason.of("cli.note", text=transfer_text.sentence_with_subsystem(happening))
         case event.Warned():
             who = f"{happening.task}: " if happening.task else ""
             return Reason.of("cli.note", text=f"{who}{say(happening.text)}")
@@ -76,7 +76,7 @@ def _moved(moved: event.Moved) -> str:
     """What is worth a word of a flow's new state; actions that begin, errors and the end have their own."""
     match moved.state:
         case "waiting" | "joining":
-            text = waits(moved.tag, moved.waits_for)
+            text = say(waits(moved.tag, moved.waits_for))
         case "paused":
             after = Reason.of("cli.paused_after", action=moved.action + 1)
             text = say(after if moved.action >= 0 else Reason.of("cli.paused_first"))
@@ -136,7 +136,7 @@ def summary(outcome: Outcome, drawn: str) -> Iterator[str]:
     cycles = sum(task.cycles for task in result.tasks)
     if cycles and not result.hash:
         yield say(Reason.of("cli.cycles", cycles=cycles, missed=missed))
-    yield from transfer_text.summary(result.steps)
+    yield from map(say, transfer_text.summary(result.steps))
     for condition, value, holds in outcome.expectations:
         yield say(_expectation(condition.text, value, holds))
     if result.hash:

@@ -107,7 +107,7 @@ class LiveDisplay:
         """What came of a line: where the flows are, or why it was not carried out."""
         self._has_moved = True
         self._console.print(Text(f"> {line}", style="bright_black"))
-        for text in places.lines(positions, self._panel.flow_index) if positions else ():
+        for text in places.lines(positions, self._panel.flow_index, say) if positions else ():
             self._console.print(Text(text))
         for fault in faults:
             text = str(fault)

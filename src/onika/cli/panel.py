@@ -150,5 +150,5 @@ def _doing(flow_index: FlowIndex, subsystem: str, spot: FlowStatus, position: Po
     """What it does, or whom it waits for, and the loops it is in."""
     loops = "" if position is None or not position.loops else f"  ↺ {' ↺ '.join(position.loops)}"
     if spot.state in ("waiting", "joining"):
-        return waits(spot.tag, spot.waits_for) + loops
+        return say(waits(spot.tag, spot.waits_for)) + loops
     return (flow_index.name(subsystem, spot.action) if spot.state not in ("killing", "ended") else "") + loops

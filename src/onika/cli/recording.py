@@ -69,12 +69,12 @@ def _reading(path: Path) -> Iterator[None]:
     except BrokenPipeError:
         raise
     except UNREADABLE as wrong:
-        raise _UnreadableRecording(complaint(path, wrong)) from None
+        raise _UnreadableRecording(say(complaint(path, wrong))) from None
 
 
 def _show(path: Path) -> int:
     with _reading(path), Review(path) as review:
-        lines = list(digest_lines(review))
+        lines = [say(line) for line in digest_lines(review)]
     print("\n".join(lines))
     return 0
 
@@ -105,7 +105,7 @@ def _table(given: argparse.Namespace) -> int:
         try:
             stream = output.open("w", newline="", encoding="utf-8")
         except OSError as wrong:
-            raise _UnreadableRecording(complaint(output, wrong)) from None
+            raise _UnreadableRecording(say(complaint(output, wrong))) from None
         with stream, _reading(path):
             rows = columns.write(stream, series)
     print(say(Reason.of("cli.table_written", rows=rows, variables=len(series), path=str(output))))
@@ -130,7 +130,7 @@ def _compare(given: argparse.Namespace) -> int:
     difference = None
     with _reading(given.one):  # a part that is spoilt tells its own file
         difference = first_difference(readers[0], readers[1], tolerance)
-    print(difference or say(Reason.of("cli.no_difference")))
+    print(say(Reason.of("cli.no_difference") if difference is None else difference.sentence))
     if tolerance.is_of_places:
         bounds = Reason.of(
             "cli.tolerance", value=tolerance.value, percent=100 * tolerance.part, seconds=tolerance.seconds

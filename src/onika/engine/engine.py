@@ -36,6 +36,7 @@ from onika.engine.step import steps
 from onika.engine.walk import FinishValue
 from onika.wire.plan import Plan
 from onika.wire.steer import Position, Steering
+from onika.words.reason import Reason
 
 _OVER = (FlowState.KILLING, FlowState.ENDED)
 _AT_REST = {FlowState.WAITING, FlowState.JOINING, FlowState.PAUSED, FlowState.STOPPED, FlowState.DONE}
@@ -82,10 +83,13 @@ class Engine:
 
     # What can be asked
 
-    def refusal(self, command: Steering) -> str:
+    def refusal(self, command: Steering) -> Reason:
         """Why this cannot be done now with the flow that it names by its subsystem; empty: it can."""
         if command.subsystem not in self._numbers:
-            return f"expected one of the flows {', '.join(self._numbers)}, found {command.subsystem or 'none'}"
+            names = tuple(self._numbers)
+            if not command.subsystem:
+                return Reason.of("engine.no_flow_named", names=names)
+            return Reason.of("engine.no_such_flow", names=names, name=command.subsystem)
         return self._control.refusal(self._steered(command), command)
 
     def positions(self) -> list[Position]:

@@ -7,6 +7,7 @@ from onika.engine.progress import Progress
 from onika.engine.recovery import ErrorRecovery
 from onika.wire.plan import Join
 from onika.wire.steer import Leave, Mark, Pass, Pause, Recover, Resume, Skip, Steering, Step
+from onika.words.reason import NOTHING, Reason
 
 _UNDER_WAY = (
     FlowState.SPAWNING,
@@ -27,20 +28,21 @@ class FlowControl:
         self._router = router
         self._recovery = recovery
 
-    def refusal(self, flow: Progress, command: Steering) -> str:
+    def refusal(self, flow: Progress, command: Steering) -> Reason:
         """Why this cannot be done now; empty: it can."""
         match command:
             case Mark():
                 return _no_such_action(flow, command.action)
             case Recover():
-                return "" if flow.state is FlowState.STOPPED else _expected("stopped at an error", flow)
+                is_stopped = flow.state is FlowState.STOPPED
+                return NOTHING if is_stopped else _expected(Reason.of("engine.stopped_at_error"), flow)
             case Pass():
                 return self._why_not_pass(flow)
             case Skip():
                 return self._why_not_skip(flow, command)
             case Resume():
                 is_resting = flow.state is FlowState.PAUSED or (flow.is_pausing and flow.state in _UNDER_WAY)
-                return "" if is_resting else _expected("paused", flow)
+                return NOTHING if is_resting else _expected(Reason.of("engine.paused"), flow)
             case Pause() | Step() | Leave():
                 return self._why_not_under_way(flow, command)
 
@@ -96,23 +98,24 @@ class FlowControl:
         flow.is_pausing = True
         return self._router.go_on([flow.flow])
 
-    def _why_not_under_way(self, flow: Progress, command: Pause | Step | Leave) -> str:
+    def _why_not_under_way(self, flow: Progress, command: Pause | Step | Leave) -> Reason:
         if flow.state not in _UNDER_WAY:
-            return _expected("under way", flow)
+            return _expected(Reason.of("engine.under_way"), flow)
         if isinstance(command, Leave):
-            return "" if self._innermost(flow) else f"expected flow {flow.flow} in a loop that it is not leaving yet"
+            is_in_loop = bool(self._innermost(flow))
+            return NOTHING if is_in_loop else Reason.of("engine.not_in_loop", flow=flow.flow)
         is_paused = isinstance(command, Pause) and flow.state is FlowState.PAUSED
-        return f"flow {flow.flow} is paused already" if is_paused else ""
+        return Reason.of("engine.paused_already", flow=flow.flow) if is_paused else NOTHING
 
     # Elsewhere
 
-    def _why_not_skip(self, flow: Progress, skip: Skip) -> str:
+    def _why_not_skip(self, flow: Progress, skip: Skip) -> Reason:
         was_done = flow.state is FlowState.STOPPED and flow.interrupted is FlowState.DONE
         if flow.state not in _SENT_FROM or was_done:
-            return _expected("running, waiting, paused or stopped at an action", flow)
+            return _expected(Reason.of("engine.at_an_action"), flow)
         if skip.action is None:
             is_waiting = flow.state is FlowState.WAITING
-            return f"flow {flow.flow} waits at a tag; let it pass, or skip to an action" if is_waiting else ""
+            return Reason.of("engine.waits_at_tag", flow=flow.flow) if is_waiting else NOTHING
         return _no_such_action(flow, skip.action) or _out_of_reach(flow, skip.action)
 
     def _skip(self, flow: Progress, action: int | None) -> list[Order]:
@@ -127,11 +130,11 @@ class FlowControl:
             return orders + self._recovery.recover_elsewhere(flow)
         return orders + self._router.go_on([flow.flow])
 
-    def _why_not_pass(self, flow: Progress) -> str:
+    def _why_not_pass(self, flow: Progress) -> Reason:
         if flow.state is FlowState.JOINING and not isinstance(flow.next, Join):
-            return f"flow {flow.flow} waits for flows that it is about to begin again; they have to end first"
+            return Reason.of("engine.waits_to_begin_again", flow=flow.flow)
         is_waiting = flow.state in (FlowState.WAITING, FlowState.JOINING)
-        return "" if is_waiting else _expected("waiting for another flow", flow)
+        return NOTHING if is_waiting else _expected(Reason.of("engine.waiting_for_flow"), flow)
 
     def _pass(self, flow: Progress) -> list[Order]:
         if flow.state is FlowState.WAITING:
@@ -154,22 +157,22 @@ def _mark(flow: Progress, mark: Mark) -> list[Order]:
     return []
 
 
-def _no_such_action(flow: Progress, action: int) -> str:
+def _no_such_action(flow: Progress, action: int) -> Reason:
     count = len(flow.program.is_noop)
-    return (
-        "" if 0 <= action < count else f"expected an action from 1 to {count} of flow {flow.flow}, found {action + 1}"
-    )
+    if 0 <= action < count:
+        return NOTHING
+    return Reason.of("engine.no_such_action", count=count, flow=flow.flow, number=action + 1)
 
 
-def _out_of_reach(flow: Progress, action: int) -> str:
+def _out_of_reach(flow: Progress, action: int) -> Reason:
     """Why a flow cannot be sent from where it is to an action that it has; empty: it can."""
     program, to = flow.program, flow.program.entries[action]
     if program.stretch(flow.place) != program.stretch(to):
-        return f"action {action} belongs to another run of flow {flow.flow}, which is begun by the flow above it"
+        return Reason.of("engine.of_another_run", action=action, flow=flow.flow)
     if program.parallel_at(flow.place) != program.parallel_at(to):
-        return f"action {action} is not on the same side of a nested parallel application as flow {flow.flow}"
-    return ""
+        return Reason.of("engine.on_another_side", action=action, flow=flow.flow)
+    return NOTHING
 
 
-def _expected(what: str, flow: Progress) -> str:
-    return f"expected flow {flow.flow} to be {what}, found it {flow.state.value}"
+def _expected(what: Reason, flow: Progress) -> Reason:
+    return Reason.of("engine.other_state", flow=flow.flow, what=what, state=flow.state.value)

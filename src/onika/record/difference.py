@@ -12,6 +12,7 @@ from onika.record.mismatch import mismatches
 from onika.record.reader import Reader
 from onika.record.series import Series
 from onika.record.tolerance import Tolerance
+from onika.words.reason import Reason, Text
 
 _TIMES = ("at_s", "at_ns", "previous_step_ns", "last_command_ns")
 _UNLIKE = (
@@ -30,14 +31,17 @@ class Difference:
     """When, what it is about, and what each of the two says of it."""
 
     at_ns: int
-    what: str
-    first: str
-    second: str
+    what: Text
+    first: Text
+    second: Text
     variable: str = ""
     """Its address, where it is about one."""
 
-    def __str__(self) -> str:
-        return f"at {self.at_ns * 1e-9:.9g} s: {self.what}: {self.first}, in the other {self.second}"
+    @property
+    def sentence(self) -> Reason:
+        """All of it."""
+        at_s = self.at_ns * 1e-9
+        return Reason.of("record.difference", at_s=at_s, what=self.what, first=self.first, second=self.second)
 
 
 def first_difference(
@@ -61,7 +65,7 @@ def first_difference(
         if some:
             differences += some
             break
-    return min(differences, key=lambda each: (each.at_ns, each.what), default=None)
+    return min(differences, key=lambda each: (each.at_ns, str(each.what)), default=None)
 
 
 def _unlike(ours: dict[str, Series], theirs: dict[str, Series]) -> Iterator[Difference]:
@@ -75,8 +79,10 @@ def _unlike(ours: dict[str, Series], theirs: dict[str, Series]) -> Iterator[Diff
             yield Difference(0, name, str(ours[name].shape), str(theirs[name].shape), name)
 
 
-def _presence(is_ours: bool) -> tuple[str, str]:
-    return ("it is there", "it is not") if is_ours else ("it is not there", "it is")
+def _presence(is_ours: bool) -> tuple[Reason, Reason]:
+    if is_ours:
+        return Reason.of("record.there"), Reason.of("record.is_not")
+    return Reason.of("record.not_there"), Reason.of("record.is")
 
 
 # -- events
@@ -90,7 +96,7 @@ def _events(reader: Reader, other: Reader, tolerance: Tolerance) -> Iterator[Dif
             apart = 0.0 if left is None or right is None else abs(left[0] - right[0]) * 1e-9
             if left is None or right is None or left[1] != right[1] or apart > tolerance.seconds + 1e-12:
                 at = min(each[0] for each in (left, right) if each is not None)
-                yield Difference(at, home or "the runtime", _words(left), _words(right))
+                yield Difference(at, home or Reason.of("record.the_runtime"), _words(left), _words(right))
                 break
 
 
@@ -105,25 +111,25 @@ def _timed_events(reader: Reader) -> dict[str, list[tuple[int, dict[str, Any]]]]
     return events
 
 
-def _words(timed_event: tuple[int, dict[str, Any]] | None) -> str:
+def _words(timed_event: tuple[int, dict[str, Any]] | None) -> Reason:
     if timed_event is None:
-        return "nothing more"
+        return Reason.of("record.nothing_more")
     at, event = timed_event
-    return f"{_bare_words(event)} at {at * 1e-9:.9g} s"
+    return Reason.of("record.event_at", event=_bare_words(event), at_s=at * 1e-9)
 
 
-def _bare_words(event: dict[str, Any]) -> str:
+def _bare_words(event: dict[str, Any]) -> Reason:
     match event["type"]:
         case "Began":
-            return f"action {event['action']} begins"
+            return Reason.of("record.action_begins", action=event["action"])
         case "Done":
-            return f"action {event['index'] + 1} is done"
+            return Reason.of("record.action_done", number=event["index"] + 1)
         case "TaskState":
-            return f"{event['task']} is {event['state']}"
+            return Reason.of("record.task_is", task=event["task"], state=event["state"])
         case "Moved":
-            return f"it is {event['state']}"
+            return Reason.of("record.it_is", state=event["state"])
     rest = " ".join(f"{key} {value}" for key, value in event.items() if key != "type" and value not in ("", [], None))
-    return f"{event['type']} {rest}".strip()
+    return Reason.plain(f"{event['type']} {rest}".strip())
 
 
 # -- variables
@@ -141,5 +147,5 @@ def _strays(
             yield Difference(mismatch.at_ns, label, first, second, name)
 
 
-def _show(value: Any) -> str:
-    return "nothing yet" if value is None else repr(value)
+def _show(value: Any) -> Text:
+    return Reason.of("record.nothing_yet") if value is None else repr(value)

@@ -20,8 +20,9 @@ from mcap.opcode import Opcode
 from mcap.records import Attachment, Channel, Metadata
 from msgspec import MsgspecError
 
-from onika.record.stored import StoredFile
+from onika.record.stored import StoredFile, unfit
 from onika.record.writer import MAGIC
+from onika.words.reason import Reason, reason_of
 
 _RECORD = Struct("<BQ")
 _CHUNK = Struct("<QQQII")
@@ -31,13 +32,25 @@ _KEPT = 48
 """Unpacked chunks that are kept: whoever looks at an instant mostly looks beside it next."""
 
 
-def complaint(path: Path, wrong: Exception) -> str:
-    """Why a file cannot be read, in words; the file first."""
+def complaint(path: Path, wrong: Exception) -> Reason:
+    """Why a file cannot be read; the file first, which is another one where that is what could not be read."""
+    reason = reason_of(wrong)
+    return reason if reason.key == "record.of_file" else Reason.of("record.of_file", path=str(path), why=flaw(wrong))
+
+
+def flaw(wrong: Exception) -> Reason:
+    """Why a file cannot be read, without its name."""
     if isinstance(wrong, OSError):
-        return f"{path}: {(wrong.strerror or str(wrong)).lower()}"
-    if type(wrong) is ValueError and ": " in str(wrong):  # ours, which names its file
-        return str(wrong)
-    return f"{path}: expected a recording (MCAP), found one that is spoilt"
+        return Reason.plain((wrong.strerror or str(wrong)).lower())
+    why = reason_of(wrong).args.get("why")
+    return why if isinstance(why, Reason) else Reason.of("record.no_mcap", given=Reason.of("record.spoilt"))
+
+
+def content(wrong: Exception) -> Reason:
+    """What was found in a file that cannot be read."""
+    why = flaw(wrong)
+    given = why.args.get("given", why)
+    return given if isinstance(given, Reason) else why
 
 
 UNREADABLE = (
@@ -78,7 +91,7 @@ class Reader:
         self._attachments: dict[str, tuple[int, int]] = {}
         self._stored = StoredFile(path)
         if self._stored.size < len(MAGIC) or self._stored.read(0, len(MAGIC)) != MAGIC:
-            raise ValueError(f"{path}: expected a recording (MCAP), found something else")
+            raise unfit(path, Reason.of("record.no_mcap", given=Reason.of("record.something_else")))
         self._scan()
         self._of: dict[int, list[int]] = {}
         """By channel, the chunks in which it speaks."""

@@ -8,13 +8,15 @@ from msgspec import Struct, structs
 
 from onika import __version__
 from onika.record.reader import Reader
+from onika.record.stored import unfit
 from onika.record.writer import Writer
 from onika.wire.event import Result
 from onika.wire.plan import Code
 from onika.wire.request import Begin, Prepare
+from onika.words.reason import Reason
 
 NOTE, END = "onika", "end"
-_TOO_SHORT = "expected a recording of a run, found one that was cut short before anything was run"
+_TOO_SHORT = Reason.of("record.cut_short")
 _PLAN, _BEGIN, _CODE = "plan.json", "begin.json", "code.json"
 
 
@@ -69,10 +71,11 @@ class RunRecord(Struct, frozen=True):
         plan, begin, code_list = (reader.attachment(name) for name in (_PLAN, _BEGIN, _CODE))
         if note is None or plan is None or begin is None or code_list is None:
             if not reader.is_whole:
-                raise ValueError(f"{reader.path}: {_TOO_SHORT}")
-            raise ValueError(f"{reader.path}: expected a recording of a run, found none in this file")
+                raise unfit(reader.path, Reason.of("record.no_run", given=_TOO_SHORT))
+            raise unfit(reader.path, Reason.of("record.no_run", given=Reason.of("record.none_in_file")))
         if note.get("version") != "1":
-            raise ValueError(f"{reader.path}: expected a recording of version 1, found {note.get('version')}")
+            version = Reason.plain(str(note.get("version")))
+            raise unfit(reader.path, Reason.of("record.other_version", given=version))
         try:
             code = [
                 _code(reader, *code_file)
@@ -110,7 +113,7 @@ def _code(reader: Reader, digest: str, module: str, path: str) -> Code:
     source = reader.attachment(_file(digest))
     if source is None:
         if not reader.is_whole:
-            raise ValueError(f"{reader.path}: {_TOO_SHORT}")
+            raise unfit(reader.path, Reason.of("record.no_run", given=_TOO_SHORT))
         raise ValueError(f"{reader.path}: expected the source of module {module}, found none")
     return Code(digest, module, path, source.decode())
 

@@ -8,6 +8,13 @@ import stat
 import weakref
 from pathlib import Path
 
+from onika.words.reason import Reason
+
+
+def unfit(path: Path, why: Reason) -> ValueError:
+    """What is raised where a file is not what it has to be."""
+    return ValueError(Reason.of("record.of_file", path=str(path), why=why))
+
 
 class StoredFile:
     """Raises OSError where it cannot be read, ValueError where it is no file; may be read in several threads."""
@@ -18,18 +25,20 @@ class StoredFile:
         self._close = weakref.finalize(self, os.close, self._file)
         about = os.fstat(self._file)
         if not stat.S_ISREG(about.st_mode):
-            kind = "a folder" if stat.S_ISDIR(about.st_mode) else "a pipe or a device"
-            raise ValueError(f"{path}: expected a file, found {kind}")
+            is_folder = stat.S_ISDIR(about.st_mode)
+            kind = Reason.of("record.folder") if is_folder else Reason.of("record.pipe_or_device")
+            raise unfit(path, Reason.of("record.no_file", given=kind))
         self.size = about.st_size
         """When it was opened."""
 
     def read(self, at: int, size: int) -> bytes:
         """So many bytes from there; raises ValueError where they are not there any more."""
         if not self._close.alive:
-            raise ValueError(f"{self._path}: it is closed")
+            raise unfit(self._path, Reason.of("record.it_is_closed"))
         data = os.pread(self._file, size, at)
         if len(data) != size:
-            raise ValueError(f"{self._path}: expected {size} bytes at {at}, found {len(data)}: it was written over")
+            given = Reason.of("record.written_over", count=len(data))
+            raise unfit(self._path, Reason.of("record.too_few_bytes", size=size, at=at, given=given))
         return data
 
     def close(self) -> None:

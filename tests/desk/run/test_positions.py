@@ -31,14 +31,14 @@ def test_where_names_are_not_known_numbers_stand_alone():  # R-E11
     ],
 )
 def test_what_there_is_to_say_besides(position, sentence):  # R-E11
-    assert remark(position) == sentence
+    assert str(remark(position)) == sentence
 
 
 def test_a_pause_that_is_still_to_come_is_said():  # R-E07
-    assert state(Position("flow0", "running", 0, is_pausing=True)) == "running, will pause"
+    assert str(state(Position("flow0", "running", 0, is_pausing=True))) == "running, will pause"
     assert state(Position("flow0", "paused", 0, is_pausing=True)) == "paused"
 
 
 def test_of_a_tag_the_word_of_the_file_is_shown():  # R-X03
-    assert waits("assemble a", ("flow0", "flow2")) == "waits at a for flow0 and flow2"
-    assert waits("", ()) == "waits"
+    assert str(waits("assemble a", ("flow0", "flow2"))) == "waits at a for flow0 and flow2"
+    assert str(waits("", ())) == "waits"

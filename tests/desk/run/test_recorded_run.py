@@ -48,7 +48,7 @@ def test_one_that_was_cut_short_is_repeated_as_far_as_it_goes(path):  # R-X05
     taped(path).cut()
     cut = recorded_run(RecordingSource(path))
     assert cut.until_ns == 3_000_000_000
-    assert cut.notes[0].startswith("the recording was cut short: it is repeated up to 3 s, and from there")
+    assert str(cut.notes[0]).startswith("the recording was cut short: it is repeated up to 3 s, and from there")
     assert recorded_run(RecordingSource(path, 1.0)).notes == ()
     taped(path).end()
     record = recorded_run(RecordingSource(path))

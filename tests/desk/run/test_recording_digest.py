@@ -16,7 +16,7 @@ def taped(tmp_path):
 
 def lines(tape):
     with Review(tape.path) as review:
-        return list(digest_lines(review))
+        return [str(line) for line in digest_lines(review)]
 
 
 def test_it_tells_what_was_run_and_how_it_ended(tmp_path):  # R-X05

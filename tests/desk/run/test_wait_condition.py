@@ -17,4 +17,4 @@ from onika.desk.run.wait_condition import WaitCondition
     ],
 )
 def test_a_moment_says_what_it_is(condition, sentence):  # R-E07
-    assert str(condition) == sentence
+    assert str(condition.sentence) == sentence

@@ -1,6 +1,6 @@
 """Shows the events of a runtime as console lines."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 from onika.desk.console.display import Tone
 from onika.desk.console.value import shown
@@ -14,8 +14,8 @@ Line = tuple[Text, Tone]
 _STATES = {"ON": Tone.GOOD, "ERROR": Tone.FAULT, "ASKING": Tone.ASK}
 
 
-def lines(message: event.Event) -> Iterator[Line]:
-    """The lines of an event; none for those that only machines want."""
+def lines(message: event.Event, say: Callable[[Text], str] = str) -> Iterator[Line]:
+    """The lines of an event; none for those that only machines want. `say` makes the words of a block of lines."""
     match message:
         case event.Began() | event.TaskState() | event.Signalled() | event.Drive():
             yield _step(message)
@@ -26,7 +26,7 @@ def lines(message: event.Event) -> Iterator[Line]:
         case event.Asked():
             yield from _asked(message)
         case event.Moved() | event.Met() | event.Explained():
-            yield from _flows(message)
+            yield from _flows(message, say)
         case event.Lost():
             yield _timed(message.at_s, Reason.of("console.lost", name=message.name, cause=message.cause)), Tone.FAULT
         case event.Held() | event.Offered():
@@ -92,7 +92,7 @@ def _numbers(values: Iterable[float]) -> str:
     return " ".join(f"{value:g}" for value in values)
 
 
-def _flows(message: event.Moved | event.Met | event.Explained) -> Iterator[Line]:
+def _flows(message: event.Moved | event.Met | event.Explained, say: Callable[[Text], str]) -> Iterator[Line]:
     """What flows do: where they wait, where they meet, why they stand still."""
     match message:
         case event.Moved():
@@ -102,7 +102,7 @@ def _flows(message: event.Moved | event.Met | event.Explained) -> Iterator[Line]
             met = Reason.of("console.met", names=names, tag=tag, skew_us=message.skew_us)
             yield _timed(message.at_s, met), Tone.DIM
         case event.Explained():
-            for line in explanation_text.lines(message):
+            for line in explanation_text.lines(message, say=say):
                 yield line, Tone.FAULT if message.choices else Tone.NOTE
 
 
@@ -110,13 +110,14 @@ def _moved(moved: event.Moved) -> Iterator[Line]:
     """What is worth a line; actions that begin, errors and the end have their own."""
     flow = moved.subsystem
     if moved.state in ("waiting", "joining"):
-        yield f"{_at(moved.at_s)}  {flow} {waits(moved.tag, moved.waits_for)}", Tone.NOTE
+        waiting = Reason.of("console.flow_does", flow=flow, what=waits(moved.tag, moved.waits_for))
+        yield _timed(moved.at_s, waiting), Tone.NOTE
     elif moved.state == "paused" and moved.action >= 0:
         yield _timed(moved.at_s, Reason.of("console.paused_after", flow=flow, action=moved.action + 1)), Tone.NOTE
     elif moved.state == "paused":
         yield _timed(moved.at_s, Reason.of("console.paused_before", flow=flow)), Tone.NOTE
     elif moved.text and moved.state != "stopped":  # the error and its explanation stand beside it
-        yield f"{_at(moved.at_s)}  {flow} {moved.text}", Tone.NOTE
+        yield _timed(moved.at_s, Reason.of("console.flow_does", flow=flow, what=moved.text)), Tone.NOTE
 
 
 def _at(seconds: float) -> str:
@@ -135,17 +136,21 @@ def _because(cause: Text) -> Reason:
 def _noted(message: event.Warned | event.Stepped) -> Iterator[Line]:
     """What is worth knowing; a step that was no larger than it may be is not."""
     if isinstance(message, event.Warned):
-        who = f"{message.subsystem}/{message.task}: " if message.task else ""
-        yield _timed(message.at_s, Reason.of("console.note", text=f"{who}{message.text}")), Tone.NOTE
+        text = message.text
+        if message.task:
+            text = Reason.of("console.task_reason", task=f"{message.subsystem}/{message.task}", reason=text)
+        yield _timed(message.at_s, Reason.of("console.note", text=text)), Tone.NOTE
     elif message.is_too_far:
-        step = f"{message.subsystem}/{transfer_text.sentence(message)}"
+        step = transfer_text.sentence_with_subsystem(message)
         yield _timed(message.at_s, Reason.of("console.note", text=step)), Tone.NOTE
 
 
 def _failed(failed: event.Failed) -> Iterator[Line]:
     """The error, its place, the traceback with its source lines, and the values of that cycle (requirement A18)."""
     where = f" ({failed.path}:{failed.line})" if failed.line else ""
-    yield f"{_at(failed.at_s)}  ERROR {failed.subsystem}/{failed.task}: {failed.text}{where}", Tone.FAULT
+    task = f"{failed.subsystem}/{failed.task}"
+    error = Reason.of("console.task_error", task=task, text=failed.text, where=where)
+    yield _timed(failed.at_s, error), Tone.FAULT
     for line in failed.traceback.rstrip().splitlines():
         yield f"    {line}", Tone.DIM
     for name in sorted(failed.values):
@@ -155,7 +160,8 @@ def _failed(failed: event.Failed) -> Iterator[Line]:
 
 def _asked(message: event.Asked) -> Iterator[Line]:
     if message.reason:
-        yield f"{_at(message.at_s)}  {message.subsystem}/{message.task}: {message.reason}", Tone.ASK
+        task = f"{message.subsystem}/{message.task}"
+        yield _timed(message.at_s, Reason.of("console.task_reason", task=task, reason=message.reason)), Tone.ASK
     for item in message.items:
         yield _timed(message.at_s, question(message, item)), Tone.ASK
 

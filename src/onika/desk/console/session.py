@@ -1,12 +1,13 @@
 """A console session: sends requests to the runtime, shows its events, and remembers what later lines need."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Protocol
 
 from onika.desk.console import event_lines
 from onika.desk.console.display import ConsoleDisplay, Tone
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.preparation import fault_of
+from onika.desk.run import text_table
 from onika.store.site import Site
 from onika.wire import event, live, request
 from onika.wire.figures import VariableSteps
@@ -44,7 +45,8 @@ class ConsoleSession:
     """Asks the runtime, hears what it tells and shows it; names without a subsystem mean the chosen one.
 
     `addresses` are those the runtime listens on for others, none where it was started for this console alone;
-    `is_interrupted` says whether there was a Ctrl-C since it was last asked.
+    `is_interrupted` says whether there was a Ctrl-C since it was last asked;
+    `in_words` makes the words of a reason in the language of whoever reads them.
     """
 
     def __init__(
@@ -56,6 +58,7 @@ class ConsoleSession:
         *,
         addresses: tuple[str, ...] = (),
         is_interrupted: Callable[[], bool] = lambda: False,
+        in_words: Callable[[Text], str] = str,
     ) -> None:
         self._runtime = runtime
         self._face = face
@@ -63,6 +66,7 @@ class ConsoleSession:
         self.clock = clock
         self.addresses = addresses
         self.is_interrupted = is_interrupted
+        self.in_words = in_words
         self.place = TYPED
         self.in_script = False
         self.subsystem = "main"
@@ -106,6 +110,10 @@ class ConsoleSession:
         """Show a table: its head, then its rows."""
         for number, line in enumerate(lines):
             self.say(line, Tone.PLAIN if number else Tone.HEAD)
+
+    def show_table(self, head: Sequence[Text], rows: Iterable[Sequence[Text]]) -> None:
+        """Show a table of what is in these columns."""
+        self.show(text_table.lines(head, rows, self.in_words))
 
     def no(self, reason: Reason, instead: Reason = NOTHING_CHANGED) -> Faults:
         """One fault at the place of the present line."""
@@ -166,7 +174,7 @@ class ConsoleSession:
             is_chatter = self._is_chatter(message)
             self._note(message)
             if not is_chatter:
-                for line, tone in event_lines.lines(message):
+                for line, tone in event_lines.lines(message, self.in_words):
                     self.say(line, tone)
         self._tick()
 

@@ -54,7 +54,7 @@ def who(session: ConsoleSession, words: Words) -> Faults:
     if not spots:
         session.say(Reason.of("console.nothing_runs"), Tone.DIM)
     else:
-        session.show(positions.lines(spots, flow_index_of(session, spots)))
+        session.show(positions.lines(spots, flow_index_of(session, spots), session.in_words))
     return ()
 
 
@@ -69,9 +69,10 @@ def runs(session: ConsoleSession, words: Words) -> Faults:
     for application, names in homes.items():
         session.say(Reason.of("console.runs_in", application=application, names=tuple(names)), Tone.HEAD)
         application_spots = [spots[name] for name in names if name in spots]
-        for line in (
-            positions.lines(application_spots, flow_index_of(session, application_spots)) if application_spots else ()
-        ):
+        if not application_spots:
+            continue
+        flow_index = flow_index_of(session, application_spots)
+        for line in positions.lines(application_spots, flow_index, session.in_words):
             session.say(f"  {line}")
     if not homes:
         session.say(Reason.of("console.nothing_runs"), Tone.DIM)

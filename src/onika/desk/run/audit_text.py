@@ -3,33 +3,52 @@
 from collections.abc import Iterator
 
 from onika.files.trail import Record, Trail
+from onika.words.reason import NOTHING, Reason
 
 
-def lines(trail: Trail) -> Iterator[str]:
+def lines(trail: Trail) -> Iterator[Reason]:
     """The records, oldest first."""
     for record in trail.records:
         yield sentence(record)
 
 
-def sentence(record: Record) -> str:
+def sentence(record: Record) -> Reason:
     """When, who, from where, what, on what, and what came of it."""
     who = " ".join(_text(record, key) for key in ("who", "role") if record.get(key)) or "-"
-    place = f" from {_text(record, 'address')}" if record.get("address") else ""
-    code = record.get("code")
-    digests = f" code {' '.join(str(digest)[:12] for digest in code)}" if isinstance(code, list) else ""
     about = f" {_text(record, 'about')}" if record.get("about") else ""
     on = f" {_text(record, 'on')}" if record.get("on") else ""
     result = f": {_text(record, 'result')}" if record.get("result") else ""
-    return f"{_text(record, 'at')}  {who}{place}  {_text(record, 'what')}{on}{about}{digests}{result}"
+    return Reason.of(
+        "desk.record_line",
+        at=_text(record, "at"),
+        who=who,
+        place=_address(record),
+        what=f"{_text(record, 'what')}{on}{about}",
+        code=_code(record),
+        result=result,
+    )
 
 
-def verdict(trail: Trail) -> str:
+def verdict(trail: Trail) -> Reason:
     """Whether it is whole, and by which hash its end can be known again."""
-    count = f"{len(trail.records)} records"
+    count = len(trail.records)
     if trail.faults:
-        return f"{count}, NOT WHOLE: {len(trail.faults)} fault{'' if len(trail.faults) == 1 else 's'}"
-    begins = f", going on from {trail.begins[:12]} in a file that is gone" if trail.begins else ""
-    return f"{count}, whole{begins}; head {trail.head}"
+        return Reason.of("desk.trail_broken", count=count, faults=len(trail.faults))
+    if trail.begins:
+        return Reason.of("desk.trail_goes_on", count=count, begins=trail.begins[:12], head=trail.head)
+    return Reason.of("desk.trail_whole", count=count, head=trail.head)
+
+
+def _address(record: Record) -> Reason:
+    return Reason.of("desk.record_from", address=_text(record, "address")) if record.get("address") else NOTHING
+
+
+def _code(record: Record) -> Reason:
+    """The code that came with it, by the beginnings of its digests."""
+    code = record.get("code")
+    if not isinstance(code, list):
+        return NOTHING
+    return Reason.of("desk.record_code", digests=" ".join(str(digest)[:12] for digest in code))
 
 
 def _text(record: Record, key: str) -> str:

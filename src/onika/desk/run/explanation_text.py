@@ -1,11 +1,12 @@
 """Shows the explanation of a stop as a short block of lines, for any width from 60 columns (requirement X06)."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from textwrap import wrap
 from typing import Any
 
 from onika.wire import event
+from onika.words.reason import NOTHING, Reason, Text
 
 _LABEL = 13
 """Columns before the text: the time of the first line, the labels of the others."""
@@ -16,40 +17,52 @@ _NUMBERS = 34
 """Columns of first, last, lowest and highest value."""
 
 
-def lines(explained: event.Explained, width: int = 80) -> Iterator[str]:
+Say = Callable[[Text], str]
+"""Makes the words of a reason."""
+
+
+def lines(explained: event.Explained, width: int = 80, say: Say = str) -> Iterator[str]:
     """The block: what, suspect, chain, places, who waits, the last seconds, the choices."""
     who = "/".join(part for part in (explained.subsystem, explained.task) if part)
-    kind = "STOP" if explained.choices else "END"
+    kind = say(Reason.of("desk.block_stop") if explained.choices else Reason.of("desk.block_end"))
     head = f"{kind} {who}" if who else kind
-    yield from _filled(f"{explained.at_s:8.2f} s  ", f"{head}: {explained.text}", width)
+    yield from _filled(f"{explained.at_s:8.2f} s  ", f"{head}: {say(explained.text)}", width)
     if explained.suspect:
-        yield from _labelled("suspect", explained.suspect, width)
-    yield from _labelled("chain", _chain(explained), width)
-    yield from _labelled("where", _where(explained), width)
+        yield from _labelled(say(Reason.of("desk.block_suspect")), say(explained.suspect), width)
+    yield from _labelled(say(Reason.of("desk.block_chain")), _chain(explained, say), width)
+    yield from _labelled(say(Reason.of("desk.block_where")), _where(explained, say), width)
     if explained.courses:
         span = _span(explained.courses)
-        yield from _rows(f"last {span:.{1 if span >= 1 else 2}f} s", _table(explained.courses, width))
-    yield from _choices(explained.choices, width)
+        label = Reason.of("desk.block_last", seconds=f"{span:.{1 if span >= 1 else 2}f}")
+        yield from _rows(say(label), _table(explained.courses, width, say))
+    yield from _choices(explained.choices, width, say)
 
 
-def _chain(explained: event.Explained) -> str:
+def _chain(explained: event.Explained, say: Say) -> str:
     """Task, job, flow, who waits; nothing where there is but one link."""
-    action = f"action {explained.index + 1}, {explained.action}" if explained.action else ""
-    waits = [f"{flow} waits" + (f" at {tag}" if tag else "") for flow, tag in explained.waiting]
-    links = [link for link in (explained.task, action, explained.subsystem, *waits) if link]
-    return " > ".join(links) if len(links) > 1 else ""
+    action = NOTHING
+    if explained.action:
+        action = Reason.of("desk.block_action", number=explained.index + 1, action=explained.action)
+    waits = [_waits(flow, tag) for flow, tag in explained.waiting]
+    links: list[Text] = [explained.task, action, explained.subsystem, *waits]
+    shown = [say(link) for link in links if link]
+    return " > ".join(shown) if len(shown) > 1 else ""
 
 
-def _where(explained: event.Explained) -> str:
+def _waits(flow: str, tag: str) -> Reason:
+    return Reason.of("desk.flow_waits_at", flow=flow, tag=tag) if tag else Reason.of("desk.flow_waits", flow=flow)
+
+
+def _where(explained: event.Explained, say: Say) -> str:
     code = f"{explained.path}:{explained.line}" if explained.path and explained.line else explained.path
-    return ", ".join(part for part in (code, explained.place) if part)
+    return ", ".join(part for part in (code, say(explained.place)) if part)
 
 
-def _choices(choices: Sequence[tuple[str, str]], width: int) -> Iterator[str]:
+def _choices(choices: Sequence[tuple[str, Text]], width: int, say: Say) -> Iterator[str]:
     column = max((len(command) for command, _ in choices), default=0) + 2
-    label = "you can"
+    label = say(Reason.of("desk.block_choices"))
     for command, meaning in choices:
-        yield from _filled(f"{_label(label)}{command:<{column}}", meaning, width)
+        yield from _filled(f"{_label(label)}{command:<{column}}", say(meaning), width)
         label = ""
 
 
@@ -87,7 +100,7 @@ def _span(courses: Sequence[event.Course]) -> float:
     return max(times) - min(times) if times else 0.0
 
 
-def _table(courses: Sequence[event.Course], width: int) -> list[str]:
+def _table(courses: Sequence[event.Course], width: int, say: Say) -> list[str]:
     """Of each variable the element that says most, as a curve and in numbers."""
     elements = [(series, *_element(series.values)) for series in courses]
     names = max(len(_name(series, index)) for series, index, _ in elements)
@@ -95,7 +108,7 @@ def _table(courses: Sequence[event.Course], width: int) -> list[str]:
     room = width - _LABEL - names - columns - 2
     rows = []
     for series, index, values in elements:
-        numbers = _numbers(values, _unit(series.unit, index), room)
+        numbers = _numbers(values, _unit(series.unit, index), room, say)
         rows.append(f"{_name(series, index):<{names}} {_curve(values, columns)} {numbers}")
     return rows
 
@@ -148,10 +161,10 @@ def _bar(value: float, low: float, high: float) -> str:
     return _BARS[min(int((value / 2 - low / 2) / half * len(_BARS)), len(_BARS) - 1)]
 
 
-def _numbers(values: Sequence[float], unit: str, room: int) -> str:
+def _numbers(values: Sequence[float], unit: str, room: int, say: Say) -> str:
     """First and last, and between which values it went if it was beyond them and there is room for that."""
     first, last = f"{values[0]:.4g}", f"{values[-1]:.4g}"
-    ends = first if first == last else f"{first} to {last}"
+    ends = first if first == last else say(Reason.of("desk.block_from_to", first=first, last=last))
     finite = [value for value in values if math.isfinite(value)]
     low, high = (f"{min(finite):.4g}", f"{max(finite):.4g}") if finite else (first, last)
     whole = ends if {low, high} <= {first, last} else f"{ends} ({low}..{high})"

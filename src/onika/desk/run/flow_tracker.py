@@ -6,6 +6,7 @@ from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.run.flow_status import FlowStatus
 from onika.desk.run.wait_condition import WaitCondition
 from onika.wire import event, steer
+from onika.words.reason import Reason
 
 OVER = ("done", "killing", "ended")
 """States in which a flow has nothing more to do."""
@@ -87,19 +88,25 @@ class FlowTracker:
         states = [spot.state for spot in self.statuses.values()]
         return all(state in (*STILL, *OVER) for state in states) and any(state in STILL for state in states)
 
-    def standing(self) -> str:
+    def standing(self) -> Reason:
         """Who stands still and why, in words."""
-        return ", ".join(_words(name, spot) for name, spot in self.statuses.items() if spot.state in STILL)
+        still = [(name, spot) for name, spot in self.statuses.items() if spot.state in STILL]
+        return Reason.of("desk.flows_stand", flows=tuple(_words(name, spot) for name, spot in still))
 
 
-def _words(name: str, spot: FlowStatus) -> str:
+def _words(flow: str, spot: FlowStatus) -> Reason:
     match spot.state:
+        case "waiting" if spot.waits_for:
+            return Reason.of("desk.flow_waits_at_for", flow=flow, tag=spot.tag, flows=spot.waits_for)
         case "waiting":
-            return f"{name} waits at {spot.tag}" + (f" for {' and '.join(spot.waits_for)}" if spot.waits_for else "")
+            return Reason.of("desk.flow_waits_at", flow=flow, tag=spot.tag)
+        case "joining" if spot.waits_for:
+            return Reason.of("desk.flow_waits_for", flow=flow, flows=spot.waits_for)
         case "joining":
-            return f"{name} waits for {' and '.join(spot.waits_for) or 'nested flows'}"
+            return Reason.of("desk.flow_waits_nested", flow=flow)
         case "stopped":
-            return f"{name} has stopped in action {spot.action + 1}"
+            return Reason.of("desk.flow_stopped_in", flow=flow, number=spot.action + 1)
+        case _ if spot.action >= 0:
+            return Reason.of("desk.flow_paused_after", flow=flow, number=spot.action + 1)
         case _:
-            where = f"after action {spot.action + 1}" if spot.action >= 0 else "before its first action"
-            return f"{name} is paused {where}"
+            return Reason.of("desk.flow_paused_before", flow=flow)

@@ -10,16 +10,17 @@ from dataclasses import dataclass
 from importlib import metadata
 
 from onika.desk.run.world_picture import DRAWER
+from onika.words.reason import Reason, Text
 
 
 @dataclass(frozen=True, slots=True)
 class Feature:
     """One thing: whether it is there, what was found, and what it costs if it is not."""
 
-    name: str
+    name: Text
     is_there: bool
-    actual: str
-    cost: str = ""
+    actual: Text
+    cost: Text = ""
 
 
 def features() -> Iterator[Feature]:
@@ -29,33 +30,35 @@ def features() -> Iterator[Feature]:
     yield _processors()
     yield _fifo()
     yield _memory_lock()
-    yield from (_library(name, cost) for name, cost in _LIBRARIES)
+    yield from (_library(name, Reason.of(cost)) for name, cost in _LIBRARIES)
     yield _graphics()
 
 
 _LIBRARIES = (
-    ("numpy", "nothing runs"),
-    ("msgspec", "nothing runs"),
-    ("mujoco", "no simulated worlds; modules that use laws of arms do not load"),
-    ("ruckig", "modules that use it do not load"),
-    ("rich", "no live progress"),
+    ("numpy", "desk.cost_nothing_runs"),
+    ("msgspec", "desk.cost_nothing_runs"),
+    ("mujoco", "desk.cost_mujoco"),
+    ("ruckig", "desk.cost_ruckig"),
+    ("rich", "desk.cost_rich"),
 )
 
 
 def _system() -> Feature:
-    system = f"{platform.system()} {platform.release()} on {platform.machine()}"
+    system = Reason.of(
+        "desk.machine_system_is", system=platform.system(), release=platform.release(), machine=platform.machine()
+    )
     good = sys.platform == "linux" and platform.machine() in ("x86_64", "AMD64")
-    return Feature("system", good, system, "the tables need memfd and the order of stores of x86-64: not a runtime")
+    return Feature(Reason.of("desk.machine_system"), good, system, Reason.of("desk.cost_system"))
 
 
 def _python() -> Feature:
     version = platform.python_version()
-    return Feature("python", sys.version_info >= (3, 11), version, "Onika needs 3.11 or newer")
+    return Feature("python", sys.version_info >= (3, 11), version, Reason.of("desk.cost_python"))
 
 
 def _processors() -> Feature:
     count = len(os.sched_getaffinity(0))
-    return Feature("processors", count >= 2, str(count), "device server and RTPU share one: more missed cycles")
+    return Feature(Reason.of("desk.machine_processors"), count >= 2, str(count), Reason.of("desk.cost_processors"))
 
 
 def _fifo() -> Feature:
@@ -63,26 +66,28 @@ def _fifo() -> Feature:
     probe = "import os; os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(50))"
     words = [sys.executable, "-c", probe]
     allowed = subprocess.run(words, capture_output=True, check=False).returncode == 0  # noqa: S603 - our own words
-    cost = "under load late cycles are a hundred times more frequent; grant it with 'rtprio 50' in limits.conf"
-    return Feature("SCHED_FIFO", allowed, "granted" if allowed else "refused", cost)
+    actual = Reason.of("desk.machine_granted") if allowed else Reason.of("desk.machine_refused")
+    return Feature("SCHED_FIFO", allowed, actual, Reason.of("desk.cost_fifo"))
 
 
 def _memory_lock() -> Feature:
     soft, _ = resource.getrlimit(resource.RLIMIT_MEMLOCK)
     free = soft == resource.RLIM_INFINITY or os.geteuid() == 0
-    limit = "unlimited" if free else f"{soft // 1024} KiB"
-    return Feature("memory lock", free or soft >= 1 << 28, limit, "a swapped page costs milliseconds in a cycle")
+    limit = Reason.of("desk.machine_unlimited") if free else f"{soft // 1024} KiB"
+    cost = Reason.of("desk.cost_memory_lock")
+    return Feature(Reason.of("desk.machine_memory_lock"), free or soft >= 1 << 28, limit, cost)
 
 
-def _library(name: str, cost: str) -> Feature:
+def _library(name: str, cost: Reason) -> Feature:
     try:
         return Feature(name, True, metadata.version(name))
     except metadata.PackageNotFoundError:
-        return Feature(name, False, "not installed", cost)
+        return Feature(name, False, Reason.of("desk.machine_not_installed"), cost)
 
 
 def _graphics() -> Feature:
     tried = subprocess.run([*DRAWER, "--probe"], capture_output=True, text=True, check=False)  # noqa: S603 - our own
     lines = (tried.stdout or tried.stderr).strip().splitlines()
-    answer = lines[-1] if lines else "no answer"
-    return Feature("graphics", tried.returncode == 0, answer, "no pictures of the workcell (--picture); nothing else")
+    answer = lines[-1] if lines else Reason.of("desk.machine_no_answer")
+    name, cost = Reason.of("desk.machine_graphics"), Reason.of("desk.cost_graphics")
+    return Feature(name, tried.returncode == 0, answer, cost)

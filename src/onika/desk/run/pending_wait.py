@@ -5,7 +5,7 @@ from typing import Protocol
 from onika.desk.run.flow_tracker import FlowTracker
 from onika.desk.run.steering import SteeringWait
 from onika.words.fault import Fault, Place
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 _EPSILON_S = 1e-9
 
@@ -39,7 +39,7 @@ class PendingWait:
         self._is_time = act.condition.kind == "seconds"
         self.until_s = running.now_s + (act.condition.seconds if self._is_time else act.within_s)
         self._has_come = False
-        self._why = ""
+        self._why = NOTHING
 
     @property
     def is_over(self) -> bool:
@@ -52,23 +52,16 @@ class PendingWait:
         if self._has_come:
             return True
         if running.is_over:
-            self._why = "the end of the run before"
+            self._why = Reason.of("desk.end_before")
         elif is_late:
-            self._why = f"it not so within {self._act.within_s:g} s"
+            self._why = Reason.of("desk.not_so_within", seconds=self._act.within_s)
         elif not self._is_time and running.is_stuck():
-            self._why = f"that nothing goes on: {running.flow_tracker.standing()}"
+            self._why = Reason.of("desk.nothing_goes_on", flows=running.flow_tracker.standing())
         return bool(self._why)
 
     def faults(self, place: Place) -> tuple[Fault, ...]:
         """Why it was in vain; empty where the condition has come."""
-        return (
-            (
-                Fault(
-                    place,
-                    Reason.of("desk.moment_missed", moment=str(self._act.condition), why=self._why),
-                    Reason.of("desk.waited_no_longer"),
-                ),
-            )
-            if self._why
-            else ()
-        )
+        if not self._why:
+            return ()
+        reason = Reason.of("desk.moment_missed", moment=self._act.condition.sentence, why=self._why)
+        return (Fault(place, reason, Reason.of("desk.waited_no_longer")),)

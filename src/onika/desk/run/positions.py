@@ -1,43 +1,59 @@
 """Shows as a table where every flow is and what it waits for (requirements E11, X03)."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.run import text_table
 from onika.wire.steer import Position
+from onika.words.reason import Reason, Text
 
 
-def lines(positions: Sequence[Position], flow_index: FlowIndex) -> list[str]:
-    """A table: flow, state, action as people count them, and what there is to say besides."""
-    rows = [
+def lines(positions: Sequence[Position], flow_index: FlowIndex, say: Callable[[Text], str] = str) -> list[str]:
+    """A table: flow, state, action as people count them, and what there is to say besides; `say` makes the words."""
+    rows: list[list[Text]] = [
         [position.subsystem, state(position), _action(position, flow_index), remark(position)] for position in positions
     ]
-    return text_table.lines(["flow", "state", "action", ""], rows)
+    head: list[Text] = [Reason.of("desk.head_flow"), Reason.of("desk.head_state"), Reason.of("desk.head_action"), ""]
+    return text_table.lines(head, rows, say)
 
 
-def state(position: Position) -> str:
-    """Its state in a word or two."""
-    return f"{position.state}, will pause" if position.is_pausing and position.state != "paused" else position.state
+def state(position: Position) -> Text:
+    """Its state in a word or two; the word is the one that a console line takes too."""
+    if position.is_pausing and position.state != "paused":
+        return Reason.of("desk.state_will_pause", state=position.state)
+    return position.state
 
 
-def remark(position: Position) -> str:
+def remark(position: Position) -> Reason:
     """Whom it waits for, which loops it is in, what has failed, where it would pause."""
-    parts = []
+    parts: list[Reason] = []
     if position.state in ("waiting", "joining"):
         parts.append(waits(position.tag, position.waits_for))
     if position.loops:
-        parts.append(f"in loop {' in '.join(reversed(position.loops))}")
+        parts.append(Reason.of("desk.in_loops", loops=_nested(position.loops)))
     if position.failed:
-        parts.append(f"failed: {', '.join(position.failed)}")
+        parts.append(Reason.of("desk.failed_tasks", tasks=position.failed))
     if position.breakpoints:
-        parts.append(f"pauses after {', '.join(str(at + 1) for at in position.breakpoints)}")
-    return "; ".join(parts)
+        parts.append(Reason.of("desk.pauses_after", actions=tuple(at + 1 for at in position.breakpoints)))
+    return Reason.of("desk.remarks", parts=tuple(parts))
 
 
-def waits(tag: str, waits_for: Sequence[str]) -> str:
+def _nested(loops: Sequence[str]) -> Reason:
+    """The innermost loop, and in which ones it is."""
+    *outer, innermost = loops
+    if not outer:
+        return Reason.plain(innermost)
+    return Reason.of("desk.loop_in", inner=innermost, outer=_nested(outer))
+
+
+def waits(tag: str, waits_for: Sequence[str]) -> Reason:
     """What a flow waits for, in words; of a tag the word that stands in the file."""
-    at = f" at {tag.rpartition(' ')[2]}" if tag else ""
-    return f"waits{at}" + (f" for {' and '.join(waits_for)}" if waits_for else "")
+    word, flows = tag.rpartition(" ")[2], tuple(waits_for)
+    if tag and flows:
+        return Reason.of("desk.waits_at_for", tag=word, flows=flows)
+    if tag:
+        return Reason.of("desk.waits_at", tag=word)
+    return Reason.of("desk.waits_for", flows=flows) if flows else Reason.of("desk.waits")
 
 
 def _action(position: Position, flow_index: FlowIndex) -> str:

@@ -7,7 +7,7 @@ from msgspec import structs
 
 from onika.desk.plan.preparation import PreparedRun
 from onika.record import topics
-from onika.record.reader import UNREADABLE, Reader, complaint
+from onika.record.reader import UNREADABLE, Reader, content
 from onika.record.run import END, RunRecord
 from onika.wire import event, request
 from onika.wire.request import Recorded, encode
@@ -59,19 +59,13 @@ class RecordedRun:
         return self.until_ns < 0 or round(at_s * 1e9) < self.until_ns
 
     @property
-    def notes(self) -> tuple[str, ...]:
+    def notes(self) -> tuple[Reason, ...]:
         """What the user has to know."""
         notes = []
         if self.cut_s is not None:
-            notes.append(
-                f"the recording was cut short: it is repeated up to {self.cut_s:.9g} s, and from there the run goes on"
-                " by itself, without what it was told to do later"
-            )
+            notes.append(Reason.of("desk.repeat_cut_short", seconds=self.cut_s))
         if not self.is_exact:
-            notes.append(
-                "approximate: this run was recorded in wall time; the same plan with the same inputs is carried out in"
-                " virtual time from its beginning, so that it comes near the recorded one and not upon it"
-            )
+            notes.append(Reason.of("desk.repeat_approximate"))
         return tuple(notes)
 
 
@@ -82,18 +76,16 @@ def recorded_run(source: RecordingSource) -> RecordedRun | tuple[Fault, ...]:
         reader = Reader(source.path)
         run = RunRecord.read(reader)
     except UNREADABLE as wrong:
-        words = complaint(source.path, wrong).removeprefix(f"{source.path}: ")
-        actual = words.partition(", found ")[2] or words
-        return (Fault(place, Reason.of("desk.no_recording", given=actual), _NOT_RUN),)
+        return (Fault(place, Reason.of("desk.no_recording", given=content(wrong)), _NOT_RUN),)
     end = reader.notes.get(END, {})
     last_s = reader.span[1] * 1e-9
     faults = []
     if not run.is_fresh:
-        actual = "one in which other things had happened on its runtime before, which nobody recorded"
-        faults.append(Fault(place, Reason.of("desk.not_first_run", given=actual), _NOT_RUN))
+        before = Reason.of("desk.other_things_before")
+        faults.append(Fault(place, Reason.of("desk.not_first_run", given=before), _NOT_RUN))
     if end.get("outside"):
-        actual = f"tasks that had to do with the outside: {end['outside']}"
-        faults.append(Fault(place, Reason.of("desk.not_repeatable", given=actual), _NOT_RUN))
+        tasks = Reason.of("desk.outside_tasks", tasks=end["outside"])
+        faults.append(Fault(place, Reason.of("desk.not_repeatable", given=tasks), _NOT_RUN))
     if source.at_s is not None and not 0 <= source.at_s <= last_s:
         faults.append(Fault(place, Reason.of("desk.instant_outside", last_s=last_s, at_s=source.at_s), _NOT_RUN))
     if faults:

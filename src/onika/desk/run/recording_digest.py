@@ -4,37 +4,66 @@ from collections.abc import Iterator
 
 from onika.desk.run.run_review import Review
 from onika.wire import event
+from onika.words.reason import Reason
 
 
-def digest_lines(review: Review) -> Iterator[str]:
+def digest_lines(review: Review) -> Iterator[Reason]:
     """Line by line."""
-    run, ending = review.run, review.ending
-    began = run.began or "at a time not told"
-    time = "virtual" if run.is_virtual else "wall"
-    yield f"{run.prepare.plan.application}, in {time} time, begun {began}, seed {run.begin.seed}, onika {run.software}"
-    yield f"plan {run.plan_hash[:16]}, units {' '.join(run.rtpus)}"
+    run = review.run
+    began = Reason.plain(run.began) if run.began else Reason.of("desk.digest_untimed")
+    application, seed, software = run.prepare.plan.application, run.begin.seed, run.software
+    key = "desk.digest_run_virtual" if run.is_virtual else "desk.digest_run_wall"
+    yield Reason.of(key, application=application, began=began, seed=seed, software=software)
+    yield Reason.of("desk.digest_plan", plan=review.run.plan_hash[:16], units=" ".join(run.rtpus))
     first, last = review.span_s
-    yield f"{last - first:.9g} s recorded, {len(review.series)} variables, {len(review.events)} events"
-    for flow in review.flows:
-        ended = sum(interval.end_s is not None for interval in flow.intervals)
-        yield f"{flow.subsystem}: {ended} of {len(flow.actions)} actions done"
-        for interval in flow.intervals:
-            end = "not ended" if interval.end_s is None else f"{interval.end_s:9.3f} s"
-            yield f"  {interval.begin_s:9.3f} s to {end}  {interval.action + 1}/{len(flow.actions)}  {interval.name}"
+    variables, events = len(review.series), len(review.events)
+    yield Reason.of("desk.digest_size", seconds=last - first, variables=variables, events=events)
+    yield from _flows(review)
     yield from _troubles(review)
-    if not review.is_whole:
-        yield "the file was cut short: what is in it ends where the last whole part of it does"
-    elif ending:
-        how = "completed" if ending.get("completed") == "yes" else f"aborted: {ending.get('cause', '')}"
-        yield f"{how}{', hash ' + ending['hash'] if ending.get('hash') else ''}"
-    for key, text in (("missed", "values were written over before they were seen"), ("untold", "words had no room")):
-        if ending.get(key, "0") != "0":
-            yield f"{ending[key]} {text}"
+    yield from _ending(review)
 
 
-def _troubles(review: Review) -> Iterator[str]:
+def _flows(review: Review) -> Iterator[Reason]:
+    """Of each flow how far it came, and its actions one by one."""
+    for flow in review.flows:
+        done = sum(interval.end_s is not None for interval in flow.intervals)
+        count = len(flow.actions)
+        yield Reason.of("desk.digest_flow", flow=flow.subsystem, done=done, count=count)
+        for interval in flow.intervals:
+            end = Reason.of("desk.digest_not_ended")
+            if interval.end_s is not None:
+                end = Reason.plain(f"{interval.end_s:9.3f} s")
+            yield Reason.of(
+                "desk.digest_interval",
+                begin=f"{interval.begin_s:9.3f}",
+                end=end,
+                number=interval.action + 1,
+                count=count,
+                name=interval.name,
+            )
+
+
+def _troubles(review: Review) -> Iterator[Reason]:
     for at, subsystem, message in review.events:
+        at_s = f"{at * 1e-9:9.3f}"
         if isinstance(message, event.Failed):
-            yield f"{at * 1e-9:9.3f} s  {subsystem}/{message.task} failed: {message.text}"
+            task = f"{subsystem}/{message.task}"
+            yield Reason.of("desk.digest_failed", at=at_s, task=task, text=message.text)
         elif isinstance(message, event.Lost):
-            yield f"{at * 1e-9:9.3f} s  {message.name} was lost: {message.cause}"
+            yield Reason.of("desk.digest_lost", at=at_s, name=message.name, cause=message.cause)
+
+
+def _ending(review: Review) -> Iterator[Reason]:
+    """How it ended, and what is not in the file."""
+    ending = review.ending
+    if not review.is_whole:
+        yield Reason.of("desk.digest_cut")
+    elif ending:
+        how = Reason.of("desk.digest_completed")
+        if ending.get("completed") != "yes":
+            how = Reason.of("desk.digest_aborted", cause=ending.get("cause", ""))
+        yield Reason.of("desk.digest_hash", ending=how, hash=ending["hash"]) if ending.get("hash") else how
+    if ending.get("missed", "0") != "0":
+        yield Reason.of("desk.digest_missed", count=ending["missed"])
+    if ending.get("untold", "0") != "0":
+        yield Reason.of("desk.digest_untold", count=ending["untold"])

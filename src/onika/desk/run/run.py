@@ -122,7 +122,7 @@ def _open(
     recorded = recorded_run(source) if source is not None else None
     if isinstance(recorded, RecordedRun):
         prepared = recorded.prepared
-        outcome.notes += recorded.notes
+        outcome.notes += map(str, recorded.notes)
     elif recorded is not None:
         outcome.name = source.path.name if source is not None else ""
         outcome.faults += recorded
@@ -184,7 +184,7 @@ def _turn(running: Running, player: ScriptPlayer, watcher: RunWatcher, interrupt
     if not running.is_over and watcher.looks():
         watcher.placed(running.who())
     if player.is_over and not watcher.can_steer and not running.is_over and running.is_stuck():
-        running.abort(f"nobody is there to go on: {running.flow_tracker.standing()}")
+        running.abort(Reason.of("desk.nobody_goes_on", flows=running.flow_tracker.standing()))
     running.go_on(player.until_s)
 
 

@@ -30,7 +30,7 @@ from onika.wire import event, live, request, steer
 from onika.wire.plan import Plan
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
-from onika.words.reason import Reason, reason_of
+from onika.words.reason import Reason, Text, reason_of
 
 Faults = tuple[Fault, ...]
 """Why something was not done; empty where it was."""
@@ -245,9 +245,9 @@ class Running:
         """Every drive holds, and the run ends (law 27)."""
         self._runtime.ask(request.Stop(cause))
 
-    def abort(self, cause: str) -> None:
+    def abort(self, cause: Text) -> None:
         """End the run: tasks off, drives in hold."""
-        self._runtime.ask(request.Abort(cause))
+        self._runtime.ask(request.Abort(str(cause)))
 
     def result(self) -> event.Result:
         """Let it go on to its end, or end it where only somebody who steers could help; its result.
@@ -258,7 +258,7 @@ class Running:
             for _ in self.hear(_LOOK_S):
                 pass
             if not self.is_over and self.is_stuck():
-                self.abort(f"nobody is there to go on: {self.flow_tracker.standing()}")
+                self.abort(Reason.of("desk.nobody_goes_on", flows=self.flow_tracker.standing()))
             self.go_on()
         if self.outcome.result is None:
             raise ValueError("expected a run that has come to its end, found one without a result")
@@ -319,7 +319,7 @@ class Running:
         """Judge what was expected of it; a run that still goes on is aborted. Never raises LinkLost."""
         try:
             if not self.is_over:
-                self.abort("the program that began it has left it")
+                self.abort(Reason.of("desk.program_left"))
                 until = self._clock() + _PATIENCE_S
                 while not self.is_over and self._clock() < until:
                     self._listen(_LOOK_S)

@@ -10,6 +10,4 @@ def objection(place: Place, reason: Text, instead: Reason) -> Fault:
     """The fault of a line for a reason; of a bare text, that it was not done because of it."""
     if isinstance(reason, Reason):
         return Fault(place, reason, instead)
-    if reason.startswith("expected "):  # what was expected and found, from where reasons are texts still
-        return Fault(place, Reason.plain(reason), instead)
     return Fault(place, Reason.of("desk.line_refused", text=reason), instead)

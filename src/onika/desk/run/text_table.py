@@ -1,15 +1,20 @@
 """Formats a table as lines of text: columns as wide as they have to be, numbers to the right."""
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+
+from onika.words.reason import Text
 
 _GAP = "  "
 _NUMBER = re.compile(r"[+-]?\.?\d\S*\Z")
 
 
-def lines(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
-    """The head and one line for each row, without blanks at their ends; the head alone where there are no rows."""
-    table = [list(head), *(list(row) for row in rows)]
+def lines(head: Sequence[Text], rows: Iterable[Sequence[Text]], say: Callable[[Text], str] = str) -> list[str]:
+    """The head and one line for each row, without blanks at their ends; the head alone where there are no rows.
+
+    `say` makes the words of what is a reason.
+    """
+    table = [[say(cell) for cell in row] for row in (head, *rows)]
     widths = [max(len(row[column]) for row in table) for column in range(len(head))]
     rights = [_is_numeric(row[column] for row in table[1:]) for column in range(len(head))]
     return [

@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from onika.words.reason import Reason
+
 
 @dataclass(frozen=True, slots=True)
 class WaitCondition:
@@ -16,14 +18,26 @@ class WaitCondition:
     action: int | None = None
     seconds: float = 0.0
 
-    def __str__(self) -> str:
+    @property
+    def sentence(self) -> Reason:
+        """What is waited for, in words."""
         if self.kind == "seconds":
-            return f"{self.seconds:g} s"
+            return Reason.of("desk.moment_seconds", seconds=self.seconds)
+        if self.action is not None and self.kind == "began":
+            return Reason.of("desk.moment_began", number=self.action + 1, flow=self.subsystem)
         if self.action is not None:
-            how = "has begun" if self.kind == "began" else "is done"
-            return f"action {self.action + 1} of {self.subsystem} {how}"
-        quantity = self.subsystem or ("every flow" if self.kind in ("paused", "done") else "a flow")
-        return f"{quantity} {_VERB[self.kind]}"
+            return Reason.of("desk.moment_action_done", number=self.action + 1, flow=self.subsystem)
+        flow = Reason.plain(self.subsystem)
+        if not self.subsystem and self.kind in ("paused", "done"):
+            flow = Reason.of("desk.moment_every_flow")
+        elif not self.subsystem:
+            flow = Reason.of("desk.moment_a_flow")
+        return Reason.of(_MOMENTS[self.kind], flow=flow)
 
 
-_VERB = {"paused": "is paused", "waiting": "waits", "stopped": "has stopped", "done": "is done"}
+_MOMENTS = {
+    "paused": "desk.moment_paused",
+    "waiting": "desk.moment_waiting",
+    "stopped": "desk.moment_stopped",
+    "done": "desk.moment_done",
+}

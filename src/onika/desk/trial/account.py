@@ -18,6 +18,7 @@ from onika.store.site import Site
 from onika.wire import event
 from onika.wire.plan import Plan
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 LONGEST_S = 86_400.0
 """How much virtual time a run may take where nothing else is said."""
@@ -104,9 +105,9 @@ def timed_events(running: Running, limit_s: float) -> Iterator[event.Event]:
         yield from pending
         pending = []
         if running.now_s >= limit_s:
-            running.abort(f"it has not come to its end after {limit_s:g} s")
+            running.abort(Reason.of("desk.not_ended_after", seconds=limit_s))
         elif running.is_stuck():
-            running.abort(f"nobody is there to go on: {running.flow_tracker.standing()}")
+            running.abort(Reason.of("desk.nobody_goes_on", flows=running.flow_tracker.standing()))
         running.go_on(limit_s)
     yield from (*pending, *running.hear())
 

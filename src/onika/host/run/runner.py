@@ -31,6 +31,7 @@ from onika.runtime.subsystem import RunningSubsystem
 from onika.wire import event
 from onika.wire.request import Begin
 from onika.wire.steer import Position, Steering
+from onika.words.reason import Reason, Text
 
 Tell = Callable[[event.Event], None]
 
@@ -129,12 +130,12 @@ class Runner:
 
     # Steering
 
-    def steer(self, wanted: Steering, now: int, answer: Callable[[str], None]) -> None:
+    def steer(self, wanted: Steering, now: int, answer: Callable[[Text], None]) -> None:
         """Carry out what the user wants of the flow of this subsystem; answered, maybe a little later, with why not."""
 
         def act() -> None:
             self._now = max(now, self._now)
-            refusal = "the run is over" if self.is_over else self._engine.refusal(wanted)
+            refusal: Text = Reason.of("engine.run_over") if self.is_over else self._engine.refusal(wanted)
             if not refusal:
                 self._feed(wanted)
             answer(refusal)

@@ -88,11 +88,11 @@ def _compared(subject: Subject, other: Subject, tolerance: Tolerance) -> Callabl
 def _numbers(difference: Difference, unit: str) -> tuple[str, str] | None:
     """Two numbers with their unit, and as many digits as tell them apart; None: they are something else."""
     try:
-        first, second = float(difference.first), float(difference.second)
+        first, second = float(str(difference.first)), float(str(difference.second))
     except ValueError:
         return None
     pairs = ((f"{first:.{digits}g}", f"{second:.{digits}g}") for digits in range(4, 17))
-    pair = next((pair for pair in pairs if pair[0] != pair[1]), (difference.first, difference.second))
+    pair = next((pair for pair in pairs if pair[0] != pair[1]), (str(difference.first), str(difference.second)))
     behind = f" {unit}" if unit not in ("", "-") else ""
     return f"{pair[0]}{behind}", f"{pair[1]}{behind}"
 
@@ -108,8 +108,8 @@ def _view(difference: Difference | None, subject: Subject) -> DifferenceView:
         return DifferenceView()
     series = subject.review.series.get(difference.variable)
     first, second = _numbers(difference, series.unit if series else "") or (
-        _plain(difference.first),
-        _plain(difference.second),
+        _plain(str(difference.first)),
+        _plain(str(difference.second)),
     )
     text = subject.with_icons(f"{difference.what}: {first}, in the other {second}")
     return DifferenceView(text, difference.at_ns * 1e-9, difference.variable)

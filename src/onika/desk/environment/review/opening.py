@@ -24,10 +24,11 @@ from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.run.run_review import Review
 from onika.model.application import with_numbers_as_lines
 from onika.model.syntax import Syntax
-from onika.record.reader import UNREADABLE, complaint
+from onika.record.reader import UNREADABLE, flaw
 from onika.store.site import Site
 from onika.wire import act
 from onika.wire.plan import Plan
+from onika.words.reason import Reason
 
 NOT_HERE = No("recordings cannot be looked at here")
 _NO_SYNTAX = Syntax((), ())
@@ -94,7 +95,7 @@ def _compiled(review: Review, opened: OpenApplication | None, note: str, site: S
 
 
 def _unreadable(file: Path, wrong: Exception) -> No:
-    return No(f"{file.name} cannot be looked at: {complaint(file, wrong).removeprefix(f'{file}: ')}")
+    return No(Reason.of("desk.recording_unseen", file=file.name, why=flaw(wrong)))
 
 
 # -- its application
