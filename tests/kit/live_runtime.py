@@ -16,6 +16,7 @@ from typing import Any
 from onika.model.lifecycle import IllegalTransition, State, Step, after
 from onika.wire import event, holding, live, request, steer
 from onika.wire.plan import PlannedTask
+from onika.words.reason import Text
 
 
 @dataclass(slots=True)
@@ -58,7 +59,7 @@ class LiveRuntime:
         self.variables: dict[str, dict[str, Any]] = {}
         self.scenes: dict[str, dict[str, Any]] = {}
         self.findings: dict[str, tuple[str, ...]] = {}
-        self.refusals: dict[str, str] = {}
+        self.refusals: dict[str, Text] = {}
         """Kinds of requests that are refused, by their class's name, with the reason."""
         self.positions: tuple[steer.Position, ...] = ()
         """Where flows are said to be; an application runs in them."""

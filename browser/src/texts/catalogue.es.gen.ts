@@ -394,11 +394,15 @@ export const catalogue: Readonly<Record<string, string>> = {
   "desk.disconnect_it": "Desconectarla",
   "desk.edit_unfit": "{name} vuelve a ser como dice su archivo: lo que se cambió aquí no le encaja",
   "desk.end_before": "antes el final de la ejecución",
+<<<<<<< HEAD
   "desk.exchanging_icon": "cambiar {step} por {icon}",
   "desk.expand": "Desplegar {name}",
   "desk.expanding": "desplegar {name}",
   "desk.expected_one": "se espera uno",
   "desk.failed_first": "{names} falló y antes hay que borrar el error",
+=======
+  "desk.ended_by_hand_then": "la ejecución grabada se terminó a mano; aquí no",
+>>>>>>> 97e5ef5 (Refusals of the engine and of its commands are reasons; a test hears their words)
   "desk.failed_tasks": "han fallado: {tasks}",
   "desk.file_ending": "se esperaba un nombre de archivo que termine en {wanted}; hay {name}",
   "desk.fill_hole": "Rellenar el hueco",
@@ -997,6 +1001,8 @@ export const catalogue: Readonly<Record<string, string>> = {
   "host.loader_silent": "se esperaba un módulo que se pueda importar y examinar; no hubo nada en {seconds:g} s",
   "host.module_not_used": "el módulo {module} no se usa",
   "host.module_twice": "se esperaba el módulo {module} una sola vez en un flujo; está también en la tarea {other}",
+  "host.no_application_runs": "no se ejecuta ninguna aplicación",
+  "host.no_application_there": "no se ejecuta ninguna aplicación en el subsistema {subsystem}",
   "host.no_device_used": "no se usa ningún dispositivo suyo",
   "host.no_longer_hardware": "se esperaba un módulo de hardware; hay uno que no lo es",
   "host.no_plan": "no hay ningún plan preparado, o tiene fallos",
@@ -1069,6 +1075,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "host.watches_only": "esta sesión solo mira, como ha dicho; conéctese de nuevo para cambiar algo",
   "host.where": "{flow}, acción {action}: {name}",
   "host.where_within": "{flow}, acción {action} de {application}: {name}",
+  "host.which_subsystem": "se esperaba uno de los subsistemas {names}; no hay ninguno",
   "link.because": ": {why}",
   "link.behind": "el lector se quedó demasiado atrás: {detail}",
   "link.closed": "el otro lado cerró la conexión{why}",

@@ -3,6 +3,7 @@ from tests.sentences import expected_by, found_by
 
 from onika.desk.console.steering_lines import flow_index_of
 from onika.wire import event, live, request, steer
+from onika.words.reason import Reason
 
 HERE = steer.Position("flow0", "paused", 1)
 THERE = steer.Position("flow1", "waiting", 0, "t a", ("flow0",))
@@ -46,7 +47,7 @@ def test_where_no_application_runs_there_is_nothing_to_steer(sit):  # R-E07
 
 def test_what_is_written_wrongly_or_refused_is_a_fault(steered):  # R-E07
     assert expected_by(steered.fails("pause flow7")) == "a flow (flow0) or its number"
-    steered.runtime.refusals["Pass"] = "expected flow 0 to be waiting, found it paused"
+    steered.runtime.refusals["Pass"] = Reason.plain("expected flow 0 to be waiting, found it paused")
     assert (expected_by(steered.fails("pass")), found_by(steered.fails("pass"))) == (
         "flow 0 to be waiting",
         "it paused",

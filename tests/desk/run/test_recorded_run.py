@@ -59,7 +59,7 @@ def test_a_wall_run_is_approximate_and_says_so(path):  # law 29
     taped(path, is_virtual=False).end()
     record = recorded_run(RecordingSource(path, 1.0))
     assert not record.is_exact
-    assert record.notes[0].startswith("approximate:")
+    assert str(record.notes[0]).startswith("approximate:")
 
 
 @pytest.mark.parametrize(

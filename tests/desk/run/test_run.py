@@ -220,7 +220,7 @@ def test_all_faults_of_a_script_refuse_the_run(runtime, tmp_path):  # R-E07
 def test_a_script_that_fails_aborts_the_run(runtime, tmp_path):  # R-E07
     path = tmp_path / "s"
     path.write_text("pass\nnext\n")
-    runtime.refusals = {"Pass": "expected flow 0 to be waiting, found it running"}
+    runtime.refusals = {"Pass": Reason.plain("expected flow 0 to be waiting, found it running")}
     runtime.script = (event.Began(0, 0, 1, "jmoveC home", 0.1), event.Result(False, "x", 0, 1, 1.0, 1.0, {}, (), ""))
     outcome, watcher = go(script=path)
     assert [found_by(fault) for fault in outcome.failed] == ["it running"]

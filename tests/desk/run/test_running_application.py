@@ -5,6 +5,7 @@ from onika.desk.run.steering import SteeringOrder
 from onika.wire import event, live, request, steer
 from onika.words.condition import Condition
 from onika.words.fault import Place
+from onika.words.reason import Reason
 
 BEGAN = event.Began(0, 0, 2, "jmoveC aside", 1.0)
 PAUSED = event.Moved("flow0", "paused", 0, 2.0)
@@ -104,7 +105,7 @@ def test_what_is_written_wrongly_or_refused_changes_nothing(running):  # R-E07
     run, runtime = running()
     (fault,) = run.steer("dance")
     assert (fault.place, found_by(fault), str(fault.instead)) == (Place("line"), "'dance'", "the run goes on as it was")
-    runtime.refusals["Pass"] = "expected flow 0 to be waiting, found it running"
+    runtime.refusals["Pass"] = Reason.plain("expected flow 0 to be waiting, found it running")
     (fault,) = run.steer("pass flow0")
     assert (expected_by(fault), found_by(fault)) == ("flow 0 to be waiting", "it running")
 

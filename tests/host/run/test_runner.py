@@ -391,7 +391,7 @@ def test_a_failed_task_is_cleared_and_the_step_repeated_where_somebody_decides()
     assert ("bell",) in [order.off for _, order in bench.units.take(command.Switch)]  # its trigger waits for nobody
     answers = []
     bench.runner.steer(steer.Recover("flow0"), bench.now, answers.append)
-    assert answers == [""]
+    assert not answers[0]
     assert [order.task for _, order in bench.units.take(command.Clear)] == ["arm"]
     bench.hear(news.Changed("flow0", "arm", "OFF", bench.now))
     ons = [launch.task for _, order in bench.units.take(command.Switch) for launch in order.on]

@@ -70,11 +70,11 @@ class _Answers:
 
     def __init__(self, count: int, answer: Answer) -> None:
         self._left = count
-        self._refusals: list[str] = []
+        self._refusals: list[Text] = []
         self._is_done = False
         self._answer = answer
 
-    def take(self, refusal: str) -> None:
+    def take(self, refusal: Text) -> None:
         self._left -= 1
         self._is_done = self._is_done or not refusal
         self._refusals += [refusal] if refusal else []
@@ -82,10 +82,10 @@ class _Answers:
             self._answer(request.Done() if self._is_done else request.Refused(self._refusals[0]))
 
 
-def _wrong_condition(command: steer.Steering) -> str:
+def _wrong_condition(command: steer.Steering) -> Reason:
     if isinstance(command, steer.Mark) and command.condition:
         try:
             Condition.parse(command.condition)
         except ValueError as wrong:
-            return str(wrong)
-    return ""
+            return reason_of(wrong)
+    return NOTHING

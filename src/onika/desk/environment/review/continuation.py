@@ -27,6 +27,7 @@ from onika.desk.run.recorded_run import RecordedRun, RecordingSource, recorded_r
 from onika.desk.run.runtime import in_short
 from onika.wire import act, live, page, request, view
 from onika.wire.view import Remedy
+from onika.words.reason import Reason
 
 _ABORT = Remedy("Abort it", act.Steer("abort"))
 _BY_USER = "aborted by the user"
@@ -149,10 +150,11 @@ def _unprepared(response: request.Response) -> No | None:
     return No(f"the simulator does not take the recorded plan: {text}")
 
 
-def _not_ended(recorded: RecordedRun) -> tuple[RecordedRun, tuple[str, ...]]:
+def _not_ended(recorded: RecordedRun) -> tuple[RecordedRun, tuple[Reason, ...]]:
     """Without the word that ended it then, so that it can go on; what is to be said of that."""
     kept = tuple(entry for entry in recorded.inputs if not isinstance(request.decode_request(entry.body), _ENDING))
-    notes = () if len(kept) == len(recorded.inputs) else ("the recorded run was ended by hand; here it is not",)
+    is_whole = len(kept) == len(recorded.inputs)
+    notes = () if is_whole else (Reason.of("desk.ended_by_hand_then"),)
     return replace(recorded, inputs=kept), notes
 
 
