@@ -12,6 +12,8 @@ from mcap.stream_reader import MAGIC_SIZE, StreamReader
 
 from onika.record.reader import UNREADABLE, Reader
 from onika.record.run import NOTE
+from onika.record.stored import unfit
+from onika.words.reason import Reason
 
 _FIRST = 8
 """The note stands among so many first records."""
@@ -33,7 +35,7 @@ def summary(path: Path) -> Summary:
         words = _note(stream)
         last_ns = _last_ns(stream)
     if words is None:
-        raise ValueError(f"{path}: expected a recording of a run, found none in this file")
+        raise unfit(path, Reason.of("record.no_run", given=Reason.of("record.none_in_file")))
     is_whole = last_ns is not None
     if last_ns is None:
         reader = Reader(path)

@@ -8,7 +8,7 @@ from onika.host.run.application_run import ApplicationRun
 from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.wire import request, steer
 from onika.words.condition import Condition
-from onika.words.reason import NOTHING, Reason
+from onika.words.reason import NOTHING, Reason, Text, reason_of
 
 Answer = Callable[[request.Response], None]
 
