@@ -394,15 +394,12 @@ export const catalogue: Readonly<Record<string, string>> = {
   "desk.disconnect_it": "Desconectarla",
   "desk.edit_unfit": "{name} vuelve a ser como dice su archivo: lo que se cambió aquí no le encaja",
   "desk.end_before": "antes el final de la ejecución",
-<<<<<<< HEAD
+  "desk.ended_by_hand_then": "la ejecución grabada se terminó a mano; aquí no",
   "desk.exchanging_icon": "cambiar {step} por {icon}",
   "desk.expand": "Desplegar {name}",
   "desk.expanding": "desplegar {name}",
   "desk.expected_one": "se espera uno",
   "desk.failed_first": "{names} falló y antes hay que borrar el error",
-=======
-  "desk.ended_by_hand_then": "la ejecución grabada se terminó a mano; aquí no",
->>>>>>> 97e5ef5 (Refusals of the engine and of its commands are reasons; a test hears their words)
   "desk.failed_tasks": "han fallado: {tasks}",
   "desk.file_ending": "se esperaba un nombre de archivo que termine en {wanted}; hay {name}",
   "desk.fill_hole": "Rellenar el hueco",
