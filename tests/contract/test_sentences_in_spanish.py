@@ -9,7 +9,7 @@ import pytest
 from kit.laboratory import HOLE, job
 from kit.run_fixture import RunFixture
 from onika.desk.environment.outcome.fault_text import said
-from onika.desk.environment.runs.readiness import Judge, judged
+from onika.desk.environment.runs.readiness import ReadinessJudge, judged
 from onika.desk.environment.runs.runtime_loss import lost
 from onika.wire import act
 from onika.words.fault import NOT_RUN, Fault, Place
@@ -72,7 +72,7 @@ def test_what_is_wrong_with_an_application(reason):  # R-X01
 
 def test_what_is_judged_and_what_can_be_done(tmp_path):  # R-X01, R-E01
     play = RunFixture(tmp_path)
-    judge, doc = Judge(play.site), play.open([job("aC"), HOLE, job("newC")], [])
+    judge, doc = ReadinessJudge(play.site), play.open([job("aC"), HOLE, job("newC")], [])
     for case in judge.cases(play.environment.model):
         play.environment.become(partial(judged, doc=case.opened.id, judgement=judge.judge(case)))
     faults = list(play.environment.tree.applications[doc].faults.values())

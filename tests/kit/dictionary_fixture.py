@@ -8,7 +8,7 @@ env.icon("there").values
 from pathlib import Path
 
 from kit.environment_fixture import EnvironmentFixture
-from onika.desk.environment.file.disk_watch import Disk
+from onika.desk.environment.file.disk_watch import DiskWatch
 from onika.desk.environment.initial_model import opened
 from onika.desk.environment.refresh import refreshed
 from onika.files import syntax
@@ -41,7 +41,7 @@ class DictionaryFixture(EnvironmentFixture):
         self.base = base
         self.own = BaseDirectory(folder / "home" / "onika")
         self.home = folder / "home"
-        self.disk = Disk(site)
+        self.disk = DiskWatch(site)
 
     def look(self) -> int:
         """What the program does every second; the number of patches that came of it."""

@@ -13,10 +13,10 @@ from onika.desk.environment.environment import Answer, Environment
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.outcome.button_commands import Commands
 from onika.desk.environment.outcome.outcome import Done, No, Order
-from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.outcome.worker import Aside
+from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.outcome.worker import BackgroundWorker
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.files.rmod import RmodText
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
@@ -37,19 +37,19 @@ class EnvironmentFixture:
             self.base.save_task(RmodText(task))
         self.home = folder / "home"
         self.site = site or Site((self.base,), shipped() / "prefs", self.home)
-        opened = model or Model(Shelf(open_libraries([self.base])))
+        opened = model or Model(OpenLibraries(open_libraries([self.base])))
         self.orders: list[Order] = []
         self.says: list[page.Say] = []
         self.changes: Queue[Callable[[Model], Done]] = Queue()
         commands = Commands(self.changes.put, os.environ)
-        self.surroundings = Surroundings(
+        self.surroundings = Services(
             self.site,
             time.monotonic,
             folder / "state",
             commands,
-            reading=Aside(self.changes.put),
-            comparing=Aside(self.changes.put),
-            keeping=Aside(self.changes.put),
+            reading=BackgroundWorker(self.changes.put),
+            comparing=BackgroundWorker(self.changes.put),
+            keeping=BackgroundWorker(self.changes.put),
         )
         self.environment = Environment(opened, HANDLERS, self.surroundings, self)
         self.copy: dict[str, Any] = _plain(self.environment)

@@ -9,11 +9,11 @@ import pytest
 from kit.laboratory import Laboratory
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.handlers import HANDLERS
-from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.reconcile.runtime_launch import Launching
-from onika.desk.environment.runtime_thread import Station
+from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.reconcile.runtime_launch import RuntimeLauncher
+from onika.desk.environment.runtime_thread import RuntimeThread
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.store.library import open_libraries
 from onika.store.site import open_site
 from onika.wire import act, event
@@ -51,9 +51,11 @@ class Lab:
         site = open_site([folder], {}, None)
         self.things = queue.Queue()
         self.says = []
-        self.station = Station(Launching(("rt0", "rt1"), is_virtual=True, options=("--scale", "4")), self.things.put)
-        model = Model(Shelf(open_libraries(site.directories)))
-        self.environment = Environment(model, HANDLERS, Surroundings(site, time.monotonic), self.station)
+        self.station = RuntimeThread(
+            RuntimeLauncher(("rt0", "rt1"), is_virtual=True, options=("--scale", "4")), self.things.put
+        )
+        model = Model(OpenLibraries(open_libraries(site.directories)))
+        self.environment = Environment(model, HANDLERS, Services(site, time.monotonic), self.station)
         self.environment.listeners.append(self)
         self.station.begin(self.environment)
         self.values = {}

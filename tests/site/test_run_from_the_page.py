@@ -11,11 +11,11 @@ import pytest
 from kit.laboratory import Laboratory, job, joints, target
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.handlers import HANDLERS
-from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.reconcile.runtime_launch import Launching
-from onika.desk.environment.runtime_thread import Station
+from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.reconcile.runtime_launch import RuntimeLauncher
+from onika.desk.environment.runtime_thread import RuntimeThread
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.store.library import open_libraries
 from onika.store.site import open_site
 from onika.wire import act
@@ -70,11 +70,11 @@ class Page:
         self.things = queue.Queue()
         self.says = []
         options = ("--scale", "4") if is_virtual else ()
-        launching = Launching(("rt0",), is_virtual=is_virtual, with_fifo=False, options=options)
-        self.station = Station(launching, self.things.put)
+        launching = RuntimeLauncher(("rt0",), is_virtual=is_virtual, with_fifo=False, options=options)
+        self.station = RuntimeThread(launching, self.things.put)
         syntax, _ = site.syntax()
-        model = Model(Shelf(open_libraries(site.directories)), syntax=syntax)
-        self.environment = Environment(model, HANDLERS, Surroundings(site, time.monotonic), self.station)
+        model = Model(OpenLibraries(open_libraries(site.directories)), syntax=syntax)
+        self.environment = Environment(model, HANDLERS, Services(site, time.monotonic), self.station)
         self.environment.listeners.append(self)
         self.station.begin(self.environment)
         self.values = {}

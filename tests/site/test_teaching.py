@@ -9,9 +9,9 @@ from kit.dictionary_fixture import WHITE
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.initial_model import opened
-from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.reconcile.runtime_launch import Launching
-from onika.desk.environment.runtime_thread import Station
+from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.reconcile.runtime_launch import RuntimeLauncher
+from onika.desk.environment.runtime_thread import RuntimeThread
 from onika.laws import puma560
 from onika.laws.frames import pose_of_nine
 from onika.store.site import open_site
@@ -29,9 +29,11 @@ class Bench:
         (folder / "home").mkdir()
         site = open_site([], {}, folder / "home")
         self.things = queue.Queue()
-        self.station = Station(Launching(("rt0",), is_virtual=True, options=("--scale", "4")), self.things.put)
+        self.station = RuntimeThread(
+            RuntimeLauncher(("rt0",), is_virtual=True, options=("--scale", "4")), self.things.put
+        )
         model, _ = opened(site, None, {})
-        self.environment = Environment(model, HANDLERS, Surroundings(site, time.monotonic), self.station)
+        self.environment = Environment(model, HANDLERS, Services(site, time.monotonic), self.station)
         self.station.begin(self.environment)
 
     def answer(self, asked):

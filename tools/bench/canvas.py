@@ -11,13 +11,13 @@ from statistics import median
 
 from onika.desk.environment.environment import Answer, Environment
 from onika.desk.environment.file.configurations import opened_beside
-from onika.desk.environment.file.disk_watch import Disk
+from onika.desk.environment.file.disk_watch import DiskWatch
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.outcome.outcome import Order
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.refresh import refreshed
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.files import rmod
 from onika.files.rmod import RmodText
 from onika.model.configuration import Configuration, Placed
@@ -41,14 +41,14 @@ class Large:
         for task in tasks(count):
             base.task_file(task.name).write_text(rmod.write(RmodText(task)), encoding="utf-8")
         self.site = Site((base,), shipped() / "prefs")
-        model = Model(Shelf(open_libraries([base])))
+        model = Model(OpenLibraries(open_libraries([base])))
         half = count // 2
         self.placed = tuple(f"t{number:05}" for number in range(half))
         self.free = f"t{count - 1:05}"
         canvas = Configuration("large", tuple(_spot(name, number) for number, name in enumerate(self.placed)))
         canvas = loci.settled(canvas, model.shelf.boxes(self.placed), Configuration(""))
         model = opened_beside(model, None, None, canvas).model
-        surroundings = Surroundings(self.site, time.monotonic)
+        surroundings = Services(self.site, time.monotonic)
         self.environment = Environment(model, HANDLERS, surroundings, self)
 
     def send(self, order: Order) -> None:
@@ -119,7 +119,7 @@ def main(arguments: list[str] | None = None) -> None:
             both = large.seconds(there, again, given.rounds)
             for said, times in zip((name, f"{back} ({name})"), both, strict=True):
                 print(f"{said:<16}{median(times) * 1e3:>8.2f}")
-        disk, model = Disk(large.site), large.environment.model
+        disk, model = DiskWatch(large.site), large.environment.model
         every = {large.site.directories[0].task_file(name) for name in shelf.tasks}
         for said, what in (
             ("greyed anew", lambda: placement.greyed(shelf.tasks.values(), standing)),

@@ -13,17 +13,17 @@ from onika.desk.environment import initial_model, preferences as preferring, ref
 from onika.desk.environment.diary import Diary
 from onika.desk.environment.environment import Answer, Environment
 from onika.desk.environment.file.autosave import Autosave
-from onika.desk.environment.file.disk_watch import Disk
+from onika.desk.environment.file.disk_watch import DiskWatch
 from onika.desk.environment.file.recovery import Recovery, reopened
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.outcome.button_commands import Commands
 from onika.desk.environment.outcome.outcome import Done
-from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.outcome.worker import Aside
-from onika.desk.environment.reconcile.runtime_launch import Launching
+from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.outcome.worker import BackgroundWorker
+from onika.desk.environment.reconcile.runtime_launch import RuntimeLauncher
 from onika.desk.environment.runs import readiness
-from onika.desk.environment.runs.readiness import Judge
-from onika.desk.environment.runtime_thread import Station
+from onika.desk.environment.runs.readiness import ReadinessJudge
+from onika.desk.environment.runtime_thread import RuntimeThread
 from onika.desk.environment.state.model import Model
 from onika.store.site import Site
 from onika.web.app import application
@@ -83,14 +83,14 @@ class EnvironmentProgram:
             post(lambda: environment.become(change))
 
         commands = Commands(tell, os.environ)
-        reading, comparing = Aside(tell, "reading"), Aside(tell, "comparing")
-        keeping = Aside(tell, "keeping")
-        surroundings = Surroundings(
+        reading, comparing = BackgroundWorker(tell, "reading"), BackgroundWorker(tell, "comparing")
+        keeping = BackgroundWorker(tell, "keeping")
+        surroundings = Services(
             self._site, time.monotonic, self._state, commands, reading=reading, comparing=comparing, keeping=keeping
         )
-        launching = Launching(self._wishes.rtpus, with_fifo=self._wishes.with_fifo)
-        station = Station(launching, post)
-        disk = Disk(self._site)  # before the files are read: what is written meanwhile is seen at the first look
+        launching = RuntimeLauncher(self._wishes.rtpus, with_fifo=self._wishes.with_fifo)
+        station = RuntimeThread(launching, post)
+        disk = DiskWatch(self._site)  # before the files are read: what is written meanwhile is seen at the first look
         model, says = initial_model.opened(self._site, self._state, self._settings())
         environment = Environment(model, HANDLERS, surroundings, station)
         hub = Hub(environment, station)
@@ -124,7 +124,7 @@ class EnvironmentProgram:
         return {**os.environ, "ONIKA_LOWER": "no"} if self._wishes.is_upper_only else os.environ
 
     def _leave(
-        self, environment: Environment, surroundings: Surroundings, kept: Recovery | None, autosave: Autosave
+        self, environment: Environment, surroundings: Services, kept: Recovery | None, autosave: Autosave
     ) -> None:
         """What is not saved is there again the next time; preferences have a file from now on (B12)."""
         if kept is not None:
@@ -175,7 +175,7 @@ class EnvironmentProgram:
             await asyncio.sleep(_FRAME_S if hub.is_watching else 0.1)
             hub.pump()
 
-    async def _look(self, environment: Environment, disk: Disk) -> None:
+    async def _look(self, environment: Environment, disk: DiskWatch) -> None:
         """Files that others change."""
         while True:
             await asyncio.sleep(_LOOK_S)
@@ -185,7 +185,7 @@ class EnvironmentProgram:
 
     async def _judge(self, environment: Environment) -> None:
         """Whether what is open could be run, soon after it was changed."""
-        judge, stale_at = Judge(self._site), 0.0
+        judge, stale_at = ReadinessJudge(self._site), 0.0
         while True:
             await asyncio.sleep(_JUDGE_S)
             cases = judge.cases(environment.model)

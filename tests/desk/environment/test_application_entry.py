@@ -1,7 +1,7 @@
 import pytest
 
 from kit.app_fixture import AppFixture
-from onika.desk.environment.application_entry import Names, things
+from onika.desk.environment.application_entry import ApplicationNames, things
 from onika.desk.environment.diary_entry import entry
 from onika.wire import act
 
@@ -14,7 +14,7 @@ def gallery(tmp_path):
 def said(gallery, asked):
     """The line of an act, after it was carried out; names as they were known then."""
     doc = getattr(asked, "doc", "")
-    names = Names()
+    names = ApplicationNames()
     names.look(gallery.environment.model, (doc,))
     answer = gallery.answer(asked)
     names.look(gallery.environment.model, (doc, str(answer.value)))
@@ -58,7 +58,7 @@ def test_an_act_on_an_application_alone_is_about_that():
 
 def test_of_what_is_gone_the_name_is_still_known_and_a_flow_is_read_once(gallery):  # R-H01, G07
     doc = gallery.begun("grip", "open")
-    names, model = Names(), gallery.environment.model
+    names, model = ApplicationNames(), gallery.environment.model
     names.look(model, (doc,))
     one = gallery.number(doc, "grip")
     gallery.do(act.RemoveIcons(doc, (one,)))

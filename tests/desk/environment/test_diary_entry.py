@@ -2,7 +2,7 @@ from typing import get_args
 
 import pytest
 
-from onika.desk.environment.diary_entry import _EVENTS, HEADER, Entry, entry
+from onika.desk.environment.diary_entry import _EVENTS, HEADER, DiaryEntry, entry
 from onika.desk.environment.environment import Answer
 from onika.desk.environment.outcome.outcome import No
 from onika.wire import act
@@ -72,7 +72,15 @@ def test_every_act_of_a_user_has_its_event_and_what_a_page_asks_by_itself_has_no
 
 
 def test_a_text_can_never_break_a_line():  # R-H01
-    assert Entry("a\tb\nc", " ", "\n").line(0.0).split("\t") == ["0.000", "a b c", "none", "0", "none", "0", "root"]
+    assert DiaryEntry("a\tb\nc", " ", "\n").line(0.0).split("\t") == [
+        "0.000",
+        "a b c",
+        "none",
+        "0",
+        "none",
+        "0",
+        "root",
+    ]
 
 
 def test_a_token_is_never_written():  # R-H01

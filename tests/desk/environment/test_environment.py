@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from kit.environment_fixture import EnvironmentFixture
-from onika.desk.environment.outcome.outcome import Ask, Change, Done, Ending, No, Shown, Until, Work
+from onika.desk.environment.outcome.outcome import Ask, Done, EditEnd, No, Shown, SubsystemChange, Until, Work
 from onika.model.task import Task
 from onika.wire import act, live, page, request
 
@@ -150,20 +150,20 @@ def test_an_act_may_wait_for_work_that_is_done_aside(begin):
 
 def test_an_act_may_wait_until_something_comes_by_itself_and_so_may_several(begin):
     def procedure(model, _act, _outside):
-        model, news = yield Until(model, Ending(7))
+        model, news = yield Until(model, EditEnd(7))
         return Done(model, value=news)
 
     sitting, answers = begin(procedure)
     sitting.environment.do(act.Note("y"), "other", answers.append)
-    sitting.environment.become(lambda model: Done(model, news=((Ending(8), "another"),)))
+    sitting.environment.become(lambda model: Done(model, news=((EditEnd(8), "another"),)))
     assert answers == []
-    sitting.environment.become(lambda model: Done(model, news=((Ending(7), "it"),)))
+    sitting.environment.become(lambda model: Done(model, news=((EditEnd(7), "it"),)))
     assert [answer.value for answer in answers] == ["it", "it"]
 
 
 def test_a_refused_change_that_no_act_waits_for_is_worth_a_line(tmp_path):  # law 22
     sitting = EnvironmentFixture(tmp_path, TASKS)
-    sitting.environment.become(lambda model: Done(model, news=((Change("c1", 1), No("they disagree")),)))
+    sitting.environment.become(lambda model: Done(model, news=((SubsystemChange("c1", 1), No("they disagree")),)))
     assert [(str(line.text), line.doc) for line in sitting.says] == [("they disagree", "c1")]
 
 

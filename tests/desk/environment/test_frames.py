@@ -6,7 +6,7 @@ import pytest
 from kit.fake_runtime_env import FakeRuntimeEnv
 from kit.laboratory import job
 from kit.run_fixture import RunFixture
-from onika.desk.environment.frames import Frames
+from onika.desk.environment.frames import FrameBuffer
 from onika.model.task import Task
 from onika.wire import live, page, reading
 
@@ -23,7 +23,7 @@ def variable(value, at_s=1.0, count=1):
 
 
 def test_a_frame_holds_what_has_come_since_the_one_before(model):  # R-C14
-    frames = Frames()
+    frames = FrameBuffer()
     assert frames.take() is None
     frames.put({"Untitled-1/A": variable(1.0)}, None, model)
     frames.put({"Untitled-1/A": variable(2.0, 1.5), "Untitled-1/B": variable([1, 2])}, None, model)
@@ -34,7 +34,7 @@ def test_a_frame_holds_what_has_come_since_the_one_before(model):  # R-C14
 def test_figures_and_poses_come_with_it(model):  # R-C14
     rows = np.array([[0.1234567, 0, 0, 1, 0, 0, 0], [1, 2, 3, 0.5, 0.5, 0.5, 0.5]], "<f4").tobytes()
     figure = live.TaskFigure("Untitled-1", "a", "m", "rt0", 1, "P", 0, "ON", *[0] * 14)
-    frames = Frames()
+    frames = FrameBuffer()
     frames.put({"world:boxes": reading.encode(reading.Poses(5, rows, ("lamp",)))}, live.Figures((figure,), {}), model)
     frame = frames.take()
     found = [[0.12346, 0, 0, 1, 0, 0, 0], [1, 2, 3, 0.5, 0.5, 0.5, 0.5]]
@@ -43,19 +43,19 @@ def test_figures_and_poses_come_with_it(model):  # R-C14
 
 
 def test_what_no_document_shows_is_dropped(model):
-    frames = Frames()
+    frames = FrameBuffer()
     frames.put({"elsewhere/A": variable(1.0)}, None, model)
     assert frames.take() is None
 
 
 def test_what_is_no_number_travels_as_nothing(model):
-    frames = Frames()
+    frames = FrameBuffer()
     frames.put({"Untitled-1/A": variable([math.nan, math.inf, 1.0])}, None, model)
     assert b"[null,null,1.0]" in page.encode(frames.take())
 
 
 def test_another_runtime_begins_with_nothing(model):
-    frames = Frames()
+    frames = FrameBuffer()
     frames.put({"Untitled-1/A": variable(1.0)}, None, model)
     frames.clear()
     assert frames.take() is None
@@ -65,7 +65,7 @@ def test_what_belongs_to_a_run_is_shown_under_its_application(tmp_path):  # R-E1
     play = RunFixture(tmp_path)
     doc = play.open([job("aC")])
     play.run(doc)
-    frames = Frames()
+    frames = FrameBuffer()
     figure = live.TaskFigure("flow0", "a", "m", "rt0", 1, "P", 0, "ON", *[0] * 14)
     frames.put({"flow0/A": variable(3.0)}, live.Figures((figure,), {}), play.environment.model)
     frame = frames.take()

@@ -3,10 +3,10 @@ from dataclasses import replace
 import pytest
 
 from kit.environment_fixture import EnvironmentFixture
-from onika.desk.environment.file.disk_watch import Disk
+from onika.desk.environment.file.disk_watch import DiskWatch
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.refresh import refreshed
-from onika.desk.environment.state.live import Live
+from onika.desk.environment.state.live import SubsystemFacts
 from onika.files import rmod
 from onika.files.rmod import RmodText
 from onika.model.task import Task
@@ -21,7 +21,7 @@ class Watched(EnvironmentFixture):
 
     def __init__(self, folder, tasks):
         super().__init__(folder, tasks)
-        self.disk = Disk(self.site)
+        self.disk = DiskWatch(self.site)
 
     def look(self):
         """What the program does every second; the number of patches that came of it."""
@@ -36,7 +36,7 @@ def living(sitting, doc, wanted):
     """The document lives, as far as the model knows; nothing is asked of a runtime."""
     old = sitting.environment.model.documents[doc]
     content = replace(old.content, wanted=wanted)
-    new = replace(old, live=Live("s", "lost"), content=content)
+    new = replace(old, live=SubsystemFacts("s", "lost"), content=content)
     sitting.environment.become(lambda model: Done(model.with_document(new)))
 
 

@@ -10,8 +10,8 @@ import pytest
 from kit.environment_fixture import EnvironmentFixture
 from kit.live_runtime import LiveRuntime
 from onika.desk.environment.environment import Environment
-from onika.desk.environment.outcome.outcome import Order, Reach, Simulator
-from onika.desk.environment.runtime_thread import Station
+from onika.desk.environment.outcome.outcome import Order, RequiredRuntime, Simulator
+from onika.desk.environment.runtime_thread import RuntimeThread
 from onika.desk.run.runtime import NumberedResponse
 from onika.link.lost import LinkLost, LossCause
 from onika.model.lifecycle import State
@@ -85,7 +85,7 @@ class Lab(EnvironmentFixture):
         self.things = queue.Queue()
         self.lines = []
         self.refusal = None
-        self.station = Station(self.open, self.things.put)
+        self.station = RuntimeThread(self.open, self.things.put)
         model, handlers = self.environment.model, self.environment._handlers
         self.environment = Environment(model, handlers, self.surroundings, self.station)
         self.environment.listeners.append(self)
@@ -134,7 +134,7 @@ def test_a_simulator_takes_the_place_of_the_runtime_as_it_was_asked_for(lab):  #
     lab.do(act.Connect(doc))
     assert lab.simulator is None
     wanted = Simulator(("left",), ("--shake", "3"))
-    lab.station.send(Order(live.Survey(), reach=Reach(is_anew=True, simulator=wanted)))
+    lab.station.send(Order(live.Survey(), reach=RequiredRuntime(is_anew=True, simulator=wanted)))
     lab.until(lambda: len(lab.lines) == 2)
     assert lab.simulator == wanted and lab.lines[0].is_left
 

@@ -11,7 +11,7 @@ Things = tuple[str, str, str, str]
 """Object, its id, associated object, its id."""
 
 
-class Names:
+class ApplicationNames:
     """What applications are called, and their steps by their ids, `a1/17`; who is gone keeps its name."""
 
     def __init__(self) -> None:

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import plain
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.files import buttons as file
 from onika.model.button import Button
@@ -14,7 +14,7 @@ from onika.wire.view import ButtonView, Remedy
 from onika.words.fault import Refusal
 
 
-def press(model: Model, command: act.Press, outside: Surroundings) -> Done | No:
+def press(model: Model, command: act.Press, outside: Services) -> Done | No:
     """Run the command of a button; what it prints is shown while it runs."""
     button = _find(model, command.name)
     if button is None:
@@ -31,14 +31,14 @@ def press(model: Model, command: act.Press, outside: Surroundings) -> Done | No:
     return Done(replace(model, runs={**model.runs, command.name: running}), says=says)
 
 
-def halt(model: Model, command: act.Halt, outside: Surroundings) -> Done | No:
+def halt(model: Model, command: act.Halt, outside: Services) -> Done | No:
     """End a command with everything it has begun; that it has ended is a fact that comes later."""
     if outside.commands is None or not outside.commands.halt(command.name):
         return No(f"{command.name} is not running")
     return Done(model)
 
 
-def set_button(model: Model, command: act.SetButton, outside: Surroundings) -> Done | No:
+def set_button(model: Model, command: act.SetButton, outside: Services) -> Done | No:
     """Add a button, change it, or remove it where the command is empty; it is in the user's file at once."""
     name = " ".join(command.name.split())
     button = Button(name, command.command.strip(" \t"), command.spawns_terminal)
@@ -88,7 +88,7 @@ def _changed(buttons: tuple[Button, ...], button: Button) -> tuple[Button, ...]:
 
 
 def _saved(
-    model: Model, buttons: tuple[Button, ...], opened: OpenedText[tuple[Button, ...]] | None, outside: Surroundings
+    model: Model, buttons: tuple[Button, ...], opened: OpenedText[tuple[Button, ...]] | None, outside: Services
 ) -> Done | No:
     done = outside.site.save_buttons(buttons, opened)
     if isinstance(done, Refusal):

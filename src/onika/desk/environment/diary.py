@@ -7,16 +7,16 @@ from collections.abc import Callable
 from pathlib import Path
 from queue import SimpleQueue
 
-from onika.desk.environment.application_entry import Names
-from onika.desk.environment.diary_entry import HEADER, Entry, entry
+from onika.desk.environment.application_entry import ApplicationNames
+from onika.desk.environment.diary_entry import HEADER, DiaryEntry, entry
 from onika.desk.environment.environment import Answer
 from onika.desk.environment.outcome.outcome import Done
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.wire import act, page
 
 
-def note(model: Model, _asked: act.Note, _outside: Surroundings) -> Done:
+def note(model: Model, _asked: act.Note, _outside: Services) -> Done:
     """What the page alone knows of is for the diary, and changes nothing."""
     return Done(model)
 
@@ -40,14 +40,14 @@ class Diary:
         self._model = model
         self._say = say
         self._clock = clock
-        self._names = Names()
+        self._names = ApplicationNames()
         self._lines: SimpleQueue[str | None] = SimpleQueue()
         self._wrong = ""
         self._is_told = False
         self.path = folder / time.strftime(f"%Y-%m-%dT%H-%M-%S-{os.getpid()}.log", time.localtime(clock()))
         self._thread = threading.Thread(target=self._write, daemon=True)
         self._thread.start()
-        self._put(Entry("Start_Onika"))
+        self._put(DiaryEntry("Start_Onika"))
 
     def observe(self, command: act.AnyAct, _by: str, answer: Answer) -> None:
         """An act has been answered."""
@@ -64,11 +64,11 @@ class Diary:
 
     def close(self, timeout_s: float = 1.0) -> None:
         """Write what is still to be written."""
-        self._put(Entry("Quit_Onika"))
+        self._put(DiaryEntry("Quit_Onika"))
         self._lines.put(None)
         self._thread.join(timeout_s)
 
-    def _put(self, line: Entry) -> None:
+    def _put(self, line: DiaryEntry) -> None:
         if self._model().habits.keeps_diary:
             self._lines.put(line.line(self._clock()))
 

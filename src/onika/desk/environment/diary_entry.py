@@ -122,7 +122,7 @@ _THINGS = ("onikon", "tasks", "task", "new", "svars", "name", "library", "path",
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class DiaryEntry:
     """What a line says, but for its time."""
 
     event: str
@@ -140,10 +140,10 @@ class Entry:
         return "\t".join(words)
 
 
-def entry(command: act.AnyAct, answer: Answer, names: Mapping[str, str]) -> Entry | None:
+def entry(command: act.AnyAct, answer: Answer, names: Mapping[str, str]) -> DiaryEntry | None:
     """What is written of an act; None: nothing. `names` are those of documents by their ids."""
     if isinstance(command, act.Note):
-        return Entry(
+        return DiaryEntry(
             command.event, command.object, command.id, command.associated, command.associated_id, command.window
         )
     if type(command) not in _EVENTS:
@@ -159,7 +159,7 @@ def entry(command: act.AnyAct, answer: Answer, names: Mapping[str, str]) -> Entr
         case act.Show():
             event = "show_locus" if command.is_shown else "hide_locus"
     name = event if answer.no is None or event.startswith("try_") else f"try_{event}"
-    return Entry(name, *_things(command, answer, names), window)
+    return DiaryEntry(name, *_things(command, answer, names), window)
 
 
 def _things(command: act.AnyAct, answer: Answer, names: Mapping[str, str]) -> tuple[str, str, str, str]:

@@ -6,8 +6,8 @@ from typing import Any, Protocol, cast
 
 from onika.desk.environment import following
 from onika.desk.environment.file import undo
-from onika.desk.environment.outcome.outcome import Ask, Change, Done, No, Order, Procedure, Shown, Until, Work
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.outcome import Ask, Done, No, Order, Procedure, Shown, SubsystemChange, Until, Work
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.show.tree import Projector
 from onika.desk.environment.show.tree_difference import difference
 from onika.desk.environment.state.model import Model
@@ -15,7 +15,7 @@ from onika.desk.environment.undo_notice import others
 from onika.wire import act, event, live, page, request
 from onika.wire.view import Tree
 
-Handler = Callable[[Model, Any, Surroundings], Done | No | Procedure]
+Handler = Callable[[Model, Any, Services], Done | No | Procedure]
 """What an act does: of a model, the act and the outside. One that waits is a generator."""
 
 
@@ -31,7 +31,7 @@ class Listener(Protocol):
         ...
 
 
-class Station(Protocol):
+class RuntimeChannel(Protocol):
     """The way to a runtime."""
 
     def send(self, order: Order) -> None:
@@ -63,7 +63,7 @@ class Environment:
     """
 
     def __init__(
-        self, model: Model, handlers: Mapping[type, Handler], surroundings: Surroundings, station: Station
+        self, model: Model, handlers: Mapping[type, Handler], surroundings: Services, station: RuntimeChannel
     ) -> None:
         self._handlers = handlers
         self._surroundings = surroundings
@@ -149,7 +149,7 @@ class Environment:
         acts = self._waiting.pop(what, ())
         for carried in acts:
             self._resume(carried, news)
-        if not acts and isinstance(what, Change) and isinstance(news, No):
+        if not acts and isinstance(what, SubsystemChange) and isinstance(news, No):
             self.say(page.Say("error", news.reason, what.doc))
 
     def _resume(self, carried: _Act, news: Any) -> None:
@@ -202,7 +202,7 @@ def _next(steps: Procedure, news: tuple[Model, Any] | None) -> Shown | Done | No
         return cast(Done | No, end.value)
 
 
-def _taken_up(done: Done, change: Change) -> Procedure:
+def _taken_up(done: Done, change: SubsystemChange) -> Procedure:
     """An act that changes a running system, answered when the change is accepted or refused."""
     model, refused = yield Until(done.model, change, says=done.says, orders=done.orders, news=done.news)
     return Done(model, value=done.value) if refused is None else refused

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from onika.desk.environment.outcome.outcome import Done, News, No, Order
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile import event_reducer, joint_limits
 from onika.desk.environment.reconcile.descriptions import describe
 from onika.desk.environment.reconcile.reconciliation import next_change, noted, pursue_all
@@ -13,7 +13,7 @@ from onika.desk.environment.state.model import Model
 from onika.wire import event, live
 
 
-def follow(before: Model, after: Model, outside: Surroundings) -> Done | No:
+def follow(before: Model, after: Model, outside: Services) -> Done | No:
     """Have the running system follow what differs between two models; a no where it cannot."""
     del outside
     marked = steering_run.marks(before, after)
@@ -31,7 +31,7 @@ def follow(before: Model, after: Model, outside: Surroundings) -> Done | No:
     return replace(done, model=described.model, orders=orders, news=given_up(before, after))
 
 
-def after_event(model: Model, message: event.Event, outside: Surroundings) -> Done:
+def after_event(model: Model, message: event.Event, outside: Services) -> Done:
     """What a runtime has told."""
     done = event_reducer.after_event(model, message, outside.calendar())
     run = hearing_run.after_event(done.model, message)

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from onika.desk.environment.reconcile.task_figures import Tally
+from onika.desk.environment.reconcile.task_figures import FigureTotals
 from onika.desk.environment.reconcile.watches import homes_of, keys_of
 from onika.desk.environment.state.model import Model
 from onika.wire import live, page, reading
@@ -14,12 +14,12 @@ from onika.wire import live, page, reading
 _WORLD = "world:"
 
 
-class Frames:
+class FrameBuffer:
     """Filled in one thread and emptied in another; of two values under one key the newer one is kept."""
 
     def __init__(self) -> None:
         self._lock = Lock()
-        self._tally = Tally()
+        self._tally = FigureTotals()
         self._at_s = 0.0
         self._values: dict[str, Any] = {}
         self._figures: dict[str, dict[str, Any]] = {}
@@ -50,7 +50,7 @@ class Frames:
     def clear(self) -> None:
         """Forget everything: it was another runtime's."""
         with self._lock:
-            self._tally = Tally()
+            self._tally = FigureTotals()
             self._values, self._figures, self._poses = {}, {}, {}
 
     def _read(self, key: str, body: bytes, model: Model) -> None:

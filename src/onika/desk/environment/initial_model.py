@@ -9,7 +9,7 @@ from onika.desk.environment.outcome.file_faults import told
 from onika.desk.environment.outcome.remedy import plain
 from onika.desk.environment.state import settings
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.store.library import open_libraries
 from onika.store.site import Site
 from onika.wire import page
@@ -29,7 +29,7 @@ def opened(site: Site, state: Path | None, environment: Mapping[str, str]) -> tu
     ends, of_ends = site.flow_pictures()
     kept, of_habits = settings.read(state, environment)
     model = Model(
-        shelf=Shelf(libraries, preferences=preferred),
+        shelf=OpenLibraries(libraries, preferences=preferred),
         preferences=preferred,
         habits=kept,
         buttons=buttons,

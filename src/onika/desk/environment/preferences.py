@@ -6,11 +6,11 @@ from typing import Any
 
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import plain
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state import settings
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.preference_values import preference_values
-from onika.desk.environment.state.settings import Habits
+from onika.desk.environment.state.settings import Settings
 from onika.model.preferences import STATUS_COLUMNS
 from onika.wire import act, page
 from onika.words.fault import Refusal
@@ -18,14 +18,14 @@ from onika.words.fault import Refusal
 _LONGEST = 10_000
 """Pixels or characters: what is longer is found on no screen."""
 
-_HABITS = {field.name for field in fields(Habits)}
+_HABITS = {field.name for field in fields(Settings)}
 
 
 class _Wrong(ValueError):
     """A value that a preference cannot have; its text says what was expected."""
 
 
-def prefer(model: Model, command: act.Prefer, outside: Surroundings) -> Done | No:
+def prefer(model: Model, command: act.Prefer, outside: Services) -> Done | No:
     """Change preferences, all that are named or none; each that cannot be so is in `fields`."""
     now = preference_values(model)
     taken: dict[str, Any] = {}
@@ -49,13 +49,13 @@ def prefer(model: Model, command: act.Prefer, outside: Surroundings) -> Done | N
     return Done(changed, says=tuple(_kept(of_file, of_habits, outside)))
 
 
-def leave(model: Model, outside: Surroundings) -> str:
+def leave(model: Model, outside: Services) -> str:
     """At the end of a session: write the preferences where there is no file of them yet; why not, if so (B12)."""
     refused = outside.site.keep_preferences(model.preferences)
     return str(refused.reason) if refused else ""
 
 
-def _kept(of_file: Mapping[str, Any], of_habits: Mapping[str, bool], outside: Surroundings) -> Iterator[page.Say]:
+def _kept(of_file: Mapping[str, Any], of_habits: Mapping[str, bool], outside: Services) -> Iterator[page.Say]:
     """Write what was asked for; a no is told, and the change holds for this session."""
     refused = [_filed(of_file, outside)] if of_file else []
     if of_habits:
@@ -65,7 +65,7 @@ def _kept(of_file: Mapping[str, Any], of_habits: Mapping[str, bool], outside: Su
             yield page.Say("warning", f"{plain(refusal.reason)}; it holds for this session")
 
 
-def _filed(values: Mapping[str, Any], outside: Surroundings) -> Refusal | None:
+def _filed(values: Mapping[str, Any], outside: Services) -> Refusal | None:
     """The values into the user's file as it is now, where there is one."""
     opened, faults = outside.site.open_preferences()
     wrong = [fault for fault in faults if not fault.is_note]

@@ -34,7 +34,7 @@ def refreshed(model: Model, changed: Set[Path], site: Site | None = None) -> Don
 
 def _listed(model: Model, paths: Iterable[Path]) -> tuple[Model, Faults]:
     """With these configurations and applications in their lists as they are now."""
-    listed, gone = file_index.Listed(), list[str]()
+    listed, gone = file_index.FileIndex(), list[str]()
     for path in paths:
         if not (file_index.is_configuration(path) or file_index.is_application(path)):
             continue

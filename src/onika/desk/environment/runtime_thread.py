@@ -10,11 +10,11 @@ from time import monotonic
 from typing import Protocol
 
 from onika.desk.environment.environment import Environment
-from onika.desk.environment.frames import Frames
-from onika.desk.environment.outcome.outcome import Order, Reach, Simulator
-from onika.desk.environment.reconcile.loop_watchdog import Vouch
-from onika.desk.environment.reconcile.multiplexer import Talk
-from onika.desk.environment.reconcile.watches import Watching
+from onika.desk.environment.frames import FrameBuffer
+from onika.desk.environment.outcome.outcome import Order, RequiredRuntime, Simulator
+from onika.desk.environment.reconcile.loop_watchdog import LoopWatchdog
+from onika.desk.environment.reconcile.multiplexer import Multiplexer
+from onika.desk.environment.reconcile.watches import Watch
 from onika.desk.environment.runs import runtime_loss
 from onika.desk.run.runtime import Conversation, in_short
 from onika.link.lost import LinkLost
@@ -24,7 +24,7 @@ Post = Callable[[Callable[[], None]], None]
 """Has something done in the environment's own thread, after what was posted before."""
 
 
-class Opening(Protocol):
+class RuntimeOpening(Protocol):
     """How a runtime is got hold of."""
 
     def __call__(
@@ -34,13 +34,13 @@ class Opening(Protocol):
         ...
 
 
-class Station:
+class RuntimeThread:
     """Carries orders to a runtime and what it tells to the environment; a slow runtime never keeps anybody waiting.
 
     Everything about the runtime happens in one thread, which also launches it: a child lives as long as the thread.
     """
 
-    def __init__(self, opening: Opening, post: Post) -> None:
+    def __init__(self, opening: RuntimeOpening, post: Post) -> None:
         self._opening = opening
         self._post = post
         self._orders: deque[Order] = deque()
@@ -51,13 +51,13 @@ class Station:
         self._thread: Thread | None = None
         self._entered: AbstractContextManager[Conversation] | None = None
         self._runtime: Conversation | None = None
-        self._talk: Talk | None = None
+        self._talk: Multiplexer | None = None
         self._url = ""
         self._tokens: dict[str, str] = {}
         self._environment: Environment | None = None
-        self._vouch = Vouch(post, self._ring, monotonic)
-        self._watching = Watching()
-        self._frames = Frames()
+        self._vouch = LoopWatchdog(post, self._ring, monotonic)
+        self._watching = Watch()
+        self._frames = FrameBuffer()
 
     # -- from any thread
 
@@ -77,7 +77,7 @@ class Station:
 
     def watch(self, variables: frozenset[str], worlds: frozenset[str], figures: bool, hz: float) -> None:
         """What somebody wants to see from now on, variables as `DOC/NAME`."""
-        self._watching = Watching(variables, worlds, figures, hz)
+        self._watching = Watch(variables, worlds, figures, hz)
         self._ring()
 
     def frame(self) -> page.Frame | None:
@@ -173,7 +173,7 @@ class Station:
             loads = talk.figures.loads
             self._post(lambda: environment.become(lambda model: runtime_loss.with_loads(model, loads)))
 
-    def _reach(self, reach: Reach) -> str:
+    def _reach(self, reach: RequiredRuntime) -> str:
         """Have the runtime there; why it is not, else empty."""
         if self._talk is not None and not reach.is_anew and (not reach.url or reach.url == self._url):
             return ""
@@ -189,11 +189,11 @@ class Station:
             return str(wrong)
         self._url = reach.url
         self._tokens[reach.url] = token
-        self._talk = Talk(self._runtime, monotonic)
+        self._talk = Multiplexer(self._runtime, monotonic)
         self._frames.clear()
         return ""
 
-    def _lose(self, talk: Talk, reason: str) -> None:
+    def _lose(self, talk: Multiplexer, reason: str) -> None:
         environment = self._environment
         orphans = talk.orphans(in_short(reason))
         self._leave()

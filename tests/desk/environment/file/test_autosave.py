@@ -3,7 +3,7 @@ from pathlib import Path
 
 from hypothesis import given, strategies as st
 
-from onika.desk.environment.file.autosave import APART_S, REST_S, Autosave, Change
+from onika.desk.environment.file.autosave import APART_S, REST_S, Autosave, UnsavedChange
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.history import History, Step
@@ -29,7 +29,7 @@ def test_it_is_written_when_the_user_rests():
     autosave.look(model(document(1)), 10.0)
     assert autosave.due_s == 10.0 + REST_S
     assert autosave.take(10.1) == ()
-    assert autosave.take(10.3) == (Change("c1", document(1)),)
+    assert autosave.take(10.3) == (UnsavedChange("c1", document(1)),)
     assert autosave.due_s is None
     assert autosave.take(99.0) == ()
 
@@ -47,7 +47,7 @@ def test_who_never_rests_is_kept_all_the_same():
     for n in range(30):
         autosave.look(model(document(n)), 0.1 * n)
     assert autosave.due_s == APART_S
-    assert autosave.take(3.0) == (Change("c1", document(29)),)
+    assert autosave.take(3.0) == (UnsavedChange("c1", document(29)),)
 
 
 def test_nothing_is_written_of_what_is_saved_or_the_same():
@@ -69,7 +69,7 @@ def test_what_is_saved_or_closed_is_kept_no_longer():
     assert len(autosave.take(1.0)) == 2
     one = replace(document(1), opened=OpenedText(document(1).content.configuration, "a.conf", ""))
     autosave.look(model(one), 3.0)
-    assert autosave.take(9.0) == (Change("c1", None), Change("c2", None))
+    assert autosave.take(9.0) == (UnsavedChange("c1", None), UnsavedChange("c2", None))
     assert autosave.take_all(9.0) == ()
 
 
@@ -78,7 +78,7 @@ def test_looks_alone_are_kept_too():
     moved = replace(document(5), opened=OpenedText(document(1).content.configuration, "a.conf", ""))
     assert moved.is_moved
     autosave.look(model(moved), 0.0)
-    assert autosave.take_all(0.0) == (Change("c1", moved),)
+    assert autosave.take_all(0.0) == (UnsavedChange("c1", moved),)
 
 
 @given(st.lists(st.tuples(st.floats(0.0, 3.0), st.integers(0, 3), st.integers(0, 2))))
@@ -110,9 +110,9 @@ def test_applications_that_are_not_saved_are_kept_too():  # R-X10
     opened = application("grip")
     saved = replace(application("grip", "a3"), opened=OpenedText(opened.application, Path("/b.appl"), ""))
     autosave.look(Model(documents={"c1": document(1)}, applications={"a2": opened, "a3": saved}), 0.0)
-    assert autosave.take(REST_S) == (Change("c1", document(1)), Change("a2", opened))
+    assert autosave.take(REST_S) == (UnsavedChange("c1", document(1)), UnsavedChange("a2", opened))
     judged = replace(opened, judgement=Judgement(opened.application))
     autosave.look(Model(documents={"c1": document(1)}, applications={"a2": judged}), 5.0)
     assert autosave.due_s is None, "what is wrong with it is no change"
     autosave.look(Model(documents={"c1": document(1)}), 9.0)
-    assert autosave.take_all(9.0) == (Change("a2", None),)
+    assert autosave.take_all(9.0) == (UnsavedChange("a2", None),)

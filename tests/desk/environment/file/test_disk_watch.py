@@ -2,7 +2,7 @@ import os
 
 import pytest
 
-from onika.desk.environment.file.disk_watch import Disk, bases
+from onika.desk.environment.file.disk_watch import DiskWatch, bases
 from onika.desk.environment.state.model import Model
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import Site, shipped
@@ -18,7 +18,7 @@ def base(tmp_path):
 
 @pytest.fixture
 def disk(base):
-    return Disk(Site((BaseDirectory(base),), shipped() / "prefs"))
+    return DiskWatch(Site((BaseDirectory(base),), shipped() / "prefs"))
 
 
 def test_nothing_has_changed_where_nobody_has_written(disk):
@@ -95,7 +95,7 @@ def test_all_files_of_a_base_directory_that_is_new_are_told(disk, tmp_path, base
 def test_what_defines_the_syntax_is_looked_at_too(base, tmp_path):  # R-D02
     (tmp_path / "home").mkdir()
     (tmp_path / "prefs").mkdir()
-    disk = Disk(Site((BaseDirectory(base),), tmp_path / "prefs", tmp_path / "home"))
+    disk = DiskWatch(Site((BaseDirectory(base),), tmp_path / "prefs", tmp_path / "home"))
     own, shared = tmp_path / "home" / ".OnikaUpperSetUp.dta", tmp_path / "prefs" / "OnikaUpperSetUp.dta"
     own.write_text("")
     assert disk.changed(Model()) == {own}

@@ -3,7 +3,7 @@ from hypothesis import given, strategies as st
 from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.file.undo import edits_between, moved_wanted
 from onika.desk.environment.state.content import Content
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.configuration import Configuration
 from onika.model.task import Task
 from onika.wire import act
@@ -27,9 +27,9 @@ def test_what_has_changed_since_and_was_not_of_the_step_stays(now, same):  # law
 
 def test_edits_are_told_by_name_and_none_is_as_the_file_says():
     task = Task("t", "m")
-    assert edits_between(Shelf(), Shelf()) == {}
-    assert edits_between(Shelf(), Shelf(edits={"t": task})) == {"t": task}
-    assert edits_between(Shelf(edits={"t": task}), Shelf()) == {"t": None}
+    assert edits_between(OpenLibraries(), OpenLibraries()) == {}
+    assert edits_between(OpenLibraries(), OpenLibraries(edits={"t": task})) == {"t": task}
+    assert edits_between(OpenLibraries(edits={"t": task}), OpenLibraries()) == {"t": None}
 
 
 def test_there_is_nothing_to_take_back_at_first(tmp_path):  # R-X10

@@ -3,7 +3,7 @@ from hypothesis import HealthCheck, given, settings, strategies as st
 
 from kit.app_fixture import ONIKONS, AppFixture
 from onika.desk.environment.outcome.on_file import syntax_of
-from onika.desk.environment.show.application_view import ApplicationSight
+from onika.desk.environment.show.application_view import ApplicationProjector
 from onika.model.flow_path import flows_by_path, spots
 from onika.model.rules.jigsaw import misfits
 from onika.wire import act
@@ -90,7 +90,7 @@ def test_whatever_is_done_flows_fit_numbers_are_unique_and_undo_leads_back(galle
         assert max(numbers, default=0) <= gallery.environment.model.applications[doc].last_number
         for _, flow in flows_by_path(application):
             assert misfits(flow, syntax_of(gallery.environment.model)) == ()
-        seen = ApplicationSight().view(model.applications[doc], gallery.view(doc).order, model, is_running=False)
+        seen = ApplicationProjector().view(model.applications[doc], gallery.view(doc).order, model, is_running=False)
         assert gallery.view(doc) == seen, "what is remembered is what would be made anew"
     while gallery.view(doc).undo:
         gallery.do(act.Undo(doc))

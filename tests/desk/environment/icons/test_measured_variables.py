@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from onika.desk.environment.icons.measured_variables import Measure, measures_of, values_of
+from onika.desk.environment.icons.measured_variables import MeasuredVariable, measures_of, values_of
 from onika.desk.environment.initial_model import opened
 from onika.runtime.modules.code import load
 from onika.runtime.modules.sheet import sheet_of
@@ -34,9 +34,9 @@ def test_before_a_runtime_has_said_what_is_read_the_code_does():
 @pytest.mark.parametrize(
     ("measure", "value", "expected"),
     [
-        (Measure("a", 2, ValueType.DOUBLE, "Q"), [1.0, 2], (1.0, 2.0)),
-        (Measure("a", 4, ValueType.DOUBLE, "Q"), [[1, 2], [3, 4]], (1.0, 2.0, 3.0, 4.0)),
-        (Measure("a", 1, ValueType.INT, "N"), 3.0, (3,)),
+        (MeasuredVariable("a", 2, ValueType.DOUBLE, "Q"), [1.0, 2], (1.0, 2.0)),
+        (MeasuredVariable("a", 4, ValueType.DOUBLE, "Q"), [[1, 2], [3, 4]], (1.0, 2.0, 3.0, 4.0)),
+        (MeasuredVariable("a", 1, ValueType.INT, "N"), 3.0, (3,)),
     ],
 )
 def test_values_of_a_variable_become_those_of_a_target(measure, value, expected):  # R-D13
@@ -44,11 +44,11 @@ def test_values_of_a_variable_become_those_of_a_target(measure, value, expected)
 
 
 def test_too_few_values_are_none_of_a_target():  # R-D13
-    assert str(values_of(Measure("a", 3, ValueType.DOUBLE, "Q"), [1.0])) == "Q has 1 values and a 3"
+    assert str(values_of(MeasuredVariable("a", 3, ValueType.DOUBLE, "Q"), [1.0])) == "Q has 1 values and a 3"
 
 
 def test_other_numbers_of_values_fit_only_where_a_constant_says_how_many():  # R-D13
     four = [0.1, 0.2, 0.3, 0.4]
-    fixed = Measure("endpoint", 6, ValueType.DOUBLE, "Q_MEZ")
+    fixed = MeasuredVariable("endpoint", 6, ValueType.DOUBLE, "Q_MEZ")
     assert str(values_of(fixed, four)) == "Q_MEZ has 4 values and endpoint 6"
     assert values_of(replace(fixed, dimension="NDOF"), four) == tuple(four)

@@ -2,7 +2,7 @@ import pytest
 
 from kit.laboratory import HOLE, job, joints
 from kit.run_fixture import RunFixture
-from onika.desk.environment.runs.readiness import Case, Judge
+from onika.desk.environment.runs.readiness import ReadinessCase, ReadinessJudge
 from onika.wire import act
 from onika.wire.view import ShowFits, ShowLoop, ShowStep, ShowTarget
 
@@ -17,7 +17,7 @@ def play(tmp_path):
 def found(play, *flows, **words):
     doc = play.open(*flows, **words)
     model = play.environment.model
-    return Judge(play.site).judge(Case(model.applications[doc], model.syntax, ())).faults
+    return ReadinessJudge(play.site).judge(ReadinessCase(model.applications[doc], model.syntax, ())).faults
 
 
 def the(views, word):

@@ -7,7 +7,7 @@ from kit.app_fixture import AppFixture
 from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.outcome.on_file import is_running
-from onika.desk.environment.run_state.membership import Belonging
+from onika.desk.environment.run_state.membership import StepMembership
 from onika.desk.environment.run_state.run import begun
 from onika.desk.plan.preparation import prepare
 from onika.store.site import open_site
@@ -25,7 +25,9 @@ def performed(gallery, doc, state="running"):
     site = open_site([], {}, None)
     syntax, _ = site.syntax()
     application, _ = site.application("go_home", syntax)
-    run = begun(doc, prepare(application, Place("x"), site, syntax).plan, 1, 0.0, Belonging.of(application, syntax))
+    run = begun(
+        doc, prepare(application, Place("x"), site, syntax).plan, 1, 0.0, StepMembership.of(application, syntax)
+    )
     run = replace(run, view=structs.replace(run.view, state=state))
     gallery.environment.model = replace(gallery.environment.model, run=run)
 

@@ -1,8 +1,8 @@
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.store.site import Site, shipped
 
 
 def test_nothing_outlives_a_session_and_no_command_runs_unless_it_says_so():
-    outside = Surroundings(Site((), shipped() / "prefs"), lambda: 1.5)
+    outside = Services(Site((), shipped() / "prefs"), lambda: 1.5)
     assert (outside.clock(), outside.state, outside.commands) == (1.5, None, None)
     assert (outside.reading, outside.comparing) == (None, None)

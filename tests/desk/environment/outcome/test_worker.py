@@ -4,7 +4,7 @@ from queue import Queue
 import pytest
 
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.worker import Aside
+from onika.desk.environment.outcome.worker import BackgroundWorker
 from onika.desk.environment.state.model import Model
 
 
@@ -15,7 +15,7 @@ def changes():
 
 @pytest.fixture
 def aside(changes):
-    worker = Aside(changes.put)
+    worker = BackgroundWorker(changes.put)
     yield worker
     worker.close()
 

@@ -4,7 +4,7 @@ from onika.desk.environment.reconcile.live_facts import alive, settled, with_sta
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.history import History
-from onika.desk.environment.state.live import Live, Pending, TaskFacts
+from onika.desk.environment.state.live import Pending, SubsystemFacts, TaskFacts
 from onika.desk.plan.compile import planned_task
 from onika.model.configuration import Configuration
 from onika.model.task import Task
@@ -22,7 +22,7 @@ def task(name, state, reason=""):
 
 
 def document(wanted, **states):
-    known = Live("main", "live", {name: TaskFacts(state) for name, state in states.items()})
+    known = SubsystemFacts("main", "live", {name: TaskFacts(state) for name, state in states.items()})
     return Document("c1", Content(Configuration("c"), wanted), live=known)
 
 
@@ -49,7 +49,9 @@ def test_dead_tasks_are_not_alive():
 
 def test_the_facts_are_taken_over_and_a_question_is_kept_as_long_as_it_is_asked():
     asked = event.Asked("main", "a", "too far", (), 0.0)
-    known = Live("main", "live", {"a": TaskFacts("ASKING", question=asked, warnings=3), "gone": TaskFacts("ON")})
+    known = SubsystemFacts(
+        "main", "live", {"a": TaskFacts("ASKING", question=asked, warnings=3), "gone": TaskFacts("ON")}
+    )
     now = with_standing(known, standing(task("a", "ASKING", "asks for x"), task("b", "WAITING", "waits for N")))
     assert now.tasks["a"] == TaskFacts("ASKING", rtpu="rt1", hz=20.0, question=asked, warnings=3)
     assert str(now.tasks["b"].note) == "waits for N" and set(now.tasks) == {"a", "b"} and now.holder == "me"
@@ -60,13 +62,13 @@ def test_the_facts_are_taken_over_and_a_question_is_kept_as_long_as_it_is_asked(
 def test_a_question_that_was_asked_before_is_known_to_whoever_connects():  # R-X12, R-C13
     asked = event.Asked("main", "a", "too far", (), 0.0)
     home = live.SubsystemStanding("main", "me", "", (task("a", "ASKING", "asks for x"),), (asked,))
-    now = with_standing(Live("main", "live"), live.Standing((home,), (), (), True, False, 0.0))
+    now = with_standing(SubsystemFacts("main", "live"), live.Standing((home,), (), (), True, False, 0.0))
     assert (now.tasks["a"].question, str(now.tasks["a"].note)) == (asked, "")
 
 
 def test_who_is_about_to_be_born_is_so_until_that_is_done():
     pending = Pending(Content(Configuration("c")), Content(Configuration("c")), History(), History())
-    known = Live("main", "live", {"a": TaskFacts("SPAWNING")}, pending={1: pending})
+    known = SubsystemFacts("main", "live", {"a": TaskFacts("SPAWNING")}, pending={1: pending})
     assert with_standing(known, standing()).state_of("a") == "SPAWNING"
     assert with_standing(known, standing(task("a", "OFF"))).state_of("a") == "SPAWNING"
     assert with_standing(replace(known, pending={}), standing(task("a", "OFF"))).state_of("a") == "OFF"

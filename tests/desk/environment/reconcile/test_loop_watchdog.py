@@ -1,6 +1,6 @@
 import pytest
 
-from onika.desk.environment.reconcile.loop_watchdog import EVERY_S, LIMIT_S, Vouch
+from onika.desk.environment.reconcile.loop_watchdog import EVERY_S, LIMIT_S, LoopWatchdog
 
 
 class Loop:
@@ -8,7 +8,7 @@ class Loop:
 
     def __init__(self):
         self.now_s, self.posted, self.back = 0.0, [], 0
-        self.vouch = Vouch(self.posted.append, self._is_back, lambda: self.now_s)
+        self.vouch = LoopWatchdog(self.posted.append, self._is_back, lambda: self.now_s)
 
     def _is_back(self):
         self.back += 1

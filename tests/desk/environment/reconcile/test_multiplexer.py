@@ -1,7 +1,7 @@
 import pytest
 
 from onika.desk.environment.outcome.outcome import Order
-from onika.desk.environment.reconcile.multiplexer import Talk
+from onika.desk.environment.reconcile.multiplexer import Multiplexer
 from onika.desk.run.runtime import NumberedResponse
 from onika.link.lost import LinkLost, LossCause
 from onika.wire import event, live, request
@@ -43,7 +43,7 @@ def now():
 
 @pytest.fixture
 def talk(wire, now):
-    return Talk(wire, lambda: now[0])
+    return Multiplexer(wire, lambda: now[0])
 
 
 def test_orders_and_events_are_told_in_the_order_in_which_they_came(talk, wire):

@@ -4,8 +4,8 @@ import pytest
 
 from onika.desk.environment.reconcile.reconfiguration_diff import Reconfiguration, reconfiguration, with_facts
 from onika.desk.environment.state.content import Content
-from onika.desk.environment.state.live import Live, TaskFacts
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.live import SubsystemFacts, TaskFacts
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.files.rmod import RmodText
 from onika.model.configuration import Configuration, Group, Placed
 from onika.model.task import LocalLine, Task, TaskType
@@ -28,7 +28,7 @@ def shelf(tmp_path):
     for task in TASKS:
         base.save_task(RmodText(task))
         (tmp_path / "module" / f"{task.module}.py").write_text(f"# {task.module}\n")
-    return Shelf(open_libraries([base]))
+    return OpenLibraries(open_libraries([base]))
 
 
 def content(wanted, **changed):
@@ -37,7 +37,7 @@ def content(wanted, **changed):
 
 
 def living(*states, **more):
-    return Live("main", "live", {name: TaskFacts(state, rtpu="rt0") for name, state in states}, **more)
+    return SubsystemFacts("main", "live", {name: TaskFacts(state, rtpu="rt0") for name, state in states}, **more)
 
 
 def test_what_is_placed_is_spawned_off_and_what_is_removed_is_killed(shelf):  # R-C11

@@ -1,27 +1,27 @@
 import pytest
 
 from onika.desk.environment.outcome.outcome import Simulator
-from onika.desk.environment.reconcile.runtime_launch import Launching
+from onika.desk.environment.reconcile.runtime_launch import RuntimeLauncher
 from onika.link.lost import LinkLost
 
 
 def test_what_is_no_address_is_said_as_it_is(monkeypatch):  # R-C18
     monkeypatch.delenv("ONIKA_TOKEN", raising=False)
     with pytest.raises(ValueError, match="nowhere at all"):
-        Launching()("nowhere at all", "")
+        RuntimeLauncher()("nowhere at all", "")
 
 
 def test_a_runtime_on_another_machine_needs_a_token(monkeypatch):  # R-C18
     monkeypatch.delenv("ONIKA_TOKEN", raising=False)
     with pytest.raises(LinkLost, match="token is needed"):
-        Launching()("wss://lab.example:7994", "")
+        RuntimeLauncher()("wss://lab.example:7994", "")
 
 
 @pytest.mark.site
 def test_a_simulator_has_the_units_it_is_asked_for_and_the_pace_of_the_wall():  # R-X05, A16
     from onika.wire import live
 
-    with Launching()("", "", Simulator(("left",))) as runtime:
+    with RuntimeLauncher()("", "", Simulator(("left",))) as runtime:
         standing = runtime.ask(live.Survey())
     assert [one.name for one in standing.rtpus] == ["left"] and standing.is_virtual
 
@@ -30,6 +30,6 @@ def test_a_simulator_has_the_units_it_is_asked_for_and_the_pace_of_the_wall():  
 def test_without_an_address_a_runtime_with_these_units_is_started():  # R-A15
     from onika.wire import live
 
-    with Launching(("left", "right"), is_virtual=True)("", "") as runtime:
+    with RuntimeLauncher(("left", "right"), is_virtual=True)("", "") as runtime:
         standing = runtime.ask(live.Survey())
     assert [one.name for one in standing.rtpus] == ["left", "right"] and standing.is_virtual

@@ -1,5 +1,5 @@
 from onika.desk.console.status import UNITS
-from onika.desk.environment.reconcile.task_figures import Tally, columns
+from onika.desk.environment.reconcile.task_figures import FigureTotals, columns
 from onika.model.preferences import STATUS_COLUMNS
 from onika.wire import live
 
@@ -21,7 +21,7 @@ def test_a_task_without_a_rate_has_no_period():
 
 
 def test_what_is_counted_is_added_up_though_counting_begins_anew():  # R-A17
-    tally = Tally()
+    tally = FigureTotals()
     tally.add(live.Figures((figure(10, 1),), {}), {"main": "c1"})
     row = tally.add(live.Figures((figure(5, 0),), {}), {"main": "c1"})["c1/a"]
     assert (row["cycle"], row["miss"], row["warn"], row["tot-C"], row["ptime"]) == (15, 1, 4, 8.0, 1.0)
@@ -29,12 +29,12 @@ def test_what_is_counted_is_added_up_though_counting_begins_anew():  # R-A17
 
 
 def test_a_task_that_is_born_again_counts_from_nothing():
-    tally = Tally()
+    tally = FigureTotals()
     tally.add(live.Figures((figure(10),), {}), {"main": "c1"})
     assert tally.add(live.Figures((figure(5, tid=8),), {}), {"main": "c1"})["c1/a"]["cycle"] == 5
 
 
 def test_what_no_document_shows_is_counted_and_not_shown():
-    tally = Tally()
+    tally = FigureTotals()
     assert tally.add(live.Figures((figure(10),), {}), {}) == {}
     assert tally.add(live.Figures((figure(5),), {}), {"main": "c1"})["c1/a"]["cycle"] == 15

@@ -1,7 +1,7 @@
 import pytest
 
-from onika.desk.environment.reconcile.task_plan import Birth, birth, code_of, is_hardware, rate_of
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.reconcile.task_plan import SpawnPlan, birth, code_of, is_hardware, rate_of
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.files.rmod import RmodText
 from onika.model.configuration import Placed
 from onika.model.task import LocalLine, Task, TaskType
@@ -19,13 +19,13 @@ def shelf(tmp_path):
         bases[0].save_task(RmodText(task))
     (tmp_path / "two" / "module").mkdir(parents=True)
     (tmp_path / "two" / "module" / "mover.py").write_text("far\n")
-    return Shelf(open_libraries(bases))
+    return OpenLibraries(open_libraries(bases))
 
 
 def test_a_task_is_born_with_its_code_and_the_rate_of_its_place(shelf, tmp_path):  # R-C11, reading 10
     (tmp_path / "one" / "module" / "mover.py").write_text("near\n")
     born = birth(Placed("move", frequency=40.0, rtpu="rt1"), shelf, ("rt0", "rt1"))
-    assert isinstance(born, Birth)
+    assert isinstance(born, SpawnPlan)
     assert (born.task.frequency, born.task.rtpu, born.code.source) == (40.0, "rt1", "near\n")
     assert born.task.digest == born.code.digest and born.task.place.endswith("one/module/move.rmod")
 
@@ -59,4 +59,4 @@ def test_whoever_names_a_device_moves_one_until_its_module_says_otherwise(shelf)
     class Sheet:
         hardware = False
 
-    assert not is_hardware(arm, Shelf(sheets={"arm": Sheet()}))
+    assert not is_hardware(arm, OpenLibraries(sheets={"arm": Sheet()}))

@@ -11,10 +11,10 @@ from onika.desk.environment import initial_model
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.outcome.outcome import Simulator
-from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.outcome.worker import Aside
-from onika.desk.environment.reconcile.runtime_launch import Launching
-from onika.desk.environment.runtime_thread import Station
+from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.outcome.worker import BackgroundWorker
+from onika.desk.environment.reconcile.runtime_launch import RuntimeLauncher
+from onika.desk.environment.runtime_thread import RuntimeThread
 from onika.desk.run.run import run
 from onika.desk.run.settings import RunSettings
 from onika.store.site import open_site
@@ -154,9 +154,9 @@ class Real:
         self.changes: Queue = Queue()
         self.results = []
         site = open_site([], {}, None)
-        reading = Aside(lambda change: self.changes.put(lambda: self.environment.become(change)))
-        outside = Surroundings(site, time.monotonic, folder, reading=reading)
-        self.station = Station(Launching(), self.changes.put)
+        reading = BackgroundWorker(lambda change: self.changes.put(lambda: self.environment.become(change)))
+        outside = Services(site, time.monotonic, folder, reading=reading)
+        self.station = RuntimeThread(RuntimeLauncher(), self.changes.put)
         model, _ = initial_model.opened(site, folder, {})
         self.environment = Environment(model, HANDLERS, outside, self.station)
         heard = self.environment.heard

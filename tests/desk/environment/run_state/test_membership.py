@@ -1,5 +1,5 @@
 from kit.laboratory import HOLE, job, joints
-from onika.desk.environment.run_state.membership import Belonging, icons
+from onika.desk.environment.run_state.membership import StepMembership, icons
 from onika.files import appl
 from onika.model.flow_path import numbered
 from onika.store.site import open_site
@@ -16,7 +16,9 @@ def application(*steps):
 
 def test_a_target_or_the_hole_for_one_belongs_to_its_action():
     there = joints("there", *[0.0] * 6)
-    found = Belonging.of(application(job("aC"), job("jC", "Joint job"), there, job("jC", "Joint job"), HOLE), SYNTAX)
+    found = StepMembership.of(
+        application(job("aC"), job("jC", "Joint job"), there, job("jC", "Joint job"), HOLE), SYNTAX
+    )
     assert found.owners == {3: 2, 5: 4}
     assert found.meant(1) == {(1,)} and found.meant(3) == {(2,)}
 
@@ -26,7 +28,7 @@ def test_a_branch_means_all_that_stands_in_it():  # R-D13
     outer = ["BRANCH\nFLOW\n", job("aC"), *inner, "ENDFLOW\nFLOW\n", job("bC"), "ENDFLOW\nENDBRANCH\n"]
     here = application(*outer)
     numbers = {icon.onikon.name: icon.number for icon in icons(here)}
-    found = Belonging.of(here, SYNTAX)
+    found = StepMembership.of(here, SYNTAX)
     branch = here.flows[0].steps[0].number
     assert list(numbers) == ["aC", "cC", "dC", "bC"]
     (inner_branch,) = (one for one in found.inside if one != branch)

@@ -1,12 +1,12 @@
 from kit.laboratory import job
-from onika.desk.environment.run_state.review_session import Looking
+from onika.desk.environment.run_state.review_session import ReviewSession
 from onika.wire import act
 
 
 def test_one_is_looked_at_and_perhaps_another_beside_it(cinema):  # R-X05
     cinema.look(cinema.film(cinema.open([job("aC")])))
     subject = cinema.environment.model.looking.subject
-    alone, both = Looking(subject), Looking(subject, subject)
+    alone, both = ReviewSession(subject), ReviewSession(subject, subject)
     assert (alone.subject_of(of_other=False), alone.subject_of(of_other=True)) == (subject, None)
     docs = cinema.environment.model.applications
     assert (alone.view(docs).other, both.view(docs).other) == (None, subject.view)

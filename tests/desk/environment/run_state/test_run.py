@@ -1,6 +1,6 @@
 import pytest
 
-from onika.desk.environment.run_state.membership import Belonging
+from onika.desk.environment.run_state.membership import StepMembership
 from onika.desk.environment.run_state.run import begun
 from onika.desk.plan.preparation import prepare
 from onika.model.application import with_numbers_as_lines
@@ -17,7 +17,7 @@ def run_of(name):
     application, _ = SITE.application(name, SYNTAX)
     application, _ = numbered(application, 0)
     prepared = prepare(with_numbers_as_lines(application), Place(name), SITE, SYNTAX)
-    return application, begun("a1", prepared.plan, 3, 5.0, Belonging.of(application, SYNTAX))
+    return application, begun("a1", prepared.plan, 3, 5.0, StepMembership.of(application, SYNTAX))
 
 
 @pytest.mark.parametrize("name", NAMES)

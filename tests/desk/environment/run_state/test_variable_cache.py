@@ -1,6 +1,6 @@
 import numpy as np
 
-from onika.desk.environment.run_state.variable_cache import Kept
+from onika.desk.environment.run_state.variable_cache import VariableCache
 from onika.record.downsampled import Samples
 
 
@@ -9,7 +9,7 @@ def samples(count):
 
 
 def test_what_was_wanted_longest_ago_is_forgotten_first():
-    kept = Kept(most=3 * samples(10).bytes)
+    kept = VariableCache(most=3 * samples(10).bytes)
     for name in "abc":
         kept.put(name, samples(10))
     assert kept.get("a") is not None
@@ -18,6 +18,6 @@ def test_what_was_wanted_longest_ago_is_forgotten_first():
 
 
 def test_the_newest_is_kept_however_large_it_is():
-    kept = Kept(most=1)
+    kept = VariableCache(most=1)
     kept.put("a", samples(10))
     assert kept.get("a") is not None

@@ -3,8 +3,8 @@ import pytest
 from kit.laboratory import job, target
 from kit.run_fixture import RunFixture
 from onika.desk.environment.runs.preflight_result import worth_noting
-from onika.desk.environment.runs.readiness import Case, Judge, judged
-from onika.desk.environment.state.open_application import Looked
+from onika.desk.environment.runs.readiness import ReadinessCase, ReadinessJudge, judged
+from onika.desk.environment.state.open_application import PreflightResult
 from onika.wire import act, request
 from onika.wire.view import ShowValues
 from onika.words.reason import Reason
@@ -24,7 +24,7 @@ def test_what_was_found_is_of_the_content_the_redirections_and_the_runtime_of_th
     doc = play.open([job("aC")])
     assert found(play, doc) is None
     play.do(act.Preflight(doc))
-    assert isinstance(found(play, doc), Looked)
+    assert isinstance(found(play, doc), PreflightResult)
     opened = play.environment.model.applications[doc]
     assert opened.looked_at("ws://elsewhere") is None
 
@@ -40,8 +40,8 @@ def test_what_was_found_in_files_that_have_changed_is_forgotten(play, tmp_path):
         ),
     )
     play.do(act.Preflight(doc))
-    model, judge = play.environment.model, Judge(play.site)
-    before = Case(model.applications[doc], model.syntax, ())
+    model, judge = play.environment.model, ReadinessJudge(play.site)
+    before = ReadinessCase(model.applications[doc], model.syntax, ())
     play.environment.become(lambda model: judged(model, doc, judge.judge(before)))
     assert found(play, doc) is not None
     (tmp_path / "module" / "a.rmod").write_text((tmp_path / "module" / "a.rmod").read_text() + "# mended\n")

@@ -8,7 +8,7 @@ import pytest
 from kit.environment_fixture import EnvironmentFixture
 from kit.laboratory import HOLE, job
 from kit.run_fixture import RunFixture
-from onika.desk.environment.runs.readiness import Case, Judge, judged
+from onika.desk.environment.runs.readiness import ReadinessCase, ReadinessJudge, judged
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.model.application import AppFlow, Application, Branch, Hole, Icon
 from onika.model.flow_path import numbered, spots
@@ -32,7 +32,7 @@ def shown(play, doc):
 
 
 def test_what_is_open_is_judged_once_and_again_after_a_change(play):  # R-E01
-    judge = Judge(play.site)
+    judge = ReadinessJudge(play.site)
     doc = play.open([job("aC"), HOLE, job("bC")])
     assert look(play, judge, judge.cases(play.environment.model)) == 1
     assert play.environment.tree.applications[doc].is_judged
@@ -45,7 +45,7 @@ def test_what_is_open_is_judged_once_and_again_after_a_change(play):  # R-E01
 
 
 def test_files_that_change_or_come_are_seen(play):  # R-E01
-    judge = Judge(play.site)
+    judge = ReadinessJudge(play.site)
     doc = play.open([job("aC"), job("newC")])
     look(play, judge, judge.cases(play.environment.model))
     assert shown(play, doc) == ["there is no configuration newC"]
@@ -60,7 +60,7 @@ def test_files_that_change_or_come_are_seen(play):  # R-E01
 
 
 def test_what_is_changed_here_and_not_saved_is_a_warning(play, tmp_path):  # R-E12
-    judge = Judge(play.site)
+    judge = ReadinessJudge(play.site)
     doc = play.open([job("aC")])
     conf = play.do(act.Open(str(tmp_path / "conf" / "aC.conf")))
     look(play, judge, judge.cases(play.environment.model))
@@ -71,7 +71,7 @@ def test_what_is_changed_here_and_not_saved_is_a_warning(play, tmp_path):  # R-E
 
 
 def test_a_judgement_that_says_the_same_changes_nothing(play):
-    judge = Judge(play.site)
+    judge = ReadinessJudge(play.site)
     doc = play.open([HOLE, job("aC")])
     (case,) = judge.cases(play.environment.model)
     look(play, judge, (case,))
@@ -84,7 +84,7 @@ def test_a_judgement_that_says_the_same_changes_nothing(play):
 
 def test_without_a_syntax_nothing_is_judged(tmp_path):
     sitting = EnvironmentFixture(tmp_path)
-    judge = Judge(sitting.site)
+    judge = ReadinessJudge(sitting.site)
     assert judge.cases(sitting.environment.model) == judge.stale(sitting.environment.model) == ()
 
 
@@ -93,7 +93,7 @@ def test_whatever_stands_in_an_application_it_is_judged(seed):  # R-E01
     rng = random.Random(seed)
     site = open_site([], {}, None)
     syntax, _ = site.syntax()
-    judge = Judge(site)
+    judge = ReadinessJudge(site)
     pool = [icon for base in site.directories for name in base.onikons if (icon := base.onikon(name, syntax)[0])]
 
     def some_icon():
@@ -120,14 +120,14 @@ def test_whatever_stands_in_an_application_it_is_judged(seed):  # R-E01
     for _ in range(20):
         flows = tuple(some_flow() for _ in range(rng.randrange(4)))
         application, last = numbered(Application("odd", rng.random() < 0.5, flows), 0)
-        found = judge.judge(Case(OpenApplication("a1", application, last), syntax, ()))
+        found = judge.judge(ReadinessCase(OpenApplication("a1", application, last), syntax, ()))
         assert found.of is application
         known = {0, *spots(application)}
         assert all(fault.step in known and str(fault.text) for fault in found.faults)
 
 
 def test_flows_that_nothing_chooses_are_told_with_what_would_choose(play):  # R-D04, R-X01
-    judge = Judge(play.site)
+    judge = ReadinessJudge(play.site)
     doc = play.open([job("aC")], [job("bC")])
     look(play, judge, judge.cases(play.environment.model))
     (told,) = play.environment.tree.applications[doc].faults.values()

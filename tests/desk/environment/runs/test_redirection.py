@@ -2,7 +2,7 @@ import pytest
 
 from kit.laboratory import job
 from kit.run_fixture import RunFixture
-from onika.desk.environment.runs.readiness import Judge, judged
+from onika.desk.environment.runs.readiness import ReadinessJudge, judged
 from onika.wire import act, request
 from onika.wire.view import RedirectView
 
@@ -99,7 +99,7 @@ def test_a_wish_for_one_flow_leaves_the_others_as_they_are_and_one_for_all_ends_
 
 
 def test_a_redirected_application_is_judged_anew(play):  # R-E01, R-E09
-    judge = Judge(play.site)
+    judge = ReadinessJudge(play.site)
     doc = play.open([job("aC")])
     for case in judge.cases(play.environment.model):
         judge.judge(case)
@@ -109,7 +109,7 @@ def test_a_redirected_application_is_judged_anew(play):  # R-E01, R-E09
 
 
 def test_a_wish_for_all_flows_is_told_with_those_that_it_means(play):  # R-E09
-    judge, doc = Judge(play.site), play.open([job("bC")], [job("aC")], parallel=True)
+    judge, doc = ReadinessJudge(play.site), play.open([job("bC")], [job("aC")], parallel=True)
     play.do(act.Redirect(doc, "", "a", "twin"))
     assert shown(play, doc) == (RedirectView("a", "twin"),)
     for case in judge.cases(play.environment.model):

@@ -3,7 +3,7 @@ from dataclasses import replace
 import pytest
 
 from kit.app_fixture import AppFixture
-from onika.desk.environment.show.application_view import ApplicationSight
+from onika.desk.environment.show.application_view import ApplicationProjector
 from onika.desk.environment.state.open_application import Judgement
 from onika.wire import act
 from onika.wire.view import FaultView
@@ -45,7 +45,7 @@ def test_what_is_remembered_is_what_would_be_made_anew(gallery):
     gallery.add(doc, "move", flow=f"0/{branch}/1")
     gallery.do(act.MoveIcons(doc, (branch,), "0", gallery.number(doc, "grip")))
     model = gallery.environment.model
-    anew = ApplicationSight().view(model.applications[doc], 0, model, is_running=False)
+    anew = ApplicationProjector().view(model.applications[doc], 0, model, is_running=False)
     assert anew == gallery.view(doc)
     assert anew.holes == 2
 
@@ -75,7 +75,7 @@ def test_one_fault_more_is_sent_as_one_whatever_stands_before_the_others(gallery
 
     def shown(*faults):
         judged = replace(opened, judgement=Judgement(opened.application, faults))
-        return ApplicationSight().view(judged, 0, model, is_running=False).faults
+        return ApplicationProjector().view(judged, 0, model, is_running=False).faults
 
     near, twice, nowhere = FaultView("near", step=1), FaultView("near too", step=1), FaultView("nowhere")
     before, after = shown(near, twice, nowhere), shown(FaultView("new", step=2), near, twice, nowhere)

@@ -1,8 +1,8 @@
 from hypothesis import given, settings, strategies as st
 
 from onika.desk.environment.outcome.remedy import reasons
-from onika.desk.environment.show.greying import Greying
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.show.greying import GreyedTasks
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.files.rmod import RmodText
 from onika.model.rules.placement import greyed
 from onika.model.task import Task
@@ -20,7 +20,7 @@ def task(name):
 
 
 shelves = st.tuples(*(task(name) for name in NAMES)).map(
-    lambda tasks: Shelf((Library(BaseDirectory("x"), {one.name: RmodText(one) for one in tasks}, ()),))
+    lambda tasks: OpenLibraries((Library(BaseDirectory("x"), {one.name: RmodText(one) for one in tasks}, ()),))
 )
 several = st.tuples(st.permutations([*NAMES, "unknown"]), st.integers(0, 6)).map(lambda one: tuple(one[0][: one[1]]))
 placements = st.lists(several)
@@ -35,7 +35,7 @@ def plain(names, shelf):
 @given(shelves, placements)
 @settings(max_examples=100, deadline=None)
 def test_the_set_is_what_it_would_be_made_anew_whatever_comes_and_goes(shelf, placements):  # R-C07, Equation (2)
-    greying = Greying("c1")
+    greying = GreyedTasks("c1")
     for names in placements:
         assert greying.greyed(names, shelf) == plain(names, shelf)
 
@@ -43,7 +43,7 @@ def test_the_set_is_what_it_would_be_made_anew_whatever_comes_and_goes(shelf, pl
 @given(shelves, shelves, placements)
 @settings(max_examples=50, deadline=None)
 def test_it_follows_changed_libraries(one, other, placements):  # R-C01, R-C07
-    greying = Greying("c1")
+    greying = GreyedTasks("c1")
     for names in placements:
         for shelf in (one, other):
             assert greying.greyed(names, shelf) == plain(names, shelf)
@@ -52,7 +52,7 @@ def test_it_follows_changed_libraries(one, other, placements):  # R-C01, R-C07
 @given(shelves, st.permutations(NAMES))
 @settings(max_examples=20, deadline=None)
 def test_what_has_not_changed_is_the_same_object(shelf, names):
-    greying = Greying("c1")
+    greying = GreyedTasks("c1")
     first = greying.greyed(tuple(names), shelf)
     assert greying.greyed(tuple(names), shelf) is first
     fewer = greying.greyed(tuple(names[:-1]), shelf)

@@ -5,7 +5,7 @@ import pytest
 from onika.desk.environment.show.objections import objections
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.files.rmod import RmodText
 from onika.model.configuration import Configuration, Placed
 from onika.model.task import LocalLine, Task
@@ -42,7 +42,7 @@ def shelf(tmp_path):
     base = BaseDirectory(tmp_path)
     for task in TASKS:
         base.save_task(RmodText(task))
-    return Shelf(open_libraries([base]), sheets=SHEETS)
+    return OpenLibraries(open_libraries([base]), sheets=SHEETS)
 
 
 def document(*names):

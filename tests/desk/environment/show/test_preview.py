@@ -2,7 +2,7 @@ import pytest
 
 from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.task import Task
 from onika.store.library import open_libraries
 from onika.store.site import Site, shipped
@@ -33,7 +33,7 @@ def test_a_configuration_is_seen_in_small_without_being_opened(sitting):  # R-G0
 def test_a_task_that_no_library_has_is_a_box_without_wires(sitting):  # R-G05
     path = sitting.do(act.Save(sitting.new("gives", "takes"), "both", str(sitting.base.path)))
     (sitting.base.path / "module" / "takes.rmod").unlink()
-    known = EnvironmentFixture(sitting.base.path, model=Model(Shelf(open_libraries([sitting.base]))))
+    known = EnvironmentFixture(sitting.base.path, model=Model(OpenLibraries(open_libraries([sitting.base]))))
     seen = known.do(act.Peek(path))
     assert (seen.tasks["takes"][2:], seen.wires) == ((136, 64), ())
 

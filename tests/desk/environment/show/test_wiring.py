@@ -6,11 +6,11 @@ from pathlib import Path
 from hypothesis import given, settings, strategies as st
 
 from onika.desk.environment.show.tree import Projector
-from onika.desk.environment.show.wiring import Seen, group_views, locus_views, placed_views
+from onika.desk.environment.show.wiring import MadeDocument, group_views, locus_views, placed_views
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
-from onika.desk.environment.state.live import Live, TaskFacts
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.live import SubsystemFacts, TaskFacts
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.files.rmod import RmodText
 from onika.model.configuration import Configuration, Group, Placed
 from onika.model.rules import loci
@@ -28,12 +28,12 @@ TASKS = (
     Task("c", "c", inconst=("P",), invar=("P", "Q")),
     Task("d", "d", invar=("Q",), aliases=(("Q", "P"),)),
 )
-SHELF = Shelf((Library(BaseDirectory("x"), {one.name: RmodText(one) for one in TASKS}, ()),))
+SHELF = OpenLibraries((Library(BaseDirectory("x"), {one.name: RmodText(one) for one in TASKS}, ()),))
 OTHER = SHELF.edited({"d": replace(TASKS[3], aliases=())})
-FEWER = Shelf((Library(BaseDirectory("x"), {one.name: RmodText(one) for one in TASKS[:3]}, ()),))
+FEWER = OpenLibraries((Library(BaseDirectory("x"), {one.name: RmodText(one) for one in TASKS[:3]}, ()),))
 
 facts = st.dictionaries(st.sampled_from("abcd"), st.sampled_from(["ON", "OFF", "ERROR"]).map(TaskFacts))
-lives = st.none() | st.builds(Live, st.just("s"), st.sampled_from(["connecting", "live", "lost"]), facts)
+lives = st.none() | st.builds(SubsystemFacts, st.just("s"), st.sampled_from(["connecting", "live", "lost"]), facts)
 spots = st.permutations("abcde").flatmap(
     lambda names: st.lists(st.tuples(st.integers(0, 2), st.booleans()), max_size=5).map(
         lambda found: tuple(Placed(name, 300 * x, 0, left) for name, (x, left) in zip(names, found, strict=False))
@@ -67,25 +67,25 @@ def test_what_is_shown_is_what_it_would_be_made_anew(states):  # R-C09, R-C25
         tasks, lines = placed_views(now, shelf, seen), locus_views(now, shelf, seen)
         assert tasks == placed_views(now, shelf, None)
         assert lines == locus_views(now, shelf, None)
-        seen = Seen(now, shelf, DocumentView("c", 0, tasks=tasks, loci=lines))
+        seen = MadeDocument(now, shelf, DocumentView("c", 0, tasks=tasks, loci=lines))
 
 
 def test_a_line_is_live_where_its_writer_is_on_and_stale_where_it_failed():  # R-C25
     placed = (Placed("a"), Placed("b"), Placed("gone"))
     states = {"a": TaskFacts("ON"), "b": TaskFacts("ERROR")}
-    live = document(placed, Live("s", "live", states), SHELF)
+    live = document(placed, SubsystemFacts("s", "live", states), SHELF)
     found = locus_views(live, SHELF, None)
     assert {svar: one.line for svar, one in found.items()} == {"K": "live", "P": "live", "Q": "stale"}
     assert (found["P"].writers, found["P"].readers, found["K"].is_constant) == (("a",), ("b",), True)
     assert placed_views(live, SHELF, None)["gone"].is_missing
-    idle = locus_views(document(placed, Live("s", "lost", states), SHELF), SHELF, None)
+    idle = locus_views(document(placed, SubsystemFacts("s", "lost", states), SHELF), SHELF, None)
     assert {one.line for one in idle.values()} == {"idle"}
 
 
 def test_one_task_that_moves_is_the_only_new_object():
     before = document((Placed("a"), Placed("b")), None, SHELF)
     tasks, lines = placed_views(before, SHELF, None), locus_views(before, SHELF, None)
-    seen = Seen(before, SHELF, DocumentView("c", 0, tasks=tasks, loci=lines))
+    seen = MadeDocument(before, SHELF, DocumentView("c", 0, tasks=tasks, loci=lines))
     configuration = before.content.configuration
     moved = replace(configuration, placed=(Placed("a", 50), configuration.placed[1]))
     now = before.having(Content(moved))
@@ -113,7 +113,7 @@ def test_lines_follow_the_states_of_their_writers(states):  # R-C25
         now = document(placed, live, SHELF, seen and seen.document)
         tasks, lines = placed_views(now, SHELF, seen), locus_views(now, SHELF, seen)
         assert (tasks, lines) == (placed_views(now, SHELF, None), locus_views(now, SHELF, None))
-        seen = Seen(now, SHELF, DocumentView("c", 0, tasks=tasks, loci=lines))
+        seen = MadeDocument(now, SHELF, DocumentView("c", 0, tasks=tasks, loci=lines))
 
 
 def test_supermodules_are_shown_and_those_that_stay_are_the_same_objects():  # R-C17
@@ -125,7 +125,7 @@ def test_supermodules_are_shown_and_those_that_stay_are_the_same_objects():  # R
     first = grouped(Group("one", ("b", "a")))
     shown = group_views(first, None)
     assert shown == {"one": GroupView(("b", "a"))}
-    seen = Seen(first, SHELF, DocumentView("c", 0, groups=shown))
+    seen = MadeDocument(first, SHELF, DocumentView("c", 0, groups=shown))
     assert group_views(first, seen) is shown
     more = group_views(grouped(Group("one", ("b", "a")), Group("two", ("c",))), seen)
     assert more["one"] is shown["one"] and more["two"] == GroupView(("c",))

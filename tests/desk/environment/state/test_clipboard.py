@@ -3,10 +3,10 @@ from dataclasses import replace
 
 import pytest
 
-from onika.desk.environment.state.clipboard import Copied, copied, read, write
+from onika.desk.environment.state.clipboard import Clipboard, copied, read, write
 from onika.model.configuration import Configuration, Group, Locus, Placed
 
-TAKEN = Copied(
+TAKEN = Clipboard(
     (Placed("pd", 10, -20, False, 50.0, "rt1"), Placed("robot", 40, 5)), (Locus("Q^_REF", 7, 8, show=False),)
 )
 

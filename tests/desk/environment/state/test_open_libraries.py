@@ -1,6 +1,6 @@
 from dataclasses import replace
 
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.files.rmod import RmodText
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
@@ -12,7 +12,7 @@ A = Task("a", "a", outvar=("Q",), frequency=1.0)
 def shelf(tmp_path):
     for folder, task in (("one", A), ("two", replace(A, description="the other"))):
         BaseDirectory(tmp_path / folder).save_task(RmodText(task))
-    return Shelf(open_libraries(BaseDirectory(tmp_path / folder) for folder in ("one", "two")))
+    return OpenLibraries(open_libraries(BaseDirectory(tmp_path / folder) for folder in ("one", "two")))
 
 
 def test_the_first_library_with_a_name_counts(tmp_path):  # R-C01

@@ -1,5 +1,5 @@
 from kit.dictionary_fixture import DictionaryFixture, plain
-from onika.desk.environment.state.pictures import Album, drawn, key_of
+from onika.desk.environment.state.pictures import PictureSet, drawn, key_of
 from onika.model.initials import drawn as initial
 from onika.model.picture import blank, framed
 
@@ -18,8 +18,8 @@ def test_pictures_that_are_alike_have_one_key_and_others_have_others():
 
 
 def test_where_nothing_is_new_it_is_the_same_album(tmp_path):
-    album, model = Album(), DictionaryFixture(tmp_path, plain("a")).environment.model
-    assert Album().shown((), {}, ("s", "e")) == {"start": "s", "end": "e"}
+    album, model = PictureSet(), DictionaryFixture(tmp_path, plain("a")).environment.model
+    assert PictureSet().shown((), {}, ("s", "e")) == {"start": "s", "end": "e"}
     found = album.shown(model.dictionaries, model.applications, model.flow_pictures)
     assert album.shown(model.dictionaries[:], {**model.applications}, model.flow_pictures) is found
     assert album.shown(model.dictionaries[1:], model.applications, model.flow_pictures) != found

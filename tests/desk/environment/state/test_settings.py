@@ -1,40 +1,40 @@
 import pytest
 
-from onika.desk.environment.state.settings import NAME, Habits, keep, read
+from onika.desk.environment.state.settings import NAME, Settings, keep, read
 from onika.words.fault import Refusal
 
 
 def test_habits_are_kept_in_the_state_directory(tmp_path):  # R-C20
     state = tmp_path / "a" / "state"
-    assert read(state, {}) == (Habits(), "")
+    assert read(state, {}) == (Settings(), "")
     assert keep(state, {"shows_warnings": False}) is None
-    assert read(state, {}) == (Habits(shows_warnings=False), "")
+    assert read(state, {}) == (Settings(shows_warnings=False), "")
 
 
 def test_without_a_state_directory_they_hold_for_the_session(tmp_path):
     assert keep(None, {"keeps_diary": False}) is None
-    assert read(None, {}) == (Habits(), "")
+    assert read(None, {}) == (Settings(), "")
 
 
 @pytest.mark.parametrize(("value", "shown"), [("1", True), ("yes", True), ("", False), ("0", False), ("NO", False)])
 def test_the_environment_rules_over_the_file(tmp_path, value, shown):  # R-C20
     keep(tmp_path, {"shows_warnings": not shown, "shows_lower": not shown})
-    assert read(tmp_path, {"ONIKA_WARNINGS": value})[0] == Habits(shows_warnings=shown, shows_lower=not shown)
-    assert read(tmp_path, {"ONIKA_LOWER": value})[0] == Habits(shows_warnings=not shown, shows_lower=shown)
+    assert read(tmp_path, {"ONIKA_WARNINGS": value})[0] == Settings(shows_warnings=shown, shows_lower=not shown)
+    assert read(tmp_path, {"ONIKA_LOWER": value})[0] == Settings(shows_warnings=not shown, shows_lower=shown)
 
 
 def test_what_only_this_session_said_is_not_kept(tmp_path):  # R-C20, R-G05
     said, _ = read(tmp_path, {"ONIKA_LOWER": "no"})
     assert not said.shows_lower
     keep(tmp_path, {"shows_warnings": False})
-    assert read(tmp_path, {})[0] == Habits(shows_warnings=False, shows_lower=True)
+    assert read(tmp_path, {})[0] == Settings(shows_warnings=False, shows_lower=True)
 
 
 @pytest.mark.parametrize("content", [b"{", b'{"shows_warnings": 3}', b"\xff"])
 def test_a_file_that_cannot_be_read_is_named_and_the_defaults_hold(tmp_path, content):  # R-B07
     (tmp_path / NAME).write_bytes(content)
     habits, wrong = read(tmp_path, {})
-    assert habits == Habits()
+    assert habits == Settings()
     assert str(tmp_path / NAME) in wrong
 
 

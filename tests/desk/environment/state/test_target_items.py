@@ -2,7 +2,7 @@ from dataclasses import replace
 
 from onika.desk.environment.initial_model import opened
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.desk.environment.state.target_items import inputs_of, items_of
 from onika.files.rmod import RmodText
 from onika.model.task import Task
@@ -27,7 +27,7 @@ def with_tasks(tmp_path, sheets, *tasks):
     base = BaseDirectory(tmp_path)
     for task in tasks:
         base.save_task(RmodText(task))
-    return Model(Shelf(open_libraries([base]), sheets=sheets), syntax=MODEL.syntax)
+    return Model(OpenLibraries(open_libraries([base]), sheets=sheets), syntax=MODEL.syntax)
 
 
 def waiting(name, **more):

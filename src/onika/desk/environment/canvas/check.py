@@ -4,7 +4,7 @@ from typing import Protocol
 
 from onika.desk.environment.outcome.on_file import AnyFile, on_file
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.outcome.trouble import problems
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
@@ -14,7 +14,7 @@ _ORDER = ("fault", "warning", "note")
 
 
 @on_file
-def check(model: Model, file: AnyFile, _command: act.Check, _outside: Surroundings) -> Done | No:
+def check(model: Model, file: AnyFile, _command: act.Check, _outside: Services) -> Done | No:
     """The value is the sentences, what is wrong first; none where all is well."""
     if isinstance(file, OpenApplication):
         faults = (*file.file_faults, *(file.judgement.faults if file.judgement else ()))

@@ -8,11 +8,11 @@ from onika.desk.environment.outcome.on_file import on_document
 from onika.desk.environment.outcome.other_tasks import with_other_tasks
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import reasons
-from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.state.clipboard import Copied, copied, read, write
+from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.state.clipboard import Clipboard, copied, read, write
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.configuration import Group, Placed
 from onika.model.rules import conflict, loci
 from onika.model.task import Task
@@ -23,7 +23,7 @@ from onika.words.reason import Reason, Text
 
 
 @on_document
-def copy(model: Model, document: Document, command: act.Copy, _outside: Surroundings) -> Done | No:
+def copy(model: Model, document: Document, command: act.Copy, _outside: Services) -> Done | No:
     """Take tasks into the buffer; the value is their text."""
     refused = _nothing(command.tasks) or absent(document, command.tasks)
     if refused:
@@ -34,7 +34,7 @@ def copy(model: Model, document: Document, command: act.Copy, _outside: Surround
     return Done(replace(model, buffer=taken), value=write(taken))
 
 
-def cut(model: Model, command: act.Cut, outside: Surroundings) -> Done | No:
+def cut(model: Model, command: act.Cut, outside: Services) -> Done | No:
     """Take tasks into the buffer and remove them, as one step."""
     taken = copy(model, act.Copy(command.doc, command.tasks), outside)
     if isinstance(taken, No):
@@ -48,7 +48,7 @@ def cut(model: Model, command: act.Cut, outside: Surroundings) -> Done | No:
 
 
 @on_document
-def paste(model: Model, document: Document, command: act.Paste, _outside: Surroundings) -> Done | No:
+def paste(model: Model, document: Document, command: act.Paste, _outside: Services) -> Done | No:
     """Place what is in the buffer or in a text, as one step; the value is the names of the tasks."""
     taken = read(command.text) if command.text else model.buffer
     if isinstance(taken, Reason):
@@ -64,7 +64,7 @@ def paste(model: Model, document: Document, command: act.Paste, _outside: Surrou
     )
 
 
-def placed(model: Model, document: Document, taken: Copied, label: Text) -> Done:
+def placed(model: Model, document: Document, taken: Clipboard, label: Text) -> Done:
     """The tasks on the canvas, and with them their supermodules and the loci that were not there before."""
     names = tuple(placed.task for placed in taken.placed)
     configuration = document.content.configuration
@@ -99,7 +99,7 @@ def _renamed(groups: Iterable[Group], standing: Iterable[Group]) -> Iterator[Gro
         yield replace(group, name=name)
 
 
-def objections(shelf: Shelf, document: Document, taken: Copied) -> list[Objection]:
+def objections(shelf: OpenLibraries, document: Document, taken: Clipboard) -> list[Objection]:
     """Every reason why what was copied may not be placed, task by task."""
     tasks = shelf.tasks
     standing = [tasks[name] for name in document.content.names if name in tasks]
@@ -145,6 +145,6 @@ def _sentence(name: str, text: Text) -> Text:
     return text if str(text).startswith(f"{name} ") else Reason.of("desk.named_wrong", name=name, why=text)
 
 
-def _helps(remedy: Remedy, taken: Copied) -> bool:
+def _helps(remedy: Remedy, taken: Clipboard) -> bool:
     """Whether a remedy of one task is one of all: an exchange is not, as it places that task alone."""
     return len(taken.placed) == 1 or not isinstance(remedy.act, act.Exchange)

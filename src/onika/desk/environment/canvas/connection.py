@@ -6,9 +6,9 @@ import msgspec
 
 from onika.desk.environment import following
 from onika.desk.environment.outcome.on_file import closed, on_document
-from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, Reach, Shown, Steps
+from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, RequiredRuntime, Shown, Steps
 from onika.desk.environment.outcome.runtime_refusal import refusal
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile import joint_limits
 from onika.desk.environment.reconcile.descriptions import describe
 from onika.desk.environment.reconcile.live_facts import settled
@@ -20,7 +20,7 @@ from onika.desk.environment.reconcile.watches import is_going
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.history import Step
-from onika.desk.environment.state.live import Live
+from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_file import Kind
 from onika.wire import act, live, page, request, view
@@ -32,7 +32,7 @@ _MAIN = "main"
 
 
 @on_document
-def connect(model: Model, document: Document, command: act.Connect, outside: Surroundings) -> Procedure:
+def connect(model: Model, document: Document, command: act.Connect, outside: Services) -> Procedure:
     """Merge a document with what runs in a subsystem, which comes into being with its first task."""
     if command.subsystem and not TASK_NAME.match(command.subsystem):
         text = Reason.of("desk.name_of_letters")
@@ -49,10 +49,10 @@ def connect(model: Model, document: Document, command: act.Connect, outside: Sur
     url = command.url or (
         model.runtime.address if subsystem_facts is not None else ""
     )  # a lost one is looked for where it was
-    model = model.with_document(replace(document, live=Live(wish)))
+    model = model.with_document(replace(document, live=SubsystemFacts(wish)))
     if model.runtime.state != "linked" or url not in ("", model.runtime.address):
         model = replace(model, runtime=view.RuntimeView("starting", url))
-    model, outcome = yield from _joined(model, document.id, wish, Reach(url, command.token), outside)
+    model, outcome = yield from _joined(model, document.id, wish, RequiredRuntime(url, command.token), outside)
     if not isinstance(outcome, Done | No):
         yield Shown(_as_before(model, document.id, subsystem_facts, outcome))
         name = model.documents[document.id].name
@@ -64,7 +64,7 @@ def connect(model: Model, document: Document, command: act.Connect, outside: Sur
 
 
 @on_document
-def disconnect(model: Model, document: Document, command: act.Disconnect, _outside: Surroundings) -> Done | No:
+def disconnect(model: Model, document: Document, command: act.Disconnect, _outside: Services) -> Done | No:
     """Leave what runs as it is; the layout stays, what was known of its tasks does not."""
     if document.live is None:
         return No(Reason.of("desk.not_connected", name=document.name))
@@ -72,13 +72,13 @@ def disconnect(model: Model, document: Document, command: act.Disconnect, _outsi
     return Done(model.with_document(replace(document, content=content, live=None)))
 
 
-def connected(model: Model, doc: str, standing: live.Standing, outside: Surroundings, me: str = "") -> Done:
+def connected(model: Model, doc: str, standing: live.Standing, outside: Services, me: str = "") -> Done:
     """A document that is to be connected, merged with what there is; what is placed and does not run is spawned.
 
     me      the name by which the runtime knows this environment; empty: it may not change the subsystem
     """
     document = model.documents[doc]
-    subsystem_facts = document.live or Live(_MAIN)
+    subsystem_facts = document.live or SubsystemFacts(_MAIN)
     model = replace(model, runtime=runtime_view(model.runtime, standing))
     merged_document = merged(model, document, replace(subsystem_facts, me=me), standing)
     model = model.with_document(_stepped(document, merged_document))
@@ -119,7 +119,7 @@ def _elsewhere(model: Model, command: act.Connect) -> No | None:
 
 
 def _joined(
-    model: Model, doc: str, wish: str, reach: Reach, outside: Surroundings
+    model: Model, doc: str, wish: str, reach: RequiredRuntime, outside: Services
 ) -> Steps[tuple[Model, Done | No | Text]]:
     """Hold a subsystem, and merge the document with what runs in it; a sentence says why that cannot be."""
     model, standing = yield Ask(model, live.Survey(), reach)
@@ -133,7 +133,7 @@ def _joined(
     reason = _occupied(model, name, document, standing)
     if reason:
         return model, reason
-    model, response = yield Ask(model.with_document(replace(document, live=Live(name))), live.Take(name))
+    model, response = yield Ask(model.with_document(replace(document, live=SubsystemFacts(name))), live.Take(name))
     is_held = isinstance(response, request.Done)
     model, standing = yield Ask(model, live.Survey())
     document = model.documents.get(doc)
@@ -146,7 +146,7 @@ def _joined(
     return done.model, replace(done, orders=(*done.orders, ask_company()))
 
 
-def _as_before(model: Model, doc: str, former: Live | None, reason: Text) -> Model:
+def _as_before(model: Model, doc: str, former: SubsystemFacts | None, reason: Text) -> Model:
     """The model where a document could not be connected."""
     model = model.with_document(replace(model.documents[doc], live=former))
     if model.runtime.state == "starting":
@@ -187,7 +187,7 @@ def _stepped(document: Document, merged_tasks: Merged) -> Document:
     return settled(replace(merged_tasks.document, history=document.history.done(step)))
 
 
-def _spawned(model: Model, merged_tasks: Merged, outside: Surroundings) -> Done:
+def _spawned(model: Model, merged_tasks: Merged, outside: Services) -> Done:
     """With what is placed and does not run brought to life; what cannot be is left out, and said."""
     document = model.documents[merged_tasks.document.id]
     units = living_units(model)

@@ -11,8 +11,8 @@ from onika.desk.environment.file.configurations import read
 from onika.desk.environment.outcome.on_file import closed, on_document
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import overwriting, plain
-from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.state.clipboard import Copied, copied
+from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.state.clipboard import Clipboard, copied
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_file import Kind
@@ -27,7 +27,7 @@ from onika.words.reason import Reason, Text
 
 
 @on_document
-def group(model: Model, document: Document, command: act.Group, _outside: Surroundings) -> Done | No:
+def group(model: Model, document: Document, command: act.Group, _outside: Services) -> Done | No:
     """Handle tasks as one, in this order; supermodules that are among them whole go into it, under its name."""
     tasks = tuple(dict.fromkeys(command.tasks))
     if not TASK_NAME.match(command.name):
@@ -48,7 +48,7 @@ def group(model: Model, document: Document, command: act.Group, _outside: Surrou
     return _regrouped(model, document, replace(configuration, groups=(*others, new)), label)
 
 
-def ungroup(model: Model, command: act.Ungroup, _outside: Surroundings) -> Done | No:
+def ungroup(model: Model, command: act.Ungroup, _outside: Services) -> Done | No:
     """Expand a supermodule into its parts."""
     group_place = _of(model, command.doc, command.name)
     if isinstance(group_place, No):
@@ -61,7 +61,7 @@ def ungroup(model: Model, command: act.Ungroup, _outside: Surroundings) -> Done 
     )
 
 
-def save_group(model: Model, command: act.SaveGroup, outside: Surroundings) -> Done | No:
+def save_group(model: Model, command: act.SaveGroup, outside: Services) -> Done | No:
     """Save a supermodule as a configuration of its own; the value is the path of its file."""
     group_place = _of(model, command.doc, command.name)
     if isinstance(group_place, No):
@@ -83,7 +83,7 @@ def save_group(model: Model, command: act.SaveGroup, outside: Surroundings) -> D
 
 
 @on_document
-def insert(model: Model, document: Document, command: act.Insert, outside: Surroundings) -> Done | No:
+def insert(model: Model, document: Document, command: act.Insert, outside: Services) -> Done | No:
     """Place all tasks of a configuration as a supermodule of its name; the value is the names of the tasks."""
     reading = read(command.path, outside)
     if isinstance(reading, No):
@@ -93,7 +93,7 @@ def insert(model: Model, document: Document, command: act.Insert, outside: Surro
     if not configuration.placed:
         return No(Reason.of("desk.without_tasks", name=name))
     new = Group(name, tuple(_in_order(configuration)))
-    taken = Copied(configuration.placed, configuration.loci, (new,))
+    taken = Clipboard(configuration.placed, configuration.loci, (new,))
     against = [*_namesake(document, name), *clipboard.objections(model.shelf, document, taken)]
     if against:
         return clipboard.refusal(Reason.of("desk.not_inserted", name=name), against)
@@ -102,7 +102,7 @@ def insert(model: Model, document: Document, command: act.Insert, outside: Surro
     )
 
 
-def turn_group(model: Model, command: act.TurnGroup, outside: Surroundings) -> Done | No:
+def turn_group(model: Model, command: act.TurnGroup, outside: Services) -> Done | No:
     """Turn a supermodule ON in its order, or OFF the other way round."""
     group_place = _of(model, command.doc, command.name)
     if isinstance(group_place, No):
@@ -124,7 +124,7 @@ def _of(model: Model, doc: str, name: str) -> tuple[Document, Group] | No:
     return (document, group) if group else No(Reason.of("desk.no_supermodule", name=name))
 
 
-def _elsewhere(command: act.SaveGroup, base: Path | None, outside: Surroundings) -> tuple[Remedy, ...]:
+def _elsewhere(command: act.SaveGroup, base: Path | None, outside: Services) -> tuple[Remedy, ...]:
     """The other base directories that it could be saved in."""
     bases = [
         directory.path

@@ -6,13 +6,13 @@ from dataclasses import replace
 from onika.desk.environment.file.configurations import read
 from onika.desk.environment.outcome.on_file import on_document
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.merge import with_loci
 from onika.desk.environment.reconcile.reconciliation import living_units
 from onika.desk.environment.reconcile.reconfiguration_diff import Reconfiguration, reconfiguration
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
-from onika.desk.environment.state.live import Live
+from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.model import Model
 from onika.model.configuration import Configuration
 from onika.model.rules.order import Ports
@@ -23,7 +23,7 @@ from onika.words.reason import NOTHING, Reason, Text
 
 
 @on_document
-def open_in_place(model: Model, document: Document, command: act.OpenInPlace, outside: Surroundings) -> Done | No:
+def open_in_place(model: Model, document: Document, command: act.OpenInPlace, outside: Services) -> Done | No:
     """Take over a configuration's tasks as one step; where tasks live, what becomes of them is said first."""
     configuration = read(command.path, outside)
     if isinstance(configuration, No):
@@ -51,7 +51,7 @@ def _content(document: Document, configuration: Configuration) -> Content:
     return Content(configuration, {placed.task: wanted.get(placed.task, False) for placed in configuration.placed})
 
 
-def _told(model: Model, document: Document, subsystem_facts: Live, content: Content) -> Reason:
+def _told(model: Model, document: Document, subsystem_facts: SubsystemFacts, content: Content) -> Reason:
     """What becomes of each task; nothing: nothing happens to any."""
     what = reconfiguration(document.content, content, subsystem_facts, model.shelf, (), living_units(model))
     if what.is_nothing and not what.faults:
@@ -75,7 +75,7 @@ def _told(model: Model, document: Document, subsystem_facts: Live, content: Cont
     return Reason.of("desk.several_reasons", reasons=tuple(part for part in parts if part))
 
 
-def _again(model: Model, subsystem_facts: Live, what: Reconfiguration) -> tuple[str, ...]:
+def _again(model: Model, subsystem_facts: SubsystemFacts, what: Reconfiguration) -> tuple[str, ...]:
     """Whose constants come from another task afterwards."""
     tasks = model.shelf.tasks
     living = [Standing(Ports.of(tasks[name]), tasks[name].module) for name in subsystem_facts.tasks if name in tasks]

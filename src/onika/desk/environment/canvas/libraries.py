@@ -9,11 +9,11 @@ from onika.desk.environment.outcome import pin_changes
 from onika.desk.environment.outcome.clash import clashes
 from onika.desk.environment.outcome.file_faults import told
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.descriptions import forgotten
 from onika.desk.environment.state import task_edit
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.rules import placement
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
@@ -25,7 +25,7 @@ from onika.words.reason import Reason, reason_of
 _FOLDERS = ("module", "conf", "dict", "appl")
 
 
-def open_library(model: Model, command: act.OpenLibrary, _outside: Surroundings) -> Done | No:
+def open_library(model: Model, command: act.OpenLibrary, _outside: Services) -> Done | No:
     """Open a base directory behind the others; one that is open already is shown."""
     try:
         path = Path(command.path).expanduser().absolute()
@@ -46,7 +46,7 @@ def open_library(model: Model, command: act.OpenLibrary, _outside: Surroundings)
     return replace(done, model=listed.beside(done.model), value=str(path), says=(*done.says, *told(listed.faults)))
 
 
-def close_library(model: Model, command: act.CloseLibrary, _outside: Surroundings) -> Done | No:
+def close_library(model: Model, command: act.CloseLibrary, _outside: Services) -> Done | No:
     """Close a library; what is placed of it stays, and what was changed of its tasks comes back with it."""
     bases = [library.base for library in model.shelf.libraries]
     left = [base for base in bases if str(base.path) != command.library]
@@ -104,7 +104,9 @@ def _living(model: Model) -> frozenset[str]:
     return frozenset(name for document in model.documents.values() if document.live for name in document.content.wanted)
 
 
-def _rebased(shelf: Shelf, former: Shelf, living: frozenset[str]) -> tuple[Shelf, list[page.Say]]:
+def _rebased(
+    shelf: OpenLibraries, former: OpenLibraries, living: frozenset[str]
+) -> tuple[OpenLibraries, list[page.Say]]:
     """With every change put on its file as that is now; one that does not fit is told and gone."""
     edits: dict[str, Task] = {}
     says = []
@@ -121,7 +123,7 @@ def _rebased(shelf: Shelf, former: Shelf, living: frozenset[str]) -> tuple[Shelf
     return replace(shelf, edits={name: task for name, task in edits.items() if task != shelf.filed(name)}), says
 
 
-def _is_elsewhere(name: str, former: Shelf, shelf: Shelf) -> bool:
+def _is_elsewhere(name: str, former: OpenLibraries, shelf: OpenLibraries) -> bool:
     """Whether another library has the task now."""
     old, new = former.homes.get(name), shelf.homes.get(name)
     return old is not None and new is not None and old.base != new.base

@@ -9,10 +9,10 @@ from onika.desk.environment.outcome import pin_changes
 from onika.desk.environment.outcome.clash import clashes, refused
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import overwriting, plain
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state import task_edit
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.files import rmod
 from onika.files.rmod import RmodText
 from onika.model.task import LocalLine, Task, TaskType
@@ -23,7 +23,7 @@ from onika.words.name import SVAR_NAME
 from onika.words.reason import NOTHING, Reason, reason_of
 
 
-def alias(model: Model, command: act.Alias, _outside: Surroundings) -> Done | No:
+def alias(model: Model, command: act.Alias, _outside: Services) -> Done | No:
     """Give the variable behind a pin, everywhere: every open configuration must bear it."""
     task, filed = model.shelf.tasks.get(command.task), model.shelf.filed(command.task)
     if task is None or filed is None:
@@ -47,7 +47,7 @@ def alias(model: Model, command: act.Alias, _outside: Surroundings) -> Done | No
     )
 
 
-def library_rate(model: Model, command: act.LibraryRate, _outside: Surroundings) -> Done | No:
+def library_rate(model: Model, command: act.LibraryRate, _outside: Services) -> Done | No:
     """A rate for later placements of this session (reading 10)."""
     task = model.shelf.tasks.get(command.task)
     if task is None:
@@ -62,7 +62,7 @@ def library_rate(model: Model, command: act.LibraryRate, _outside: Surroundings)
     return Done(replace(model, shelf=model.shelf.rated({command.task: rate})))
 
 
-def local(model: Model, command: act.Local, _outside: Surroundings) -> Done | No:
+def local(model: Model, command: act.Local, _outside: Services) -> Done | No:
     """Other parameters of a module; the file's own reader says what may stand there."""
     task = model.shelf.tasks.get(command.task)
     if task is None:
@@ -79,7 +79,7 @@ def local(model: Model, command: act.Local, _outside: Surroundings) -> Done | No
     return Done(_taken_over(model, shelf), Reason.of("desk.setting_parameters", task=command.task), command.doc)
 
 
-def save_task(model: Model, command: act.SaveTask, _outside: Surroundings) -> Done | No:
+def save_task(model: Model, command: act.SaveTask, _outside: Services) -> Done | No:
     """Write what was changed of a task, its rate too, to its file."""
     task = model.shelf.tasks.get(command.task)
     if task is None:
@@ -99,7 +99,7 @@ def save_task(model: Model, command: act.SaveTask, _outside: Surroundings) -> Do
     return replace(_as_filed(model, command.task, path), value=str(path))
 
 
-def forget_task(model: Model, command: act.ForgetTask, _outside: Surroundings) -> Done | No:
+def forget_task(model: Model, command: act.ForgetTask, _outside: Services) -> Done | No:
     """A task as its file says now, where every open configuration bears it."""
     if command.task not in model.shelf.tasks:
         return unknown(command.task)
@@ -114,7 +114,7 @@ def unknown(name: str) -> No:
     return No(Reason.of("desk.no_task", name=name), (Remedy(Reason.of("desk.open_library"), show=ShowLibraries()),))
 
 
-def _taken_over(model: Model, shelf: Shelf) -> Model:
+def _taken_over(model: Model, shelf: OpenLibraries) -> Model:
     """With changed tasks, wherever they are placed."""
     return pin_changes.resettled(replace(model, shelf=shelf), model.shelf)
 

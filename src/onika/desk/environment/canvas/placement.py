@@ -7,7 +7,7 @@ from onika.desk.environment.outcome.on_file import on_document
 from onika.desk.environment.outcome.other_tasks import with_other_tasks
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import reasons
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.model.configuration import UNKNOWN_RTPU, Configuration, Group, Placed
@@ -21,7 +21,7 @@ _LIMIT = 100_000
 
 
 @on_document
-def place(model: Model, document: Document, command: act.Place, _outside: Surroundings) -> Done | No:
+def place(model: Model, document: Document, command: act.Place, _outside: Services) -> Done | No:
     """Place a task from a library."""
     refused = _refused(model, document, command.task, ())
     if refused:
@@ -39,7 +39,7 @@ def place(model: Model, document: Document, command: act.Place, _outside: Surrou
 
 
 @on_document
-def exchange(model: Model, document: Document, command: act.Exchange, _outside: Surroundings) -> Done | No:
+def exchange(model: Model, document: Document, command: act.Exchange, _outside: Services) -> Done | No:
     """Place a task where another stands."""
     old = document.content.placed(command.old)
     if old is None:
@@ -57,7 +57,7 @@ def exchange(model: Model, document: Document, command: act.Exchange, _outside: 
 
 
 @on_document
-def remove(model: Model, document: Document, command: act.Remove, _outside: Surroundings) -> Done | No:
+def remove(model: Model, document: Document, command: act.Remove, _outside: Services) -> Done | No:
     """Remove tasks."""
     missing = absent(document, command.tasks)
     if missing:
@@ -70,7 +70,7 @@ def remove(model: Model, document: Document, command: act.Remove, _outside: Surr
 
 
 @on_document
-def move(model: Model, document: Document, command: act.Move, _outside: Surroundings) -> Done | No:
+def move(model: Model, document: Document, command: act.Move, _outside: Services) -> Done | No:
     """Move tasks and loci."""
     missing = absent(document, command.tasks)
     if missing:
@@ -92,7 +92,7 @@ def move(model: Model, document: Document, command: act.Move, _outside: Surround
 
 
 @on_document
-def flip(model: Model, document: Document, command: act.Flip, _outside: Surroundings) -> Done | No:
+def flip(model: Model, document: Document, command: act.Flip, _outside: Services) -> Done | No:
     """Turn the direction of data flow."""
     missing = absent(document, command.tasks)
     if missing:
@@ -113,7 +113,7 @@ def flip(model: Model, document: Document, command: act.Flip, _outside: Surround
 
 
 @on_document
-def align(model: Model, document: Document, command: act.Align, _outside: Surroundings) -> Done | No:
+def align(model: Model, document: Document, command: act.Align, _outside: Services) -> Done | No:
     """Bring tasks onto one line, or to equal distances."""
     missing = absent(document, command.tasks)
     if missing:
@@ -130,7 +130,7 @@ def align(model: Model, document: Document, command: act.Align, _outside: Surrou
 
 
 @on_document
-def show(model: Model, document: Document, command: act.Show, _outside: Surroundings) -> Done | No:
+def show(model: Model, document: Document, command: act.Show, _outside: Services) -> Done | No:
     """Show or hide the connections of variables."""
     configuration = document.content.configuration
     turned = tuple(

@@ -6,7 +6,7 @@ from math import isfinite
 from onika.desk.environment.outcome.on_file import on_document
 from onika.desk.environment.outcome.other_tasks import with_other_tasks
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.model.configuration import UNKNOWN_RTPU, Placed
@@ -17,7 +17,7 @@ from onika.words.reason import Reason
 
 
 @on_document
-def rate(model: Model, document: Document, command: act.Rate, _outside: Surroundings) -> Done | No:
+def rate(model: Model, document: Document, command: act.Rate, _outside: Services) -> Done | No:
     """The rate of a task in this configuration; 0: as its file says."""
     placed = document.content.placed(command.task)
     if placed is None:
@@ -33,7 +33,7 @@ def rate(model: Model, document: Document, command: act.Rate, _outside: Surround
 
 
 @on_document
-def unit(model: Model, document: Document, command: act.Unit, _outside: Surroundings) -> Done | No:
+def unit(model: Model, document: Document, command: act.Unit, _outside: Services) -> Done | No:
     """The unit that a task of this configuration lives on; one that lives is exchanged for itself over there."""
     placed = document.content.placed(command.task)
     if placed is None:

@@ -10,7 +10,7 @@ from onika.desk.environment.canvas import libraries
 from onika.desk.environment.canvas.library_tasks import unknown
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import plain
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.files import rmod, whole
 from onika.wire import act, page
@@ -22,7 +22,7 @@ from onika.words.reason import Reason
 _STAMP = re.compile(r"[0-9a-f]{64}\Z")
 
 
-def read_text(model: Model, command: act.ReadText, _outside: Surroundings) -> Done | No:
+def read_text(model: Model, command: act.ReadText, _outside: Services) -> Done | No:
     """The text of a task's `.rmod` or of its module's code, with what is wrong with it."""
     path = _path(model, command.task, command.kind)
     if isinstance(path, No):
@@ -33,7 +33,7 @@ def read_text(model: Model, command: act.ReadText, _outside: Surroundings) -> Do
     return Done(model, value=_view(path, *text))
 
 
-def write_text(model: Model, command: act.WriteText, _outside: Surroundings) -> Done | No:
+def write_text(model: Model, command: act.WriteText, _outside: Services) -> Done | No:
     """Save such a text whole or not at all, also a half-done one, and tell its faults; a `.rmod` counts at once."""
     path = _path(model, command.task, command.kind)
     if isinstance(path, No):

@@ -6,11 +6,11 @@ from onika.desk.environment.canvas.placement import absent, several
 from onika.desk.environment.outcome.on_file import on_document
 from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, Shown
 from onika.desk.environment.outcome.runtime_refusal import refusal, simply_done
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.reconciliation import accepted, under_way
 from onika.desk.environment.reconcile.task_plan import code_of
 from onika.desk.environment.state.document import Document
-from onika.desk.environment.state.live import Live
+from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.model import Model
 from onika.wire import act, live, request
 from onika.wire.view import Remedy, ShowLibraries
@@ -18,7 +18,7 @@ from onika.words.reason import Reason
 
 
 @on_document
-def turn(model: Model, document: Document, command: act.Turn, _outside: Surroundings) -> Done | No:
+def turn(model: Model, document: Document, command: act.Turn, _outside: Services) -> Done | No:
     """Turn tasks ON or OFF; one that is placed and does not live is brought to life first."""
     missing = absent(document, command.tasks) or _unknown(model, document, command.tasks)
     if missing:
@@ -49,7 +49,7 @@ def turn(model: Model, document: Document, command: act.Turn, _outside: Surround
 
 
 @on_document
-def toggle(model: Model, document: Document, command: act.Toggle, outside: Surroundings) -> Done | No | Procedure:
+def toggle(model: Model, document: Document, command: act.Toggle, outside: Services) -> Done | No | Procedure:
     """ON to OFF and back; a task in ERROR is cleared, and comes on again where that is wanted (C11)."""
     subsystem_facts = _connected(document)
     if isinstance(subsystem_facts, No):
@@ -65,7 +65,7 @@ def toggle(model: Model, document: Document, command: act.Toggle, outside: Surro
 
 
 @on_document
-def clear(model: Model, document: Document, command: act.Clear, _outside: Surroundings) -> No | Procedure:
+def clear(model: Model, document: Document, command: act.Clear, _outside: Services) -> No | Procedure:
     """Bring a task out of ERROR, and on again where that is asked; one that cannot be cleared stays in it (C28)."""
     of_living = _of_living(document, command.task)
     if isinstance(of_living, No):
@@ -82,7 +82,7 @@ def clear(model: Model, document: Document, command: act.Clear, _outside: Surrou
 
 
 @on_document
-def reinit(model: Model, document: Document, command: act.Reinit, _outside: Surroundings) -> No | Procedure:
+def reinit(model: Model, document: Document, command: act.Reinit, _outside: Services) -> No | Procedure:
     """Initialise a task anew, and all that need its constants."""
     of_living = _of_living(document, command.task)
     if isinstance(of_living, No):
@@ -91,7 +91,7 @@ def reinit(model: Model, document: Document, command: act.Reinit, _outside: Surr
 
 
 @on_document
-def renew(model: Model, document: Document, command: act.Renew, _outside: Surroundings) -> No | Procedure:
+def renew(model: Model, document: Document, command: act.Renew, _outside: Services) -> No | Procedure:
     """Exchange the code of a living task for what its file says now."""
     of_living = _of_living(document, command.task)
     if isinstance(of_living, No):
@@ -106,7 +106,7 @@ def renew(model: Model, document: Document, command: act.Renew, _outside: Surrou
 
 
 @on_document
-def answer(model: Model, document: Document, command: act.Answer, _outside: Surroundings) -> No | Procedure:
+def answer(model: Model, document: Document, command: act.Answer, _outside: Services) -> No | Procedure:
     """Answer what a task asks; it asks again, with the reason, where the answer will not do (C13)."""
     of_living = _of_living(document, command.task)
     if isinstance(of_living, No):
@@ -127,7 +127,7 @@ def _asked(model: Model, document: Document, order: request.Request, task: str) 
     return No(refusal(response))
 
 
-def _connected(document: Document) -> Live | No:
+def _connected(document: Document) -> SubsystemFacts | No:
     subsystem_facts = document.live
     if subsystem_facts is None or subsystem_facts.state != "live":
         connect = (Remedy(Reason.of("desk.connect_it"), act.Connect(document.id)),)
@@ -139,7 +139,7 @@ def _connected(document: Document) -> Live | No:
     return subsystem_facts
 
 
-def _of_living(document: Document, task: str) -> Live | No:
+def _of_living(document: Document, task: str) -> SubsystemFacts | No:
     subsystem_facts = _connected(document)
     if isinstance(subsystem_facts, No) or task in subsystem_facts.tasks:
         return subsystem_facts

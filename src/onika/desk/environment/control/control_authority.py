@@ -5,7 +5,7 @@ from dataclasses import replace
 from onika.desk.environment.control import held_subsystems
 from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure
 from onika.desk.environment.outcome.runtime_refusal import refusal, simply_done
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.reconcile.presence import ask_flows
 from onika.desk.environment.state.model import Model
@@ -15,7 +15,7 @@ from onika.wire.view import Remedy
 _CAUSE = "Stop was pressed in the page"
 
 
-def stop(model: Model, _asked: act.Stop, _outside: Surroundings) -> Procedure:
+def stop(model: Model, _asked: act.Stop, _outside: Services) -> Procedure:
     """Every drive holds, at once, whoever holds what; where there is no runtime, the answer says so."""
     model, response = yield Ask(model, request.Stop(_CAUSE))
     if isinstance(response, request.Done):
@@ -23,12 +23,12 @@ def stop(model: Model, _asked: act.Stop, _outside: Surroundings) -> Procedure:
     return Done(model, value=f"there is nothing to stop: {refusal(response)}")
 
 
-def reset(model: Model, _asked: act.Reset, _outside: Surroundings) -> Procedure:
+def reset(model: Model, _asked: act.Reset, _outside: Services) -> Procedure:
     """Motion is allowed again; nothing comes on by itself."""
     return simply_done(model, live.Reset())
 
 
-def take(model: Model, command: act.Take, _outside: Surroundings) -> No | Procedure:
+def take(model: Model, command: act.Take, _outside: Services) -> No | Procedure:
     """Become the one who may change a subsystem; a run that is nobody's is taken as a whole."""
     name = held_subsystems.named(model, command.doc, command.subsystem, connects=True)
     if isinstance(name, No):
@@ -37,7 +37,7 @@ def take(model: Model, command: act.Take, _outside: Surroundings) -> No | Proced
     return _changed(model, live.Take(name), name) if why is None else why
 
 
-def release(model: Model, command: act.Release, _outside: Surroundings) -> No | Procedure:
+def release(model: Model, command: act.Release, _outside: Services) -> No | Procedure:
     """Let another become the one who may."""
     name = held_subsystems.named(model, command.doc, command.subsystem, connects=True)
     if isinstance(name, No):
@@ -48,7 +48,7 @@ def release(model: Model, command: act.Release, _outside: Surroundings) -> No | 
     return _changed(model, live.Release(name), name)
 
 
-def hand(model: Model, command: act.Hand, _outside: Surroundings) -> No | Procedure:
+def hand(model: Model, command: act.Hand, _outside: Services) -> No | Procedure:
     """Offer a subsystem to another session; to nobody: no more."""
     name = held_subsystems.named(model, command.doc, command.subsystem)
     if isinstance(name, No):
@@ -61,7 +61,7 @@ def hand(model: Model, command: act.Hand, _outside: Surroundings) -> No | Proced
     return simply_done(model, holding.Hand(name, command.to))
 
 
-def decline(model: Model, command: act.Decline, _outside: Surroundings) -> No | Procedure:
+def decline(model: Model, command: act.Decline, _outside: Services) -> No | Procedure:
     """Say no to what is offered."""
     name = held_subsystems.named(model, command.doc, command.subsystem)
     if isinstance(name, No):

@@ -5,7 +5,7 @@ from msgspec import structs
 from onika.desk.environment.outcome.on_file import closed
 from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure
 from onika.desk.environment.outcome.runtime_refusal import refusal, simply_done
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.holders import flows_with
 from onika.desk.environment.reconcile.presence import ask_flows, you
 from onika.desk.environment.reconcile.watches import is_going
@@ -108,7 +108,7 @@ def refused(model: Model, subsystem: str, command: act.Take) -> No | None:
     return No(reason, (Remedy("Take it over", structs.replace(command, confirmed=True)),))
 
 
-def steer_taken(model: Model, command: act.SteerTaken, _outside: Surroundings) -> Procedure:
+def steer_taken(model: Model, command: act.SteerTaken, _outside: Services) -> Procedure:
     """Steer a run that was taken over; what moves, or ends it, is asked back first."""
     hold = _held(model, command.subsystem, "steers it")
     if isinstance(hold, No):
@@ -120,7 +120,7 @@ def steer_taken(model: Model, command: act.SteerTaken, _outside: Surroundings) -
     return Done(model, orders=(ask_flows(),)) if isinstance(response, request.Done) else No(refusal(response))
 
 
-def answer(model: Model, command: act.Answer, _outside: Surroundings) -> No | Procedure:
+def answer(model: Model, command: act.Answer, _outside: Services) -> No | Procedure:
     """Answer what a task of a run that was taken over asks, named as `SUBSYSTEM/TASK`; it goes on with the answer."""
     subsystem, _, task = command.task.rpartition("/")
     hold = _held(model, subsystem, "answers it")

@@ -5,9 +5,9 @@ from dataclasses import replace
 from msgspec import structs
 
 from onika.desk.environment.control.held_subsystems import is_held_here
-from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, Reach, Shown
+from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, RequiredRuntime, Shown
 from onika.desk.environment.outcome.runtime_refusal import refusal
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.live_facts import with_standing
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.reconcile.presence import ask_company, ask_flows
@@ -18,7 +18,7 @@ from onika.wire.view import Remedy
 from onika.words.reason import Reason
 
 
-def only_watch(model: Model, _asked: act.OnlyWatch, _outside: Surroundings) -> Procedure:
+def only_watch(model: Model, _asked: act.OnlyWatch, _outside: Services) -> Procedure:
     """This environment changes nothing in this runtime any more."""
     here = [document for document in model.documents.values() if document.live and document.live.is_held_here]
     homes = {document.live.subsystem for document in here if document.live}
@@ -35,7 +35,7 @@ def only_watch(model: Model, _asked: act.OnlyWatch, _outside: Surroundings) -> P
     return Done(model, orders=(ask_company(),), value="this environment only watches from now on")
 
 
-def watch_no_more(model: Model, _asked: act.WatchNoMore, _outside: Surroundings) -> Procedure:
+def watch_no_more(model: Model, _asked: act.WatchNoMore, _outside: Services) -> Procedure:
     """This environment leaves and comes anew, under another name; what runs is left as it is."""
     me = next((session for session in model.runtime.sessions.values() if session.is_you), None)
     if me is None or not me.only_watches:
@@ -43,7 +43,7 @@ def watch_no_more(model: Model, _asked: act.WatchNoMore, _outside: Surroundings)
     if not model.runtime.address:
         again = Remedy("Start the runtime anew…", act.StartAnew())
         return No("the runtime was started here, and the promise ends with it", (again,))
-    model, response = yield Ask(model, live.Survey(), Reach(model.runtime.address, is_anew=True))
+    model, response = yield Ask(model, live.Survey(), RequiredRuntime(model.runtime.address, is_anew=True))
     if not isinstance(response, live.Standing):
         why = refusal(response)
         done = lost(model, why)

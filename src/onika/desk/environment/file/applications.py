@@ -7,7 +7,7 @@ from onika.desk.environment.file.file_kind import READ_AGAIN, Reading, place
 from onika.desk.environment.outcome.on_file import is_running
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import unreadable
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.outcome.unread_faults import told
 from onika.desk.environment.state.history import Step
 from onika.desk.environment.state.model import Model
@@ -24,7 +24,7 @@ from onika.words.name import TASK_NAME
 _NO_SYNTAX = "there are no types of icons: the definition OnikaUpperSetUp.dta could not be read"
 
 
-def new(model: Model, command: act.NewApplication, outside: Surroundings) -> Done | No:
+def new(model: Model, command: act.NewApplication, outside: Services) -> Done | No:
     """Open a blank application; the value is its id."""
     del outside
     if model.syntax is None:
@@ -39,7 +39,7 @@ def new(model: Model, command: act.NewApplication, outside: Surroundings) -> Don
 class Applications:
     """Applications as a kind of files."""
 
-    def read(self, model: Model, path_or_name: str, outside: Surroundings) -> Reading[Application] | No:
+    def read(self, model: Model, path_or_name: str, outside: Services) -> Reading[Application] | No:
         """An application by its path or name, with what could not be read of it."""
         if model.syntax is None:
             return No(_NO_SYNTAX)

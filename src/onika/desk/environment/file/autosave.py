@@ -18,7 +18,7 @@ APART_S = 2.0
 
 
 @dataclass(frozen=True, slots=True)
-class Change:
+class UnsavedChange:
     """The document that is to be kept under an id from now on; None: none any more."""
 
     doc: str
@@ -55,14 +55,14 @@ class Autosave:
             return None
         return max(self._taken_s + APART_S, min(self._last_s + REST_S, self._first_s + APART_S))
 
-    def take(self, now_s: float) -> tuple[Change, ...]:
+    def take(self, now_s: float) -> tuple[UnsavedChange, ...]:
         """What is to be written where it is due, and counts as written."""
         due_s = self.due_s
         return self.take_all(now_s) if due_s is not None and due_s <= now_s else ()
 
-    def take_all(self, now_s: float) -> tuple[Change, ...]:
+    def take_all(self, now_s: float) -> tuple[UnsavedChange, ...]:
         """What is to be written, due or not: at the end."""
-        changes = tuple(Change(doc, self._unsaved.get(doc)) for doc in self._changed())
+        changes = tuple(UnsavedChange(doc, self._unsaved.get(doc)) for doc in self._changed())
         self._kept = dict(self._unsaved)
         self._first_s = None
         self._taken_s = now_s if changes else self._taken_s

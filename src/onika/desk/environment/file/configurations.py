@@ -7,7 +7,7 @@ from onika.desk.environment.file.file_kind import READ_AGAIN, Reading, place
 from onika.desk.environment.outcome.other_tasks import with_other_tasks
 from onika.desk.environment.outcome.outcome import Done, No, Order
 from onika.desk.environment.outcome.remedy import plain, unreadable
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.history import Step
@@ -21,12 +21,12 @@ from onika.wire.view import Remedy
 from onika.words.fault import Refusal
 
 
-def new(model: Model, _asked: act.New, _outside: Surroundings) -> Done | No:
+def new(model: Model, _asked: act.New, _outside: Services) -> Done | No:
     """Open a blank configuration."""
     return opened_beside(model, None, None, model.blank())
 
 
-def read(path_or_name: str, outside: Surroundings) -> Reading[Configuration] | No:
+def read(path_or_name: str, outside: Services) -> Reading[Configuration] | No:
     """A configuration by the path of its file, or by its name on the search path."""
     where = place(path_or_name, Kind.CONFIGURATION, outside)
     if isinstance(where, No):
@@ -48,7 +48,7 @@ def opened_beside(
 class Configurations:
     """Configurations as a kind of files."""
 
-    def read(self, _model: Model, path_or_name: str, outside: Surroundings) -> Reading[Configuration] | No:
+    def read(self, _model: Model, path_or_name: str, outside: Services) -> Reading[Configuration] | No:
         """A configuration by its path or name."""
         return read(path_or_name, outside)
 

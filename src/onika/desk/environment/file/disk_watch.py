@@ -20,7 +20,7 @@ Mark = tuple[int, int, int]
 """When a file was written, its size, and which one it is: a file that is exchanged is another one."""
 
 
-class Disk:
+class DiskWatch:
     """Knows the files of every base directory as they were when it looked last; of one thread at a time."""
 
     def __init__(self, site: Site) -> None:

@@ -13,7 +13,7 @@ from onika.desk.environment.file.file_kind import FileKind
 from onika.desk.environment.outcome.on_file import AnyFile, busy, on_file
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import overwriting, plain
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_file import Kind
 from onika.files import appl, conf, text
@@ -30,7 +30,7 @@ KINDS: Mapping[Kind, FileKind[Any, Any]] = {
 }
 
 
-def open_file(model: Model, command: act.Open, outside: Surroundings) -> Done | No:
+def open_file(model: Model, command: act.Open, outside: Services) -> Done | No:
     """Open a file beside the others; one that is open already is shown. The value is its id."""
     kind = KINDS[_kind(command.path, outside)]
     reading = kind.read(model, command.path, outside)
@@ -43,7 +43,7 @@ def open_file(model: Model, command: act.Open, outside: Surroundings) -> Done | 
 
 
 @on_file
-def save(model: Model, file: AnyFile, command: act.Save, outside: Surroundings) -> Done | No:
+def save(model: Model, file: AnyFile, command: act.Save, outside: Services) -> Done | No:
     """Save an open file; the value is its path."""
     kind, name = KINDS[file.kind], command.name or file.name
     if not TASK_NAME.match(name):
@@ -69,7 +69,7 @@ def save(model: Model, file: AnyFile, command: act.Save, outside: Surroundings) 
 
 
 @on_file
-def close(model: Model, file: AnyFile, command: act.Close, _outside: Surroundings) -> Done | No:
+def close(model: Model, file: AnyFile, command: act.Close, _outside: Services) -> Done | No:
     """Close an open file."""
     refused = busy(model, file)
     if refused is not None:
@@ -81,7 +81,7 @@ def close(model: Model, file: AnyFile, command: act.Close, _outside: Surrounding
 
 
 @on_file
-def reload(model: Model, file: AnyFile, _command: act.Reload, outside: Surroundings) -> Done | No:
+def reload(model: Model, file: AnyFile, _command: act.Reload, outside: Services) -> Done | No:
     """Take over what stands in the file now, as a step that can be taken back."""
     refused = busy(model, file)
     if refused is not None:
@@ -93,7 +93,7 @@ def reload(model: Model, file: AnyFile, _command: act.Reload, outside: Surroundi
 
 
 @on_file
-def keep(model: Model, file: AnyFile, _command: act.Keep, _outside: Surroundings) -> Done | No:
+def keep(model: Model, file: AnyFile, _command: act.Keep, _outside: Services) -> Done | No:
     """Go on with what is here; the next Save finds the file as it was seen now, and overwrites it."""
     file = file.differing(False)
     content = text.load(file.opened.path, str(file.opened.path))[0] if file.opened else None
@@ -102,7 +102,7 @@ def keep(model: Model, file: AnyFile, _command: act.Keep, _outside: Surroundings
     return Done(model.with_file(file.seen(content)))
 
 
-def _kind(path_or_name: str, outside: Surroundings) -> Kind:
+def _kind(path_or_name: str, outside: Services) -> Kind:
     """The ending says what is opened; of a name alone a configuration, else an application."""
     ending, bases = Path(path_or_name).suffix, outside.site.directories
     if ending in (appl.ENDING, conf.ENDING):

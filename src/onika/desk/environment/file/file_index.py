@@ -20,7 +20,7 @@ Source = Configuration | ActionType | tuple[Refusal, ...] | None
 
 
 @dataclass(frozen=True, slots=True)
-class Listed:
+class FileIndex:
     """Files by their paths; one that is at fault is listed with nothing in it."""
 
     files: Mapping[str, ConfigurationFile] = field(default_factory=dict)
@@ -37,9 +37,9 @@ class Listed:
             {**model.sources, **self.sources},
         )
 
-    def and_(self, other: "Listed") -> "Listed":
+    def and_(self, other: "FileIndex") -> "FileIndex":
         """These files and others."""
-        return Listed(
+        return FileIndex(
             {**self.files, **other.files},
             {**self.applications, **other.applications},
             {**self.sources, **other.sources},
@@ -47,9 +47,9 @@ class Listed:
         )
 
 
-def listed(bases: Iterable[BaseDirectory], syntax: Syntax | None) -> Listed:
+def listed(bases: Iterable[BaseDirectory], syntax: Syntax | None) -> FileIndex:
     """Every configuration and application of these base directories."""
-    listed = Listed()
+    listed = FileIndex()
     for base in bases:
         for name in base.configurations:
             listed = listed.and_(configuration(base, name))
@@ -58,24 +58,24 @@ def listed(bases: Iterable[BaseDirectory], syntax: Syntax | None) -> Listed:
     return listed
 
 
-def configuration(base: BaseDirectory, name: str) -> Listed:
+def configuration(base: BaseDirectory, name: str) -> FileIndex:
     """One configuration of a base directory."""
     path = str(base.configuration_file(name))
     read, faults = base.configuration(name)
     file = ConfigurationFile(name, str(base.path), path, len(read.placed) if read else 0)
-    return Listed({path: file}, sources={path: read}, faults=faults)
+    return FileIndex({path: file}, sources={path: read}, faults=faults)
 
 
-def application(base: BaseDirectory, name: str, syntax: Syntax | None) -> Listed:
+def application(base: BaseDirectory, name: str, syntax: Syntax | None) -> FileIndex:
     """One application of a base directory."""
     path = str(base.application_file(name))
     read, faults = base.application(name, syntax) if syntax else (None, ())
     if read is None or syntax is None:
         file = ApplicationFile(name, str(base.path), path)
-        return Listed(applications={path: file}, sources={path: None}, faults=faults)
+        return FileIndex(applications={path: file}, sources={path: None}, faults=faults)
     steps = (step for _, flow in every_flow(read) for step in flow.steps)
     file = ApplicationFile(name, str(base.path), path, len(read.flows), sum(isinstance(step, Icon) for step in steps))
-    return Listed(applications={path: file}, sources={path: application_type(read, syntax)}, faults=faults)
+    return FileIndex(applications={path: file}, sources={path: application_type(read, syntax)}, faults=faults)
 
 
 def without(model: Model, paths: Iterable[str]) -> Model:
@@ -103,7 +103,7 @@ def of_base(model: Model, base: str) -> tuple[str, ...]:
     )
 
 
-def again(path: Path, syntax: Syntax | None) -> Listed | None:
+def again(path: Path, syntax: Syntax | None) -> FileIndex | None:
     """A file of a base directory as it is now; None where there is none of that path any more."""
     base = BaseDirectory(path.parent.parent)
     if is_configuration(path):

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Generic, Protocol, TypeVar
 
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_file import Kind
 from onika.store.base_directory import BaseDirectory
@@ -32,7 +32,7 @@ class Reading(Generic[_T]):
 class FileKind(Protocol[_F, _T]):
     """One kind of files: `_F` is an open one, `_T` what it holds."""
 
-    def read(self, model: Model, path_or_name: str, outside: Surroundings, /) -> Reading[_T] | No:
+    def read(self, model: Model, path_or_name: str, outside: Services, /) -> Reading[_T] | No:
         """A file by its path, or by its name on the search path."""
         ...
 
@@ -81,7 +81,7 @@ class FileKind(Protocol[_F, _T]):
         ...
 
 
-def place(path_or_name: str, kind: Kind, outside: Surroundings) -> tuple[BaseDirectory, str] | No:
+def place(path_or_name: str, kind: Kind, outside: Services) -> tuple[BaseDirectory, str] | No:
     """The base directory and the name of a file; its ending is called as its folder."""
     folder = "appl" if kind is Kind.APPLICATION else "conf"
     path = Path(path_or_name)

@@ -14,7 +14,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from onika.desk.environment.file import recovery_record as rescues
-from onika.desk.environment.file.autosave import Change
+from onika.desk.environment.file.autosave import UnsavedChange
 from onika.desk.environment.file.recovery_record import Rescue, application_of, document_of, rescue_of
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.state.document import Document
@@ -49,7 +49,7 @@ class Recovery:
                     self._taken[folder] = lock
         return tuple(rescue for folder in self._taken for rescue in _read(folder))
 
-    def carry_out(self, changes: Sequence[Change]) -> str:
+    def carry_out(self, changes: Sequence[UnsavedChange]) -> str:
         """Write and remove files; why not, if so. May take as long as a disk does."""
         for change in changes:
             path = self.folder / f"{change.doc}{_ENDING}"

@@ -7,14 +7,14 @@ from onika.desk.environment.outcome import pin_changes
 from onika.desk.environment.outcome.clash import clashes, refused
 from onika.desk.environment.outcome.on_file import AnyFile, busy, on_file
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state import task_edit
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
-from onika.desk.environment.state.history import Edits, File, History, Step
+from onika.desk.environment.state.history import Edits, FileState, History, Step
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.application import Application
 from onika.model.task import Task
 from onika.wire import act
@@ -22,7 +22,7 @@ from onika.wire.view import Remedy
 
 
 @on_file
-def undo(model: Model, file: AnyFile, command: act.Undo, _outside: Surroundings) -> Done | No:
+def undo(model: Model, file: AnyFile, command: act.Undo, _outside: Services) -> Done | No:
     """Take the last step back."""
     refused_ = busy(model, file)
     if refused_ is not None:
@@ -35,7 +35,7 @@ def undo(model: Model, file: AnyFile, command: act.Undo, _outside: Surroundings)
 
 
 @on_file
-def redo(model: Model, file: AnyFile, command: act.Redo, _outside: Surroundings) -> Done | No:
+def redo(model: Model, file: AnyFile, command: act.Redo, _outside: Services) -> Done | No:
     """Do the step again that was taken back last."""
     refused_ = busy(model, file)
     if refused_ is not None:
@@ -65,11 +65,11 @@ def stepped(before: Model, done: Done, by: str, command: act.AnyAct) -> Model:
     backwards = edits_between(done.model.shelf, before.shelf)
     step = Step(done.label, by, old.content, new.content, backwards, edited, before.shelf, done.model.shelf)
     if isinstance(command, act.OpenInPlace):
-        step = replace(step, file_before=File(old.opened, old.base), file_after=File(new.opened, new.base))
+        step = replace(step, file_before=FileState(old.opened, old.base), file_after=FileState(new.opened, new.base))
     return done.model.with_document(replace(new, history=new.history.done(step)))
 
 
-def edits_between(before: Shelf, after: Shelf) -> dict[str, Task | None]:
+def edits_between(before: OpenLibraries, after: OpenLibraries) -> dict[str, Task | None]:
     """What was changed of tasks of the libraries: each as it is after; None: it is in none."""
     if before.edits is after.edits:
         return {}
@@ -77,7 +77,7 @@ def edits_between(before: Shelf, after: Shelf) -> dict[str, Task | None]:
     return {name: _now(name, after) for name in names if _meaning(_now(name, before)) != _meaning(_now(name, after))}
 
 
-def _now(name: str, shelf: Shelf) -> Task | None:
+def _now(name: str, shelf: OpenLibraries) -> Task | None:
     return shelf.edits[name] if name in shelf.edits else shelf.filed(name)
 
 
@@ -108,16 +108,16 @@ class _Way:
     end: Content
     edits_start: Edits
     edits_end: Edits
-    shelf: Shelf | None
+    shelf: OpenLibraries | None
     """What the loci of the end were settled with."""
-    file: File | None
+    file: FileState | None
     """The file of the end, where it is another one."""
 
-    def edits(self, now: Shelf) -> dict[str, Task | None]:
+    def edits(self, now: OpenLibraries) -> dict[str, Task | None]:
         """The tasks as they are now, with the difference between the two ends applied to them."""
         return {name: self._moved(name, task, now) for name, task in self.edits_end.items()}
 
-    def _moved(self, name: str, end: Task | None, now: Shelf) -> Task | None:
+    def _moved(self, name: str, end: Task | None, now: OpenLibraries) -> Task | None:
         start, task = self.edits_start.get(name), now.tasks.get(name)
         return task_edit.rebased(end, start, task) if end and start and task else end
 

@@ -15,7 +15,7 @@ from onika.model.flow_path import spots
 from onika.words.reason import Reason
 
 
-class Acting(NamedTuple):
+class StepAction(NamedTuple):
     """An action, and the flow in which it stands."""
 
     path: str
@@ -27,7 +27,7 @@ class Acting(NamedTuple):
         return exchanged(self.flow, {self.action.position: icon})
 
 
-def action_of(model: Model, opened: OpenApplication, number: int) -> Acting | No:
+def action_of(model: Model, opened: OpenApplication, number: int) -> StepAction | No:
     """The action to which the step of this number belongs."""
     spot = spots(opened.application).get(number)
     if spot is None:
@@ -37,7 +37,7 @@ def action_of(model: Model, opened: OpenApplication, number: int) -> Acting | No
     flow = flow_at(opened.application, spot.path) or AppFlow(())
     for action in actions(flow, syntax_of(model)):
         if action.position <= spot.position < action.end:
-            return Acting(spot.path, flow, action)
+            return StepAction(spot.path, flow, action)
     return No(Reason.of("desk.no_action_of_step", step=step_named(spot.step)))
 
 

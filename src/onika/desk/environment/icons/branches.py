@@ -5,7 +5,7 @@ from dataclasses import replace
 from onika.desk.environment.icons.alteration import altered, flow_at
 from onika.desk.environment.outcome.on_file import on_resting_application
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import MOST_FLOWS, OpenApplication
 from onika.model.application import AppFlow, Application, Branch
@@ -17,9 +17,7 @@ from onika.words.reason import Reason, Text, reason_of
 
 
 @on_resting_application
-def set_conditions(
-    model: Model, opened: OpenApplication, command: act.SetConditions, _outside: Surroundings
-) -> Done | No:
+def set_conditions(model: Model, opened: OpenApplication, command: act.SetConditions, _outside: Services) -> Done | No:
     """Say which flow of a branch runs."""
     branch = _branch(opened.application, command.step)
     if isinstance(branch, No):
@@ -32,7 +30,7 @@ def set_conditions(
 
 
 @on_resting_application
-def add_flow(model: Model, opened: OpenApplication, command: act.AddFlow, _outside: Surroundings) -> Done | No:
+def add_flow(model: Model, opened: OpenApplication, command: act.AddFlow, _outside: Services) -> Done | No:
     """One more flow, empty; the value is its path."""
     application = opened.application
     if not command.step:
@@ -61,7 +59,7 @@ def add_flow(model: Model, opened: OpenApplication, command: act.AddFlow, _outsi
 
 
 @on_resting_application
-def remove_flow(model: Model, opened: OpenApplication, command: act.RemoveFlow, _outside: Surroundings) -> Done | No:
+def remove_flow(model: Model, opened: OpenApplication, command: act.RemoveFlow, _outside: Services) -> Done | No:
     """Take a flow away with all that is in it; of a branch its condition too."""
     application = opened.application
     if flow_at(application, command.flow) is None:
@@ -88,7 +86,7 @@ def remove_flow(model: Model, opened: OpenApplication, command: act.RemoveFlow, 
 
 
 @on_resting_application
-def set_parallel(model: Model, opened: OpenApplication, command: act.SetParallel, _outside: Surroundings) -> Done | No:
+def set_parallel(model: Model, opened: OpenApplication, command: act.SetParallel, _outside: Services) -> Done | No:
     """Whether the flows run side by side, or one of them is chosen."""
     label = Reason.of("desk.making_parallel") if command.is_parallel else Reason.of("desk.making_conditional")
     if opened.application.is_parallel == command.is_parallel:

@@ -18,7 +18,7 @@ from onika.desk.environment.outcome.on_file import (
     syntax_of,
 )
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.plan.icon_names import several
@@ -35,7 +35,7 @@ _NAME = "copied"
 
 
 @on_application
-def copy_icons(model: Model, opened: OpenApplication, command: act.CopyIcons, _outside: Surroundings) -> Done | No:
+def copy_icons(model: Model, opened: OpenApplication, command: act.CopyIcons, _outside: Services) -> Done | No:
     """Take steps into the buffer; the value is their text."""
     spots = spots_of(opened.application, command.steps)
     if isinstance(spots, No):
@@ -48,7 +48,7 @@ def copy_icons(model: Model, opened: OpenApplication, command: act.CopyIcons, _o
 
 
 @on_application
-def cut_icons(model: Model, opened: OpenApplication, command: act.CutIcons, outside: Surroundings) -> Done | No:
+def cut_icons(model: Model, opened: OpenApplication, command: act.CutIcons, outside: Services) -> Done | No:
     """Take steps into the buffer and delete them, as one step; the value is their text."""
     if is_running(model, opened.id):
         return running(opened)
@@ -62,7 +62,7 @@ def cut_icons(model: Model, opened: OpenApplication, command: act.CutIcons, outs
 
 
 @on_resting_application
-def paste_icons(model: Model, opened: OpenApplication, command: act.PasteIcons, _outside: Surroundings) -> Done | No:
+def paste_icons(model: Model, opened: OpenApplication, command: act.PasteIcons, _outside: Services) -> Done | No:
     """Insert what was copied behind a step; the value is the numbers of the new steps."""
     syntax = syntax_of(model)
     steps = _read(command.text, syntax) if command.text else model.icons

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from onika.desk.environment.outcome.file_faults import told
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.dictionary import has_dictionary, open_dictionaries
 from onika.desk.environment.state.model import Model
 from onika.files import onk
@@ -17,7 +17,7 @@ from onika.wire.view import Remedy
 from onika.words.reason import Reason, reason_of
 
 
-def open_dictionary(model: Model, command: act.OpenDictionary, outside: Surroundings) -> Done | No:
+def open_dictionary(model: Model, command: act.OpenDictionary, outside: Services) -> Done | No:
     """Open the dictionary of a base directory, named itself or by its `dict/`; one that is open already is shown."""
     try:
         path = Path(command.path).expanduser().absolute()
@@ -39,7 +39,7 @@ def open_dictionary(model: Model, command: act.OpenDictionary, outside: Surround
     return replace(done, value=str(path))
 
 
-def close_dictionary(model: Model, command: act.CloseDictionary, _outside: Surroundings) -> Done | No:
+def close_dictionary(model: Model, command: act.CloseDictionary, _outside: Services) -> Done | No:
     """Close a dictionary; what is placed of it stays, and names that it kept from later ones are theirs."""
     left = [dictionary.base for dictionary in model.dictionaries if str(dictionary.base.path) != command.dictionary]
     if len(left) == len(model.dictionaries):

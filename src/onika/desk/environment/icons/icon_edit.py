@@ -5,7 +5,7 @@ from dataclasses import replace
 from onika.desk.environment.icons.alteration import altered
 from onika.desk.environment.outcome.on_file import on_resting_application
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state import target_values
 from onika.desk.environment.state.icon_words import told_again
 from onika.desk.environment.state.model import Model
@@ -22,7 +22,7 @@ from onika.words.reason import Reason
 
 
 @on_resting_application
-def edit_icon(model: Model, opened: OpenApplication, command: act.EditIcon, _outside: Surroundings) -> Done | No:
+def edit_icon(model: Model, opened: OpenApplication, command: act.EditIcon, _outside: Services) -> Done | No:
     """Change this one icon; those of the dictionary and its other instances stay as they are."""
     spot = spots(opened.application).get(command.step)
     if spot is None:

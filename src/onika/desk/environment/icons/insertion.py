@@ -7,7 +7,7 @@ from onika.desk.environment.icons.branches import branch_of
 from onika.desk.environment.icons.fitting import misfit, onikon
 from onika.desk.environment.outcome.on_file import on_resting_application, syntax_of
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.icon_words import for_placing
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
@@ -23,7 +23,7 @@ from onika.words.reason import Reason
 
 
 @on_resting_application
-def insert_icon(model: Model, opened: OpenApplication, command: act.InsertIcon, _outside: Surroundings) -> Done | No:
+def insert_icon(model: Model, opened: OpenApplication, command: act.InsertIcon, _outside: Services) -> Done | No:
     """Insert an icon of a dictionary; the value is its number."""
     wanted = onikon(model, command.onikon)
     if isinstance(wanted, No):
@@ -32,18 +32,14 @@ def insert_icon(model: Model, opened: OpenApplication, command: act.InsertIcon, 
 
 
 @on_resting_application
-def insert_branch(
-    model: Model, opened: OpenApplication, command: act.InsertBranch, _outside: Surroundings
-) -> Done | No:
+def insert_branch(model: Model, opened: OpenApplication, command: act.InsertBranch, _outside: Services) -> Done | No:
     """Insert a branch; the value is its number."""
     branch = branch_of(command.flows, command.conditions)
     return branch if isinstance(branch, No) else _inserted(model, opened, command.flow, command.after, branch)
 
 
 @on_resting_application
-def exchange_icon(
-    model: Model, opened: OpenApplication, command: act.ExchangeIcon, _outside: Surroundings
-) -> Done | No:
+def exchange_icon(model: Model, opened: OpenApplication, command: act.ExchangeIcon, _outside: Services) -> Done | No:
     """Put another icon where one stands, with its marks; a hole before it says that nothing fits there anyway."""
     wanted, spots = onikon(model, command.onikon), spots_of(opened.application, (command.step,))
     if isinstance(wanted, No):
@@ -65,7 +61,7 @@ def exchange_icon(
 
 
 @on_resting_application
-def remove_icons(model: Model, opened: OpenApplication, command: act.RemoveIcons, _outside: Surroundings) -> Done | No:
+def remove_icons(model: Model, opened: OpenApplication, command: act.RemoveIcons, _outside: Services) -> Done | No:
     """Delete steps; a hole is closed by filling it, never by deleting it."""
     spots = spots_of(opened.application, command.steps)
     if isinstance(spots, No):

@@ -11,7 +11,7 @@ from onika.desk.environment.icons.dictionaries import shown_at_once
 from onika.desk.environment.outcome.on_file import closed
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import overwriting, plain
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.icon_words import forgotten, told_again
 from onika.desk.environment.state.model import Model
@@ -26,13 +26,13 @@ from onika.words.fault import Refusal
 from onika.words.reason import Reason
 
 
-def draft(model: Model, command: act.Draft, outside: Surroundings) -> Done | No:
+def draft(model: Model, command: act.Draft, outside: Services) -> Done | No:
     """What icon a configuration or an application would make; the value is a `view.DraftView`."""
     job = _drafted(model, command.doc, outside)
     return job if isinstance(job, No) else Done(model, value=_view(job))
 
 
-def make_job(model: Model, command: act.MakeJob, outside: Surroundings) -> Done | No:
+def make_job(model: Model, command: act.MakeJob, outside: Services) -> Done | No:
     """Save the onikon of a configuration or application beside it; the value is the path of its file."""
     job = _drafted(model, command.doc, outside)
     if isinstance(job, No):
@@ -60,7 +60,7 @@ def make_job(model: Model, command: act.MakeJob, outside: Surroundings) -> Done 
     return Done(now, value=str(saved.path), says=(page.Say("success", text, command.doc), *lost))
 
 
-def _drafted(model: Model, doc: str, outside: Surroundings) -> Draft | No:
+def _drafted(model: Model, doc: str, outside: Services) -> Draft | No:
     """The draft of what is open and saved; else why there is none."""
     application = model.applications.get(doc)
     if application is not None:

@@ -9,7 +9,7 @@ from onika.desk.environment.icons.alteration import reflowed
 from onika.desk.environment.icons.marks import condition_of, tag_refused
 from onika.desk.environment.outcome.on_file import on_resting_application, syntax_of
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.plan.icon_names import named, quoted
@@ -22,7 +22,7 @@ from onika.words.reason import Reason
 
 
 @on_resting_application
-def set_loop(model: Model, opened: OpenApplication, command: act.SetLoop, _outside: Surroundings) -> Done | No:
+def set_loop(model: Model, opened: OpenApplication, command: act.SetLoop, _outside: Services) -> Done | No:
     """Mark two actions of one flow as a loop, in place of the loops they had; the value is its tag."""
     condition = condition_of(command.condition)
     refused = condition if isinstance(condition, No) else tag_refused(command.tag)
@@ -67,7 +67,7 @@ def set_loop(model: Model, opened: OpenApplication, command: act.SetLoop, _outsi
 
 
 @on_resting_application
-def remove_loop(model: Model, opened: OpenApplication, command: act.RemoveLoop, _outside: Surroundings) -> Done | No:
+def remove_loop(model: Model, opened: OpenApplication, command: act.RemoveLoop, _outside: Services) -> Done | No:
     """Take the loop of a step away: both its tags."""
     action = action_of(model, opened, command.step)
     if isinstance(action, No):

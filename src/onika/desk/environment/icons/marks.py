@@ -3,11 +3,11 @@
 import re
 from dataclasses import replace
 
-from onika.desk.environment.icons.action_of_step import Acting, action_of, exchanged
+from onika.desk.environment.icons.action_of_step import StepAction, action_of, exchanged
 from onika.desk.environment.icons.alteration import reflowed
 from onika.desk.environment.outcome.on_file import on_application, on_resting_application
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.plan.icon_names import named
@@ -20,9 +20,7 @@ _TAG = re.compile(r"[^\s\x00-\x1f\x7f-\x9f#]{1,16}\Z")
 
 
 @on_application
-def set_breakpoint(
-    model: Model, opened: OpenApplication, command: act.SetBreakpoint, _outside: Surroundings
-) -> Done | No:
+def set_breakpoint(model: Model, opened: OpenApplication, command: act.SetBreakpoint, _outside: Services) -> Done | No:
     """Pause after these actions, or no longer; also while they run."""
     condition = condition_of(command.condition)
     if isinstance(condition, No):
@@ -49,7 +47,7 @@ def _still_looked(done: Done, before: OpenApplication) -> Done:
 
 
 @on_resting_application
-def set_synch_tag(model: Model, opened: OpenApplication, command: act.SetSynchTag, _outside: Surroundings) -> Done | No:
+def set_synch_tag(model: Model, opened: OpenApplication, command: act.SetSynchTag, _outside: Services) -> Done | No:
     """The tag at which an action waits for other flows; empty takes it away."""
     tag = command.tag.strip()
     wrong = tag_refused(tag)
@@ -81,7 +79,7 @@ def condition_of(text: str) -> str | No:
         return No(reason_of(wrong), fields={"condition": reason_of(wrong)})
 
 
-def _marking(marked: list[Acting], is_set: bool) -> Reason:
+def _marking(marked: list[StepAction], is_set: bool) -> Reason:
     """What is done with breakpoints after these actions."""
     count = len(marked)
     if count > 1:

@@ -15,7 +15,7 @@ from onika.words.value import ValueType
 
 
 @dataclass(frozen=True, slots=True)
-class Measure:
+class MeasuredVariable:
     """A datum of a target and a variable that would give it."""
 
     item: str
@@ -28,9 +28,9 @@ class Measure:
     """The constant that says how many values there are; empty: it is `count`."""
 
 
-def measures_of(model: Model, kind: IconType) -> tuple[Measure, ...]:
+def measures_of(model: Model, kind: IconType) -> tuple[MeasuredVariable, ...]:
     """What could be read for the data of a type of target, each once; what nothing measures has none."""
-    measures: dict[Measure, None] = {}
+    measures: dict[MeasuredVariable, None] = {}
     if model.syntax is None:
         return ()
     uses = uses_of(model.shelf, model.syntax, kind)
@@ -39,12 +39,14 @@ def measures_of(model: Model, kind: IconType) -> tuple[Measure, ...]:
             for port in _like(use.input, ports_of(model.shelf, use.task)):
                 is_frame = port.shape != use.input.shape
                 measures[
-                    Measure(item.name, item.count, item.type, use.variable(port.name), is_frame, item.dimension)
+                    MeasuredVariable(
+                        item.name, item.count, item.type, use.variable(port.name), is_frame, item.dimension
+                    )
                 ] = None
     return tuple(measures)
 
 
-def values_of(measure: Measure, value: Any) -> tuple[float, ...] | Reason:
+def values_of(measure: MeasuredVariable, value: Any) -> tuple[float, ...] | Reason:
     """The values of a variable as those of a datum; else why they are none."""
     if measure.is_frame:
         return pose_numbers.nine_of(value)

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice
 from pathlib import Path
 
-from onika.desk.environment.icons.measured_variables import Measure
+from onika.desk.environment.icons.measured_variables import MeasuredVariable
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.model.configuration import Configuration
@@ -16,7 +16,7 @@ from onika.words.reason import Reason
 _MOST = 3
 
 
-def ways_to_measure(model: Model, measures: Sequence[Measure]) -> tuple[Remedy, ...]:
+def ways_to_measure(model: Model, measures: Sequence[MeasuredVariable]) -> tuple[Remedy, ...]:
     """Buttons, likeliest first: turn tasks ON that live, connect what is open, open what could be."""
     return tuple(islice(_ways(model, frozenset(measure.variable for measure in measures)), _MOST))
 

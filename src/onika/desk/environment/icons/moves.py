@@ -8,7 +8,7 @@ from onika.desk.environment.icons.fitting import misfit
 from onika.desk.environment.icons.insertion import is_too_deep, is_within, too_deep, without
 from onika.desk.environment.outcome.on_file import on_resting_application, syntax_of
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.plan.icon_names import several
@@ -21,7 +21,7 @@ from onika.words.reason import Reason
 
 
 @on_resting_application
-def move_icons(model: Model, opened: OpenApplication, command: act.MoveIcons, _outside: Surroundings) -> Done | No:
+def move_icons(model: Model, opened: OpenApplication, command: act.MoveIcons, _outside: Services) -> Done | No:
     """Take steps out and insert them behind another one; an action takes its targets with it."""
     spots = spots_of(opened.application, command.steps)
     if isinstance(spots, No):

@@ -9,7 +9,7 @@ from onika.desk.environment.icons.dictionaries import shown_at_once
 from onika.desk.environment.icons.uses import users_of
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import overwriting, plain
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state import target_values
 from onika.desk.environment.state.dictionary import home_of
 from onika.desk.environment.state.icon_words import forgotten, told_again
@@ -30,7 +30,7 @@ _MOST = 5
 """Applications that are named."""
 
 
-def edit_onikon(model: Model, command: act.EditOnikon, outside: Surroundings) -> Done | No:
+def edit_onikon(model: Model, command: act.EditOnikon, outside: Services) -> Done | No:
     """Change what an icon says, its values or its picture; the value is the path of its file."""
     place = _found(model, command.onikon)
     if isinstance(place, No):
@@ -54,7 +54,7 @@ def edit_onikon(model: Model, command: act.EditOnikon, outside: Surroundings) ->
     return Done(now, value=str(saved.path), says=(page.Say("success", text),))
 
 
-def remove_onikon(model: Model, command: act.RemoveOnikon, outside: Surroundings) -> Done | No:
+def remove_onikon(model: Model, command: act.RemoveOnikon, outside: Services) -> Done | No:
     """Delete the file of an icon; nothing brings it back, so it is asked first, with whom it is placed."""
     place = _found(model, command.onikon)
     if isinstance(place, No):

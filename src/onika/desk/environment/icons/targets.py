@@ -7,7 +7,7 @@ import msgspec
 from onika.desk.environment.icons.dictionaries import shown_at_once
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import overwriting, plain
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state import target_values
 from onika.desk.environment.state.dictionary import home_of
 from onika.desk.environment.state.icon_types import role_of
@@ -27,7 +27,7 @@ from onika.words.name import TASK_NAME
 from onika.words.reason import Reason, Text
 
 
-def make_target(model: Model, command: act.MakeTarget, outside: Surroundings) -> Done | No:
+def make_target(model: Model, command: act.MakeTarget, outside: Services) -> Done | No:
     """Write a new target, or an icon that does nothing; the value is its name."""
     kind = _kind(model, command.type)
     if isinstance(kind, No):

@@ -2,11 +2,11 @@
 
 from collections.abc import Mapping, Sequence
 
-from onika.desk.environment.icons.measured_variables import Measure, measures_of, values_of
+from onika.desk.environment.icons.measured_variables import MeasuredVariable, measures_of, values_of
 from onika.desk.environment.icons.measuring_remedies import ways_to_measure
 from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure
 from onika.desk.environment.outcome.runtime_refusal import refusal
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.desk.plan.icon_names import a_kind, kind_named
 from onika.model.planned import task_of
@@ -18,7 +18,7 @@ Writers = Mapping[str, str]
 """By variable: the task that writes it now."""
 
 
-def teach(model: Model, command: act.Teach, _outside: Surroundings) -> Procedure:
+def teach(model: Model, command: act.Teach, _outside: Services) -> Procedure:
     """Ask for what is measured now; the value is a `view.TaughtView`, of which what nothing measures is left out."""
     kind = model.syntax.find(command.type) if model.syntax else None
     if kind is None or not kind.is_target:
@@ -54,7 +54,7 @@ def teach(model: Model, command: act.Teach, _outside: Surroundings) -> Procedure
 def _taught(
     model: Model,
     response: live.Values,
-    measures: Sequence[Measure],
+    measures: Sequence[MeasuredVariable],
     writers: Writers,
     subsystem: str,
     others: tuple[str, ...],
@@ -81,7 +81,7 @@ def _taught(
     return Done(model, value=TaughtView(taken, source, subsystem, others))
 
 
-def _writers(subsystem: live.SubsystemStanding, measures: Sequence[Measure]) -> dict[str, str]:
+def _writers(subsystem: live.SubsystemStanding, measures: Sequence[MeasuredVariable]) -> dict[str, str]:
     """What tasks that are ON write of what is wanted: else it is old, or never was."""
     wanted = {measure.variable for measure in measures}
     writers: dict[str, str] = {}

@@ -6,7 +6,7 @@ from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.outcome.remedy import coded, plain, reasons
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.rules import placement
 from onika.model.task import Task
 from onika.wire import act
@@ -15,7 +15,7 @@ from onika.words.fault import Refusal
 from onika.words.reason import Reason, Text
 
 
-def clashes(model: Model, after: Shelf, names: Collection[str]) -> tuple[Objection, ...]:
+def clashes(model: Model, after: OpenLibraries, names: Collection[str]) -> tuple[Objection, ...]:
     """Everything that speaks against `after` in the open documents, and did not before; `names` are changed there."""
     found: list[Objection] = []
     for name in sorted(names):
@@ -36,7 +36,7 @@ def refused(what: Text, against: tuple[Objection, ...], field: str = "") -> No:
     return No(Reason.of("desk.named_wrong", name=what, why=text), remedies, {field: text} if field else {})
 
 
-def _beside(task: Task, document: Document, before: Shelf, after: Shelf) -> Iterator[Objection]:
+def _beside(task: Task, document: Document, before: OpenLibraries, after: OpenLibraries) -> Iterator[Objection]:
     for name in document.content.names:
         other = after.tasks.get(name)
         if other is None or name == task.name:

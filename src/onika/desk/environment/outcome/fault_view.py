@@ -7,7 +7,7 @@ from typing import Literal
 
 from onika.desk.environment.outcome.fault_text import arguments, said, together
 from onika.desk.environment.outcome.kind_text import kind_or_kinds, kind_text, with_article
-from onika.desk.environment.run_state.membership import Belonging, icons
+from onika.desk.environment.run_state.membership import StepMembership, icons
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.plan.icon_names import quoted
 from onika.desk.plan.preparation import PreparedRun
@@ -46,7 +46,7 @@ def place_of(opened: OpenApplication) -> Place:
 
 
 @dataclass(frozen=True, slots=True)
-class Troubles:
+class FaultViews:
     """Of an application that was prepared with the numbers of its steps as lines, in the file `place`."""
 
     doc: str
@@ -64,7 +64,9 @@ class Troubles:
     """Of each action."""
 
     @classmethod
-    def of(cls, opened: OpenApplication, syntax: Syntax, prepared: PreparedRun, site: Site | None = None) -> "Troubles":
+    def of(
+        cls, opened: OpenApplication, syntax: Syntax, prepared: PreparedRun, site: Site | None = None
+    ) -> "FaultViews":
         """Those of an open application, that was prepared with its redirections."""
         users: dict[str, int] = {}
         application, program = opened.application, prepared.program
@@ -74,7 +76,7 @@ class Troubles:
             for one in opened.redirects:
                 for name in _named(one.new, program):
                     users.setdefault(name, users.get(one.old, 0))
-        known = spots(application), users, Belonging.of(application, syntax).targets()
+        known = spots(application), users, StepMembership.of(application, syntax).targets()
         place = place_of(opened)
         return cls(opened.id, application, syntax, place, program, opened.redirects, prepared, site, *known)
 

@@ -5,7 +5,7 @@ from functools import wraps
 from typing import Protocol, TypeVar
 
 from onika.desk.environment.outcome.outcome import No
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
@@ -24,8 +24,8 @@ class _OfFile(Protocol):
 _A = TypeVar("_A", bound=_OfFile)
 _F = TypeVar("_F")
 _R = TypeVar("_R")
-_Inner = Callable[[Model, _F, _A, Surroundings], _R]
-_Handler = Callable[[Model, _A, Surroundings], _R | No]
+_Inner = Callable[[Model, _F, _A, Services], _R]
+_Handler = Callable[[Model, _A, Services], _R | No]
 AnyFile = Document | OpenApplication
 
 _NO_SYNTAX = Syntax((), ())
@@ -41,7 +41,7 @@ def on_file(carry_out: _Inner[AnyFile, _A, _R]) -> _Handler[_A, _R]:
     """The handler of an act, made of a function that takes the act's open file too."""
 
     @wraps(carry_out)
-    def handler(model: Model, command: _A, outside: Surroundings) -> _R | No:
+    def handler(model: Model, command: _A, outside: Services) -> _R | No:
         file = model.file(command.doc)
         return closed(Kind.of(command.doc)) if file is None else carry_out(model, file, command, outside)
 
@@ -52,7 +52,7 @@ def on_document(carry_out: _Inner[Document, _A, _R]) -> _Handler[_A, _R]:
     """The same for an act on a configuration."""
 
     @wraps(carry_out)
-    def handler(model: Model, command: _A, outside: Surroundings) -> _R | No:
+    def handler(model: Model, command: _A, outside: Services) -> _R | No:
         document = model.documents.get(command.doc)
         return closed(Kind.CONFIGURATION) if document is None else carry_out(model, document, command, outside)
 
@@ -63,7 +63,7 @@ def on_application(carry_out: _Inner[OpenApplication, _A, _R]) -> _Handler[_A, _
     """The same for an act on an application."""
 
     @wraps(carry_out)
-    def handler(model: Model, command: _A, outside: Surroundings) -> _R | No:
+    def handler(model: Model, command: _A, outside: Services) -> _R | No:
         application = model.applications.get(command.doc)
         return closed(Kind.APPLICATION) if application is None else carry_out(model, application, command, outside)
 
@@ -74,7 +74,7 @@ def on_resting_application(carry_out: _Inner[OpenApplication, _A, _R]) -> _Handl
     """The same for an act that changes an application: refused while it runs."""
 
     @wraps(carry_out)
-    def unless_it_runs(model: Model, application: OpenApplication, command: _A, outside: Surroundings) -> _R | No:
+    def unless_it_runs(model: Model, application: OpenApplication, command: _A, outside: Services) -> _R | No:
         return busy(model, application) or carry_out(model, application, command, outside)
 
     return on_application(unless_it_runs)

@@ -39,7 +39,7 @@ class Simulator:
 
 
 @dataclass(frozen=True, slots=True)
-class Reach:
+class RequiredRuntime:
     """A runtime to be there before it is asked: one elsewhere by its address; without one, that of this environment."""
 
     url: str = ""
@@ -56,12 +56,12 @@ class Order:
 
     asked: Request
     then: "Callable[[Model, Response], Done] | None" = None
-    reach: Reach | None = None
+    reach: RequiredRuntime | None = None
     """None: asked only where a runtime is there."""
 
 
 @dataclass(frozen=True, slots=True)
-class Change:
+class SubsystemChange:
     """The change of a document's subsystem of this number: its news is None when it is accepted, else a `No`."""
 
     doc: str
@@ -69,7 +69,7 @@ class Change:
 
 
 @dataclass(frozen=True, slots=True)
-class Ending:
+class EditEnd:
     """The end of an accepted live edit, by the runtime's number: its news is None when it is done, else a `No`."""
 
     number: int
@@ -88,7 +88,7 @@ class Done:
     says: tuple[page.Say, ...] = ()
     news: tuple[News, ...] = ()
     """What has come that acts may wait for."""
-    awaits: Change | None = None
+    awaits: SubsystemChange | None = None
     """The change of a running system that this leads to: the act is answered when it is accepted."""
 
 
@@ -110,7 +110,7 @@ class Ask(Shown):
     """A request to a runtime: the act goes on with its response."""
 
     request: Request
-    reach: Reach | None = None
+    reach: RequiredRuntime | None = None
     """None: asked only where a runtime is there."""
 
 

@@ -5,13 +5,13 @@ from dataclasses import replace
 
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.configuration import Configuration
 from onika.model.rules import loci
 from onika.model.rules.box import TaskBox
 
 
-def resettled(model: Model, before: Shelf) -> Model:
+def resettled(model: Model, before: OpenLibraries) -> Model:
     """With the loci of every document as its pins are now; `before` has the tasks that they were settled with."""
     for document in model.documents.values():
         content = settled(document.content, before, model.shelf)
@@ -20,7 +20,7 @@ def resettled(model: Model, before: Shelf) -> Model:
     return model
 
 
-def settled(content: Content, before: Shelf, after: Shelf) -> Content:
+def settled(content: Content, before: OpenLibraries, after: OpenLibraries) -> Content:
     """One content; the same object where no pin of its tasks has changed."""
     if before is after:
         return content

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from onika.desk.environment.outcome.button_commands import Commands
-from onika.desk.environment.outcome.worker import Aside
+from onika.desk.environment.outcome.worker import BackgroundWorker
 from onika.store.site import Site
 
 
 @dataclass(frozen=True, slots=True)
-class Surroundings:
+class Services:
     """The outside of an environment.
 
     site      where names are found
@@ -29,6 +29,6 @@ class Surroundings:
     state: Path | None = None
     commands: Commands | None = None
     calendar: Callable[[], float] = time.time
-    reading: Aside | None = None
-    comparing: Aside | None = None
-    keeping: Aside | None = None
+    reading: BackgroundWorker | None = None
+    comparing: BackgroundWorker | None = None
+    keeping: BackgroundWorker | None = None

@@ -6,7 +6,7 @@ from onika.desk.environment.outcome.fault_text import bare
 from onika.desk.environment.outcome.remedy import reasons
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import TaskFacts
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.rules import conflict, warning
 from onika.model.task import Task
 from onika.wire import act
@@ -52,7 +52,7 @@ def error_view(document: Document, name: str, facts: TaskFacts) -> ErrorView | N
 
 def problems(
     document: Document,
-    shelf: Shelf,
+    shelf: OpenLibraries,
     *,
     with_warnings: bool = True,
     greyed: Mapping[str, tuple[Objection, ...]] | None = None,

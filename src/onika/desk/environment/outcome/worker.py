@@ -10,7 +10,7 @@ from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.state.model import Model
 
 
-class Aside:
+class BackgroundWorker:
     """One thing after the other, in the order in which they were asked for.
 
     tell    how what comes of it gets into the environment's own thread, in order

@@ -7,7 +7,7 @@ from functools import partial
 from onika.desk.environment.outcome.outcome import Done, Order
 from onika.desk.environment.reconcile.task_plan import code_of
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.wire import live, request
 from onika.wire.sheet import ModuleSheet
 
@@ -16,7 +16,7 @@ _AT_ONCE = 16
 
 
 @dataclass(frozen=True, slots=True)
-class Learnt:
+class LearntDescriptions:
     """What was told and is not shown yet."""
 
     sheets: Mapping[str, ModuleSheet] = field(default_factory=dict)
@@ -36,11 +36,11 @@ class Learnt:
         return replace(model, shelf=new)
 
 
-def describe(model: Model, learnt: Learnt | None = None) -> Done:
+def describe(model: Model, learnt: LearntDescriptions | None = None) -> Done:
     """Ask for the next module that nobody has described; nothing is left: show what was learnt."""
-    learnt = learnt or Learnt()
+    learnt = learnt or LearntDescriptions()
     if len(learnt.names) >= _AT_ONCE:
-        model, learnt = learnt.taken_over(model), Learnt()
+        model, learnt = learnt.taken_over(model), LearntDescriptions()
     for module, task in _lacking(model.shelf, learnt):
         code = code_of(module, model.shelf, task)
         if isinstance(code, str):
@@ -61,7 +61,7 @@ def forgotten(model: Model, module: str) -> Model:
     return replace(model, shelf=replace(shelf, sheets=sheets, unread=unread))
 
 
-def _told(model: Model, response: request.Response, module: str, digest: str, learnt: Learnt) -> Done:
+def _told(model: Model, response: request.Response, module: str, digest: str, learnt: LearntDescriptions) -> Done:
     if not isinstance(response, live.Described):
         return Done(learnt.taken_over(model))  # the runtime is gone, or does not take code from here
     if digest in response.sheets:
@@ -71,7 +71,7 @@ def _told(model: Model, response: request.Response, module: str, digest: str, le
     return describe(model, learnt)
 
 
-def _lacking(shelf: Shelf, learnt: Learnt) -> Iterator[tuple[str, str]]:
+def _lacking(shelf: OpenLibraries, learnt: LearntDescriptions) -> Iterator[tuple[str, str]]:
     """Modules that are not described, each with a task that uses it."""
     described = {*shelf.sheets, *shelf.unread, *learnt.names}
     for name, task in shelf.tasks.items():

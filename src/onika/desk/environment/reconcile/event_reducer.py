@@ -11,7 +11,7 @@ from onika.desk.environment.reconcile.live_facts import settled
 from onika.desk.environment.reconcile.merge import look_again
 from onika.desk.environment.reconcile.watches import is_going
 from onika.desk.environment.state.document import Document
-from onika.desk.environment.state.live import Live, TaskFacts
+from onika.desk.environment.state.live import SubsystemFacts, TaskFacts
 from onika.desk.environment.state.model import Model
 from onika.desk.run import transfer_text
 from onika.wire import event, page, view
@@ -96,7 +96,7 @@ def _of_task(model: Model, of_task: _OfTask) -> Done:
             return Done(model, says=(_signal(of_task, document.id),))
 
 
-def _turned(model: Model, document: Document, subsystem_facts: Live, message: event.TaskState) -> Done:
+def _turned(model: Model, document: Document, subsystem_facts: SubsystemFacts, message: event.TaskState) -> Done:
     """A task's state has changed; what is wanted follows where nobody here has asked for something else."""
     facts = subsystem_facts.tasks.get(message.task)
     if facts is None:  # somebody else's, or one that is dead already

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
-from onika.desk.environment.state.live import Base, Live, TaskFacts
+from onika.desk.environment.state.live import RequestedState, SubsystemFacts, TaskFacts
 from onika.wire import event, live
 
 
@@ -15,7 +15,7 @@ def alive(standing: live.Standing, subsystem: str) -> Mapping[str, live.TaskStan
     return {task.task.name: task for task in home.tasks if task.state != "KILLED"} if home else {}
 
 
-def with_standing(subsystem_facts: Live, standing: live.Standing) -> Live:
+def with_standing(subsystem_facts: SubsystemFacts, standing: live.Standing) -> SubsystemFacts:
     """With the facts of a subsystem; what is about to be born is still so."""
     there = alive(standing, subsystem_facts.subsystem)
     home = next((subsystem for subsystem in standing.subsystems if subsystem.name == subsystem_facts.subsystem), None)
@@ -37,10 +37,12 @@ def settled(document: Document) -> Document:
     if subsystem_facts is None or subsystem_facts.state != "live" or subsystem_facts.pending:
         return document
     content = true_to_facts(document.content, subsystem_facts, document.content)
-    return replace(document, content=content, live=replace(subsystem_facts, base=Base(content, document.history)))
+    return replace(
+        document, content=content, live=replace(subsystem_facts, base=RequestedState(content, document.history))
+    )
 
 
-def true_to_facts(content: Content, subsystem_facts: Live, sent: Content) -> Content:
+def true_to_facts(content: Content, subsystem_facts: SubsystemFacts, sent: Content) -> Content:
     """With what is wanted as it is, but where somebody has asked for something else since `sent`."""
     wanted = {
         name: _is_wanted(subsystem_facts.state_of(name), is_on) if sent.wanted.get(name) == is_on else is_on

@@ -11,7 +11,7 @@ LIMIT_S = 1.0
 """How long an act may keep the environment: more than one that is honest takes, less than a user waits for Stop."""
 
 
-class Vouch:
+class LoopWatchdog:
     """Asks a loop whether it is there; `clock` is in seconds, and `answered` is told when it is there again."""
 
     def __init__(

@@ -10,7 +10,7 @@ from onika.desk.environment.reconcile import holders
 from onika.desk.environment.reconcile.live_facts import alive, settled, with_standing
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
-from onika.desk.environment.state.live import Live
+from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.model import Model
 from onika.model.configuration import Configuration, Placed
 from onika.model.planned import task_of
@@ -33,7 +33,7 @@ class Merged:
     says: tuple[page.Say, ...]
 
 
-def merged(model: Model, document: Document, subsystem_facts: Live, standing: live.Standing) -> Merged:
+def merged(model: Model, document: Document, subsystem_facts: SubsystemFacts, standing: live.Standing) -> Merged:
     """Equation (1) with (4): what runs wins, what runs and is not placed comes onto the canvas, the rest is spawned."""
     there = alive(standing, subsystem_facts.subsystem)
     running = tuple(_placed(task_standing) for task_standing in there.values())
@@ -127,7 +127,9 @@ def _width(boxes: Mapping[str, object], name: str) -> int:
     return getattr(boxes.get(name), "width", 136)
 
 
-def _with_strangers(model: Model, document: Document, subsystem_facts: Live, standing: live.Standing) -> Content:
+def _with_strangers(
+    model: Model, document: Document, subsystem_facts: SubsystemFacts, standing: live.Standing
+) -> Content:
     """With tasks that somebody else has brought to life, and without the wish for those that live no more."""
     content, there = document.content, alive(standing, subsystem_facts.subsystem)
     here = set(content.names)
@@ -142,7 +144,7 @@ def _with_strangers(model: Model, document: Document, subsystem_facts: Live, sta
     return Content(configuration, wanted)
 
 
-def _says(document: Document, merged_tasks: Merge, subsystem_facts: Live) -> list[page.Say]:
+def _says(document: Document, merged_tasks: Merge, subsystem_facts: SubsystemFacts) -> list[page.Say]:
     """What connecting has done, one line for each thing."""
     messages = [
         page.Say(

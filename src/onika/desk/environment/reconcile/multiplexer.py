@@ -12,7 +12,7 @@ _EVERY_S = 0.5
 """How often figures are asked for while somebody wants them."""
 
 
-class Runtime(Protocol):
+class RuntimeClient(Protocol):
     """A runtime, launched or reached."""
 
     def send(self, message: request.Request) -> int:
@@ -31,13 +31,13 @@ class Runtime(Protocol):
 Answered = tuple[Order, request.Response]
 
 
-class Talk:
+class Multiplexer:
     """Who waits for which reply, what is attended to, and when figures are due.
 
     clock   seconds that never go back
     """
 
-    def __init__(self, runtime: Runtime, clock: Callable[[], float]) -> None:
+    def __init__(self, runtime: RuntimeClient, clock: Callable[[], float]) -> None:
         self._runtime = runtime
         self._clock = clock
         self._waiting: dict[int, Order] = {}

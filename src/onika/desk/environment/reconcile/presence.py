@@ -7,7 +7,7 @@ import msgspec
 
 from onika.desk.environment.outcome.outcome import Ask, Done, No, Order, Procedure
 from onika.desk.environment.outcome.runtime_refusal import refusal
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile import holders as holds
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.state.live import Offer
@@ -15,7 +15,7 @@ from onika.desk.environment.state.model import Model
 from onika.wire import act, event, holding, live, page, request, steer, view
 
 
-def look_around(model: Model, _asked: act.Company, _outside: Surroundings) -> Procedure:
+def look_around(model: Model, _asked: act.Company, _outside: Services) -> Procedure:
     """Ask anew who is there, who holds what, and where flows are."""
     if model.runtime.state != "linked":
         return No("there is no runtime yet, so nobody else is there")

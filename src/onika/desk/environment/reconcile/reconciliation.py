@@ -9,16 +9,16 @@ from dataclasses import replace
 from functools import partial
 
 from onika.desk.environment.file.undo import edits_between
-from onika.desk.environment.outcome.outcome import Change, Done, News, No, Order
+from onika.desk.environment.outcome.outcome import Done, News, No, Order, SubsystemChange
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.reconcile import merge
 from onika.desk.environment.reconcile.live_facts import settled, true_to_facts
 from onika.desk.environment.reconcile.reconfiguration_diff import Reconfiguration, reconfiguration, with_facts
 from onika.desk.environment.reconcile.rollback import file_before, reverted, without_steps
 from onika.desk.environment.state.document import Document
-from onika.desk.environment.state.live import Base, Live, Pending
+from onika.desk.environment.state.live import Pending, RequestedState, SubsystemFacts
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.wire import act, live, page, request
 from onika.wire.view import Remedy, ShowTask
 
@@ -35,7 +35,9 @@ def pursue(model: Model, document: Document) -> Done | No:
         return No("; ".join(what.faults))
     if what.is_nothing:
         if under_way is None:
-            subsystem_facts = replace(subsystem_facts, turns={}, base=Base(document.content, document.history))
+            subsystem_facts = replace(
+                subsystem_facts, turns={}, base=RequestedState(document.content, document.history)
+            )
         return Done(model.with_document(replace(document, live=subsystem_facts)))
     refused = _refused(document, subsystem_facts, what, model)
     if refused:
@@ -55,7 +57,7 @@ def pursue_all(model: Model, docs: Iterable[str]) -> Done | No:
     return done
 
 
-def noted(model: Model, former: Shelf, *, but: str = "") -> tuple[Model, tuple[str, ...]]:
+def noted(model: Model, former: OpenLibraries, *, but: str = "") -> tuple[Model, tuple[str, ...]]:
     """With what has changed of tasks since a former shelf noted in every connected document (but one); in which."""
     changed, docs = edits_between(model.shelf, former), []
     for document in model.documents.values() if changed else ():
@@ -80,12 +82,14 @@ def under_way(document: Document, task: str) -> tuple[Document, int]:
     return replace(document, live=replace(subsystem_facts, requests=key, pending=pending)), key
 
 
-def next_change(doc: str, subsystem_facts: Live) -> Change:
+def next_change(doc: str, subsystem_facts: SubsystemFacts) -> SubsystemChange:
     """The change of a subsystem that is asked for next."""
-    return Change(doc, subsystem_facts.changes + 1)
+    return SubsystemChange(doc, subsystem_facts.changes + 1)
 
 
-def accepted(model: Model, response: request.Response, doc: str, key: int, change: Change | None = None) -> Done:
+def accepted(
+    model: Model, response: request.Response, doc: str, key: int, change: SubsystemChange | None = None
+) -> Done:
     """The runtime has accepted what it was asked for, or says all that is wrong with it; acts may wait for `change`."""
     document = model.documents.get(doc)
     subsystem_facts = document.live if document else None
@@ -122,18 +126,18 @@ def living_units(model: Model) -> tuple[str, ...]:
     return tuple(name for name, unit in model.runtime.units.items() if not unit.is_lost)
 
 
-def _of(document: Document) -> tuple[Live, Base]:
+def _of(document: Document) -> tuple[SubsystemFacts, RequestedState]:
     subsystem_facts = document.live
     if subsystem_facts is None or subsystem_facts.base is None:
         raise ValueError(f"expected a connected document, found {document.name}")
     return subsystem_facts, subsystem_facts.base
 
 
-def _news(change: Change | None, no: No | None) -> tuple[News, ...]:
+def _news(change: SubsystemChange | None, no: No | None) -> tuple[News, ...]:
     return () if change is None else ((change, no),)
 
 
-def _awaiting(model: Model, document: Document, subsystem_facts: Live) -> Done:
+def _awaiting(model: Model, document: Document, subsystem_facts: SubsystemFacts) -> Done:
     """What is done while a change is under way goes out with the next one, and is answered with it."""
     document = replace(document, live=replace(subsystem_facts, is_awaited=True))
     return Done(model.with_document(document), awaits=next_change(document.id, subsystem_facts))
@@ -169,7 +173,7 @@ def _carried_out(document: Document, key: int) -> Document:
         if not subsystem_facts.pending:
             content = true_to_facts(content, subsystem_facts, after)
             after = true_to_facts(after, subsystem_facts, after)
-        base = Base(after, pending.present, base.edits)
+        base = RequestedState(after, pending.present, base.edits)
     elif not subsystem_facts.pending:
         content = true_to_facts(content, subsystem_facts, base.content)
         base = replace(base, content=true_to_facts(base.content, subsystem_facts, base.content))
@@ -193,7 +197,7 @@ def _failed(model: Model, document: Document, key: int) -> Done:
     tasks = {name: task for name, task in subsystem_facts.tasks.items() if name not in born}
     history = without_steps(document.history, before.history, pending.present)
     edits = {name: task for name, task in base.edits.items() if name not in before.edits}
-    subsystem_facts = replace(subsystem_facts, tasks=tasks, base=Base(before.content, before.history, edits))
+    subsystem_facts = replace(subsystem_facts, tasks=tasks, base=RequestedState(before.content, before.history, edits))
     former = model.shelf
     shelf = former.edited(before.edits) if before.edits else former
     document = file_before(document, before.history, pending.present)
@@ -227,7 +231,7 @@ def _go_on(model: Model, document: Document | None, doc: str = "") -> Done:
     return replace(done, model=model, news=(come_to_nothing,))
 
 
-def _refused(document: Document, subsystem_facts: Live, what: Reconfiguration, model: Model) -> No | None:
+def _refused(document: Document, subsystem_facts: SubsystemFacts, what: Reconfiguration, model: Model) -> No | None:
     if subsystem_facts.is_foreign:
         name, holder = subsystem_facts.subsystem, subsystem_facts.holder
         reason = f"{name} is held by {holder}, who can release it; everybody can stop it"
@@ -242,7 +246,7 @@ def _rests(name: str, document: Document) -> page.Say:
     return page.Say("warning", text, document.id, ShowTask(name))
 
 
-def _unknown(model: Model, document: Document, subsystem_facts: Live, number: int, cause: str) -> Done:
+def _unknown(model: Model, document: Document, subsystem_facts: SubsystemFacts, number: int, cause: str) -> Done:
     """An outcome that was told before its change was accepted, or one of somebody else's change."""
     if any(pending.number is None for pending in subsystem_facts.pending.values()):
         early = dict(list({**subsystem_facts.early, number: cause}.items())[-_KEPT:])

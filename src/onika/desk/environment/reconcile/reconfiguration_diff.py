@@ -3,10 +3,10 @@
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
 
-from onika.desk.environment.reconcile.task_plan import Birth, birth, is_hardware, rate_of
+from onika.desk.environment.reconcile.task_plan import SpawnPlan, birth, is_hardware, rate_of
 from onika.desk.environment.state.content import Content
-from onika.desk.environment.state.live import Live, TaskFacts
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.live import SubsystemFacts, TaskFacts
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.rules.order import Ports, rank
 from onika.wire import live
 
@@ -16,7 +16,7 @@ class Reconfiguration:
     """The tasks of a change by what happens to them; one that is in `kill` and in `spawn` is exchanged."""
 
     kill: tuple[str, ...] = ()
-    spawn: tuple[Birth, ...] = ()
+    spawn: tuple[SpawnPlan, ...] = ()
     off: tuple[str, ...] = ()
     on: tuple[live.Turn, ...] = ()
     rates: tuple[tuple[str, float], ...] = ()
@@ -53,8 +53,8 @@ class Reconfiguration:
 def reconfiguration(
     before: Content,
     after: Content,
-    subsystem_facts: Live,
-    shelf: Shelf,
+    subsystem_facts: SubsystemFacts,
+    shelf: OpenLibraries,
     changed: Collection[str],
     units: Collection[str],
 ) -> Reconfiguration:
@@ -79,12 +79,12 @@ def reconfiguration(
     in_order = [births[name] for name in groups.in_group_order(births)]
     return Reconfiguration(
         kill=tuple(name for name in gone if difference.lives(name)),
-        spawn=tuple(newcomer for newcomer in in_order if isinstance(newcomer, Birth)),
+        spawn=tuple(newcomer for newcomer in in_order if isinstance(newcomer, SpawnPlan)),
         off=tuple(reversed(groups.in_group_order(reversed(off)))),
         on=tuple(live.Turn(name, subsystem_facts.turns.get(name, "")) for name in _in_order(on, after, shelf)),
         rates=tuple((name, hz) for name, hz in rates if name not in births),
         resting=tuple(resting),
-        faults=tuple(reason for reason in births.values() if not isinstance(reason, Birth)),
+        faults=tuple(reason for reason in births.values() if not isinstance(reason, SpawnPlan)),
     )
 
 
@@ -94,8 +94,8 @@ class _Difference:
 
     before: Content
     after: Content
-    facts: Live
-    shelf: Shelf
+    facts: SubsystemFacts
+    shelf: OpenLibraries
     changed: Collection[str]
     units: Collection[str]
 
@@ -133,7 +133,7 @@ class _Difference:
         return placed is not None and bool(here) and placed.rtpu in self.units and placed.rtpu != here
 
 
-def with_facts(subsystem_facts: Live, what: Reconfiguration, units: Collection[str]) -> Live:
+def with_facts(subsystem_facts: SubsystemFacts, what: Reconfiguration, units: Collection[str]) -> SubsystemFacts:
     """What is known while it is under way: who is to be born is shown at once."""
     first = next(iter(units), "")
     spawning: dict[str, TaskFacts] = {}
@@ -147,14 +147,14 @@ def with_facts(subsystem_facts: Live, what: Reconfiguration, units: Collection[s
     return replace(subsystem_facts, tasks={**subsystem_facts.tasks, **rates, **spawning}, turns={})
 
 
-def _birth(name: str, after: Content, shelf: Shelf, units: Collection[str]) -> Birth | str:
+def _birth(name: str, after: Content, shelf: OpenLibraries, units: Collection[str]) -> SpawnPlan | str:
     placed = after.placed(name)
     if placed is None:
         raise ValueError(f"expected {name}, which is wanted, on the canvas, found {after.names}")
     return birth(placed, shelf, units)
 
 
-def _rates(names: list[str], before: Content, after: Content, shelf: Shelf) -> list[tuple[str, float]]:
+def _rates(names: list[str], before: Content, after: Content, shelf: OpenLibraries) -> list[tuple[str, float]]:
     signs = []
     for name in names:
         old, new, task = before.placed(name), after.placed(name), shelf.tasks.get(name)
@@ -166,7 +166,7 @@ def _rates(names: list[str], before: Content, after: Content, shelf: Shelf) -> l
     return signs
 
 
-def _in_order(names: list[str], after: Content, shelf: Shelf) -> list[str]:
+def _in_order(names: list[str], after: Content, shelf: OpenLibraries) -> list[str]:
     """Producers before consumers, but the tasks of a supermodule in its order (C17)."""
     if len(names) < 2:
         return names

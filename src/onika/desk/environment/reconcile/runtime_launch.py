@@ -10,7 +10,7 @@ _AS_WALL_TIME = ("--scale", "1")
 """A person looks on."""
 
 
-class Launching:
+class RuntimeLauncher:
     """Starts runtimes with these units and options, where no address is given.
 
     rtpus       the processing units

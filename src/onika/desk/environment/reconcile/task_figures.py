@@ -9,7 +9,7 @@ _COUNTED = ("cycle", "miss", "warn", "tot-C", "ptime")
 """What grows as long as a task lives; everything else is of the time since figures were asked for last."""
 
 
-class Tally:
+class FigureTotals:
     """The figures of every task, from one answer to the next."""
 
     def __init__(self) -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import msgspec
 
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.desk.plan.compile import UNKNOWN, planned_task
 from onika.model.configuration import Placed
 from onika.model.task import Task
@@ -15,14 +15,14 @@ from onika.wire.plan import Code, PlannedTask
 
 
 @dataclass(frozen=True, slots=True)
-class Birth:
+class SpawnPlan:
     """A task to be born, and its code."""
 
     task: PlannedTask
     code: Code
 
 
-def birth(placed: Placed, shelf: Shelf, units: Collection[str]) -> Birth | str:
+def birth(placed: Placed, shelf: OpenLibraries, units: Collection[str]) -> SpawnPlan | str:
     """How a placed task is born, or why it cannot be; on a unit that is not there it is born on the first one."""
     task = shelf.tasks.get(placed.task)
     if task is None:
@@ -32,7 +32,7 @@ def birth(placed: Placed, shelf: Shelf, units: Collection[str]) -> Birth | str:
         return f"{placed.task} cannot live: {code}"
     rtpu = placed.rtpu if placed.rtpu in units else UNKNOWN
     planned = planned_task(task, rtpu, code.digest, str(shelf.homes[placed.task].base.task_file(placed.task)))
-    return Birth(msgspec.structs.replace(planned, frequency=rate_of(placed, task)), code)
+    return SpawnPlan(msgspec.structs.replace(planned, frequency=rate_of(placed, task)), code)
 
 
 def rate_of(placed: Placed, task: Task) -> float | None:
@@ -40,7 +40,7 @@ def rate_of(placed: Placed, task: Task) -> float | None:
     return None if task.frequency is None else placed.frequency or task.frequency
 
 
-def code_of(module: str, shelf: Shelf, task: str) -> Code | str:
+def code_of(module: str, shelf: OpenLibraries, task: str) -> Code | str:
     """The code of a task's module as it stands in its file now, beside the task or in another open library."""
     path = code_path(module, shelf, task)
     if path is None:
@@ -52,14 +52,14 @@ def code_of(module: str, shelf: Shelf, task: str) -> Code | str:
     return Code(sha256(source.encode()).hexdigest(), module, str(path), source)
 
 
-def code_path(module: str, shelf: Shelf, task: str) -> Path | None:
+def code_path(module: str, shelf: OpenLibraries, task: str) -> Path | None:
     """Where the code of a task's module stands."""
     home = shelf.homes.get(task)
     bases = (*((home.base,) if home else ()), *(library.base for library in shelf.libraries))
     return next((path for base in bases if (path := base.code_file(module)).is_file()), None)
 
 
-def is_hardware(task: Task, shelf: Shelf) -> bool:
+def is_hardware(task: Task, shelf: OpenLibraries) -> bool:
     """Whether it moves a device, as its module says; one that was never read does if it names a device."""
     sheet = shelf.sheets.get(task.module)
     if sheet is not None:

@@ -11,7 +11,7 @@ _SLOWEST_HZ = 0.1
 
 
 @dataclass(frozen=True, slots=True)
-class Watching:
+class Watch:
     """A wish: variables as `DOC/NAME`, worlds by name, figures of all tasks, and how often at most."""
 
     variables: frozenset[str] = frozenset()

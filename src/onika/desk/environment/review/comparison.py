@@ -7,10 +7,10 @@ from dataclasses import replace
 from msgspec import structs
 
 from onika.desk.environment.outcome.outcome import Done, No, Procedure
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.review.opening import NOT_HERE, put_one_away, read
-from onika.desk.environment.run_state.recorded_run import Subject
-from onika.desk.environment.run_state.review_session import Looking
+from onika.desk.environment.run_state.recorded_run import ReviewedRun
+from onika.desk.environment.run_state.review_session import ReviewSession
 from onika.desk.environment.state.model import Model
 from onika.record.difference import Difference, first_difference
 from onika.record.reader import UNREADABLE, Reader
@@ -21,7 +21,7 @@ from onika.wire.view import DifferenceView
 _SHAPE = re.compile(r"[a-z]+\[(\d+(?:,\d+)*)\]")
 
 
-def compare_with(model: Model, command: act.CompareWith, outside: Surroundings) -> Procedure:
+def compare_with(model: Model, command: act.CompareWith, outside: Services) -> Procedure:
     """Show another one beside it; the value is its path. The difference comes later, with the tree."""
     reading, comparing = outside.reading, outside.comparing
     if reading is None or comparing is None:
@@ -32,7 +32,7 @@ def compare_with(model: Model, command: act.CompareWith, outside: Surroundings) 
         return No("a tolerance is 0 or more", fields=wrong)
     if not command.path:
         put_one_away(model.looking.other, reading)
-        return Done(replace(model, looking=Looking(model.looking.subject)))
+        return Done(replace(model, looking=ReviewSession(model.looking.subject)))
     model, other = yield from read(model, command.path, outside, reading, opens=False)
     if isinstance(other, No):
         return other
@@ -44,14 +44,14 @@ def compare_with(model: Model, command: act.CompareWith, outside: Surroundings) 
     is_virtual = subject.view.is_virtual and other.view.is_virtual
     tolerance = usual(is_virtual, command.tolerance, command.part, command.time_s)
     comparing.do(lambda: comparing.tell(_compared(subject, other, tolerance)))
-    return Done(replace(model, looking=Looking(subject, other)), value=other.view.path)
+    return Done(replace(model, looking=ReviewSession(subject, other)), value=other.view.path)
 
 
 def _negative(command: act.CompareWith) -> dict[str, str]:
     return {name: "expected 0 or more" for name in ("tolerance", "part", "time_s") if (getattr(command, name) or 0) < 0}
 
 
-def _compared(subject: Subject, other: Subject, tolerance: Tolerance) -> Callable[[Model], Done]:
+def _compared(subject: ReviewedRun, other: ReviewedRun, tolerance: Tolerance) -> Callable[[Model], Done]:
     """Both files are read anew, so that nobody waits who looks at them meanwhile."""
     first: Difference | None = None
     wrong = ""
@@ -103,7 +103,7 @@ def _plain(side: str) -> str:
     return f"{' × '.join(shape[1].split(','))} values" if shape else side
 
 
-def _view(difference: Difference | None, subject: Subject) -> DifferenceView:
+def _view(difference: Difference | None, subject: ReviewedRun) -> DifferenceView:
     if difference is None:
         return DifferenceView()
     series = subject.review.series.get(difference.variable)

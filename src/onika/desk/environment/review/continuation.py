@@ -11,13 +11,24 @@ from functools import partial
 from msgspec import structs
 
 from onika.desk.environment.following import given_up
-from onika.desk.environment.outcome.outcome import Ask, Done, No, Order, Procedure, Reach, Shown, Simulator, Steps, Work
+from onika.desk.environment.outcome.outcome import (
+    Ask,
+    Done,
+    No,
+    Order,
+    Procedure,
+    RequiredRuntime,
+    Shown,
+    Simulator,
+    Steps,
+    Work,
+)
 from onika.desk.environment.outcome.runtime_refusal import refusal
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.descriptions import describe
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.review.opening import NOT_HERE, put_away
-from onika.desk.environment.run_state.recorded_run import Subject
+from onika.desk.environment.run_state.recorded_run import ReviewedRun
 from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.runs import flow_placement, run_reducer
 from onika.desk.environment.runs.obstacles import left
@@ -34,7 +45,7 @@ _BY_USER = "aborted by the user"
 _ENDING = (request.Abort, request.Stop, live.Reset)
 
 
-def continue_run(model: Model, command: act.Continue, outside: Surroundings) -> Procedure:
+def continue_run(model: Model, command: act.Continue, outside: Services) -> Procedure:
     """Repeat the run that is looked at up to an instant, then let it go on; the value is the number of the run."""
     wrong = _refused(model, command, outside)
     if wrong is not None:
@@ -59,7 +70,7 @@ def continue_run(model: Model, command: act.Continue, outside: Surroundings) -> 
     return _goes_on(replace(model, looking=None))
 
 
-def _read(subject: Subject, at_s: float) -> RecordedRun | No:
+def _read(subject: ReviewedRun, at_s: float) -> RecordedRun | No:
     recorded = recorded_run(RecordingSource(subject.path, at_s))
     if isinstance(recorded, RecordedRun):
         return recorded
@@ -67,7 +78,7 @@ def _read(subject: Subject, at_s: float) -> RecordedRun | No:
     return No("; ".join(why))
 
 
-def _refused(model: Model, command: act.Continue, outside: Surroundings) -> No | None:
+def _refused(model: Model, command: act.Continue, outside: Services) -> No | None:
     if outside.reading is None:
         return NOT_HERE
     if model.looking is None:
@@ -120,7 +131,7 @@ def _repeated(model: Model, run: Run, recorded: RecordedRun) -> Steps[tuple[Mode
         for document in connected
         if document.live is not None and document.live.tasks
     )
-    reach = Reach(is_anew=True, simulator=Simulator(recorded.run.rtpus, recorded.run.options))
+    reach = RequiredRuntime(is_anew=True, simulator=Simulator(recorded.run.rtpus, recorded.run.options))
     model, standing = yield Ask(after, live.Survey(), reach, says=says, news=given_up(model, after))
     if not isinstance(standing, live.Standing):
         why = refusal(standing)
@@ -158,7 +169,7 @@ def _not_ended(recorded: RecordedRun) -> tuple[RecordedRun, tuple[Reason, ...]]:
     return replace(recorded, inputs=kept), notes
 
 
-def _run(model: Model, subject: Subject, at_s: float, outside: Surroundings) -> Run:
+def _run(model: Model, subject: ReviewedRun, at_s: float, outside: Services) -> Run:
     """What is shown of it: as the recorded one was at its beginning, with the steps of the application of now."""
     return subject.replay.begun.shown(
         state="beginning",

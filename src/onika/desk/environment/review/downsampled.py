@@ -4,10 +4,10 @@ All its values are read once, aside; then any stretch of it is answered at once.
 """
 
 from onika.desk.environment.outcome.outcome import Done, No, Procedure, Work
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.review.opening import NOT_HERE
 from onika.desk.environment.review.snapshot import looked_at, sane, spoilt
-from onika.desk.environment.run_state.recorded_run import Subject
+from onika.desk.environment.run_state.recorded_run import ReviewedRun
 from onika.desk.environment.state.model import Model
 from onika.desk.run.run_review import drawn
 from onika.record import downsampled as recorded
@@ -20,7 +20,7 @@ from onika.wire.view import StretchView
 _MOST_POINTS = 4000
 
 
-def course(model: Model, command: act.Course, outside: Surroundings) -> Procedure:
+def course(model: Model, command: act.Course, outside: Services) -> Procedure:
     """A variable over a stretch of the run; the value is a tuple of `view.StretchView`, empty for what is no number."""
     subject = looked_at(model, of_other=command.of_other)
     if isinstance(subject, No):
@@ -40,7 +40,7 @@ def course(model: Model, command: act.Course, outside: Surroundings) -> Procedur
     return samples if isinstance(samples, No) else Done(model, value=_stretches(subject, command, samples))
 
 
-def _read(subject: Subject, variable: str, series: Series) -> Samples | No:
+def _read(subject: ReviewedRun, variable: str, series: Series) -> Samples | No:
     """All the values of a variable, kept for the next time."""
     samples = subject.samples.get(variable)
     try:
@@ -51,7 +51,7 @@ def _read(subject: Subject, variable: str, series: Series) -> Samples | No:
     return samples
 
 
-def _stretches(subject: Subject, command: act.Course, samples: Samples) -> tuple[StretchView, ...]:
+def _stretches(subject: ReviewedRun, command: act.Course, samples: Samples) -> tuple[StretchView, ...]:
     begin = round(sane(command.begin_s) * 1e9)
     end = max(round(sane(command.end_s) * 1e9), begin)
     some = recorded.parts(samples, begin, end, min(max(command.points, 1), _MOST_POINTS))

@@ -11,12 +11,12 @@ from pathlib import Path
 from onika.desk.environment.file import file_acts
 from onika.desk.environment.outcome.fault_view import place_of
 from onika.desk.environment.outcome.outcome import Done, No, Procedure, Steps, Work
-from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.outcome.worker import Aside
-from onika.desk.environment.run_state.membership import Belonging
-from onika.desk.environment.run_state.messages import Speech
-from onika.desk.environment.run_state.recorded_run import Subject, subject
-from onika.desk.environment.run_state.review_session import Looking
+from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.outcome.worker import BackgroundWorker
+from onika.desk.environment.run_state.membership import StepMembership
+from onika.desk.environment.run_state.messages import IconWording
+from onika.desk.environment.run_state.recorded_run import ReviewedRun, subject
+from onika.desk.environment.run_state.review_session import ReviewSession
 from onika.desk.environment.run_state.step_mapping import Present, recast
 from onika.desk.environment.runs.begin import durations, ready
 from onika.desk.environment.state.model import Model
@@ -34,7 +34,7 @@ NOT_HERE = No("recordings cannot be looked at here")
 _NO_SYNTAX = Syntax((), ())
 
 
-def open_recording(model: Model, command: act.OpenRecording, outside: Surroundings) -> Procedure:
+def open_recording(model: Model, command: act.OpenRecording, outside: Services) -> Procedure:
     """Look at a recorded run; the value is the path of its file."""
     aside = outside.reading
     if aside is None:
@@ -43,24 +43,24 @@ def open_recording(model: Model, command: act.OpenRecording, outside: Surroundin
     if isinstance(recorded, No):
         return recorded
     put_away(model, aside)
-    return Done(replace(model, looking=Looking(recorded)), value=recorded.view.path)
+    return Done(replace(model, looking=ReviewSession(recorded)), value=recorded.view.path)
 
 
-def close_recording(model: Model, _asked: act.CloseRecording, outside: Surroundings) -> Done | No:
+def close_recording(model: Model, _asked: act.CloseRecording, outside: Services) -> Done | No:
     """Put it away; none need be looked at."""
     if outside.reading is not None:
         put_away(model, outside.reading)
     return Done(replace(model, looking=None))
 
 
-def put_away(model: Model, aside: Aside) -> None:
+def put_away(model: Model, aside: BackgroundWorker) -> None:
     """Put everything away that is looked at."""
     if model.looking is not None:
         put_one_away(model.looking.subject, aside)
         put_one_away(model.looking.other, aside)
 
 
-def put_one_away(looked_at: Subject | None, aside: Aside) -> None:
+def put_one_away(looked_at: ReviewedRun | None, aside: BackgroundWorker) -> None:
     """Close the file of a run that nobody looks at any more, as soon as nobody reads in it."""
     if looked_at is not None:
         looked_at.away.set()
@@ -68,8 +68,8 @@ def put_one_away(looked_at: Subject | None, aside: Aside) -> None:
 
 
 def read(
-    model: Model, path: str, outside: Surroundings, aside: Aside, *, opens: bool
-) -> Steps[tuple[Model, Subject | No]]:
+    model: Model, path: str, outside: Services, aside: BackgroundWorker, *, opens: bool
+) -> Steps[tuple[Model, ReviewedRun | No]]:
     """Read a recording; its application is opened where that is wanted and it is not open, and then compiled."""
     model, review = yield Work(model, aside, partial(_review, Path(path).expanduser().absolute()))
     if isinstance(review, No):
@@ -86,7 +86,9 @@ def _review(file: Path) -> Review | No:
         return _unreadable(file, wrong)
 
 
-def _compiled(review: Review, opened: OpenApplication | None, note: str, site: Site, syntax: Syntax) -> Subject | No:
+def _compiled(
+    review: Review, opened: OpenApplication | None, note: str, site: Site, syntax: Syntax
+) -> ReviewedRun | No:
     try:
         return subject_of(review, opened, note, site, syntax)
     except UNREADABLE as wrong:
@@ -101,9 +103,7 @@ def _unreadable(file: Path, wrong: Exception) -> No:
 # -- its application
 
 
-def _opened(
-    model: Model, plan: Plan, outside: Surroundings, *, opens: bool
-) -> tuple[Model, OpenApplication | None, str]:
+def _opened(model: Model, plan: Plan, outside: Services, *, opens: bool) -> tuple[Model, OpenApplication | None, str]:
     """The open application whose run it was, opened where it is not; or why there is none."""
     application = open_one(model, plan)
     if application is not None or not opens:
@@ -138,7 +138,7 @@ def _place(plan: Plan) -> str:
     return next(own, plan.application)
 
 
-def subject_of(review: Review, opened: OpenApplication | None, note: str, site: Site, syntax: Syntax) -> Subject:
+def subject_of(review: Review, opened: OpenApplication | None, note: str, site: Site, syntax: Syntax) -> ReviewedRun:
     """A recording shown at the icons of an application as it is now."""
     present = None if opened is None else _present(opened, site, syntax)
     mapping = recast(review.run.prepare.plan, present)
@@ -148,6 +148,6 @@ def subject_of(review: Review, opened: OpenApplication | None, note: str, site: 
 
 def _present(opened: OpenApplication, site: Site, syntax: Syntax) -> Present:
     prepared = ready(opened, site, syntax)
-    speech = Speech.of(place_of(opened), with_numbers_as_lines(opened.application), prepared.program, syntax)
-    belonging = Belonging.of(opened.application, syntax)
+    speech = IconWording.of(place_of(opened), with_numbers_as_lines(opened.application), prepared.program, syntax)
+    belonging = StepMembership.of(opened.application, syntax)
     return Present(opened.id, opened.name, prepared.plan, belonging, speech)

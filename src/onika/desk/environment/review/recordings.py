@@ -6,7 +6,7 @@ from pathlib import Path
 
 from onika.desk.environment.file.recordings_folder import ENDING, recordings_folder
 from onika.desk.environment.outcome.outcome import Done, Procedure, Work
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.review.opening import NOT_HERE
 from onika.desk.environment.state.model import Model
 from onika.record.reader import UNREADABLE
@@ -15,7 +15,7 @@ from onika.wire import act
 from onika.wire.view import RecordingFile, RecordingsView
 
 
-def recordings(model: Model, _asked: act.Recordings, outside: Surroundings) -> Procedure:
+def recordings(model: Model, _asked: act.Recordings, outside: Services) -> Procedure:
     """Which there are; the value is a `view.RecordingsView`. One that is being made is not among them."""
     if outside.state is None or outside.reading is None:
         return NOT_HERE

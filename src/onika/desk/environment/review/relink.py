@@ -5,22 +5,22 @@ from dataclasses import replace
 from typing import Any
 
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.review.opening import open_one, subject_of
-from onika.desk.environment.run_state.recorded_run import Subject
-from onika.desk.environment.run_state.review_session import Looking
+from onika.desk.environment.run_state.recorded_run import ReviewedRun
+from onika.desk.environment.run_state.review_session import ReviewSession
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.record.reader import UNREADABLE
 from onika.wire import act
 
-Handler = Callable[[Model, Any, Surroundings], Done | No]
+Handler = Callable[[Model, Any, Services], Done | No]
 
 
 def relinked(carry_out: Handler) -> Handler:
     """What an act does that opens an application or reads its file again; then its recorded runs follow."""
 
-    def handler(model: Model, command: Any, outside: Surroundings) -> Done | No:
+    def handler(model: Model, command: Any, outside: Services) -> Done | No:
         done = carry_out(model, command, outside)
         looking = done.model.looking if isinstance(done, Done) else None
         if isinstance(done, No) or looking is None:
@@ -33,11 +33,11 @@ def relinked(carry_out: Handler) -> Handler:
     return handler
 
 
-def _both(looking: Looking) -> tuple[Subject, ...]:
+def _both(looking: ReviewSession) -> tuple[ReviewedRun, ...]:
     return (looking.subject, looking.other) if looking.other else (looking.subject,)
 
 
-def _follow(subject: Subject, model: Model, outside: Surroundings, *, is_read_again: bool) -> None:
+def _follow(subject: ReviewedRun, model: Model, outside: Services, *, is_read_again: bool) -> None:
     """Have a recorded run shown at the icons of its application, if that is open and it is not shown there already."""
     opened = open_one(model, subject.review.run.prepare.plan)
     aside, syntax, site = outside.reading, model.syntax, outside.site
@@ -57,7 +57,7 @@ def _follow(subject: Subject, model: Model, outside: Surroundings, *, is_read_ag
     aside.do(work)
 
 
-def _shown(model: Model, former: Subject, relinked: Subject, opened: OpenApplication) -> Model:
+def _shown(model: Model, former: ReviewedRun, relinked: ReviewedRun, opened: OpenApplication) -> Model:
     """With one recorded run as it is shown now, unless something has come between."""
     looking = model.looking
     if looking is None or opened.id not in model.applications:

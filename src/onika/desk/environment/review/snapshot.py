@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.run_state.recorded_run import Subject
-from onika.desk.environment.run_state.review_session import Looking
+from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.run_state.recorded_run import ReviewedRun
+from onika.desk.environment.run_state.review_session import ReviewSession
 from onika.desk.environment.state.model import Model
 from onika.record.reader import UNREADABLE
 from onika.wire import act
@@ -14,7 +14,7 @@ from onika.wire.view import InstantView
 _FAR_S = 1e9
 
 
-def glance(model: Model, command: act.Glance, _outside: Surroundings) -> Done | No:
+def glance(model: Model, command: act.Glance, _outside: Services) -> Done | No:
     """What it was like; the value is a `view.InstantView`."""
     subject = looked_at(model, of_other=command.of_other)
     if isinstance(subject, No):
@@ -25,7 +25,7 @@ def glance(model: Model, command: act.Glance, _outside: Surroundings) -> Done | 
         return spoilt(subject, wrong)
 
 
-def recorded_scene(model: Model, command: act.RecordedScene, _outside: Surroundings) -> Done | No:
+def recorded_scene(model: Model, command: act.RecordedScene, _outside: Services) -> Done | No:
     """What a world consisted of; the value is as that of `act.Scene`."""
     subject = looked_at(model, of_other=command.of_other)
     if isinstance(subject, No):
@@ -39,9 +39,9 @@ def recorded_scene(model: Model, command: act.RecordedScene, _outside: Surroundi
     return Done(model, value={"shapes": shapes})
 
 
-def looked_at(model: Model, *, of_other: bool) -> Subject | No:
+def looked_at(model: Model, *, of_other: bool) -> ReviewedRun | No:
     """The recorded run that is meant."""
-    looking: Looking | None = model.looking
+    looking: ReviewSession | None = model.looking
     if looking is None:
         return No("no recording is looked at")
     return looking.subject_of(of_other=of_other) or No("no other recording is looked at beside it")
@@ -52,12 +52,12 @@ def sane(at_s: float) -> float:
     return min(max(at_s, -_FAR_S), _FAR_S)
 
 
-def spoilt(subject: Subject, wrong: Exception) -> No:
+def spoilt(subject: ReviewedRun, wrong: Exception) -> No:
     """The file is not what it was when it was opened, or was spoilt before."""
     return No(f"{subject.path.name} cannot be read there: {wrong}")
 
 
-def _instant(subject: Subject, model: Model, at_s: float) -> InstantView:
+def _instant(subject: ReviewedRun, model: Model, at_s: float) -> InstantView:
     instant = subject.review.at(at_s, with_pictures=False)
     run = subject.replay.at(at_s)
     seen = {world: instant.poses.get(world) or subject.review.first_poses(world) for world in subject.review.worlds}
@@ -66,7 +66,7 @@ def _instant(subject: Subject, model: Model, at_s: float) -> InstantView:
     return InstantView(at_s, run, tasks, instant.variables, poses, _homes(subject, model))
 
 
-def _replaced(subject: Subject, states: Mapping[str, str]) -> dict[str, str]:
+def _replaced(subject: ReviewedRun, states: Mapping[str, str]) -> dict[str, str]:
     """What a configuration names is shown in the state of what stood for it: it wrote the same variables."""
     flows = subject.review.run.prepare.plan.flows
     stood = {
@@ -75,7 +75,7 @@ def _replaced(subject: Subject, states: Mapping[str, str]) -> dict[str, str]:
     return {old: states[name] for old, name in stood.items() if name in states}
 
 
-def _homes(subject: Subject, model: Model) -> dict[str, str]:
+def _homes(subject: ReviewedRun, model: Model) -> dict[str, str]:
     """By open configuration, the subsystem in which its tasks were: where most of them were, and a job of its name."""
     homes = {}
     for doc, document in model.documents.items():

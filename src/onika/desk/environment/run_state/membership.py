@@ -8,7 +8,7 @@ from onika.model.syntax import Syntax
 
 
 @dataclass(frozen=True, slots=True)
-class Belonging:
+class StepMembership:
     """The steps of an application by their numbers, as it was when it was looked at."""
 
     owners: Mapping[int, int]
@@ -17,7 +17,7 @@ class Belonging:
     """Of each branch: the steps in it, at any depth."""
 
     @classmethod
-    def of(cls, application: Application, syntax: Syntax) -> "Belonging":
+    def of(cls, application: Application, syntax: Syntax) -> "StepMembership":
         """Those of an application whose steps have numbers."""
         owners: dict[int, int] = {}
         inside: dict[int, frozenset[int]] = {}

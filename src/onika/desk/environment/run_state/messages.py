@@ -24,7 +24,7 @@ _CHOSEN = re.compile(r"\b(repeats|leaves) (.+?)(?= with the same target| and goe
 
 
 @dataclass(frozen=True, slots=True)
-class Speech:
+class IconWording:
     """The words of one run. A runtime knows actions by the names of files; nobody who builds with pictures does."""
 
     by_icon: _Icons = field(default_factory=dict)
@@ -37,7 +37,9 @@ class Speech:
     """What stands for a file, by its path; long paths first, for a short one may be a part of them."""
 
     @classmethod
-    def of(cls, place: Place, application: Application, program: ApplicationProgram | None, syntax: Syntax) -> "Speech":
+    def of(
+        cls, place: Place, application: Application, program: ApplicationProgram | None, syntax: Syntax
+    ) -> "IconWording":
         """Those of an application that stands in the file `place`, and of what it runs."""
         applications = {place.file: application}
         if program is not None:
@@ -54,7 +56,7 @@ class Speech:
         }
         return cls(by_icon, by_place)
 
-    def hearing(self, plan: Plan) -> "Speech":
+    def hearing(self, plan: Plan) -> "IconWording":
         """The same, for what a runtime tells of this plan."""
         every = [action for flow in plan.flows for action in flow.actions]
         names: dict[str, str] = {}

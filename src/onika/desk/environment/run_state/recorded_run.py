@@ -7,11 +7,11 @@ from pathlib import Path
 from threading import Event
 
 from onika.desk.environment.run_state.event_marks import marks
-from onika.desk.environment.run_state.messages import Speech
+from onika.desk.environment.run_state.messages import IconWording
 from onika.desk.environment.run_state.replay import Replay
 from onika.desk.environment.run_state.run import Run, begun
-from onika.desk.environment.run_state.step_mapping import Recast
-from onika.desk.environment.run_state.variable_cache import Kept
+from onika.desk.environment.run_state.step_mapping import StepMapping
+from onika.desk.environment.run_state.variable_cache import VariableCache
 from onika.desk.run.recorded_run import RecordingSource, recorded_run
 from onika.desk.run.run_review import Review, ReviewedFlow
 from onika.record.series import Series
@@ -19,15 +19,15 @@ from onika.wire.view import PassageView, RecordedFlowView, RecordedVariableView,
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Subject:
+class ReviewedRun:
     """One recorded run; equal only to itself."""
 
     review: Review
     replay: Replay
     view: RecordingView
-    speech: Speech
+    speech: IconWording
     """The words of its icons."""
-    samples: Kept = field(default_factory=Kept)
+    samples: VariableCache = field(default_factory=VariableCache)
     """Of the variables that were plotted."""
     away: Event = field(default_factory=Event)
     """Set where nobody looks at it any more."""
@@ -37,7 +37,7 @@ class Subject:
         """Its file."""
         return Path(self.view.path)
 
-    def is_of(self, other: "Subject") -> bool:
+    def is_of(self, other: "ReviewedRun") -> bool:
         """Whether both were made when the same recording was opened: it may be shown at other icons since."""
         return self.review is other.review
 
@@ -48,15 +48,15 @@ class Subject:
         return text
 
 
-def subject(review: Review, recast: Recast, durations: Mapping[tuple[int, int], float]) -> Subject:
+def subject(review: Review, recast: StepMapping, durations: Mapping[tuple[int, int], float]) -> ReviewedRun:
     """Made of a recording, and of the steps of the open application that its actions are."""
     run = begun(recast.doc, recast.plan, 0, _began(review.run.began), recast.belonging)
     run = replace(run, speech=recast.speech, durations=durations)
     run = run.shown(state="running", recording=str(review.path))
-    return Subject(review, Replay(run, review.events), _view(review, run, recast), run.speech)
+    return ReviewedRun(review, Replay(run, review.events), _view(review, run, recast), run.speech)
 
 
-def _view(review: Review, run: Run, recast: Recast) -> RecordingView:
+def _view(review: Review, run: Run, recast: StepMapping) -> RecordingView:
     begin_s, end_s = review.span_s
     return RecordingView(
         path=str(review.path),

@@ -5,16 +5,16 @@ from dataclasses import dataclass
 
 from msgspec import structs
 
-from onika.desk.environment.run_state.recorded_run import Subject
+from onika.desk.environment.run_state.recorded_run import ReviewedRun
 from onika.wire.view import DifferenceView, RecordingView, ReviewView
 
 
 @dataclass(frozen=True, slots=True)
-class Looking:
+class ReviewSession:
     """A recorded run that is looked at; `difference` is None while it is looked for, or where there is no other."""
 
-    subject: Subject
-    other: Subject | None = None
+    subject: ReviewedRun
+    other: ReviewedRun | None = None
     difference: DifferenceView | None = None
 
     def view(self, docs: Container[str]) -> ReviewView:
@@ -22,7 +22,7 @@ class Looking:
         other = _of(self.other.view, docs) if self.other else None
         return ReviewView(_of(self.subject.view, docs), other, self.difference)
 
-    def subject_of(self, *, of_other: bool) -> Subject | None:
+    def subject_of(self, *, of_other: bool) -> ReviewedRun | None:
         """One of the two; None: there is no other."""
         return self.other if of_other else self.subject
 

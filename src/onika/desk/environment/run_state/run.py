@@ -6,8 +6,8 @@ from typing import Any
 
 from msgspec import structs
 
-from onika.desk.environment.run_state.membership import Belonging
-from onika.desk.environment.run_state.messages import Speech
+from onika.desk.environment.run_state.membership import StepMembership
+from onika.desk.environment.run_state.messages import IconWording
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.run.flow_status import FlowStatus
 from onika.wire import event
@@ -24,8 +24,8 @@ class Run:
     plan: Plan
     flow_index: FlowIndex
     """Its flows by the words of steering."""
-    belonging: Belonging
-    speech: Speech = field(default_factory=Speech)
+    belonging: StepMembership
+    speech: IconWording = field(default_factory=IconWording)
     """The words in which it is told."""
     durations: Mapping[tuple[int, int], float] = field(default_factory=dict)
     """What targets say of how long their action should take, by flow and action."""
@@ -115,10 +115,12 @@ class Run:
 
 
 _MOST_NOTES = 60
-_AS_NAMED = Speech()
+_AS_NAMED = IconWording()
 
 
-def begun(doc: str, plan: Plan, number: int, at_s: float, belonging: Belonging, speech: Speech = _AS_NAMED) -> Run:
+def begun(
+    doc: str, plan: Plan, number: int, at_s: float, belonging: StepMembership, speech: IconWording = _AS_NAMED
+) -> Run:
     """A run that is about to begin; `at_s` is seconds since 1970."""
     flows = {
         flow.subsystem: FlowRunView(order, of=len(flow.actions), is_nested=flow.parent is not None)

@@ -10,8 +10,8 @@ from difflib import SequenceMatcher
 
 from msgspec import structs
 
-from onika.desk.environment.run_state.membership import Belonging
-from onika.desk.environment.run_state.messages import Speech
+from onika.desk.environment.run_state.membership import StepMembership
+from onika.desk.environment.run_state.messages import IconWording
 from onika.wire.plan import Plan, PlannedAction, PlannedFlow
 from onika.words.fault import Place
 from onika.words.reason import Text
@@ -28,31 +28,31 @@ class Present:
     name: str
     plan: Plan | None
     """None: there is nothing in it that could be compiled."""
-    belonging: Belonging
-    speech: Speech
+    belonging: StepMembership
+    speech: IconWording
 
 
 @dataclass(frozen=True, slots=True)
-class Recast:
+class StepMapping:
     """The recorded plan, its actions at the spots of the steps that they are now; without one, at none."""
 
     plan: Plan
     doc: str = ""
-    belonging: Belonging = field(default_factory=lambda: Belonging({}, {}))
-    speech: Speech = field(default_factory=Speech)
+    belonging: StepMembership = field(default_factory=lambda: StepMembership({}, {}))
+    speech: IconWording = field(default_factory=IconWording)
     notes: tuple[Text, ...] = ()
 
 
-def recast(recorded: Plan, present: Present | None) -> Recast:
+def recast(recorded: Plan, present: Present | None) -> StepMapping:
     """Find the steps; what has changed since is told."""
     bare = _placed(recorded, {})
     if present is None:
-        return Recast(bare, speech=_told(Speech(), recorded, bare), notes=_redirected(recorded))
+        return StepMapping(bare, speech=_told(IconWording(), recorded, bare), notes=_redirected(recorded))
     partners = _partners(recorded, present.plan) if present.plan is not None else {}
     plan = _placed(recorded, partners)
     speech = _told(present.speech, recorded, plan)
     notes = (*_changed(recorded, present, partners), *_redirected(recorded))
-    return Recast(plan, present.doc, present.belonging, speech, notes)
+    return StepMapping(plan, present.doc, present.belonging, speech, notes)
 
 
 # -- which action is which
@@ -123,7 +123,7 @@ def _at(planned_action: PlannedAction, partner: PlannedAction | None) -> Planned
     return structs.replace(planned_action, spot=partner.spot, place=partner.place, line=partner.line)
 
 
-def _told(speech: Speech, recorded: Plan, plan: Plan) -> Speech:
+def _told(speech: IconWording, recorded: Plan, plan: Plan) -> IconWording:
     """The words of now, for what was told with the places of then."""
     recorded_speech = speech.hearing(recorded)
     actions = dict(recorded_speech.actions)

@@ -8,7 +8,7 @@ _MOST = 256 << 20
 """Bytes of them that are kept."""
 
 
-class Kept:
+class VariableCache:
     """By `SUBSYSTEM/NAME`; filled in one thread and looked at in another."""
 
     def __init__(self, most: int = _MOST) -> None:

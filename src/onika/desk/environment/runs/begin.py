@@ -12,16 +12,27 @@ import msgspec
 
 from onika.desk.environment.control.held_subsystems import run_here
 from onika.desk.environment.following import given_up
-from onika.desk.environment.outcome.fault_view import Troubles, place_of
+from onika.desk.environment.outcome.fault_view import FaultViews, place_of
 from onika.desk.environment.outcome.on_file import closed
-from onika.desk.environment.outcome.outcome import Ask, Done, Ending, No, Order, Procedure, Reach, Shown, Steps, Until
+from onika.desk.environment.outcome.outcome import (
+    Ask,
+    Done,
+    EditEnd,
+    No,
+    Order,
+    Procedure,
+    RequiredRuntime,
+    Shown,
+    Steps,
+    Until,
+)
 from onika.desk.environment.outcome.runtime_refusal import refusal
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.outcome.unread_faults import not_run
 from onika.desk.environment.reconcile.descriptions import describe
 from onika.desk.environment.reconcile.merge import runtime_view
-from onika.desk.environment.run_state.membership import Belonging
-from onika.desk.environment.run_state.messages import Speech
+from onika.desk.environment.run_state.membership import StepMembership
+from onika.desk.environment.run_state.messages import IconWording
 from onika.desk.environment.run_state.run import Run, begun
 from onika.desk.environment.runs import flow_placement, recording, run_reducer, unsaved
 from onika.desk.environment.runs.obstacles import Obstacle, left, obstacles
@@ -53,9 +64,9 @@ class _Start:
     name: str
     plan: Plan
     targets: tuple[TargetValues, ...]
-    belonging: Belonging
-    speech: Speech
-    troubles: Troubles
+    belonging: StepMembership
+    speech: IconWording
+    troubles: FaultViews
     durations: dict[tuple[int, int], float]
     notes: tuple[Text, ...]
     began_at_s: float
@@ -63,7 +74,7 @@ class _Start:
     """The file of its recording; empty: none is made."""
 
 
-def run(model: Model, command: act.Run, outside: Surroundings) -> Procedure:
+def run(model: Model, command: act.Run, outside: Services) -> Procedure:
     """Run an application as it is here; the value is the number of the run."""
     former = model.run
     begun_with = _start(model, command, outside)
@@ -83,7 +94,7 @@ def run(model: Model, command: act.Run, outside: Surroundings) -> Procedure:
     return Done(described.model, value=run.view.number, says=says, orders=(*end, run_reducer.look(), *described.orders))
 
 
-def _start(model: Model, command: act.Run, outside: Surroundings) -> tuple[Model, _Start] | No:
+def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, _Start] | No:
     """What is to be begun, with everything saved that it uses; or all that speaks against it here."""
     opened = model.applications.get(command.doc)
     if opened is None:
@@ -105,7 +116,7 @@ def _start(model: Model, command: act.Run, outside: Surroundings) -> tuple[Model
             return saved
         model, changed = saved.model, ()
         prepared = ready(opened, outside.site, syntax, passes_breakpoints=command.passes_breakpoints)
-    troubles = Troubles.of(opened, syntax, prepared, outside.site)
+    troubles = FaultViews.of(opened, syntax, prepared, outside.site)
     complaint = refused(opened, tuple(troubles.views(prepared))) or unsaved.refused(opened, changed, command)
     if complaint is not None:
         return complaint
@@ -119,8 +130,8 @@ def _start(model: Model, command: act.Run, outside: Surroundings) -> tuple[Model
         name=opened.name,
         plan=prepared.plan,
         targets=prepared.targets,
-        belonging=Belonging.of(opened.application, syntax),
-        speech=Speech.of(place_of(opened), with_numbers_as_lines(opened.application), prepared.program, syntax),
+        belonging=StepMembership.of(opened.application, syntax),
+        speech=IconWording.of(place_of(opened), with_numbers_as_lines(opened.application), prepared.program, syntax),
         troubles=troubles,
         durations=durations(prepared.targets, syntax),
         notes=(),
@@ -175,7 +186,7 @@ def _begun(model: Model, start: _Start) -> Steps[tuple[Model, No | None]]:
     url = model.runtime.address
     state = model.runtime if model.runtime.state == "linked" else flow_placement.starting(model.runtime)
     model = replace(model, run=_new(model, start), runtime=state)
-    model, standing = yield Ask(model, live.Survey(), Reach(url))
+    model, standing = yield Ask(model, live.Survey(), RequiredRuntime(url))
     if not isinstance(standing, live.Standing):
         why = refusal(standing)
         return flow_placement.lost(model, why), No(Reason.of("run.no_runtime", why=in_short(why)))
@@ -242,7 +253,7 @@ def _ended(model: Model, start: _Start, subsystem: str) -> Steps[tuple[Model, No
     refused_ = No(cause) if cause else None
     if cause is None:
         awaiting = replace(model.run, awaits=response.number)
-        model, refused_ = yield Until(replace(model, run=awaiting), Ending(response.number))
+        model, refused_ = yield Until(replace(model, run=awaiting), EditEnd(response.number))
     if refused_ is None and _is_given_up(model):
         refused_ = _given_up(start)
     return model, refused_

@@ -11,9 +11,9 @@ import msgspec
 
 from onika.desk.environment.outcome.on_file import on_application
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.outcome.unread_faults import not_run
-from onika.desk.environment.outcome.worker import Aside
+from onika.desk.environment.outcome.worker import BackgroundWorker
 from onika.desk.environment.runs import unsaved
 from onika.desk.environment.runs.begin import ready
 from onika.desk.environment.state.model import Model
@@ -34,7 +34,7 @@ _NICE = 10
 
 
 @on_application
-def keep_test(model: Model, opened: OpenApplication, command: act.KeepTest, outside: Surroundings) -> Done | No:
+def keep_test(model: Model, opened: OpenApplication, command: act.KeepTest, outside: Services) -> Done | No:
     """Begin to keep it; the value is the file."""
     if outside.keeping is None:
         return No(Reason.of("run.keep_nowhere"))
@@ -74,7 +74,7 @@ def _expectations(texts: Sequence[str]) -> tuple[Condition, ...] | No:
     return tuple(conditions)
 
 
-def _path(opened: OpenApplication, wanted: str, outside: Surroundings) -> Path | No:
+def _path(opened: OpenApplication, wanted: str, outside: Services) -> Path | No:
     """The file; a name alone is one in the folder of tests beside the application, or of the user's own."""
     given = Path(wanted.strip() or opened.name).expanduser()
     path = given if given.suffix == ENDING else given.with_name(f"{given.name}{ENDING}")
@@ -109,7 +109,7 @@ def _unrunnable(opened: OpenApplication) -> No | None:
     return No(Reason.of("run.cannot_run_as_it_is", name=opened.name, why=several if len(faults) > 1 else faults[0]))
 
 
-def _saved(model: Model, opened: OpenApplication, command: act.KeepTest, outside: Surroundings) -> Model | No:
+def _saved(model: Model, opened: OpenApplication, command: act.KeepTest, outside: Services) -> Model | No:
     """With everything saved that the test would use: it does what files say."""
     if model.syntax is None:
         return No(Reason.of("run.no_icon_types"))
@@ -126,7 +126,7 @@ def _saved(model: Model, opened: OpenApplication, command: act.KeepTest, outside
     return saved if isinstance(saved, No) else saved.model
 
 
-def _keep(aside: Aside, opened: OpenApplication, path: Path, settings: RunSettings, site: Site) -> None:
+def _keep(aside: BackgroundWorker, opened: OpenApplication, path: Path, settings: RunSettings, site: Site) -> None:
     """Do it, in a thread of its own; what comes of it is shown."""
 
     def progress(number: int, of: int) -> None:

@@ -6,11 +6,11 @@ does before each run. It is launched where there is none.
 
 from dataclasses import replace
 
-from onika.desk.environment.outcome.fault_view import Troubles
+from onika.desk.environment.outcome.fault_view import FaultViews
 from onika.desk.environment.outcome.on_file import on_application
-from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, Reach, Shown
+from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, RequiredRuntime, Shown
 from onika.desk.environment.outcome.runtime_refusal import refusal
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.outcome.unread_faults import not_run
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.runs import flow_placement
@@ -27,9 +27,7 @@ from onika.words.reason import Reason
 
 
 @on_application
-def preflight(
-    model: Model, opened: OpenApplication, _asked: act.Preflight, outside: Surroundings
-) -> Done | No | Procedure:
+def preflight(model: Model, opened: OpenApplication, _asked: act.Preflight, outside: Services) -> Done | No | Procedure:
     """Look at everything; replied with how many faults there are."""
     busy = _busy(model, opened.name) or not_run(opened)
     if busy is not None:
@@ -37,7 +35,7 @@ def preflight(
     if model.syntax is None:
         return No(Reason.of("run.no_icon_types"))
     prepared = ready(opened, outside.site, model.syntax)
-    troubles = Troubles.of(opened, model.syntax, prepared, outside.site)
+    troubles = FaultViews.of(opened, model.syntax, prepared, outside.site)
     views = tuple(troubles.views(prepared))
     if prepared.plan is None or not any(flow.tasks for flow in prepared.plan.flows):
         count = _count(views)
@@ -48,7 +46,7 @@ def preflight(
 def _checked(
     model: Model,
     opened: OpenApplication,
-    troubles: Troubles,
+    troubles: FaultViews,
     plan: Plan,
     targets: tuple[TargetValues, ...],
     fault_views: tuple[FaultView, ...],
@@ -56,7 +54,7 @@ def _checked(
     """Have the runtime look at it too; `found` was seen without one."""
     url = model.runtime.address
     state = model.runtime if model.runtime.state == "linked" else flow_placement.starting(model.runtime)
-    model, standing = yield Ask(replace(model, runtime=state), live.Survey(), Reach(url))
+    model, standing = yield Ask(replace(model, runtime=state), live.Survey(), RequiredRuntime(url))
     if not isinstance(standing, live.Standing):
         why = refusal(standing)
         yield Shown(flow_placement.lost(model, why))

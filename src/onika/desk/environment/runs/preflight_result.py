@@ -5,10 +5,10 @@ from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
-from onika.desk.environment.outcome.fault_view import Troubles
+from onika.desk.environment.outcome.fault_view import FaultViews
 from onika.desk.environment.runs.retarget_marks import marked
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_application import Looked
+from onika.desk.environment.state.open_application import PreflightResult
 from onika.desk.plan.preparation import fault_of
 from onika.files import rmod
 from onika.wire.plan import Plan
@@ -21,13 +21,13 @@ _PLACED = ("host.note_at", "host.note_in")
 _RESOLVED = ("host.resolved", "host.resolved_often")
 
 
-def looked(model: Model, troubles: Troubles, plan: Plan, prepared: Prepared) -> Model:
+def looked(model: Model, troubles: FaultViews, plan: Plan, prepared: Prepared) -> Model:
     """The model with what was found at the steps where it stands; `plan` has their numbers as lines."""
     opened = model.applications.get(troubles.doc)
     if opened is None:
         return model
     fault_views = (*troubles.told(map(fault_of, prepared.faults), is_of_runtime=True), *_noted(troubles, prepared))
-    result = Looked(troubles.application, troubles.redirects, model.runtime.address, fault_views)
+    result = PreflightResult(troubles.application, troubles.redirects, model.runtime.address, fault_views)
     return marked(model.with_application(replace(opened, looked=result)), troubles, plan, prepared)
 
 
@@ -42,7 +42,7 @@ def worth_noting(prepared: Prepared) -> Iterator[Text]:
             yield Reason.of("run.targets_resolved", count=count, task=task, old=old)
 
 
-def _noted(troubles: Troubles, prepared: Prepared) -> Iterator[FaultView]:
+def _noted(troubles: FaultViews, prepared: Prepared) -> Iterator[FaultView]:
     """What is only worth knowing; targets that are re-resolved bear a mark of their own."""
     for note in prepared.notes:
         if _is_of_resolved(note):

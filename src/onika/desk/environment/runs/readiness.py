@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from operator import is_
 from typing import Any
 
-from onika.desk.environment.outcome.fault_view import Troubles
+from onika.desk.environment.outcome.fault_view import FaultViews
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.run_state.membership import icons
 from onika.desk.environment.runs import unsaved
@@ -31,7 +31,7 @@ from onika.words.reason import Reason
 
 
 @dataclass(frozen=True, slots=True)
-class Case:
+class ReadinessCase:
     """An application to be judged, as it was when somebody looked."""
 
     opened: OpenApplication
@@ -53,7 +53,7 @@ class _Known:
     redirects: tuple[Redirect, ...] = ()
 
 
-class Judge:
+class ReadinessJudge:
     """Knows what was judged with what; one thing is asked of it at a time, in whatever thread."""
 
     def __init__(self, site: Site) -> None:
@@ -61,7 +61,7 @@ class Judge:
         self._known: dict[str, _Known] = {}
         self._seen: tuple[Any, ...] = ()
 
-    def cases(self, model: Model) -> tuple[Case, ...]:
+    def cases(self, model: Model) -> tuple[ReadinessCase, ...]:
         """The applications that are not judged as they are now."""
         seen = (model.documents, model.applications, model.syntax)
         if model.syntax is None or all(map(is_, seen, self._seen or (None,) * 3)):
@@ -69,10 +69,10 @@ class Judge:
         self._seen = seen
         dirty = unsaved.dirty(model)
         self._known = {doc: case for doc, case in self._known.items() if doc in model.applications}
-        every = (Case(application, model.syntax, dirty) for application in model.applications.values())
+        every = (ReadinessCase(application, model.syntax, dirty) for application in model.applications.values())
         return tuple(case for case in every if self._is_new(case))
 
-    def stale(self, model: Model) -> tuple[Case, ...]:
+    def stale(self, model: Model) -> tuple[ReadinessCase, ...]:
         """Those whose files have changed since."""
         if model.syntax is None:
             return ()
@@ -81,10 +81,10 @@ class Judge:
         for opened in model.applications.values():
             former = self._known.get(opened.id)
             if former is not None and former.stamps != self._stamps(opened, former.program):
-                judged.append(Case(opened, model.syntax, dirty, has_new_files=True))
+                judged.append(ReadinessCase(opened, model.syntax, dirty, has_new_files=True))
         return tuple(judged)
 
-    def judge(self, case: Case) -> Judgement:
+    def judge(self, case: ReadinessCase) -> Judgement:
         """What is wrong with an application, and what is worth knowing of it."""
         opened = case.opened
         prepared = ready(opened, self._site, case.syntax)
@@ -92,11 +92,11 @@ class Judge:
         self._known[opened.id] = _Known(
             opened.application, case.syntax, case.dirty, stamps, prepared.program, opened.redirects
         )
-        troubles = Troubles.of(opened, case.syntax, prepared, self._site)
+        troubles = FaultViews.of(opened, case.syntax, prepared, self._site)
         fault_views = (*troubles.views(prepared), *_unsaved(case, troubles, prepared.program), *_unchosen(opened))
         return Judgement(opened.application, fault_views, case.has_new_files, _homes(opened, prepared))
 
-    def _is_new(self, case: Case) -> bool:
+    def _is_new(self, case: ReadinessCase) -> bool:
         former = self._known.get(case.opened.id)
         if former is None or former.application is not case.opened.application or former.syntax is not case.syntax:
             return True
@@ -147,7 +147,7 @@ def _homes(opened: OpenApplication, prepared: PreparedRun) -> dict[str, tuple[st
     return {redirect.old: redirection.homes_of(redirect.old, plan, program) for redirect in opened.redirects}
 
 
-def _unsaved(case: Case, troubles: Troubles, program: ApplicationProgram | None) -> Iterator[FaultView]:
+def _unsaved(case: ReadinessCase, troubles: FaultViews, program: ApplicationProgram | None) -> Iterator[FaultView]:
     for doc, name in unsaved.used(case.dirty, program):
         save = Remedy(Reason.of("run.save", name=name), act.Save(doc))
         yield FaultView(Reason.of("run.unsaved_use", name=name), "warning", troubles.user_of(name), (save,))

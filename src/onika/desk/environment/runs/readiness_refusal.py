@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from onika.desk.environment.outcome.fault_view import Troubles
+from onika.desk.environment.outcome.fault_view import FaultViews
 from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.state.open_application import OpenApplication
@@ -24,7 +24,7 @@ def refused(opened: OpenApplication, fault_views: Sequence[FaultView]) -> No | N
     return No(Reason.of("run.cannot_run", name=opened.name, why=_listed(faults)), _offered(faults))
 
 
-def refused_by_runtime(troubles: Troubles, response: request.Response) -> No:
+def refused_by_runtime(troubles: FaultViews, response: request.Response) -> No:
     """Why the runtime will not: its modules, argument lines and targets are looked at there."""
     name = troubles.application.name
     if not isinstance(response, request.Prepared):

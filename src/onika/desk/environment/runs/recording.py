@@ -8,7 +8,7 @@ import msgspec
 
 from onika.desk.environment.file.recordings_folder import recording_path
 from onika.desk.environment.outcome.outcome import No
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.state.model import Model
 from onika.wire import act
@@ -21,7 +21,7 @@ LEAST_BYTES = 50_000_000
 _MEGA = 1_000_000
 
 
-def place(model: Model, command: act.Run, name: str, outside: Surroundings) -> Path | No | None:
+def place(model: Model, command: act.Run, name: str, outside: Services) -> Path | No | None:
     """The file of a run that is to be recorded; a no where none can be made, None where none is wanted."""
     if not command.is_recorded:
         return None

@@ -8,7 +8,7 @@ from msgspec import structs
 from onika.desk.environment.outcome.fault_text import said
 from onika.desk.environment.outcome.on_file import on_application, on_resting_application, syntax_of
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.runs.begin import ready
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
@@ -24,7 +24,7 @@ from onika.words.reason import Reason, Text
 
 
 @on_resting_application
-def redirect(model: Model, opened: OpenApplication, command: act.Redirect, outside: Surroundings) -> Done | No:
+def redirect(model: Model, opened: OpenApplication, command: act.Redirect, outside: Services) -> Done | No:
     """Let a task stand for another one; refused with all reasons why it cannot."""
     wish = Redirect(command.old, command.new or command.old, command.flow)
     is_split = bool(wish.home) and any(redirect.old == wish.old and not redirect.home for redirect in opened.redirects)
@@ -52,7 +52,7 @@ def _others(redirects: tuple[Redirect, ...], wish: Redirect, prepared: PreparedR
 
 
 @on_application
-def seats(model: Model, opened: OpenApplication, command: act.Seats, outside: Surroundings) -> Done | No:
+def seats(model: Model, opened: OpenApplication, command: act.Seats, outside: Services) -> Done | No:
     """Who could stand for whom; the value is a `view.SeatsView`."""
     prepared = ready(opened, outside.site, syntax_of(model))
     if prepared.plan is None or prepared.program is None:

@@ -3,16 +3,16 @@
 from collections.abc import Iterator
 from dataclasses import replace
 
-from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, Reach, Shown
+from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, RequiredRuntime, Shown
 from onika.desk.environment.outcome.runtime_refusal import refusal
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.reconcile.watches import is_going
 from onika.desk.environment.run_state import flow_progress
 from onika.desk.environment.runs import flow_placement
 from onika.desk.environment.runs.obstacles import left
 from onika.desk.environment.state.document import Document
-from onika.desk.environment.state.live import Live
+from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.model import Model
 from onika.desk.run.runtime import in_short
 from onika.wire import act, live, page
@@ -22,7 +22,7 @@ from onika.words.reason import Reason
 _CAUSE = Reason.of("run.started_anew")
 
 
-def start_anew(model: Model, command: act.StartAnew, _outside: Surroundings) -> Procedure:
+def start_anew(model: Model, command: act.StartAnew, _outside: Services) -> Procedure:
     """End the runtime that was started here, and start another; what was connected is connected no more."""
     if model.runtime.address:
         return No(Reason.of("run.runtime_not_ours", address=model.runtime.address))
@@ -31,7 +31,7 @@ def start_anew(model: Model, command: act.StartAnew, _outside: Surroundings) -> 
         sure = Remedy(Reason.of("run.start_anew"), act.StartAnew(confirmed=True))
         return No(Reason.of("run.runtime_ends", names=ends), (sure,))
     after = _at_its_end(model)
-    model, response = yield Ask(after, live.Survey(), Reach(is_anew=True), says=tuple(_says(model)))
+    model, response = yield Ask(after, live.Survey(), RequiredRuntime(is_anew=True), says=tuple(_says(model)))
     if not isinstance(response, live.Standing):
         why = refusal(response)
         yield Shown(flow_placement.lost(model, why))
@@ -40,7 +40,7 @@ def start_anew(model: Model, command: act.StartAnew, _outside: Surroundings) -> 
     return Done(replace(model, runtime=runtime_view(model.runtime, response)), says=(note,))
 
 
-def _homes(model: Model) -> dict[str, Live]:
+def _homes(model: Model) -> dict[str, SubsystemFacts]:
     """What is known of the subsystems of the connected documents, by document."""
     return {
         document.id: document.live

@@ -2,14 +2,14 @@
 
 from dataclasses import replace
 
-from onika.desk.environment.outcome.fault_view import Troubles
+from onika.desk.environment.outcome.fault_view import FaultViews
 from onika.desk.environment.state.model import Model
 from onika.wire.plan import Plan
 from onika.wire.request import Prepared
 from onika.words.reason import Reason
 
 
-def marked(model: Model, troubles: Troubles, plan: Plan, prepared: Prepared) -> Model:
+def marked(model: Model, troubles: FaultViews, plan: Plan, prepared: Prepared) -> Model:
     """With the marks of what was looked at; `plan` has the numbers of its steps as lines."""
     opened = model.applications.get(troubles.doc)
     if opened is None:

@@ -5,7 +5,7 @@ from functools import partial
 
 from msgspec import structs
 
-from onika.desk.environment.outcome.outcome import Done, Ending, No, Order
+from onika.desk.environment.outcome.outcome import Done, EditEnd, No, Order
 from onika.desk.environment.reconcile.current_values import measured, values_of
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.run_state import flow_progress, run_view
@@ -42,7 +42,7 @@ def lost(model: Model, reason: Text) -> Done:
     if run is None or run.is_over:
         return Done(model)
     if run.view.state == "beginning":
-        news = () if run.awaits is None else ((Ending(run.awaits), No(reason)),)
+        news = () if run.awaits is None else ((EditEnd(run.awaits), No(reason)),)
         return Done(replace(model, run=replace(run, awaits=None)), news=news)
     now = recording.measured(flow_progress.lost(run, Reason.of("run.lost_runtime", why=reason)))
     return Done(replace(model, run=now), says=(end(now),))
@@ -62,7 +62,7 @@ def _edited(model: Model, run: Run, message: event.Edited) -> Done:
     """A live change has come to its end while the run is about to begin; it may be what the run waits for."""
     if run.awaits != message.number:
         return Done(replace(model, run=replace(run, outcomes={**run.outcomes, message.number: message.cause})))
-    news = ((Ending(message.number), No(message.cause) if message.cause else None),)
+    news = ((EditEnd(message.number), No(message.cause) if message.cause else None),)
     return Done(replace(model, run=replace(run, awaits=None)), news=news)
 
 

@@ -7,7 +7,7 @@ import msgspec
 
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.runs.run_reducer import lost as run_lost
-from onika.desk.environment.state.live import Live
+from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.model import Model
 from onika.desk.run.runtime import in_short
 from onika.wire import page, view
@@ -20,7 +20,7 @@ def lost(model: Model, reason: Text) -> Done:
         key: replace(
             document,
             content=replace(document.content, wanted={}),
-            live=Live(document.live.subsystem, "lost"),
+            live=SubsystemFacts(document.live.subsystem, "lost"),
         )
         if document.live is not None and document.live.state == "live"
         else document

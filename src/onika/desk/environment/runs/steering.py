@@ -7,7 +7,7 @@ from onika.desk.environment.canvas import task_commands
 from onika.desk.environment.control import held_subsystems
 from onika.desk.environment.outcome.outcome import Ask, Done, No, Order, Procedure
 from onika.desk.environment.outcome.runtime_refusal import refusal, simply_done
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.run_state.membership import icons
 from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.run_state.run_view import standing
@@ -20,7 +20,7 @@ from onika.wire.view import Remedy
 from onika.words.reason import Reason, reason_of
 
 
-def steer_line(model: Model, command: act.Steer, _outside: Surroundings) -> Done | No | Procedure:
+def steer_line(model: Model, command: act.Steer, _outside: Services) -> Done | No | Procedure:
     """Do what a line of steering says, for the run that goes on."""
     run = _going(model)
     if isinstance(run, No):
@@ -44,7 +44,7 @@ def steer_line(model: Model, command: act.Steer, _outside: Surroundings) -> Done
     return _steered(model, wish.message)
 
 
-def skip_to(model: Model, command: act.SkipTo, _outside: Surroundings) -> No | Procedure:
+def skip_to(model: Model, command: act.SkipTo, _outside: Services) -> No | Procedure:
     """Send the flow of a step to it at once; to the first action of what runs an application, or of a branch."""
     run = _going(model)
     if isinstance(run, No):
@@ -56,7 +56,7 @@ def skip_to(model: Model, command: act.SkipTo, _outside: Surroundings) -> No | P
     return _steered(model, steer.Skip(run.homes[flow], index))
 
 
-def answer(model: Model, command: act.Answer, outside: Surroundings) -> No | Procedure:
+def answer(model: Model, command: act.Answer, outside: Services) -> No | Procedure:
     """Answer what a task of the run asks, named as `SUBSYSTEM/TASK`, or one of a configuration, or of a taken run."""
     if not command.doc:
         return held_subsystems.answer(model, command, outside)
@@ -69,7 +69,7 @@ def answer(model: Model, command: act.Answer, outside: Surroundings) -> No | Pro
     return simply_done(model, request.Reply(subsystem, task, command.line))
 
 
-def dismiss(model: Model, _asked: act.Dismiss, _outside: Surroundings) -> Done | No:
+def dismiss(model: Model, _asked: act.Dismiss, _outside: Services) -> Done | No:
     """Put away what is shown of a run that is over."""
     if model.run is not None and not model.run.is_over:
         abort = Remedy(Reason.of("run.abort_it"), act.Steer("abort"))

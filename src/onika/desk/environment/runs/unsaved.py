@@ -6,7 +6,7 @@ import msgspec
 
 from onika.desk.environment.file import file_acts
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.environment.state.open_file import Kind
@@ -35,7 +35,7 @@ def used(changed: Iterable[Changed], program: ApplicationProgram | None) -> tupl
     )
 
 
-def saved(model: Model, changed: Sequence[Changed], outside: Surroundings) -> Done | No:
+def saved(model: Model, changed: Sequence[Changed], outside: Services) -> Done | No:
     """With all of them saved; a no where one cannot be."""
     for doc, _ in changed:
         done = file_acts.save(model, act.Save(doc), outside)

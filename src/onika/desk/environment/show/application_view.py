@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from msgspec import structs
 
 from onika.desk.environment.outcome.on_file import syntax_of
-from onika.desk.environment.show.step_view import Known, step_views
+from onika.desk.environment.show.step_view import MadeStep, step_views
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_application import Looked, OpenApplication
+from onika.desk.environment.state.open_application import OpenApplication, PreflightResult
 from onika.model.application import AppFlow, Hole
 from onika.model.flow_path import flows_by_path
 from onika.model.redirect import Redirect
@@ -26,12 +26,12 @@ class _Flow:
 
     flow: AppFlow
     view: AppFlowView
-    step_views: Mapping[int, Known]
+    step_views: Mapping[int, MadeStep]
     steps: Mapping[str, StepView]
     holes: int
 
 
-class ApplicationSight:
+class ApplicationProjector:
     """Makes the view of one application, and remembers what it made of which flows."""
 
     def __init__(self) -> None:
@@ -87,7 +87,7 @@ class ApplicationSight:
             for path, flow in flows.items()
         }
 
-    def _told(self, opened: OpenApplication, looked: Looked | None) -> dict[str, FaultView]:
+    def _told(self, opened: OpenApplication, looked: PreflightResult | None) -> dict[str, FaultView]:
         """What is wrong with its file, then with what is here, as it was looked at last."""
         file_faults, judgement, looked_before, faults = self._faults
         if file_faults is opened.file_faults and judgement is opened.judgement and looked_before is looked:
@@ -115,7 +115,7 @@ def _wish(opened: OpenApplication, redirect: Redirect) -> RedirectView:
     return RedirectView(redirect.old, redirect.new, redirect.home, (redirect.home,) if redirect.home else homes)
 
 
-def _seen(path: str, flow: AppFlow, model: Model, before: _Flow | None, former_steps: Mapping[int, Known]) -> _Flow:
+def _seen(path: str, flow: AppFlow, model: Model, before: _Flow | None, former_steps: Mapping[int, MadeStep]) -> _Flow:
     syntax = syntax_of(model)
     made = step_views(flow, path, model, former_steps, before.flow if before else None)
     view = AppFlowView(tuple(made), end=_edge(END, syntax, is_left=True), start=_edge(START, syntax, is_left=False))

@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 from typing import TypeVar
 
-from onika.desk.environment.show.wiring import Seen, group_views, locus_views, placed_views
+from onika.desk.environment.show.wiring import MadeDocument, group_views, locus_views, placed_views
 from onika.desk.environment.state.document import Document
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.task import Task
 from onika.store.site import is_shipped
 from onika.wire.view import DocumentView, LibraryView, Objection, PinView, ProblemView, TaskView
@@ -13,7 +13,7 @@ from onika.wire.view import DocumentView, LibraryView, Objection, PinView, Probl
 _V = TypeVar("_V")
 
 
-def library_views(shelf: Shelf) -> dict[str, LibraryView]:
+def library_views(shelf: OpenLibraries) -> dict[str, LibraryView]:
     """The open libraries, by their paths; those in which nothing is to be seen come last."""
     libraries = sorted(shelf.libraries, key=lambda library: not library.tasks and not library.faults)
     return {
@@ -29,7 +29,9 @@ def library_views(shelf: Shelf) -> dict[str, LibraryView]:
     }
 
 
-def task_views(shelf: Shelf, former: Mapping[str, TaskView], before: Shelf | None) -> dict[str, TaskView]:
+def task_views(
+    shelf: OpenLibraries, former: Mapping[str, TaskView], before: OpenLibraries | None
+) -> dict[str, TaskView]:
     """Every task of the open libraries; what looks as it did in the shelf `before` is the same object."""
     views = {}
     is_near = before is not None and _is_near(shelf, before)
@@ -43,12 +45,12 @@ def task_views(shelf: Shelf, former: Mapping[str, TaskView], before: Shelf | Non
     return views
 
 
-def _is_near(shelf: Shelf, before: Shelf) -> bool:
+def _is_near(shelf: OpenLibraries, before: OpenLibraries) -> bool:
     """Whether two shelves can differ in single tasks only."""
     return shelf.libraries is before.libraries and shelf.preferences is before.preferences
 
 
-def _is_same(name: str, shelf: Shelf, before: Shelf) -> bool:
+def _is_same(name: str, shelf: OpenLibraries, before: OpenLibraries) -> bool:
     """Whether there is nothing new to see of a task."""
     task = shelf.tasks[name]
     return (
@@ -58,7 +60,7 @@ def _is_same(name: str, shelf: Shelf, before: Shelf) -> bool:
     )
 
 
-def _task(name: str, task: Task, order: int, shelf: Shelf) -> TaskView:
+def _task(name: str, task: Task, order: int, shelf: OpenLibraries) -> TaskView:
     library, box = shelf.homes[name], shelf.box(name)
     filed = shelf.records[name].task
     sheet = shelf.sheets.get(task.module)
@@ -93,11 +95,11 @@ def _task(name: str, task: Task, order: int, shelf: Shelf) -> TaskView:
 def document_view(
     document: Document,
     order: int,
-    shelf: Shelf,
+    shelf: OpenLibraries,
     greyed: dict[str, tuple[Objection, ...]],
     objected: dict[str, tuple[Objection, ...]],
     troubles: dict[str, ProblemView],
-    seen: Seen | None,
+    seen: MadeDocument | None,
 ) -> DocumentView:
     """A document; parts that look as they did are the same objects."""
     old = seen.view if seen else DocumentView("", 0)

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from onika.desk.environment.outcome.remedy import reasons
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.rules import placement
 from onika.wire.view import Objection
 
@@ -13,12 +13,12 @@ _FEW = 20
 Reasons = tuple[Objection, ...]
 
 
-class Greying:
+class GreyedTasks:
     """Which tasks of the libraries may not be placed in a document, and why; remembers its last answer."""
 
     def __init__(self, doc: str) -> None:
         self._doc = doc
-        self._shelf = Shelf()
+        self._shelf = OpenLibraries()
         self._names: tuple[str, ...] = ()
         self._shadows: dict[str, dict[str, Reasons]] = {}
         """Of each placed task: whom it keeps out, and why."""
@@ -26,7 +26,7 @@ class Greying:
         """Of each task of the libraries: who keeps it out."""
         self._greyed: dict[str, Reasons] = {}
 
-    def greyed(self, names: tuple[str, ...], shelf: Shelf) -> dict[str, Reasons]:
+    def greyed(self, names: tuple[str, ...], shelf: OpenLibraries) -> dict[str, Reasons]:
         """The set for these placed tasks; the same object where nothing has changed."""
         former, self._shelf = self._shelf, shelf
         edited = _edited(former, shelf)
@@ -89,7 +89,7 @@ class Greying:
         return greyed
 
 
-def _edited(former: Shelf, shelf: Shelf) -> set[str] | None:
+def _edited(former: OpenLibraries, shelf: OpenLibraries) -> set[str] | None:
     """The tasks that are others than they were, where they are few; None: look at everything anew."""
     if former.tasks is shelf.tasks:
         return set()

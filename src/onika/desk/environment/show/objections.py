@@ -2,13 +2,13 @@
 
 from onika.desk.environment.outcome.remedy import reasons
 from onika.desk.environment.state.document import Document
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.rules import agreement
 from onika.wire.view import Objection, Remedy, ShowSource
 from onika.words.fault import Refusal
 
 
-def objections(document: Document, shelf: Shelf) -> dict[str, tuple[Objection, ...]]:
+def objections(document: Document, shelf: OpenLibraries) -> dict[str, tuple[Objection, ...]]:
     """Why tasks would not run, as far as a runtime has read their modules."""
     placed = {name for name in document.content.names if name in shelf.tasks}
     refusals: dict[str, list[Refusal]] = {}
@@ -26,7 +26,7 @@ def objections(document: Document, shelf: Shelf) -> dict[str, tuple[Objection, .
     return {name: why for name, why in objections_by_task.items() if name not in placed}
 
 
-def _unread(shelf: Shelf) -> dict[str, Objection]:
+def _unread(shelf: OpenLibraries) -> dict[str, Objection]:
     """The tasks whose modules cannot be read, where that is known."""
     if not shelf.unread:
         return {}

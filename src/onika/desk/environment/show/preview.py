@@ -6,10 +6,10 @@ from pathlib import Path
 from onika.desk.environment.file import configurations
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import plain
-from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.icon_types import edges_of
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.application import Application, Icon
 from onika.model.configuration import Configuration
 from onika.model.rules.box import TaskBox
@@ -25,7 +25,7 @@ _WIDTH, _HEIGHT = 136, 64
 """Of a task that no open library has."""
 
 
-def peek(model: Model, command: act.Peek, outside: Surroundings) -> Done | No:
+def peek(model: Model, command: act.Peek, outside: Services) -> Done | No:
     """What the file says now; the value is a `view.PeekView`."""
     path = Path(command.path)
     if path.suffix == ".appl":
@@ -49,7 +49,7 @@ def _flows(application: Application, syntax: Syntax) -> Iterator[tuple[PeekIcon,
         yield tuple(PeekIcon("".join(icon.picture.rows), *edges_of(syntax.acting(icon.type))) for icon in icons)
 
 
-def _drawn(configuration: Configuration, shelf: Shelf) -> PeekView:
+def _drawn(configuration: Configuration, shelf: OpenLibraries) -> PeekView:
     boxes = {placed.task: shelf.box(placed.task) for placed in configuration.placed}
     places = {
         placed.task: (placed.x, placed.y, box.width if box else _WIDTH, box.height if box else _HEIGHT)

@@ -20,7 +20,7 @@ from onika.model.syntax import Syntax
 from onika.wire.view import StepView
 
 
-class Stand(NamedTuple):
+class StepContext(NamedTuple):
     """Where a step stands: what its view depends on beside itself."""
 
     left: str
@@ -31,17 +31,17 @@ class Stand(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class Known:
+class MadeStep:
     """A view, and what it was made of."""
 
     step: Step
-    stand: Stand
+    stand: StepContext
     view: StepView
 
 
 def step_views(
-    flow: AppFlow, path: str, model: Model, former: Mapping[int, Known], before: AppFlow | None = None
-) -> dict[int, Known]:
+    flow: AppFlow, path: str, model: Model, former: Mapping[int, MadeStep], before: AppFlow | None = None
+) -> dict[int, MadeStep]:
     """The steps of a flow by their numbers; those that stand as they did in `former` are the same again.
 
     before  the flow as it was, whose steps are all in `former`: only what changed since, and its actions, is looked at
@@ -53,7 +53,7 @@ def step_views(
     for step, stand in zip(steps[start:end], _stands(part, path, syntax), strict=False):
         former_view = former.get(step.number)
         if former_view is None or former_view.step is not step or former_view.stand != stand:
-            former_view = Known(step, stand, _view(step, stand, model))
+            former_view = MadeStep(step, stand, _view(step, stand, model))
         views[step.number] = former_view
     views.update((step.number, former[step.number]) for step in steps[end:])
     return views
@@ -74,7 +74,7 @@ def _touched(before: AppFlow, flow: AppFlow, syntax: Syntax) -> tuple[int, int]:
     return start, end
 
 
-def _stands(flow: AppFlow, path: str, syntax: Syntax) -> list[Stand]:
+def _stands(flow: AppFlow, path: str, syntax: Syntax) -> list[StepContext]:
     acting = actions(flow, syntax)
     joined, wants = _joined(flow, acting, syntax)
     every = kinds(flow, syntax, acting)
@@ -86,7 +86,7 @@ def _stands(flow: AppFlow, path: str, syntax: Syntax) -> list[Stand]:
         else:
             left, right = (kind.left_edge, kind.right_edge) if kind else ("", "")
         where = path if isinstance(step, Branch) else ""
-        wanted.append(Stand(str(left), str(right), at in joined, tuple(wants.get(at, ())), where))
+        wanted.append(StepContext(str(left), str(right), at in joined, tuple(wants.get(at, ())), where))
     return wanted
 
 
@@ -106,7 +106,7 @@ def _joined(flow: AppFlow, acting: Sequence[Action], syntax: Syntax) -> tuple[se
     return joined, wants
 
 
-def _view(step: Step, stand: Stand, model: Model) -> StepView:
+def _view(step: Step, stand: StepContext, model: Model) -> StepView:
     left, right, is_joined, wants, path = stand
     if isinstance(step, Hole):
         return StepView("hole", left, right, is_joined=is_joined, wants=wants)
@@ -116,7 +116,7 @@ def _view(step: Step, stand: Stand, model: Model) -> StepView:
     return _icon(step, stand, model)
 
 
-def _icon(icon: Icon, stand: Stand, model: Model) -> StepView:
+def _icon(icon: Icon, stand: StepContext, model: Model) -> StepView:
     onikon, syntax = icon.onikon, syntax_of(model)
     return StepView(
         left=stand.left,

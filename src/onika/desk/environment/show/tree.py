@@ -5,19 +5,19 @@ from typing import Any
 
 from onika.desk.environment.outcome.on_file import is_running
 from onika.desk.environment.outcome.trouble import problems
-from onika.desk.environment.show.application_view import ApplicationSight
+from onika.desk.environment.show.application_view import ApplicationProjector
 from onika.desk.environment.show.button_view import button_views
 from onika.desk.environment.show.dictionary_view import dictionary_views, onikon_views
 from onika.desk.environment.show.document_view import document_view, library_views, task_views
-from onika.desk.environment.show.greying import Greying
+from onika.desk.environment.show.greying import GreyedTasks
 from onika.desk.environment.show.objections import objections
-from onika.desk.environment.show.wiring import Seen
+from onika.desk.environment.show.wiring import MadeDocument
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.icon_types import type_views
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.environment.state.open_libraries import Shelf
-from onika.desk.environment.state.pictures import Album
+from onika.desk.environment.state.open_libraries import OpenLibraries
+from onika.desk.environment.state.pictures import PictureSet
 from onika.desk.environment.state.preference_values import preference_values
 from onika.desk.plan.icon_names import several
 from onika.wire.view import ApplicationView, DocumentView, Tree
@@ -28,10 +28,10 @@ class Projector:
 
     def __init__(self) -> None:
         self._made: dict[str, tuple[tuple[Any, ...], Any]] = {}
-        self._seen: dict[str, Seen] = {}
-        self._greying: dict[str, Greying] = {}
-        self._sights: dict[str, ApplicationSight] = {}
-        self._album = Album()
+        self._seen: dict[str, MadeDocument] = {}
+        self._greying: dict[str, GreyedTasks] = {}
+        self._sights: dict[str, ApplicationProjector] = {}
+        self._album = PictureSet()
 
     def project(self, model: Model) -> Tree:
         """The tree of a model."""
@@ -72,7 +72,7 @@ class Projector:
         }
 
     def _application(self, opened: OpenApplication, order: int, model: Model) -> ApplicationView:
-        sight = self._sights.setdefault(opened.id, ApplicationSight())
+        sight = self._sights.setdefault(opened.id, ApplicationProjector())
         runs = is_running(model, opened.id)
         of = (opened, order, runs, model.syntax, model.dictionaries)
         view: ApplicationView = self._once(
@@ -100,7 +100,7 @@ class Projector:
         shelf, key = model.shelf, f"document {document.id}"
         seen = self._seen.get(document.id)
         names = document.content.names
-        greyed = self._greying.setdefault(document.id, Greying(document.id)).greyed(names, shelf)
+        greyed = self._greying.setdefault(document.id, GreyedTasks(document.id)).greyed(names, shelf)
         objected = self._once(
             f"objections {document.id}",
             (names, shelf.tasks, shelf.sheets, shelf.unread),
@@ -117,7 +117,7 @@ class Projector:
             (document, order, shelf, greyed, objected, troubles),
             lambda: document_view(document, order, shelf, greyed, objected, troubles, seen),
         )
-        self._seen[document.id] = Seen(document, shelf, view)
+        self._seen[document.id] = MadeDocument(document, shelf, view)
         return view
 
     def _forget(self, doc: str) -> None:
@@ -126,7 +126,7 @@ class Projector:
         for key in [key for key in self._made if key.endswith(f" {doc}")]:
             del self._made[key]
 
-    def _tasks(self, shelf: Shelf) -> Mapping[str, Any]:
+    def _tasks(self, shelf: OpenLibraries) -> Mapping[str, Any]:
         of, former = self._made.get("tasks", ((None,), {}))
         return task_views(shelf, former, of[0])
 

@@ -9,7 +9,7 @@ from onika.desk.environment.outcome.trouble import error_view
 from onika.desk.environment.run_state.question import ask_view
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import TaskFacts
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.configuration import Locus, Placed
 from onika.wire.view import AskView, DocumentView, GroupView, LocusView, PlacedView, State
 
@@ -17,15 +17,15 @@ _T = TypeVar("_T")
 
 
 @dataclass(frozen=True, slots=True)
-class Seen:
+class MadeDocument:
     """What a document looked like, and what that was made of."""
 
     document: Document
-    shelf: Shelf
+    shelf: OpenLibraries
     view: DocumentView
 
 
-def placed_views(document: Document, shelf: Shelf, seen: Seen | None) -> dict[str, PlacedView]:
+def placed_views(document: Document, shelf: OpenLibraries, seen: MadeDocument | None) -> dict[str, PlacedView]:
     """The tasks on the canvas."""
     old = seen.view.tasks if seen else {}
     placed_before = {placed.task: placed for placed in seen.document.content.configuration.placed} if seen else {}
@@ -45,7 +45,7 @@ def placed_views(document: Document, shelf: Shelf, seen: Seen | None) -> dict[st
     return _same_map(views, old)
 
 
-def locus_views(document: Document, shelf: Shelf, seen: Seen | None) -> dict[str, LocusView]:
+def locus_views(document: Document, shelf: OpenLibraries, seen: MadeDocument | None) -> dict[str, LocusView]:
     """The loci on the canvas."""
     old = seen.view.loci if seen else {}
     touched = _touched(document, shelf, seen) if seen else None
@@ -67,7 +67,7 @@ def locus_views(document: Document, shelf: Shelf, seen: Seen | None) -> dict[str
     )
 
 
-def group_views(document: Document, seen: Seen | None) -> dict[str, GroupView]:
+def group_views(document: Document, seen: MadeDocument | None) -> dict[str, GroupView]:
     """The supermodules."""
     old = seen.view.groups if seen else {}
     groups = document.content.configuration.groups
@@ -102,7 +102,7 @@ def _same_map(new: dict[str, _T], old: dict[str, _T]) -> dict[str, _T]:
     return new
 
 
-def _touched(document: Document, shelf: Shelf, seen: Seen) -> set[str] | None:
+def _touched(document: Document, shelf: OpenLibraries, seen: MadeDocument) -> set[str] | None:
     """The variables whose users, or the states of those, have changed; None: all may have."""
     before, now = seen.document.content.names, document.content.names
     changed = set(before) ^ set(now)
@@ -123,7 +123,7 @@ def _state(facts: TaskFacts | None) -> str:
     return facts.state if facts else ""
 
 
-def _users(names: Sequence[str], shelf: Shelf, svars: Set[str]) -> dict[str, _Users]:
+def _users(names: Sequence[str], shelf: OpenLibraries, svars: Set[str]) -> dict[str, _Users]:
     users_by_svar: dict[str, _Users] = {}
     for name in names:
         box = shelf.box(name)

@@ -21,7 +21,7 @@ _Pixels = Annotated[int, Meta(ge=-_FAR, le=_FAR)]
 
 
 @dataclass(frozen=True, slots=True)
-class Copied:
+class Clipboard:
     """Tasks with their places, and the loci of the variables that they use."""
 
     placed: tuple[Placed, ...] = ()
@@ -34,7 +34,7 @@ class Copied:
         """The upper left corner of all tasks; raises ValueError where there are none."""
         return min(placed.x for placed in self.placed), min(placed.y for placed in self.placed)
 
-    def at(self, x: int, y: int) -> "Copied":
+    def at(self, x: int, y: int) -> "Clipboard":
         """The same with its upper left corner elsewhere."""
         left, top = self.corner
         right, down = x - left, y - top
@@ -43,17 +43,17 @@ class Copied:
         return replace(self, placed=placed, loci=loci)
 
 
-def copied(configuration: Configuration, names: Iterable[str], svars: Iterable[str]) -> Copied:
+def copied(configuration: Configuration, names: Iterable[str], svars: Iterable[str]) -> Clipboard:
     """Some tasks of a configuration; `svars` are the variables that they use."""
     tasks, variables = set(names), set(svars)
-    return Copied(
+    return Clipboard(
         tuple(placed for placed in configuration.placed if placed.task in tasks),
         tuple(locus for locus in configuration.loci if locus.svar in variables),
         tuple(group for group in configuration.groups if tasks.issuperset(group.tasks)),
     )
 
 
-def write(copied: Copied) -> str:
+def write(copied: Clipboard) -> str:
     """The text of what was copied."""
     tasks = tuple(
         _Task(placed.task, placed.x, placed.y, placed.in_left, placed.frequency, placed.rtpu)
@@ -64,7 +64,7 @@ def write(copied: Copied) -> str:
     return msgspec.json.encode(_Text(_VERSION, tasks, loci, groups)).decode()
 
 
-def read(text: str) -> Copied | Reason:
+def read(text: str) -> Clipboard | Reason:
     """What a text holds; the reason where it was not copied from a configuration."""
     try:
         decoded = _DECODER.decode(text)
@@ -114,7 +114,7 @@ class _Text(Struct, frozen=True, omit_defaults=True):
 _DECODER = msgspec.json.Decoder(_Text)
 
 
-def _unique(decoded: _Text) -> Copied | Reason:
+def _unique(decoded: _Text) -> Clipboard | Reason:
     twice = _repeated(task.task for task in decoded.tasks)
     if twice:
         return Reason.of("desk.task_twice", name=twice)
@@ -124,7 +124,7 @@ def _unique(decoded: _Text) -> Copied | Reason:
     placed = tuple(Placed(task.task, task.x, task.y, task.in_left, task.hz, task.rtpu) for task in decoded.tasks)
     loci = {locus.svar: Locus(locus.svar, locus.x, locus.y, show=locus.is_shown) for locus in decoded.loci}
     groups = tuple(Group(group.name, group.tasks) for group in decoded.groups)
-    return Copied(placed, tuple(loci.values()), groups)
+    return Clipboard(placed, tuple(loci.values()), groups)
 
 
 def _stray(decoded: _Text) -> str | None:

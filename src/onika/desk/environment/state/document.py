@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from onika.desk.environment.state.content import Content
-from onika.desk.environment.state.live import Live
+from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.open_file import Kind, OpenFile
 from onika.model.configuration import Configuration
 
@@ -15,7 +15,7 @@ class Document(OpenFile[Configuration, Content]):
 
     kind = Kind.CONFIGURATION
     content: Content
-    live: Live | None = None
+    live: SubsystemFacts | None = None
     """What is known of it in the running system; None: it is not connected."""
 
     @property

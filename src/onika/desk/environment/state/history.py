@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Generic, TypeVar
 
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.configuration import Configuration
 from onika.model.task import Task
 from onika.store.opened_text import OpenedText
@@ -21,7 +21,7 @@ Edits = Mapping[str, Task | None]
 
 
 @dataclass(frozen=True, slots=True)
-class File:
+class FileState:
     """The file that a document is tied to, as it was read or saved last, and its base directory."""
 
     opened: OpenedText[Configuration] | None
@@ -38,12 +38,12 @@ class Step(Generic[_C]):
     after: _C
     edits_before: Edits = field(default_factory=dict)
     edits_after: Edits = field(default_factory=dict)
-    shelf_before: Shelf | None = None
+    shelf_before: OpenLibraries | None = None
     """The tasks that the loci of `before` were settled with; None: those of now."""
-    shelf_after: Shelf | None = None
-    file_before: File | None = None
+    shelf_after: OpenLibraries | None = None
+    file_before: FileState | None = None
     """Where a step changed what file the document is tied to: the file before it; None: the same all along."""
-    file_after: File | None = None
+    file_after: FileState | None = None
 
 
 @dataclass(frozen=True, slots=True)

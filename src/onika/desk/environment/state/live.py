@@ -30,7 +30,7 @@ class TaskFacts:
 
 
 @dataclass(frozen=True, slots=True)
-class Base:
+class RequestedState:
     """What the runtime was asked for up to now: what a document differs in from it is still to be asked."""
 
     content: Content
@@ -43,7 +43,7 @@ class Base:
 class Pending:
     """Something that the runtime was asked for and whose outcome is not known."""
 
-    before: Base | None = None
+    before: RequestedState | None = None
     """Of a change of the subsystem: what to go back to where it fails."""
     after: Content | None = None
     present: History[Content] = field(default_factory=History)
@@ -64,7 +64,7 @@ class Offer:
 
 
 @dataclass(frozen=True, slots=True)
-class Live:
+class SubsystemFacts:
     """A document's subsystem."""
 
     subsystem: str
@@ -76,7 +76,7 @@ class Live:
     """What its holder would hand over."""
     me: str = ""
     """The name by which the runtime knows this environment; empty: it was not told yet."""
-    base: Base | None = None
+    base: RequestedState | None = None
     """None: it is not live."""
     turns: Mapping[str, str] = field(default_factory=dict)
     """Tasks to turn ON with the next change, whatever they were, each with its argument line."""
@@ -111,11 +111,11 @@ class Live:
         facts = self.tasks.get(name)
         return facts.state if facts else ""
 
-    def with_task(self, name: str, facts: TaskFacts | None) -> "Live":
+    def with_task(self, name: str, facts: TaskFacts | None) -> "SubsystemFacts":
         """With what is known of a task now; None: it is gone."""
         tasks = {other: former for other, former in self.tasks.items() if other != name}
         return replace(self, tasks=tasks if facts is None else {**self.tasks, name: facts})
 
-    def without_pending(self, key: int) -> "Live":
+    def without_pending(self, key: int) -> "SubsystemFacts":
         """With one change less whose outcome is not known."""
         return replace(self, pending={number: change for number, change in self.pending.items() if number != key})

@@ -6,14 +6,14 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from onika.desk.environment.run_state.review_session import Looking
+from onika.desk.environment.run_state.review_session import ReviewSession
 from onika.desk.environment.run_state.run import Run
-from onika.desk.environment.state.clipboard import Copied
+from onika.desk.environment.state.clipboard import Clipboard
 from onika.desk.environment.state.dictionary import Dictionary
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.environment.state.open_libraries import Shelf
-from onika.desk.environment.state.settings import Habits
+from onika.desk.environment.state.open_libraries import OpenLibraries
+from onika.desk.environment.state.settings import Settings
 from onika.model.application import Step
 from onika.model.button import Button
 from onika.model.configuration import Configuration
@@ -28,15 +28,15 @@ from onika.words.fault import Refusal
 class Model:
     """What is open, what was copied, what the user prefers, and what is known of the runtime."""
 
-    shelf: Shelf = field(default_factory=Shelf)
+    shelf: OpenLibraries = field(default_factory=OpenLibraries)
     documents: Mapping[str, Document] = field(default_factory=lambda: MappingProxyType({}))
     """By their ids, in the order in which they were opened."""
     opened: int = 0
     """How many documents were ever opened: ids are never used again."""
-    buffer: Copied = field(default_factory=Copied)
+    buffer: Clipboard = field(default_factory=Clipboard)
     """What was cut or copied last (C22)."""
     preferences: Preferences = field(default_factory=Preferences)
-    habits: Habits = field(default_factory=Habits)
+    habits: Settings = field(default_factory=Settings)
     buttons: tuple[Button, ...] = ()
     runs: Mapping[str, view.ButtonView] = field(default_factory=dict)
     """The commands of buttons that run or ran."""
@@ -63,7 +63,7 @@ class Model:
     """Those of the start and end icons, 1024 digits each."""
     run: Run | None = None
     """The run of an application that goes on now, or the last one."""
-    looking: Looking | None = None
+    looking: ReviewSession | None = None
     """The recorded run that is looked at."""
     keeping: view.KeepingView | None = None
     """The test that is being kept, or was last."""

@@ -26,7 +26,7 @@ class Judgement:
 
 
 @dataclass(frozen=True, slots=True)
-class Looked:
+class PreflightResult:
     """What a runtime has found wrong with an application, as it was when the runtime was asked (X02)."""
 
     of: Application
@@ -55,7 +55,7 @@ class OpenApplication(OpenFile[Application, Application]):
     """The tasks that stand for others as long as it is open."""
     marks: Mapping[int, Text] = field(default_factory=dict)
     """What became of steps when a runtime looked at them last, by their numbers."""
-    looked: Looked | None = None
+    looked: PreflightResult | None = None
     """The last look of a runtime, which may be of an earlier content."""
 
     @property
@@ -80,7 +80,7 @@ class OpenApplication(OpenFile[Application, Application]):
         """Whether what is known to be wrong is of what is here now."""
         return self.judgement is not None and self.judgement.of is self.application
 
-    def looked_at(self, address: str) -> Looked | None:
+    def looked_at(self, address: str) -> PreflightResult | None:
         """What the runtime of that address has found in what is here now; None: it has not looked at it."""
         looked = self.looked
         if (

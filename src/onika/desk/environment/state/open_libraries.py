@@ -17,7 +17,7 @@ from onika.wire.sheet import ModuleSheet
 
 
 @dataclass(frozen=True)
-class Shelf:
+class OpenLibraries:
     """Tasks by name, from the libraries in search order; the first of a name counts (reading 11)."""
 
     libraries: tuple[Library, ...] = ()
@@ -98,14 +98,14 @@ class Shelf:
         """The icons of those tasks that are known."""
         return {name: box for name in names if (box := self.box(name)) is not None}
 
-    def edited(self, edits: Mapping[str, Task | None]) -> "Shelf":
+    def edited(self, edits: Mapping[str, Task | None]) -> "OpenLibraries":
         """With tasks changed, or as their files say again where there is None."""
         wished = {name: self._onto(name, task) for name, task in edits.items()}
         kept = {name: task for name, task in {**self.edits, **wished}.items() if task is not None}
         forgotten = replace(self, edits={name: task for name, task in kept.items() if task != self.filed(name)})
         return forgotten._knowing(self, edits)
 
-    def rated(self, rates: Mapping[str, float | None]) -> "Shelf":
+    def rated(self, rates: Mapping[str, float | None]) -> "OpenLibraries":
         """With rates for later placements, or those of their files again where there is None."""
         kept = {**self.rates, **rates}
         rated = replace(self, rates={name: hz for name, hz in kept.items() if hz is not None})._knowing(self, ())
@@ -122,7 +122,7 @@ class Shelf:
         filed = self.filed(name)
         return wished if wished is None or filed is None else task_edit.carried(wished, filed)
 
-    def _knowing(self, former: "Shelf", changed: Collection[str]) -> "Shelf":
+    def _knowing(self, former: "OpenLibraries", changed: Collection[str]) -> "OpenLibraries":
         """With what `former` has found out about the same libraries already."""
         attributes = former.__dict__
         self.__dict__.update({name: attributes[name] for name in ("records", "homes") if name in attributes})

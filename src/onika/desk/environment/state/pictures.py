@@ -40,7 +40,7 @@ def key_of(picture: Picture) -> str:
     return drawn(picture)[0]
 
 
-class Album:
+class PictureSet:
     """The digits of every picture that is to be seen, by key; what was looked at once is not looked at again."""
 
     def __init__(self) -> None:

@@ -18,7 +18,7 @@ _NO = ("", "0", "no", "off", "false")
 
 
 @dataclass(frozen=True, slots=True)
-class Habits:
+class Settings:
     """Whether warnings are shown, whether a diary is kept, and whether the lower level is there to be gone to."""
 
     shows_warnings: bool = True
@@ -26,7 +26,7 @@ class Habits:
     shows_lower: bool = True
 
 
-def read(state: Path | None, environment: Mapping[str, str]) -> tuple[Habits, str]:
+def read(state: Path | None, environment: Mapping[str, str]) -> tuple[Settings, str]:
     """The habits of a user, and a sentence where the file cannot be read: then the defaults hold."""
     habits, wrong = _kept(state / NAME if state else None)
     named = {"shows_warnings": "ONIKA_WARNINGS", "shows_lower": "ONIKA_LOWER"}
@@ -47,13 +47,13 @@ def keep(state: Path | None, values: Mapping[str, bool]) -> Refusal | None:
     return done if isinstance(done, Refusal) else None
 
 
-def _kept(path: Path | None) -> tuple[Habits, str]:
+def _kept(path: Path | None) -> tuple[Settings, str]:
     if path is None or not path.exists():
-        return Habits(), ""
+        return Settings(), ""
     content, faults = text.load(path, str(path))
     if content is None:
-        return Habits(), str(faults[0])
+        return Settings(), str(faults[0])
     try:
-        return msgspec.json.decode(content, type=Habits), ""
+        return msgspec.json.decode(content, type=Settings), ""
     except msgspec.DecodeError as wrong:
-        return Habits(), f"{path}: {wrong}; the defaults hold"
+        return Settings(), f"{path}: {wrong}; the defaults hold"

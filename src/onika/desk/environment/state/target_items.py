@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 from onika.desk.environment.state.declarations import declared_inputs, declared_ports
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.syntax import DataItem, IconType, Syntax, same_type
 from onika.model.task import Task
 from onika.wire.sheet import InputSheet, PortSheet
@@ -15,7 +15,7 @@ Limits = Mapping[str, tuple[float, ...]]
 """Constants that bound inputs, as far as a runtime has told them, by the names of their variables."""
 
 
-class Use(NamedTuple):
+class InputUse(NamedTuple):
     """An input of a task that takes a datum of a target."""
 
     task: Task
@@ -35,17 +35,17 @@ def items_of(model: Model, type_: str) -> tuple[ItemView, ...]:
     return tuple(_view(item, uses.get(item.name, ()), model.limits) for item in kind.items)
 
 
-def uses_of(shelf: Shelf, syntax: Syntax, kind: IconType) -> dict[str, tuple[Use, ...]]:
+def uses_of(shelf: OpenLibraries, syntax: Syntax, kind: IconType) -> dict[str, tuple[InputUse, ...]]:
     """The inputs of tasks that take the data of a type of target, by the names of these."""
-    uses_by_type: dict[str, tuple[Use, ...]] = {}
+    uses_by_type: dict[str, tuple[InputUse, ...]] = {}
     for task in shelf.tasks.values() if kind.is_target else ():
         if takes(task, kind, syntax):
             for item, taken in _paired(kind.items, inputs_of(shelf, task)):
-                uses_by_type[item.name] = (*uses_by_type.get(item.name, ()), Use(task, taken))
+                uses_by_type[item.name] = (*uses_by_type.get(item.name, ()), InputUse(task, taken))
     return uses_by_type
 
 
-def inputs_of(shelf: Shelf, task: Task) -> tuple[InputSheet, ...]:
+def inputs_of(shelf: OpenLibraries, task: Task) -> tuple[InputSheet, ...]:
     """What a task takes, as a runtime says, else as its code does."""
     sheet = shelf.sheets.get(task.module)
     if sheet is not None:
@@ -54,7 +54,7 @@ def inputs_of(shelf: Shelf, task: Task) -> tuple[InputSheet, ...]:
     return declared_inputs(code) if code else ()
 
 
-def ports_of(shelf: Shelf, task: Task) -> tuple[PortSheet, ...]:
+def ports_of(shelf: OpenLibraries, task: Task) -> tuple[PortSheet, ...]:
     """The ports of a task's module, as a runtime says, else as its code does."""
     sheet = shelf.sheets.get(task.module)
     if sheet is not None:
@@ -77,7 +77,7 @@ def _paired(items: Sequence[DataItem], inputs: Sequence[InputSheet]) -> Iterator
         yield item, taken
 
 
-def _view(item: DataItem, uses: Sequence[Use], limits: Limits) -> ItemView:
+def _view(item: DataItem, uses: Sequence[InputUse], limits: Limits) -> ItemView:
     units = [use.input.unit for use in uses if use.input.unit not in ("", "-")]
     meanings = [use.input.meaning for use in uses if use.input.meaning]
     defaults = [use.input.default for use in uses if use.input.default is not None]
@@ -94,7 +94,7 @@ def _view(item: DataItem, uses: Sequence[Use], limits: Limits) -> ItemView:
     )
 
 
-def _bound(use: Use, bound: float | str | None, count: int, limits: Limits) -> tuple[float, ...] | None:
+def _bound(use: InputUse, bound: float | str | None, count: int, limits: Limits) -> tuple[float, ...] | None:
     value: Any = limits.get(use.variable(bound)) if isinstance(bound, str) else bound
     spread = None if value is None else _spread(value, count)
     return None if spread is None else tuple(map(float, spread))
