@@ -46,7 +46,9 @@ def sit_down(
         _welcome(session, desk)
         if has_console:
             return converse(console, desk, script)
-        return serve(console) if script is None else run_batch(console, desk, script)
+        if script is None:
+            return serve(console)
+        return run_batch(console, desk, script)
 
 
 def _welcome(session: ConsoleSession, desk: LineDesk) -> None:

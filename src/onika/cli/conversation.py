@@ -106,7 +106,9 @@ def _guarded(session: ConsoleSession, act: Callable[[], Faults]) -> Faults:
     with Interruption() as interruption:
         session.is_interrupted = interruption.is_new
         faults = act()
-        return (*faults, *session.interrupt()) if interruption.is_new() else faults
+        if interruption.is_new():
+            return (*faults, *session.interrupt())
+        return faults
 
 
 def _interrupted(session: ConsoleSession, desk: LineDesk) -> None:

@@ -32,7 +32,9 @@ def sentence(happening: event.Event, total: int, flows: Sequence[str] = ()) -> s
             return f"{happening.at_s:8.2f} s  {_began(happening, total, flows)}"
         case event.Moved():
             text = _moved(happening)
-            return f"{happening.at_s:8.2f} s  {happening.subsystem} {text}" if text else ""
+            if text:
+                return f"{happening.at_s:8.2f} s  {happening.subsystem} {text}"
+            return ""
         case event.Met() | event.Stepped() | event.Warned() | event.Failed() | event.Drive():
             text = say(_reason(happening))
             return f"{happening.at_s:8.2f} s  {text}" if text else ""
@@ -84,7 +86,9 @@ def _moved(moved: event.Moved) -> str:
             return ""  # the error and its explanation stand beside it
         case _:
             return say(moved.text)
-    return f"{text} ({say(moved.text)})" if moved.text else text
+    if moved.text:
+        return f"{text} ({say(moved.text)})"
+    return text
 
 
 def item_text(item: event.Item) -> str:

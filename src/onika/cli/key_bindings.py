@@ -51,7 +51,9 @@ class KeyBindings:
 
     @property
     def _flow(self) -> str:
-        return "" if self.chosen is None else self.flows[self.chosen]
+        if self.chosen is None:
+            return ""
+        return self.flows[self.chosen]
 
     def _want(self, word: str) -> None:
         takes_flow = word not in ("abort", "who")

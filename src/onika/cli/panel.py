@@ -143,7 +143,9 @@ class Panel:
 
 def _state(spot: FlowStatus, position: Position | None) -> str:
     is_pausing = position is not None and position.is_pausing and spot.state == "running"
-    return say(Reason.of("cli.will_pause")) if is_pausing else spot.state
+    if is_pausing:
+        return say(Reason.of("cli.will_pause"))
+    return spot.state
 
 
 def _doing(flow_index: FlowIndex, subsystem: str, spot: FlowStatus, position: Position | None) -> str:

@@ -110,7 +110,9 @@ def _listen(given: argparse.Namespace) -> tuple[str, ...]:
 def _held(given: argparse.Namespace) -> tuple[str, ...]:
     """The words about who holds what, and where that is written down."""
     audit = () if given.audit is None else ("--audit", given.audit)
-    return audit if given.lease is None else (*audit, "--lease", f"{given.lease:g}")
+    if given.lease is None:
+        return audit
+    return (*audit, "--lease", f"{given.lease:g}")
 
 
 def lease(text: str) -> float:

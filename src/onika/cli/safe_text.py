@@ -8,4 +8,6 @@ def safe(text: str) -> str:
 
 def _line(text: str) -> str:
     plain = text.expandtabs(4)
-    return plain if plain.isprintable() else "".join(letter if letter.isprintable() else "�" for letter in plain)
+    if plain.isprintable():
+        return plain
+    return "".join(letter if letter.isprintable() else "�" for letter in plain)

@@ -153,7 +153,9 @@ def _rows(words: list[str], columns: int) -> list[str]:
 
 def _former(path: Path | None) -> list[str]:
     try:
-        return [] if path is None else path.read_text(encoding="utf-8").splitlines()
+        if path is None:
+            return []
+        return path.read_text(encoding="utf-8").splitlines()
     except (OSError, UnicodeDecodeError):
         return []
 

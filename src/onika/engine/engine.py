@@ -124,7 +124,9 @@ class Engine:
                 return self._abort(news.cause)
         if isinstance(news, TaskNews):
             return self._guarded(self._hear(self._flows[news.flow], news))
-        return [] if self.refusal(news) else self._guarded(self._control.steer(self._steered(news), news))
+        if self.refusal(news):
+            return []
+        return self._guarded(self._control.steer(self._steered(news), news))
 
     def _steered(self, command: Steering) -> Progress:
         return self._flows[self._numbers[command.subsystem]]
@@ -145,7 +147,9 @@ class Engine:
     def _hear(self, flow: Progress, news: TaskNews) -> list[Order]:
         if not flow.flow_tasks.lives(news.task):
             is_late = flow.state in (FlowState.READY, *_OVER)
-            return [] if is_late else [Note(flow.flow, f"{news.task} is no task of this flow: ignored")]
+            if is_late:
+                return []
+            return [Note(flow.flow, f"{news.task} is no task of this flow: ignored")]
         if flow.state in _OVER:
             return self._hear_while_killing(flow, news)
         return self._hear_under_way(flow, news)
@@ -250,7 +254,9 @@ class Engine:
             return []
         text = f"{flow.where(news.task)} is not cleared: {news.reason}"
         is_clearing = flow.state is FlowState.CLEARING
-        return self._recovery.not_cleared(flow, text) if is_clearing else [Note(flow.flow, text)]
+        if is_clearing:
+            return self._recovery.not_cleared(flow, text)
+        return [Note(flow.flow, text)]
 
     def _abort(self, cause: str) -> list[Order]:
         if any(flow.state in _OVER for flow in self._flows):

@@ -35,14 +35,18 @@ class FlowControl:
                 return _no_such_action(flow, command.action)
             case Recover():
                 is_stopped = flow.state is FlowState.STOPPED
-                return NOTHING if is_stopped else _expected(Reason.of("engine.stopped_at_error"), flow)
+                if is_stopped:
+                    return NOTHING
+                return _expected(Reason.of("engine.stopped_at_error"), flow)
             case Pass():
                 return self._why_not_pass(flow)
             case Skip():
                 return self._why_not_skip(flow, command)
             case Resume():
                 is_resting = flow.state is FlowState.PAUSED or (flow.is_pausing and flow.state in _UNDER_WAY)
-                return NOTHING if is_resting else _expected(Reason.of("engine.paused"), flow)
+                if is_resting:
+                    return NOTHING
+                return _expected(Reason.of("engine.paused"), flow)
             case Pause() | Step() | Leave():
                 return self._why_not_under_way(flow, command)
 
@@ -103,9 +107,13 @@ class FlowControl:
             return _expected(Reason.of("engine.under_way"), flow)
         if isinstance(command, Leave):
             is_in_loop = bool(self._innermost(flow))
-            return NOTHING if is_in_loop else Reason.of("engine.not_in_loop", flow=flow.flow)
+            if is_in_loop:
+                return NOTHING
+            return Reason.of("engine.not_in_loop", flow=flow.flow)
         is_paused = isinstance(command, Pause) and flow.state is FlowState.PAUSED
-        return Reason.of("engine.paused_already", flow=flow.flow) if is_paused else NOTHING
+        if is_paused:
+            return Reason.of("engine.paused_already", flow=flow.flow)
+        return NOTHING
 
     # Elsewhere
 
@@ -115,7 +123,9 @@ class FlowControl:
             return _expected(Reason.of("engine.at_an_action"), flow)
         if skip.action is None:
             is_waiting = flow.state is FlowState.WAITING
-            return Reason.of("engine.waits_at_tag", flow=flow.flow) if is_waiting else NOTHING
+            if is_waiting:
+                return Reason.of("engine.waits_at_tag", flow=flow.flow)
+            return NOTHING
         return _no_such_action(flow, skip.action) or _out_of_reach(flow, skip.action)
 
     def _skip(self, flow: Progress, action: int | None) -> list[Order]:
@@ -134,7 +144,9 @@ class FlowControl:
         if flow.state is FlowState.JOINING and not isinstance(flow.next, Join):
             return Reason.of("engine.waits_to_begin_again", flow=flow.flow)
         is_waiting = flow.state in (FlowState.WAITING, FlowState.JOINING)
-        return NOTHING if is_waiting else _expected(Reason.of("engine.waiting_for_flow"), flow)
+        if is_waiting:
+            return NOTHING
+        return _expected(Reason.of("engine.waiting_for_flow"), flow)
 
     def _pass(self, flow: Progress) -> list[Order]:
         if flow.state is FlowState.WAITING:

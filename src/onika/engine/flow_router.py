@@ -122,7 +122,9 @@ class FlowRouter:
         return [flow for flow in flows if self._flows[flow].state is not FlowState.DONE or flow in self._going]
 
     def _settle(self) -> list[Order]:
-        return [Settle()] if all(flow.state is FlowState.DONE for flow in self._flows) else []
+        if all(flow.state is FlowState.DONE for flow in self._flows):
+            return [Settle()]
+        return []
 
     def rest(self, flow: Progress) -> list[Order]:
         """Pause here."""
@@ -148,7 +150,9 @@ class FlowRouter:
         instruction = flow.next if flow.state is FlowState.JOINING else None
         if isinstance(instruction, Join):
             return self._not_done(instruction.flows)
-        return self._not_done(number for number, _ in instruction.flows) if isinstance(instruction, Fork) else []
+        if isinstance(instruction, Fork):
+            return self._not_done(number for number, _ in instruction.flows)
+        return []
 
     def _has_ended(self, number: int) -> bool:
         """Whether a flow is done for good; one that is begun by another may be begun again."""

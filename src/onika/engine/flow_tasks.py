@@ -95,7 +95,9 @@ class FlowTasks:
         back = sorted((task for task in held if self.failed.get(task)), key=self._ranks.__getitem__)
         self.failed.clear()
         self._on |= dict.fromkeys(back, False)
-        return [Switch(self._flow, (), tuple(step.start(task) for task in back))] if step is not None and back else []
+        if step is not None and back:
+            return [Switch(self._flow, (), tuple(step.start(task) for task in back))]
+        return []
 
     def rest(self, triggers: tuple[str, ...]) -> list[Order]:
         """These go off: the action is over before they have finished."""

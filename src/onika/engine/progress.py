@@ -55,7 +55,9 @@ class Progress:
     @property
     def place(self) -> int:
         """The place in the program where it is: that of the action while one runs."""
-        return self._pc - 1 if self.state is FlowState.RUNNING and self._pc else self._pc
+        if self.state is FlowState.RUNNING and self._pc:
+            return self._pc - 1
+        return self._pc
 
     def where(self, task: str) -> str:
         """A task and where the run stands, for messages."""

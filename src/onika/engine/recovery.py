@@ -49,7 +49,9 @@ class ErrorRecovery:
     def cleared(self, flow: Progress, task: str) -> list[Order]:
         """A task is OFF again."""
         flow.flow_tasks.in_error.discard(task)
-        return self._when_cleared(flow) if flow.state is FlowState.CLEARING else []
+        if flow.state is FlowState.CLEARING:
+            return self._when_cleared(flow)
+        return []
 
     def not_cleared(self, flow: Progress, text: str) -> list[Order]:
         """A task would not be cleared: the flow stands still as before."""

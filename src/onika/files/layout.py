@@ -50,12 +50,16 @@ def carry(former: str, new: str, key: Callable[[str], Key] = words_of) -> str:
 def carry_comments(former: str, new: str) -> str:
     """As `carry`, where `former` has comments at all; else `new` with the line ends of `former`."""
     has_comments = any(line.lstrip(" \t").startswith("#") for line in former.split("\n"))
-    return carry(former, new) if has_comments else _ended_as(former, new)
+    if has_comments:
+        return carry(former, new)
+    return _ended_as(former, new)
 
 
 def _ended_as(former: str, new: str) -> str:
     """Where the first line of `former` ends as on Windows, `new` does in all; `new` has plain line ends."""
-    return new.replace("\n", "\r\n") if former.partition("\n")[0].endswith("\r") else new
+    if former.partition("\n")[0].endswith("\r"):
+        return new.replace("\n", "\r\n")
+    return new
 
 
 def _opcodes(old: list[Key], new: list[Key]) -> Iterator[tuple[str, int, int, int, int]]:

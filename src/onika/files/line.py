@@ -276,7 +276,9 @@ def is_number(word: str) -> bool:
 
 def show_number(value: float) -> str:
     """A finite number as short as it can be read back: 500, 0.004."""
-    return str(int(value)) if value.is_integer() and abs(value) < 1e15 else repr(value)
+    if value.is_integer() and abs(value) < 1e15:
+        return str(int(value))
+    return repr(value)
 
 
 def row(keyword: str, *words: str) -> str:

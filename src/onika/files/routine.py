@@ -126,4 +126,6 @@ def _agree(mark: str | None, other: str | None, meaning: str, target: Icon, read
 
 
 def _tag(line: FileLine | None, reading: TextReading) -> str | None:
-    return reading.word(line, Reason.of("files.a_tag")) if line else None
+    if line:
+        return reading.word(line, Reason.of("files.a_tag"))
+    return None

@@ -138,7 +138,9 @@ class Program:
             return Reason.of("host.is_stopped")
         units = [task.rtpu for flow in prepared.plan.flows for task in flow.tasks]
         gone = [reason for unit in units if (reason := self.subsystems.gone(unit))]
-        return Reason.of("host.start_anew", gone=gone[0]) if gone else NOTHING
+        if gone:
+            return Reason.of("host.start_anew", gone=gone[0])
+        return NOTHING
 
     def _running_subsystems(self, prepared: Preparation) -> dict[int, RunningSubsystem]:
         """The subsystems of a run that begins, by the number of their flow."""

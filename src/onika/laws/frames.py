@@ -99,7 +99,9 @@ def rotation_exp(vector: Numbers) -> Array:
     """The rotation matrix about `vector` by its length in rad (Rodrigues' formula)."""
     x, y, z = (float(part) for part in vector)
     angle = math.sqrt(x * x + y * y + z * z)
-    return rotation_about(x / angle, y / angle, z / angle, angle) if angle > 0.0 else np.eye(3)
+    if angle > 0.0:
+        return rotation_about(x / angle, y / angle, z / angle, angle)
+    return np.eye(3)
 
 
 def rotation_about(x: float, y: float, z: float, angle: float) -> Array:

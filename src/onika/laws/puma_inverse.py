@@ -63,7 +63,9 @@ class PumaInverse:
                 turned = self._placed(wrist, near, 3)
                 if turned is not None and cost + _distance(turned, near, 3) < best:
                     best, solution = cost + _distance(turned, near, 3), placed + turned
-        return self._why(flange, near) if solution is None else np.array(solution)
+        if solution is None:
+            return self._why(flange, near)
+        return np.array(solution)
 
     def branches(self, pose: Array, q_near: Numbers) -> list[Array]:
         """All solutions, limits or not, each joint as near to `q_near` as whole turns allow; empty out of reach."""

@@ -61,7 +61,9 @@ class ServerPort:
 
     def fileno(self) -> int:
         """The descriptor to wait for reading; -1 when there is no connection."""
-        return self._pump.carrier.fileno() if self._pump.carrier is not None else -1
+        if self._pump.carrier is not None:
+            return self._pump.carrier.fileno()
+        return -1
 
     def want_write(self) -> bool:
         """Whether to wait for writing too."""

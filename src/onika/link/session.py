@@ -73,7 +73,9 @@ class EnvironmentSession:
     @property
     def link_quality(self) -> LinkQuality:
         """Its beats that came as datagrams, beside its asking channel."""
-        return LinkQuality() if self._asking is None else self._asking.link_quality
+        if self._asking is None:
+            return LinkQuality()
+        return self._asking.link_quality
 
     @property
     def is_linked(self) -> bool:
@@ -173,4 +175,6 @@ class EnvironmentSession:
 
     def _spoken_on(self, channel: Channel) -> SignalJournal:
         """Signals are said on one channel only; the others just need the epoch."""
-        return self._journal if channel in (Channel.ALL, Channel.SIGNAL) else SignalJournal(self._journal.epoch)
+        if channel in (Channel.ALL, Channel.SIGNAL):
+            return self._journal
+        return SignalJournal(self._journal.epoch)

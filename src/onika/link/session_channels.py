@@ -68,7 +68,9 @@ class SessionChannels:
         if self._first.end.state in _THERE and not all(state in _THERE for state in states):
             return LinkState.GREETING
         suspects = LinkState.SUSPECT in states and self._first.end.state is LinkState.LINKED
-        return LinkState.SUSPECT if suspects else self._first.end.state
+        if suspects:
+            return LinkState.SUSPECT
+        return self._first.end.state
 
     @property
     def epoch(self) -> str:

@@ -127,9 +127,9 @@ def _heartbeat_sender(connected: socket.socket, protocol: ClientProtocol) -> Hea
     """What beats beside the connection, where the runtime has told how."""
     answers = [event for event in protocol.events if isinstance(event, Response)]
     heartbeat_key = HeartbeatKey.parse(answers[0].headers.get(HEADER, "")) if answers else None
-    return (
-        None if heartbeat_key is None else HeartbeatSender(heartbeat_key, connected.getpeername()[0], connected.family)
-    )
+    if heartbeat_key is None:
+        return None
+    return HeartbeatSender(heartbeat_key, connected.getpeername()[0], connected.family)
 
 
 Open = Callable[[Channel], WebSocketCarrier]

@@ -123,7 +123,9 @@ def wanted_targets(onikon: Onikon, syntax: Syntax) -> tuple[str, ...]:
     Empty for complete actions, for no-ops and for what is no action of a known type.
     """
     kind = syntax.find(onikon.type)
-    return (syntax.object_of(kind), *onikon.more_targets) if kind and kind.needs_target else ()
+    if kind and kind.needs_target:
+        return (syntax.object_of(kind), *onikon.more_targets)
+    return ()
 
 
 def is_target(icon: Icon, syntax: Syntax) -> bool:

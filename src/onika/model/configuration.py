@@ -73,7 +73,9 @@ class Configuration:
             left.difference_update(tasks)
             if tasks:
                 kept_groups.append(group if tasks == group.tasks else Group(group.name, tasks))
-        return self if tuple(kept_groups) == self.groups else replace(self, groups=tuple(kept_groups))
+        if tuple(kept_groups) == self.groups:
+            return self
+        return replace(self, groups=tuple(kept_groups))
 
     def in_group_order(self, names: Iterable[str]) -> list[str]:
         """These tasks, those of a group in its order at the places which they have among the others."""

@@ -81,7 +81,9 @@ class _Count:
 
     def flow(self, flow: AppFlow) -> AppFlow:
         steps = tuple(map(self._step, flow.steps))
-        return flow if all(map(_is, steps, flow.steps)) else AppFlow(steps)
+        if all(map(_is, steps, flow.steps)):
+            return flow
+        return AppFlow(steps)
 
     def _step(self, step: Step) -> Step:
         if not step.number:

@@ -30,14 +30,18 @@ class Redirect:
     @property
     def home(self) -> str:
         """The subsystem it is meant for; empty: every one."""
-        return f"flow{int(self.flow)}" if _NUMBER.match(self.flow) else self.flow
+        if _NUMBER.match(self.flow):
+            return f"flow{int(self.flow)}"
+        return self.flow
 
     def holds_in(self, subsystem: str) -> bool:
         """Whether it holds in a subsystem: in `flow0` means in `flow0.1` too, which is nested there."""
         return not self.home or f"{subsystem}.".startswith(f"{self.home}.")
 
     def __str__(self) -> str:
-        return f"{self.flow}:{self.old}={self.new}" if self.flow else f"{self.old}={self.new}"
+        if self.flow:
+            return f"{self.flow}:{self.old}={self.new}"
+        return f"{self.old}={self.new}"
 
 
 Choice = dict[str, str]

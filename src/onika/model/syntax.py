@@ -123,7 +123,9 @@ class Syntax:
             return None
         if has_word(name, "job"):
             return self.find(COMPLETE_JOB)
-        return self.find(COMPLETE_APPLICATION) if has_word(name, "application") else None
+        if has_word(name, "application"):
+            return self.find(COMPLETE_APPLICATION)
+        return None
 
     def target_type_of(self, name: str) -> str | None:
         """The target type that goes with an action type by its words: "Joint job" gives "Joint object".

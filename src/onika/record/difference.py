@@ -148,4 +148,6 @@ def _strays(
 
 
 def _show(value: Any) -> Text:
-    return Reason.of("record.nothing_yet") if value is None else repr(value)
+    if value is None:
+        return Reason.of("record.nothing_yet")
+    return repr(value)

@@ -188,7 +188,9 @@ def _vector(parts: Sequence[float]) -> dict[str, float]:
 
 
 def _color(rgba: Sequence[float], is_lit: bool) -> dict[str, float]:
-    return {"r": 1.0, "g": 0.9, "b": 0.2, "a": 1.0} if is_lit else dict(zip("rgba", rgba, strict=True))
+    if is_lit:
+        return {"r": 1.0, "g": 0.9, "b": 0.2, "a": 1.0}
+    return dict(zip("rgba", rgba, strict=True))
 
 
 def _time(at_ns: int) -> dict[str, int]:

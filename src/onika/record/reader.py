@@ -35,7 +35,9 @@ _KEPT = 48
 def complaint(path: Path, wrong: Exception) -> Reason:
     """Why a file cannot be read; the file first, which is another one where that is what could not be read."""
     reason = reason_of(wrong)
-    return reason if reason.key == "record.of_file" else Reason.of("record.of_file", path=str(path), why=flaw(wrong))
+    if reason.key == "record.of_file":
+        return reason
+    return Reason.of("record.of_file", path=str(path), why=flaw(wrong))
 
 
 def flaw(wrong: Exception) -> Reason:
@@ -43,7 +45,9 @@ def flaw(wrong: Exception) -> Reason:
     if isinstance(wrong, OSError):
         return Reason.plain((wrong.strerror or str(wrong)).lower())
     why = reason_of(wrong).args.get("why")
-    return why if isinstance(why, Reason) else Reason.of("record.no_mcap", given=Reason.of("record.spoilt"))
+    if isinstance(why, Reason):
+        return why
+    return Reason.of("record.no_mcap", given=Reason.of("record.spoilt"))
 
 
 def content(wrong: Exception) -> Reason:

@@ -35,7 +35,9 @@ class Series:
     def at(self, at_ns: int) -> Any:
         """Its value at a time; None before the first one."""
         newest = self.reader.newest(self.topic, at_ns)
-        return None if newest is None else value.decode(newest[1], self.shape)
+        if newest is None:
+            return None
+        return value.decode(newest[1], self.shape)
 
     def values(self, begin_ns: int = 0, end_ns: int = 1 << 63) -> Iterator[tuple[int, Any]]:
         """Its values from a time to before another, as they came."""

@@ -28,7 +28,9 @@ class Tolerance:
         if not self.is_of_places or len(units) not in (1, count):
             return [False] * count
         are_rates = [unit_name.endswith(_RATES) or unit_name in _FORCES for unit_name in units]
-        return are_rates if len(units) == count else are_rates * count
+        if len(units) == count:
+            return are_rates
+        return are_rates * count
 
     def covers(self, value: float, low: float, high: float) -> bool:
         """Whether a number lies near enough to what another took on from `low` to `high`."""

@@ -45,7 +45,9 @@ class TaskStatus(Struct, frozen=True):
     @property
     def reference_ms(self) -> float:
         """The desired period; 0 without one."""
-        return 1e3 / self.reference_hz if self.reference_hz else 0.0
+        if self.reference_hz:
+            return 1e3 / self.reference_hz
+        return 0.0
 
     @property
     def measured_ms(self) -> float:
@@ -250,7 +252,9 @@ News = TaskNews | Unprepared | Got | Statuses | Loads
 
 def _plain(value: Any) -> Any:
     """What a module may hand out by `get` and msgpack does not know: arrays and NumPy's numbers, else as text."""
-    return value.tolist() if hasattr(value, "tolist") else str(value)
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    return str(value)
 
 
 encode = msgspec.msgpack.Encoder(enc_hook=_plain).encode

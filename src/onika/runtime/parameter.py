@@ -17,6 +17,8 @@ def parse(name: str, shape: Shape, words: tuple[str, ...]) -> Any:
     if fixed and len(words) != shape.count:
         raise ValueError(f"LOCAL {name}: expected {shape.count} values, found {len(words)}")
     try:
-        return [kind.parse(word) for word in words] if is_vector else kind.parse(words[0])
+        if is_vector:
+            return [kind.parse(word) for word in words]
+        return kind.parse(words[0])
     except ValueError as wrong:
         raise ValueError(f"LOCAL {name}: {wrong}") from None

@@ -118,7 +118,9 @@ class Scheduler:
         crit, rank, name = slot.key
         first = heapreplace(releases, (release, deadline, crit, rank, name, slot.epoch, slot))
         following = first[6]
-        return following if first[5] == following.epoch else self.next_due(now)
+        if first[5] == following.epoch:
+            return following
+        return self.next_due(now)
 
     def next_release(self) -> int | None:
         """When something becomes due (a time in the past: now); None if nothing ever will."""

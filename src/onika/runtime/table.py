@@ -105,9 +105,13 @@ def value_of(data: bytes, shape: Shape) -> Any:
     if shape.type.is_text or shape.type is ValueType.CHAR:
         return letters.decode(data, shape.type, bool(shape.dims))
     array = np.frombuffer(data, dtype=shape.type.code)
-    return array[0].item() if not shape.dims else array.reshape(shape.dims)
+    if not shape.dims:
+        return array[0].item()
+    return array.reshape(shape.dims)
 
 
 def plain(value: Any) -> Any:
     """A value that travels: arrays as lists."""
-    return value.tolist() if isinstance(value, np.ndarray) else value
+    if isinstance(value, np.ndarray):
+        return value.tolist()
+    return value

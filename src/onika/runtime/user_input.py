@@ -122,4 +122,6 @@ def _within(where: str, value: Value, item: AskedItem, index: int) -> None:
 
 def _vector(item: AskedItem, values: list[Value]) -> Any:
     kind = ValueType(item.type)
-    return values if kind.is_text or kind.value == "char" else np.array(values, dtype=kind.code)
+    if kind.is_text or kind.value == "char":
+        return values
+    return np.array(values, dtype=kind.code)

@@ -155,7 +155,9 @@ class BaseDirectory:
         expected = whole.ABSENT if is_new else whole.stamp(record.text)
         content = rmod.write(record, task)
         saved = put(self.task_file(task.name), task, content, whole.ANYTHING if overwrites else expected)
-        return saved if isinstance(saved, Refusal) else RmodText(task, content)
+        if isinstance(saved, Refusal):
+            return saved
+        return RmodText(task, content)
 
     def save_configuration(
         self, configuration: Configuration, former: OpenedText[Configuration] | None = None, *, overwrites: bool = False

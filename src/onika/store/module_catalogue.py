@@ -48,4 +48,6 @@ def translations_of(bases: Iterable[BaseDirectory], language: str) -> Mapping[st
 def _translations(code: Path, language: str) -> Mapping[str, str]:
     path = code.with_name(f"{code.stem}.{language}.toml")
     content = text.load(path, str(path))[0] if path.is_file() else None
-    return {} if content is None else read(content, str(path))[0]
+    if content is None:
+        return {}
+    return read(content, str(path))[0]

@@ -54,4 +54,6 @@ def put(path: Path, value: _T, content: str, expected: whole.Stamp) -> OpenedTex
     except OSError as error:
         return Refusal(f"{path} cannot be saved: {error.strerror}", ("save it elsewhere",))
     written = whole.write(path, content, expected)
-    return written if isinstance(written, Refusal) else OpenedText(value, path, content)
+    if isinstance(written, Refusal):
+        return written
+    return OpenedText(value, path, content)

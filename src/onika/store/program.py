@@ -71,7 +71,9 @@ def joined(program: ApplicationProgram, names: Iterable[str], site: Site) -> App
 def home_of(path: Path, site: Site) -> Site:
     """The site as the application in the file `path` sees it: its own base directory comes first (reading 35)."""
     folder = path.absolute().parent
-    return site.at(folder.parent) if folder.name == "appl" else site
+    if folder.name == "appl":
+        return site.at(folder.parent)
+    return site
 
 
 class _Gathering:

@@ -92,7 +92,9 @@ class Site:
     def open_preferences(self) -> tuple[OpenedText[Preferences] | None, Faults]:
         """The preferences to be edited and saved again; None where the user has no file of them that can be read."""
         path = self._own_path(preferences.NAME)
-        return open_file(path, preferences.NAME, preferences.read) if path and path.exists() else (None, ())
+        if path and path.exists():
+            return open_file(path, preferences.NAME, preferences.read)
+        return (None, ())
 
     def save_preferences(
         self, preferred: Preferences, former: OpenedText[Preferences] | None = None, *, overwrites: bool = False
@@ -114,7 +116,9 @@ class Site:
     def open_buttons(self) -> tuple[OpenedText[tuple[Button, ...]] | None, Faults]:
         """The buttons to be edited and saved again; None where the user has no file of them that can be read."""
         path = self._own_path(buttons.NAME)
-        return open_file(path, buttons.NAME, buttons.read) if path and path.exists() else (None, ())
+        if path and path.exists():
+            return open_file(path, buttons.NAME, buttons.read)
+        return (None, ())
 
     def save_buttons(
         self,
@@ -158,7 +162,9 @@ class Site:
             path = Path(name_or_path)
             return path if path.is_file() else None
         base = self._first(name_or_path, BaseDirectory.application_file)
-        return base.application_file(name_or_path) if base else None
+        if base:
+            return base.application_file(name_or_path)
+        return None
 
     # -- reading by name
 
@@ -180,7 +186,9 @@ class Site:
     def application(self, name: str, types: Syntax) -> tuple[Application | None, Faults]:
         """The application `name`, from the first base directory that holds it."""
         base = self._first(name, BaseDirectory.application_file)
-        return base.application(name, types) if base else (None, ())
+        if base:
+            return base.application(name, types)
+        return (None, ())
 
     def duplicates(self) -> Faults:
         """Names found in several base directories: the first one counts, each later one is reported (D15, B08)."""
@@ -239,7 +247,9 @@ class Site:
     def _own(self, name: str) -> tuple[str | None, Faults]:
         """The text of one of the user's own files, which are all optional."""
         path = self._own_path(name)
-        return text.load(path, str(path)) if path and path.exists() else (None, ())
+        if path and path.exists():
+            return text.load(path, str(path))
+        return (None, ())
 
 
 def is_shipped(path: Path) -> bool:

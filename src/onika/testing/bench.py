@@ -243,7 +243,9 @@ def _class_of(source: str, path: Path) -> type[Module]:
 def _words(value: object) -> tuple[str, ...]:
     if isinstance(value, str):
         return tuple(value.split())
-    return tuple(str(one) for one in value) if isinstance(value, Iterable) else (str(value),)
+    if isinstance(value, Iterable):
+        return tuple(str(one) for one in value)
+    return (str(value),)
 
 
 def _bytes_of(value: Any, shape: Shape) -> bytes:

@@ -41,7 +41,9 @@ def application(login: Login, hub: Hub, static: Path = STATIC) -> Starlette:
         if not login.knows(request.cookies):
             return PlainTextResponse(_NO_KEY, 403)
         index = static / "index.html"
-        return FileResponse(index) if index.is_file() else PlainTextResponse(_NOT_BUILT, 503)
+        if index.is_file():
+            return FileResponse(index)
+        return PlainTextResponse(_NOT_BUILT, 503)
 
     async def talk(socket: WebSocket) -> None:
         if not (login.is_own_page(socket.headers) and login.knows(socket.cookies)):

@@ -137,7 +137,9 @@ class Hub:
 
     def _stamped(self, message: page.Say) -> page.Say:
         """With the time: a page tells what is new from what it is only reminded of."""
-        return message if message.at_s else msgspec.structs.replace(message, at_s=self._clock())
+        if message.at_s:
+            return message
+        return msgspec.structs.replace(message, at_s=self._clock())
 
     def _rewatch(self) -> None:
         wishes = [client.watch for client in self._clients]

@@ -121,7 +121,9 @@ class EnvironmentProgram:
 
     def _settings(self) -> Mapping[str, str]:
         """What the system says of this session, and what was asked for when it was begun."""
-        return {**os.environ, "ONIKA_LOWER": "no"} if self._wishes.is_upper_only else os.environ
+        if self._wishes.is_upper_only:
+            return {**os.environ, "ONIKA_LOWER": "no"}
+        return os.environ
 
     def _leave(
         self, environment: Environment, surroundings: Services, kept: Recovery | None, autosave: Autosave

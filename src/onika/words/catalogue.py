@@ -17,7 +17,9 @@ def sentence(language: str, key: str) -> str:
 
 def sentences(language: str, domain: str) -> Mapping[str, str]:
     """The sentences of a domain by their names, none where the language has no such catalogue."""
-    return _read(language, domain) if domain in domains(language) else {}
+    if domain in domains(language):
+        return _read(language, domain)
+    return {}
 
 
 @cache

@@ -17,7 +17,9 @@ class Place:
     line: int = 0
 
     def __str__(self) -> str:
-        return f"{self.file}:{self.line}" if self.line else self.file
+        if self.line:
+            return f"{self.file}:{self.line}"
+        return self.file
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -65,7 +67,9 @@ class Refusal:
     @property
     def sentence(self) -> Text:
         """All of it in one sentence."""
-        return _with_remedies(self.reason, self.remedies) if self.remedies else self.reason
+        if self.remedies:
+            return _with_remedies(self.reason, self.remedies)
+        return self.reason
 
     def __str__(self) -> str:
         return str(self.sentence)
@@ -73,4 +77,6 @@ class Refusal:
 
 def _with_remedies(reason: Text, remedies: Sequence[Text]) -> Reason:
     plain = reason if isinstance(reason, Reason) else Reason.plain(reason)
-    return Reason.of("words.with_remedies", reason=plain, remedies=tuple(remedies)) if remedies else plain
+    if remedies:
+        return Reason.of("words.with_remedies", reason=plain, remedies=tuple(remedies))
+    return plain

@@ -21,7 +21,9 @@ def encode(value: str | Iterable[str], kind: ValueType, size: int) -> bytes:
 
 
 def _decode(data: bytes, kind: ValueType) -> str:
-    return data.partition(b"\0")[0].decode("utf-8", "replace") if kind.is_text else chr(data[0])
+    if kind.is_text:
+        return data.partition(b"\0")[0].decode("utf-8", "replace")
+    return chr(data[0])
 
 
 def _encode(character: str, kind: ValueType) -> bytes:

@@ -46,7 +46,9 @@ def of_module(reason: Reason, module: str) -> Reason:
 def _of_module(value: Argument, module: str) -> Argument:
     if isinstance(value, tuple):
         return tuple(of_module(item, module) if isinstance(item, Reason) else item for item in value)
-    return of_module(value, module) if isinstance(value, Reason) else value
+    if isinstance(value, Reason):
+        return of_module(value, module)
+    return value
 
 
 def _argument(value: object) -> Argument:
@@ -62,5 +64,9 @@ def _one_argument(value: object) -> str | int | float | bool | Reason:
     if isinstance(value, Reason | bool):
         return value
     if isinstance(value, Integral):
-        return int(value) if -_LARGEST_INTEGER <= int(value) < _LARGEST_INTEGER else str(value)
-    return float(value) if isinstance(value, Real) else str(value)
+        if -_LARGEST_INTEGER <= int(value) < _LARGEST_INTEGER:
+            return int(value)
+        return str(value)
+    if isinstance(value, Real):
+        return float(value)
+    return str(value)

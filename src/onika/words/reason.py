@@ -78,10 +78,14 @@ def in_language(reason: Text, language: str, of_modules: Mapping[str, str] = Map
 
 
 def _shown(value: object, language: str, of_modules: Mapping[str, str]) -> str:
-    return in_language(value, language, of_modules) if isinstance(value, Reason) else str(value)
+    if isinstance(value, Reason):
+        return in_language(value, language, of_modules)
+    return str(value)
 
 
 def reason_of(error: Exception) -> Reason:
     """Why something was raised: the reason it was raised with, else its text."""
     first = error.args[0] if error.args else None
-    return first if isinstance(first, Reason) else Reason.plain(str(error))
+    if isinstance(first, Reason):
+        return first
+    return Reason.plain(str(error))

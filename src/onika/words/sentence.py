@@ -68,7 +68,9 @@ def _filled(value: object, rule: str, language: str, show: Show) -> str:
     if isinstance(value, tuple | list):
         each = "" if kind in _LISTS else rule
         items = [_filled(item, each, language, show) for item in value]
-        return "; ".join(items) if kind == ";" else _listed(items, _CONNECTIVES[language].get(kind, ""))
+        if kind == ";":
+            return "; ".join(items)
+        return _listed(items, _CONNECTIVES[language].get(kind, ""))
 
     if kind in _LISTS:
         return _written(value, show)
@@ -85,7 +87,9 @@ def _written(value: object, show: Show) -> str:
     if isinstance(value, float):
         is_whole = value.is_integer() and abs(value) < 1e16
         return str(int(value)) if is_whole else repr(float(value))
-    return str(value) if isinstance(value, int) else show(value)
+    if isinstance(value, int):
+        return str(value)
+    return show(value)
 
 
 def _listed(items: Sequence[str], connective: str) -> str:

@@ -50,7 +50,9 @@ class ValueType(Enum):
     @property
     def size(self) -> int:
         """Bytes of one element in memory."""
-        return TEXT_CAPACITY if self.is_text else struct.calcsize("=" + self.code)
+        if self.is_text:
+            return TEXT_CAPACITY
+        return struct.calcsize("=" + self.code)
 
     @property
     def bounds(self) -> tuple[float, float]:

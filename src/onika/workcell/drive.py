@@ -105,13 +105,17 @@ class DriveUnit:
         """The last instant at which silence is still allowed."""
         if self.mode is DriveMode.DRIVEN:
             return self.last_ns + SILENCE_NS
-        return self.last_ns + TRIP_NS if self.mode is DriveMode.SILENT else NEVER_NS
+        if self.mode is DriveMode.SILENT:
+            return self.last_ns + TRIP_NS
+        return NEVER_NS
 
     def silence(self, now_ns: int) -> DriveInput | None:
         """What silence makes happen at a step at `now_ns`, or None; changes nothing."""
         if now_ns <= self.due_ns:
             return None
-        return DriveInput.SILENCE if self.mode is DriveMode.DRIVEN else DriveInput.LONG_SILENCE
+        if self.mode is DriveMode.DRIVEN:
+            return DriveInput.SILENCE
+        return DriveInput.LONG_SILENCE
 
     def feed(self, drive_input: DriveInput) -> None:
         """Move as the table says."""

@@ -21,4 +21,6 @@ class PanicButton:
         if value not in (PRESSED, LET_GO):
             raise ValueError(f"expected {self.takes} for {self.name}, found {value:g}")
         self.is_pressed = value == PRESSED
-        return DriveInput.PRESS if self.is_pressed else DriveInput.LET_GO
+        if self.is_pressed:
+            return DriveInput.PRESS
+        return DriveInput.LET_GO

@@ -41,7 +41,9 @@ class Completion:
         if typed.startswith("@"):
             return [f"@{name}" for base in self._session.site.directories for name in base.onikons]
         offer = _KINDS.get(kind)
-        return () if offer is None else offer(self._session, self._commands, typed)
+        if offer is None:
+            return ()
+        return offer(self._session, self._commands, typed)
 
 
 def _tasks(session: ConsoleSession, _commands: Sequence[Command], _typed: str) -> list[str]:

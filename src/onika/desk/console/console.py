@@ -70,7 +70,9 @@ class Console:
 
     def finish(self) -> Faults:
         """After the last line: the end of a run that goes on, whose outcome counts."""
-        return ended(self.session) if self.session.running and not self.is_over else ()
+        if self.session.running and not self.is_over:
+            return ended(self.session)
+        return ()
 
     def _run(self, lines: list[tuple[Place, str]]) -> Faults:
         for place, line in lines:

@@ -130,7 +130,9 @@ def _timed(at_s: float, line: Reason) -> Reason:
 
 def _because(cause: Text) -> Reason:
     """A cause behind a colon; nothing where none is given."""
-    return Reason.of("console.because", cause=cause) if cause else NOTHING
+    if cause:
+        return Reason.of("console.because", cause=cause)
+    return NOTHING
 
 
 def _noted(message: event.Warned | event.Stepped) -> Iterator[Line]:

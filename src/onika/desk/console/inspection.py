@@ -140,7 +140,9 @@ def value(session: ConsoleSession, subsystem: str, name: str) -> tuple[Any, Faul
     element = _ELEMENT.match(name)
     if element:
         whole, faults = value(session, subsystem, element[1])
-        return (None, faults) if faults else _element(session, name, whole, element[2])
+        if faults:
+            return (None, faults)
+        return _element(session, name, whole, element[2])
     answer = session.ask(live.Read(subsystem, (name,)))
     if not isinstance(answer, live.Values):
         return None, refused(session, Reason.of("console.variable_of", name=name, subsystem=subsystem), answer)

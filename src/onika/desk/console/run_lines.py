@@ -23,7 +23,9 @@ def run(session: ConsoleSession, words: Words) -> Faults:
     if faults or not session.in_script:
         return faults
     faults = until_asked(session)
-    return faults if faults or session.running else ended(session)
+    if faults or session.running:
+        return faults
+    return ended(session)
 
 
 def begin(session: ConsoleSession, words: Words) -> Faults:

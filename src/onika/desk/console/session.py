@@ -164,7 +164,9 @@ class ConsoleSession:
     def address(self, text: str) -> tuple[str, str]:
         """Subsystem and name of `[SUBSYSTEM/]NAME`."""
         subsystem, slash, name = text.rpartition("/")
-        return (subsystem, name) if slash else (self.subsystem, text)
+        if slash:
+            return (subsystem, name)
+        return (self.subsystem, text)
 
     # -- hearing
 
@@ -205,7 +207,9 @@ class ConsoleSession:
         if faults or key not in self._edits:
             return faults
         cause = self._edits.pop(key).cause
-        return self.no(Reason.of("console.change_refused", cause=cause)) if cause else ()
+        if cause:
+            return self.no(Reason.of("console.change_refused", cause=cause))
+        return ()
 
     def _tick(self) -> None:
         """Each once; what one of them asks for and hears begins none anew."""

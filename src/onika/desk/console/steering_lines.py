@@ -27,7 +27,9 @@ def verb(name: str) -> Callable[[ConsoleSession, Words], Faults]:
             act = steering.act(" ".join((name, *words)), flow_index)
         except ValueError as wrong:
             return (objection(session.place, reason_of(wrong), GOES_ON),)
-        return _order(session, act.message) if isinstance(act, SteeringOrder) else ()
+        if isinstance(act, SteeringOrder):
+            return _order(session, act.message)
+        return ()
 
     return carry_out
 
@@ -38,7 +40,9 @@ def clear(session: ConsoleSession, words: Words) -> Faults:
     stopped = [spot.subsystem for spot in spots if spot.state == "stopped"]
     if words:
         flow = flow_index_of(session, spots).flow(words[0])
-        return _order(session, steer.Recover(flow)) if flow else task_lines.clear(session, words)
+        if flow:
+            return _order(session, steer.Recover(flow))
+        return task_lines.clear(session, words)
     if session.subsystem in stopped:
         return _order(session, steer.Recover(session.subsystem))
     if stopped and not session.tasks():
@@ -82,14 +86,18 @@ def runs(session: ConsoleSession, words: Words) -> Faults:
 def where(session: ConsoleSession) -> tuple[Position, ...]:
     """Where the flows are of the applications that this console may steer."""
     answer = session.ask(steer.Who())
-    return answer.flows if isinstance(answer, steer.Positions) else ()
+    if isinstance(answer, steer.Positions):
+        return answer.flows
+    return ()
 
 
 def flow_index_of(session: ConsoleSession, spots: tuple[Position, ...] | list[Position]) -> FlowIndex:
     """These flows, with what their actions are called where this console began them."""
     names = {spot.subsystem for spot in spots}
     own = session.flow_index
-    return own if own is not None and names and names <= set(own.subsystems) else FlowIndex.seen(spots)
+    if own is not None and names and names <= set(own.subsystems):
+        return own
+    return FlowIndex.seen(spots)
 
 
 def _order(session: ConsoleSession, message: request.Request) -> Faults:

@@ -65,14 +65,18 @@ def off(session: ConsoleSession, words: Words) -> Faults:
     """Turn tasks OFF; all of them where none is named."""
     if words in ((), (ALL,)):
         moving = tuple(name for name, task in session.tasks().items() if task.state in ("ON", "ASKING"))
-        return session.order(live.Change(session.subsystem, off=moving)) if moving else ()
+        if moving:
+            return session.order(live.Change(session.subsystem, off=moving))
+        return ()
     return _several(session, words, lambda subsystem, names: live.Change(subsystem, off=names))
 
 
 def kill(session: ConsoleSession, words: Words) -> Faults:
     """End tasks, or all of the subsystem, which then is no more."""
     if words == (ALL,):
-        return session.order(live.Close(session.subsystem)) if session.tasks() else ()
+        if session.tasks():
+            return session.order(live.Close(session.subsystem))
+        return ()
     return _several(session, words, lambda subsystem, names: live.Change(subsystem, kill=names))
 
 

@@ -37,7 +37,9 @@ def wait(session: ConsoleSession, words: Words) -> Faults:
     text = words[0]
     seconds = positive(text)
     if seconds is not None:
-        return _advance(session, seconds) if session.standing().is_virtual else _sleep(session, seconds)
+        if session.standing().is_virtual:
+            return _advance(session, seconds)
+        return _sleep(session, seconds)
     match = _WITHIN.match(text)
     condition, limit = (match[1], positive(match[2])) if match else (text, _USUAL_S)
     if limit is None:
@@ -138,7 +140,9 @@ def _until(
 
 def _now(session: ConsoleSession, virtual: bool) -> float:
     """The time that counts, in s: the runtime's own where it can be stopped and hurried."""
-    return session.look_again().now_s if virtual else session.clock()
+    if virtual:
+        return session.look_again().now_s
+    return session.clock()
 
 
 def _sleep(session: ConsoleSession, seconds: float) -> Faults:

@@ -31,7 +31,9 @@ def _became(step: event.Stepped | VariableSteps) -> str:
     if isinstance(step, event.Stepped):
         if not step.is_too_far:
             return "passed on"
-        return f"blended over {step.cycles} cycles" if step.cycles else "refused"
+        if step.cycles:
+            return f"blended over {step.cycles} cycles"
+        return "refused"
     words = [f"blended {step.blended} of {step.count} times"] * bool(step.blended)
     words += [f"refused {step.refused} of {step.count} times"] * bool(step.refused)
     return ", ".join(words) or f"passed on, the largest of {step.count}"

@@ -52,8 +52,12 @@ def _short(value: Any, is_plain: bool) -> str:
     if isinstance(value, float):
         text = f"{value:.4f}" if is_plain else f"{value:.3e}"
         return text.removeprefix("-") if float(text) == 0.0 else text  # the noise of a zero has no sign
-    return repr(value) if isinstance(value, str) else str(value)
+    if isinstance(value, str):
+        return repr(value)
+    return str(value)
 
 
 def _exact(value: Any) -> str:
-    return repr(value) if isinstance(value, float) else str(value)
+    if isinstance(value, float):
+        return repr(value)
+    return str(value)

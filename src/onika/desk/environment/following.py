@@ -52,7 +52,9 @@ def _described(before: Model, after: Model) -> Done:
     """Modules that nobody knows yet are described, where a runtime is there to do it."""
     old, new = before.shelf, after.shelf
     is_same = old.libraries is new.libraries and old.sheets is new.sheets and old.unread is new.unread
-    return Done(after) if is_same or after.runtime.state != "linked" else describe(after)
+    if is_same or after.runtime.state != "linked":
+        return Done(after)
+    return describe(after)
 
 
 def given_up(before: Model, after: Model) -> tuple[News, ...]:

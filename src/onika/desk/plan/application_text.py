@@ -97,7 +97,9 @@ class _Shelf:
 
 def _at_home(site: Site, path: Path) -> Site:
     folder = path.absolute().parent
-    return site.at(folder.parent) if folder.name == "appl" else site
+    if folder.name == "appl":
+        return site.at(folder.parent)
+    return site
 
 
 def _converted(

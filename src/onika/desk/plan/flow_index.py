@@ -66,7 +66,9 @@ class FlowIndex:
         if word in self.subsystems:
             return word
         number = int(word) if _NUMBER.match(word) else len(self.parts)
-        return self.parts[number].subsystem if number < len(self.parts) else ""
+        if number < len(self.parts):
+            return self.parts[number].subsystem
+        return ""
 
     def action(self, subsystem: str, word: str) -> int:
         """The index of an action by its number, counted from 1, or by its name; raises ValueError that says what is."""
@@ -91,7 +93,9 @@ class FlowIndex:
     def name(self, subsystem: str, index: int) -> str:
         """What an action is called; empty where that is not known."""
         names = next((part.actions for part in self.parts if part.subsystem == subsystem), None)
-        return names[index] if names is not None and 0 <= index < len(names) else ""
+        if names is not None and 0 <= index < len(names):
+            return names[index]
+        return ""
 
     def count(self, subsystem: str) -> int:
         """How many actions a flow has; 0 where that is not known."""

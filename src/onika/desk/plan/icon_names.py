@@ -26,13 +26,17 @@ def step_named(step: Step) -> Text:
     """A step by what it shows."""
     if isinstance(step, Icon):
         return named(step.onikon)
-    return Reason.of("desk.a_branch") if isinstance(step, Branch) else Reason.of("desk.a_hole")
+    if isinstance(step, Branch):
+        return Reason.of("desk.a_branch")
+    return Reason.of("desk.a_hole")
 
 
 def several(steps: Sequence[Step]) -> Text:
     """Some steps: by name where it is one, else how many; holes beside icons do not count."""
     solid = [step for step in steps if not isinstance(step, Hole)] or steps
-    return step_named(solid[0]) if len(solid) == 1 else Reason.of("desk.icon_count", count=len(solid))
+    if len(solid) == 1:
+        return step_named(solid[0])
+    return Reason.of("desk.icon_count", count=len(solid))
 
 
 def kind_named(type_: str) -> str:
@@ -47,7 +51,9 @@ def in_words(text: str) -> str:
 
 def a(noun: str) -> str:
     """A noun with its article."""
-    return f"an {noun}" if noun[:1].lower() in "aeiou" else f"a {noun}"
+    if noun[:1].lower() in "aeiou":
+        return f"an {noun}"
+    return f"a {noun}"
 
 
 def a_kind(type_: str) -> Reason:
@@ -56,9 +62,13 @@ def a_kind(type_: str) -> Reason:
     has_vowel = type_.lstrip()[:1].lower() in "aeiou"
     if words and last.lower() == _TARGET_WORD:
         kind = " ".join(words)
-        return Reason.of("desk.an_target_kind", kind=kind) if has_vowel else Reason.of("desk.a_target_kind", kind=kind)
+        if has_vowel:
+            return Reason.of("desk.an_target_kind", kind=kind)
+        return Reason.of("desk.a_target_kind", kind=kind)
     kind = kind_named(type_)
-    return Reason.of("desk.an_kind", kind=kind) if has_vowel else Reason.of("desk.a_kind", kind=kind)
+    if has_vowel:
+        return Reason.of("desk.an_kind", kind=kind)
+    return Reason.of("desk.a_kind", kind=kind)
 
 
 def listed(names: Iterable[str]) -> str:

@@ -77,7 +77,9 @@ def iconify(
     words = former.value.words if former and former.value.description == wording else ()
     onikon = Onikon(source.name, kind.type, " ".join(wording.split()), (), shown, kind.more_targets, words)
     saved = source.home.save_onikon(onikon, former, overwrites=replaces)
-    return (saved,) if isinstance(saved, Refusal) else Made(saved.path, onikon, faults)
+    if isinstance(saved, Refusal):
+        return (saved,)
+    return Made(saved.path, onikon, faults)
 
 
 def _source(path: Path, site: Site) -> _Source | Reasons:
@@ -91,7 +93,9 @@ def _source(path: Path, site: Site) -> _Source | Reasons:
     if not TASK_NAME.match(path.stem):
         return (_not_made(place, Reason.of("desk.icon_name", name=path.stem)),)
     syntax, faults = site.syntax()
-    return faults if syntax is None else _Source(path, BaseDirectory(folder.parent), site.at(folder.parent), syntax)
+    if syntax is None:
+        return faults
+    return _Source(path, BaseDirectory(folder.parent), site.at(folder.parent), syntax)
 
 
 def _former(source: _Source) -> tuple[OpenedText[Onikon] | Refusal | None, tuple[Fault, ...]]:
@@ -116,9 +120,13 @@ def _type(source: _Source) -> ActionType | Reasons:
         return faults
     if source.is_application:
         application, faults = appl.read(content, source.name, str(source.path), source.syntax)
-        return faults if application is None else application_type(application, source.syntax)
+        if application is None:
+            return faults
+        return application_type(application, source.syntax)
     configuration, faults = conf.read(content, source.name, str(source.path))
-    return faults if configuration is None else _job(source, configuration)
+    if configuration is None:
+        return faults
+    return _job(source, configuration)
 
 
 def _job(source: _Source, configuration: Configuration) -> ActionType | Reasons:

@@ -35,7 +35,9 @@ def _instruction(instruction: Instruction, homes: Mapping[str, str]) -> Instruct
 
 def _condition(text: str, homes: Mapping[str, str]) -> str:
     subsystem, slash, rest = text.partition("/")
-    return f"{_home(subsystem, homes)}/{rest}" if slash else text
+    if slash:
+        return f"{_home(subsystem, homes)}/{rest}"
+    return text
 
 
 def _home(subsystem: str, homes: Mapping[str, str]) -> str:

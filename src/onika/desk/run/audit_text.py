@@ -40,7 +40,9 @@ def verdict(trail: Trail) -> Reason:
 
 
 def _address(record: Record) -> Reason:
-    return Reason.of("desk.record_from", address=_text(record, "address")) if record.get("address") else NOTHING
+    if record.get("address"):
+        return Reason.of("desk.record_from", address=_text(record, "address"))
+    return NOTHING
 
 
 def _code(record: Record) -> Reason:

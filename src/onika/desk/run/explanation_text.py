@@ -50,7 +50,9 @@ def _chain(explained: event.Explained, say: Say) -> str:
 
 
 def _waits(flow: str, tag: str) -> Reason:
-    return Reason.of("desk.flow_waits_at", flow=flow, tag=tag) if tag else Reason.of("desk.flow_waits", flow=flow)
+    if tag:
+        return Reason.of("desk.flow_waits_at", flow=flow, tag=tag)
+    return Reason.of("desk.flow_waits", flow=flow)
 
 
 def _where(explained: event.Explained, say: Say) -> str:
@@ -134,7 +136,9 @@ def _element(samples: Sequence[Any]) -> tuple[tuple[int, ...], list[float]]:
 
 def _interest(values: Sequence[float]) -> float:
     finite = [value for value in values if math.isfinite(value)]
-    return math.inf if len(finite) < len(values) else max(finite) - min(finite)
+    if len(finite) < len(values):
+        return math.inf
+    return max(finite) - min(finite)
 
 
 def _leaves(value: Any, index: tuple[int, ...] = ()) -> dict[tuple[int, ...], Any]:

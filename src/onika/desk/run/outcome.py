@@ -38,4 +38,6 @@ class Outcome:
         if self.result is None:
             return 2
         is_good = self.result.completed and not self.failed
-        return 0 if is_good and all(holds for _, _, holds in self.expectations) else 1
+        if is_good and all(holds for _, _, holds in self.expectations):
+            return 0
+        return 1

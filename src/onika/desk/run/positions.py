@@ -53,7 +53,9 @@ def waits(tag: str, waits_for: Sequence[str]) -> Reason:
         return Reason.of("desk.waits_at_for", tag=word, flows=flows)
     if tag:
         return Reason.of("desk.waits_at", tag=word)
-    return Reason.of("desk.waits_for", flows=flows) if flows else Reason.of("desk.waits")
+    if flows:
+        return Reason.of("desk.waits_for", flows=flows)
+    return Reason.of("desk.waits")
 
 
 def _action(position: Position, flow_index: FlowIndex) -> str:

@@ -95,7 +95,9 @@ class Running:
     @property
     def now_s(self) -> float:
         """Seconds since the run's start: the run's own where it is held, else those of a clock on the wall."""
-        return self._stood_s if self.is_held else self._clock() - self._began
+        if self.is_held:
+            return self._stood_s
+        return self._clock() - self._began
 
     def is_stuck(self) -> bool:
         """Whether no flow goes on by itself: only somebody who steers can help."""
@@ -132,7 +134,9 @@ class Running:
     def sheets(self) -> dict[str, ModuleSheet]:
         """What the modules of its tasks declare, each by the digest of its code."""
         answer = self._runtime.ask(live.Describe(self.plan.code))
-        return answer.sheets if isinstance(answer, live.Described) else {}
+        if isinstance(answer, live.Described):
+            return answer.sheets
+        return {}
 
     # -- what happens
 

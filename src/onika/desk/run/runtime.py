@@ -256,7 +256,9 @@ def _token(address: Address) -> str:
     if from_environment:
         return from_environment
     try:
-        return read_token(token_path()) if address.is_near else _missing(address)
+        if address.is_near:
+            return read_token(token_path())
+        return _missing(address)
     except (OSError, ValueError):
         return _missing(address)
 
@@ -266,7 +268,9 @@ def _missing(address: Address) -> str:
 
 
 def _why(lost: LinkLost | TimeoutError) -> Reason:
-    return lost.reason if isinstance(lost, LinkLost) else Reason.plain(str(lost))
+    if isinstance(lost, LinkLost):
+        return lost.reason
+    return Reason.plain(str(lost))
 
 
 def _ended(code: int) -> Reason:

@@ -10,7 +10,9 @@ from onika.words.fault import Fault, Place
 def load(path: Path) -> tuple[list[tuple[Place, str]] | None, tuple[Fault, ...]]:
     """The lines of a script with their places; None with the faults where it cannot be read."""
     content, faults = text.load(path, str(path))
-    return (None, faults) if content is None else (list(lines(content, str(path))), faults)
+    if content is None:
+        return (None, faults)
+    return (list(lines(content, str(path))), faults)
 
 
 def lines(content: str, name: str) -> Iterator[tuple[Place, str]]:

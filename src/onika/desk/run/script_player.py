@@ -34,7 +34,9 @@ class ScriptPlayer:
     @property
     def until_s(self) -> float | None:
         """The time at which the next line is looked at again, whatever happens."""
-        return None if self._pending_wait is None else self._pending_wait.until_s
+        if self._pending_wait is None:
+            return None
+        return self._pending_wait.until_s
 
     def go_on(self) -> bool:
         """Carry out the next line if its turn has come; whether it has."""

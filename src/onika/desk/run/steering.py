@@ -80,7 +80,9 @@ def _every(words: list[str], flow_index: FlowIndex) -> str:
     """`[FLOW]`; empty means all of them."""
     if len(words) > 1:
         raise _Miswritten
-    return _named(words[0], flow_index) if words else flow_index.lone
+    if words:
+        return _named(words[0], flow_index)
+    return flow_index.lone
 
 
 def _one(words: list[str], flow_index: FlowIndex) -> str:

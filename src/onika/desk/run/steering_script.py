@@ -23,7 +23,9 @@ class ScriptLine:
 def load(path: Path, flow_index: FlowIndex) -> tuple[tuple[ScriptLine, ...], list[Fault]]:
     """The lines of a script for these flows, and everything that is wrong with them."""
     lines, faults = lines_of.load(path)
-    return ((), list(faults)) if lines is None else _judged(lines, flow_index)
+    if lines is None:
+        return ((), list(faults))
+    return _judged(lines, flow_index)
 
 
 def read(text: str, name: str, flow_index: FlowIndex) -> tuple[tuple[ScriptLine, ...], list[Fault]]:

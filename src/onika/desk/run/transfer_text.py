@@ -52,4 +52,6 @@ def _outcomes(step: VariableSteps) -> Iterator[Reason]:
 
 
 def _number(value: float, unit: str) -> str:
-    return f"{value:.4g}" if unit in ("", "-") else f"{value:.4g} {unit}"
+    if unit in ("", "-"):
+        return f"{value:.4g}"
+    return f"{value:.4g} {unit}"

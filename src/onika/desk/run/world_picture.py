@@ -22,4 +22,6 @@ def draw(snapshot: bytes, path: Path) -> str:
     if drawn.returncode == 0:
         return ""
     output = (drawn.stderr or drawn.stdout).decode("utf-8", "replace").strip()
-    return output.splitlines()[-1] if output else f"no picture: the drawing program ended with code {drawn.returncode}"
+    if output:
+        return output.splitlines()[-1]
+    return f"no picture: the drawing program ended with code {drawn.returncode}"

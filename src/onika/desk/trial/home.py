@@ -12,4 +12,6 @@ def home_of(path: Path, site: Site) -> Site:
     """The site as a test sees it: the base directory in whose `tests` folder it lies comes first."""
     folder = path.absolute().parent
     own = folder.parent
-    return site.at(own) if folder.name == FOLDER and (own / "appl").is_dir() else site
+    if folder.name == FOLDER and (own / "appl").is_dir():
+        return site.at(own)
+    return site

@@ -19,7 +19,9 @@ _WORTH = 10.0
 def tolerance(floor: float, spread: float) -> float | None:
     """A readable tolerance for what differed by `spread`; None where it varies too much to be asked for."""
     wanted = max(floor, _MARGIN * spread)
-    return upwards(wanted) if wanted <= _WORTH * floor else None
+    if wanted <= _WORTH * floor:
+        return upwards(wanted)
+    return None
 
 
 def demand(address: str, unit: str, is_real: bool, runs: Sequence[tuple[float, ...]]) -> Demand | None:
@@ -32,9 +34,9 @@ def demand(address: str, unit: str, is_real: bool, runs: Sequence[tuple[float, .
         return Demand(address, kept) if not spread else None
     within = tolerance(FLOORS[unit], spread) if unit in FLOORS else None
     shown = "" if unit == "-" else unit
-    return (
-        None if within is None else Demand(address, tuple(readable(number, within) for number in kept), shown, within)
-    )
+    if within is None:
+        return None
+    return Demand(address, tuple(readable(number, within) for number in kept), shown, within)
 
 
 def readable(value: float, within: float) -> float:

@@ -31,7 +31,9 @@ class Trial:
     @property
     def name(self) -> str:
         """What it is called in summaries."""
-        return self.file if self.shake is None else f"{self.file} shaken {self.shake}"
+        if self.shake is None:
+            return self.file
+        return f"{self.file} shaken {self.shake}"
 
 
 def find(paths: Sequence[Path], word: str = "") -> tuple[list[Path], list[Fault]]:
@@ -51,7 +53,9 @@ def find(paths: Sequence[Path], word: str = "") -> tuple[list[Path], list[Fault]
 def read(path: Path) -> tuple[KeptRun | None, tuple[Fault, ...]]:
     """The kept run of a test file."""
     source, faults = text.load(path, str(path))
-    return kept.read(source, path.stem, str(path)) if source is not None else (None, faults)
+    if source is not None:
+        return kept.read(source, path.stem, str(path))
+    return (None, faults)
 
 
 def settings_of(kept_run: KeptRun, shake: int | None = None) -> RunSettings:

@@ -67,7 +67,9 @@ def _variables(task: PlannedTask, sheets: Sheets, forms: set[tuple[str, str]]) -
 
 def _outputs(task: PlannedTask, sheets: Sheets) -> list[PortSheet]:
     sheet = sheets.get(task.digest)
-    return [port for port in sheet.ports if port.kind == "OUTVAR"] if sheet is not None else []
+    if sheet is not None:
+        return [port for port in sheet.ports if port.kind == "OUTVAR"]
+    return []
 
 
 def _sheet(task: PlannedTask, sheets: Sheets, question: str) -> bool:

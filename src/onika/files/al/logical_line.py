@@ -31,7 +31,9 @@ class Token:
     line: int
 
     def __str__(self) -> str:
-        return word.quoted(self.value) if self.kind == "text" else self.value
+        if self.kind == "text":
+            return word.quoted(self.value)
+        return self.value
 
     def says(self, *words: str) -> bool:
         """Whether it is one of these words or signs of the language."""

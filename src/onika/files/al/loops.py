@@ -52,4 +52,6 @@ def _loop(tag: str, heads: Sequence[Icon | None], at: Sequence[int]) -> LoopBloc
     if first is None or last is None or first.while_test == last.while_test:
         return None
     test, anchor = (first, last) if first.while_test else (last, first)
-    return None if anchor.while_if else LoopBlock(tag, at[0], at[1], first.while_test, test.while_if)
+    if anchor.while_if:
+        return None
+    return LoopBlock(tag, at[0], at[1], first.while_test, test.while_if)

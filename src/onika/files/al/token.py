@@ -49,7 +49,9 @@ _LABEL = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
 
 def show(text: str) -> str:
     """A name or tag, in quotes where it must be."""
-    return text if _BARE.match(text) and text not in KEYWORDS else quoted(text)
+    if _BARE.match(text) and text not in KEYWORDS:
+        return text
+    return quoted(text)
 
 
 def quoted(text: str) -> str:

@@ -60,7 +60,9 @@ class TokenStream:
     def variant(self, default: int = 1) -> int:
         """The number of `#2`; `default` where there is none."""
         is_there = not self.is_over and self._tokens[self._at].kind == "variant"
-        return int(self.token(Reason.of("files.a_variant"), "variant").value[1:]) if is_there else default
+        if is_there:
+            return int(self.token(Reason.of("files.a_variant"), "variant").value[1:])
+        return default
 
     def condition(self, end: str = "") -> str:
         """The condition that the rest of the sentence is, but for the word `end` after it, if one is given."""
@@ -81,4 +83,6 @@ class TokenStream:
 
     def rest(self) -> str:
         """What is left, for a message."""
-        return show(joined(self.left)) if self.left else "the end of the line"
+        if self.left:
+            return show(joined(self.left))
+        return "the end of the line"

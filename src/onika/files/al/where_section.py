@@ -58,7 +58,9 @@ class WhereSection:
             for (name, n), onikon in self.icons.items()
         ]
         parts += [row("HOLE", f"#{number}") + kept for number, kept in self.holes.items()]
-        return "\n".join([f"{HEAD}\n", *parts, f"{END}\n"]) if parts else ""
+        if parts:
+            return "\n".join([f"{HEAD}\n", *parts, f"{END}\n"])
+        return ""
 
     def _define(self, onikon: Onikon, bare: Onikon) -> int:
         """The variant of a new onikon: 1 is the dictionary's where that has the name, else the first."""

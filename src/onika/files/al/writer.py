@@ -227,12 +227,16 @@ def _closing(loop: LoopBlock) -> str:
 
 
 def _when(lead: str, condition: str) -> str:
-    return f"{lead} {_condition(condition)}" if condition else ""
+    if condition:
+        return f"{lead} {_condition(condition)}"
+    return ""
 
 
 def _condition(text: str) -> str:
     """A condition as it is, or in quotes where its blanks would not be read again."""
-    return text if text == " ".join(text.split()) and '"' not in text else token.quoted(text)
+    if text == " ".join(text.split()) and '"' not in text:
+        return text
+    return token.quoted(text)
 
 
 def _remark(text: str) -> str:

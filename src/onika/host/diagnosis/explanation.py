@@ -87,7 +87,9 @@ def _scene(prepared: Preparation, cause: Cause, positions: Sequence[Position]) -
 def _place(scene: _Scene) -> str:
     if scene.action is not None:
         return str(Place(scene.action.place, scene.action.line))
-    return scene.task.task.place if scene.task is not None else ""
+    if scene.task is not None:
+        return scene.task.task.place
+    return ""
 
 
 def _suspicion(scene: _Scene, cause: Cause, history: History) -> Suspicion:
@@ -107,7 +109,9 @@ def _suspicion(scene: _Scene, cause: Cause, history: History) -> Suspicion:
 def _seen_first(scene: _Scene, cause: Cause) -> str:
     """Who was first to write what was no number at that instant, among the tasks of its own unit (law 5)."""
     mention = _FIRST.search(cause.text)
-    return mention[1] if mention and any(wired_task.name == mention[1] for wired_task in scene.beside) else ""
+    if mention and any(wired_task.name == mention[1] for wired_task in scene.beside):
+        return mention[1]
+    return ""
 
 
 def _as_failed(task: WiredTask, cause: Cause) -> dict[str, Any]:
@@ -146,4 +150,6 @@ def _that_matter(task: WiredTask, beside: Sequence[WiredTask], cause: Cause, sus
 
 
 def _count(value: Any) -> int:
-    return sum(map(_count, value)) if isinstance(value, list) else 1
+    if isinstance(value, list):
+        return sum(map(_count, value))
+    return 1

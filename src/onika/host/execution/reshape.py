@@ -26,7 +26,9 @@ class Reshaping:
             entry = self._entry(port.svar, shape)
             bound.append(BoundPort(port.port, port.svar, str(entry.shape), entry.offset))
         changed = {entry.name for entry in self._stale}
-        return tuple(bound) if any(bound_port.svar in changed for bound_port in bound) else ()
+        if any(bound_port.svar in changed for bound_port in bound):
+            return tuple(bound)
+        return ()
 
     def end(self) -> None:
         """Give back the memory of the old entries: nobody is bound to them any more."""

@@ -82,4 +82,6 @@ class Spawner:
 
 def shape_fault(error: KeyError | ValueError) -> str:
     """What stands in the way of a task's shapes, in words."""
-    return f"the constant {error.args[0]} has no value" if isinstance(error, KeyError) else str(error)
+    if isinstance(error, KeyError):
+        return f"the constant {error.args[0]} has no value"
+    return str(error)

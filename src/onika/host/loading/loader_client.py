@@ -59,7 +59,9 @@ class LoaderClient:
     def sheet(self, code: Code) -> ModuleSheet | Fault:
         """The sheet of a module's class."""
         answer = self._ask(AskSheet(code), code)
-        return answer.sheet if isinstance(answer, Sheet) else fault_of(answer)
+        if isinstance(answer, Sheet):
+            return answer.sheet
+        return fault_of(answer)
 
     def cost_ns(self, code: Code) -> int:
         """What loading this module takes in a unit that has its libraries; 0 where nothing is known of it."""
@@ -69,43 +71,57 @@ class LoaderClient:
     def constants(self, code: Code, local: Lines) -> dict[str, Any] | Fault:
         """A robot module's constants from its LOCAL lines."""
         answer = self._ask(AskConstants(code, local), code)
-        return answer.values if isinstance(answer, Constants) else fault_of(answer)
+        if isinstance(answer, Constants):
+            return answer.values
+        return fault_of(answer)
 
     def devices(self, world: str) -> tuple[str, ...] | Fault:
         """The devices of a world."""
         answer = self._ask(AskDevices(world), Code("", world, world, ""))
-        return answer.names if isinstance(answer, Devices) else fault_of(answer)
+        if isinstance(answer, Devices):
+            return answer.names
+        return fault_of(answer)
 
     def resolve(
         self, code: Code, constants: dict[str, Any], targets: list[tuple[str, list[Any]]]
     ) -> list[str | None] | Fault:
         """Why each target is out of reach, or None."""
         answer = self._ask(AskReach(code, constants, targets), code)
-        return answer.reasons if isinstance(answer, Reach) else fault_of(answer)
+        if isinstance(answer, Reach):
+            return answer.reasons
+        return fault_of(answer)
 
     def poses(
         self, code: Code, constants: dict[str, Any], targets: list[list[Any]]
     ) -> list[list[float]] | Fault | None:
         """The Cartesian targets that joint targets are for a robot module; None: it knows of no poses."""
         answer = self._ask(AskPoses(code, constants, targets), code)
-        return answer.nines if isinstance(answer, Poses) else fault_of(answer)
+        if isinstance(answer, Poses):
+            return answer.nines
+        return fault_of(answer)
 
     def postures(
         self, code: Code, constants: dict[str, Any], nines: list[list[float]]
     ) -> list[list[float] | str] | Fault | None:
         """Joint values for Cartesian targets, each nearest to those before it, or why there are none."""
         answer = self._ask(AskPostures(code, constants, nines), code)
-        return answer.found if isinstance(answer, Postures) else fault_of(answer)
+        if isinstance(answer, Postures):
+            return answer.found
+        return fault_of(answer)
 
     def fits(self, code: Code, constants: dict[str, Any], device: str) -> str | Fault:
         """Why a device is not the one that a hardware module means; empty: nothing is wrong."""
         answer = self._ask(AskFit(code, constants, device), code)
-        return "; ".join(answer.reasons) if isinstance(answer, Objections) else fault_of(answer)
+        if isinstance(answer, Objections):
+            return "; ".join(answer.reasons)
+        return fault_of(answer)
 
     def company(self, world: str, devices: tuple[str, ...], *, is_of_flow: bool = False) -> tuple[str, ...] | Fault:
         """Why these devices of a world cannot be used together, or are odd in one flow; none: nothing is said."""
         answer = self._ask(AskCompany(world, devices, is_of_flow), Code("", world, world, ""))
-        return answer.reasons if isinstance(answer, Objections) else fault_of(answer)
+        if isinstance(answer, Objections):
+            return answer.reasons
+        return fault_of(answer)
 
     def expect(self, codes: tuple[Code, ...]) -> None:
         """These modules will be asked about: begin with all of them."""

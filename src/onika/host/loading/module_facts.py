@@ -90,7 +90,9 @@ class DirectLoading:
             return cls
         try:
             poses = cls.poses(constants, list(targets))
-            return None if poses is None else [[float(number) for number in nine] for nine in poses]
+            if poses is None:
+                return None
+            return [[float(number) for number in nine] for nine in poses]
         except Exception as wrong:
             return self._fault(code, Reason.of("host.poses_failed", why=traceback_text(wrong)), wrong)
 
@@ -118,7 +120,9 @@ class DirectLoading:
             return cls
         try:
             identity = self._identity(device)
-            return "" if identity is None else cls.fits(constants, dict(identity)) or ""
+            if identity is None:
+                return ""
+            return cls.fits(constants, dict(identity)) or ""
         except Exception as wrong:
             return self._fault(code, Reason.of("host.fit_failed", why=traceback_text(wrong)), wrong)
 

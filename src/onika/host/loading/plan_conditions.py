@@ -61,7 +61,9 @@ def _reason(text: str, home: str, shapes: Mapping[str, Mapping[str, Shape]]) -> 
     fits = len(condition.index) == len(shape.dims) and all(
         not isinstance(dim, int) or at < dim for at, dim in zip(condition.index, shape.dims, strict=False)
     )
-    return NOTHING if fits else Reason.of("host.condition_element", name=name, shape=str(shape), text=text)
+    if fits:
+        return NOTHING
+    return Reason.of("host.condition_element", name=name, shape=str(shape), text=text)
 
 
 def _resolved(shape: Shape, constants: Mapping[str, Any]) -> Shape:

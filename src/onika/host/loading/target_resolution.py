@@ -99,7 +99,9 @@ class _Pair:
     def _constants(self, task: PlannedTask) -> dict[str, Any] | None:
         code = self._code.get(task.digest)
         constants = None if code is None else self._loading.constants(code, task.local)
-        return constants if isinstance(constants, dict) and constants else None
+        if isinstance(constants, dict) and constants:
+            return constants
+        return None
 
     def _transfer(self, aims: list[tuple[int, TargetValues]], theirs: dict[str, Any], ours: dict[str, Any]) -> None:
         """By way of the poses; what both take in the same way stays."""

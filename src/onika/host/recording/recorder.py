@@ -287,7 +287,9 @@ class Recorder:
 
 def _shapes(scene: Mapping[str, object]) -> tuple[dict[str, object], ...]:
     shapes = scene.get("shapes")
-    return tuple(shapes) if isinstance(shapes, list | tuple) else ()
+    if isinstance(shapes, list | tuple):
+        return tuple(shapes)
+    return ()
 
 
 def _every_ns(prepared: Preparation) -> int:

@@ -56,7 +56,9 @@ class ClockGate:
 
     def wake_at(self) -> int | None:
         """The time up to which it was let go on."""
-        return self._until if self._session and self._is_let else None
+        if self._session and self._is_let:
+            return self._until
+        return None
 
     def say(self, now: int) -> None:
         """Say that it stands, once everything has been carried out that was asked."""

@@ -154,7 +154,9 @@ class Runner:
     def questions(self, subsystem: str) -> tuple[event.Asked, ...]:
         """What tasks of a subsystem have asked users and were not answered yet."""
         flow = self._flows.get(subsystem)
-        return self._executors[flow].questions if flow is not None else ()
+        if flow is not None:
+            return self._executors[flow].questions
+        return ()
 
     def answer(self, subsystem: str, task: str, line: str) -> None:
         """The user's answer to an asking task."""
@@ -193,7 +195,9 @@ class Runner:
     def run_began(self, device: str) -> int:
         """When it began; 0 where it does not use this device."""
         members = (member for executor in self._executors.values() for member in executor.members.values())
-        return self._events.began if any(member.wired.device == device for member in members) else 0
+        if any(member.wired.device == device for member in members):
+            return self._events.began
+        return 0
 
     def wake_at(self) -> int | None:
         """When `tick` has something to do."""

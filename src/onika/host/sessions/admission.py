@@ -92,19 +92,25 @@ class Admission:
             (host,) = [split_host(value)[0] for value in hosts]
         except ValueError:
             return "expected one Host header"
-        return "" if host in self._names or _is_number(host) else "this runtime is not called by that name"
+        if host in self._names or _is_number(host):
+            return ""
+        return "this runtime is not called by that name"
 
     def _wrong_origin(self, message: dict[str, list[str]]) -> str:
         """Against foreign pages in somebody's browser: only programs, which have none, or a page from here."""
         own = f"{'https' if self._is_private else 'http'}://{message['host'][0]}"
         fine = all(origin == own for origin in message.get("origin", []))
-        return "" if fine else "pages of another origin have no access"
+        if fine:
+            return ""
+        return "pages of another origin have no access"
 
     def _user(self, values: list[str]) -> User | None:
         if len(values) != 1:
             return None
         scheme, _, token = values[0].partition(" ")
-        return self._users.find(token.strip()) if scheme.lower() == "bearer" and token else None
+        if scheme.lower() == "bearer" and token:
+            return self._users.find(token.strip())
+        return None
 
     def _is_barred(self, address: str, now_ns: int) -> bool:
         count, last_ns = self._wrong.get(address, (0, 0))

@@ -149,5 +149,7 @@ def _result(response: request.Response) -> str:
         case live.Accepted():
             return f"accepted as {response.number}"
         case request.Prepared():
-            return f"{len(response.faults)} faults" if response.faults else "no faults"
+            if response.faults:
+                return f"{len(response.faults)} faults"
+            return "no faults"
     return "done"

@@ -29,7 +29,9 @@ _SAME = 32
 def open_for(named: str) -> "Audit":
     """The trail in this file; where none is named the usual one, or one beside it. Raises OSError."""
     try:
-        return Audit(Path(named)) if named else open_free(usual_path(os.environ))
+        if named:
+            return Audit(Path(named))
+        return open_free(usual_path(os.environ))
     except BlockingIOError:
         raise OSError(f"another runtime writes {named}") from None
 
@@ -147,4 +149,6 @@ def _open(path: Path) -> tuple[int, int]:
 
 
 def _short(text: str) -> str:
-    return text if len(text) <= _LONGEST else text[: _LONGEST - 1] + "…"
+    if len(text) <= _LONGEST:
+        return text
+    return text[: _LONGEST - 1] + "…"

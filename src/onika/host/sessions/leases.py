@@ -111,7 +111,9 @@ class Leases:
             return self._length_ns
         if heard.beats < _STEADY or heard.beats_silent_ns >= _GONE_NS:
             return LEASE_NS
-        return FAR_NS if heard.round_trip_us >= _LONG_WAY_US else NEAR_NS
+        if heard.round_trip_us >= _LONG_WAY_US:
+            return FAR_NS
+        return NEAR_NS
 
     def _needed(self) -> list[tuple[str, Heard]]:
         if self._length_ns == 0:

@@ -116,4 +116,6 @@ def _secrets(wanted: Wanted, near: bool) -> list[Fault]:
 
 
 def _shown(listen: str) -> str:
-    return bracketed(listen) if listen.count(":") > 1 else listen
+    if listen.count(":") > 1:
+        return bracketed(listen)
+    return listen

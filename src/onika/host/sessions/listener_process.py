@@ -98,7 +98,9 @@ class ListenerProcess:
 
     def deaf_ns(self) -> int:
         """For how long it has passed nothing on, though something may have come: it was not its turn on the machine."""
-        return max(0, monotonic_ns() - self._awake_ns - 2 * AWAKE_NS) if self._awake_ns else 0
+        if self._awake_ns:
+            return max(0, monotonic_ns() - self._awake_ns - 2 * AWAKE_NS)
+        return 0
 
     def ending(self) -> str:
         """How it ended; empty while it lives."""
@@ -107,7 +109,9 @@ class ListenerProcess:
         code = self._process.poll()
         if code is None:
             return ""  # it is just ending; how, is known in a moment
-        return f"was killed by signal {-code}" if code < 0 else f"ended with code {code}"
+        if code < 0:
+            return f"was killed by signal {-code}"
+        return f"ended with code {code}"
 
     def close(self) -> None:
         """End it."""

@@ -76,4 +76,6 @@ def _least(message: request.Request) -> Role:
         return Role.VIEWER
     if brings_code(message):
         return Role.PROGRAMMER
-    return Role.OWNER if isinstance(message, request.Quit) else Role.OPERATOR
+    if isinstance(message, request.Quit):
+        return Role.OWNER
+    return Role.OPERATOR

@@ -186,4 +186,6 @@ class Relay:
 def round_trip_us(connected: socket.socket) -> int:
     """The shortest round trip of a connection within the last minutes, as the system has measured it; 0: unknown."""
     info = connected.getsockopt(socket.IPPROTO_TCP, socket.TCP_INFO, 256)
-    return int.from_bytes(info[_MIN_RTT : _MIN_RTT + 4], sys.byteorder) if len(info) >= _MIN_RTT + 4 else 0
+    if len(info) >= _MIN_RTT + 4:
+        return int.from_bytes(info[_MIN_RTT : _MIN_RTT + 4], sys.byteorder)
+    return 0

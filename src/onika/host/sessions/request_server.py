@@ -226,7 +226,9 @@ class RequestServer:
 
     def deaf_ns(self) -> int:
         """For how long nothing could be heard, whoever spoke."""
-        return 0 if self._listener is None else self._listener.deaf_ns()
+        if self._listener is None:
+            return 0
+        return self._listener.deaf_ns()
 
     def lost(self) -> list[str]:
         """The sessions given up since the last call: good-bye, or silence for too long; each loss once."""

@@ -56,13 +56,17 @@ class RunCommands:
         """The application that is meant, or why there is none."""
         if command.subsystem:
             named = self._subsystems.run_in(command.subsystem)
-            return named if named is not None else Reason.of("host.nothing_runs_in", subsystem=command.subsystem)
+            if named is not None:
+                return named
+            return Reason.of("host.nothing_runs_in", subsystem=command.subsystem)
         runs = self._subsystems.runs
         candidates = [run for run in runs if run.session == session] or runs
         if len(candidates) == 1:
             return candidates[0]
         names = tuple(name for run in candidates for name in run.names)
-        return Reason.of("host.one_subsystem", names=names) if candidates else Reason.of("host.nothing_runs")
+        if candidates:
+            return Reason.of("host.one_subsystem", names=names)
+        return Reason.of("host.nothing_runs")
 
 
 class _Answers:

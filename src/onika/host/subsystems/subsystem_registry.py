@@ -182,7 +182,9 @@ class Subsystems:
     def _let_to(self) -> int | None:
         """Up to when the clock goes on in any case: for what is repeated, and only then for who holds the clock."""
         now = self._units.now
-        return self.repeat.wake_at(now) if self.repeat.is_on(now) else self.hold.wake_at()
+        if self.repeat.is_on(now):
+            return self.repeat.wake_at(now)
+        return self.hold.wake_at()
 
     def hear(self, rtpu: str, message: news.News, now: int) -> None:
         """Tell whose task it is."""
@@ -251,7 +253,9 @@ class Subsystems:
 
     def _digest(self, subsystem: str, task: str) -> str:
         member = self.members(subsystem).get(task)
-        return member.wired.task.digest if member is not None else ""
+        if member is not None:
+            return member.wired.task.digest
+        return ""
 
     def members(self, subsystem: str) -> Mapping[str, Member]:
         """The tasks of a subsystem, whoever holds it."""

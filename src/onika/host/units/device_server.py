@@ -228,7 +228,9 @@ class DeviceServer:
                     return Denied(str(wrong))
                 return Touched()
             case Show():
-                return Shown(self._buses[order.world].scene()) if order.world in self._buses else Denied("not open")
+                if order.world in self._buses:
+                    return Shown(self._buses[order.world].scene())
+                return Denied("not open")
             case Pose():
                 post = Post(socket.socket(fileno=descriptors[0])) if descriptors else self._post
                 self._posing.setdefault(order.world, Posing(order.world)).add(post)

@@ -159,7 +159,9 @@ class VirtualDriver:
         if self._executive.owed():
             return 0.001
         following = self._next(self._listener)
-        return 0.02 if following is None else min(0.02, self._pace.wait_s(following))
+        if following is None:
+            return 0.02
+        return min(0.02, self._pace.wait_s(following))
 
     def stop(self) -> None:
         """Everything off and every drive in hold, latched (law 27)."""

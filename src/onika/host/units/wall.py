@@ -110,7 +110,9 @@ class WallDriver:
         if world not in self._opened or self._devices.is_lost:
             return None
         answer = self._ask_devices(device_server.Show(world))
-        return answer.scene if isinstance(answer, device_server.Shown) else None
+        if isinstance(answer, device_server.Shown):
+            return answer.scene
+        return None
 
     def poses(self, world: str) -> Poses | None:
         """Where the bodies of an open world are, as the device server said last; from then on it says so."""
@@ -198,7 +200,9 @@ class WallDriver:
             answer = self._ask_devices(device_server.Draw())
         except ValueError:
             return {}  # it does not answer any more: there is nothing to draw
-        return answer.snapshots if isinstance(answer, device_server.Drawn) else {}
+        if isinstance(answer, device_server.Drawn):
+            return answer.snapshots
+        return {}
 
     def close(self) -> None:
         """End every process."""

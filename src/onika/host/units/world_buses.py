@@ -51,11 +51,15 @@ class Buses:
 
     def scene(self, world: str) -> dict[str, Any] | None:
         """What an open world consists of."""
-        return self._buses[world].scene() if world in self._buses else None
+        if world in self._buses:
+            return self._buses[world].scene()
+        return None
 
     def poses(self, world: str) -> Poses | None:
         """Where the bodies of an open world are."""
-        return self._buses[world].poses() if world in self._buses else None
+        if world in self._buses:
+            return self._buses[world].poses()
+        return None
 
     def snapshots(self) -> dict[str, bytes]:
         """The worlds as they stand."""

@@ -65,7 +65,9 @@ def _passage(
 
 def _takes(outline: Outline, action: Action, nest: Nest, syntax: Syntax, endless: Mapping[str, bool]) -> bool:
     inner = nest.runs(outline, action, syntax)
-    return endless[inner.application.name] if inner else not _is_noop(action, syntax)
+    if inner:
+        return endless[inner.application.name]
+    return not _is_noop(action, syntax)
 
 
 def _is_noop(action: Action, syntax: Syntax) -> bool:

@@ -100,7 +100,9 @@ def kind_of(step: Step, syntax: Syntax) -> IconType | None:
     """The type that a step acts as; None for a hole and for an unknown target."""
     if isinstance(step, Icon):
         return syntax.acting(step.onikon.type)
-    return syntax.find(COMPLETE_NOP) if isinstance(step, Branch) else None
+    if isinstance(step, Branch):
+        return syntax.find(COMPLETE_NOP)
+    return None
 
 
 def kind_at(flow: AppFlow, position: int, syntax: Syntax) -> IconType | None:

@@ -98,4 +98,6 @@ def _written(name: str, syntax: Syntax) -> str:
 
 
 def _shown(name: str, more: tuple[str, ...]) -> Reason:
-    return Reason.of("rules.kind_with", kind=name, targets=more) if more else Reason.plain(name)
+    if more:
+        return Reason.of("rules.kind_with", kind=name, targets=more)
+    return Reason.plain(name)

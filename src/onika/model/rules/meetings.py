@@ -108,15 +108,21 @@ class _Finder:
         program = self._waits.programs[wait.flow]
         near = (*program[max(wait.at, 0) :], *reversed(program[: max(wait.at, 0)]))
         index = next((instruction.action for instruction in near if isinstance(instruction, Do)), None)
-        return None if index is None else self._plan.flows[wait.flow].actions[index]
+        if index is None:
+            return None
+        return self._plan.flows[wait.flow].actions[index]
 
     def _action_name(self, wait: FlowWait) -> Text:
         action = self._action(wait)
-        return action.name if action else Reason.of("rules.its_end")
+        if action:
+            return action.name
+        return Reason.of("rules.its_end")
 
     def _place(self, wait: FlowWait) -> Place:
         action = self._action(wait)
-        return Place(action.place, action.line) if action else Place(self._plan.application)
+        if action:
+            return Place(action.place, action.line)
+        return Place(self._plan.application)
 
     def _file(self, family: tuple[int, ...]) -> str:
         places = [action.place for number in family for action in self._plan.flows[number].actions]
@@ -129,4 +135,6 @@ class _Finder:
 def _name(tag: str) -> Text:
     """A tag as its file has it, and the nested application it belongs to."""
     *within, name = tag.rsplit(" ", 1)
-    return Reason.of("rules.tag_of", tag=name, application=within[0]) if within else name
+    if within:
+        return Reason.of("rules.tag_of", tag=name, application=within[0])
+    return name

@@ -39,7 +39,9 @@ class Nest:
         """The application that an action runs; None for other actions, and where it is missing or closes a circle."""
         name = action.icon.onikon.name
         is_cut = (outline.application.name, name) in self.cuts
-        return None if is_cut or not _is_application(action, syntax) else self.outlines.get(name)
+        if is_cut or not _is_application(action, syntax):
+            return None
+        return self.outlines.get(name)
 
 
 def nest(top: Outline, syntax: Syntax, applications: Mapping[str, Application], files: Mapping[str, str]) -> Nest:

@@ -23,7 +23,9 @@ class Passage:
     @property
     def named(self) -> Reason:
         """Its name in texts."""
-        return Reason.plain(self.path) if self.is_inner else Reason.of("rules.flow", number=self.number)
+        if self.is_inner:
+            return Reason.plain(self.path)
+        return Reason.of("rules.flow", number=self.number)
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +60,9 @@ class Outline:
     def where(self, passage: Passage) -> Reason:
         """The name of a passage in texts: `flow 1, step 3, branch 0`, of which application if that is nested."""
         flow = passage.named
-        return Reason.of("rules.flow_within", flow=flow, application=self.application.name) if self.is_nested else flow
+        if self.is_nested:
+            return Reason.of("rules.flow_within", flow=flow, application=self.application.name)
+        return flow
 
     def at(self, passage: Passage, position: int) -> Reason:
         """The name of a step in texts: `` `there`, step 3 of flow 0``."""
@@ -82,4 +86,6 @@ def shown(step: Step) -> Reason:
     """A step in a text."""
     if isinstance(step, Icon):
         return Reason.of("rules.icon", name=step.onikon.name)
-    return Reason.of("rules.branch_of", count=len(step.flows)) if isinstance(step, Branch) else Reason.of("rules.hole")
+    if isinstance(step, Branch):
+        return Reason.of("rules.branch_of", count=len(step.flows))
+    return Reason.of("rules.hole")

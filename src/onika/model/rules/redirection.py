@@ -99,11 +99,15 @@ def _same_targets(old: Task, new: Task) -> bool:
 
 
 def _targets(task: Task) -> tuple[str, ...]:
-    return (task.object_type, *task.more_targets) if task.object_type else ()
+    if task.object_type:
+        return (task.object_type, *task.more_targets)
+    return ()
 
 
 def _shown(task: Task) -> str:
-    return f"the target of a {' with '.join(_targets(task))}" if _targets(task) else "no target"
+    if _targets(task):
+        return f"the target of a {' with '.join(_targets(task))}"
+    return "no target"
 
 
 def _starves(old: Task, new: Task, crews: Crews) -> Iterator[Refusal]:

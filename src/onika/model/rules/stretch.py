@@ -144,7 +144,9 @@ def _either(loop: str, condition: str, value: ReturnValue, stay: int, leave: int
 def _kept(program: Sequence[Instruction], at: int, value: ReturnValue) -> ReturnValue:
     """The value, or ANY where the next action makes it nobody's business: so equal futures are one."""
     following = program[at + 1] if at + 1 < len(program) else None
-    return ReturnValue.ANY if isinstance(following, Do) else value
+    if isinstance(following, Do):
+        return ReturnValue.ANY
+    return value
 
 
 def _in_order(unordered: Said) -> tuple[str, ...]:

@@ -101,7 +101,9 @@ class Waits:
         """Whom a flow waits for; one that its parent must begin waits for that, an ended one for nobody."""
         stop, parent = state[number], self._flows[number].parent
         if stop.at < 0:
-            return [parent] if stop == IDLE and parent is not None else []
+            if stop == IDLE and parent is not None:
+                return [parent]
+            return []
         here = self.programs[number][stop.at]
         if isinstance(here, Join):
             return [child for child in here.flows if state[child] != IDLE]

@@ -32,7 +32,9 @@ class DeferredPiece:
     @property
     def spawn(self) -> command.Spawn:
         """The task that comes."""
-        return self.order.spawn if isinstance(self.order, command.Swap) else self.order
+        if isinstance(self.order, command.Swap):
+            return self.order.spawn
+        return self.order
 
     @property
     def address(self) -> Address:
@@ -42,7 +44,9 @@ class DeferredPiece:
     @property
     def word(self) -> str:
         """The command's name in a refusal."""
-        return "swap" if isinstance(self.order, command.Swap) else "spawn"
+        if isinstance(self.order, command.Swap):
+            return "swap"
+        return "spawn"
 
     def need_ns(self, old: RunningTask | None) -> int:
         """What the next step is expected to take; the `init` of the module at work tells of that of its successor."""

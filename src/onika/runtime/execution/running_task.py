@@ -67,7 +67,9 @@ class RunningTask:
     @property
     def device(self) -> Device | None:
         """The task's device, if it has one."""
-        return self.module.device if self.spawn.device is not None else None
+        if self.spawn.device is not None:
+            return self.module.device
+        return None
 
     @property
     def partner(self) -> Partner | None:

@@ -69,11 +69,17 @@ def values_of(binding: Binding) -> dict[str, Any]:
 
 
 def _reference_hz(task: RunningTask) -> float:
-    return 0.0 if task.spawn.frequency is None else 1e9 / task.period_ns
+    if task.spawn.frequency is None:
+        return 0.0
+    return 1e9 / task.period_ns
 
 
 def _plain(value: Any) -> Any:
     if not hasattr(value, "tolist"):
-        return value[:_LONGEST_LIST] if isinstance(value, list) else value
+        if isinstance(value, list):
+            return value[:_LONGEST_LIST]
+        return value
     flat = value.ravel()
-    return value.tolist() if flat.size <= _LONGEST_LIST else [*flat[:_LONGEST_LIST].tolist(), f"… {flat.size} in all"]
+    if flat.size <= _LONGEST_LIST:
+        return value.tolist()
+    return [*flat[:_LONGEST_LIST].tolist(), f"… {flat.size} in all"]

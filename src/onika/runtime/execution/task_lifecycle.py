@@ -195,7 +195,9 @@ class TaskLifecycle:
             return "no such task"
         if task.state is not State.OFF:
             return refusal(task.state, Step.ON)
-        return "" if task.is_initialised else "it was bound anew and waits to be reinitialised"
+        if task.is_initialised:
+            return ""
+        return "it was bound anew and waits to be reinitialised"
 
     def _begin(self, task: RunningTask, line: str, now: int) -> None:
         """`on` with an argument line, or ask: what the line lacks, or what the module says of it."""

@@ -67,4 +67,6 @@ class BindingGuard:
     def _lost_buffers(self) -> list[str]:
         own = vars(self._instance)
         lost = sorted(port for port, buffer in self._buffers.items() if own.get(slot(port)) is not buffer)
-        return [f"the memory behind {', '.join(lost)} was exchanged: write into it"] if lost else []
+        if lost:
+            return [f"the memory behind {', '.join(lost)} was exchanged: write into it"]
+        return []

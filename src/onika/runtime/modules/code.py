@@ -109,4 +109,6 @@ def _is_showable(reason: Reason) -> bool:
 def showable(text: str, longest: int = 1000) -> str:
     """A module's text without control characters and unpaired surrogates, and of a length that people read."""
     clean = "".join(letter if letter.isprintable() or letter == "\n" else "\ufffd" for letter in text[: longest + 1])
-    return clean if len(text) <= longest else clean[:longest] + "…"
+    if len(text) <= longest:
+        return clean
+    return clean[:longest] + "…"

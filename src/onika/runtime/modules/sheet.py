@@ -176,13 +176,15 @@ def _check_steps(cls: type[Module], names: set[str]) -> None:
 
 
 def _declared_as(kind: str | None) -> Text:
-    return Reason.of("runtime.no_such_port") if kind is None else kind
+    if kind is None:
+        return Reason.of("runtime.no_such_port")
+    return kind
 
 
 def _device_words(words: tuple[str, ...]) -> Reason:
-    return (
-        Reason.of("runtime.device_words", words=" ".join(words)) if words else Reason.of("runtime.device_word_missing")
-    )
+    if words:
+        return Reason.of("runtime.device_words", words=" ".join(words))
+    return Reason.of("runtime.device_word_missing")
 
 
 def _plain(value: Any) -> Any:

@@ -40,11 +40,9 @@ def cut(model: Model, command: act.Cut, outside: Services) -> Done | No:
     if isinstance(taken, No):
         return taken
     done = remove(taken.model, act.Remove(command.doc, command.tasks), outside)
-    return (
-        done
-        if isinstance(done, No)
-        else replace(done, label=Reason.of("desk.cutting", icons=several(command.tasks)), value=taken.value)
-    )
+    if isinstance(done, No):
+        return done
+    return replace(done, label=Reason.of("desk.cutting", icons=several(command.tasks)), value=taken.value)
 
 
 @on_document
@@ -86,7 +84,9 @@ def _inside(placed: Placed) -> Placed:
 
 
 def _nothing(names: Iterable[str]) -> No | None:
-    return None if tuple(names) else No(Reason.of("desk.nothing_selected"))
+    if tuple(names):
+        return None
+    return No(Reason.of("desk.nothing_selected"))
 
 
 def _renamed(groups: Iterable[Group], standing: Iterable[Group]) -> Iterator[Group]:
@@ -142,7 +142,9 @@ def _against(standing: Sequence[Task], pasted: Sequence[Task]) -> dict[str, tupl
 
 
 def _sentence(name: str, text: Text) -> Text:
-    return text if str(text).startswith(f"{name} ") else Reason.of("desk.named_wrong", name=name, why=text)
+    if str(text).startswith(f"{name} "):
+        return text
+    return Reason.of("desk.named_wrong", name=name, why=text)
 
 
 def _helps(remedy: Remedy, taken: Clipboard) -> bool:

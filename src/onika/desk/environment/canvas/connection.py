@@ -163,7 +163,9 @@ def _subsystem(model: Model, document: Document, standing: live.Standing) -> str
     if len(free) == 1 and free[0].tasks:
         return free[0].name
     taken = used | {subsystem.name for subsystem in standing.subsystems}
-    return document.name if TASK_NAME.match(document.name) and document.name not in taken else _MAIN
+    if TASK_NAME.match(document.name) and document.name not in taken:
+        return document.name
+    return _MAIN
 
 
 def _occupied(model: Model, name: str, document: Document, standing: live.Standing) -> Text:
@@ -174,7 +176,9 @@ def _occupied(model: Model, name: str, document: Document, standing: live.Standi
     running = [
         subsystem.application for subsystem in standing.subsystems if subsystem.name == name and subsystem.application
     ]
-    return Reason.of("desk.subsystem_runs", application=running[0], subsystem=name) if running else ""
+    if running:
+        return Reason.of("desk.subsystem_runs", application=running[0], subsystem=name)
+    return ""
 
 
 def _stepped(document: Document, merged_tasks: Merged) -> Document:

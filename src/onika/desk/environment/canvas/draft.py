@@ -47,7 +47,9 @@ class Draft:
     @property
     def says(self) -> Reason:
         """What it is then, in words."""
-        return Reason.of("desk.a_job") if self.source.suffix == conf.ENDING else Reason.of("desk.icon_for_applications")
+        if self.source.suffix == conf.ENDING:
+            return Reason.of("desk.a_job")
+        return Reason.of("desk.icon_for_applications")
 
     @property
     def path(self) -> Path:

@@ -121,7 +121,9 @@ def _of(model: Model, doc: str, name: str) -> tuple[Document, Group] | No:
     if document is None:
         return closed(Kind.CONFIGURATION)
     group = document.content.configuration.group(name)
-    return (document, group) if group else No(Reason.of("desk.no_supermodule", name=name))
+    if group:
+        return (document, group)
+    return No(Reason.of("desk.no_supermodule", name=name))
 
 
 def _elsewhere(command: act.SaveGroup, base: Path | None, outside: Services) -> tuple[Remedy, ...]:
@@ -158,7 +160,9 @@ def _taken(document: Document, name: str, tasks: tuple[str, ...]) -> No | None:
                 Remedy(Reason.of("desk.expand", name=group.name), act.Ungroup(document.id, group.name)),
             )
             against.append(Objection(Reason.of(key, names=several(among), group=group.name), remedies))
-    return clipboard.refusal(Reason.of("desk.not_made", name=name), against) if against else None
+    if against:
+        return clipboard.refusal(Reason.of("desk.not_made", name=name), against)
+    return None
 
 
 def _namesake(document: Document, name: str) -> list[Objection]:

@@ -84,4 +84,6 @@ def _again(model: Model, subsystem_facts: SubsystemFacts, what: Reconfiguration)
 
 
 def _part(key: str, names: Sequence[str]) -> Reason:
-    return Reason.of(key, tasks=tuple(names)) if names else NOTHING
+    if names:
+        return Reason.of(key, tasks=tuple(names))
+    return NOTHING

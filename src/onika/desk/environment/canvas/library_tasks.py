@@ -106,7 +106,9 @@ def forget_task(model: Model, command: act.ForgetTask, _outside: Services) -> Do
     path = model.shelf.homes[command.task].base.task_file(command.task)
     done = _as_filed(model, command.task, path)
     against = clashes(model, done.model.shelf, (command.task,))
-    return refused(Reason.of("desk.not_as_filed", task=command.task), against) if against else done
+    if against:
+        return refused(Reason.of("desk.not_as_filed", task=command.task), against)
+    return done
 
 
 def unknown(name: str) -> No:
@@ -138,4 +140,6 @@ def _wrong(task: Task, line: LocalLine) -> Reason:
         return NOTHING
     fault = next((fault for fault in faults if not fault.is_note), None)
     shown = " ".join((line.key, *line.words))
-    return fault.reason if fault else Reason.of("desk.no_key_line", line=shown)
+    if fault:
+        return fault.reason
+    return Reason.of("desk.no_key_line", line=shown)

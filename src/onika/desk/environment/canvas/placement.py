@@ -144,9 +144,9 @@ def show(model: Model, document: Document, command: act.Show, _outside: Services
 def several(names: Iterable[str]) -> Reason:
     """A few names, or how many there are."""
     names = tuple(names)
-    return (
-        Reason.of("desk.names_and", names=names) if len(names) <= 2 else Reason.of("desk.thing_count", count=len(names))
-    )
+    if len(names) <= 2:
+        return Reason.of("desk.names_and", names=names)
+    return Reason.of("desk.thing_count", count=len(names))
 
 
 def _as_it_stands(model: Model, document: Document, configuration: Configuration, label: Text) -> Done:
@@ -198,7 +198,9 @@ def _taken_over(groups: Iterable[Group], old: str, new: str) -> tuple[Group, ...
 
 
 def _at(placed: Placed, spot: tuple[int, int] | None) -> Placed:
-    return placed if spot is None else replace(placed, x=spot[0], y=spot[1])
+    if spot is None:
+        return placed
+    return replace(placed, x=spot[0], y=spot[1])
 
 
 def _aligned(chosen: list[Placed], heights: dict[str, int], edge: str) -> dict[str, tuple[int, int]]:

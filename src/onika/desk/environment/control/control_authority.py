@@ -34,7 +34,9 @@ def take(model: Model, command: act.Take, _outside: Services) -> No | Procedure:
     if isinstance(name, No):
         return name
     why = held_subsystems.refused(model, name, command)
-    return _changed(model, live.Take(name), name) if why is None else why
+    if why is None:
+        return _changed(model, live.Take(name), name)
+    return why
 
 
 def release(model: Model, command: act.Release, _outside: Services) -> No | Procedure:

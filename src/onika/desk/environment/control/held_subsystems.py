@@ -38,19 +38,25 @@ def named(model: Model, doc: str, subsystem: str, connects: bool = False) -> str
     """
     if subsystem:
         is_there = subsystem in model.runtime.subsystems
-        return subsystem if is_there else No(f"there is no subsystem {subsystem} any more")
+        if is_there:
+            return subsystem
+        return No(f"there is no subsystem {subsystem} any more")
     document = model.documents.get(doc)
     if document is None:
         return closed(Kind.CONFIGURATION)
     if document.live is None or document.live.state != "live":
         connect = Remedy("Connect", act.Connect(document.id))
-        return No(f"{document.name} is not connected", (connect,)) if connects else ""
+        if connects:
+            return No(f"{document.name} is not connected", (connect,))
+        return ""
     return document.live.subsystem
 
 
 def called(model: Model, doc: str, subsystem: str) -> str:
     """What it is called where a user speaks of it."""
-    return model.documents[doc].name if doc in model.documents else subsystem
+    if doc in model.documents:
+        return model.documents[doc].name
+    return subsystem
 
 
 def holder(model: Model, subsystem: str) -> str:
@@ -117,7 +123,9 @@ def steer_taken(model: Model, command: act.SteerTaken, _outside: Services) -> Pr
     if meant is not None and not command.confirmed:
         return meant
     model, response = yield Ask(model, _wish(command))
-    return Done(model, orders=(ask_flows(),)) if isinstance(response, request.Done) else No(refusal(response))
+    if isinstance(response, request.Done):
+        return Done(model, orders=(ask_flows(),))
+    return No(refusal(response))
 
 
 def answer(model: Model, command: act.Answer, _outside: Services) -> No | Procedure:

@@ -51,7 +51,9 @@ class Applications:
             file = self.path(base, name).name
             return No(f"{file} is no name of an application: expected letters, digits and _ . -, a letter first")
         reading = self.read_again(model, base, name)
-        return reading if isinstance(reading, Reading) else No(unreadable(path_or_name, reading))
+        if isinstance(reading, Reading):
+            return reading
+        return No(unreadable(path_or_name, reading))
 
     def read_again(self, model: Model, base: BaseDirectory, name: str) -> Reading[Application] | Faults:
         """An application of a base directory as far as its file can be read; the faults where that is nothing."""
@@ -61,7 +63,9 @@ class Applications:
         if opened is not None:
             return Reading(base, opened, faults)
         opened, faults = base.salvage_application(name, model.syntax)
-        return faults if opened is None else Reading(base, opened, faults, is_partial=True)
+        if opened is None:
+            return faults
+        return Reading(base, opened, faults, is_partial=True)
 
     def open(self, model: Model, reading: Reading[Application]) -> Done:
         """It is open beside the others."""

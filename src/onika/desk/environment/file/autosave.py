@@ -58,7 +58,9 @@ class Autosave:
     def take(self, now_s: float) -> tuple[UnsavedChange, ...]:
         """What is to be written where it is due, and counts as written."""
         due_s = self.due_s
-        return self.take_all(now_s) if due_s is not None and due_s <= now_s else ()
+        if due_s is not None and due_s <= now_s:
+            return self.take_all(now_s)
+        return ()
 
     def take_all(self, now_s: float) -> tuple[UnsavedChange, ...]:
         """What is to be written, due or not: at the end."""

@@ -32,7 +32,9 @@ def read(path_or_name: str, outside: Services) -> Reading[Configuration] | No:
     if isinstance(where, No):
         return where
     reading = _read(*where)
-    return reading if isinstance(reading, Reading) else No(unreadable(path_or_name, reading))
+    if isinstance(reading, Reading):
+        return reading
+    return No(unreadable(path_or_name, reading))
 
 
 def opened_beside(
@@ -118,7 +120,9 @@ class Configurations:
 
 def _read(base: BaseDirectory, name: str) -> Reading[Configuration] | Faults:
     opened, faults = base.open_configuration(name)
-    return faults if opened is None else Reading(base, opened, faults)
+    if opened is None:
+        return faults
+    return Reading(base, opened, faults)
 
 
 def _asked_about(document: Document, moving: list[str], *, discards: bool) -> No:

@@ -89,7 +89,9 @@ def reload(model: Model, file: AnyFile, _command: act.Reload, outside: Services)
     if file.opened is None:
         return No(f"{file.name} has no file yet")
     reading = KINDS[file.kind].read(model, str(file.opened.path), outside)
-    return reading if isinstance(reading, No) else KINDS[file.kind].reread(model, file, reading)
+    if isinstance(reading, No):
+        return reading
+    return KINDS[file.kind].reread(model, file, reading)
 
 
 @on_file
@@ -106,10 +108,14 @@ def _kind(path_or_name: str, outside: Services) -> Kind:
     """The ending says what is opened; of a name alone a configuration, else an application."""
     ending, bases = Path(path_or_name).suffix, outside.site.directories
     if ending in (appl.ENDING, conf.ENDING):
-        return Kind.APPLICATION if ending == appl.ENDING else Kind.CONFIGURATION
+        if ending == appl.ENDING:
+            return Kind.APPLICATION
+        return Kind.CONFIGURATION
     is_configuration = any(path_or_name in base.configurations for base in bases)
     is_application = any(path_or_name in base.applications for base in bases)
-    return Kind.APPLICATION if is_application and not is_configuration else Kind.CONFIGURATION
+    if is_application and not is_configuration:
+        return Kind.APPLICATION
+    return Kind.CONFIGURATION
 
 
 def _shipped(command: act.Save, name: str, own: Path | None) -> No:

@@ -107,8 +107,12 @@ def again(path: Path, syntax: Syntax | None) -> FileIndex | None:
     """A file of a base directory as it is now; None where there is none of that path any more."""
     base = BaseDirectory(path.parent.parent)
     if is_configuration(path):
-        return configuration(base, path.stem) if path.stem in base.configurations else None
-    return application(base, path.stem, syntax) if path.stem in base.applications else None
+        if path.stem in base.configurations:
+            return configuration(base, path.stem)
+        return None
+    if path.stem in base.applications:
+        return application(base, path.stem, syntax)
+    return None
 
 
 def is_configuration(path: Path) -> bool:

@@ -100,4 +100,6 @@ def place(path_or_name: str, kind: Kind, outside: Services) -> tuple[BaseDirecto
 
 def names_of(base: BaseDirectory, kind: Kind) -> Sequence[str]:
     """The files of a kind in a base directory."""
-    return base.applications if kind is Kind.APPLICATION else base.configurations
+    if kind is Kind.APPLICATION:
+        return base.applications
+    return base.configurations

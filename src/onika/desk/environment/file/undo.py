@@ -78,7 +78,9 @@ def edits_between(before: OpenLibraries, after: OpenLibraries) -> dict[str, Task
 
 
 def _now(name: str, shelf: OpenLibraries) -> Task | None:
-    return shelf.edits[name] if name in shelf.edits else shelf.filed(name)
+    if name in shelf.edits:
+        return shelf.edits[name]
+    return shelf.filed(name)
 
 
 def _meaning(task: Task | None) -> Task | None:
@@ -119,7 +121,9 @@ class _Way:
 
     def _moved(self, name: str, end: Task | None, now: OpenLibraries) -> Task | None:
         start, task = self.edits_start.get(name), now.tasks.get(name)
-        return task_edit.rebased(end, start, task) if end and start and task else end
+        if end and start and task:
+            return task_edit.rebased(end, start, task)
+        return end
 
 
 def _undone(model: Model, document: Document, step: Step[Content], command: act.Undo) -> Done | No:

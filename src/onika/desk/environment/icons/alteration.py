@@ -35,9 +35,13 @@ def flow_at(application: Application, path: str) -> AppFlow | None:
 def place_behind(application: Application, path: str, after: int) -> tuple[str, int] | No:
     """The flow and position of the step `after`, wherever it is now; of 0 the beginning of the flow `path`."""
     if not after:
-        return (path, -1) if flow_at(application, path) is not None else No(Reason.of("desk.flow_gone"))
+        if flow_at(application, path) is not None:
+            return (path, -1)
+        return No(Reason.of("desk.flow_gone"))
     spot = spot_of(application, after)
-    return (spot.path, spot.position) if spot else No(Reason.of("desk.place_gone"))
+    if spot:
+        return (spot.path, spot.position)
+    return No(Reason.of("desk.place_gone"))
 
 
 def spots_of(application: Application, steps: act.Steps) -> list[StepAddress] | No:

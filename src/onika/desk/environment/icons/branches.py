@@ -102,7 +102,9 @@ def branch_of(flows: int, conditions: tuple[str, ...]) -> Branch | No:
             fields={"flows": Reason.of("desk.flow_count_form", most=MOST_FLOWS)},
         )
     parsed = conditions_of(conditions, flows)
-    return parsed if isinstance(parsed, No) else Branch((AppFlow(()),) * flows, parsed)
+    if isinstance(parsed, No):
+        return parsed
+    return Branch((AppFlow(()),) * flows, parsed)
 
 
 def conditions_of(texts: tuple[str, ...], flows: int) -> tuple[str, ...] | No:
@@ -127,7 +129,9 @@ def _branch(application: Application, number: int) -> Branch | No:
     spot = spots(application).get(number)
     if spot is None:
         return No(Reason.of("desk.branch_gone"))
-    return spot.step if isinstance(spot.step, Branch) else No(Reason.of("desk.not_a_branch"))
+    if isinstance(spot.step, Branch):
+        return spot.step
+    return No(Reason.of("desk.not_a_branch"))
 
 
 def _but(flows: tuple[AppFlow, ...], number: int) -> tuple[AppFlow, ...]:

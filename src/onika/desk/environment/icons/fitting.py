@@ -68,7 +68,9 @@ def _place(before: Solid | Hole | None) -> Text:
     """What a step would stand behind."""
     if isinstance(before, Icon):
         return quoted(before.onikon)
-    return Reason.of("desk.a_branch") if before else Reason.of("desk.the_start")
+    if before:
+        return Reason.of("desk.a_branch")
+    return Reason.of("desk.the_start")
 
 
 def _ways(model: Model, opened: OpenApplication, misfit: _Misfit) -> list[Remedy]:
@@ -82,11 +84,15 @@ def _ways(model: Model, opened: OpenApplication, misfit: _Misfit) -> list[Remedy
         remedies += _other_jobs(model, opened, before, kind, syntax)
     if fitting:
         remedies.append(Remedy(_show_fitting(len(fitting)), show=ShowFits(misfit.path, number)))
-    return remedies[: _MOST - 1] + remedies[-1:] if len(remedies) > _MOST else remedies
+    if len(remedies) > _MOST:
+        return remedies[: _MOST - 1] + remedies[-1:]
+    return remedies
 
 
 def _show_fitting(count: int) -> Reason:
-    return Reason.of("desk.show_fitting", count=count) if count > 1 else Reason.of("desk.show_only_fitting")
+    if count > 1:
+        return Reason.of("desk.show_fitting", count=count)
+    return Reason.of("desk.show_only_fitting")
 
 
 def fitting_behind(model: Model, left: IconType) -> list[Onikon]:
@@ -101,7 +107,9 @@ def _needed(left: IconType, syntax: Syntax, at: int) -> Reason:
     kinds = [kind.name for kind in syntax.types if kind.is_target and fits(left, kind)]
     if kinds:
         return Reason.of("desk.needs_kind", kinds=tuple(a_kind(kind) for kind in kinds))
-    return Reason.of("desk.no_action_for_it") if at < 0 else Reason.of("desk.action_next")
+    if at < 0:
+        return Reason.of("desk.no_action_for_it")
+    return Reason.of("desk.action_next")
 
 
 def _in_its_place(

@@ -35,7 +35,9 @@ def insert_icon(model: Model, opened: OpenApplication, command: act.InsertIcon, 
 def insert_branch(model: Model, opened: OpenApplication, command: act.InsertBranch, _outside: Services) -> Done | No:
     """Insert a branch; the value is its number."""
     branch = branch_of(command.flows, command.conditions)
-    return branch if isinstance(branch, No) else _inserted(model, opened, command.flow, command.after, branch)
+    if isinstance(branch, No):
+        return branch
+    return _inserted(model, opened, command.flow, command.after, branch)
 
 
 @on_resting_application

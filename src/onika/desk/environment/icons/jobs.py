@@ -29,7 +29,9 @@ from onika.words.reason import Reason
 def draft(model: Model, command: act.Draft, outside: Services) -> Done | No:
     """What icon a configuration or an application would make; the value is a `view.DraftView`."""
     job = _drafted(model, command.doc, outside)
-    return job if isinstance(job, No) else Done(model, value=_view(job))
+    if isinstance(job, No):
+        return job
+    return Done(model, value=_view(job))
 
 
 def make_job(model: Model, command: act.MakeJob, outside: Services) -> Done | No:

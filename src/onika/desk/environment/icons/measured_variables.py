@@ -55,7 +55,9 @@ def values_of(measure: MeasuredVariable, value: Any) -> tuple[float, ...] | Reas
         return Reason.of(
             "desk.values_unfit", variable=measure.variable, given=len(numbers), item=measure.item, count=measure.count
         )
-    return tuple(round(number) for number in numbers) if measure.type.is_whole else numbers
+    if measure.type.is_whole:
+        return tuple(round(number) for number in numbers)
+    return numbers
 
 
 def _like(wanted: InputSheet, ports: Iterable[PortSheet]) -> Iterator[PortSheet]:
@@ -72,4 +74,6 @@ def _like(wanted: InputSheet, ports: Iterable[PortSheet]) -> Iterator[PortSheet]
 
 
 def _flat(value: object) -> list[float]:
-    return [number for part in value for number in _flat(part)] if isinstance(value, list) else [float(str(value))]
+    if isinstance(value, list):
+        return [number for part in value for number in _flat(part)]
+    return [float(str(value))]

@@ -68,7 +68,9 @@ def _is_off(document: Document, name: str) -> bool:
 
 
 def _names(source: object) -> tuple[str, ...]:
-    return tuple(placed.task for placed in source.placed) if isinstance(source, Configuration) else ()
+    if isinstance(source, Configuration):
+        return tuple(placed.task for placed in source.placed)
+    return ()
 
 
 def _size(pair: tuple[str, object]) -> tuple[int, str]:

@@ -76,7 +76,9 @@ def remove_onikon(model: Model, command: act.RemoveOnikon, outside: Services) ->
 
 def _found(model: Model, name: str) -> tuple[BaseDirectory, OpenedText[Onikon]] | No:
     home = home_of(model.dictionaries, name)
-    return No(Reason.of("desk.no_icon", name=name)) if home is None else (home.base, home.onikons[name])
+    if home is None:
+        return No(Reason.of("desk.no_icon", name=name))
+    return (home.base, home.onikons[name])
 
 
 def _changed(model: Model, command: act.EditOnikon, onikon: Onikon) -> Onikon | No:

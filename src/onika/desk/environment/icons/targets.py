@@ -135,7 +135,9 @@ def _renamed(model: Model, command: act.MakeTarget) -> Remedy:
 
 def _over(command: act.MakeTarget, label: Reason | None = None) -> tuple[Remedy, ...]:
     again = msgspec.structs.replace(command, overwrites=True)
-    return () if command.overwrites else (Remedy(label or Reason.of("desk.replace_it"), again),)
+    if command.overwrites:
+        return ()
+    return (Remedy(label or Reason.of("desk.replace_it"), again),)
 
 
 def _shipped(command: act.MakeTarget, own: Path | None) -> No:

@@ -55,7 +55,9 @@ class Commands:
         self._running[button.name] = command
         command.begin(self._shower(button.name))
         lacks_terminal = button.spawns_terminal and not terminal
-        return Reason.of("run.no_terminal", name=button.name) if lacks_terminal else ""
+        if lacks_terminal:
+            return Reason.of("run.no_terminal", name=button.name)
+        return ""
 
     def halt(self, name: str) -> bool:
         """End a command; False where it does not run."""

@@ -57,7 +57,9 @@ def _known(task: Task | None, other: Task | None) -> set[str]:
 def _said(one: Refusal, task: Task) -> Text:
     text = plain(one.reason)
     speaks_of_task = str(text).startswith("writes")
-    return Reason.of("run.task_speaks", task=task.name, reason=text) if speaks_of_task else text
+    if speaks_of_task:
+        return Reason.of("run.task_speaks", task=task.name, reason=text)
+    return text
 
 
 def _remedies(one: Refusal, other: Task, document: Document) -> tuple[Remedy, ...]:

@@ -128,7 +128,9 @@ def together(faults: Iterable[Fault]) -> list[Fault]:
 
 
 def _names(value: Argument) -> tuple[str, ...]:
-    return tuple(map(str, value)) if isinstance(value, tuple) else (str(value),)
+    if isinstance(value, tuple):
+        return tuple(map(str, value))
+    return (str(value),)
 
 
 def _special(reason: Reason) -> Reason | None:
@@ -147,7 +149,9 @@ def _special(reason: Reason) -> Reason | None:
             return _crossed(args["wait"])
     if reason.key in _WHY:
         why = args[_WHY[reason.key]]
-        return simple(why) if isinstance(why, Reason) else Reason.plain(plain(str(why)))
+        if isinstance(why, Reason):
+            return simple(why)
+        return Reason.plain(plain(str(why)))
     return None
 
 
@@ -155,7 +159,9 @@ def _in_vain(wait: Argument) -> Reason | None:
     if not isinstance(wait, Reason) or wait.key != "rules.flow_waits":
         return None
     args = arguments(wait)
-    return _made("run.tag_in_vain", args) if "tag" in args else None
+    if "tag" in args:
+        return _made("run.tag_in_vain", args)
+    return None
 
 
 def _crossed(wait: Argument) -> Reason | None:
@@ -166,7 +172,9 @@ def _crossed(wait: Argument) -> Reason | None:
         return None
     ours, theirs = arguments(first), arguments(further)
     is_pair = first.key == "rules.flow_waits" and "tag" in ours and "tag" in theirs and theirs["other"] == ours["flow"]
-    return _made("run.tags_crossed", {**ours, "other_tag": theirs["tag"]}) if is_pair else None
+    if is_pair:
+        return _made("run.tags_crossed", {**ours, "other_tag": theirs["tag"]})
+    return None
 
 
 def _made(key: str, args: Mapping[str, Argument]) -> Reason:
@@ -181,5 +189,7 @@ def _argument(name: str, value: Argument) -> Argument:
             return value.args["tag"]
         return simple(value)
     if isinstance(value, str):
-        return kind_named(value) if name in _KINDS else plain(value)
+        if name in _KINDS:
+            return kind_named(value)
+        return plain(value)
     return value

@@ -119,7 +119,9 @@ class FaultViews:
     def _meant(self, fault: Fault) -> int:
         step = self.step_of(fault.place)
         is_of_target = self._is_own(fault) and (_is_of_reach(fault) or _is_of_values(fault))
-        return self.target_of(step, str(fault.reason.args["target"])) if is_of_target else step
+        if is_of_target:
+            return self.target_of(step, str(fault.reason.args["target"]))
+        return step
 
     def _is_own(self, fault: Fault) -> bool:
         """Whether it stands in the application itself, and not in one that it uses."""

@@ -40,7 +40,9 @@ class Sources:
             return ""
         name = onikon.name + _ENDINGS[role]
         beside = str(dictionary.base.path / name.rpartition(".")[2] / name)
-        return beside if beside in self._sources else self._first.get(name, "")
+        if beside in self._sources:
+            return beside
+        return self._first.get(name, "")
 
     def trouble(self, onikon: Onikon, path: str) -> Text:
         """Why an action cannot run; empty: nothing is in the way, or it is none."""
@@ -64,7 +66,9 @@ class Sources:
 
     def _kind(self, path: str) -> ActionType | tuple[Refusal, ...] | None:
         source = self._sources.get(path)
-        return job_type(source, self._tasks, self._syntax) if isinstance(source, Configuration) else source
+        if isinstance(source, Configuration):
+            return job_type(source, self._tasks, self._syntax)
+        return source
 
 
 def _is_alike(one: Iterable[str], other: Iterable[str]) -> bool:
@@ -75,4 +79,6 @@ def _is_alike(one: Iterable[str], other: Iterable[str]) -> bool:
 def _said(kind: ActionType | Onikon) -> Reason:
     more = tuple(with_article(kind_text(target)) for target in kind.more_targets)
     named = kind_text(kind.type)
-    return Reason.of("run.kind_with", kind=named, more=more) if more else named
+    if more:
+        return Reason.of("run.kind_with", kind=named, more=more)
+    return named

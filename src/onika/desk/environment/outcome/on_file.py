@@ -43,7 +43,9 @@ def on_file(carry_out: _Inner[AnyFile, _A, _R]) -> _Handler[_A, _R]:
     @wraps(carry_out)
     def handler(model: Model, command: _A, outside: Services) -> _R | No:
         file = model.file(command.doc)
-        return closed(Kind.of(command.doc)) if file is None else carry_out(model, file, command, outside)
+        if file is None:
+            return closed(Kind.of(command.doc))
+        return carry_out(model, file, command, outside)
 
     return handler
 
@@ -54,7 +56,9 @@ def on_document(carry_out: _Inner[Document, _A, _R]) -> _Handler[_A, _R]:
     @wraps(carry_out)
     def handler(model: Model, command: _A, outside: Services) -> _R | No:
         document = model.documents.get(command.doc)
-        return closed(Kind.CONFIGURATION) if document is None else carry_out(model, document, command, outside)
+        if document is None:
+            return closed(Kind.CONFIGURATION)
+        return carry_out(model, document, command, outside)
 
     return handler
 
@@ -65,7 +69,9 @@ def on_application(carry_out: _Inner[OpenApplication, _A, _R]) -> _Handler[_A, _
     @wraps(carry_out)
     def handler(model: Model, command: _A, outside: Services) -> _R | No:
         application = model.applications.get(command.doc)
-        return closed(Kind.APPLICATION) if application is None else carry_out(model, application, command, outside)
+        if application is None:
+            return closed(Kind.APPLICATION)
+        return carry_out(model, application, command, outside)
 
     return handler
 
@@ -82,7 +88,9 @@ def on_resting_application(carry_out: _Inner[OpenApplication, _A, _R]) -> _Handl
 
 def busy(model: Model, file: AnyFile) -> No | None:
     """Why nothing in an open file is changed now."""
-    return running(file) if is_running(model, file.id) else None
+    if is_running(model, file.id):
+        return running(file)
+    return None
 
 
 def is_running(model: Model, doc: str) -> bool:

@@ -21,7 +21,9 @@ def refusal(response: request.Response) -> Text:
 def simply_done(model: Model, wish: request.Request) -> Procedure:
     """Ask a runtime for something that is done, or refused with the reason."""
     model, response = yield Ask(model, wish)
-    return Done(model) if isinstance(response, request.Done) else No(refusal(response))
+    if isinstance(response, request.Done):
+        return Done(model)
+    return No(refusal(response))
 
 
 def _sentence(fault: request.FaultText) -> Reason:

@@ -71,7 +71,9 @@ def problems(
         f"conflict {later.name} {earlier.name}": _conflict(document, later, earlier, refused)
         for later, earlier, refused in conflict.conflicts(suspects)
     }
-    return found | _warnings(tasks, place) if with_warnings else found
+    if with_warnings:
+        return found | _warnings(tasks, place)
+    return found
 
 
 def _warnings(tasks: Sequence[Task], place: Place) -> dict[str, ProblemView]:

@@ -62,4 +62,6 @@ def _told(model: Model, response: request.Response, doc: str, task: str, wanted:
 
 
 def _flat(value: object) -> list[float]:
-    return [number for part in value for number in _flat(part)] if isinstance(value, list) else [float(str(value))]
+    if isinstance(value, list):
+        return [number for part in value for number in _flat(part)]
+    return [float(str(value))]

@@ -28,11 +28,9 @@ def after_event(model: Model, message: event.Event, at_s: float = 0.0) -> Done:
             return _stepped(model, message)
         case event.Edited():
             document = _home(model, message.subsystem)
-            return (
-                reconciliation.edited(model, document.id, message.number, str(message.cause))
-                if document
-                else Done(model)
-            )
+            if document:
+                return reconciliation.edited(model, document.id, message.number, str(message.cause))
+            return Done(model)
         case event.Held():
             return _held(model, message, at_s)
         case event.Offered():
@@ -60,7 +58,9 @@ def _questioned(model: Model, message: event.Event) -> Model:
             return replace(model, runtime=holders.with_question(model.runtime, message))
         case event.TaskState():
             runtime = holders.turned(model.runtime, message)
-            return model if runtime is model.runtime else replace(model, runtime=runtime)
+            if runtime is model.runtime:
+                return model
+            return replace(model, runtime=runtime)
     return model
 
 
@@ -100,11 +100,9 @@ def _turned(model: Model, document: Document, subsystem_facts: SubsystemFacts, m
     """A task's state has changed; what is wanted follows where nobody here has asked for something else."""
     facts = subsystem_facts.tasks.get(message.task)
     if facts is None:  # somebody else's, or one that is dead already
-        return (
-            Done(model)
-            if message.state == "KILLED" or subsystem_facts.pending
-            else Done(model, orders=(look_again(document.id),))
-        )
+        if message.state == "KILLED" or subsystem_facts.pending:
+            return Done(model)
+        return Done(model, orders=(look_again(document.id),))
     if message.state == "KILLED":
         if facts.state == "SPAWNING":  # the old one of an exchange
             return Done(model)

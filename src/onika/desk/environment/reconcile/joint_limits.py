@@ -20,7 +20,9 @@ def after_event(model: Model, message: event.Event) -> tuple[Order, ...]:
 def connected(model: Model, document: Document) -> tuple[Order, ...]:
     """Tasks that lived already when a configuration was connected with them tell nothing by themselves."""
     subsystem_facts = document.live
-    return _orders(model, subsystem_facts.subsystem, tuple(subsystem_facts.tasks)) if subsystem_facts else ()
+    if subsystem_facts:
+        return _orders(model, subsystem_facts.subsystem, tuple(subsystem_facts.tasks))
+    return ()
 
 
 def _orders(model: Model, subsystem: str, tasks: tuple[str, ...]) -> tuple[Order, ...]:
@@ -33,7 +35,9 @@ def _orders(model: Model, subsystem: str, tasks: tuple[str, ...]) -> tuple[Order
     }
     names = tuple(sorted(stated & _wanted(model))) if stated else ()
     then = partial(_read, names=names)
-    return (Order(live.Read(subsystem, names), then),) if names else ()
+    if names:
+        return (Order(live.Read(subsystem, names), then),)
+    return ()
 
 
 def _wanted(model: Model) -> set[str]:
@@ -57,4 +61,6 @@ def _read(model: Model, response: request.Response, names: tuple[str, ...]) -> D
 
 
 def _numbers(value: object) -> tuple[float, ...]:
-    return tuple(map(float, value)) if isinstance(value, list) else (float(str(value)),)
+    if isinstance(value, list):
+        return tuple(map(float, value))
+    return (float(str(value)),)

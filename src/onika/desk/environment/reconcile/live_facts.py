@@ -12,7 +12,9 @@ from onika.wire import event, live
 def alive(standing: live.Standing, subsystem: str) -> Mapping[str, live.TaskStanding]:
     """The living tasks of a subsystem, by name."""
     home = next((candidate for candidate in standing.subsystems if candidate.name == subsystem), None)
-    return {task.task.name: task for task in home.tasks if task.state != "KILLED"} if home else {}
+    if home:
+        return {task.task.name: task for task in home.tasks if task.state != "KILLED"}
+    return {}
 
 
 def with_standing(subsystem_facts: SubsystemFacts, standing: live.Standing) -> SubsystemFacts:
@@ -48,7 +50,9 @@ def true_to_facts(content: Content, subsystem_facts: SubsystemFacts, sent: Conte
         name: _is_wanted(subsystem_facts.state_of(name), is_on) if sent.wanted.get(name) == is_on else is_on
         for name, is_on in content.wanted.items()
     }
-    return content if wanted == content.wanted else replace(content, wanted=wanted)
+    if wanted == content.wanted:
+        return content
+    return replace(content, wanted=wanted)
 
 
 def _facts(standing: live.TaskStanding, former: TaskFacts | None, question: event.Asked | None) -> TaskFacts:

@@ -20,7 +20,9 @@ def look_around(model: Model, _asked: act.Company, _outside: Services) -> Proced
     if model.runtime.state != "linked":
         return No("there is no runtime yet, so nobody else is there")
     model, response = yield Ask(model, live.Survey(), orders=(ask_flows(), ask_company()))
-    return surveyed(model, response) if isinstance(response, live.Standing) else No(refusal(response))
+    if isinstance(response, live.Standing):
+        return surveyed(model, response)
+    return No(refusal(response))
 
 
 def ask_company() -> Order:
@@ -106,7 +108,9 @@ def _words(message: event.Offered, me: str) -> str:
         if is_accepted:
             return f"{message.subsystem} is held here now: {message.holder} has handed it over"
         text = f"{message.holder} offers {message.subsystem}: take it, or decline"
-        return f"{message.holder} offers {message.subsystem} no more: {message.outcome}" if message.outcome else text
+        if message.outcome:
+            return f"{message.holder} offers {message.subsystem} no more: {message.outcome}"
+        return text
     if is_accepted:
         return f"{message.to} has taken {message.subsystem}"
     if message.outcome:

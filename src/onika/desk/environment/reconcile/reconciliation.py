@@ -42,7 +42,9 @@ def pursue(model: Model, document: Document) -> Done | No:
     refused = _refused(document, subsystem_facts, what, model)
     if refused:
         return refused
-    return _sent(model, document, what) if under_way is None else _awaiting(model, document, subsystem_facts)
+    if under_way is None:
+        return _sent(model, document, what)
+    return _awaiting(model, document, subsystem_facts)
 
 
 def pursue_all(model: Model, docs: Iterable[str]) -> Done | No:

@@ -34,7 +34,9 @@ def file_before(now: Document, before: History[Content], after: History[Content]
     if not steps or not steps[-1].file_after or now.opened is not steps[-1].file_after.opened:
         return now  # it was saved meanwhile, and knows better
     former = steps[0].file_before
-    return replace(now, opened=former.opened, base=former.base) if former else now
+    if former:
+        return replace(now, opened=former.opened, base=former.base)
+    return now
 
 
 def without_steps(now: History[Content], before: History[Content], after: History[Content]) -> History[Content]:

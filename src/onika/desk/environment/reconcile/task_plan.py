@@ -37,7 +37,9 @@ def birth(placed: Placed, shelf: OpenLibraries, units: Collection[str]) -> Spawn
 
 def rate_of(placed: Placed, task: Task) -> float | None:
     """The rate of a placed task in hertz; None where it has none."""
-    return None if task.frequency is None else placed.frequency or task.frequency
+    if task.frequency is None:
+        return None
+    return placed.frequency or task.frequency
 
 
 def code_of(module: str, shelf: OpenLibraries, task: str) -> Code | str:

@@ -100,7 +100,9 @@ def _numbers(difference: Difference, unit: str) -> tuple[str, str] | None:
 def _plain(side: str) -> str:
     """One side of a difference; the type of an array by how many values there are."""
     shape = _SHAPE.fullmatch(side)
-    return f"{' × '.join(shape[1].split(','))} values" if shape else side
+    if shape:
+        return f"{' × '.join(shape[1].split(','))} values"
+    return side
 
 
 def _view(difference: Difference | None, subject: ReviewedRun) -> DifferenceView:

@@ -37,7 +37,9 @@ def course(model: Model, command: act.Course, outside: Services) -> Procedure:
         return Done(model, value=_stretches(subject, command, samples))
 
     model, samples = yield Work(model, aside, lambda: _read(subject, command.variable, series))
-    return samples if isinstance(samples, No) else Done(model, value=_stretches(subject, command, samples))
+    if isinstance(samples, No):
+        return samples
+    return Done(model, value=_stretches(subject, command, samples))
 
 
 def _read(subject: ReviewedRun, variable: str, series: Series) -> Samples | No:

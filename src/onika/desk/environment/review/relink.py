@@ -34,7 +34,9 @@ def relinked(carry_out: Handler) -> Handler:
 
 
 def _both(looking: ReviewSession) -> tuple[ReviewedRun, ...]:
-    return (looking.subject, looking.other) if looking.other else (looking.subject,)
+    if looking.other:
+        return (looking.subject, looking.other)
+    return (looking.subject,)
 
 
 def _follow(subject: ReviewedRun, model: Model, outside: Services, *, is_read_again: bool) -> None:
@@ -64,4 +66,6 @@ def _shown(model: Model, former: ReviewedRun, relinked: ReviewedRun, opened: Ope
         return model
     if looking.subject is former:
         return replace(model, looking=replace(looking, subject=relinked))
-    return replace(model, looking=replace(looking, other=relinked)) if looking.other is former else model
+    if looking.other is former:
+        return replace(model, looking=replace(looking, other=relinked))
+    return model

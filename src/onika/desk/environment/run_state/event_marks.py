@@ -53,7 +53,9 @@ def _of_command(run: Run, at_s: float, command: request.Request) -> MarkView:
 def _command(run: Run, command: request.Request) -> str:
     match command:
         case request.Stop():
-            return f"stop: {command.cause}" if command.cause else "stop"
+            if command.cause:
+                return f"stop: {command.cause}"
+            return "stop"
         case request.Abort():
             return f"end the run: {command.cause}"
         case request.Reply():

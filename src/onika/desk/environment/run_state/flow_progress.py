@@ -58,7 +58,9 @@ def _warned(run: Run, message: event.Warned) -> Run:
     """A warning, with the task that it is of; a question that nobody answered is shown as a question anyway."""
     if message.task:
         return run.noted(Reason.of("run.what_why", what=message.task, why=message.text))
-    return run if is_question(str(message.text)) else run.noted(message.text)
+    if is_question(str(message.text)):
+        return run
+    return run.noted(message.text)
 
 
 def over(run: Run, result: event.Result) -> Run:
@@ -193,7 +195,9 @@ def _closed(run: Run, subsystem: str, step: int, at_s: float) -> Run:
 
 
 def _in_step(run: Run, step: int, shown: StepRunView) -> Run:
-    return run.shown(steps={**run.view.steps, str(step): shown}) if step else run
+    if step:
+        return run.shown(steps={**run.view.steps, str(step): shown})
+    return run
 
 
 def _key(message: event.Asked | event.Failed | event.TaskState) -> str:

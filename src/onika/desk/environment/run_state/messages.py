@@ -90,9 +90,13 @@ class IconWording:
             file, note = str(reason.args["file"]), self._argument(reason.args["note"])
             return Reason.of("run.what_why", what=self.files.get(file, file), why=note)
         if not reason.args:
-            return Reason.plain(self._shown(reason.text)) if reason.key == PLAIN else reason
+            if reason.key == PLAIN:
+                return Reason.plain(self._shown(reason.text))
+            return reason
         args = {name: self._argument(value) for name, value in reason.args.items()}
-        return reason if args == reason.args else Reason.of(reason.key, **args)
+        if args == reason.args:
+            return reason
+        return Reason.of(reason.key, **args)
 
     def _argument(self, value: Argument) -> Argument:
         if isinstance(value, tuple):
@@ -100,7 +104,9 @@ class IconWording:
         return self._item(value)
 
     def _item(self, value: _T) -> _T | Text:
-        return self.with_icons(value) if isinstance(value, Reason | str) else value
+        if isinstance(value, Reason | str):
+            return self.with_icons(value)
+        return value
 
     def _shown(self, text: str) -> str:
         """A text with icons in place of files and lines."""

@@ -126,7 +126,9 @@ def _losses(review: Review) -> list[str]:
 
 def _cannot_continue(path: Path) -> str:
     source = recorded_run(RecordingSource(path))
-    return "; ".join(str(fault.reason) for fault in source) if isinstance(source, tuple) else ""
+    if isinstance(source, tuple):
+        return "; ".join(str(fault.reason) for fault in source)
+    return ""
 
 
 def _began(iso: str) -> float:

@@ -28,4 +28,6 @@ class ReviewSession:
 
 
 def _of(recording: RecordingView, docs: Container[str]) -> RecordingView:
-    return recording if recording.doc in docs else structs.replace(recording, doc="")
+    if recording.doc in docs:
+        return recording
+    return structs.replace(recording, doc="")

@@ -74,13 +74,17 @@ class Run:
     def action(self, flow: int, index: int) -> PlannedAction | None:
         """An action of the plan; None: there is none such."""
         actions = self.plan.flows[flow].actions if 0 <= flow < len(self.plan.flows) else ()
-        return actions[index] if 0 <= index < len(actions) else None
+        if 0 <= index < len(actions):
+            return actions[index]
+        return None
 
     def step_at(self, subsystem: str, index: int) -> int:
         """The step of the application that an action belongs to; 0: none."""
         flow = self.number_of(subsystem)
         action = None if flow is None else self.action(flow, index)
-        return action.spot[0] if action is not None and action.spot else 0
+        if action is not None and action.spot:
+            return action.spot[0]
+        return 0
 
     def actions_of(self, step: int) -> Iterator[tuple[int, int]]:
         """The actions of a step by flow and index, those of flows that are not nested first; of a branch all in it."""

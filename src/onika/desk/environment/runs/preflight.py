@@ -39,7 +39,9 @@ def preflight(model: Model, opened: OpenApplication, _asked: act.Preflight, outs
     views = tuple(troubles.views(prepared))
     if prepared.plan is None or not any(flow.tasks for flow in prepared.plan.flows):
         count = _count(views)
-        return Done(model, value=count) if count else No(Reason.of("run.has_nothing", name=opened.name))
+        if count:
+            return Done(model, value=count)
+        return No(Reason.of("run.has_nothing", name=opened.name))
     return _checked(model, opened, troubles, prepared.plan, prepared.targets, views)
 
 

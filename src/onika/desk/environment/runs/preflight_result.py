@@ -75,4 +75,6 @@ def _without_place(note: Text) -> Text:
     name, within = Path(place.file).name, note.args["note"]
     if name.endswith(rmod.ENDING):
         return Reason.of("run.what_why", what=name.removesuffix(rmod.ENDING), why=within)
-    return within if isinstance(within, Reason) else str(within)
+    if isinstance(within, Reason):
+        return within
+    return str(within)

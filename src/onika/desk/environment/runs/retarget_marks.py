@@ -23,4 +23,6 @@ def marked(model: Model, troubles: FaultViews, plan: Plan, prepared: Prepared) -
             step = troubles.target_of(spot[0], resolved.target) if len(spot) == 1 else spot[0]
             marks[step] = tuple(dict.fromkeys((*marks.get(step, ()), reason)))
     said = {step: Reason.of("run.together", parts=reasons) for step, reasons in marks.items()}
-    return model if said == opened.marks else model.with_application(replace(opened, marks=said))
+    if said == opened.marks:
+        return model
+    return model.with_application(replace(opened, marks=said))

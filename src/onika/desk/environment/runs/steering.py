@@ -104,7 +104,9 @@ def _breakpoints(application: Application) -> dict[int, str]:
 
 def _going(model: Model) -> Run | No:
     run = model.run
-    return No(Reason.of("run.nothing_runs")) if run is None or run.is_over else run
+    if run is None or run.is_over:
+        return No(Reason.of("run.nothing_runs"))
+    return run
 
 
 def _steered(model: Model, wish: request.Request) -> Procedure:
@@ -129,7 +131,9 @@ def _resumed(model: Model, whom: str) -> Procedure:
 
 def _look(model: Model) -> Procedure:
     model, response = yield Ask(model, steer.Who())
-    return run_reducer.placed(model, response) if isinstance(response, steer.Positions) else No(refusal(response))
+    if isinstance(response, steer.Positions):
+        return run_reducer.placed(model, response)
+    return No(refusal(response))
 
 
 def _marked(model: Model, response: request.Response) -> Done:

@@ -127,4 +127,6 @@ def _seen(path: str, flow: AppFlow, model: Model, before: _Flow | None, former_s
 
 def _edge(name: str, syntax: Syntax, *, is_left: bool) -> str:
     kind = syntax.find(name)
-    return "" if kind is None else str(kind.left_edge if is_left else kind.right_edge)
+    if kind is None:
+        return ""
+    return str(kind.left_edge if is_left else kind.right_edge)

@@ -31,7 +31,9 @@ def peek(model: Model, command: act.Peek, outside: Services) -> Done | No:
     if path.suffix == ".appl":
         return _application(model, path)
     reading = configurations.read(command.path, outside)
-    return reading if isinstance(reading, No) else Done(model, value=_drawn(reading.opened.value, model.shelf))
+    if isinstance(reading, No):
+        return reading
+    return Done(model, value=_drawn(reading.opened.value, model.shelf))
 
 
 def _application(model: Model, path: Path) -> Done | No:

@@ -88,7 +88,9 @@ _NOBODY = _Users()
 
 def _facts(document: Document) -> Mapping[str, TaskFacts]:
     live = document.live
-    return live.tasks if live is not None and live.state == "live" else {}
+    if live is not None and live.state == "live":
+        return live.tasks
+    return {}
 
 
 def _same(view: _T, old: _T | None) -> _T:

@@ -45,7 +45,9 @@ class Document(OpenFile[Configuration, Content]):
 
     @property
     def _saved(self) -> Configuration:
-        return self.opened.value if self.opened else Configuration(self.name)
+        if self.opened:
+            return self.opened.value
+        return Configuration(self.name)
 
     def having(self, content: Content) -> "Document":
         """With other content."""

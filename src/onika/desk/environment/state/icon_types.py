@@ -23,7 +23,9 @@ def role_of(kind: IconType | None) -> Role:
 
 def edges_of(kind: IconType | None) -> tuple[str, str]:
     """The keys of its left and right edge in `view.Tree.edges`."""
-    return (str(kind.left_edge), str(kind.right_edge)) if kind else ("", "")
+    if kind:
+        return (str(kind.left_edge), str(kind.right_edge))
+    return ("", "")
 
 
 def type_views(model: Model) -> dict[str, TypeView]:

@@ -14,7 +14,9 @@ def words_of(model: Model, onikon: Onikon) -> dict[str, str]:
     if onikon.words:
         return dict(onikon.words)
     onikon_file = find(model.dictionaries, onikon.name)
-    return dict(onikon_file.value.words) if onikon_file and onikon_file.value.description == onikon.description else {}
+    if onikon_file and onikon_file.value.description == onikon.description:
+        return dict(onikon_file.value.words)
+    return {}
 
 
 def for_placing(onikon: Onikon) -> Onikon:
@@ -24,7 +26,9 @@ def for_placing(onikon: Onikon) -> Onikon:
 
 def told_again(former: Onikon, description: str) -> tuple[tuple[str, str], ...]:
     """The words of an icon that says something else from now on: they would say what it said before."""
-    return former.words if " ".join(former.description.split()) == description else ()
+    if " ".join(former.description.split()) == description:
+        return former.words
+    return ()
 
 
 def forgotten(former: Onikon, description: str) -> Reason:

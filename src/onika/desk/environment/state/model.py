@@ -90,7 +90,9 @@ class Model:
 
     def with_file(self, file: Document | OpenApplication) -> "Model":
         """With an open file in its newest form."""
-        return self.with_document(file) if isinstance(file, Document) else self.with_application(file)
+        if isinstance(file, Document):
+            return self.with_document(file)
+        return self.with_application(file)
 
     def without(self, doc: str) -> "Model":
         """With one document less."""

@@ -26,7 +26,9 @@ class Kind(Enum):
     @classmethod
     def of(cls, doc: str) -> "Kind":
         """The kind of the open file that has, or had, an id."""
-        return cls.APPLICATION if doc[:1] == cls.APPLICATION.value[0] else cls.CONFIGURATION
+        if doc[:1] == cls.APPLICATION.value[0]:
+            return cls.APPLICATION
+        return cls.CONFIGURATION
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,4 +72,6 @@ class OpenFile(ABC, Generic[_T, _C]):
 
     def seen(self, text: str) -> Self:
         """With what its file was seen to hold, which the next save overwrites."""
-        return self if self.opened is None else replace(self, opened=replace(self.opened, text=text))
+        if self.opened is None:
+            return self
+        return replace(self, opened=replace(self.opened, text=text))

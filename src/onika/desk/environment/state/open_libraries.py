@@ -115,12 +115,16 @@ class OpenLibraries:
 
     def filed(self, name: str) -> Task | None:
         """A task as its file says; None where there is none."""
-        return self.records[name].task if name in self.records else None
+        if name in self.records:
+            return self.records[name].task
+        return None
 
     def _onto(self, name: str, wished: Task | None) -> Task | None:
         """What the user changed of a task, put on its file as that is now: it may have changed meanwhile."""
         filed = self.filed(name)
-        return wished if wished is None or filed is None else task_edit.carried(wished, filed)
+        if wished is None or filed is None:
+            return wished
+        return task_edit.carried(wished, filed)
 
     def _knowing(self, former: "OpenLibraries", changed: Collection[str]) -> "OpenLibraries":
         """With what `former` has found out about the same libraries already."""

@@ -97,7 +97,9 @@ def _view(item: DataItem, uses: Sequence[InputUse], limits: Limits) -> ItemView:
 def _bound(use: InputUse, bound: float | str | None, count: int, limits: Limits) -> tuple[float, ...] | None:
     value: Any = limits.get(use.variable(bound)) if isinstance(bound, str) else bound
     spread = None if value is None else _spread(value, count)
-    return None if spread is None else tuple(map(float, spread))
+    if spread is None:
+        return None
+    return tuple(map(float, spread))
 
 
 def _widest(bounds: Sequence[tuple[float, ...] | None], choose: Any) -> tuple[float, ...] | None:
@@ -113,4 +115,8 @@ def _spread(value: Any, count: int) -> tuple[Any, ...] | None:
     if isinstance(value, str) or not isinstance(value, Iterable):
         return (value,) * count
     values = tuple(value)
-    return values if len(values) == count else (values * count if len(values) == 1 else None)
+    if len(values) == count:
+        return values
+    if len(values) == 1:
+        return values * count
+    return None

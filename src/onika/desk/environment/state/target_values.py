@@ -84,4 +84,6 @@ def _range(item: ItemView, index: int) -> Reason:
 
 
 def _word(kind: ValueType, value: Value) -> str:
-    return show_number(float(value)) if kind.is_real else str(value)
+    if kind.is_real:
+        return show_number(float(value))
+    return str(value)

@@ -26,4 +26,6 @@ class LampLit(Module):
         self._time += self.dt
         if self.LAMP:
             return finish(flow=1)
-        return finish(loop=True) if self._time >= self.LOOK else None
+        if self._time >= self.LOOK:
+            return finish(loop=True)
+        return None

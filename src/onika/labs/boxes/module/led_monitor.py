@@ -23,7 +23,9 @@ class LedMonitor(Module):
     @classmethod
     def fits(cls, constants, said):
         """Why the device that says this of itself has no lamp."""
-        return None if "BOXES" in said else f"expected the lamp behind the device, found {said.get('ROBOT', 'none')}"
+        if "BOXES" in said:
+            return None
+        return f"expected the lamp behind the device, found {said.get('ROBOT', 'none')}"
 
     def on(self, inputs):
         self._seen = deque([False] * max(1, round(self.WINDOW / self.dt)), maxlen=max(1, round(self.WINDOW / self.dt)))

@@ -68,10 +68,14 @@ class Ctraj(Module):
         if over < -2.0 * self.dt:
             return None  # far from the end nobody asks whether the arm stands still
         rests = self._rests()
-        return finish() if over >= self.SETTLE or (over >= 0.0 and rests) else None
+        if over >= self.SETTLE or (over >= 0.0 and rests):
+            return finish()
+        return None
 
     def get(self, name):
-        return min(self._time / self._duration, 1.0) if name == "progress" else super().get(name)
+        if name == "progress":
+            return min(self._time / self._duration, 1.0)
+        return super().get(name)
 
     def _rests(self):
         moved = np.abs(self.X_MEZ - self._last).max()

@@ -71,10 +71,14 @@ class Jvia(Module):
         self.Q_REF, self.Qd_REF = self._path.at(self._time)
         over = self._time - self._path.duration
         rests = self._rests()
-        return finish() if over >= self.SETTLE or (over >= 0.0 and rests) else None
+        if over >= self.SETTLE or (over >= 0.0 and rests):
+            return finish()
+        return None
 
     def get(self, name):
-        return min(self._time / self._path.duration, 1.0) if name == "progress" else super().get(name)
+        if name == "progress":
+            return min(self._time / self._path.duration, 1.0)
+        return super().get(name)
 
     def _rests(self):
         moved = np.abs(self.Q_MEZ - self._last).max()

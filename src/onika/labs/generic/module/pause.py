@@ -26,4 +26,6 @@ class Pause(Module):
         return finish() if self._time >= self._duration else None
 
     def get(self, name):
-        return max(self._duration - self._time, 0.0) if name == "left" else super().get(name)
+        if name == "left":
+            return max(self._duration - self._time, 0.0)
+        return super().get(name)

@@ -79,7 +79,9 @@ class Planner(Module):
         return None
 
     def get(self, name):
-        return max(len(self._legs) - 1, 0) if name == "points" else super().get(name)
+        if name == "points":
+            return max(len(self._legs) - 1, 0)
+        return super().get(name)
 
     def _lay(self, via):
         points = [self._start, *via, self._end]
@@ -105,7 +107,9 @@ class Planner(Module):
         self.Qd_REF = speed * way
         over = self._time - duration if self._leg == len(self._legs) - 1 else -1.0
         rests = self._rests()
-        return finish() if over >= self.SETTLE or (over >= 0.0 and rests) else None
+        if over >= self.SETTLE or (over >= 0.0 and rests):
+            return finish()
+        return None
 
     def _rests(self):
         moved = np.abs(self.Q_MEZ - self._last).max()

@@ -34,7 +34,9 @@ class Repeat(Module):
         return finish(loop=goes_on)
 
     def get(self, name):
-        return self._done.get(self._count, 0) if name == "done" else super().get(name)
+        if name == "done":
+            return self._done.get(self._count, 0)
+        return super().get(name)
 
     def set(self, name, value):
         if name != "done":

@@ -24,7 +24,9 @@ class Gripper(Module):
     def fits(cls, constants, said):
         """Why the device that says this of itself is no hand."""
         found = said.get("ROBOT", "another device")
-        return None if found == "gripper" else f"expected a hand behind the device, found {found}"
+        if found == "gripper":
+            return None
+        return f"expected a hand behind the device, found {found}"
 
     def on(self, inputs):
         self._read()

@@ -32,4 +32,6 @@ class Opengrip(Module):
     def cycle(self):
         self._time += self.dt
         still = abs(self.GRIP_MEZ[1]) < STILL
-        return finish() if self._time >= self.MOST or (still and self._time >= self.LEAST) else None
+        if self._time >= self.MOST or (still and self._time >= self.LEAST):
+            return finish()
+        return None
