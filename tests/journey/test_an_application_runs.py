@@ -12,7 +12,7 @@ from onika.desk.plan.compile import rtpus_of
 from onika.desk.plan.preparation import prepare_run
 from onika.host.loading.module_facts import DirectLoading
 from onika.host.program import Program
-from onika.host.sessions.request_server import Gate
+from onika.host.sessions.request_server import RequestServer
 from onika.host.units.virtual import VirtualDriver
 from onika.link.carrier import memory_pair
 from onika.link.connection import Connection
@@ -32,7 +32,7 @@ class Journey:
         self.now = 0
         self.prepared = prepare_run(str(application), site)
         here, there = memory_pair()
-        gate = Gate(Sessions("first life"), lambda: self.now)
+        gate = RequestServer(Sessions("first life"), lambda: self.now)
         gate.adopt(there, TERMS)
         rtpus = rtpus_of(self.prepared.plan)
         self.program = Program(gate, VirtualDriver(rtpus, gate.tell), DirectLoading(), rtpus)

@@ -144,12 +144,12 @@ class LossyDriver(VirtualDriver):
         """As the stage says."""
         return self._program.subsystems.is_hurried
 
-    def hear(self, rtpu: str, heard: news.News, now: int) -> None:
+    def hear(self, rtpu: str, message: news.News, now: int) -> None:
         """Pass on what a unit that is there says."""
         if rtpu in self.gone:
             return
-        self.heard.append(heard)
-        self._program.subsystems.hear(rtpu, heard, now)
+        self.heard.append(message)
+        self._program.subsystems.hear(rtpu, message, now)
         if self.fatal is not None:
             left, unit = self.fatal
             self.fatal = (left - 1, unit) if left > 1 else None

@@ -39,4 +39,4 @@ def test_without_one_of_its_aliases_it_is_refused(capsys, tmp_path, alias):  # R
     path.write_text(text.replace(alias, ""))
     code, result = run(capsys, tmp_path)
     assert (code, result["state"]) == (2, "refused")
-    assert any("constant" in fault["expected"] for fault in result["faults"])
+    assert any("constant" in fault["reason"]["text"] for fault in result["faults"])

@@ -39,7 +39,7 @@ def listen(*runtimes, until, seconds=20.0):
         assert monotonic() < end, "it did not come"
         select.select([fd for one in runtimes for fd in one.readers()], [], [], 0.02)
         for one in runtimes:
-            one.heard += list(one.told())
+            one.heard += list(one.messages())
 
 
 @contextmanager

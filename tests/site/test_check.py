@@ -187,7 +187,7 @@ def test_one_thing_is_told_once_and_named_as_it_was_given(capsys, tmp_path, monk
     ("name", "damage", "expected"),
     [
         ("conf/winkC.conf", lambda text: text.replace("COORDS", "CORDS"), "COORDS"),
-        ("module/wink.rmod", lambda text: text.replace("periodic", "sometimes"), "periodic or synchronous"),
+        ("module/wink.rmod", lambda text: text.replace("periodic", "sometimes"), "periodic, synchronous or aperiodic"),
         ("module/wink.rmod", lambda text: text.replace("MODULE", "MODUL"), "MODULE"),
         ("module/wink.py", lambda text: text + "class Broken(:\n", "Python"),
         ("module/wink.py", None, "wink.py beside it"),

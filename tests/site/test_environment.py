@@ -92,14 +92,14 @@ class Lab:
 
     def told_states(self):
         """The states of tasks in the order in which the runtime tells them from now on."""
-        states, heard = [], self.environment.heard
+        states, heard = [], self.environment.receive
 
         def hear(told):
             if isinstance(told, event.TaskState):
                 states.append((told.task, told.state))
             heard(told)
 
-        self.environment.heard = hear
+        self.environment.receive = hear
         return states
 
     def stands(self, name, state):

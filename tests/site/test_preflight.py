@@ -371,6 +371,6 @@ def test_everything_is_told_at_once_whatever_it_is(loading, tmp_path):  # R-X02
 def test_the_hand_of_the_other_arm_is_worth_a_note(loading):  # R-X02, R-E09
     for redirect, count in (("puma=puma_right", 1), ("puma=scara", 0), ("puma=puma_kin", 0)):
         one = prepare_run("assemble", open_site([], {}, None), (Redirect.parse(redirect),))
-        notes = [note for note in prepare(one.plan, one.targets, loading).notes if "is the hand at" in note]
+        notes = [note for note in prepare(one.plan, one.targets, loading).notes if "is the hand at" in str(note)]
         assert len(notes) == count
-        assert all("gripper.rmod: gripper_left is the hand at the left" in note for note in notes)
+        assert all("gripper.rmod: gripper_left is the hand at the left" in str(note) for note in notes)

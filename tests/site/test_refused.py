@@ -51,9 +51,9 @@ def refused(capsys, path, *words):
     assert [event["event"] for event in events] == ["result"]
     assert (events[-1]["state"], events[-1]["exit"]) == ("refused", 2)
     for fault in events[-1]["faults"]:
-        assert all(fault[field] for field in ("file", "expected", "found", "instead"))
+        assert all(fault[field] for field in ("file", "reason", "instead"))
     return [
-        f"{fault['file'].rpartition('/')[2]}:{fault['line']} expected {fault['expected']}, found {fault['found']}"
+        f"{fault['file'].rpartition('/')[2]}:{fault['line']} {fault['reason']['text']}"
         for fault in events[-1]["faults"]
     ]
 
@@ -179,8 +179,8 @@ def test_a_world_that_nobody_offers_is_named_with_those_there_are(capsys, labora
     path = laboratory.application("rogue", [job("rogueC")])
     assert main(["run", str(path), "--virtual", "--json"]) == 2
     (fault,) = json.loads(capsys.readouterr().out.splitlines()[-1])["faults"]
-    assert "boxes" in fault["expected"]
-    assert "atlantis" in fault["found"]
+    assert "boxes" in fault["reason"]["text"]
+    assert "atlantis" in fault["reason"]["text"]
     assert "rogue" in fault["file"]
 
 

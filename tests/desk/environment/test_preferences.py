@@ -80,7 +80,7 @@ def test_icons_take_their_new_sizes_at_once_and_loci_stay(sitting):  # R-G01, R-
     sitting.do(act.Prefer({"min_size": 300}))
     assert sitting.environment.tree.tasks["pd"].height == 300
     assert sitting.environment.tree.documents[doc].loci == loci
-    assert sitting.environment.tree.documents[doc].undo == "placing pd"
+    assert str(sitting.environment.tree.documents[doc].undo) == "placing pd"
 
 
 def test_the_users_file_is_written_at_once_where_there_is_one(sitting):  # R-B12

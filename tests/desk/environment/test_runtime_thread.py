@@ -155,7 +155,7 @@ def test_where_no_runtime_is_to_be_had_the_reason_is_the_answer(lab):  # R-C18
         OSError("no program"),
         ValueError("no address"),
     ):
-        assert str(lab.refusal) in lab.answer(act.Connect(doc)).no.reason
+        assert str(lab.refusal) in str(lab.answer(act.Connect(doc)).no.reason)
     lab.refusal = None
     lab.do(act.Connect(doc))
 

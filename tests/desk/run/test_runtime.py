@@ -111,7 +111,7 @@ def test_faults_of_a_plan_come_back_over_the_link():  # R-E01
     with Runtime(("rt0",), is_virtual=True) as runtime:
         faults = runtime.ask(request.Prepare(plan, ())).faults
     assert any("expected -9..9 m, found 99" in found_by(fault) for fault in faults)
-    assert any(found_by(fault) == "DEVICE yard:m0" for fault in faults)  # a world that this runtime has not
+    assert any("DEVICE yard:m0" in str(fault.reason) for fault in faults)  # a world that this runtime has not
 
 
 def test_what_is_sent_is_not_waited_for_and_answered_under_its_number():
@@ -124,7 +124,7 @@ def test_what_is_sent_is_not_waited_for_and_answered_under_its_number():
         replies = {message.number: message.response for message in messages if isinstance(message, NumberedResponse)}
     assert isinstance(replies[numbers[0]], live.Standing)
     assert replies[numbers[1]] == request.Done()
-    assert replies[numbers[2]] == request.Refused("no world moon is open")
+    assert str(replies[numbers[2]].reason) == "no world moon is open"
 
 
 def test_what_is_sent_to_nobody_is_refused_and_the_end_is_told(puppet):  # R-E10

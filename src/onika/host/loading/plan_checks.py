@@ -85,11 +85,18 @@ def absent_devices(tasks: Sequence[WiredTask], loading: Loading) -> list[Fault]:
         world, _, name = (task.device or "").partition(":")
         devices = loading.devices(world)
         if isinstance(devices, Fault):
-            faults.append(_union(task, devices.reason))
+            faults.append(_union(task, _no_world(devices.reason, task.device or "")))
         elif name not in devices:
             reason = Reason.of("host.no_such_device", world=world, devices=devices, device=task.device or "")
             faults.append(_union(task, reason))
     return faults
+
+
+def _no_world(reason: Reason, device: str) -> Reason:
+    """Why there is no world for a device: one that nobody offers is told with the device that wants it."""
+    if reason.key != "host.no_such_world":
+        return reason
+    return Reason.of("host.no_world_of_device", worlds=reason.args["worlds"], device=device)
 
 
 def unfit(wired_task: WiredTask, code: Code, constants: Mapping[str, Any], loading: Loading) -> list[Fault]:

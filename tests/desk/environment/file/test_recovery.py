@@ -32,13 +32,13 @@ def dead(tmp_path):
     lines = (
         "import os, pathlib, sys",
         "from onika.desk.environment.file.recovery import Recovery",
-        "from onika.desk.environment.file.autosave import Change",
+        "from onika.desk.environment.file.autosave import UnsavedChange",
         "from onika.desk.environment.state.content import Content",
         "from onika.desk.environment.state.document import Document",
         "from onika.model.configuration import Configuration, Placed",
         "recovery = Recovery(pathlib.Path(sys.argv[1]))",
         "document = Document('c1', Content(Configuration('move', (Placed('pd'),))))",
-        "recovery.carry_out([Change('c1', document)])",
+        "recovery.carry_out([UnsavedChange('c1', document)])",
         "os.kill(os.getpid(), 9)",
     )
     done = subprocess.run([sys.executable, "-c", "\n".join(lines), str(tmp_path)], check=False)

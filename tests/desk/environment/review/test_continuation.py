@@ -77,7 +77,7 @@ def test_what_was_ended_by_hand_goes_on_all_the_same(play, tape):  # R-X05
     begin = play.carried(request.Begin)[-1]
     asked = [request.decode_request(one.body) for one in begin.repeat]
     assert asked == [steer.Pause("flow0"), steer.Resume("flow0")]
-    assert any("ended by hand" in one for one in play.view.notes)
+    assert any("ended by hand" in str(one) for one in play.view.notes)
 
 
 def test_what_lives_ends_only_when_the_user_wants_it(play, tape):  # R-X01, reading 30
@@ -159,13 +159,13 @@ class Real:
         self.station = RuntimeThread(RuntimeLauncher(), self.changes.put)
         model, _ = initial_model.opened(site, folder, {})
         self.environment = Environment(model, HANDLERS, outside, self.station)
-        heard = self.environment.heard
+        heard = self.environment.receive
 
         def listen(one: event.Event) -> None:
             self.results += [one] if isinstance(one, event.Result) else []
             heard(one)
 
-        self.environment.heard = listen
+        self.environment.receive = listen
         self.station.begin(self.environment)
 
     def do(self, asked):

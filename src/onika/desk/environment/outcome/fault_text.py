@@ -20,7 +20,7 @@ _SENTENCES = {
     "host.device_unlike": "run.device_unlike",
     "host.module_twice": "run.module_used",
     "host.no_such_device": "run.no_device",
-    "host.no_such_world": "run.no_world",
+    "host.no_world_of_device": "run.no_world",
     "host.poses_unknown": "run.nothing_known",
     "host.posture_missing": "run.posture_missing",
     "host.postures_unknown": "run.nothing_known",
