@@ -9,8 +9,8 @@ import pytest
 from kit.laboratory import HOLE, job
 from kit.run_fixture import RunFixture
 from onika.desk.environment.outcome.fault_text import said
+from onika.desk.environment.reconcile.runtime_loss import lost
 from onika.desk.environment.runs.readiness import ReadinessJudge, judged
-from onika.desk.environment.runs.runtime_loss import lost
 from onika.wire import act
 from onika.words.fault import NOT_RUN, Fault, Place
 from onika.words.reason import PLAIN, Reason, in_language

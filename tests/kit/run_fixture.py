@@ -18,7 +18,7 @@ from pathlib import Path
 from kit.fake_runtime_env import FakeRuntimeEnv
 from kit.laboratory import Laboratory
 from onika.desk.environment.outcome.outcome import Done
-from onika.desk.environment.runs import runtime_loss
+from onika.desk.environment.reconcile import runtime_loss
 from onika.desk.environment.state.model import Model
 from onika.wire import act, event, request
 from onika.wire.view import RunView

@@ -4,10 +4,10 @@ from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Protocol, cast
 
-from onika.desk.environment import following
 from onika.desk.environment.file import undo
 from onika.desk.environment.outcome.outcome import Ask, Done, No, Order, Procedure, Shown, SubsystemChange, Until, Work
 from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.reconcile import following
 from onika.desk.environment.show.tree import Projector
 from onika.desk.environment.show.tree_difference import difference
 from onika.desk.environment.state.model import Model

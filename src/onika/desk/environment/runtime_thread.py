@@ -12,10 +12,10 @@ from typing import Protocol
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.frames import FrameBuffer
 from onika.desk.environment.outcome.outcome import Order, RequiredRuntime, Simulator
+from onika.desk.environment.reconcile import runtime_loss
 from onika.desk.environment.reconcile.loop_watchdog import LoopWatchdog
 from onika.desk.environment.reconcile.multiplexer import Multiplexer
 from onika.desk.environment.reconcile.watches import Watch
-from onika.desk.environment.runs import runtime_loss
 from onika.desk.run.runtime import Conversation, in_short
 from onika.link.lost import LinkLost
 from onika.wire import event, page, request

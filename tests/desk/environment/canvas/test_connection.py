@@ -4,7 +4,7 @@ from kit.fake_runtime_env import FakeRuntimeEnv
 from kit.laboratory import job
 from kit.run_fixture import RunFixture
 from onika.desk.environment.canvas.connection import connected
-from onika.desk.environment.runs.runtime_loss import lost
+from onika.desk.environment.reconcile.runtime_loss import lost
 from onika.model.task import Task
 from onika.wire import act, live, request
 from onika.wire.view import ShowConnect

@@ -4,12 +4,11 @@ from dataclasses import replace
 
 import msgspec
 
-from onika.desk.environment import following
 from onika.desk.environment.outcome.on_file import closed, on_document
 from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, RequiredRuntime, Shown, Steps
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Services
-from onika.desk.environment.reconcile import joint_limits
+from onika.desk.environment.reconcile import following, joint_limits
 from onika.desk.environment.reconcile.descriptions import describe
 from onika.desk.environment.reconcile.live_facts import settled
 from onika.desk.environment.reconcile.merge import Merged, merged, runtime_view

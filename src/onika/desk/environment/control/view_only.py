@@ -11,7 +11,7 @@ from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.live_facts import with_standing
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.reconcile.presence import ask_company, ask_flows
-from onika.desk.environment.runs.runtime_loss import lost
+from onika.desk.environment.reconcile.runtime_loss import lost
 from onika.desk.environment.state.model import Model
 from onika.wire import act, holding, live, request
 from onika.wire.view import Remedy

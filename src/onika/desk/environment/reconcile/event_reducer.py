@@ -27,10 +27,26 @@ def after_event(model: Model, message: event.Event, at_s: float = 0.0) -> Done:
         case event.Stepped() if message.is_too_far:
             return _stepped(model, message)
         case event.Edited():
-            document = _home(model, message.subsystem)
-            if document:
-                return reconciliation.edited(model, document.id, message.number, str(message.cause))
-            return Done(model)
+            return _edited(model, message)
+        case event.Result() if not is_going(model):  # of a run that is not of this environment
+            return Done(model, orders=(presence.ask_what(),))
+        case event.Held() | event.Offered() | event.Company() | event.Moved():
+            return _of_holder(model, message, at_s)
+        case event.Stopped() | event.Lost() | event.Drive():
+            return _of_runtime(model, message)
+    return Done(model)
+
+
+def _edited(model: Model, message: event.Edited) -> Done:
+    document = _home(model, message.subsystem)
+    if document is None:
+        return Done(model)
+    return reconciliation.edited(model, document.id, message.number, str(message.cause))
+
+
+def _of_holder(model: Model, message: event.Held | event.Offered | event.Company | event.Moved, at_s: float) -> Done:
+    """Who is there, who holds what, and where the runs of others are."""
+    match message:
         case event.Held():
             return _held(model, message, at_s)
         case event.Offered():
@@ -39,16 +55,19 @@ def after_event(model: Model, message: event.Event, at_s: float = 0.0) -> Done:
             return presence.came(model, message)
         case event.Moved():
             return Done(replace(model, runtime=holders.moved(model.runtime, message)))
-        case event.Result() if not is_going(model):  # of a run that is not of this environment
-            return Done(model, orders=(presence.ask_what(),))
+
+
+def _of_runtime(model: Model, message: event.Stopped | event.Lost | event.Drive) -> Done:
+    """What concerns everybody."""
+    match message:
         case event.Stopped():
             return _stopped(model, message)
         case event.Lost():
             return _lost(model, message)
-        case event.Drive() if message.state in ("TRIPPED", "PRESSED") and not model.runtime.is_stopped:
-            why = f": {message.cause}" if message.cause else ""
-            return Done(model, says=(page.Say("error", f"drive {message.device} is {message.state}{why}"),))
-    return Done(model)
+    if message.state not in ("TRIPPED", "PRESSED") or model.runtime.is_stopped:
+        return Done(model)
+    why = f": {message.cause}" if message.cause else ""
+    return Done(model, says=(page.Say("error", f"drive {message.device} is {message.state}{why}"),))
 
 
 def _questioned(model: Model, message: event.Event) -> Model:

@@ -62,26 +62,21 @@ def reconfiguration(
     difference = _Difference(before, after, subsystem_facts, shelf, changed, units)
     stay = [name for name in after.wanted if difference.stays(name)]
     rates = _rates(stay, before, after, shelf)
-    unborn = {name for name, _ in rates if difference.is_unborn(name)}
-
-    exchanged = [name for name in stay if name in unborn or difference.is_exchanged(name)]
-    new = [name for name in after.wanted if name not in before.wanted]
-    again = [name for name in after.wanted if difference.comes_again(name)]
-    births = {name: _birth(name, after, shelf, units) for name in (*new, *exchanged, *again) if name in shelf.tasks}
+    exchanged = difference.exchanged(stay, rates)
+    births = difference.births(exchanged)
 
     resting = [name for name in exchanged if before.wanted[name] and is_hardware(shelf.tasks[name], shelf)]
-    wanted_on = [name for name, is_on in after.wanted.items() if is_on and name not in resting]
-    on = [name for name in wanted_on if name in births or difference.comes_on(name)]
     off = [name for name in stay if before.wanted[name] and not after.wanted[name] and name not in births]
     gone = [name for name in before.wanted if name not in after.wanted or name in births]
+    on = _in_order(difference.turned_on(births, resting), after, shelf)
 
     groups = after.configuration  # a runtime spawns who supplies a constant before who needs it, whatever they say
     in_order = [births[name] for name in groups.in_group_order(births)]
     return Reconfiguration(
-        kill=tuple(name for name in gone if difference.lives(name)),
+        kill=tuple(filter(difference.lives, gone)),
         spawn=tuple(newcomer for newcomer in in_order if isinstance(newcomer, SpawnPlan)),
         off=tuple(reversed(groups.in_group_order(reversed(off)))),
-        on=tuple(live.Turn(name, subsystem_facts.turns.get(name, "")) for name in _in_order(on, after, shelf)),
+        on=tuple(live.Turn(name, subsystem_facts.turns.get(name, "")) for name in on),
         rates=tuple((name, hz) for name, hz in rates if name not in births),
         resting=tuple(resting),
         faults=tuple(reason for reason in births.values() if not isinstance(reason, SpawnPlan)),
@@ -102,6 +97,23 @@ class _Difference:
     def lives(self, name: str) -> bool:
         """Whether the subsystem has it."""
         return name in self.facts.tasks
+
+    def exchanged(self, stay: Collection[str], rates: Collection[tuple[str, float]]) -> list[str]:
+        """Who stays by its name while another one takes its place."""
+        unborn = {name for name, _ in rates if self.is_unborn(name)}
+        return [name for name in stay if name in unborn or self.is_exchanged(name)]
+
+    def births(self, exchanged: Collection[str]) -> dict[str, SpawnPlan | str]:
+        """Who is to be born, each with its plan, or why it cannot be."""
+        new = [name for name in self.after.wanted if name not in self.before.wanted]
+        again = [name for name in self.after.wanted if self.comes_again(name)]
+        names = [name for name in (*new, *exchanged, *again) if name in self.shelf.tasks]
+        return {name: _birth(name, self.after, self.shelf, self.units) for name in names}
+
+    def turned_on(self, births: Collection[str], resting: Collection[str]) -> list[str]:
+        """Who comes ON."""
+        wanted = [name for name, is_on in self.after.wanted.items() if is_on and name not in resting]
+        return [name for name in wanted if name in births or self.comes_on(name)]
 
     def stays(self, name: str) -> bool:
         """Whether it was wanted, is wanted, and lives."""

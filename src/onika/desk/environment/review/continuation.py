@@ -10,7 +10,6 @@ from functools import partial
 
 from msgspec import structs
 
-from onika.desk.environment.following import given_up
 from onika.desk.environment.outcome.outcome import (
     Ask,
     Done,
@@ -25,12 +24,14 @@ from onika.desk.environment.outcome.outcome import (
 )
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.reconcile import run_reducer
 from onika.desk.environment.reconcile.descriptions import describe
+from onika.desk.environment.reconcile.following import given_up
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.review.opening import NOT_HERE, put_away
 from onika.desk.environment.run_state.recorded_run import ReviewedRun
 from onika.desk.environment.run_state.run import Run
-from onika.desk.environment.runs import flow_placement, run_reducer
+from onika.desk.environment.runs import flow_placement
 from onika.desk.environment.runs.obstacles import left
 from onika.desk.environment.state.model import Model
 from onika.desk.plan.icon_names import listed

@@ -11,7 +11,6 @@ from pathlib import Path
 import msgspec
 
 from onika.desk.environment.control.held_subsystems import run_here
-from onika.desk.environment.following import given_up
 from onika.desk.environment.outcome.fault_view import FaultViews, place_of
 from onika.desk.environment.outcome.on_file import closed
 from onika.desk.environment.outcome.outcome import (
@@ -29,12 +28,14 @@ from onika.desk.environment.outcome.outcome import (
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.outcome.unread_faults import not_run
+from onika.desk.environment.reconcile import run_reducer
 from onika.desk.environment.reconcile.descriptions import describe
+from onika.desk.environment.reconcile.following import given_up
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.run_state.membership import StepMembership
 from onika.desk.environment.run_state.messages import IconWording
 from onika.desk.environment.run_state.run import Run, begun
-from onika.desk.environment.runs import flow_placement, recording, run_reducer, unsaved
+from onika.desk.environment.runs import flow_placement, recording, unsaved
 from onika.desk.environment.runs.obstacles import Obstacle, left, obstacles
 from onika.desk.environment.runs.preflight_result import looked, worth_noting
 from onika.desk.environment.runs.readiness_refusal import refused, refused_by_runtime

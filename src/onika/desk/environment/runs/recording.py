@@ -9,7 +9,6 @@ import msgspec
 from onika.desk.environment.file.recordings_folder import recording_path
 from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.outcome.services import Services
-from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.state.model import Model
 from onika.wire import act
 from onika.wire.view import Remedy
@@ -38,17 +37,6 @@ def without(why: Argument, command: act.Run) -> No:
     """It cannot be recorded; the user may run it all the same."""
     remedy = Remedy(Reason.of("run.without_recording"), msgspec.structs.replace(command, is_recorded=False))
     return No(Reason.of("run.record_not", why=why), (remedy,))
-
-
-def measured(run: Run) -> Run:
-    """A run that is over, with the size of its recording."""
-    if not run.view.recording:
-        return run
-    try:
-        size = Path(run.view.recording).stat().st_size
-    except OSError:
-        size = 0  # somebody has moved it away already
-    return run.shown(recorded_bytes=size)
 
 
 def _unwritable(folder: Path) -> Reason:

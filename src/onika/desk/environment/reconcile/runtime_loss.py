@@ -6,7 +6,7 @@ from dataclasses import replace
 import msgspec
 
 from onika.desk.environment.outcome.outcome import Done
-from onika.desk.environment.runs.run_reducer import lost as run_lost
+from onika.desk.environment.reconcile.run_reducer import lost as run_lost
 from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.model import Model
 from onika.desk.run.runtime import in_short

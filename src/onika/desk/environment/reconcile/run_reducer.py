@@ -9,8 +9,8 @@ from onika.desk.environment.outcome.outcome import Done, EditEnd, No, Order
 from onika.desk.environment.reconcile.current_values import measured, values_of
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.run_state import flow_progress, run_view
+from onika.desk.environment.run_state.recording_size import with_recording_size
 from onika.desk.environment.run_state.run import Run
-from onika.desk.environment.runs import recording
 from onika.desk.environment.state.model import Model
 from onika.wire import event, live, page, request, steer
 from onika.wire.view import ShowStep
@@ -28,7 +28,7 @@ def after_event(model: Model, message: event.Event) -> Done:
     if now is run:
         return Done(model)
     if isinstance(message, event.Result):
-        now = recording.measured(now)
+        now = with_recording_size(now)
     return Done(
         replace(model, run=now),
         orders=_orders(model, run, now, message),
@@ -44,7 +44,7 @@ def lost(model: Model, reason: Text) -> Done:
     if run.view.state == "beginning":
         news = () if run.awaits is None else ((EditEnd(run.awaits), No(reason)),)
         return Done(replace(model, run=replace(run, awaits=None)), news=news)
-    now = recording.measured(flow_progress.lost(run, Reason.of("run.lost_runtime", why=reason)))
+    now = with_recording_size(flow_progress.lost(run, Reason.of("run.lost_runtime", why=reason)))
     return Done(replace(model, run=now), says=(end(now),))
 
 

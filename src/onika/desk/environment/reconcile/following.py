@@ -4,10 +4,10 @@ from dataclasses import replace
 
 from onika.desk.environment.outcome.outcome import Done, News, No, Order
 from onika.desk.environment.outcome.services import Services
-from onika.desk.environment.reconcile import event_reducer, joint_limits
+from onika.desk.environment.reconcile import event_reducer, joint_limits, run_reducer as hearing_run
+from onika.desk.environment.reconcile.breakpoints import changed_breakpoints
 from onika.desk.environment.reconcile.descriptions import describe
 from onika.desk.environment.reconcile.reconciliation import next_change, noted, pursue_all
-from onika.desk.environment.runs import run_reducer as hearing_run, steering as steering_run
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.wire import event, live
@@ -16,7 +16,7 @@ from onika.wire import event, live
 def follow(before: Model, after: Model, outside: Services) -> Done | No:
     """Have the running system follow what differs between two models; a no where it cannot."""
     del outside
-    marked = steering_run.marks(before, after)
+    marked = changed_breakpoints(before, after)
     if before.documents is after.documents and before.shelf is after.shelf:
         return Done(after, orders=marked)
     model, docs = noted(after, before.shelf)

@@ -4,7 +4,7 @@ from kit.fake_runtime_env import FakeRuntimeEnv
 from kit.laboratory import job
 from kit.live_runtime import LiveRuntime
 from kit.run_fixture import RunFixture
-from onika.desk.environment.runs.runtime_loss import lost, with_loads
+from onika.desk.environment.reconcile.runtime_loss import lost, with_loads
 from onika.model.task import Task
 from onika.wire import act
 
