@@ -145,7 +145,7 @@ def test_an_error_is_shown_and_cleared_and_an_undo_kills(lab):  # R-C11, R-C28, 
     lab.do(act.Toggle(doc, "moody"))
     lab.stands("moody", "ERROR")
     error = lab.task("moody").error
-    assert "nothing has moved" in error.text and error.entry == "cycle" and error.line > 0
+    assert "nothing has moved" in str(error.text) and error.entry == "cycle" and error.line > 0
     lab.do(act.Clear(doc, "moody"))
     lab.stands("moody", "OFF")
     lab.do(act.Undo(doc))  # it was ON before it failed
@@ -159,7 +159,7 @@ def test_what_the_runtime_finds_wrong_is_refused_and_nothing_is_changed(lab):  #
     lab.do(act.Connect(doc))
     lab.do(act.Place(doc, "puma", 0, 0))
     refused = lab.answer(act.Place(doc, "tangled", 300, 0)).no
-    assert refused is not None and "tangled.rmod" in refused.reason and "KNOT" in refused.reason
+    assert refused is not None and "tangled.rmod" in str(refused.reason) and "KNOT" in str(refused.reason)
     assert set(lab.environment.tree.documents[doc].tasks) == {"puma"}
     lab.stands("puma", "OFF")
     lab.do(act.Unit(doc, "puma", "rt1"))
@@ -173,7 +173,7 @@ def test_a_runtime_that_is_killed_is_shown_lost_and_another_takes_over(lab):  # 
     lab.do(act.Place(doc, "puma", 0, 0))
     os.kill(lab.station.pid, signal.SIGKILL)
     lab.until(lambda: lab.environment.tree.runtime.state == "lost")
-    assert "killed by signal 9" in lab.environment.tree.runtime.text
+    assert "killed by signal 9" in str(lab.environment.tree.runtime.text)
     assert lab.task("puma").state == "" and lab.environment.tree.documents[doc].connection == "lost"
     lab.do(act.Connect(doc))
     lab.stands("puma", "OFF")

@@ -58,7 +58,7 @@ def test_a_kept_assembly_is_passed_a_lift_may_be_left_out_and_a_wrong_target_is_
     tmp_path, monkeypatch, capsys
 ):  # R-X07
     texts = ("wrong target: action 7 ", "missing jmoveC: action 5 ")
-    found = verdicts([one for one in MUTANTS if one.text.startswith(texts)], tmp_path)
+    found = verdicts([one for one in MUTANTS if str(one.text).startswith(texts)], tmp_path)
     assert [one.is_passed for one in found.values()] == [True, False]
     lifted, target = found.values()
     assert any("action 5 (jmoveC box2_aj) is left out" in one for one in lifted.notes)

@@ -229,7 +229,7 @@ def test_what_becomes_of_a_run_whose_client_is_killed_was_chosen_at_its_start(re
             wait_for(watcher, event.Began, when=lambda one: one.at_s > LEASE_S)
             assert [one.state for one in watcher.ask(steer.Who()).flows] == ["running"]
         watcher.ask(request.Abort("seen enough"))
-        assert wait_for(watcher, event.Result).cause == "seen enough"
+        assert str(wait_for(watcher, event.Result).cause) == "seen enough"
 
 
 BELL = """
@@ -252,7 +252,7 @@ def test_local_runs_go_on_when_the_porter_is_killed(monkeypatch, tmp_path):
         assert runtime.ask(request.Begin()) == request.Done()
         os.kill(porter_of(runtime.pid), signal.SIGKILL)
         lost = wait_for(runtime, event.Lost)
-        assert (lost.name, "killed by signal 9" in lost.cause) == ("porter", True)
+        assert (lost.name, "killed by signal 9" in str(lost.cause)) == ("porter", True)
         assert wait_for(runtime, event.Result).completed
 
 

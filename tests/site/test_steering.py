@@ -142,7 +142,7 @@ def test_a_program_that_leaves_its_run_ends_it():  # R-E10
     with start(RunSettings("assemble", is_virtual=True), SITE) as running:
         assert running.wait("began 2") == ()
     assert running.outcome.state == "aborted"
-    assert running.outcome.result.cause == "the program that began it has left it"
+    assert str(running.outcome.result.cause) == "the program that began it has left it"
 
 
 class Terminal:
