@@ -27,6 +27,15 @@ ONIKA = (sys.executable, "-c", "import sys; from onika.cli import main; sys.exit
 Event = dict[str, Any]
 
 
+def in_english(line: str) -> Event:
+    """An event as the command line prints it, with the English of its reasons in their place."""
+    event: Event = json.loads(line)
+    for name, value in event.items():
+        if isinstance(value, dict) and {"key", "text"} <= value.keys():
+            event[name] = value["text"]
+    return event
+
+
 class CliProcess:
     """`onika WORDS` in a process group of its own, as a terminal starts it; output is read as lines."""
 
@@ -61,12 +70,12 @@ class CliProcess:
     @property
     def events(self) -> list[Event]:
         """What was said so far."""
-        return [json.loads(line) for line in self.lines if line.startswith("{")]
+        return [in_english(line) for line in self.lines if line.startswith("{")]
 
     def until(self, **wanted: Any) -> Event:
         """Read on to the first event with these fields; raises RuntimeError where the output ends before."""
         for line in self._read():
-            event: Event = json.loads(line) if line.startswith("{") else {}
+            event = in_english(line) if line.startswith("{") else {}
             if event and all(event.get(name) == value for name, value in wanted.items()):
                 self.processes()
                 return event
