@@ -1,5 +1,6 @@
 """The browser that all other tests of the page rest upon."""
 
+import os
 import re
 import subprocess
 import sys
@@ -32,6 +33,7 @@ def test_an_error_in_the_page_fails_its_test(chromium, tmp_path, request):
     (tmp_path / "test_amiss.py").write_text("".join(tests))
     (tmp_path / "conftest.py").write_text((request.path.parent / "conftest.py").read_text())
     words = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", str(tmp_path)]
-    said = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=False).stdout
+    search = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}  # the copied fixtures use the kit
+    said = subprocess.run(words, cwd=tmp_path, env=search, capture_output=True, text=True, check=False).stdout
     assert "4 passed, 3 errors" in said, said
     assert re.findall(r"ERROR test_amiss.py::test_(\d) - AssertionError: errors in the page", said) == ["0", "1", "2"]
