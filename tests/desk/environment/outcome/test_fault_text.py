@@ -61,7 +61,10 @@ CROSSED = Reason.of(
             Reason.of("host.no_such_device", world="boxes", devices=("arm", "lamp"), device="boxes:bulb"),
             "there is no device boxes:bulb; boxes has arm, lamp",
         ),
-        (Reason.of("host.no_such_world", worlds=("boxes",), world="shed"), "there is no world shed, but boxes"),
+        (
+            Reason.of("host.no_world_of_device", worlds=("boxes",), device="shed:arm"),
+            "there is no world for the device shed:arm, but boxes",
+        ),
         (
             Reason.of("host.device_unlike", task="puma", device="b:x", why="expected y, found z"),
             "b:x is not the device that puma means: expected y",
