@@ -123,13 +123,13 @@ def test_seconds_count_from_the_beginning(scene):
 
 def test_what_a_task_asks_is_a_question_until_it_is_answered(scene):  # R-A10
     scene.born().hear(news.Asked("flow0", "servo", "", (ITEM,), 5 * MS))
-    assert scene.executor.is_asking
+    assert scene.executor.open_questions
     assert scene.executor.questions == ()  # the client may have the answer
     scene.executor.ask_user(news.Asked("flow0", "servo", "", (ITEM,), 5 * MS))
     assert [question.task for question in scene.executor.questions] == ["servo"]
     assert scene.story[-1] == scene.executor.questions[0]
     scene.hear(news.Changed("flow0", "servo", "ON", 6 * MS))
-    assert (scene.executor.is_asking, scene.executor.questions) == (False, ())
+    assert (bool(scene.executor.open_questions), scene.executor.questions) == (False, ())
 
 
 def switch(*on, off=()):

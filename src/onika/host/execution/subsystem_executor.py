@@ -52,7 +52,8 @@ class SubsystemExecutor:
         self._lost = lost
         self._dispatch = SwitchDispatch(subsystem, units, activations if activations is not None else count(1))
         self._expected: list[str] = []
-        self._asking: dict[str, event.Asked | None] = {}
+        self.open_questions: dict[str, event.Asked | None] = {}
+        """Every task that waits for user input, with its question where it is known already."""
         self._began = 0
 
     # What there is
@@ -68,14 +69,9 @@ class SubsystemExecutor:
         return self.subsystem.members
 
     @property
-    def is_asking(self) -> bool:
-        """Whether a task waits for user input."""
-        return bool(self._asking)
-
-    @property
     def questions(self) -> tuple[event.Asked, ...]:
         """What tasks have asked users and were not answered yet."""
-        return tuple(question for question in self._asking.values() if question is not None)
+        return tuple(question for question in self.open_questions.values() if question is not None)
 
     def state(self, task: str) -> State:
         """A task's state; KILLED where there is none."""
@@ -253,9 +249,9 @@ class SubsystemExecutor:
         member = self.members[task]
         member.state = state
         if state is State.ASKING:
-            self._asking[task] = None
+            self.open_questions[task] = None
         else:
-            self._asking.pop(task, None)
+            self.open_questions.pop(task, None)
         if state is State.KILLED:
             self.spawner.release(task, member)
         self._tell(event.TaskState(self.name, task, state.value, self.seconds(at_ns)))
@@ -264,7 +260,7 @@ class SubsystemExecutor:
 
     def ask_user(self, message: news.Asked) -> None:
         """Tell sessions what a task asks; whoever comes later can see it, too."""
-        question = self._asking[message.task] = question_of(message, self.seconds(message.now_ns))
+        question = self.open_questions[message.task] = question_of(message, self.seconds(message.now_ns))
         self._tell(question)
 
     def warn(self, task: str, text: str, now: int) -> None:

@@ -175,7 +175,10 @@ class Runner:
     @property
     def is_asking(self) -> bool:
         """Whether a task waits for user input: then the virtual clock stands."""
-        return any(executor.is_asking for executor in self._executors.values())
+        for executor in self._executors.values():  # noqa: SIM110  at every instant of virtual time: no generator
+            if executor.open_questions:
+                return True
+        return False
 
     @property
     def is_still(self) -> bool:

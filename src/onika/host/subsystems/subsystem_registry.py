@@ -138,9 +138,10 @@ class Subsystems:
             return False
         is_running = False
         for run in self.runs:  # asked at every instant of virtual time
-            if not run.runner.is_over and run.runner.is_asking:
+            if run.runner.is_moving:
+                is_running = True
+            elif run.runner.is_asking and not run.runner.is_over:
                 return False
-            is_running = is_running or run.runner.is_moving
         return is_running or self._is_let_pass
 
     @property
