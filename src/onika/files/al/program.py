@@ -98,15 +98,11 @@ class TextProgram:
     # -- blocks
 
     def _begin(self, form: str, sentence: Statement) -> None:
+        self._check_place(form, sentence)
         phrase = TokenStream(sentence, len(form.split()))
-        if form == "BEGIN" and self._open and not self._open[-1].holds_flows:
-            raise ValueError(Reason.of("files.begin_misplaced", sentence=str(sentence)))
-        if form == "COBEGIN" and self._open:
-            raise ValueError(Reason.of("files.cobegin_misplaced", sentence=str(sentence)))
-        if form not in ("BEGIN", "COBEGIN") and (form != "CASE OF" or self._open):
-            self._check_waiting(self._inner(sentence))
         is_branch = form == "IF" or (form == "CASE OF" and bool(self._open))
-        block = Block(form, sentence, depth=(self._open[-1].depth if self._open else 0) + is_branch)
+        outer_depth = self._open[-1].depth if self._open else 0
+        block = Block(form, sentence, depth=outer_depth + is_branch)
         if is_branch and block.depth == DEEPEST + 1:
             self._reading.fault(sentence.number, Reason.of("files.branches_too_deep", deepest=DEEPEST))
         self._push(block)  # before its words are read, so that its end finds it whatever they are
@@ -115,6 +111,20 @@ class TextProgram:
         elif form in ("WHILE", "REPEAT"):
             block.tag = phrase.tag()
         phrase.end()
+
+    def _check_place(self, form: str, sentence: Statement) -> None:
+        """Refuse a block where it may not begin; one among statements lets no mark wait for an action."""
+        match form:
+            case "BEGIN":
+                if self._open and not self._open[-1].holds_flows:
+                    raise ValueError(Reason.of("files.begin_misplaced", sentence=str(sentence)))
+            case "COBEGIN":
+                if self._open:
+                    raise ValueError(Reason.of("files.cobegin_misplaced", sentence=str(sentence)))
+            case "CASE OF" if not self._open:
+                pass  # the flows of the whole program
+            case _:
+                self._check_waiting(self._inner(sentence))
 
     def _reach(self, kind: str, form: str, sentence: Statement) -> None:
         """Close what is open within the block that a sentence ends or divides."""

@@ -28,23 +28,46 @@ def job_type(
 
     A type that the syntax lacks is kept; the icon acts as a complete one (requirement D16).
     """
-    if not configuration.placed:
-        return (Refusal(f"`{configuration.name}` has no tasks", ("place some",)),)
-    missing = [placed.task for placed in configuration.placed if placed.task not in tasks]
-    if missing:
-        remedies = ("make it", f"remove it from `{configuration.name}`")
-        return tuple(Refusal(f"the task {name} of `{configuration.name}` is missing", remedies) for name in missing)
+    if refusals := _incomplete(configuration, tasks):
+        return refusals
     trigger = next((task for task in tasks_of([configuration], tasks) if task.object_type), None)
     if trigger is None or trigger.object_type is None:
         return ActionType(COMPLETE_JOB)
     object_type = syntax.find(trigger.object_type)
-    targets = [(kind, syntax.find(kind)) for kind in trigger.more_targets]
-    unknown = [kind for kind, icon_type in targets if icon_type is None or not icon_type.is_target]
-    if object_type and unknown:
-        reason = f"`{trigger.name}` takes a target of the type {{}}, which the syntax does not define"
-        return tuple(Refusal(reason.format(kind), ("define it in the syntax",)) for kind in unknown)
-    more = tuple(icon_type.name if icon_type else kind for kind, icon_type in targets)
-    return ActionType(object_type.name if object_type else trigger.object_type, more)
+    if object_type is None:
+        return ActionType(trigger.object_type, _more_targets(trigger, syntax))
+    if refusals := _unknown_targets(trigger, syntax):
+        return refusals
+    return ActionType(object_type.name, _more_targets(trigger, syntax))
+
+
+def _incomplete(configuration: Configuration, tasks: Mapping[str, Task]) -> tuple[Refusal, ...]:
+    """Why a configuration is no job yet: it has no tasks, or some of them are missing."""
+    if not configuration.placed:
+        return (Refusal(f"`{configuration.name}` has no tasks", ("place some",)),)
+    missing = [placed.task for placed in configuration.placed if placed.task not in tasks]
+    remedies = ("make it", f"remove it from `{configuration.name}`")
+    return tuple(Refusal(f"the task {name} of `{configuration.name}` is missing", remedies) for name in missing)
+
+
+def _unknown_targets(trigger: Task, syntax: Syntax) -> tuple[Refusal, ...]:
+    """A refusal for each further target of a trigger whose type is no target of the syntax."""
+    reason = f"`{trigger.name}` takes a target of the type {{}}, which the syntax does not define"
+    remedies = ("define it in the syntax",)
+    return tuple(
+        Refusal(reason.format(kind), remedies) for kind in trigger.more_targets if not _is_target(kind, syntax)
+    )
+
+
+def _is_target(kind: str, syntax: Syntax) -> bool:
+    icon_type = syntax.find(kind)
+    return icon_type is not None and icon_type.is_target
+
+
+def _more_targets(trigger: Task, syntax: Syntax) -> tuple[str, ...]:
+    """The types of the further targets of a trigger, as the syntax writes them where it knows them."""
+    icon_types = [(kind, syntax.find(kind)) for kind in trigger.more_targets]
+    return tuple(icon_type.name if icon_type else kind for kind, icon_type in icon_types)
 
 
 def application_type(application: Application, syntax: Syntax) -> ActionType | tuple[Refusal, ...]:
