@@ -1,12 +1,12 @@
 import pytest
 
 from onika.cli import main
-from onika.host.sessions.audit_trail import Audit
+from onika.host.sessions.audit_trail import AuditTrail
 
 
 @pytest.fixture
 def path(tmp_path):
-    audit = Audit(tmp_path / "audit.log")
+    audit = AuditTrail(tmp_path / "audit.log")
     for what in ("Take", "Stop", "Release"):
         audit.note(what, who="ann#2")
     audit.close()

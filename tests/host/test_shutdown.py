@@ -3,7 +3,7 @@ import signal
 
 import pytest
 
-from onika.host.shutdown import Ending
+from onika.host.shutdown import ShutdownSignals
 
 
 @pytest.fixture(autouse=True)
@@ -15,7 +15,7 @@ def as_before():
 
 
 def test_a_wish_to_end_is_noted():
-    ending = Ending(is_launched=False)
+    ending = ShutdownSignals(is_launched=False)
     assert not ending.is_asked
     os.kill(os.getpid(), signal.SIGTERM)
     assert ending.is_asked
@@ -23,6 +23,6 @@ def test_a_wish_to_end_is_noted():
 
 @pytest.mark.parametrize(("is_launched", "is_asked"), [(True, False), (False, True)])
 def test_a_ctrl_c_is_the_launching_programs_to_answer(is_launched, is_asked):  # decision 11
-    ending = Ending(is_launched)
+    ending = ShutdownSignals(is_launched)
     os.kill(os.getpid(), signal.SIGINT)
     assert ending.is_asked is is_asked

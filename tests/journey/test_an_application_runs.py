@@ -10,8 +10,8 @@ from tests.sentences import found_by
 from kit.laboratory import Laboratory, job, joints
 from onika.desk.plan.compile import rtpus_of
 from onika.desk.plan.preparation import prepare_run
-from onika.host.loading.module_facts import DirectLoading
-from onika.host.program import Program
+from onika.host.loading.module_facts import ModuleFacts
+from onika.host.program import RuntimeProgram
 from onika.host.sessions.request_server import RequestServer
 from onika.host.units.virtual import VirtualDriver
 from onika.link.carrier import memory_pair
@@ -35,7 +35,7 @@ class Journey:
         gate = RequestServer(Sessions("first life"), lambda: self.now)
         gate.adopt(there, TERMS)
         rtpus = rtpus_of(self.prepared.plan)
-        self.program = Program(gate, VirtualDriver(rtpus, gate.tell), DirectLoading(), rtpus)
+        self.program = RuntimeProgram(gate, VirtualDriver(rtpus, gate.tell), ModuleFacts(), rtpus)
         self.connection = Connection(here, lambda: self.now, TERMS, wait=self.work)
         self.connection.open()
 

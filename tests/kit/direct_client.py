@@ -5,9 +5,9 @@ from collections.abc import Callable
 
 from kit.mass_world import MassWorld
 from kit.rail_world import YardLoading
-from onika.host.program import Program
-from onika.host.sessions.leases import Heard, Leases
-from onika.host.sessions.request_server import Call
+from onika.host.program import RuntimeProgram
+from onika.host.sessions.leases import Leases, SessionSilence
+from onika.host.sessions.request_server import SessionRequest
 from onika.host.units.virtual import VirtualDriver
 from onika.link.caller import Role
 from onika.wire import event, holding, live, reading, request
@@ -19,7 +19,7 @@ class OpenGate:
     """A gate for any number of sessions, each of which hears everything it attends."""
 
     def __init__(self) -> None:
-        self.waiting: deque[Call] = deque()
+        self.waiting: deque[SessionRequest] = deque()
         self.replies: dict[int, request.Response] = {}
         self.told: list[event.Event] = []
         self.heard: list[tuple[str, str, event.Event]] = []
@@ -31,7 +31,7 @@ class OpenGate:
         """By session: for how long it has not been heard, in ns."""
         self.overhear(None)
 
-    def requests(self) -> list[Call]:
+    def requests(self) -> list[SessionRequest]:
         """What was asked."""
         calls = list(self.waiting)
         self.waiting.clear()
@@ -46,10 +46,10 @@ class OpenGate:
         """Everybody is heard as soon as he speaks."""
         return 0
 
-    def hearing(self, session: str) -> Heard | None:
+    def hearing(self, session: str) -> SessionSilence | None:
         """For how long a session has not been heard, as a test says it; None: its lease never ends."""
         silent_ns = self.silent.get(session)
-        return None if silent_ns is None else Heard(silent_ns)
+        return None if silent_ns is None else SessionSilence(silent_ns)
 
     def reply(self, ticket: int, response: request.Response) -> None:
         """Each request is answered once."""
@@ -91,7 +91,7 @@ class DirectClient:
     def __init__(self, rtpus: tuple[str, ...] = ("rt0",)) -> None:
         self.server = OpenGate()
         self.driver = VirtualDriver(rtpus, self.server.tell, worlds=lambda _name: MassWorld())
-        self.program = Program(self.server, self.driver, YardLoading(), rtpus)  # type: ignore[arg-type]
+        self.program = RuntimeProgram(self.server, self.driver, YardLoading(), rtpus)  # type: ignore[arg-type]
         self._count = 0
 
     def lease(self, length_ns: int) -> None:
@@ -101,7 +101,7 @@ class DirectClient:
     def send(self, asked: request.Request, session: str = "me") -> int:
         """Ask, and look for the answer later; its ticket."""
         self._count += 1
-        self.server.waiting.append(Call(self._count, session, Role.OWNER, asked))
+        self.server.waiting.append(SessionRequest(self._count, session, Role.OWNER, asked))
         self.program.serve()
         return self._count
 

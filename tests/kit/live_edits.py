@@ -6,7 +6,7 @@ from kit.direct_client import DirectClient, OpenGate
 from kit.mass_world import MassWorld
 from kit.plan_builder import PlanBuilder
 from kit.rail_world import YardLoading
-from onika.host.program import Program
+from onika.host.program import RuntimeProgram
 from onika.host.units.virtual import VirtualDriver
 from onika.runtime import command, news
 from onika.runtime.execution.running_task import RunningTask
@@ -94,10 +94,10 @@ class LossyDriver(VirtualDriver):
         self.gone: set[str] = set()
         self.heard: list[news.News] = []
         self.fatal: tuple[int, str] | None = None
-        self._watched: Program | None = None
+        self._watched: RuntimeProgram | None = None
         self.commands: list[tuple[str, command.Command]] = []
 
-    def watch(self, program: Program) -> None:
+    def watch(self, program: RuntimeProgram) -> None:
         """Stand between the units and this program."""
         self._watched = program
         self.listen(self)
@@ -124,7 +124,7 @@ class LossyDriver(VirtualDriver):
     # As the listener
 
     @property
-    def _program(self) -> Program:
+    def _program(self) -> RuntimeProgram:
         if self._watched is None:
             raise TypeError("expected a program that is watched, found none")
         return self._watched
@@ -179,7 +179,7 @@ class LossyClient(DirectClient):
     def __init__(self, rtpus: tuple[str, ...] = ("rt0",)) -> None:
         super().__init__(rtpus)
         self.driver: LossyDriver = LossyDriver(rtpus, self.server)
-        self.program = Program(self.server, self.driver, YardLoading(), rtpus)  # type: ignore[arg-type]
+        self.program = RuntimeProgram(self.server, self.driver, YardLoading(), rtpus)  # type: ignore[arg-type]
         self.driver.watch(self.program)
 
 

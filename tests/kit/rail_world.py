@@ -1,7 +1,7 @@
 """A mass on a rail of the small world and a servo that drives it, as modules in text, for tests of what runs them."""
 
 from kit.plan_builder import PlanBuilder
-from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.module_facts import ModuleFacts
 from onika.words.fault import Fault
 
 MASS = """
@@ -65,7 +65,7 @@ def rail_tasks(rtpu: str = "unknown", mass: str = "yard:m0") -> PlanBuilder:
     return shop
 
 
-class YardLoading(DirectLoading):
+class YardLoading(ModuleFacts):
     """Knows the small world by the name that tests give it, besides those that are installed."""
 
     def devices(self, world: str) -> tuple[str, ...] | Fault:

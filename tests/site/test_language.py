@@ -8,10 +8,10 @@ from kit.direct_client import OpenGate
 from kit.laboratory import Laboratory, job, target
 from onika.cli import main
 from onika.desk.plan.preparation import prepare_run
-from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare
-from onika.host.program import Program
-from onika.host.sessions.request_server import Call
+from onika.host.program import RuntimeProgram
+from onika.host.sessions.request_server import SessionRequest
 from onika.host.units.virtual import VirtualDriver
 from onika.link.caller import Role
 from onika.store.site import open_site, shipped
@@ -97,12 +97,12 @@ def test_an_endless_loop_goes_on_until_somebody_leaves_it():  # R-D11, R-E05, R-
     planned = prepare_run("wave_on", open_site([], {}, None))
     server = OpenGate()
     driver = VirtualDriver(("rt0",), server.tell)
-    program = Program(server, driver, DirectLoading(), ("rt0",))
-    program.take("me", prepare(planned.plan, planned.targets, DirectLoading()))
+    program = RuntimeProgram(server, driver, ModuleFacts(), ("rt0",))
+    program.take("me", prepare(planned.plan, planned.targets, ModuleFacts()))
     program.begin("me", request.Begin())
     while [one.index for one in server.told if isinstance(one, event.Began)].count(0) < 3:
         program.advance(0)
-    server.waiting.append(Call(1, "me", Role.OWNER, steer.Leave("flow0")))
+    server.waiting.append(SessionRequest(1, "me", Role.OWNER, steer.Leave("flow0")))
     program.serve()
     while program.advance(1_000_000_000):
         pass

@@ -7,7 +7,7 @@ import pytest
 
 from kit.laboratory import Laboratory, job, joints, target
 from onika.desk.plan.preparation import prepare_run
-from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare
 from onika.model.redirect import Redirect
 from onika.store.site import open_site, shipped
@@ -67,7 +67,7 @@ SHIPPED = [
 
 @pytest.fixture(scope="module")
 def loading():
-    return DirectLoading()
+    return ModuleFacts()
 
 
 def told(loading, name, local=(), redirects=()):

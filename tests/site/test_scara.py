@@ -8,9 +8,9 @@ from kit.direct_client import OpenGate
 from kit.laboratory import Laboratory, job, joints, target
 from onika.cli import main
 from onika.desk.plan.preparation import prepare_run
-from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare
-from onika.host.program import Program
+from onika.host.program import RuntimeProgram
 from onika.host.units.virtual import VirtualDriver
 from onika.laws import adept_one, reach
 from onika.store.site import open_site
@@ -49,7 +49,7 @@ class Redirection:
     """The plan of an application with other hardware tasks in it, as those who redirect will make it."""
 
     def __init__(self, path, application, others):
-        planned, self.loading = plan_of(application), DirectLoading()
+        planned, self.loading = plan_of(application), ModuleFacts()
         self.found = prepare(planned.plan, planned.targets, self.loading)
         self.others = {old: task_of(path, new) for old, new in others.items()}
         self.lines, self.reasons = {}, []
@@ -91,11 +91,11 @@ class Redirection:
 
 def told_of(plan, targets, seed=0, offsets_m=0.0):
     """Everything that is told of a run in virtual time, and its world."""
-    server, found = OpenGate(), prepare(plan, targets, DirectLoading())
+    server, found = OpenGate(), prepare(plan, targets, ModuleFacts())
     assert found.faults == []
     world = BoxesWorld(seed, offsets_m)
     driver = VirtualDriver(tuple(f"rt{k}" for k in range(2)), server.tell, worlds=lambda _name: world)
-    program = Program(server, driver, DirectLoading(), ("rt0", "rt1"))
+    program = RuntimeProgram(server, driver, ModuleFacts(), ("rt0", "rt1"))
     program.take("me", found)
     program.begin("me", request.Begin(watch=("LAMP",)))
     while program.advance(1_000_000_000):
@@ -129,7 +129,7 @@ def test_two_arms_without_forces_put_the_boxes_together(tmp_path):  # R-K02, R-K
 
 def test_one_arm_with_forces_and_one_without_are_refused(tmp_path):  # law 18
     redirection = Redirection(tmp_path, "two_arms", {"puma": "puma_kin", "puma_right": "puma_right"})
-    (fault,) = prepare(redirection.plan, redirection.targets, DirectLoading()).faults
+    (fault,) = prepare(redirection.plan, redirection.targets, ModuleFacts()).faults
     assert "all arms of a world are of one mode" in found_by(fault)
 
 

@@ -7,9 +7,9 @@ import pytest
 from kit.direct_client import OpenGate
 from onika.cli import main
 from onika.desk.plan.preparation import prepare_run
-from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare
-from onika.host.program import Program
+from onika.host.program import RuntimeProgram
 from onika.host.units.virtual import VirtualDriver
 from onika.store.site import open_site
 from onika.wire import event, request
@@ -51,8 +51,8 @@ def test_boxes_that_stand_a_millimetre_elsewhere_are_put_together_as_well(seed):
     assert planned.faults == ()
     server = OpenGate()
     driver = VirtualDriver(("rt0",), server.tell, worlds=lambda _name: BoxesWorld(seed, 0.001))
-    program = Program(server, driver, DirectLoading(), ("rt0",))
-    program.take("me", prepare(planned.plan, planned.targets, DirectLoading()))
+    program = RuntimeProgram(server, driver, ModuleFacts(), ("rt0",))
+    program.take("me", prepare(planned.plan, planned.targets, ModuleFacts()))
     program.begin("me", request.Begin(watch=("LAMP",)))
     while program.advance(1_000_000_000):
         pass

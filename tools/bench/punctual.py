@@ -66,7 +66,7 @@ def tasks(with_fifo: bool, seconds: float) -> tuple[dict[float, list[int]], dict
     unit = supervisor.launch("rt0", "onika.host.units.rtpu", ("--name", "rt0"))
     table = Segment.create("table", SIZE)
     try:
-        hear(unit, rtpu.Ready)
+        hear(unit, rtpu.UnitReady)
         unit.post.send(rtpu.encode(rtpu.Share("table:bench")), (table.fd,))
         for rank, rate in enumerate(RATES):
             name = f"late{rate:.0f}"

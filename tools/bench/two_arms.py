@@ -13,9 +13,9 @@ import mujoco
 from virtual import Recorder, Silent, whole_run
 
 from onika.desk.plan.preparation import prepare_run
-from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import Preparation, prepare
-from onika.host.program import Program
+from onika.host.program import RuntimeProgram
 from onika.host.units.realtime_scheduling import still_garbage
 from onika.host.units.virtual import VirtualDriver
 from onika.store.site import open_site
@@ -59,7 +59,7 @@ def moved_run(prepared: Preparation, seed: int, *, with_clearance: bool) -> tupl
     world = boxes.BoxesWorld(seed, OFFSETS_M)
     server = Silent()
     driver = VirtualDriver(("rt0",), server.tell, worlds=lambda _name: world)
-    program = Program(server, driver, DirectLoading(), ("rt0",))
+    program = RuntimeProgram(server, driver, ModuleFacts(), ("rt0",))
     program.take("", prepared)
     program.begin("", request.Begin(watch=("LAMP",)))
     clearance = Clearance(world)
@@ -78,7 +78,7 @@ def main() -> None:
     given = parser.parse_args()
     planned = prepare_run(APPLICATION, open_site([], {}, None))
     assert planned.plan is not None, planned.faults
-    prepared = prepare(planned.plan, planned.targets, DirectLoading())
+    prepared = prepare(planned.plan, planned.targets, ModuleFacts())
     recorder = Recorder()
     real_step, boxes.mj_step = boxes.mj_step, recorder
     whole_run(prepared)

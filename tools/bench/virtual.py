@@ -19,9 +19,9 @@ import mujoco
 import numpy as np
 
 from onika.desk.plan.preparation import prepare_run
-from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import Preparation, prepare
-from onika.host.program import Program
+from onika.host.program import RuntimeProgram
 from onika.host.units.realtime_scheduling import still_garbage
 from onika.host.units.virtual import VirtualDriver
 from onika.store.site import open_site
@@ -86,7 +86,7 @@ def whole_run(prepared: Preparation) -> tuple[float, event.Result]:
     """CPU seconds of one run, and its result."""
     server = Silent()
     driver = VirtualDriver(("rt0",), server.tell)
-    program = Program(server, driver, DirectLoading(), ("rt0",))
+    program = RuntimeProgram(server, driver, ModuleFacts(), ("rt0",))
     program.take("", prepared)
     began = process_time()
     program.begin("", request.Begin(watch=("LAMP",)))
@@ -115,7 +115,7 @@ def main() -> None:
     given = parser.parse_args()
     planned = prepare_run(given.application, open_site([], {}, None))
     assert planned.plan is not None, planned.faults
-    prepared = prepare(planned.plan, planned.targets, DirectLoading())
+    prepared = prepare(planned.plan, planned.targets, ModuleFacts())
     recorder = Recorder()
     real_step, boxes.mj_step = boxes.mj_step, recorder
     whole_run(prepared)

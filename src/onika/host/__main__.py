@@ -10,16 +10,16 @@ from time import monotonic_ns
 
 from onika.host.loading.loader import Loader
 from onika.host.loading.loader_client import LoaderClient
-from onika.host.program import Program
+from onika.host.program import RuntimeProgram
 from onika.host.sessions.audit_log import AuditLog
-from onika.host.sessions.audit_trail import OFF, Audit, open_for
-from onika.host.sessions.listen_options import Wanted, judge
+from onika.host.sessions.audit_trail import OFF, AuditTrail, open_for
+from onika.host.sessions.listen_options import ListenOptions, judge
 from onika.host.sessions.listener_process import ListenerProcess
 from onika.host.sessions.request_server import RequestServer
-from onika.host.shutdown import Ending
-from onika.host.units.call_watchdog import Patience
+from onika.host.shutdown import ShutdownSignals
+from onika.host.units.call_watchdog import CallWatchdog
 from onika.host.units.memory_limit import bound
-from onika.host.units.output_pipe import open_outlets
+from onika.host.units.output_pipe import open_output_pipes
 from onika.host.units.realtime_scheduling import RUNNER_PRIORITY, fine_timers, first_in_first_out, still_garbage
 from onika.host.units.rtpu import preload
 from onika.host.units.virtual import VirtualDriver
@@ -38,8 +38,8 @@ def main(words: list[str]) -> None:
     given = _given(words)
     if given.parent is not None:
         die_with_parent(given.parent)
-    ending = Ending(is_launched=given.parent is not None)
-    open_outlets()
+    ending = ShutdownSignals(is_launched=given.parent is not None)
+    open_output_pipes()
     listener = _listener(given)
     audit = _audit(given)
     rtpus = tuple(given.rtpu) or ("rt0",)
@@ -53,13 +53,13 @@ def main(words: list[str]) -> None:
     try:
         if given.virtual:
             preload()
-            patience = Patience()
+            patience = CallWatchdog()
             worlds = partial(open_world, shake=given.shake)
             virtual = VirtualDriver(rtpus, server.tell, worlds, watch=patience.watch, scale=given.scale)
             virtual.options = () if given.shake is None else ("--shake", str(given.shake))
             bound()
             still_garbage()
-            _virtual(Program(server, virtual, loader_client, rtpus), server, virtual, ending)
+            _virtual(RuntimeProgram(server, virtual, loader_client, rtpus), server, virtual, ending)
         else:
             wall = WallDriver(rtpus, server.tell, with_fifo=not given.no_fifo)
             fine_timers()
@@ -67,7 +67,7 @@ def main(words: list[str]) -> None:
                 first_in_first_out(RUNNER_PRIORITY)
             try:
                 lease_ns = None if given.lease is None else round(given.lease * 1e9)
-                _wall(Program(server, wall, loader_client, rtpus, lease_ns), server, wall, ending)
+                _wall(RuntimeProgram(server, wall, loader_client, rtpus, lease_ns), server, wall, ending)
             finally:
                 wall.close()
     finally:
@@ -102,7 +102,7 @@ def _given(words: list[str]) -> argparse.Namespace:
     return given
 
 
-def _audit(given: argparse.Namespace) -> Audit | None:
+def _audit(given: argparse.Namespace) -> AuditTrail | None:
     """The audit trail: where it was asked for, else in wall time, which moves something, at its usual place."""
     if given.audit == OFF or (given.virtual and not given.audit):
         return None
@@ -115,7 +115,7 @@ def _audit(given: argparse.Namespace) -> Audit | None:
     return None
 
 
-def _watch(server: RequestServer, audit: Audit) -> None:
+def _watch(server: RequestServer, audit: AuditTrail) -> None:
     def complain(text: str) -> None:
         server.tell(event.Lost("audit trail", f"it cannot be written: {text}", 0.0))
 
@@ -127,7 +127,7 @@ def _listener(given: argparse.Namespace) -> ListenerProcess | None:
     """Listen, if that was asked for; end with everything that is missing for it."""
     if not given.listen:
         return None
-    wanted = Wanted(given.listen, given.cert, given.key, given.users, tuple(given.name))
+    wanted = ListenOptions(given.listen, given.cert, given.key, given.users, tuple(given.name))
     listening, faults, token_at = judge(wanted)
     if listening is None:
         sys.stderr.write("".join(f"{fault}\n" for fault in faults))
@@ -145,7 +145,7 @@ def _listener(given: argparse.Namespace) -> ListenerProcess | None:
     return listener
 
 
-def _virtual(program: Program, server: RequestServer, driver: VirtualDriver, ending: Ending) -> None:
+def _virtual(program: RuntimeProgram, server: RequestServer, driver: VirtualDriver, ending: ShutdownSignals) -> None:
     """As fast as it goes while something happens by itself; else wait for the environment."""
     while server.is_open and not program.is_over and not ending.is_asked:
         goes_on = program.advance(_SLICE_NS)
@@ -155,7 +155,7 @@ def _virtual(program: Program, server: RequestServer, driver: VirtualDriver, end
     _say_last(server)
 
 
-def _wall(program: Program, server: RequestServer, driver: WallDriver, ending: Ending) -> None:
+def _wall(program: RuntimeProgram, server: RequestServer, driver: WallDriver, ending: ShutdownSignals) -> None:
     """Woken by the processes, by the environment, or by time."""
     while server.is_open and not program.is_over and not ending.is_asked:
         readers = [*server.readers(), *program.readers(), *(post.post for post in driver.posts())]

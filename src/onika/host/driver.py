@@ -2,13 +2,13 @@
 
 from typing import Protocol
 
-from onika.host.inspection import Seen
-from onika.host.recording.recorder import Seen as Recorded
+from onika.host.inspection import InspectedDriver
+from onika.host.recording.recorder import RecordedDriver
 from onika.host.subsystems.subsystem_registry import Tables
-from onika.host.units.unit_listener import Listener
+from onika.host.units.unit_listener import UnitListener
 
 
-class Driver(Tables, Seen, Recorded, Protocol):
+class Driver(Tables, InspectedDriver, RecordedDriver, Protocol):
     """What a program asks of the units and worlds that it drives."""
 
     @property
@@ -21,7 +21,7 @@ class Driver(Tables, Seen, Recorded, Protocol):
         """The tasks that had to do with the outside since `begin`, where without them it were the same every time."""
         ...
 
-    def listen(self, listener: Listener) -> None:
+    def listen(self, listener: UnitListener) -> None:
         """Tell this one what happens."""
         ...
 

@@ -22,7 +22,7 @@ _SLOWEST_HZ = 0.1
 Answer = Callable[[request.Response], None]
 
 
-class Seen(Protocol):
+class InspectedDriver(Protocol):
     """The driver, as far as it can be looked at."""
 
     @property
@@ -63,7 +63,9 @@ class _Watch:
 class Inspection:
     """Answers every question that changes nothing."""
 
-    def __init__(self, subsystems: Subsystems, seen: Seen, server: RequestServer, rtpus: tuple[str, ...]) -> None:
+    def __init__(
+        self, subsystems: Subsystems, seen: InspectedDriver, server: RequestServer, rtpus: tuple[str, ...]
+    ) -> None:
         self._subsystems = subsystems
         self._seen = seen
         self._server = server

@@ -9,7 +9,7 @@ from onika.host.edit.editor import Editor, refused
 from onika.host.inspection import Inspection
 from onika.host.loading.loader_client import LoaderClient, NotYet
 from onika.host.loading.module_description import describe
-from onika.host.loading.module_questions import Loading
+from onika.host.loading.module_questions import ModuleQuestions
 from onika.host.loading.plan_preparation import Preparation, inspect, prepare
 from onika.host.recording.recorder import Recorder
 from onika.host.run.application_run import ApplicationRun
@@ -17,21 +17,26 @@ from onika.host.sessions.control_authority import ControlAuthority
 from onika.host.sessions.leases import Leases
 from onika.host.sessions.presence import Presence
 from onika.host.sessions.request_backlog import Answer, Backlog
-from onika.host.sessions.request_server import Call, RequestServer
+from onika.host.sessions.request_server import RequestServer, SessionRequest
 from onika.host.subsystems.run_commands import RunCommands
 from onika.host.subsystems.subsystem_registry import Subsystems, Tell
-from onika.host.units.process_socket import Post
+from onika.host.units.process_socket import ProcessSocket
 from onika.link.caller import Role
 from onika.runtime.subsystem import RunningSubsystem
 from onika.wire import event, holding, live, request, steer
 from onika.words.reason import NOTHING, Reason
 
 
-class Program:
+class RuntimeProgram:
     """One runtime: subsystems held by hand and by applications, side by side."""
 
     def __init__(
-        self, server: RequestServer, driver: Driver, loading: Loading, rtpus: tuple[str, ...], lease_ns: int | None = 0
+        self,
+        server: RequestServer,
+        driver: Driver,
+        loading: ModuleQuestions,
+        rtpus: tuple[str, ...],
+        lease_ns: int | None = 0,
     ) -> None:
         self._server = server
         self._driver = driver
@@ -55,7 +60,7 @@ class Program:
         """Whether an application is executed now."""
         return bool(self.subsystems.runs)
 
-    def readers(self) -> list[Post]:
+    def readers(self) -> list[ProcessSocket]:
         """What to wait for besides the request server and the driver: the loader, and who writes a recording."""
         return [*([self._loading.post] if isinstance(self._loading, LoaderClient) else []), *self._recorder.readers()]
 
@@ -155,13 +160,13 @@ class Program:
     def _lease_of(self, session: str) -> int:
         return self.leases.of(session)
 
-    def _serve(self, call: Call) -> None:
+    def _serve(self, call: SessionRequest) -> None:
         def answer(response: request.Response) -> None:
             self._server.reply(call.ticket, response)
 
         self._try(call, answer)
 
-    def _try(self, call: Call, answer: Answer) -> None:
+    def _try(self, call: SessionRequest, answer: Answer) -> None:
         """Carry it out, or keep it until the loader has answered what it, or one before it, depends on.
 
         Whether it may be asked is judged when its turn has come: another may have become the holder meanwhile.
@@ -185,10 +190,10 @@ class Program:
         driver, repeat = self._driver, self.subsystems.repeat
         due = repeat.take(driver.now, driver.turn, self.subsystems.is_asking)
         if due is not None:
-            self._carry_out(Call(0, repeat.session, Role.OWNER, due), lambda _: None)
+            self._carry_out(SessionRequest(0, repeat.session, Role.OWNER, due), lambda _: None)
             self._recorder.command(repeat.session, due)
 
-    def _carry_out(self, call: Call, answer: Answer) -> None:
+    def _carry_out(self, call: SessionRequest, answer: Answer) -> None:
         match call.asked:
             case live.Get() | live.Set():
                 self._editor.ask(call.asked, answer)

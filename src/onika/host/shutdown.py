@@ -1,10 +1,10 @@
-"""The wish that a runtime end: the signals that ask for it, taken note of and carried out in order."""
+"""The signals that ask a runtime to end: they are noted, and it ends in order."""
 
 import signal
 from types import FrameType
 
 
-class Ending:
+class ShutdownSignals:
     """Notes SIGTERM, and Ctrl-C where no other program started this one (else it is that program's to answer)."""
 
     def __init__(self, is_launched: bool) -> None:

@@ -10,7 +10,7 @@ from kit.rail_world import YardLoading
 from onika.engine import news as said
 from onika.engine.engine import Engine
 from onika.host.diagnosis.explainer import Explainer
-from onika.host.diagnosis.stop_cause import Cause, Kind
+from onika.host.diagnosis.stop_cause import Cause, CauseKind
 from onika.host.loading.plan_preparation import prepare
 from onika.ring.segment import Segment
 from onika.runtime import news
@@ -190,25 +190,25 @@ def test_a_question_that_nobody_answers_ends_the_run():  # R-X06, law 25
 
 def test_a_lost_process_names_the_task_in_whose_call_it_was():  # R-A16, R-X06
     reason = "processing unit rt0 ended with code 3 in a call of task flow0/go"
-    one = Run([None]).ends(Cause(Kind.LOST, reason), said.Abort(reason)).explained
+    one = Run([None]).ends(Cause(CauseKind.LOST, reason), said.Abort(reason)).explained
     assert (one.kind, one.subsystem, one.task, one.action) == ("lost", "flow0", "go", "action 0")
 
 
 def test_what_the_user_wanted_blames_nobody():  # R-X06
-    one = Run([None]).ends(Cause(Kind.USER, "stopped (Ctrl-C)"), said.Abort("stopped")).explained
+    one = Run([None]).ends(Cause(CauseKind.USER, "stopped (Ctrl-C)"), said.Abort("stopped")).explained
     assert (one.kind, one.subsystem, one.task, one.text) == ("user", "", "", "stopped (Ctrl-C)")
 
 
 def test_an_end_is_explained_once():  # R-X06
     run = Run([None], stands_still=False).fails("arm").fails("go")
-    run.ends(Cause(Kind.USER, "enough"), said.Abort("enough"))
+    run.ends(Cause(CauseKind.USER, "enough"), said.Abort("enough"))
     assert run.explained.task == "arm"
     assert run.explainer.wake_at() is None
 
 
 def test_of_two_causes_one_within_the_other_the_inner_one_counts():  # R-X06
     run = Run([None], stands_still=False)
-    with run.explainer.watch(Cause(Kind.USER, "outer"), run.now):
+    with run.explainer.watch(Cause(CauseKind.USER, "outer"), run.now):
         run.fails("arm")
     assert run.explained.task == "arm"
 

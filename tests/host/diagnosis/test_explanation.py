@@ -6,8 +6,8 @@ from kit.plan_builder import PlanBuilder, action
 from kit.rail_world import YardLoading
 from onika.host.diagnosis import explanation
 from onika.host.diagnosis.explanation import explain
-from onika.host.diagnosis.stop_cause import Cause, Kind
-from onika.host.diagnosis.variable_history import History
+from onika.host.diagnosis.stop_cause import Cause, CauseKind
+from onika.host.diagnosis.variable_history import VariableHistory
 from onika.host.loading.plan_preparation import prepare
 from onika.ring.segment import Segment
 from onika.runtime.table import Table
@@ -40,7 +40,7 @@ class Scene:
         plan = shop.plan([action("goal", "law", "arm")], [action("goal", "law", "arm", "aside")])
         self.prepared = prepare(plan, (), YardLoading())
         self.table = Table(Segment.create("explanation", 1 << 16))
-        self.history = History({"flow0": self.table})
+        self.history = VariableHistory({"flow0": self.table})
 
     def write(self, **values):
         for name, value in values.items():
@@ -55,7 +55,7 @@ class Scene:
         return self
 
     def told(self, **changes):
-        fields = {"kind": Kind.ERROR, "text": "no", "subsystem": "flow0", "task": "arm"} | changes
+        fields = {"kind": CauseKind.ERROR, "text": "no", "subsystem": "flow0", "task": "arm"} | changes
         places = [Position("flow0", "stopped", 0, failed=("arm",)), Position("flow1", "running", 0)]
         return explain(self.prepared, Cause(**fields), places, self.history, 1.5)
 
@@ -73,7 +73,7 @@ def test_a_tasks_own_variables_come_first_then_what_feeds_it(scene):  # R-X06
     assert [course.unit for course in scene.told().courses] == ["N.m", "rad", "rad"]
 
 
-@pytest.mark.parametrize("changes", [{"entry": "init"}, {"kind": Kind.ASKING}])
+@pytest.mark.parametrize("changes", [{"entry": "init"}, {"kind": CauseKind.ASKING}])
 def test_constants_matter_where_they_are_read(scene, changes):  # R-X06
     assert scene.shown(**changes)[0] == "LIMIT"
 
@@ -86,7 +86,7 @@ def test_the_way_of_what_is_no_number_is_shown_before_all_else():  # R-X06, law 
 
 def test_only_an_error_raises_a_suspicion():  # R-X06
     scene = Scene().write(TAU=float("nan")).lives()
-    assert scene.told(kind=Kind.PRESSED).suspect == ""
+    assert scene.told(kind=CauseKind.PRESSED).suspect == ""
 
 
 def test_of_what_was_never_written_nothing_is_said():  # R-X06
@@ -95,12 +95,12 @@ def test_of_what_was_never_written_nothing_is_said():  # R-X06
 
 
 def test_a_cause_without_a_task_shows_no_variables(scene):  # R-X06
-    one = scene.told(kind=Kind.USER, subsystem="", task="", text="enough")
+    one = scene.told(kind=CauseKind.USER, subsystem="", task="", text="enough")
     assert (one.courses, one.waiting, one.action, one.index, one.place) == ((), (), "", -1, "")
 
 
 def test_before_the_first_action_the_tasks_own_file_is_the_place(scene):  # R-X06
-    cause = Cause(Kind.REFUSED, "spawn: no", "flow0", "arm")
+    cause = Cause(CauseKind.REFUSED, "spawn: no", "flow0", "arm")
     one = explain(scene.prepared, cause, [Position("flow0", "spawning", -1)], scene.history, 0.0)
     assert (one.place, one.action, one.index) == ("arm.rmod", "", -1)
 

@@ -3,7 +3,7 @@ from hypothesis import given, strategies as st
 
 from onika.engine.flow import FlowState
 from onika.host.diagnosis.stall import causes, last_of, tag_of, waiting_for
-from onika.host.diagnosis.stop_cause import Kind
+from onika.host.diagnosis.stop_cause import CauseKind
 from onika.wire.steer import Position
 
 
@@ -20,7 +20,7 @@ CIRCLE = (waits("flow0", "a", "flow1"), waits("flow1", "b", "flow0"))
 
 def test_a_circle_of_flows_is_a_deadlock_named_once():  # R-X03, R-X06
     (cause,) = causes(CIRCLE)
-    assert (cause.kind, cause.subsystem, cause.task, cause.ends) == (Kind.DEADLOCK, "flow0", "", False)
+    assert (cause.kind, cause.subsystem, cause.task, cause.ends) == (CauseKind.DEADLOCK, "flow0", "", False)
     assert cause.text == "flow0 waits at a for flow1, flow1 waits at b for flow0: none of them can go on"
 
 
@@ -40,7 +40,7 @@ def test_whoever_waits_for_a_flow_that_can_go_on_waits_rightly(state):  # R-X06
 )
 def test_whoever_waits_for_one_that_comes_no_more_is_deserted(state, words):  # R-X06
     (cause,) = causes((waits("flow0", "assemble a", "flow1"), at("flow1", state)))
-    assert (cause.kind, cause.subsystem) == (Kind.DESERTED, "flow0")
+    assert (cause.kind, cause.subsystem) == (CauseKind.DESERTED, "flow0")
     assert cause.text == f"flow0 waits at a for flow1, {words}"
 
 
@@ -99,9 +99,9 @@ def test_what_is_called_stuck_stays_stuck_and_nothing_else_does(flows):  # R-X03
         come |= {one.subsystem for one in flows if one.state in ("waiting", "joining") and come >= set(one.waits_for)}
     stuck = {one.subsystem for one in flows if one.state in ("waiting", "joining")} - come
     told = causes(flows)
-    named = {one.subsystem for one in told if one.kind is Kind.DESERTED}
+    named = {one.subsystem for one in told if one.kind is CauseKind.DESERTED}
     for one in told:
-        if one.kind is Kind.DEADLOCK:
+        if one.kind is CauseKind.DEADLOCK:
             hanging = {name for name, _ in waiting_for(one.subsystem, flows)} | {one.subsystem}
             named |= hanging & stuck
     assert named >= stuck

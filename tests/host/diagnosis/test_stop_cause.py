@@ -1,6 +1,6 @@
 import pytest
 
-from onika.host.diagnosis.stop_cause import Kind, of_failure, of_loss, of_question, of_refusal, of_signal
+from onika.host.diagnosis.stop_cause import CauseKind, of_failure, of_loss, of_question, of_refusal, of_signal
 from onika.runtime import news
 from onika.runtime.user_input import AskedItem
 
@@ -11,7 +11,7 @@ def failed(text, entry="cycle"):
 
 def test_a_failure_keeps_what_was_said_where_and_with_which_values():  # R-X06
     found = of_failure(failed("ValueError: no"))
-    assert (found.kind, found.subsystem, found.task) == (Kind.ERROR, "flow0", "puma")
+    assert (found.kind, found.subsystem, found.task) == (CauseKind.ERROR, "flow0", "puma")
     assert (found.text, found.path, found.line, found.entry) == ("cycle: ValueError: no", "puma.py", 7, "cycle")
     assert found.values == {"TAU_REF": [1.0]}
     assert not found.ends
@@ -20,9 +20,9 @@ def test_a_failure_keeps_what_was_said_where_and_with_which_values():  # R-X06
 @pytest.mark.parametrize(
     ("text", "kind"),
     [
-        ("ModuleError: panic button pressed; the drive holds", Kind.PRESSED),
-        ("ModuleError: the drive has tripped", Kind.TRIPPED),
-        ("ModuleError: no torque", Kind.ERROR),
+        ("ModuleError: panic button pressed; the drive holds", CauseKind.PRESSED),
+        ("ModuleError: the drive has tripped", CauseKind.TRIPPED),
+        ("ModuleError: no torque", CauseKind.ERROR),
     ],
 )
 def test_a_hardware_task_that_fails_over_its_drive_is_told_apart(text, kind):  # R-X06, R-K06
@@ -30,7 +30,7 @@ def test_a_hardware_task_that_fails_over_its_drive_is_told_apart(text, kind):  #
 
 
 def test_another_task_may_say_what_it_likes():  # R-X06
-    assert of_failure(failed("ValueError: tripped over a panic button")).kind is Kind.ERROR
+    assert of_failure(failed("ValueError: tripped over a panic button")).kind is CauseKind.ERROR
 
 
 @pytest.mark.parametrize("kind", ["ILLEGAL", "SHUTDOWN"])
@@ -65,7 +65,7 @@ def test_a_question_names_what_is_asked_for_and_what_was_wrong():  # R-X06, law 
 )
 def test_a_loss_names_the_task_in_whose_call_it_was(reason, named):  # R-A16, R-X06
     found = of_loss(reason, [("flow0", "sick"), ("flow1", "sick")])
-    assert (found.kind, found.subsystem, found.task) == (Kind.LOST, *named)
+    assert (found.kind, found.subsystem, found.task) == (CauseKind.LOST, *named)
 
 
 def test_equal_causes_are_one_to_a_set():

@@ -4,7 +4,7 @@ import struct
 import pytest
 from hypothesis import given, strategies as st
 
-from onika.host.diagnosis.variable_history import MOST_NUMBERS, History
+from onika.host.diagnosis.variable_history import MOST_NUMBERS, VariableHistory
 from onika.ring.segment import Segment
 from onika.runtime.table import Table
 from onika.words.shape import Shape
@@ -17,7 +17,7 @@ class Place:
 
     def __init__(self, every_ns=50 * MS, kept_ns=200 * MS, began_ns=0):
         self.table = Table(Segment.create("history", 1 << 20))
-        self.history = History({"flow0": self.table}, every_ns, kept_ns, began_ns)
+        self.history = VariableHistory({"flow0": self.table}, every_ns, kept_ns, began_ns)
 
     def has(self, name, shape="double"):
         self.table.entry(name, Shape.parse(shape))
@@ -132,7 +132,7 @@ def test_it_sleeps_where_there_is_nothing_to_see(place):  # R-X06
 
 def test_a_grid_wider_than_what_is_kept_is_no_history():
     with pytest.raises(ValueError, match="more often than"):
-        History({}, every_ns=2, kept_ns=1)
+        VariableHistory({}, every_ns=2, kept_ns=1)
 
 
 @given(st.lists(st.tuples(st.sampled_from("XYZ"), st.integers(0, 3), st.integers(0, 120)), max_size=60))

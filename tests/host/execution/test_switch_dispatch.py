@@ -5,7 +5,7 @@ import pytest
 from kit.plan_builder import PlanBuilder, action
 from onika.engine.orders import Start, Switch
 from onika.host.execution.switch_dispatch import SwitchDispatch
-from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare
 from onika.ring.segment import Segment
 from onika.runtime import news
@@ -38,7 +38,7 @@ def board(units):
     shop = PlanBuilder()
     for name in HOMES:
         shop.task(name, f"from onika.module import Module\nclass {name.upper()}(Module):\n    trigger = True\n")
-    prepared = prepare(shop.plan([action(*HOMES)]), (), DirectLoading())
+    prepared = prepare(shop.plan([action(*HOMES)]), (), ModuleFacts())
     subsystem = RunningSubsystem("flow0", Table(Segment.create("table", SIZE)), prepared.flows[0], HOMES)
     return SwitchDispatch(subsystem, units, count(1))
 

@@ -31,12 +31,12 @@ def test_every_question_arrives_as_it_was_asked(asked):  # law 21
     [
         room.Constants({"N": 2}),
         room.Reach([None, "too far"]),
-        room.Poses([[0.5] * 9]),
-        room.Poses(None),
+        room.KnownPoses([[0.5] * 9]),
+        room.KnownPoses(None),
         room.Postures([[0.1], "too far"]),
         room.Objections(("another robot",)),
         room.Devices(("d",)),
-        room.Wrong(
+        room.UnusableModule(
             FaultText("a.py", 3, Reason.plain("expected one, found two"), Reason.plain("three"), "flow0", ("mend it",))
         ),
     ],

@@ -1,7 +1,7 @@
 import pytest
 from tests.sentences import found_by
 
-from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.module_facts import ModuleFacts
 from onika.store.site import shipped
 from onika.wire.plan import Code
 from onika.words.fault import Fault
@@ -36,7 +36,7 @@ def code(source, name="robot"):
 
 @pytest.fixture
 def loading():
-    return DirectLoading()
+    return ModuleFacts()
 
 
 def test_the_sheet_says_all_that_is_declared(loading):  # law 24

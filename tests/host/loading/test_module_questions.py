@@ -4,16 +4,18 @@ import pytest
 
 from kit.rail_world import YardLoading
 from onika.host.loading.loader_client import LoaderClient
-from onika.host.loading.module_facts import DirectLoading
-from onika.host.loading.module_questions import Loading
+from onika.host.loading.module_facts import ModuleFacts
+from onika.host.loading.module_questions import ModuleQuestions
 
-QUESTIONS = sorted(name for name, one in vars(Loading).items() if inspect.isfunction(one) and not name.startswith("_"))
+QUESTIONS = sorted(
+    name for name, one in vars(ModuleQuestions).items() if inspect.isfunction(one) and not name.startswith("_")
+)
 
 
 @pytest.mark.parametrize("name", QUESTIONS)
-@pytest.mark.parametrize("answerer", [DirectLoading, LoaderClient, YardLoading])
+@pytest.mark.parametrize("answerer", [ModuleFacts, LoaderClient, YardLoading])
 def test_whoever_answers_is_asked_alike(answerer, name):  # law 21
-    wanted, given = (inspect.signature(getattr(one, name)).parameters for one in (Loading, answerer))
+    wanted, given = (inspect.signature(getattr(one, name)).parameters for one in (ModuleQuestions, answerer))
     assert list(given) == list(wanted)
 
 

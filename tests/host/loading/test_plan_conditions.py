@@ -3,7 +3,7 @@ from msgspec import structs
 from tests.sentences import expected_by, found_by
 
 from kit.plan_builder import PlanBuilder, action
-from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_conditions import wrong_conditions
 from onika.host.loading.plan_preparation import prepare
 from onika.wire.plan import Again, Choose, Do, Halt, Jump, Rest, Unless
@@ -25,7 +25,7 @@ def told(*program, subsystem="flow0"):
     shop.task("arm", ARM)
     plan = shop.plan([action("arm"), action("arm")])
     flow = structs.replace(plan.flows[0], program=program, subsystem=subsystem)
-    prepared = prepare(structs.replace(plan, flows=(flow,)), (), DirectLoading())
+    prepared = prepare(structs.replace(plan, flows=(flow,)), (), ModuleFacts())
     return wrong_conditions((flow,), prepared.flows, {0: {"NDOF": 6}})
 
 

@@ -3,7 +3,7 @@ from msgspec.structs import replace
 from tests.sentences import expected_by, found_by
 
 from kit.plan_builder import PlanBuilder, action
-from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare
 from onika.host.loading.target_resolution import JOINT
 from onika.wire.request import TargetValues
@@ -73,7 +73,7 @@ class Shop:
         return prepare(plan, targets, Loading())
 
 
-class Loading(DirectLoading):
+class Loading(ModuleFacts):
     """Knows the devices of the shop."""
 
     def devices(self, world):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from mcap.reader import make_reader
 
-from onika.host.recording.recorded_variable import Variable, Watched
+from onika.host.recording.recorded_variable import VariablePlace, VariableRecorder
 from onika.record.writer import Writer
 from onika.ring.segment import Segment
 from onika.runtime.table import Table
@@ -23,7 +23,7 @@ class Bench:
 
     def watch(self, name, shape):
         offset = self.table.entry(name, Shape.parse(shape)).offset
-        return Watched("flow0", Variable(name, shape, "", offset), self.table.segment.view, self.writer)
+        return VariableRecorder("flow0", VariablePlace(name, shape, "", offset), self.table.segment.view, self.writer)
 
     def write(self, name, *numbers):
         self.table.ring(name).write(np.array(numbers, dtype=float).tobytes())

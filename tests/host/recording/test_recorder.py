@@ -6,7 +6,7 @@ from kit.direct_client import DirectClient
 from kit.plan_builder import action
 from kit.rail_world import rail_tasks
 from onika.desk.run.recorded_run import inputs_of
-from onika.host.units.realtime_factor import FASTEST, SLOWEST, Pace
+from onika.host.units.realtime_factor import FASTEST, SLOWEST, RealtimeFactor
 from onika.record import topics
 from onika.record.reader import Reader
 from onika.record.run import RunRecord
@@ -108,7 +108,7 @@ def test_what_is_repeated_goes_as_fast_as_it_can_and_the_rest_as_the_wall_lets_i
     result = desk.to_the_end()
     until = round(result.runtime_s * 1e9) - 300_000_000
     again = DirectClient()
-    again.driver._pace = Pace(SLOWEST, 0, monotonic_ns())
+    again.driver._pace = RealtimeFactor(SLOWEST, 0, monotonic_ns())
     again.ask(request.Prepare(PLAN, ()))
     again.ask(request.Begin(repeat=tuple(inputs_of(Reader(path), until)), repeat_until_ns=until))
     began = monotonic_ns()
@@ -118,7 +118,7 @@ def test_what_is_repeated_goes_as_fast_as_it_can_and_the_rest_as_the_wall_lets_i
         again.program.advance(1_000_000)
     passed = monotonic_ns() - began
     assert again.driver.now - until <= passed * SLOWEST + 1
-    again.driver._pace = Pace(FASTEST, again.driver.now, monotonic_ns())
+    again.driver._pace = RealtimeFactor(FASTEST, again.driver.now, monotonic_ns())
     while not again.of(event.Result):
         again.program.advance(1_000_000)
     assert again.of(event.Result)[0].hash == result.hash

@@ -6,12 +6,12 @@ import pytest
 
 from kit.recording_builder import run
 from onika.host.recording import recording_place
-from onika.host.recording.recording_place import Beside, InPlace
-from onika.host.recording.recording_sink import Finish, Start, Tell
+from onika.host.recording.recording_place import InProcessWriter, WriterProcess
+from onika.host.recording.recording_sink import AddMessage, BeginRecording, FinishRecording
 from onika.record import topics
 from onika.record.reader import Reader
 
-TELL = Tell(topics.EVENTS, 5, b'{"subsystem":"","event":{"type":"Done","flow":0,"index":0,"at_s":0.0}}')
+TELL = AddMessage(topics.EVENTS, 5, b'{"subsystem":"","event":{"type":"Done","flow":0,"index":0,"at_s":0.0}}')
 
 
 def served(pen, is_enough):
@@ -24,20 +24,20 @@ def served(pen, is_enough):
 
 def test_beside_the_clock_everything_is_written_at_once(tmp_path):  # law 29
     path = tmp_path / "run.mcap"
-    pen = InPlace(str(path), run())
+    pen = InProcessWriter(str(path), run())
     assert (pen.is_up, pen.is_done, list(pen.readers())) == (True, False, [])
     pen.take(TELL)
     pen.look(0)
     pen.serve()
     assert Reader(path).count(topics.EVENTS) == 1
-    pen.take(Finish({}))
+    pen.take(FinishRecording({}))
     assert (pen.is_done, pen.missed, pen.reason) == (True, 0, "")
     pen.close()
     assert Reader(path).is_whole
 
 
 def test_a_full_disk_ends_a_recording_and_no_run():  # R-X05
-    pen = InPlace("/dev/null", run())
+    pen = InProcessWriter("/dev/null", run())
     pen._stream.close()  # what is written now fails as on a disk that is full, but for the exception
     pen._stream = Path("/dev/full").open("wb", buffering=0)  # noqa: SIM115
     pen._sink._stream = pen._sink._writer._stream = pen._stream
@@ -50,11 +50,11 @@ def test_a_full_disk_ends_a_recording_and_no_run():  # R-X05
 
 def test_a_process_writes_it_in_wall_time(tmp_path):  # law 29
     path = tmp_path / "run.mcap"
-    pen = Beside(str(path), run(), 4_000_000, with_fifo=False)
+    pen = WriterProcess(str(path), run(), 4_000_000, with_fifo=False)
     assert served(pen, lambda: pen.is_up)
-    pen.take(Start(0))
+    pen.take(BeginRecording(0))
     pen.take(TELL)
-    pen.take(Finish({"completed": "yes"}))
+    pen.take(FinishRecording({"completed": "yes"}))
     assert served(pen, lambda: pen.is_done)
     pen.close()
     assert (pen.reason, pen.untold) == ("", 0)
@@ -62,7 +62,7 @@ def test_a_process_writes_it_in_wall_time(tmp_path):  # law 29
 
 
 def test_a_process_that_dies_is_noticed(tmp_path):  # R-X05
-    pen = Beside(str(tmp_path / "run.mcap"), run(), 4_000_000, with_fifo=False)
+    pen = WriterProcess(str(tmp_path / "run.mcap"), run(), 4_000_000, with_fifo=False)
     pen._process.kill()
     assert served(pen, lambda: pen.is_done)
     assert "ended with code -9" in pen.reason
@@ -71,7 +71,7 @@ def test_a_process_that_dies_is_noticed(tmp_path):  # R-X05
 
 def test_where_too_much_waits_it_is_counted_and_left_out(tmp_path, monkeypatch):  # bounded, and told
     monkeypatch.setattr(recording_place, "_MOST_WAITING", 0)
-    pen = Beside(str(tmp_path / "run.mcap"), run(), 4_000_000, with_fifo=False)
+    pen = WriterProcess(str(tmp_path / "run.mcap"), run(), 4_000_000, with_fifo=False)
     pen.take(TELL)
     pen.take(TELL)
     assert pen.untold == 2
@@ -80,6 +80,6 @@ def test_where_too_much_waits_it_is_counted_and_left_out(tmp_path, monkeypatch):
 
 def test_a_file_that_cannot_be_made_is_an_error():
     with pytest.raises(OSError, match="No such file"):
-        InPlace("/nowhere/run.mcap", run())
+        InProcessWriter("/nowhere/run.mcap", run())
     with pytest.raises(OSError, match="No such file"):
-        Beside("/nowhere/run.mcap", run(), 1, with_fifo=False)
+        WriterProcess("/nowhere/run.mcap", run(), 1, with_fifo=False)

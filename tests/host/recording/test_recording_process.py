@@ -7,10 +7,10 @@ import numpy as np
 
 from kit.recording_builder import run
 from onika.host.recording import recording_process
-from onika.host.recording.recorded_variable import Variable
-from onika.host.recording.recording_sink import Finish, Meet, Start, encode
-from onika.host.units.pose_stream import Posed
-from onika.host.units.process_socket import Post
+from onika.host.recording.recorded_variable import VariablePlace
+from onika.host.recording.recording_sink import AddVariables, BeginRecording, FinishRecording, encode
+from onika.host.units.pose_stream import WorldPoses
+from onika.host.units.process_socket import ProcessSocket
 from onika.record import topics
 from onika.record.reader import Reader
 from onika.record.run import RunRecord
@@ -24,17 +24,17 @@ class Beside:
     """The process's loop in a thread, on the other end of a post."""
 
     def __init__(self, path):
-        self.post, theirs = Post.pair()
+        self.post, theirs = ProcessSocket.pair()
         body = recording_process.encode_run(run())
         memory = Segment.create("run", len(body))
         memory.view[:] = body
         descriptor = os.open(path, os.O_WRONLY | os.O_CREAT)
-        self.inlet, far = Post.pair()
+        self.inlet, far = ProcessSocket.pair()
         self.post.send(b"run", (memory.fd, descriptor, far.fileno()))
         far.close()
         os.close(descriptor)
         memory.close()
-        self.far = Post(theirs)
+        self.far = ProcessSocket(theirs)
         self.thread = threading.Thread(target=recording_process.record, args=(self.far, 2_000_000))
         self.thread.start()
 
@@ -57,14 +57,16 @@ class Beside:
 
 def test_it_looks_by_itself_until_the_run_is_over(tmp_path):  # law 29
     beside = Beside(tmp_path / "run.mcap")
-    assert beside.word() == recording_process.Up()
+    assert beside.word() == recording_process.RecordingBegun()
     table = Table(Segment.create("table", 1 << 16))
     entry = table.entry("X", Shape.parse("long"))
-    beside.post.send(encode(Start(monotonic_ns())))
-    beside.post.send(encode(Meet("flow0", (Variable("X", "long", "", entry.offset),))), (table.segment.fd,))
+    beside.post.send(encode(BeginRecording(monotonic_ns())))
+    beside.post.send(
+        encode(AddVariables("flow0", (VariablePlace("X", "long", "", entry.offset),))), (table.segment.fd,)
+    )
     table.ring("X").write((7).to_bytes(8, "little"))
-    beside.post.send(encode(Finish({"completed": "yes"})))
-    assert beside.word() == recording_process.Ended(0, "")
+    beside.post.send(encode(FinishRecording({"completed": "yes"})))
+    assert beside.word() == recording_process.RecordingEnded(0, "")
     beside.close()
     reader = Reader(tmp_path / "run.mcap")
     assert RunRecord.read(reader) == run()
@@ -84,12 +86,12 @@ def test_poses_come_straight_from_whoever_steps_the_world_and_stand_at_their_own
     beside = Beside(tmp_path / "run.mcap")
     beside.word()
     zero = monotonic_ns()
-    beside.post.send(encode(Start(zero)))
+    beside.post.send(encode(BeginRecording(zero)))
     row = np.array([[1, 2, 3, 1, 0, 0, 0]], dtype=np.float32).tobytes()
     for at in (5, 40):
-        beside.inlet.send(encode(Posed("yard", 0, row, (), zero + at, left_out=at - 5)))
-    beside.post.send(encode(Finish({})))
-    assert beside.word() == recording_process.Ended(0, "", 35)
+        beside.inlet.send(encode(WorldPoses("yard", 0, row, (), zero + at, left_out=at - 5)))
+    beside.post.send(encode(FinishRecording({})))
+    assert beside.word() == recording_process.RecordingEnded(0, "", 35)
     beside.close()
     reader = Reader(tmp_path / "run.mcap")
     assert [at for at, _ in reader.messages(topics.frames("yard"))] == [5, 40]

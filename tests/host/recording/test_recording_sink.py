@@ -2,9 +2,17 @@ import msgspec
 import numpy as np
 import pytest
 
-from onika.host.recording.recorded_variable import Variable
-from onika.host.recording.recording_sink import Finish, Meet, RecordingSink, Show, Tell, decode, encode
-from onika.host.units.pose_stream import Posed
+from onika.host.recording.recorded_variable import VariablePlace
+from onika.host.recording.recording_sink import (
+    AddMessage,
+    AddScene,
+    AddVariables,
+    FinishRecording,
+    RecordingSink,
+    decode,
+    encode,
+)
+from onika.host.units.pose_stream import WorldPoses
 from onika.record import foxglove, topics
 from onika.record.reader import Reader
 from onika.record.series import Series
@@ -28,7 +36,7 @@ class Desk:
 
     def meet(self, name, shape):
         entry = self.table.entry(name, Shape.parse(shape))
-        order = Meet("flow0", (Variable(name, shape, "m", entry.offset),))
+        order = AddVariables("flow0", (VariablePlace(name, shape, "m", entry.offset),))
         self.sink.take(decode(encode(order)), self.table.segment.view)
 
     def write(self, name, *numbers):
@@ -38,7 +46,7 @@ class Desk:
         self._stream.close()
 
     def read(self):
-        self.sink.take(Finish({"completed": "yes"}, 2))
+        self.sink.take(FinishRecording({"completed": "yes"}, 2))
         self._stream.close()
         return Reader(self.path)
 
@@ -97,9 +105,9 @@ def test_worlds_are_drawn_once_and_again_when_a_lamp_shines(desk):  # K03
     shape = {"name": "lamp", "body": 0, "kind": "sphere", "size": [0.1], "position": [0, 0, 0],
              "quaternion": [1, 0, 0, 0], "rgba": [1, 0, 0, 1], "paint": ""}  # fmt: skip
     row = np.array([[0, 0, 1, 1, 0, 0, 0]], dtype=np.float32).tobytes()
-    desk.sink.take(decode(encode(Show("boxes", (shape,)))))
+    desk.sink.take(decode(encode(AddScene("boxes", (shape,)))))
     for at, lit in ((1, ()), (2, ()), (3, ("lamp",))):
-        desk.sink.take(decode(encode(Posed("boxes", at * MS, row, lit))))
+        desk.sink.take(decode(encode(WorldPoses("boxes", at * MS, row, lit))))
     reader = desk.read()
     assert [at for at, _ in reader.messages(topics.scene("boxes"))] == [0, 3 * MS]
     assert foxglove.lit(reader.newest(topics.scene("boxes"), 3 * MS)[1]) == ["lamp"]
@@ -109,17 +117,17 @@ def test_worlds_are_drawn_once_and_again_when_a_lamp_shines(desk):  # K03
 
 def test_what_was_said_stands_there_and_is_out_at_every_flush(desk):  # R-X05: kill -9
     body = topics.encode(topics.EventRecord("flow0", event.Done(0, 1, 0.5)))
-    desk.sink.take(Tell(topics.EVENTS, 5 * MS, body))
+    desk.sink.take(AddMessage(topics.EVENTS, 5 * MS, body))
     desk.sink.flush()
     assert list(Reader(desk.path).messages(topics.EVENTS)) == [(5 * MS, body)]
-    desk.sink.take(Tell(topics.EVENTS, 6 * MS, body))
+    desk.sink.take(AddMessage(topics.EVENTS, 6 * MS, body))
     desk.sink.look(10**10)
     assert Reader(desk.path).count(topics.EVENTS) == 2
 
 
 def test_a_file_that_is_deleted_or_cut_meanwhile_is_told(desk):  # R-X05: else it would be missed after the run
     body = topics.encode(topics.EventRecord("flow0", event.Done(0, 1, 0.5)))
-    desk.sink.take(Tell(topics.EVENTS, 5 * MS, body))
+    desk.sink.take(AddMessage(topics.EVENTS, 5 * MS, body))
     desk.sink.flush()
     with desk.path.open("r+b") as file:
         file.truncate(10)
@@ -127,4 +135,4 @@ def test_a_file_that_is_deleted_or_cut_meanwhile_is_told(desk):  # R-X05: else i
         desk.sink.flush()
     desk.path.unlink()
     with pytest.raises(OSError, match="was deleted or replaced"):
-        desk.sink.take(Finish({}))
+        desk.sink.take(FinishRecording({}))

@@ -6,7 +6,7 @@ from kit.executor import executor
 from kit.plan_builder import PlanBuilder, action
 from onika.engine import news as said, orders
 from onika.engine.engine import Engine
-from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare
 from onika.host.run.prepared_switch import PreparedSwitches
 from onika.model.lifecycle import State
@@ -41,7 +41,7 @@ class View:
         shop.task("bell", trigger)
         shop.task("ring", trigger + "    # another\n")
         plan = shop.plan([action("go", "bell"), action("go", "ring"), action("go", "bell")])
-        prepared = prepare(plan, (), DirectLoading())
+        prepared = prepare(plan, (), ModuleFacts())
         rtpus = dict(zip(("go", "bell", "ring"), homes, strict=True))
         self.subsystem = RunningSubsystem("flow0", Table(Segment.create("table", SIZE)), prepared.flows[0], rtpus)
         ranks = {(0, name): rank for name, rank in self.subsystem.ranks.items()}

@@ -5,7 +5,7 @@ import pytest
 from kit.executor import executor
 from kit.plan_builder import PlanBuilder, action
 from onika.engine import orders
-from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare
 from onika.host.run.switches import Switches
 from onika.model.lifecycle import State
@@ -38,7 +38,7 @@ class Switcher:
         for name in ("one", "two"):
             shop.task(name, WRITER.format(name.title()))
         plan = shop.plan([action("one"), action("two")], [action("one"), action("two")])
-        prepared = prepare(plan, (), DirectLoading())
+        prepared = prepare(plan, (), ModuleFacts())
         homes = {"one": "rt0", "two": "rt0"}
         self.subsystems = {
             n: RunningSubsystem(f"flow{n}", Table(Segment.create("table", SIZE)), flow, homes)

@@ -1,6 +1,14 @@
 import pytest
 
-from onika.host.sessions.admission import BACK_OFF_NS, FROM_ONE_ADDRESS, IN_THE_DOOR, WRONG_TOKENS, Admission, No, Yes
+from onika.host.sessions.admission import (
+    BACK_OFF_NS,
+    FROM_ONE_ADDRESS,
+    IN_THE_DOOR,
+    WRONG_TOKENS,
+    Admission,
+    LetIn,
+    TurnedAway,
+)
 from onika.host.sessions.users import User, Users
 from onika.link.caller import Role
 from onika.link.channel import Channel
@@ -17,7 +25,7 @@ def door():
 
 def status(door, *headers, path="/", address="a", now=0):
     answer = door.judge(path, headers, address, now)
-    return answer.status if isinstance(answer, No) else 101
+    return answer.status if isinstance(answer, TurnedAway) else 101
 
 
 @pytest.mark.parametrize(
@@ -25,7 +33,7 @@ def status(door, *headers, path="/", address="a", now=0):
     [("/", Channel.ALL), ("/session", Channel.SESSION), ("/signal", Channel.SIGNAL), ("/stream", Channel.STREAM)],
 )
 def test_the_path_says_the_channel_and_the_token_who_it_is(door, path, channel):
-    assert door.judge(path, (HOST, BEARER), "a", 0) == Yes(ANN, channel)
+    assert door.judge(path, (HOST, BEARER), "a", 0) == LetIn(ANN, channel)
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,7 @@ import pytest
 from kit.plan_builder import action
 from kit.rail_world import rail_tasks
 from onika.host.sessions.audit_log import AuditLog
-from onika.host.sessions.request_server import Call
+from onika.host.sessions.request_server import SessionRequest
 from onika.link.caller import Caller, Role
 from onika.link.channel import Channel
 from onika.link.sessions import Introduction
@@ -28,7 +28,9 @@ def book():
 
 
 def answered(book, asked, response=None, complain=lambda _text: None):
-    AuditLog(book, complain).answered(Call(1, "ann#2", Role.OPERATOR, asked, "192.0.2.7"), response or request.Done())
+    AuditLog(book, complain).answered(
+        SessionRequest(1, "ann#2", Role.OPERATOR, asked, "192.0.2.7"), response or request.Done()
+    )
 
 
 def test_a_command_is_one_line_with_who_from_where_what_and_what_came_of_it(book):  # R-X12

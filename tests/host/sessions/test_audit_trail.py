@@ -4,7 +4,7 @@ from datetime import UTC, datetime
 import pytest
 
 from onika.files.trail import older, read
-from onika.host.sessions.audit_trail import Audit, open_for, open_free
+from onika.host.sessions.audit_trail import AuditTrail, open_for, open_free
 
 
 @pytest.fixture
@@ -19,7 +19,7 @@ def records(path):
 
 
 def test_a_line_is_in_the_file_as_soon_as_it_is_noted(path):  # R-X12
-    audit = Audit(path, clock=lambda: datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC))
+    audit = AuditTrail(path, clock=lambda: datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC))
     audit.note("Stop", True, who="ann#2", result="done", about="")
     trail = read([path])
     assert trail.records == [
@@ -30,14 +30,14 @@ def test_a_line_is_in_the_file_as_soon_as_it_is_noted(path):  # R-X12
 
 
 def test_only_its_user_can_read_it(path):  # R-X12
-    Audit(path).close()
+    AuditTrail(path).close()
     assert path.stat().st_mode & 0o077 == 0
     assert path.parent.stat().st_mode & 0o077 == 0
 
 
 def test_the_next_runtime_goes_on_with_the_chain(path):  # R-X12
     for number in range(3):
-        audit = Audit(path)
+        audit = AuditTrail(path)
         audit.note(f"run {number}")
         audit.close()
     assert records(path) == ["run 0", "run 1", "run 2"]
@@ -45,14 +45,14 @@ def test_the_next_runtime_goes_on_with_the_chain(path):  # R-X12
 
 @pytest.mark.parametrize("left", [1, 64, 66, 90])
 def test_after_a_crash_in_the_midst_of_a_line_it_goes_on(path, left):  # R-X12, network.md F12
-    audit = Audit(path)
+    audit = AuditTrail(path)
     for what in ("one", "two", "three"):
         audit.note(what)
     audit.close()
     data = path.read_bytes()
     last = data.rindex(b"\n", 0, -1) + 1
     path.write_bytes(data[: last + left])
-    audit = Audit(path)
+    audit = AuditTrail(path)
     audit.note("four")
     audit.note("five")
     audit.close()
@@ -61,7 +61,7 @@ def test_after_a_crash_in_the_midst_of_a_line_it_goes_on(path, left):  # R-X12, 
 
 
 def test_it_is_bounded_and_the_chain_goes_on_through_all_its_files(path):  # R-X12
-    audit = Audit(path, limit=1000, kept=3)
+    audit = AuditTrail(path, limit=1000, kept=3)
     for number in range(100):
         audit.note(f"deed {number}")
     audit.close()
@@ -74,7 +74,7 @@ def test_it_is_bounded_and_the_chain_goes_on_through_all_its_files(path):  # R-X
 
 
 def test_long_words_are_cut(path):
-    audit = Audit(path)
+    audit = AuditTrail(path)
     audit.note("Stop", about="x" * 10_000)
     audit.close()
     assert path.stat().st_size < 1000
@@ -93,7 +93,7 @@ def test_two_runtimes_never_write_one_file(path):  # R-X12
 def test_where_it_cannot_lie_is_told(tmp_path):
     (tmp_path / "file").write_text("")
     with pytest.raises(OSError):
-        Audit(tmp_path / "file" / "audit.log")
+        AuditTrail(tmp_path / "file" / "audit.log")
 
 
 class FullDisk:
@@ -115,7 +115,7 @@ class FullDisk:
 def test_a_full_disk_is_told_and_survived(path, monkeypatch, room):  # R-X12, network.md F11
     disk = FullDisk(None)
     monkeypatch.setattr("onika.host.sessions.audit_trail.os.write", disk)
-    audit = Audit(path)
+    audit = AuditTrail(path)
     audit.note("one")
     disk.room = room
     audit.note("two", True)

@@ -1,6 +1,6 @@
 import pytest
 
-from onika.host.sessions.leases import FAR_NS, LEASE_NS, NEAR_NS, Heard, Leases
+from onika.host.sessions.leases import FAR_NS, LEASE_NS, NEAR_NS, Leases, SessionSilence
 
 MS = 1_000_000
 SECOND = 1000 * MS
@@ -33,7 +33,9 @@ def held():
 
 def leases_of(held, silences, length_ns=SECOND):
     """Leases that are told how long each is silent; the clock stands."""
-    return Leases(held, lambda session: Heard(silences[session]) if session in silences else None, length_ns, Clock())
+    return Leases(
+        held, lambda session: SessionSilence(silences[session]) if session in silences else None, length_ns, Clock()
+    )
 
 
 def test_a_lease_ends_with_its_last_moment_and_only_once(held):  # R-X12
@@ -78,11 +80,11 @@ def test_without_a_length_there_is_none(held):  # law 15
 @pytest.mark.parametrize(
     ("heard", "length_ns"),
     [
-        (Heard(0), LEASE_NS),
-        (Heard(0, 4, 0, 100), LEASE_NS),
-        (Heard(0, **STEADY, round_trip_us=19_999), NEAR_NS),
-        (Heard(0, **STEADY, round_trip_us=20_000), FAR_NS),
-        (Heard(0, 999, 1000 * MS, 100), LEASE_NS),
+        (SessionSilence(0), LEASE_NS),
+        (SessionSilence(0, 4, 0, 100), LEASE_NS),
+        (SessionSilence(0, **STEADY, round_trip_us=19_999), NEAR_NS),
+        (SessionSilence(0, **STEADY, round_trip_us=20_000), FAR_NS),
+        (SessionSilence(0, 999, 1000 * MS, 100), LEASE_NS),
     ],
     ids=["over TCP", "not relied on yet", "a short way", "a long way", "no more through"],
 )
@@ -94,7 +96,7 @@ def test_a_lease_follows_from_the_way_that_beats_take(held, heard, length_ns):  
 def test_who_beats_by_datagram_is_missed_after_a_quarter_of_a_second(held):  # R-X12
     held.needed = {"one"}
     heard = {"silent": 249 * MS}
-    leases = Leases(held, lambda _: Heard(heard["silent"], 99, heard["silent"], 100), None, Clock())
+    leases = Leases(held, lambda _: SessionSilence(heard["silent"], 99, heard["silent"], 100), None, Clock())
     assert leases.judge(0) == []
     heard["silent"] = NEAR_NS
     assert leases.judge(0) == ["one"]
@@ -103,7 +105,7 @@ def test_who_beats_by_datagram_is_missed_after_a_quarter_of_a_second(held):  # R
 def test_silence_while_the_runtime_itself_stood_still_is_excused_once(held):  # R-X12
     held.needed = {"one"}
     clock = Clock()
-    leases = Leases(held, lambda _: Heard(clock.now_ns, 99, clock.now_ns, 100), None, clock)
+    leases = Leases(held, lambda _: SessionSilence(clock.now_ns, 99, clock.now_ns, 100), None, clock)
     clock.now_ns = 400 * MS  # it was kept from looking: what lies in the sockets comes in a moment
     assert leases.judge(0) == []
     assert 0 < leases.due_ns() <= 50 * MS
@@ -120,7 +122,9 @@ def test_silence_while_the_runtime_itself_stood_still_is_excused_once(held):  # 
 def test_silence_while_the_porter_stood_still_is_excused_once_too(held):  # R-X12
     held.needed = {"one"}
     clock, deaf = Clock(), {"ns": 0}
-    leases = Leases(held, lambda _: Heard(clock.now_ns, 99, clock.now_ns, 100), None, clock, lambda: deaf["ns"])
+    leases = Leases(
+        held, lambda _: SessionSilence(clock.now_ns, 99, clock.now_ns, 100), None, clock, lambda: deaf["ns"]
+    )
     for _ in range(6):
         clock.now_ns += 50 * MS
         deaf["ns"] = max(0, clock.now_ns - 100 * MS)
@@ -133,7 +137,9 @@ def test_silence_while_the_porter_stood_still_is_excused_once_too(held):  # R-X1
 def test_a_porter_that_never_listens_again_does_not_keep_a_holder(held):  # R-X12
     held.needed = {"one"}
     clock = Clock()
-    leases = Leases(held, lambda _: Heard(clock.now_ns, 99, clock.now_ns, 100), None, clock, lambda: 10 * SECOND)
+    leases = Leases(
+        held, lambda _: SessionSilence(clock.now_ns, 99, clock.now_ns, 100), None, clock, lambda: 10 * SECOND
+    )
     while not held.lapsed:
         clock.now_ns += 50 * MS
         leases.judge(0)

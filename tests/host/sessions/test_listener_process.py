@@ -3,7 +3,7 @@ import socket
 
 import pytest
 
-from onika.host.sessions.listen_options import Listening
+from onika.host.sessions.listen_options import ListenerSettings
 from onika.host.sessions.listener_process import ListenerProcess
 from onika.host.sessions.users import User
 from onika.link.address import Address
@@ -20,7 +20,7 @@ HELLO = encode(Hello(2, "me", "e", 3))
 
 
 def listening(port=0):
-    return Listening("127.0.0.1", port, "", "", (User("ann", Role.VIEWER, digest("anns")),), ("localhost",))
+    return ListenerSettings("127.0.0.1", port, "", "", (User("ann", Role.VIEWER, digest("anns")),), ("localhost",))
 
 
 @pytest.mark.site

@@ -8,7 +8,7 @@ from websockets.frames import Frame
 from websockets.uri import parse_uri
 
 from onika.host.sessions.admission import Admission
-from onika.host.sessions.relay import Relay, Unwelcome
+from onika.host.sessions.relay import ConnectionRefused, Relay
 from onika.host.sessions.users import User, Users
 from onika.link.caller import Role
 from onika.link.channel import Channel
@@ -96,7 +96,7 @@ def test_whom_the_token_and_the_hello_introduce_is_let_in():
 def test_a_wrong_token_is_answered_and_ends_it():
     async def story(visitor):
         visitor.ask("wrong")
-        with pytest.raises(Unwelcome, match="401"):
+        with pytest.raises(ConnectionRefused, match="401"):
             await visitor.greet()
         assert (await visitor.reader.read(65536)).startswith(b"HTTP/1.1 401 ")
 
@@ -111,7 +111,7 @@ def test_garbage_is_unwelcome(data):
     async def story(visitor):
         visitor.writer.write(data)
         visitor.writer.write_eof()
-        with pytest.raises(Unwelcome):
+        with pytest.raises(ConnectionRefused):
             await visitor.greet()
 
     in_loop(story)
@@ -121,7 +121,7 @@ def test_one_who_does_not_begin_with_hello_is_told():
     async def story(visitor):
         greeting = await visitor.shake()
         visitor.say(encode(Beat(1, 1)))
-        with pytest.raises(Unwelcome, match="no hello"):
+        with pytest.raises(ConnectionRefused, match="no hello"):
             await greeting
         assert decode((await visitor.hear())[0]) == Bye("garbage", "an environment begins with hello")
 

@@ -1,13 +1,13 @@
 import pytest
 
 from onika.host.sessions.request_backlog import Backlog
-from onika.host.sessions.request_server import Call
+from onika.host.sessions.request_server import SessionRequest
 from onika.link.caller import Role
 from onika.wire import holding, live, request
 
 
 def call(asked, session="me"):
-    return Call(1, session, Role.OWNER, asked)
+    return SessionRequest(1, session, Role.OWNER, asked)
 
 
 def answered(_response):

@@ -3,7 +3,7 @@ import socket
 import pytest
 
 from kit.plan_builder import PlanBuilder, action
-from onika.host.sessions.request_server import Call, RequestServer
+from onika.host.sessions.request_server import RequestServer, SessionRequest
 from onika.link.caller import Caller, Role
 from onika.link.carrier import SocketCarrier, memory_pair
 from onika.link.channel import Channel
@@ -46,7 +46,7 @@ class House:
         self.guests = Sessions("life")
         self.connections: list[Connection] = []
         self.server = RequestServer(self.guests, lambda: self.now, self.road, accepts_code)
-        self.calls: list[Call] = []
+        self.calls: list[SessionRequest] = []
         self.answers = True
 
     def serve(self, _sources=(), _timeout=None):
@@ -99,7 +99,7 @@ def heard(connection):
 def test_a_request_comes_out_with_its_session_and_its_response_goes_back(house):  # R-F01, R-F07
     parent = house.parent()
     assert ask(parent, request.Abort("enough")) == request.Done()
-    assert house.calls == [Call(1, "owner#1", Role.OWNER, request.Abort("enough"), "parent")]
+    assert house.calls == [SessionRequest(1, "owner#1", Role.OWNER, request.Abort("enough"), "parent")]
 
 
 def test_what_is_no_request_is_refused_at_once(house):  # R-F07

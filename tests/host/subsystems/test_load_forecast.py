@@ -1,6 +1,6 @@
 import pytest
 
-from onika.host.subsystems.load_forecast import Coming, Forecast
+from onika.host.subsystems.load_forecast import ComingTask, LoadForecast
 from onika.runtime.load import TaskLoad
 
 
@@ -9,12 +9,12 @@ def load(task, use, cycles=100, is_on=True):
 
 
 def coming(task="new", digest="n", hz=100.0, rtpu="rt0"):
-    return Coming(rtpu, "s0", task, digest, hz)
+    return ComingTask(rtpu, "s0", task, digest, hz)
 
 
 @pytest.fixture
 def forecast():
-    one = Forecast()
+    one = LoadForecast()
     one.hear("rt0", [(load("heavy", 0.6), "h")])
     one.hear("rt1", [(load("new", 0.5), "n")])
     return one

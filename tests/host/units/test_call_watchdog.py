@@ -2,7 +2,7 @@ import signal
 
 import pytest
 
-from onika.host.units.call_watchdog import Patience
+from onika.host.units.call_watchdog import CallWatchdog
 from onika.runtime.error import ModuleError
 
 
@@ -16,7 +16,7 @@ def timer():
 
 
 def test_a_call_that_never_returns_is_interrupted_and_named(timer):  # law 15
-    patience = Patience(0.01)
+    patience = CallWatchdog(0.01)
     patience.watch("flow0/sick")
     with pytest.raises(ModuleError, match=r"a call of task flow0/sick has not returned for 0\.01 s"):
         while True:
@@ -24,7 +24,7 @@ def test_a_call_that_never_returns_is_interrupted_and_named(timer):  # law 15
 
 
 def test_one_that_catches_it_is_interrupted_again(timer):  # law 15
-    patience, caught = Patience(0.01), 0
+    patience, caught = CallWatchdog(0.01), 0
     patience.watch("flow0/stubborn")
     while caught < 3:
         try:
@@ -35,7 +35,7 @@ def test_one_that_catches_it_is_interrupted_again(timer):  # law 15
 
 
 def test_calls_that_return_are_never_interrupted(timer):  # law 15
-    patience, looks = Patience(0.005), []
+    patience, looks = CallWatchdog(0.005), []
     look = patience._look
     signal.signal(signal.SIGALRM, lambda *given: (looks.append(None), look(*given)))
     while len(looks) < 5:
@@ -44,7 +44,7 @@ def test_calls_that_return_are_never_interrupted(timer):  # law 15
 
 
 def test_the_executive_itself_is_never_interrupted(timer):  # law 15
-    patience, looks = Patience(0.005), []
+    patience, looks = CallWatchdog(0.005), []
     look = patience._look
     signal.signal(signal.SIGALRM, lambda *given: (looks.append(None), look(*given)))
     patience.watch("")

@@ -1,7 +1,7 @@
 import os
 
 from onika.host.units.child_process import start
-from onika.host.units.process_socket import Post
+from onika.host.units.process_socket import ProcessSocket
 
 ECHO = """
 import argparse, os, socket
@@ -23,7 +23,7 @@ def test_a_process_gets_its_end_of_the_post_what_it_inherits_and_one_thread_for_
 ):  # law 14
     (tmp_path / "echo_back.py").write_text(ECHO)
     monkeypatch.setenv("PYTHONPATH", str(tmp_path))
-    ours, theirs = Post.pair()
+    ours, theirs = ProcessSocket.pair()
     read, write = os.pipe()
     process = start("echo_back", theirs, ("--word", "hello", "--pipe", str(write)), (write,))
     assert theirs.fileno() == -1  # our copy of their end is closed: the end of the process will be seen

@@ -10,7 +10,7 @@ from kit.mass_world import MassWorld
 from onika.host.units import device_server as room
 from onika.host.units.device_server import DeviceServer
 from onika.host.units.heartbeat import SIZE, Heartbeat
-from onika.host.units.process_socket import Post
+from onika.host.units.process_socket import ProcessSocket
 from onika.ring.device import DeviceOrder, DriveState
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring
@@ -27,8 +27,8 @@ class Server:
     """A device server in a thread, and the other end of its post."""
 
     def __init__(self):
-        self.post, theirs = Post.pair()
-        self._theirs = Post(theirs)
+        self.post, theirs = ProcessSocket.pair()
+        self._theirs = ProcessSocket(theirs)
         beat = Segment.create("beat", SIZE)
         self.heartbeat = Heartbeat(beat)
         self.bus = Segment.create("bus", SEGMENT_SIZE)
@@ -55,10 +55,10 @@ class Server:
         return self.hear(kind)
 
     def open(self):
-        return self.ask(room.Open("yard"), room.Opened, (self.bus.fd,))
+        return self.ask(room.OpenWorld("yard"), room.WorldOpened, (self.bus.fd,))
 
     def claim(self, epoch=1):
-        return self.ask(room.Claim("yard:m0", epoch), room.Granted).grant
+        return self.ask(room.ClaimDevice("yard:m0", epoch), room.Granted).grant
 
     def command(self, grant, *values, order=DeviceOrder.DRIVE):
         data = np.array([grant.epoch, order, *values])
@@ -83,7 +83,7 @@ def server(monkeypatch):
 
 
 def test_a_world_is_opened_and_steps_on_the_grid_of_wall_time(server):  # law 16
-    assert server.open() == room.Opened("yard")
+    assert server.open() == room.WorldOpened("yard")
     grant = server.claim()
     first = server.state(grant)[0]
     while server.state(grant)[0] < first + 0.05:
@@ -95,7 +95,7 @@ def test_a_command_drives_and_silence_holds(server):  # laws 16, 17
     server.open()
     grant = server.claim()
     server.command(grant, 1.0)
-    driven, held = server.hear(room.Driven), server.hear(room.Driven)
+    driven, held = server.hear(room.DriveChanged), server.hear(room.DriveChanged)
     assert (driven.world, driven.device, driven.state, driven.cause) == ("yard", "m0", 0, "DRIVE")
     assert (held.state, held.cause) == (1, "silence")
     assert held.previous_step_ns - held.last_command_ns <= 50_000_000 < held.at_ns - held.last_command_ns
@@ -104,8 +104,8 @@ def test_a_command_drives_and_silence_holds(server):  # laws 16, 17
 def test_a_device_is_granted_to_one_writer_until_it_is_released(server):  # law 16
     server.open()
     server.claim(1)
-    assert "claimed already" in server.ask(room.Claim("yard:m0", 2), room.Denied).reason
-    server.say(room.Release("yard:m0", 1))
+    assert "claimed already" in server.ask(room.ClaimDevice("yard:m0", 2), room.Denied).reason
+    server.say(room.ReleaseDevice("yard:m0", 1))
     assert server.claim(3).epoch == 3
 
 
@@ -113,9 +113,9 @@ def test_a_dead_writer_is_fenced_and_its_devices_trip(server):  # law 17
     server.open()
     grant = server.claim()
     server.command(grant, 1.0)
-    assert server.hear(room.Driven).state == 0
-    server.say(room.Fence(grant.epoch))
-    tripped = server.hear(room.Driven)
+    assert server.hear(room.DriveChanged).state == 0
+    server.say(room.FenceWriter(grant.epoch))
+    tripped = server.hear(room.DriveChanged)
     assert (tripped.state, tripped.cause) == (2, "its writer died")
 
 
@@ -123,31 +123,34 @@ def test_a_stop_holds_everything(server):  # law 27
     server.open()
     grant = server.claim()
     server.command(grant, 1.0)
-    server.hear(room.Driven)
+    server.hear(room.DriveChanged)
     server.say(room.StopAll())
-    assert server.hear(room.Driven).cause == "stop"
+    assert server.hear(room.DriveChanged).cause == "stop"
 
 
 def test_a_part_is_touched_and_an_unknown_one_denied(server):  # R-K06
     server.open()
     grant = server.claim()
     server.command(grant, 1.0)
-    assert server.hear(room.Driven).state == DriveState.DRIVEN
-    assert server.ask(room.Touch("yard", "panic", 1.0), room.Touched) == room.Touched()
-    assert server.hear(room.Driven).state == DriveState.PRESSED
-    assert "found 1 for 'bell'" in server.ask(room.Touch("yard", "bell", 1.0), room.Denied).reason
+    assert server.hear(room.DriveChanged).state == DriveState.DRIVEN
+    assert server.ask(room.TouchPart("yard", "panic", 1.0), room.PartTouched) == room.PartTouched()
+    assert server.hear(room.DriveChanged).state == DriveState.PRESSED
+    assert "found 1 for 'bell'" in server.ask(room.TouchPart("yard", "bell", 1.0), room.Denied).reason
 
 
 def test_what_is_not_there_is_denied_with_what_is(server):  # law 16
-    assert server.ask(room.Open("sea"), room.Denied, (server.bus.fd,)).reason == "expected a world (yard), found 'sea'"
+    assert (
+        server.ask(room.OpenWorld("sea"), room.Denied, (server.bus.fd,)).reason
+        == "expected a world (yard), found 'sea'"
+    )
     server.open()
-    assert "m0" in server.ask(room.Claim("yard:m9", 1), room.Denied).reason
+    assert "m0" in server.ask(room.ClaimDevice("yard:m9", 1), room.Denied).reason
 
 
 def test_the_worlds_can_be_drawn(server):
-    assert server.ask(room.Draw(), room.Drawn).snapshots == {}
+    assert server.ask(room.TakeSnapshots(), room.SnapshotsTaken).snapshots == {}
     server.open()
-    assert server.ask(room.Draw(), room.Drawn).snapshots.keys() == {"yard"}
+    assert server.ask(room.TakeSnapshots(), room.SnapshotsTaken).snapshots.keys() == {"yard"}
 
 
 def test_after_a_stall_the_world_loses_time_and_does_not_run_after_it(server, monkeypatch):  # law 13
@@ -156,7 +159,7 @@ def test_after_a_stall_the_world_loses_time_and_does_not_run_after_it(server, mo
     now = monotonic_ns
     monkeypatch.setattr(room, "monotonic_ns", lambda: now() + 10_000_000_000)  # ten seconds have gone by at once
     for _ in range(3):
-        server.ask(room.Draw(), room.Drawn)
+        server.ask(room.TakeSnapshots(), room.SnapshotsTaken)
     assert server.state(grant)[0] < 5.0
 
 
@@ -168,11 +171,11 @@ def test_it_ends_with_the_runtime(server):  # law 31
 
 def test_poses_are_told_to_whoever_brings_a_socket_and_not_to_the_runner(server):  # law 29: it is woken for nothing
     server.open()
-    near, far = Post.pair()
-    server.say(room.Pose("yard"), (far.fileno(),))
+    near, far = ProcessSocket.pair()
+    server.say(room.StreamPoses("yard"), (far.fileno(),))
     assert select.select([near], [], [], 20.0)[0]
     assert room.decode_word(near.receive()[0]).world == "yard"
     near.close()
     far.close()
-    server.say(room.Touch("yard", "bell", 1.0))
+    server.say(room.TouchPart("yard", "bell", 1.0))
     assert isinstance(server.hear(room.Word.__args__), room.Denied)

@@ -3,7 +3,7 @@ import os
 import pytest
 
 from onika.host.units import output_pipe
-from onika.host.units.output_pipe import Outlet
+from onika.host.units.output_pipe import OutputPipe
 
 
 @pytest.fixture
@@ -16,13 +16,13 @@ def pipe():
 
 def test_what_is_printed_comes_out(pipe):
     read, write = pipe
-    print("grüezi", file=Outlet(write))
+    print("grüezi", file=OutputPipe(write))
     assert os.read(read, 100).decode() == "grüezi\n"
 
 
 def test_a_full_pipe_drops_text_and_never_blocks(pipe):  # law 30
     read, write = pipe
-    out = Outlet(write)
+    out = OutputPipe(write)
     assert out.write("x" * 10_000_000) == 10_000_000
     assert out.write("more") == 4
     os.set_blocking(read, False)
@@ -40,24 +40,24 @@ def test_a_full_pipe_drops_text_and_never_blocks(pipe):  # law 30
 def test_a_closed_pipe_is_no_fault():  # law 30
     read, write = os.pipe()
     os.close(read)
-    assert Outlet(write).write("into the void") == 13
+    assert OutputPipe(write).write("into the void") == 13
     os.close(write)
 
 
 def test_signs_that_cannot_be_encoded_are_replaced(pipe):
     read, write = pipe
-    Outlet(write).write("\ud800!")
+    OutputPipe(write).write("\ud800!")
     assert os.read(read, 100) == b"?!"
 
 
 def test_both_outputs_of_a_process_are_replaced(monkeypatch):
     opened = []
-    monkeypatch.setattr(output_pipe, "Outlet", lambda descriptor: opened.append(descriptor) or descriptor)
+    monkeypatch.setattr(output_pipe, "OutputPipe", lambda descriptor: opened.append(descriptor) or descriptor)
     monkeypatch.setattr("sys.stdout", None)
     monkeypatch.setattr("sys.stderr", None)
-    output_pipe.open_outlets()
+    output_pipe.open_output_pipes()
     assert opened == [1, 2]
 
 
 def test_it_can_be_written_to():
-    assert Outlet.writable(object())
+    assert OutputPipe.writable(object())

@@ -1,7 +1,7 @@
 from onika.host.units import pose_stream
 from onika.host.units.device_server import decode_word
-from onika.host.units.pose_stream import Posing
-from onika.host.units.process_socket import Post
+from onika.host.units.pose_stream import PoseStream
+from onika.host.units.process_socket import ProcessSocket
 
 MS = 1_000_000
 
@@ -14,9 +14,9 @@ def heard(post):
 
 
 def test_everybody_who_asked_is_told_thirty_times_a_second():  # law 29
-    one = Posing("yard")
+    one = PoseStream("yard")
     assert not one.is_due(0)
-    posts = [Post.pair() for _ in range(2)]
+    posts = [ProcessSocket.pair() for _ in range(2)]
     for near, _ in posts:
         one.add(near)
         one.add(near)
@@ -24,7 +24,7 @@ def test_everybody_who_asked_is_told_thirty_times_a_second():  # law 29
         if one.is_due(now):
             one.tell(now, now - 7, b"rows", ("lamp",))
     for _, end in posts:
-        far = Post(end)
+        far = ProcessSocket(end)
         told = heard(far)
         far.close()
         assert [(each.world, each.at_ns, each.rows, each.lit, each.left_out) for each in told] == [
@@ -36,8 +36,8 @@ def test_everybody_who_asked_is_told_thirty_times_a_second():  # law 29
 
 
 def test_who_is_gone_is_told_nothing_more():
-    one = Posing("yard")
-    near, far = Post.pair()
+    one = PoseStream("yard")
+    near, far = ProcessSocket.pair()
     one.add(near)
     far.close()
     one.tell(0, 0, b"", ())
@@ -46,9 +46,9 @@ def test_who_is_gone_is_told_nothing_more():
 
 def test_who_does_not_come_to_take_them_is_told_how_many_were_left_out(monkeypatch):  # bounded, and told
     monkeypatch.setattr(pose_stream, "_MOST_WAITING", 0)
-    one = Posing("yard")
-    near, end = Post.pair()
-    far = Post(end)
+    one = PoseStream("yard")
+    near, end = ProcessSocket.pair()
+    far = ProcessSocket(end)
     one.add(near)
     one.tell(0, 0, b"", ())
     one.tell(1, 1, b"", ())

@@ -3,12 +3,12 @@ import select
 
 from hypothesis import given, settings, strategies as st
 
-from onika.host.units.process_socket import Post
+from onika.host.units.process_socket import ProcessSocket
 
 
 def pair():
-    ours, theirs = Post.pair()
-    return ours, Post(theirs)
+    ours, theirs = ProcessSocket.pair()
+    return ours, ProcessSocket(theirs)
 
 
 def everything(post):
@@ -97,7 +97,7 @@ def test_it_can_be_waited_for():
 
 
 def test_how_much_waits_is_known():  # law 30
-    ours, theirs = Post.pair()
+    ours, theirs = ProcessSocket.pair()
     assert ours.waiting == 0
     while not ours.waiting:
         ours.send(bytes(100_000))

@@ -8,8 +8,8 @@ import pytest
 
 from onika.host.units import rtpu as room
 from onika.host.units.heartbeat import SIZE, Heartbeat
-from onika.host.units.process_socket import Post
-from onika.host.units.rtpu import Ready, Rtpu, Share
+from onika.host.units.process_socket import ProcessSocket
+from onika.host.units.rtpu import Rtpu, Share, UnitReady
 from onika.ring.segment import Segment
 from onika.runtime import command, news, table as tables
 from onika.words.shape import Shape
@@ -35,8 +35,8 @@ class Unit:
     """A processing unit in a thread, and the runner's end of its post."""
 
     def __init__(self):
-        self.post, theirs = Post.pair()
-        self._theirs = Post(theirs)
+        self.post, theirs = ProcessSocket.pair()
+        self._theirs = ProcessSocket(theirs)
         self._heard = deque()
         beat = Segment.create("beat", SIZE)
         self.heartbeat = Heartbeat(beat)
@@ -182,7 +182,7 @@ def test_it_ends_with_the_runtime_and_turns_its_tasks_off(unit):  # laws 17, 30
 
 
 def test_words_of_a_unit_travel():
-    assert room.decode_news(room.encode([Ready({"SCHED_FIFO": True})])) == [Ready({"SCHED_FIFO": True})]
+    assert room.decode_news(room.encode([UnitReady({"SCHED_FIFO": True})])) == [UnitReady({"SCHED_FIFO": True})]
     assert room.decode_command(room.encode(Share("table:flow0"))) == Share("table:flow0")
 
 

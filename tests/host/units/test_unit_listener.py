@@ -4,15 +4,15 @@ import pytest
 
 from kit.live_edits import LossyDriver
 from onika.host.subsystems.subsystem_registry import Subsystems
-from onika.host.units.unit_listener import Listener
+from onika.host.units.unit_listener import UnitListener
 
-WORDS = sorted(name for name in vars(Listener) if not name.startswith("_"))
+WORDS = sorted(name for name in vars(UnitListener) if not name.startswith("_"))
 
 
 @pytest.mark.parametrize("listener", [Subsystems, LossyDriver])
 @pytest.mark.parametrize("name", WORDS)
 def test_whoever_listens_hears_the_same(listener, name):  # law 1
-    wanted, given = vars(Listener)[name], inspect.getattr_static(listener, name)
+    wanted, given = vars(UnitListener)[name], inspect.getattr_static(listener, name)
     assert type(given) is type(wanted)
     if inspect.isfunction(wanted):
         assert list(inspect.signature(given).parameters) == list(inspect.signature(wanted).parameters)

@@ -8,7 +8,7 @@ from kit.plan_builder import PlanBuilder, action
 from kit.rail_world import YardLoading, rail_tasks
 from onika.host.loading.plan_preparation import prepare
 from onika.host.run.runner import Runner
-from onika.host.units.realtime_factor import Pace
+from onika.host.units.realtime_factor import RealtimeFactor
 from onika.host.units.virtual import VirtualDriver
 from onika.ring.segment import Segment
 from onika.runtime.subsystem import RunningSubsystem
@@ -255,7 +255,7 @@ def outside_run(outsider, passive=False, patience="10.0", scale=None):
     shop.task("enough", ENOUGH, frequency=100.0)
     run = Run(shop, [action("asks", "enough")], begin=Begin(watch=("N",)))
     if scale:
-        run.driver._pace = Pace(scale, 0, monotonic_ns())
+        run.driver._pace = RealtimeFactor(scale, 0, monotonic_ns())
     return run
 
 

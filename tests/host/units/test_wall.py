@@ -5,7 +5,7 @@ import signal
 import pytest
 
 from kit.plan_builder import PlanBuilder, action
-from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare
 from onika.host.run.runner import Runner
 from onika.host.units.wall import DEVICES, WallDriver
@@ -33,7 +33,7 @@ class Run:
         shop.task("gripper", source("puma", "gripper"), frequency=250.0, local={"DEVICE": "boxes:gripper_left"})
         local = {"LEAST": most, "MOST": most}
         shop.task("opengrip", source("puma", "opengrip"), frequency=50.0, local=local)
-        prepared = prepare(shop.plan([action("gripper", "opengrip")]), (), DirectLoading())
+        prepared = prepare(shop.plan([action("gripper", "opengrip")]), (), ModuleFacts())
         assert prepared.faults == []
         table = Table(Segment.create("table", SIZE))
         self.driver.share("table:flow0", table.segment)

@@ -52,7 +52,7 @@ class Unit:
 
     def __init__(self, supervisor: Supervisor, name: str, house: Household) -> None:
         self._unit: Supervised = supervisor.launch(name, "onika.host.units.rtpu", ("--name", name))
-        self.granted = self.hear(rtpu.Ready).granted
+        self.granted = self.hear(rtpu.UnitReady).granted
         self._unit.post.send(rtpu.encode(rtpu.Share(f"table:{HOME}")), (house.segment.fd,))
 
     def send(self, order: command.Command) -> None:
@@ -83,7 +83,7 @@ class Unit:
         while (left := until_ns - monotonic_ns()) > 0:
             self._next(left * 1e-9)
 
-    def _next(self, wait_s: float = 5.0) -> list[rtpu.Ready | news.News]:
+    def _next(self, wait_s: float = 5.0) -> list[rtpu.UnitReady | news.News]:
         post = self._unit.post
         select.select([post], [], [], wait_s)
         received = post.receive()

@@ -18,8 +18,8 @@ from dataclasses import replace
 from onika.host.diagnosis import stop_cause
 from onika.host.diagnosis.explanation import explain
 from onika.host.diagnosis.stall import causes
-from onika.host.diagnosis.stop_cause import Cause, Kind
-from onika.host.diagnosis.variable_history import History
+from onika.host.diagnosis.stop_cause import Cause, CauseKind
+from onika.host.diagnosis.variable_history import VariableHistory
 from onika.host.loading.plan_preparation import Preparation
 from onika.runtime import news
 from onika.runtime.table import Table
@@ -40,7 +40,7 @@ class Explainer:
         tell: Callable[[event.Event], None],
     ) -> None:
         self._tables = tables
-        self._history = History(tables)
+        self._history = VariableHistory(tables)
         self._prepared = prepared
         self._positions = positions
         self._tell = tell
@@ -54,7 +54,7 @@ class Explainer:
     def begin(self, now: int) -> None:
         """The run begins: all times count from here."""
         self._began = now
-        self._history = History(self._tables, began_ns=now)
+        self._history = VariableHistory(self._tables, began_ns=now)
 
     def wake_at(self) -> int | None:
         """When `tick` has something to do."""
@@ -118,7 +118,7 @@ class Explainer:
                 return stop_cause.of_refusal(why)
             case news.Asked():
                 return stop_cause.of_question(why)
-            case Cause(kind=Kind.LOST, task=""):
+            case Cause(kind=CauseKind.LOST, task=""):
                 tasks = ((flow.subsystem, task.name) for flow in self._prepared.plan.flows for task in flow.tasks)
                 return stop_cause.of_loss(why.text, tasks)
             case _:

@@ -12,9 +12,9 @@ from msgspec import structs
 
 from onika.host.diagnosis.nan_origin import Suspicion, is_no_number, suspicion
 from onika.host.diagnosis.stall import waiting_for
-from onika.host.diagnosis.stop_cause import Cause, Kind
+from onika.host.diagnosis.stop_cause import Cause, CauseKind
 from onika.host.diagnosis.stop_choice import choices
-from onika.host.diagnosis.variable_history import History
+from onika.host.diagnosis.variable_history import VariableHistory
 from onika.host.loading.plan_preparation import Preparation
 from onika.runtime.wiring import WiredTask
 from onika.wire import event
@@ -30,7 +30,7 @@ MOST_NUMBERS = 6000
 
 
 def explain(
-    prepared: Preparation, cause: Cause, positions: Sequence[Position], history: History, at_s: float
+    prepared: Preparation, cause: Cause, positions: Sequence[Position], history: VariableHistory, at_s: float
 ) -> event.Explained:
     """Tell all that is known of a cause; `at_s` counts from the run's start.
 
@@ -92,8 +92,8 @@ def _place(scene: _Scene) -> str:
     return ""
 
 
-def _suspicion(scene: _Scene, cause: Cause, history: History) -> Suspicion:
-    if scene.task is None or cause.kind is not Kind.ERROR:
+def _suspicion(scene: _Scene, cause: Cause, history: VariableHistory) -> Suspicion:
+    if scene.task is None or cause.kind is not CauseKind.ERROR:
         return Suspicion()
     seen = _as_failed(scene.task, cause)
 
@@ -120,7 +120,7 @@ def _as_failed(task: WiredTask, cause: Cause) -> dict[str, Any]:
     return {inputs[port]: value for port, value in cause.values.items() if port in inputs}
 
 
-def _courses(scene: _Scene, cause: Cause, suspected: Suspicion, history: History) -> tuple[event.Course, ...]:
+def _courses(scene: _Scene, cause: Cause, suspected: Suspicion, history: VariableHistory) -> tuple[event.Course, ...]:
     if scene.task is None:
         return ()
     units = {port.svar: port.unit for wired_task in (*scene.beside, scene.task) for port in wired_task.ports}
@@ -141,7 +141,7 @@ def _that_matter(task: WiredTask, beside: Sequence[WiredTask], cause: Cause, sus
     for wired_task in beside:
         if wired_task.name == suspected.task:
             yield from wired_task.invar
-    if cause.kind in (Kind.ASKING, Kind.REFUSED) or cause.entry in ("init", "reinit"):
+    if cause.kind in (CauseKind.ASKING, CauseKind.REFUSED) or cause.entry in ("init", "reinit"):
         yield from (*task.inconst, *task.outconst)
     yield from (*task.invar, *task.outvar)
     for wired_task in beside:

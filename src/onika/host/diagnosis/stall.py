@@ -7,7 +7,7 @@ Whoever is left waits for ever, unless somebody lets it pass.
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
-from onika.host.diagnosis.stop_cause import Cause, Kind
+from onika.host.diagnosis.stop_cause import Cause, CauseKind
 from onika.wire.steer import Position
 
 _WAITING = ("waiting", "joining")
@@ -32,10 +32,10 @@ def causes(positions: Sequence[Position]) -> tuple[Cause, ...]:
         if way[-1] in way[:-1]:
             circle = _turned(way[way.index(way[-1]) : -1], flows)
             if not told & set(circle):
-                circles.append(Cause(Kind.DEADLOCK, _circle(circle, flows), circle[0]))
+                circles.append(Cause(CauseKind.DEADLOCK, _circle(circle, flows), circle[0]))
             told |= set(circle)
         else:
-            deserted.append(Cause(Kind.DESERTED, _chain(way, flows), name))
+            deserted.append(Cause(CauseKind.DESERTED, _chain(way, flows), name))
     return (*circles, *deserted)
 
 

@@ -12,7 +12,7 @@ from typing import Any
 from onika.runtime import news
 
 
-class Kind(Enum):
+class CauseKind(Enum):
     """What sort of thing it was."""
 
     ERROR = "error"
@@ -43,7 +43,7 @@ class Kind(Enum):
 class Cause:
     """One cause. `text` is what was said, without the place; `subsystem` is empty where no flow is meant."""
 
-    kind: Kind
+    kind: CauseKind
     text: str
     subsystem: str = ""
     task: str = ""
@@ -60,7 +60,7 @@ class Cause:
 def of_failure(message: news.Failed, is_hardware: bool = False) -> Cause:
     """A task is in ERROR; of a hardware task what its module says tells whether its drive is the reason."""
     text = f"{message.entry}: {message.text}" if message.entry else str(message.text)
-    kind = _of_drive(str(message.text)) if is_hardware else Kind.ERROR
+    kind = _of_drive(str(message.text)) if is_hardware else CauseKind.ERROR
     return Cause(kind, text, message.subsystem, message.task, message.path, message.line, message.entry, message.values)
 
 
@@ -69,12 +69,12 @@ def of_signal(message: news.Signalled) -> Cause:
     if message.kind not in ("ILLEGAL", "SHUTDOWN"):
         raise ValueError(f"expected the signal ILLEGAL or SHUTDOWN, found {message.kind}")
     text = f"{message.kind}: {message.text}" if message.text else message.kind
-    return Cause(Kind(message.kind.lower()), text, message.subsystem, message.task)
+    return Cause(CauseKind(message.kind.lower()), text, message.subsystem, message.task)
 
 
 def of_refusal(message: news.Refused) -> Cause:
     """A command for a task was not carried out."""
-    return Cause(Kind.REFUSED, f"{message.command} is refused: {message.reason}", message.subsystem, message.task)
+    return Cause(CauseKind.REFUSED, f"{message.command} is refused: {message.reason}", message.subsystem, message.task)
 
 
 def of_question(message: news.Asked) -> Cause:
@@ -82,17 +82,17 @@ def of_question(message: news.Asked) -> Cause:
     names = ", ".join(item.name for item in message.items)
     reason = f" ({message.reason})" if message.reason else ""
     text = f"asks for {names}{reason}, and there is no answer that fits"
-    return Cause(Kind.ASKING, text, message.subsystem, message.task)
+    return Cause(CauseKind.ASKING, text, message.subsystem, message.task)
 
 
 def of_loss(reason: str, tasks: Iterable[tuple[str, str]]) -> Cause:
     """A process is gone; the (subsystem, task) of the run in whose call it was is named, if the reason names it."""
     words = reason.replace(",", " ").split()
     subsystem, task = next(((home, name) for home, name in tasks if f"{home}/{name}" in words), ("", ""))
-    return Cause(Kind.LOST, reason, subsystem, task)
+    return Cause(CauseKind.LOST, reason, subsystem, task)
 
 
-def _of_drive(text: str) -> Kind:
+def _of_drive(text: str) -> CauseKind:
     if "panic button" in text:
-        return Kind.PRESSED
-    return Kind.TRIPPED if "tripped" in text else Kind.ERROR
+        return CauseKind.PRESSED
+    return CauseKind.TRIPPED if "tripped" in text else CauseKind.ERROR

@@ -6,7 +6,7 @@ Only what the engine would not refuse is offered. Where the run ends there is no
 from collections.abc import Sequence
 
 from onika.host.diagnosis.stall import last_of, waiting_for
-from onika.host.diagnosis.stop_cause import Cause, Kind
+from onika.host.diagnosis.stop_cause import Cause, CauseKind
 from onika.wire.plan import PlannedFlow
 from onika.wire.steer import Position
 
@@ -15,14 +15,14 @@ Choice = tuple[str, str]
 
 _ABORT = ("abort", "ends the run: all tasks are killed, every drive holds")
 _BEFORE = {
-    Kind.PRESSED: "once the panic button is let go: ",
-    Kind.TRIPPED: "once the way is free, for the arm may stand elsewhere now: ",
+    CauseKind.PRESSED: "once the panic button is let go: ",
+    CauseKind.TRIPPED: "once the way is free, for the arm may stand elsewhere now: ",
 }
 
 
 def choices(cause: Cause, flows: Sequence[PlannedFlow], positions: Sequence[Position]) -> tuple[Choice, ...]:
     """What can be done, the likeliest first."""
-    if cause.ends or cause.kind in (Kind.USER, Kind.LOST):
+    if cause.ends or cause.kind in (CauseKind.USER, CauseKind.LOST):
         return ()
     places = {position.subsystem: position for position in positions}
     names = {flow.subsystem: flow for flow in flows}
@@ -40,16 +40,16 @@ def choices(cause: Cause, flows: Sequence[PlannedFlow], positions: Sequence[Posi
 
 def _standing(cause: Cause, positions: Sequence[Position]) -> list[str]:
     """The flows that stand at an error: the one meant, or the one that a deserted flow waits for."""
-    if cause.kind is Kind.DEADLOCK:
+    if cause.kind is CauseKind.DEADLOCK:
         return []
-    name = last_of(cause.subsystem, positions) if cause.kind is Kind.DESERTED else cause.subsystem
+    name = last_of(cause.subsystem, positions) if cause.kind is CauseKind.DESERTED else cause.subsystem
     return [position.subsystem for position in positions if position.subsystem == name and position.state == "stopped"]
 
 
 def _stuck(cause: Cause, positions: Sequence[Position]) -> list[str]:
-    if cause.kind is Kind.DESERTED:
+    if cause.kind is CauseKind.DESERTED:
         return [cause.subsystem]
-    if cause.kind is not Kind.DEADLOCK:
+    if cause.kind is not CauseKind.DEADLOCK:
         return []
     behind = [name for name, _ in waiting_for(cause.subsystem, positions)]
     awaited = {name for position in positions if position.state == "waiting" for name in position.waits_for}
@@ -58,10 +58,10 @@ def _stuck(cause: Cause, positions: Sequence[Position]) -> list[str]:
 
 def _of_stopped(flow: PlannedFlow, at: Position, cause: Cause, is_one_of_several: bool) -> list[Choice]:
     whom = f" {flow.subsystem}" if is_one_of_several else ""
-    failed = at.failed or ((cause.task,) if cause.kind is not Kind.REFUSED and cause.task else ())
+    failed = at.failed or ((cause.task,) if cause.kind is not CauseKind.REFUSED and cause.task else ())
     clears = f"clears {' and '.join(failed)}" if failed else "tries again"
-    is_pressed = cause.kind is Kind.REFUSED and "panic button" in cause.text
-    before = _BEFORE.get(Kind.PRESSED if is_pressed else cause.kind, "")
+    is_pressed = cause.kind is CauseKind.REFUSED and "panic button" in cause.text
+    before = _BEFORE.get(CauseKind.PRESSED if is_pressed else cause.kind, "")
     if not 0 <= at.action < len(flow.actions):
         return [(f"clear{whom}", f"{before}{clears} and goes on")]
     name = flow.actions[at.action].name

@@ -16,7 +16,7 @@ MOST_NUMBERS = 64
 """A variable of more is a picture or a map; what it was seconds ago explains nothing and costs much."""
 
 
-class History:
+class VariableHistory:
     """Samples the tables of a run, by subsystem, every `every_ns`, and keeps `kept_ns` of that.
 
     `began_ns` is the instant at which the run began: the times of courses count from there.

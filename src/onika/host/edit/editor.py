@@ -6,11 +6,11 @@ from typing import Any
 from msgspec import structs
 
 from onika.host.edit import edit_objections, transactions
-from onika.host.loading.module_questions import Loading
+from onika.host.loading.module_questions import ModuleQuestions
 from onika.host.loading.plan_checks import absent_devices, conflicts, cycles, shapeless, shared_devices
 from onika.host.loading.plan_preparation import unknown_parameters
 from onika.host.subsystems.live_subsystem import LiveSubsystem, Transaction
-from onika.host.subsystems.load_forecast import Coming
+from onika.host.subsystems.load_forecast import ComingTask
 from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.model.lifecycle import State
 from onika.model.planned import task_of
@@ -30,7 +30,7 @@ Answer = Callable[[request.Response], None]
 class Editor:
     """One runtime's subsystems as they are held by hand."""
 
-    def __init__(self, subsystems: Subsystems, loading: Loading) -> None:
+    def __init__(self, subsystems: Subsystems, loading: ModuleQuestions) -> None:
         self._subsystems = subsystems
         self._loading = loading
         self._count = 0
@@ -225,7 +225,7 @@ class Editor:
             task = by_name[name].task
             hz = rates.get(name) or (live.desired.rate(name) if live is not None else None) or task.frequency or 0.0
             rtpu = units.get(name) or self._subsystems.unit(task.rtpu)
-            coming.append(Coming(rtpu, order.subsystem, name, task.digest, hz))
+            coming.append(ComingTask(rtpu, order.subsystem, name, task.digest, hz))
         off = [(order.subsystem, name) for name in (*order.off, *order.kill)]
         warnings = self._subsystems.forecast.warnings(off, coming)
         place = Place(f"subsystem {order.subsystem}")

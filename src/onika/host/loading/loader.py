@@ -23,18 +23,18 @@ from onika.host.loading.loader_messages import (
     AskSheet,
     Constants,
     Devices,
+    KnownPoses,
     Objections,
-    Poses,
     Postures,
     Question,
     Reach,
     Sheet,
-    Wrong,
+    UnusableModule,
 )
-from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.module_facts import ModuleFacts
 from onika.host.units.child_process import start
-from onika.host.units.output_pipe import open_outlets
-from onika.host.units.process_socket import Post
+from onika.host.units.output_pipe import open_output_pipes
+from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.rtpu import preload
 from onika.link.launcher import die_with_parent
 from onika.wire.plan import Code
@@ -62,12 +62,12 @@ class Loader:
         self._process.kill()
         self._process.wait()
 
-    def _start(self) -> tuple[Post, "subprocess.Popen[bytes]"]:
-        ours, theirs = Post.pair()
+    def _start(self) -> tuple[ProcessSocket, "subprocess.Popen[bytes]"]:
+        ours, theirs = ProcessSocket.pair()
         return ours, start("onika.host.loading.loader", theirs)
 
     @property
-    def post(self) -> Post:
+    def post(self) -> ProcessSocket:
         """To wait for in `select`."""
         return self._post
 
@@ -86,19 +86,19 @@ class Loader:
         received = self._post.receive()
         return None if received is None else decode_answer(received[0])
 
-    def give_up(self, code: Code) -> Wrong:
+    def give_up(self, code: Code) -> UnusableModule:
         """The process died of a question or does not answer it: start another, and say what happened."""
         silent = Reason.of("host.loader_silent", seconds=PATIENCE_S)
         reason = Reason.of("host.loader_died") if self.is_lost else silent
         self.close()
         self._post, self._process = self._start()
         instead = Reason.of("host.module_not_used", module=code.module)
-        return Wrong(FaultText(code.path, 0, reason, instead))
+        return UnusableModule(FaultText(code.path, 0, reason, instead))
 
 
 def fault_of(answer: Answer) -> Fault:
     """What is wrong with a module, as a fault."""
-    if not isinstance(answer, Wrong):
+    if not isinstance(answer, UnusableModule):
         raise TypeError(f"expected the answer to the question, found {answer!r}")
     text = answer.fault
     return Fault(
@@ -108,12 +108,12 @@ def fault_of(answer: Answer) -> Fault:
     )
 
 
-def _answer(question: Question, facts: DirectLoading) -> Answer:
+def _answer(question: Question, facts: ModuleFacts) -> Answer:
     fact, message = _fact(question, facts)
     return _wrong(fact) if isinstance(fact, Fault) else message(fact)
 
 
-def _fact(question: Question, facts: DirectLoading) -> tuple[Any, Callable[[Any], Answer]]:
+def _fact(question: Question, facts: ModuleFacts) -> tuple[Any, Callable[[Any], Answer]]:
     """What is asked, or a fault; and the message that it becomes where it is none."""
     match question:
         case AskSheet():
@@ -125,7 +125,7 @@ def _fact(question: Question, facts: DirectLoading) -> tuple[Any, Callable[[Any]
         case AskReach():
             return facts.resolve(question.code, question.constants, question.targets), Reach
         case AskPoses():
-            return facts.poses(question.code, question.constants, question.targets), Poses
+            return facts.poses(question.code, question.constants, question.targets), KnownPoses
         case AskPostures():
             return facts.postures(question.code, question.constants, question.nines), Postures
         case AskFit():
@@ -135,8 +135,8 @@ def _fact(question: Question, facts: DirectLoading) -> tuple[Any, Callable[[Any]
             return facts.company(question.world, question.devices, is_of_flow=question.is_of_flow), Objections
 
 
-def _wrong(fault: Fault) -> Wrong:
-    return Wrong(FaultText(fault.place.file, fault.place.line, fault.reason, fault.instead))
+def _wrong(fault: Fault) -> UnusableModule:
+    return UnusableModule(FaultText(fault.place.file, fault.place.line, fault.reason, fault.instead))
 
 
 def main(words: list[str]) -> None:
@@ -147,9 +147,9 @@ def main(words: list[str]) -> None:
     given = parser.parse_args(words)
     die_with_parent(given.parent)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    open_outlets()
+    open_output_pipes()
     preload()
-    post, loading = Post(socket.socket(fileno=given.fd)), DirectLoading()
+    post, loading = ProcessSocket(socket.socket(fileno=given.fd)), ModuleFacts()
     while not post.is_closed:
         select.select([post], [post] if post.is_waiting else [], [])
         post.flush()

@@ -21,15 +21,15 @@ from onika.host.loading.loader_messages import (
     AskSheet,
     Constants,
     Devices,
+    KnownPoses,
     Lines,
     Objections,
-    Poses,
     Postures,
     Question,
     Reach,
     Sheet,
 )
-from onika.host.units.process_socket import Post
+from onika.host.units.process_socket import ProcessSocket
 from onika.wire.plan import Code
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault
@@ -52,7 +52,7 @@ class LoaderClient:
         self._since_ns = 0
 
     @property
-    def post(self) -> Post:
+    def post(self) -> ProcessSocket:
         """To wait for in `select`."""
         return self._loader.post
 
@@ -96,7 +96,7 @@ class LoaderClient:
     ) -> list[list[float]] | Fault | None:
         """The Cartesian targets that joint targets are for a robot module; None: it knows of no poses."""
         answer = self._ask(AskPoses(code, constants, targets), code)
-        if isinstance(answer, Poses):
+        if isinstance(answer, KnownPoses):
             return answer.nines
         return fault_of(answer)
 

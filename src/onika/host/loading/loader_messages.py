@@ -89,7 +89,7 @@ class Reach(Struct, frozen=True, tag=True):
     reasons: list[str | None]
 
 
-class Poses(Struct, frozen=True, tag=True):
+class KnownPoses(Struct, frozen=True, tag=True):
     """The answer to AskPoses; None: the robot knows of no poses."""
 
     nines: list[list[float]] | None
@@ -113,11 +113,11 @@ class Devices(Struct, frozen=True, tag=True):
     names: tuple[str, ...]
 
 
-class Wrong(Struct, frozen=True, tag=True):
+class UnusableModule(Struct, frozen=True, tag=True):
     """The module cannot be used."""
 
     fault: FaultText
 
 
 Question = AskSheet | AskConstants | AskReach | AskDevices | AskPoses | AskPostures | AskFit | AskCompany
-Answer = Sheet | Constants | Reach | Devices | Poses | Postures | Objections | Wrong
+Answer = Sheet | Constants | Reach | Devices | KnownPoses | Postures | Objections | UnusableModule

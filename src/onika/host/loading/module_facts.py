@@ -19,7 +19,7 @@ from onika.words.reason import Reason, reason_of
 Lines = tuple[tuple[str, tuple[str, ...]], ...]
 
 
-class DirectLoading:
+class ModuleFacts:
     """Executes module code in this process."""
 
     def __init__(self) -> None:

@@ -7,7 +7,7 @@ from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault
 
 
-class Loading(Protocol):
+class ModuleQuestions(Protocol):
     """Where module code is executed to learn of it: a process of its own."""
 
     def sheet(self, code: Code) -> ModuleSheet | Fault:

@@ -3,7 +3,7 @@
 from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
-from onika.host.loading.module_questions import Loading
+from onika.host.loading.module_questions import ModuleQuestions
 from onika.model.rules.order import constant_order
 from onika.runtime.modules.sheet import SLOWEST_HARDWARE_HZ
 from onika.runtime.wiring import WiredTask
@@ -78,7 +78,7 @@ def shared_devices(tasks: Sequence[WiredTask]) -> list[Fault]:
     return faults
 
 
-def absent_devices(tasks: Sequence[WiredTask], loading: Loading) -> list[Fault]:
+def absent_devices(tasks: Sequence[WiredTask], loading: ModuleQuestions) -> list[Fault]:
     """Devices that no world has."""
     faults = []
     for task in (task for task in tasks if task.device):
@@ -99,7 +99,7 @@ def _no_world(reason: Reason, device: str) -> Reason:
     return Reason.of("host.no_world_of_device", worlds=reason.args["worlds"], device=device)
 
 
-def unfit(wired_task: WiredTask, code: Code, constants: Mapping[str, Any], loading: Loading) -> list[Fault]:
+def unfit(wired_task: WiredTask, code: Code, constants: Mapping[str, Any], loading: ModuleQuestions) -> list[Fault]:
     """A device that is not the one which a task means: another robot or sensor, or one that stands elsewhere."""
     if not wired_task.device:
         return []
@@ -113,7 +113,7 @@ def unfit(wired_task: WiredTask, code: Code, constants: Mapping[str, Any], loadi
     ]
 
 
-def unfit_together(tasks: Sequence[WiredTask], loading: Loading) -> list[Fault]:
+def unfit_together(tasks: Sequence[WiredTask], loading: ModuleQuestions) -> list[Fault]:
     """Devices of one world that cannot be used together, as arms with forces and others without (law 18)."""
     worlds: dict[str, dict[str, WiredTask]] = {}
     for task in (task for task in tasks if task.device and task.sheet.hardware):
@@ -136,7 +136,7 @@ def note_at(place: Place, note: Text) -> Reason:
     return Reason.of("host.note_in", file=place.file, note=note)
 
 
-def remarks(tasks: Sequence[WiredTask], loading: Loading) -> list[Reason]:
+def remarks(tasks: Sequence[WiredTask], loading: ModuleQuestions) -> list[Reason]:
     """What is odd about the devices of one flow, and forbids nothing: an arm moves, and the other arm's hand closes."""
     worlds: dict[str, dict[str, WiredTask]] = {}
     for task in (task for task in tasks if task.device and task.sheet.hardware):

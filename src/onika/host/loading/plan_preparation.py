@@ -4,7 +4,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from onika.host.loading.module_questions import Loading
+from onika.host.loading.module_questions import ModuleQuestions
 from onika.host.loading.plan_checks import (
     absent_devices,
     at_action,
@@ -47,7 +47,7 @@ class Preparation:
     notes: list[Reason] = field(default_factory=list)
 
 
-def prepare(plan: Plan, targets: Sequence[TargetValues], loading: Loading) -> Preparation:
+def prepare(plan: Plan, targets: Sequence[TargetValues], loading: ModuleQuestions) -> Preparation:
     """Look at every module, task, flow, argument line and target of a plan."""
     preparation = Preparation(plan, {code.digest: code for code in plan.code})
     used = {task.digest for flow in plan.flows for task in flow.tasks}
@@ -76,7 +76,7 @@ def _flow(
     flow: PlannedFlow,
     sheets: Mapping[str, ModuleSheet],
     resolution: Resolution,
-    loading: Loading,
+    loading: ModuleQuestions,
     preparation: Preparation,
 ) -> None:
     """Look at the tasks, actions, rates and targets of one flow."""
@@ -92,7 +92,9 @@ def _flow(
     _values(number, flow, wired, targets, loading, preparation, refused)
 
 
-def inspect(tasks: Sequence[PlannedTask], code: Sequence[Code], loading: Loading) -> tuple[list[Fault], list[Reason]]:
+def inspect(
+    tasks: Sequence[PlannedTask], code: Sequence[Code], loading: ModuleQuestions
+) -> tuple[list[Fault], list[Reason]]:
     """Check tasks against their modules, each by itself: faults, and what is only worth knowing."""
     faults: list[Fault] = []
     notes: list[Reason] = []
@@ -104,7 +106,7 @@ def inspect(tasks: Sequence[PlannedTask], code: Sequence[Code], loading: Loading
     return sorted(set(faults)), notes
 
 
-def _sheets(codes: Sequence[Code], loading: Loading, faults: list[Fault]) -> dict[str, ModuleSheet]:
+def _sheets(codes: Sequence[Code], loading: ModuleQuestions, faults: list[Fault]) -> dict[str, ModuleSheet]:
     sheets = {}
     for code in codes:
         sheet = loading.sheet(code)
@@ -172,7 +174,7 @@ def _values(
     flow: PlannedFlow,
     wired: Sequence[WiredTask],
     targets: Sequence[TargetValues],
-    loading: Loading,
+    loading: ModuleQuestions,
     preparation: Preparation,
     refused: Collection[int],
 ) -> None:

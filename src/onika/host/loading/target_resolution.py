@@ -11,7 +11,7 @@ from typing import Any
 
 from msgspec.structs import replace
 
-from onika.host.loading.module_questions import Loading
+from onika.host.loading.module_questions import ModuleQuestions
 from onika.host.loading.plan_checks import at_action, note_at
 from onika.runtime.user_input import UserInput
 from onika.wire.plan import Code, Plan, PlannedAction, PlannedFlow, PlannedTask
@@ -42,7 +42,7 @@ class Resolution:
 
 
 def resolve(
-    plan: Plan, targets: Sequence[TargetValues], sheets: Mapping[str, ModuleSheet], loading: Loading
+    plan: Plan, targets: Sequence[TargetValues], sheets: Mapping[str, ModuleSheet], loading: ModuleQuestions
 ) -> Resolution:
     """The plan with every joint target of a redirected robot resolved anew; as it is where nothing is redirected."""
     resolution = Resolution(plan, list(targets))
@@ -70,7 +70,7 @@ class _Pair:
         new: PlannedTask,
         code: Mapping[str, Code],
         sheets: Mapping[str, ModuleSheet],
-        loading: Loading,
+        loading: ModuleQuestions,
         resolution: Resolution,
     ) -> None:
         self._number, self._flow, self._old, self._new = number, flow, old, new

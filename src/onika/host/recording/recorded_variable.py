@@ -11,7 +11,7 @@ _LONG = 512
 """Bytes of a value that is not kept until there are more of them."""
 
 
-class Variable(Struct, frozen=True):
+class VariablePlace(Struct, frozen=True):
     """Where a variable lies in the table of its subsystem."""
 
     name: str
@@ -20,10 +20,10 @@ class Variable(Struct, frozen=True):
     offset: int
 
 
-class Watched:
+class VariableRecorder:
     """`words[0]` counts what was written."""
 
-    def __init__(self, subsystem: str, variable: Variable, memory: memoryview, writer: Writer) -> None:
+    def __init__(self, subsystem: str, variable: VariablePlace, memory: memoryview, writer: Writer) -> None:
         shape = Shape.parse(variable.shape)
         ring = Ring(memory, variable.offset, shape.size)
         about = {"subsystem": subsystem, "name": variable.name, "type": variable.shape, "unit": variable.unit}

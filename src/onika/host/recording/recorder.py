@@ -13,14 +13,14 @@ from msgspec.structs import replace
 
 from onika.host.loading.loader_client import NotYet
 from onika.host.loading.plan_preparation import Preparation
-from onika.host.recording.recorded_variable import Variable
-from onika.host.recording.recording_place import Beside, InPlace, Pen, complaints
-from onika.host.recording.recording_sink import Finish, Meet, Show, Start, Tell
+from onika.host.recording.recorded_variable import VariablePlace
+from onika.host.recording.recording_place import InProcessWriter, RecordingWriter, WriterProcess, complaints
+from onika.host.recording.recording_sink import AddMessage, AddScene, AddVariables, BeginRecording, FinishRecording
 from onika.host.run.application_run import ApplicationRun
 from onika.host.sessions.request_server import RequestServer
 from onika.host.subsystems.subsystem_registry import Subsystems
-from onika.host.units.pose_stream import Posed
-from onika.host.units.process_socket import Post
+from onika.host.units.pose_stream import WorldPoses
+from onika.host.units.process_socket import ProcessSocket
 from onika.record import topics
 from onika.record.run import RunRecord, ending
 from onika.runtime.bus import Poses
@@ -34,7 +34,7 @@ _FASTEST_NS, _SLOWEST_NS = 2_000_000, 20_000_000
 _END_NS = 5_000_000_000
 
 
-class Seen(Protocol):
+class RecordedDriver(Protocol):
     """The driver, as far as it is recorded."""
 
     options: tuple[str, ...]
@@ -85,13 +85,15 @@ class Seen(Protocol):
 class Recorder:
     """`begin` raises NotYet until whoever writes is up; `has_come` says when to try again."""
 
-    def __init__(self, subsystems: Subsystems, seen: Seen, server: RequestServer, rtpus: tuple[str, ...]) -> None:
+    def __init__(
+        self, subsystems: Subsystems, seen: RecordedDriver, server: RequestServer, rtpus: tuple[str, ...]
+    ) -> None:
         self._subsystems = subsystems
         self._seen = seen
         self._server = server
         self._rtpus = rtpus
         self._asked: dict[str, request.Prepare] = {}
-        self._pen: Pen | None = None
+        self._pen: RecordingWriter | None = None
         self._session = self._path = ""
         self._was_up = False
         self._has_run = False
@@ -155,7 +157,7 @@ class Recorder:
         self._began = self._seen.now
         self._has_run = True
         if self._pen is not None:
-            self._pen.take(Start(monotonic_ns()))
+            self._pen.take(BeginRecording(monotonic_ns()))
         self._server.overhear(self._hear)
         if self._seen.is_virtual:
             self._seen.each_instant(self._look)
@@ -168,7 +170,7 @@ class Recorder:
         self._was_up = self._pen.is_up or bool(self._pen.reason)
         return self._was_up
 
-    def readers(self) -> Sequence[Post]:
+    def readers(self) -> Sequence[ProcessSocket]:
         """What to wait for."""
         return () if self._pen is None else self._pen.readers()
 
@@ -193,7 +195,7 @@ class Recorder:
             self._look()
             self._say(topics.EVENTS, topics.encode(topics.EventRecord("", result)))
             self._end_at = monotonic_ns() + _END_NS
-            pen.take(Finish(ending(result), pen.untold))
+            pen.take(FinishRecording(ending(result), pen.untold))
         pen.serve()
         if not pen.is_done and monotonic_ns() < self._end_at:
             return False
@@ -219,9 +221,9 @@ class Recorder:
         )
         try:
             if self._seen.is_virtual:
-                self._pen = InPlace(message.record, run)
+                self._pen = InProcessWriter(message.record, run)
             else:
-                self._pen = Beside(message.record, run, _every_ns(prepared), self._seen.with_fifo)
+                self._pen = WriterProcess(message.record, run, _every_ns(prepared), self._seen.with_fifo)
         except OSError as wrong:
             return Reason.of("host.no_recording", why=reason_of(wrong))
         self._session, self._path, self._was_up = session, message.record, False
@@ -243,7 +245,7 @@ class Recorder:
 
     def _say(self, topic: str, body: bytes) -> None:
         if self._pen is not None:
-            self._pen.take(Tell(topic, max(self._seen.now - self._began, 0), body))
+            self._pen.take(AddMessage(topic, max(self._seen.now - self._began, 0), body))
 
     def _look(self) -> None:
         """What has come since the last time: variables, worlds; in virtual time the values too."""
@@ -258,23 +260,23 @@ class Recorder:
         for world in self._seen.worlds:
             self._show(pen, world, now)
 
-    def _meet(self, pen: Pen, name: str) -> None:
+    def _meet(self, pen: RecordingWriter, name: str) -> None:
         table, known = self._subsystems.tables[name], self._met.get(name, 0)
         new = list(table.entries.values())[known:]
         self._met[name] = known + len(new)
         units = self._units.get(name, {})
         variables = tuple(
-            Variable(entry.name, str(entry.shape), units.get(entry.name, ""), entry.offset) for entry in new
+            VariablePlace(entry.name, str(entry.shape), units.get(entry.name, ""), entry.offset) for entry in new
         )
         is_needed = not known or self._seen.is_virtual
-        pen.take(Meet(name, variables), table.segment if is_needed else None)
+        pen.take(AddVariables(name, variables), table.segment if is_needed else None)
 
-    def _show(self, pen: Pen, world: str, now: int) -> None:
+    def _show(self, pen: RecordingWriter, world: str, now: int) -> None:
         if world not in self._shown:
             scene = self._seen.scene(world)
             if scene is None:
                 return
-            pen.take(Show(world, _shapes(scene)))
+            pen.take(AddScene(world, _shapes(scene)))
             self._shown[world] = now
             if pen.inlet is not None:
                 self._seen.pose_to(world, pen.inlet)
@@ -282,7 +284,7 @@ class Recorder:
             self._shown[world] = now + _POSED_EVERY_NS
             poses = self._seen.poses(world)
             if poses is not None:
-                pen.take(Posed(world, now, poses[1], poses[2]))
+                pen.take(WorldPoses(world, now, poses[1], poses[2]))
 
 
 def _shapes(scene: Mapping[str, object]) -> tuple[dict[str, object], ...]:

@@ -8,9 +8,9 @@ from time import monotonic_ns
 from typing import Protocol
 
 from onika.host.recording import recording_process
-from onika.host.recording.recording_sink import Order, RecordingSink, Tell, encode
+from onika.host.recording.recording_sink import AddMessage, Order, RecordingSink, encode
 from onika.host.units.child_process import start
-from onika.host.units.process_socket import Post
+from onika.host.units.process_socket import ProcessSocket
 from onika.record.run import RunRecord
 from onika.record.writer import Writer
 from onika.ring.segment import Segment
@@ -22,7 +22,7 @@ _PATIENCE_NS = 5_000_000_000
 _ENDED_NS = 2_000_000_000
 
 
-class Pen(Protocol):
+class RecordingWriter(Protocol):
     """What writes one recording."""
 
     @property
@@ -67,7 +67,7 @@ class Pen(Protocol):
         """Hear what became of it."""
         ...
 
-    def readers(self) -> Sequence[Post]:
+    def readers(self) -> Sequence[ProcessSocket]:
         """What to wait for."""
         ...
 
@@ -76,8 +76,8 @@ class Pen(Protocol):
         ...
 
 
-class InPlace:
-    """Beside the clock. Raises OSError where the file cannot be begun; later that is its `reason`."""
+class InProcessWriter:
+    """In the same process as the clock. Raises OSError where the file cannot be begun; later that is its `reason`."""
 
     def __init__(self, path: str, run: RunRecord) -> None:
         self._stream = open(path, "wb", buffering=_BUFFER)  # noqa: SIM115, PTH123 - it stays open for the run
@@ -127,7 +127,7 @@ class InPlace:
             except OSError as wrong:
                 self.reason = str(wrong)
 
-    def readers(self) -> Sequence[Post]:
+    def readers(self) -> Sequence[ProcessSocket]:
         """Nothing."""
         return ()
 
@@ -142,15 +142,15 @@ class InPlace:
 _BESIDES_NS = 500_000_000
 
 
-class Beside:
-    """A process of its own. Raises OSError where the file cannot be made."""
+class WriterProcess:
+    """Has the recording written by a process of its own. Raises OSError where the file cannot be made."""
 
     def __init__(self, path: str, run: RunRecord, every_ns: int, with_fifo: bool) -> None:
         body = recording_process.encode_run(run)
         memory = Segment.create("recorded-run", len(body))
         memory.view[:] = body
         descriptor = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_CLOEXEC, 0o666)
-        self._post, theirs = Post.pair()
+        self._post, theirs = ProcessSocket.pair()
         self._inlet, far = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         words = ("--every", str(every_ns), *(("--fifo",) if with_fifo else ()))
         self._process = start("onika.host.recording.recording_process", theirs, words)
@@ -181,7 +181,7 @@ class Beside:
         """Send it over, unless too much waits already: then what can be missed is counted and left out."""
         if self.reason:
             return
-        if isinstance(order, Tell) and self._post.waiting >= _MOST_WAITING:
+        if isinstance(order, AddMessage) and self._post.waiting >= _MOST_WAITING:
             self.untold += 1
             return
         body = encode(order)
@@ -195,7 +195,7 @@ class Beside:
         self._post.flush()
         while not self._post.is_closed and (received := self._post.receive()) is not None:
             word = recording_process.decode_word(received[0])
-            if isinstance(word, recording_process.Up):
+            if isinstance(word, recording_process.RecordingBegun):
                 self.is_up = True
             else:
                 self._is_done, self.missed, self.reason = True, word.missed, word.reason
@@ -209,7 +209,7 @@ class Beside:
         elif not self.is_up and monotonic_ns() - self._since > _PATIENCE_NS:
             self.reason = f"the process that writes it is not up within {_PATIENCE_NS / 1e9:g} s"
 
-    def readers(self) -> Sequence[Post]:
+    def readers(self) -> Sequence[ProcessSocket]:
         """Its post, as long as it lives."""
         return () if self._post.is_closed else (self._post,)
 
@@ -224,7 +224,7 @@ class Beside:
             self._process.wait()
 
 
-def complaints(pen: Pen) -> list[str]:
+def complaints(pen: RecordingWriter) -> list[str]:
     """What the user has to know of a recording that is not what was asked for."""
     found = []
     if pen.reason or not pen.is_done:

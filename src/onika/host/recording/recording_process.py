@@ -15,10 +15,17 @@ from time import monotonic_ns
 from msgspec import Struct, msgpack
 from msgspec.structs import replace
 
-from onika.host.recording.recording_sink import Finish, Meet, Order, RecordingSink, Start, decode
-from onika.host.units.output_pipe import open_outlets
-from onika.host.units.pose_stream import Posed
-from onika.host.units.process_socket import Post
+from onika.host.recording.recording_sink import (
+    AddVariables,
+    BeginRecording,
+    FinishRecording,
+    Order,
+    RecordingSink,
+    decode,
+)
+from onika.host.units.output_pipe import open_output_pipes
+from onika.host.units.pose_stream import WorldPoses
+from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.realtime_scheduling import fine_timers, first_in_first_out, still_garbage
 from onika.record.run import RunRecord
 from onika.record.writer import Writer
@@ -29,11 +36,11 @@ PRIORITY = 1
 _BUFFER = 1 << 18
 
 
-class Up(Struct, frozen=True, tag=True):
+class RecordingBegun(Struct, frozen=True, tag=True):
     """The file is begun; the run may begin."""
 
 
-class Ended(Struct, frozen=True, tag=True):
+class RecordingEnded(Struct, frozen=True, tag=True):
     """The file is finished, or why it is not; values that were written over before they were looked at, and poses
     that did not come for want of room."""
 
@@ -43,19 +50,19 @@ class Ended(Struct, frozen=True, tag=True):
 
 
 encode_word = msgpack.Encoder().encode
-decode_word = msgpack.Decoder(Up | Ended).decode
+decode_word = msgpack.Decoder(RecordingBegun | RecordingEnded).decode
 encode_run = msgpack.Encoder().encode
 _decode_run = msgpack.Decoder(RunRecord).decode
 
 
-def record(post: Post, every_ns: int) -> None:
+def record(post: ProcessSocket, every_ns: int) -> None:
     """From the first datagram, which brings the run and the file, until the run is over or nobody is there any more."""
     select.select([post], [], [])
     received = post.receive()
     if received is None:
         return
     _, (run_fd, file_fd, inlet_fd) = received
-    memory, inlet = Segment.attach(run_fd), Post(socket.socket(fileno=inlet_fd))
+    memory, inlet = Segment.attach(run_fd), ProcessSocket(socket.socket(fileno=inlet_fd))
     sink, reason = None, ""
     try:
         with os.fdopen(file_fd, "wb", buffering=_BUFFER) as stream:
@@ -64,15 +71,15 @@ def record(post: Post, every_ns: int) -> None:
             memory.close()
             sink = RecordingSink(stream, writer)
             sink.flush()
-            post.send(encode_word(Up()))
+            post.send(encode_word(RecordingBegun()))
             _follow(post, inlet, sink, every_ns)
     except OSError as wrong:
         reason = str(wrong)
     inlet.close()
-    post.send(encode_word(Ended(sink.missed, reason, sink.untold) if sink else Ended(reason=reason)))
+    post.send(encode_word(RecordingEnded(sink.missed, reason, sink.untold) if sink else RecordingEnded(reason=reason)))
 
 
-def _follow(post: Post, inlet: Post, sink: RecordingSink, every_ns: int) -> None:
+def _follow(post: ProcessSocket, inlet: ProcessSocket, sink: RecordingSink, every_ns: int) -> None:
     memories: dict[str, memoryview] = {}
     due, zero = 0, -1
     while not (sink.is_finished or post.is_closed):
@@ -81,9 +88,9 @@ def _follow(post: Post, inlet: Post, sink: RecordingSink, every_ns: int) -> None
         while ready and not post.is_closed and (received := post.receive()) is not None:
             body, descriptors = received
             order = decode(body)
-            if isinstance(order, Start):
+            if isinstance(order, BeginRecording):
                 due = zero = order.at_ns  # before the run there is no time to write down
-            if isinstance(order, Finish):
+            if isinstance(order, FinishRecording):
                 _look(inlet, sink, zero)
             _carry_out(order, descriptors, sink, memories)
         now = monotonic_ns()
@@ -96,7 +103,7 @@ def _follow(post: Post, inlet: Post, sink: RecordingSink, every_ns: int) -> None
 
 def _carry_out(order: Order, descriptors: Sequence[int], sink: RecordingSink, memories: dict[str, memoryview]) -> None:
     """Hand an order to the sink, with the memory of its subsystem where it is about variables."""
-    if not isinstance(order, Meet):
+    if not isinstance(order, AddVariables):
         sink.take(order)
         return
     if descriptors:
@@ -104,12 +111,12 @@ def _carry_out(order: Order, descriptors: Sequence[int], sink: RecordingSink, me
     sink.take(order, memories[order.subsystem])
 
 
-def _look(inlet: Post, sink: RecordingSink, zero: int) -> None:
+def _look(inlet: ProcessSocket, sink: RecordingSink, zero: int) -> None:
     """At the variables, and at what has come from the device server."""
     sink.look(monotonic_ns() - zero)
     while not inlet.is_closed and (received := inlet.receive()) is not None:
         order = decode(received[0])
-        if isinstance(order, Posed):
+        if isinstance(order, WorldPoses):
             sink.take(replace(order, at_ns=order.told_ns - zero))
 
 
@@ -121,12 +128,12 @@ def main(words: list[str]) -> None:
     parser.add_argument("--fifo", action="store_true")
     given = parser.parse_args(words)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    open_outlets()
+    open_output_pipes()
     fine_timers()
     still_garbage()
     if given.fifo:
         first_in_first_out(PRIORITY)
-    record(Post(socket.socket(fileno=given.fd)), given.every)
+    record(ProcessSocket(socket.socket(fileno=given.fd)), given.every)
 
 
 if __name__ == "__main__":

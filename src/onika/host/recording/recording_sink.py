@@ -10,8 +10,8 @@ from typing import Any, BinaryIO
 
 from msgspec import Struct, msgpack
 
-from onika.host.recording.recorded_variable import Variable, Watched
-from onika.host.units.pose_stream import Posed
+from onika.host.recording.recorded_variable import VariablePlace, VariableRecorder
+from onika.host.units.pose_stream import WorldPoses
 from onika.record import foxglove, topics
 from onika.record.run import END
 from onika.record.writer import Writer
@@ -20,20 +20,20 @@ FLUSHED_EVERY_NS = 500_000_000
 """What is not written so long is lost where everything is killed."""
 
 
-class Start(Struct, frozen=True, tag=True):
+class BeginRecording(Struct, frozen=True, tag=True):
     """The run begins, at this time of the machine's clock."""
 
     at_ns: int
 
 
-class Meet(Struct, frozen=True, tag=True):
+class AddVariables(Struct, frozen=True, tag=True):
     """Variables that have come; the memory of the table comes with the first ones of a subsystem."""
 
     subsystem: str
-    variables: tuple[Variable, ...]
+    variables: tuple[VariablePlace, ...]
 
 
-class Tell(Struct, frozen=True, tag=True):
+class AddMessage(Struct, frozen=True, tag=True):
     """Something was said: a message as it is to stand there."""
 
     topic: str
@@ -41,21 +41,21 @@ class Tell(Struct, frozen=True, tag=True):
     body: bytes
 
 
-class Show(Struct, frozen=True, tag=True):
+class AddScene(Struct, frozen=True, tag=True):
     """What a world consists of."""
 
     world: str
     shapes: tuple[dict[str, Any], ...]
 
 
-class Finish(Struct, frozen=True, tag=True):
+class FinishRecording(Struct, frozen=True, tag=True):
     """The run is over; how it ended, and what was not told for want of room."""
 
     words: dict[str, str]
     untold: int = 0
 
 
-Order = Start | Meet | Tell | Show | Posed | Finish
+Order = BeginRecording | AddVariables | AddMessage | AddScene | WorldPoses | FinishRecording
 encode = msgpack.Encoder().encode
 decode = msgpack.Decoder(Order).decode
 
@@ -66,7 +66,7 @@ class RecordingSink:
     def __init__(self, stream: BinaryIO, writer: Writer) -> None:
         self._stream = stream
         self._writer = writer
-        self._watched: list[Watched] = []
+        self._watched: list[VariableRecorder] = []
         self._counts: list[int] = []
         self._looked_at = -1
         self._turn = 0
@@ -81,22 +81,24 @@ class RecordingSink:
     def take(self, order: Order, memory: memoryview | None = None) -> None:
         """Write it down; variables need the memory in which they lie."""
         match order:
-            case Meet() if memory is not None:
-                some = [Watched(order.subsystem, variable, memory, self._writer) for variable in order.variables]
+            case AddVariables() if memory is not None:
+                some = [
+                    VariableRecorder(order.subsystem, variable, memory, self._writer) for variable in order.variables
+                ]
                 self._watched += some
                 self._counts += [0] * len(some)
-            case Tell():
+            case AddMessage():
                 is_event = order.topic == topics.EVENTS
                 title = topics.HAPPENED if is_event else topics.WANTED
                 schema = topics.HAPPENED_SCHEMA if is_event else topics.WANTED_SCHEMA
                 self._writer.message(self._writer.channel(order.topic, title, schema), order.at_ns, order.body)
-            case Show():
+            case AddScene():
                 self._shapes[order.world] = order.shapes
                 self._writer.attach(topics.shapes(order.world), "application/json", topics.encode(order.shapes))
                 self._draw(order.world, 0, ())
-            case Posed():
+            case WorldPoses():
                 self._pose(order)
-            case Finish():
+            case FinishRecording():
                 self._finish(order)
 
     def look(self, now: int) -> None:
@@ -143,7 +145,7 @@ class RecordingSink:
         if stat.S_ISREG(about.st_mode) and about.st_size < self._written:
             raise OSError("its file was cut while it was written")
 
-    def _finish(self, order: Finish) -> None:
+    def _finish(self, order: FinishRecording) -> None:
         self._judge()
         self._settle()
         self._writer.flush()
@@ -152,7 +154,7 @@ class RecordingSink:
         self._out()
         self.is_finished = True
 
-    def _pose(self, order: Posed) -> None:
+    def _pose(self, order: WorldPoses) -> None:
         self.untold += order.left_out
         if self._lit.get(order.world) != order.lit and order.world in self._shapes:
             self._draw(order.world, order.at_ns, order.lit)

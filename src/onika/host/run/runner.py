@@ -11,7 +11,7 @@ from itertools import count
 from onika.engine import news as engine_news, orders
 from onika.engine.engine import Engine
 from onika.host.diagnosis.explainer import Explainer
-from onika.host.diagnosis.stop_cause import Cause, Kind
+from onika.host.diagnosis.stop_cause import Cause, CauseKind
 from onika.host.execution import task_events
 from onika.host.execution.spawner import Spawner
 from onika.host.execution.subsystem_executor import SubsystemExecutor, happened_at
@@ -107,7 +107,7 @@ class Runner:
         for executor in self._executors.values():
             executor.spawn_ready()
 
-    def abort(self, cause: str, now: int, kind: Kind = Kind.USER) -> None:
+    def abort(self, cause: str, now: int, kind: CauseKind = CauseKind.USER) -> None:
         """End the run: tasks killed, devices in hold; harmless when it is over."""
         self._now = now
         self._settling.give_up()
@@ -120,7 +120,7 @@ class Runner:
         self._now = now
         self._settling.lost(rtpu)
         if not rtpu or self._uses(rtpu):
-            self.abort(reason, now, Kind.LOST)
+            self.abort(reason, now, CauseKind.LOST)
         for executor in self._executors.values():
             executor.lost(rtpu, now)
 

@@ -19,7 +19,7 @@ _PATHS = {f"/{channel.value}": channel for channel in Channel}
 
 
 @dataclass(frozen=True, slots=True)
-class No:
+class TurnedAway:
     """Turned away: an HTTP status and why."""
 
     status: int
@@ -27,7 +27,7 @@ class No:
 
 
 @dataclass(frozen=True, slots=True)
-class Yes:
+class LetIn:
     """Let in."""
 
     user: User
@@ -66,24 +66,24 @@ class Admission:
         """He is in, or gone."""
         self._waiting.pop(number, None)
 
-    def judge(self, path: str, headers: Iterable[tuple[str, str]], address: str, now_ns: int) -> Yes | No:
+    def judge(self, path: str, headers: Iterable[tuple[str, str]], address: str, now_ns: int) -> LetIn | TurnedAway:
         """Whether this request is let in, and as whom."""
         asked: dict[str, list[str]] = {}
         for name, value in headers:
             asked.setdefault(name.lower(), []).append(value)
         if self._is_barred(address, now_ns):
-            return No(429, "too many wrong tokens came from this address; try again in a minute")
+            return TurnedAway(429, "too many wrong tokens came from this address; try again in a minute")
         wrong = self._wrong_name(asked) or self._wrong_origin(asked)
         if wrong:
-            return No(403, wrong)
+            return TurnedAway(403, wrong)
         if path not in _PATHS:
-            return No(404, f"expected one of {', '.join(_PATHS)}")
+            return TurnedAway(404, f"expected one of {', '.join(_PATHS)}")
         user = self._user(asked.get("authorization", []))
         if user is None:
             self._note_wrong(address, now_ns)
-            return No(401, "the token is wrong or missing")
+            return TurnedAway(401, "the token is wrong or missing")
         self._wrong.pop(address, None)
-        return Yes(user, _PATHS[path])
+        return LetIn(user, _PATHS[path])
 
     def _wrong_name(self, message: dict[str, list[str]]) -> str:
         """Against pages that have their own name resolved to this machine: a number cannot be resolved anew."""

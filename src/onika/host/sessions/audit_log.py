@@ -8,7 +8,7 @@ from collections.abc import Callable
 from typing import Any, Protocol
 
 from onika.host.sessions.permission import brings_code, changes_nothing
-from onika.host.sessions.request_server import Call
+from onika.host.sessions.request_server import SessionRequest
 from onika.link.sessions import Introduction
 from onika.wire import event, holding, live, request, steer
 from onika.wire.plan import Code, Plan, PlannedTask
@@ -18,7 +18,7 @@ _MOST = 12
 """Pieces of one field that are named."""
 
 
-class Book(Protocol):
+class AuditWriter(Protocol):
     """Where lines are written."""
 
     @property
@@ -34,12 +34,12 @@ class Book(Protocol):
 class AuditLog:
     """Writes to a book; `complain` is told once when that no longer succeeds."""
 
-    def __init__(self, book: Book, complain: Callable[[str], None] = lambda _text: None) -> None:
+    def __init__(self, book: AuditWriter, complain: Callable[[str], None] = lambda _text: None) -> None:
         self._book = book
         self._complain = complain
         self._trouble = ""
 
-    def answered(self, call: Call, response: request.Response) -> None:
+    def answered(self, call: SessionRequest, response: request.Response) -> None:
         """A request was answered."""
         asked = call.asked
         is_look = changes_nothing(asked) and not isinstance(asked, request.Stop | holding.OnlyWatch)

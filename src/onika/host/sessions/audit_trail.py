@@ -26,27 +26,27 @@ _SAME = 32
 """How many runtimes of one user write trails of their own beside each other."""
 
 
-def open_for(named: str) -> "Audit":
+def open_for(named: str) -> "AuditTrail":
     """The trail in this file; where none is named the usual one, or one beside it. Raises OSError."""
     try:
         if named:
-            return Audit(Path(named))
+            return AuditTrail(Path(named))
         return open_free(usual_path(os.environ))
     except BlockingIOError:
         raise OSError(f"another runtime writes {named}") from None
 
 
-def open_free(path: Path) -> "Audit":
+def open_free(path: Path) -> "AuditTrail":
     """The trail at a path, or beside it (`audit-2.log`) where another runtime writes it; raises OSError."""
     for number in range(2, _SAME):
         try:
-            return Audit(path if number == 2 else path.with_stem(f"{path.stem}-{number - 1}"))
+            return AuditTrail(path if number == 2 else path.with_stem(f"{path.stem}-{number - 1}"))
         except BlockingIOError:
             continue
-    return Audit(path.with_stem(f"{path.stem}-{_SAME}"))
+    return AuditTrail(path.with_stem(f"{path.stem}-{_SAME}"))
 
 
-class Audit:
+class AuditTrail:
     """One file, written by one runtime at a time; raises BlockingIOError where another one writes it, and OSError."""
 
     def __init__(

@@ -25,7 +25,7 @@ _LOOK_NS = 50 * _MS
 
 
 @dataclass(frozen=True, slots=True)
-class Heard:
+class SessionSilence:
     """How a session was heard: for how long not at all, and its beats that came as datagrams."""
 
     silent_ns: int
@@ -34,7 +34,7 @@ class Heard:
     round_trip_us: int = -1
 
 
-class Held(Protocol):
+class LeasedControl(Protocol):
     """Who holds something."""
 
     @property
@@ -47,7 +47,7 @@ class Held(Protocol):
         ...
 
 
-Hearing = Callable[[str], Heard | None]
+SilenceOf = Callable[[str], SessionSilence | None]
 """How a session is heard; None where its lease never ends."""
 
 
@@ -60,8 +60,8 @@ class Leases:
 
     def __init__(
         self,
-        held: Held,
-        hearing: Hearing,
+        held: LeasedControl,
+        hearing: SilenceOf,
         length_ns: int | None,
         clock: Callable[[], int] = monotonic_ns,
         deaf: Callable[[], int] = lambda: 0,
@@ -103,10 +103,10 @@ class Leases:
         hearing = self._hearing(session) if self._length_ns != 0 else None
         return 0 if hearing is None else self._length(hearing)
 
-    def _left(self, session: str, heard: Heard) -> int:
+    def _left(self, session: str, heard: SessionSilence) -> int:
         return self._length(heard) - heard.silent_ns + self._excused.get(session, (0, 0))[1]
 
-    def _length(self, heard: Heard) -> int:
+    def _length(self, heard: SessionSilence) -> int:
         if self._length_ns is not None:
             return self._length_ns
         if heard.beats < _STEADY or heard.beats_silent_ns >= _GONE_NS:
@@ -115,7 +115,7 @@ class Leases:
             return FAR_NS
         return NEAR_NS
 
-    def _needed(self) -> list[tuple[str, Heard]]:
+    def _needed(self) -> list[tuple[str, SessionSilence]]:
         if self._length_ns == 0:
             return []
         heard = ((session, self._hearing(session)) for session in sorted(self._held.needed))

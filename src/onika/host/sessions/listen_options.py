@@ -18,7 +18,7 @@ from onika.words.reason import Reason, reason_of
 _CLOSED = Reason.of("host.not_started")
 
 
-class Wanted(Struct, frozen=True):
+class ListenOptions(Struct, frozen=True):
     """What the command line asks for; names: other names under which this machine is called."""
 
     listen: str
@@ -28,7 +28,7 @@ class Wanted(Struct, frozen=True):
     names: tuple[str, ...] = ()
 
 
-class Listening(Struct, frozen=True):
+class ListenerSettings(Struct, frozen=True):
     """What the listener needs: no token, only what is kept of tokens."""
 
     host: str
@@ -43,7 +43,9 @@ class Listening(Struct, frozen=True):
         return str(Address(self.host, port, bool(self.certificate)))
 
 
-def judge(wanted: Wanted, environment: Mapping[str, str] = os.environ) -> tuple[Listening | None, list[Fault], str]:
+def judge(
+    wanted: ListenOptions, environment: Mapping[str, str] = os.environ
+) -> tuple[ListenerSettings | None, list[Fault], str]:
     """The place to listen, or all that is missing for it; and where the token of this machine lies, if one is used."""
     try:
         host, port = split_host(wanted.listen)
@@ -63,7 +65,9 @@ def judge(wanted: Wanted, environment: Mapping[str, str] = os.environ) -> tuple[
     if faults:
         return None, faults, ""
     names = ("localhost",) if near else (host, socket.gethostname(), *wanted.names)
-    place = Listening(host, PORT if port is None else port, wanted.certificate, wanted.key, users, names + wanted.names)
+    place = ListenerSettings(
+        host, PORT if port is None else port, wanted.certificate, wanted.key, users, names + wanted.names
+    )
     return place, [], token_at
 
 
@@ -75,7 +79,7 @@ def context(certificate: str, key: str) -> ssl.SSLContext:
     return made
 
 
-def _users(wanted: Wanted, near: bool) -> tuple[tuple[User, ...], list[Fault]]:
+def _users(wanted: ListenOptions, near: bool) -> tuple[tuple[User, ...], list[Fault]]:
     if not wanted.users:
         missing = Fault(
             Place("--users"),
@@ -93,7 +97,7 @@ def _users(wanted: Wanted, near: bool) -> tuple[tuple[User, ...], list[Fault]]:
     return users, faults
 
 
-def _secrets(wanted: Wanted, near: bool) -> list[Fault]:
+def _secrets(wanted: ListenOptions, near: bool) -> list[Fault]:
     given = {"--cert": wanted.certificate, "--key": wanted.key}
     if near and not any(given.values()):
         return []

@@ -16,14 +16,21 @@ from functools import partial
 
 from msgspec import msgpack
 
-from onika.host.sessions.admission import Admission, Yes
+from onika.host.sessions.admission import Admission, LetIn
 from onika.host.sessions.heartbeat_registry import HeartbeatRegistry
-from onika.host.sessions.listen_options import Listening, context
-from onika.host.sessions.listener_process import AWAKE_NS, Arrived, Awake, Failed, Ready, encode
-from onika.host.sessions.relay import Relay, Unwelcome
+from onika.host.sessions.listen_options import ListenerSettings, context
+from onika.host.sessions.listener_process import (
+    AWAKE_NS,
+    ConnectionArrived,
+    ListenerAwake,
+    ListenerReady,
+    ListenFailed,
+    encode,
+)
+from onika.host.sessions.relay import ConnectionRefused, Relay
 from onika.host.sessions.users import Users
-from onika.host.units.output_pipe import open_outlets
-from onika.host.units.process_socket import Post
+from onika.host.units.output_pipe import open_output_pipes
+from onika.host.units.process_socket import ProcessSocket
 from onika.link.heartbeat import LENGTH
 from onika.link.launcher import die_with_parent
 from onika.wire.packet import Hello
@@ -40,13 +47,13 @@ _BEATS = 64
 """Datagrams that are read at a time."""
 _LAST_S = 0.5
 
-_AWAKE = encode(Awake())
+_AWAKE = encode(ListenerAwake())
 
 
-class House:
+class Acceptor:
     """Who stands in the door, and who was let in."""
 
-    def __init__(self, listening: Listening, post: Post) -> None:
+    def __init__(self, listening: ListenerSettings, post: ProcessSocket) -> None:
         self._listening = listening
         self._post = post
         is_private = bool(listening.certificate)
@@ -129,7 +136,7 @@ class House:
                 answer, hello, payloads = await relay.greet(self._admission, number)
             self._tasks.pop(number, None)
             await self._inwards(relay, answer, hello, payloads, address)
-        except (Unwelcome, OSError, TimeoutError, asyncio.CancelledError):
+        except (ConnectionRefused, OSError, TimeoutError, asyncio.CancelledError):
             pass
         finally:
             if relay is None:
@@ -148,14 +155,16 @@ class House:
         )
         return Relay(reader, asyncio.StreamWriter(transport, protocol, reader, loop), address, self._book)
 
-    async def _inwards(self, relay: Relay, answer: Yes, hello: Hello, payloads: list[bytes], address: str) -> None:
+    async def _inwards(self, relay: Relay, answer: LetIn, hello: Hello, payloads: list[bytes], address: str) -> None:
         if self._inside >= _RELAYS:
             return
         self._inside += 1
         ours, theirs = socket.socketpair()
         try:
             user = answer.user
-            arrived = Arrived(answer.channel.value, hello.client, hello.epoch, user.name, int(user.role), address)
+            arrived = ConnectionArrived(
+                answer.channel.value, hello.client, hello.epoch, user.name, int(user.role), address
+            )
             self._post.send(encode(arrived), (theirs.fileno(),))
             while self._post.is_waiting:  # only what was really sent may be closed here
                 await asyncio.sleep(0.01)
@@ -206,23 +215,23 @@ def main(words: list[str]) -> None:
     given = parser.parse_args(words)
     die_with_parent(given.parent)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    open_outlets()
+    open_output_pipes()
     os.nice(5)
-    post = Post(socket.socket(fileno=given.fd))
+    post = ProcessSocket(socket.socket(fileno=given.fd))
     select.select([post], [], [])
     came = post.receive()
     if came is None:
         return
-    listening = msgpack.decode(came[0], type=Listening)
+    listening = msgpack.decode(came[0], type=ListenerSettings)
     try:
         listener = listen(listening.host, listening.port)
         beats = hear_beats(listener)
-        house = House(listening, post)
+        house = Acceptor(listening, post)
     except OSError as wrong:
         reason = f"cannot listen on {listening.host} port {listening.port}: {wrong.strerror or wrong}"
-        post.send(encode(Failed(reason)))
+        post.send(encode(ListenFailed(reason)))
         return
-    post.send(encode(Ready(listener.getsockname()[1])))
+    post.send(encode(ListenerReady(listener.getsockname()[1])))
     with contextlib.suppress(KeyboardInterrupt):
         asyncio.run(house.serve(listener, beats))
 

@@ -11,9 +11,9 @@ from time import monotonic, monotonic_ns
 from msgspec import Struct, msgpack
 
 from onika.host.sessions.admission import from_near
-from onika.host.sessions.listen_options import Listening
+from onika.host.sessions.listen_options import ListenerSettings
 from onika.host.units.child_process import start
-from onika.host.units.process_socket import Post
+from onika.host.units.process_socket import ProcessSocket
 from onika.link.caller import Caller, Role
 from onika.link.channel import Channel
 from onika.link.sessions import Introduction
@@ -23,19 +23,19 @@ AWAKE_NS = 50_000_000
 """How often it says that it listens."""
 
 
-class Ready(Struct, frozen=True, tag=True):
+class ListenerReady(Struct, frozen=True, tag=True):
     """It listens; on which port."""
 
     port: int
 
 
-class Failed(Struct, frozen=True, tag=True):
+class ListenFailed(Struct, frozen=True, tag=True):
     """It cannot listen."""
 
     reason: str
 
 
-class Arrived(Struct, frozen=True, tag=True):
+class ConnectionArrived(Struct, frozen=True, tag=True):
     """Somebody is let in; his end of the connection comes with it."""
 
     channel: str
@@ -46,26 +46,26 @@ class Arrived(Struct, frozen=True, tag=True):
     address: str
 
 
-class Awake(Struct, frozen=True, tag=True):
+class ListenerAwake(Struct, frozen=True, tag=True):
     """It listens, and has passed on what came until now; said again and again while somebody is inside."""
 
 
 encode = msgpack.Encoder().encode
-_decode = msgpack.Decoder(Ready | Failed | Arrived | Awake).decode
+_decode = msgpack.Decoder(ListenerReady | ListenFailed | ConnectionArrived | ListenerAwake).decode
 
 
 class ListenerProcess:
     """The listener as the program sees it."""
 
-    def __init__(self, listening: Listening) -> None:
+    def __init__(self, listening: ListenerSettings) -> None:
         self._listening = listening
-        self._post, theirs = Post.pair()
+        self._post, theirs = ProcessSocket.pair()
         self._process: subprocess.Popen[bytes] = start("onika.host.sessions.listener_main", theirs)
         self._post.send(encode(listening))
         self._awake_ns = 0
 
     @property
-    def post(self) -> Post:
+    def post(self) -> ProcessSocket:
         """Readable when somebody has come, or at its end."""
         return self._post
 
@@ -76,9 +76,9 @@ class ListenerProcess:
             select.select([self._post], [], [], left)
             came = self._post.receive()
             match _decode(came[0]) if came else None:
-                case Ready(port):
+                case ListenerReady(port):
                     return self._listening.address(port)
-                case Failed(reason):
+                case ListenFailed(reason):
                     raise OSError(reason)
         raise OSError("the porter did not start")
 
@@ -88,9 +88,9 @@ class ListenerProcess:
         while (packet := self._post.receive()) is not None:
             body, descriptors = packet
             arrived = _decode(body)
-            if isinstance(arrived, Awake):
+            if isinstance(arrived, ListenerAwake):
                 self._awake_ns = monotonic_ns()
-            elif isinstance(arrived, Arrived) and descriptors:
+            elif isinstance(arrived, ConnectionArrived) and descriptors:
                 caller = Caller(arrived.user, Role(arrived.role), arrived.address, from_near(arrived.address))
                 new = Introduction(Channel(arrived.channel), arrived.client, arrived.epoch, caller)
                 came.append((new, socket.socket(fileno=descriptors[0])))

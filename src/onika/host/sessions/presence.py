@@ -8,7 +8,7 @@ from msgspec import structs
 from onika.wire import event, holding
 
 
-class Doorway(Protocol):
+class SessionSource(Protocol):
     """Where sessions come and go."""
 
     def sessions(self) -> tuple[holding.SessionStanding, ...]:
@@ -24,7 +24,7 @@ class Presence:
     """The sessions of a runtime, with what each of them has said of itself."""
 
     def __init__(
-        self, doorway: Doorway, watching: Callable[[], Set[str]], lease: Callable[[str], int] = lambda _: 0
+        self, doorway: SessionSource, watching: Callable[[], Set[str]], lease: Callable[[str], int] = lambda _: 0
     ) -> None:
         self._doorway = doorway
         self._lease = lease

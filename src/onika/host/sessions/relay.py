@@ -10,7 +10,7 @@ from websockets.http11 import Request, Response
 from websockets.protocol import Event, State
 from websockets.server import ServerProtocol
 
-from onika.host.sessions.admission import Admission, No, Yes
+from onika.host.sessions.admission import Admission, LetIn, TurnedAway
 from onika.host.sessions.heartbeat_registry import HeartbeatRegistry
 from onika.link.heartbeat import HEADER, HeartbeatKey
 from onika.link.websocket_messages import SILENT, WebSocketMessages
@@ -26,7 +26,7 @@ _MIN_RTT = 148
 """Where it stands in the `tcp_info` of Linux, in us."""
 
 
-class Unwelcome(Exception):
+class ConnectionRefused(Exception):
     """There will be no link on this connection; he has been told, as far as he can be."""
 
 
@@ -49,8 +49,8 @@ class Relay:
         self._protocol = ServerProtocol(max_size=FRAME_LIMIT, logger=SILENT)
         self._messages = WebSocketMessages()
 
-    async def greet(self, admission: Admission, number: int) -> tuple[Yes, Hello, list[bytes]]:
-        """Let in or turn away, then wait for the hello: who it is, and all payloads so far. Raises Unwelcome.
+    async def greet(self, admission: Admission, number: int) -> tuple[LetIn, Hello, list[bytes]]:
+        """Let in or turn away, then wait for the hello: who it is, and all payloads so far. Raises ConnectionRefused.
 
         From the moment his token is known to be right, nobody else's crowding in the door puts him out again.
         """
@@ -66,7 +66,7 @@ class Relay:
         if not isinstance(hello, Hello):
             self._protocol.send_binary(encode(Bye("garbage", "an environment begins with hello")))
             await self._send()
-            raise Unwelcome("no hello")
+            raise ConnectionRefused("no hello")
         return answer, hello, payloads
 
     async def carry(self, payloads: list[bytes], inside: socket.socket) -> None:
@@ -99,22 +99,22 @@ class Relay:
                     return event
             if self._protocol.handshake_exc is not None:
                 await self._send()
-                raise Unwelcome("no HTTP")
+                raise ConnectionRefused("no HTTP")
 
-    def _answer(self, request: Request, admission: Admission) -> Yes:
+    def _answer(self, request: Request, admission: Admission) -> LetIn:
         response = self._protocol.accept(request)  # 400, 405, 426: no WebSocket at all
-        answer: Yes | No | None = None
+        answer: LetIn | TurnedAway | None = None
         if response.status_code == 101:
             answer = admission.judge(request.path, request.headers.raw_items(), self._address, monotonic_ns())
-            if isinstance(answer, No):
+            if isinstance(answer, TurnedAway):
                 response = self._protocol.reject(answer.status, answer.reason + "\n")
             elif answer.channel.asks:
                 self._agree(response)
         self._protocol.send_response(response)
         for data in self._protocol.data_to_send():
             self._writer.write(data)
-        if not isinstance(answer, Yes):
-            raise Unwelcome(f"status {response.status_code}")
+        if not isinstance(answer, LetIn):
+            raise ConnectionRefused(f"status {response.status_code}")
         return answer
 
     def _agree(self, response: Response) -> None:
@@ -150,7 +150,7 @@ class Relay:
             await self._send()
 
     async def _receive(self) -> list[bytes]:
-        """The payloads that came next; raises Unwelcome at the end."""
+        """The payloads that came next; raises ConnectionRefused at the end."""
         while True:
             try:
                 payloads = self._messages.feed(await self._events())
@@ -161,7 +161,7 @@ class Relay:
             if payloads:
                 return payloads
             if self._protocol.state is not State.OPEN:
-                raise Unwelcome("closed")
+                raise ConnectionRefused("closed")
 
     async def _events(self) -> list[Event]:
         data = await self._reader.read(_TURN)
@@ -171,7 +171,7 @@ class Relay:
             self._protocol.receive_eof()
         events = self._protocol.events_received()
         if not data and not events and self._protocol.state is State.CONNECTING:
-            raise Unwelcome("gone")
+            raise ConnectionRefused("gone")
         return events
 
     async def _send(self) -> None:

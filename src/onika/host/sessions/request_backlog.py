@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import get_args
 
-from onika.host.sessions.request_server import Call
+from onika.host.sessions.request_server import SessionRequest
 from onika.wire import holding, live, request
 
 _AT_ONCE = (
@@ -19,9 +19,9 @@ class Backlog:
     """What was asked and is not carried out yet, each with who is to be told."""
 
     def __init__(self) -> None:
-        self._waiting: list[tuple[Call, Answer]] = []
+        self._waiting: list[tuple[SessionRequest, Answer]] = []
 
-    def is_before(self, call: Call) -> bool:
+    def is_before(self, call: SessionRequest) -> bool:
         """Whether something waits that this session asked earlier, but for descriptions: then this waits too."""
         if isinstance(call.asked, _AT_ONCE):
             return False
@@ -30,11 +30,11 @@ class Backlog:
             for waiting_call, _ in self._waiting
         )
 
-    def keep(self, call: Call, answer: Answer) -> None:
+    def keep(self, call: SessionRequest, answer: Answer) -> None:
         """It waits, behind all others."""
         self._waiting.append((call, answer))
 
-    def take(self) -> list[tuple[Call, Answer]]:
+    def take(self) -> list[tuple[SessionRequest, Answer]]:
         """All that waits, to be tried again; what still cannot be carried out is kept anew."""
         waiting, self._waiting = self._waiting, []
         return waiting

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
-from onika.host.sessions.leases import Heard
+from onika.host.sessions.leases import SessionSilence
 from onika.host.sessions.permission import refusal
 from onika.link.caller import Role
 from onika.link.carrier import Carrier, SocketCarrier
@@ -27,7 +27,7 @@ _PACKETS, _BYTES = 16, 256 * 1024
 
 
 @dataclass(frozen=True, slots=True)
-class Call:
+class SessionRequest:
     """One request of one session."""
 
     ticket: int
@@ -45,7 +45,7 @@ class Descriptor(Protocol):
         ...
 
 
-class Door(Protocol):
+class ConnectionSource(Protocol):
     """Where guests come from: the listener, or a test's."""
 
     @property
@@ -66,10 +66,10 @@ class Door(Protocol):
         ...
 
 
-class Watcher(Protocol):
+class RequestObserver(Protocol):
     """Sees what is asked and told, and what came of it; see `host.sessions.audit_log`."""
 
-    def answered(self, call: Call, response: request.Response) -> None:
+    def answered(self, call: SessionRequest, response: request.Response) -> None:
         """A request was answered."""
         ...
 
@@ -94,7 +94,11 @@ class RequestServer:
     """All sessions of a runtime; every request gets exactly one response, now or later."""
 
     def __init__(
-        self, guests: Sessions, clock: Callable[[], int], listener: Door | None = None, accepts_code: bool = False
+        self,
+        guests: Sessions,
+        clock: Callable[[], int],
+        listener: ConnectionSource | None = None,
+        accepts_code: bool = False,
     ) -> None:
         self._guests = guests
         self._listener = listener
@@ -104,8 +108,8 @@ class RequestServer:
         self._told: list[tuple[event.Event, str, str]] = []
         self._ear: Callable[[event.Event, str], None] | None = None
         self._tickets: dict[int, tuple[EnvironmentSession, int]] = {}
-        self._calls: dict[int, Call] = {}
-        self.watcher: Watcher | None = None
+        self._calls: dict[int, SessionRequest] = {}
+        self.watcher: RequestObserver | None = None
         """Who writes down what happens here."""
         self._count = 0
         self._turn = 0
@@ -183,7 +187,7 @@ class RequestServer:
         if find is not None:
             find.show(key, body, self._clock())
 
-    def requests(self) -> list[Call]:
+    def requests(self) -> list[SessionRequest]:
         """What was asked since the last call; what is no request, or is not allowed, is refused at once."""
         self.flush()
         self._welcome()
@@ -216,13 +220,15 @@ class RequestServer:
         sessions = self._guests.sessions
         return tuple(holding.SessionStanding(one.name, one.caller.role.word, one.is_linked) for one in sessions)
 
-    def hearing(self, session: str) -> Heard | None:
+    def hearing(self, session: str) -> SessionSilence | None:
         """How a session is heard; None: it is not known, or the launching program, whose end is told."""
         find = self._guests.find(session)
         if find is None or find is self._parent:
             return None
         now, link_quality = self._clock(), find.link_quality
-        return Heard(now - find.heard_ns, link_quality.beats, now - link_quality.last_ns, link_quality.round_trip_us)
+        return SessionSilence(
+            now - find.heard_ns, link_quality.beats, now - link_quality.last_ns, link_quality.round_trip_us
+        )
 
     def deaf_ns(self) -> int:
         """For how long nothing could be heard, whoever spoke."""
@@ -268,7 +274,7 @@ class RequestServer:
             self._listener = None
             self.tell(event.Lost("porter", f"the porter {ending}; nobody new can connect", self._clock() * 1e-9))
 
-    def _judge(self, session: EnvironmentSession, each: RequestReceived) -> Call | None:
+    def _judge(self, session: EnvironmentSession, each: RequestReceived) -> SessionRequest | None:
         self._count += 1
         self._tickets[self._count] = (session, each.ticket)
         try:
@@ -278,7 +284,7 @@ class RequestServer:
                 self.watcher.garbage(session.name, str(wrong))
             self.reply(self._count, request.Refused(Reason.of("host.no_request", why=reason_of(wrong))))
             return None
-        call = Call(self._count, session.name, session.caller.role, decode_request, session.caller.address)
+        call = SessionRequest(self._count, session.name, session.caller.role, decode_request, session.caller.address)
         self._calls[self._count] = call
         why = refusal(session.caller, decode_request, self._accepts_code)
         if why:

@@ -12,7 +12,7 @@ _ENOUGH_CYCLES = 10
 
 
 @dataclass(frozen=True, slots=True)
-class Coming:
+class ComingTask:
     """A task that is to come ON, or to change its rate in hertz; `digest` names its code."""
 
     rtpu: str
@@ -22,7 +22,7 @@ class Coming:
     hz: float
 
 
-class Forecast:
+class LoadForecast:
     """Knows the newest loads of all units, and what each module's cycle took wherever it ran."""
 
     def __init__(self) -> None:
@@ -37,7 +37,9 @@ class Forecast:
             if load.cycles >= _ENOUGH_CYCLES:
                 self._cycles_us[digest] = load.mean_us
 
-    def warnings(self, off: Iterable[tuple[str, str]], coming: Iterable[Coming]) -> list[tuple[Coming, float, str]]:
+    def warnings(
+        self, off: Iterable[tuple[str, str]], coming: Iterable[ComingTask]
+    ) -> list[tuple[ComingTask, float, str]]:
         """Who would take a unit beyond its margin, to what use, and the sentence; what was never measured is free."""
         units = {rtpu: dict(tasks) for rtpu, tasks in self._units.items()}
         for address in off:

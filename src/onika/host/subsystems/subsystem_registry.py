@@ -8,7 +8,7 @@ from onika.host.run.clock_gate import ClockGate
 from onika.host.run.replay import Replay
 from onika.host.run.status_poll import StatusPoll
 from onika.host.subsystems.live_subsystem import LiveSubsystem
-from onika.host.subsystems.load_forecast import Forecast
+from onika.host.subsystems.load_forecast import LoadForecast
 from onika.host.units.unit_registry import Units
 from onika.ring.segment import Segment
 from onika.runtime import command, news
@@ -58,7 +58,7 @@ class Subsystems:
         self.runs: list[ApplicationRun] = []
         self.lost_units: dict[str, str] = {}
         self.status_poll = StatusPoll(units, self._alive)
-        self.forecast = Forecast()
+        self.forecast = LoadForecast()
         self.hold = ClockGate(tell)
         self.repeat = Replay()
         self._asked_loads_at = 0

@@ -1,4 +1,4 @@
-"""Patience with module code in virtual time: a call that never returns raises after a while of wall time (law 15)."""
+"""The call watchdog: in virtual time a call of module code that does not return is interrupted (law 15)."""
 
 import signal
 from types import FrameType
@@ -8,7 +8,7 @@ from onika.runtime.error import ModuleError
 PATIENCE_S = 5.0
 
 
-class Patience:
+class CallWatchdog:
     """A timer of the operating system that interrupts a call in which nothing has come back for two of its rounds.
 
     The clock of the run stands still meanwhile, so this changes no run whose modules return.

@@ -11,9 +11,9 @@ from typing import Any
 from msgspec import Struct, msgpack
 
 from onika.host.units.heartbeat import Heartbeat
-from onika.host.units.output_pipe import open_outlets
-from onika.host.units.pose_stream import Posed, Posing
-from onika.host.units.process_socket import Post
+from onika.host.units.output_pipe import open_output_pipes
+from onika.host.units.pose_stream import PoseStream, WorldPoses
+from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.realtime_scheduling import become_real_time
 from onika.host.units.rtpu import preload
 from onika.host.units.world_registry import open_world, split
@@ -28,27 +28,27 @@ _MOST_BEHIND_NS = 50_000_000
 """Further behind, a world loses time instead of running after it: a stall stretches a motion and never jumps."""
 
 
-class Open(Struct, frozen=True, tag=True):
+class OpenWorld(Struct, frozen=True, tag=True):
     """Open a world; the memory of its bus comes with this datagram."""
 
     world: str
 
 
-class Claim(Struct, frozen=True, tag=True):
+class ClaimDevice(Struct, frozen=True, tag=True):
     """Grant `world:device` to the writer of this epoch."""
 
     device: str
     epoch: int
 
 
-class Release(Struct, frozen=True, tag=True):
+class ReleaseDevice(Struct, frozen=True, tag=True):
     """The claim ends."""
 
     device: str
     epoch: int
 
 
-class Fence(Struct, frozen=True, tag=True):
+class FenceWriter(Struct, frozen=True, tag=True):
     """The writer of this epoch is dead."""
 
     epoch: int
@@ -58,11 +58,11 @@ class StopAll(Struct, frozen=True, tag=True):
     """Every drive in hold, latched (law 27)."""
 
 
-class GoOn(Struct, frozen=True, tag=True):
+class AllowMotion(Struct, frozen=True, tag=True):
     """After a stop: commands are heard again; nothing moves by itself."""
 
 
-class Touch(Struct, frozen=True, tag=True):
+class TouchPart(Struct, frozen=True, tag=True):
     """A hand touches a part of a world."""
 
     world: str
@@ -70,17 +70,17 @@ class Touch(Struct, frozen=True, tag=True):
     value: float
 
 
-class Draw(Struct, frozen=True, tag=True):
+class TakeSnapshots(Struct, frozen=True, tag=True):
     """Ask for the worlds as they stand."""
 
 
-class Show(Struct, frozen=True, tag=True):
+class DescribeWorld(Struct, frozen=True, tag=True):
     """Ask what a world consists of."""
 
     world: str
 
 
-class Pose(Struct, frozen=True, tag=True):
+class StreamPoses(Struct, frozen=True, tag=True):
     """From now on tell the poses of a world, 30 times a second; to the socket that comes with this datagram, if any."""
 
     world: str
@@ -98,17 +98,17 @@ class Denied(Struct, frozen=True, tag=True):
     reason: str
 
 
-class Opened(Struct, frozen=True, tag=True):
+class WorldOpened(Struct, frozen=True, tag=True):
     """The world is there and steps."""
 
     world: str
 
 
-class Touched(Struct, frozen=True, tag=True):
+class PartTouched(Struct, frozen=True, tag=True):
     """The answer to a Touch."""
 
 
-class Driven(Struct, frozen=True, tag=True):
+class DriveChanged(Struct, frozen=True, tag=True):
     """A drive has changed its state."""
 
     world: str
@@ -122,26 +122,47 @@ class Driven(Struct, frozen=True, tag=True):
     """How far the world's time is behind the runtime's."""
 
 
-class Drawn(Struct, frozen=True, tag=True):
+class SnapshotsTaken(Struct, frozen=True, tag=True):
     """The answer to Draw."""
 
     snapshots: dict[str, bytes]
 
 
-class Shown(Struct, frozen=True, tag=True):
+class WorldDescribed(Struct, frozen=True, tag=True):
     """The answer to Show."""
 
     scene: dict[str, Any]
 
 
-class Up(Struct, frozen=True, tag=True):
+class ServerReady(Struct, frozen=True, tag=True):
     """The process is up; what the operating system granted it."""
 
     granted: dict[str, bool]
 
 
-Order = Open | Claim | Release | Fence | StopAll | GoOn | Touch | Draw | Show | Pose
-Word = Granted | Denied | Opened | Touched | Driven | Drawn | Shown | Posed | Up
+Order = (
+    OpenWorld
+    | ClaimDevice
+    | ReleaseDevice
+    | FenceWriter
+    | StopAll
+    | AllowMotion
+    | TouchPart
+    | TakeSnapshots
+    | DescribeWorld
+    | StreamPoses
+)
+Word = (
+    Granted
+    | Denied
+    | WorldOpened
+    | PartTouched
+    | DriveChanged
+    | SnapshotsTaken
+    | WorldDescribed
+    | WorldPoses
+    | ServerReady
+)
 
 encode = msgpack.Encoder().encode
 decode_order = msgpack.Decoder(Order).decode
@@ -151,13 +172,13 @@ decode_word = msgpack.Decoder(Word).decode
 class DeviceServer:
     """The loop around the buses."""
 
-    def __init__(self, post: Post, heartbeat: Heartbeat, zero_ns: int) -> None:
+    def __init__(self, post: ProcessSocket, heartbeat: Heartbeat, zero_ns: int) -> None:
         self._post = post
         self._heartbeat = heartbeat
         self._zero = zero_ns
         self._buses: dict[str, Bus] = {}
         self._behind: dict[str, int] = {}
-        self._posing: dict[str, Posing] = {}
+        self._posing: dict[str, PoseStream] = {}
         self._is_stopped = False
         self._segments: list[Segment] = []
 
@@ -208,45 +229,45 @@ class DeviceServer:
 
     def _carry_out(self, order: Order, descriptors: list[int]) -> Word | None:
         match order:
-            case Open():
+            case OpenWorld():
                 return self._open(order.world, descriptors[0])
-            case Claim():
+            case ClaimDevice():
                 world, device = split(order.device)
                 try:
                     return Granted(self._buses[world].grant(device, order.epoch))
                 except ValueError as wrong:
                     return Denied(str(wrong))
-            case Release():
+            case ReleaseDevice():
                 world, device = split(order.device)
                 self._buses[world].release(device, order.epoch)
-            case Fence() | StopAll() | GoOn():
+            case FenceWriter() | StopAll() | AllowMotion():
                 self._tell_all(order)
-            case Touch():
+            case TouchPart():
                 try:
                     self._buses[order.world].touch(order.part, order.value)
                 except ValueError as wrong:
                     return Denied(str(wrong))
-                return Touched()
-            case Show():
+                return PartTouched()
+            case DescribeWorld():
                 if order.world in self._buses:
-                    return Shown(self._buses[order.world].scene())
+                    return WorldDescribed(self._buses[order.world].scene())
                 return Denied("not open")
-            case Pose():
-                post = Post(socket.socket(fileno=descriptors[0])) if descriptors else self._post
-                self._posing.setdefault(order.world, Posing(order.world)).add(post)
-            case Draw():
-                return Drawn({name: bus.world.snapshot() for name, bus in self._buses.items()})
+            case StreamPoses():
+                post = ProcessSocket(socket.socket(fileno=descriptors[0])) if descriptors else self._post
+                self._posing.setdefault(order.world, PoseStream(order.world)).add(post)
+            case TakeSnapshots():
+                return SnapshotsTaken({name: bus.world.snapshot() for name, bus in self._buses.items()})
         return None
 
-    def _tell_all(self, order: Fence | StopAll | GoOn) -> None:
-        self._is_stopped = isinstance(order, StopAll) or (self._is_stopped and not isinstance(order, GoOn))
+    def _tell_all(self, order: FenceWriter | StopAll | AllowMotion) -> None:
+        self._is_stopped = isinstance(order, StopAll) or (self._is_stopped and not isinstance(order, AllowMotion))
         for bus in self._buses.values():
             match order:
-                case Fence():
+                case FenceWriter():
                     bus.world.fence(order.epoch)
                 case StopAll():
                     bus.world.stop()
-                case GoOn():
+                case AllowMotion():
                     bus.world.go_on()
 
     def _open(self, name: str, descriptor: int) -> Word:
@@ -260,12 +281,12 @@ class DeviceServer:
             world.stop()
         self._buses[name] = Bus(name, world, segment)
         self._behind[name] = self._now() - world.now_ns
-        return Opened(name)
+        return WorldOpened(name)
 
 
-def _driven(world: str, drive_event: DriveEvent, behind_ns: int) -> Driven:
+def _driven(world: str, drive_event: DriveEvent, behind_ns: int) -> DriveChanged:
     times = drive_event.at_ns, drive_event.previous_step_ns, drive_event.last_command_ns
-    return Driven(world, drive_event.device, int(drive_event.state), *times, drive_event.cause, behind_ns)
+    return DriveChanged(world, drive_event.device, int(drive_event.state), *times, drive_event.cause, behind_ns)
 
 
 def main(words: list[str]) -> None:
@@ -277,14 +298,14 @@ def main(words: list[str]) -> None:
     given = parser.parse_args(words)
     die_with_parent(given.parent)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    open_outlets()
+    open_output_pipes()
     preload()
-    post = Post(socket.socket(fileno=given.fd))
+    post = ProcessSocket(socket.socket(fileno=given.fd))
     heartbeat = Heartbeat(Segment.attach(given.beat_fd))
     server = DeviceServer(post, heartbeat, given.zero)
     granted = become_real_time(given.fifo)
     heartbeat.beat()  # before it is said to be up: from then on silence counts
-    post.send(encode(Up(granted)))
+    post.send(encode(ServerReady(granted)))
     server.run()
 
 

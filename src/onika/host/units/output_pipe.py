@@ -6,7 +6,7 @@ import os
 import sys
 
 
-class Outlet(io.TextIOBase):
+class OutputPipe(io.TextIOBase):
     """A text stream on a descriptor that never waits."""
 
     def __init__(self, descriptor: int) -> None:
@@ -24,6 +24,6 @@ class Outlet(io.TextIOBase):
         return len(text)
 
 
-def open_outlets() -> None:
+def open_output_pipes() -> None:
     """Replace standard output and error of this process."""
-    sys.stdout, sys.stderr = Outlet(1), Outlet(2)
+    sys.stdout, sys.stderr = OutputPipe(1), OutputPipe(2)

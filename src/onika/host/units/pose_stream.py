@@ -4,14 +4,14 @@ from time import monotonic_ns
 
 from msgspec import Struct, msgpack
 
-from onika.host.units.process_socket import Post
+from onika.host.units.process_socket import ProcessSocket
 
 _EVERY_NS = 33_000_000
 _MOST_WAITING = 100
 """Datagrams that may wait for one who does not come to take them; more are counted and thrown away."""
 
 
-class Posed(Struct, frozen=True, tag=True):
+class WorldPoses(Struct, frozen=True, tag=True):
     """Where the bodies of a world are."""
 
     world: str
@@ -27,15 +27,15 @@ class Posed(Struct, frozen=True, tag=True):
 _encode = msgpack.Encoder().encode
 
 
-class Posing:
+class PoseStream:
     """Of one world."""
 
     def __init__(self, world: str) -> None:
         self._world = world
         self._due = 0
-        self._left_out: dict[Post, int] = {}
+        self._left_out: dict[ProcessSocket, int] = {}
 
-    def add(self, post: Post) -> None:
+    def add(self, post: ProcessSocket) -> None:
         """From now on tell this one too."""
         self._left_out.setdefault(post, 0)
 
@@ -51,7 +51,7 @@ class Posing:
             if post.waiting >= _MOST_WAITING:
                 self._left_out[post] += 1
                 continue
-            post.send(_encode(Posed(self._world, at_ns, rows, lit, monotonic_ns(), left_out)))
+            post.send(_encode(WorldPoses(self._world, at_ns, rows, lit, monotonic_ns(), left_out)))
             self._left_out[post] = 0
             if post.is_closed:
                 post.close()

@@ -1,4 +1,4 @@
-"""The post between the runtime's processes: datagrams with file descriptors; sending never waits (law 30)."""
+"""The socket between two processes of the runtime: datagrams with file descriptors; sending never waits (law 30)."""
 
 import array
 import errno
@@ -12,7 +12,7 @@ _ROOM = socket.CMSG_LEN(4 * array.array("i").itemsize)
 """Of the control part: four descriptors."""
 
 
-class Post:
+class ProcessSocket:
     """One end of a pair. What cannot be sent at once waits in a queue of its own, in order."""
 
     def __init__(self, end: socket.socket) -> None:
@@ -26,7 +26,7 @@ class Post:
             end.setsockopt(socket.SOL_SOCKET, option, _BUFFER)
 
     @classmethod
-    def pair(cls) -> tuple["Post", socket.socket]:
+    def pair(cls) -> tuple["ProcessSocket", socket.socket]:
         """Our end, and the socket for the other process."""
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         return cls(ours), theirs

@@ -1,4 +1,4 @@
-"""The pace of scaled time: how far a virtual clock may go, as wall time passes (A16, law 15)."""
+"""The real-time factor: how far a virtual clock may go as wall time passes (law 15, requirement A16)."""
 
 SLOWEST, FASTEST = 0.01, 1000.0
 
@@ -6,7 +6,7 @@ _MOST_NS = 200_000_000
 """So much wall time counts at once at most: a stall stretches a motion and never jumps."""
 
 
-class Pace:
+class RealtimeFactor:
     """Virtual time passes `scale` times as fast as wall time, which is handed in (ns, a clock that never goes back)."""
 
     def __init__(self, scale: float, now: int, wall_ns: int) -> None:

@@ -14,8 +14,8 @@ from msgspec import Struct, msgpack
 
 from onika.host.units.heartbeat import Heartbeat
 from onika.host.units.memory_limit import bound
-from onika.host.units.output_pipe import open_outlets
-from onika.host.units.process_socket import Post
+from onika.host.units.output_pipe import open_output_pipes
+from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.realtime_scheduling import become_real_time
 from onika.link.launcher import die_with_parent
 from onika.ring.segment import Segment
@@ -43,7 +43,7 @@ class Unshare(Struct, frozen=True, tag=True):
     name: str
 
 
-class Ready(Struct, frozen=True, tag=True):
+class UnitReady(Struct, frozen=True, tag=True):
     """The process is up; what the operating system granted it."""
 
     granted: dict[str, bool]
@@ -51,14 +51,14 @@ class Ready(Struct, frozen=True, tag=True):
 
 encode = msgpack.Encoder().encode
 decode_command = msgpack.Decoder(Share | Unshare | command.Command).decode
-decode_news = msgpack.Decoder(list[Ready | news.News]).decode
+decode_news = msgpack.Decoder(list[UnitReady | news.News]).decode
 """News come as lists: what one command or cycle led to is one datagram."""
 
 
 class Rtpu:
     """The loop around an executive."""
 
-    def __init__(self, name: str, post: Post, heartbeat: Heartbeat, zero_ns: int) -> None:
+    def __init__(self, name: str, post: ProcessSocket, heartbeat: Heartbeat, zero_ns: int) -> None:
         self._post = post
         self._heartbeat = heartbeat
         self._zero = zero_ns
@@ -99,7 +99,9 @@ class Rtpu:
             return self._take_events(wait, [self._post], writable)
         return True
 
-    def _take_events(self, wait_s: float, readers: Sequence[Post] = (), writable: Sequence[Post] = ()) -> bool:
+    def _take_events(
+        self, wait_s: float, readers: Sequence[ProcessSocket] = (), writable: Sequence[ProcessSocket] = ()
+    ) -> bool:
         """Wait for commands and for the events of synchronous tasks, and run the tasks whose event has come.
 
         Says whether something came by post, or waits to be sent and can be.
@@ -107,7 +109,7 @@ class Rtpu:
         events = self._executive.events()
         if not (events or readers):
             return True
-        waiting: list[Post | int] = [*readers, *events]
+        waiting: list[ProcessSocket | int] = [*readers, *events]
         ready, free, _ = select.select(waiting, writable, [], wait_s)
         for one in ready:
             if isinstance(one, int):
@@ -190,15 +192,15 @@ def main(words: list[str]) -> None:
     given = parser.parse_args(words)
     die_with_parent(given.parent)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    open_outlets()
+    open_output_pipes()
     preload()
-    post = Post(socket.socket(fileno=given.fd))
+    post = ProcessSocket(socket.socket(fileno=given.fd))
     heartbeat = Heartbeat(Segment.attach(given.beat_fd))
     bound()
     rtpu = Rtpu(given.name, post, heartbeat, given.zero)
     granted = become_real_time(given.fifo)
     heartbeat.beat()  # before it is said to be up: from then on silence counts
-    post.send(encode([Ready(granted)]))
+    post.send(encode([UnitReady(granted)]))
     rtpu.run()
 
 

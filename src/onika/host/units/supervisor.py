@@ -7,7 +7,7 @@ from time import monotonic_ns
 
 from onika.host.units.child_process import start
 from onika.host.units.heartbeat import SIZE, Heartbeat
-from onika.host.units.process_socket import Post
+from onika.host.units.process_socket import ProcessSocket
 from onika.ring.segment import Segment
 
 SILENT_NS = 1_000_000_000
@@ -22,7 +22,7 @@ class Supervised:
     """One process: its post, its heartbeat, its life."""
 
     name: str
-    post: Post
+    post: ProcessSocket
     heartbeat: Heartbeat
     process: "subprocess.Popen[bytes]"
     is_up: bool = False
@@ -62,7 +62,7 @@ class Supervisor:
     def launch(self, name: str, module: str, arguments: tuple[str, ...] = ()) -> Supervised:
         """Start one; it says when it is up."""
         segment = Segment.create(f"beat-{name}", SIZE)
-        ours, theirs = Post.pair()
+        ours, theirs = ProcessSocket.pair()
         words = ("--beat-fd", str(segment.fd), "--zero", str(self._zero), *arguments)
         fifo = ("--fifo",) if self._with_fifo else ()
         process = start(module, theirs, words + fifo, (segment.fd,))

@@ -5,7 +5,7 @@ from typing import Protocol
 from onika.runtime import news
 
 
-class Listener(Protocol):
+class UnitListener(Protocol):
     """Hears news of RTPUs and lets time pass; it waits for nothing."""
 
     @property

@@ -7,9 +7,9 @@ from time import monotonic_ns
 
 from msgspec import structs
 
-from onika.host.units.realtime_factor import Pace
+from onika.host.units.realtime_factor import RealtimeFactor
 from onika.host.units.run_digest import Digest
-from onika.host.units.unit_listener import Listener
+from onika.host.units.unit_listener import UnitListener
 from onika.host.units.world_buses import Buses
 from onika.host.units.world_registry import open_world
 from onika.ring.segment import Segment
@@ -37,7 +37,7 @@ class VirtualDriver:
         scale: float | None = None,
     ) -> None:
         self._now = 0
-        self._pace = None if scale is None else Pace(scale, 0, monotonic_ns())
+        self._pace = None if scale is None else RealtimeFactor(scale, 0, monotonic_ns())
         self._views: dict[str, memoryview] = {}
         self._rtpus = frozenset(rtpus)
         self._executive = Executive("", self._views, watch)
@@ -45,7 +45,7 @@ class VirtualDriver:
         self._statuses: dict[str, news.Statuses] = {}
         self._commands: deque[tuple[str, command.Command]] = deque()
         self._buses = Buses(self._views, worlds, self._dated(tell))
-        self._listener: Listener | None = None
+        self._listener: UnitListener | None = None
         self._digest = Digest()
         self.with_fifo = False
         self.options: tuple[str, ...] = ()
@@ -109,7 +109,7 @@ class VirtualDriver:
         """Let the RTPUs see a table."""
         self._views[name] = segment.view
 
-    def listen(self, listener: Listener) -> None:
+    def listen(self, listener: UnitListener) -> None:
         """Tell this one what happens."""
         self._listener = listener
 
@@ -198,7 +198,7 @@ class VirtualDriver:
 
     # Inner
 
-    def _keep_pace(self, pace: Pace, listener: Listener) -> bool:
+    def _keep_pace(self, pace: RealtimeFactor, listener: UnitListener) -> bool:
         """Everything that is due as far as the clock may go; the worlds go all the way."""
         pace.follow(self._now, monotonic_ns())
         answered = self._answered(0)
@@ -214,12 +214,12 @@ class VirtualDriver:
             self._step_worlds(allowed)
         return False
 
-    def _next(self, listener: Listener) -> int | None:
+    def _next(self, listener: UnitListener) -> int | None:
         """The next instant at which something happens."""
         wake, release = listener.wake_at(), self._executive.next_release()
         return min((at for at in (wake, release) if at is not None), default=None)
 
-    def _instant(self, listener: Listener) -> bool:
+    def _instant(self, listener: UnitListener) -> bool:
         """Worlds step to the next instant, then everything that is due at it runs; False when nothing ever is."""
         wake = listener.wake_at()
         release = now = self._executive.next_release()

@@ -6,9 +6,9 @@ from collections.abc import Callable, Sequence
 from time import monotonic_ns
 
 from onika.host.units import device_server, rtpu
-from onika.host.units.pose_stream import Posed
+from onika.host.units.pose_stream import WorldPoses
 from onika.host.units.supervisor import Supervised, Supervisor
-from onika.host.units.unit_listener import Listener
+from onika.host.units.unit_listener import UnitListener
 from onika.host.units.world_registry import refuse_unknown, split
 from onika.ring.device import DriveState
 from onika.ring.segment import Segment
@@ -36,7 +36,7 @@ class WallDriver:
         self._poses: dict[str, Poses] = {}
         self._claims: dict[str, tuple[int, str]] = {}
         self._epoch = 0
-        self._listener: Listener | None = None
+        self._listener: UnitListener | None = None
         self._answers: deque[device_server.Word] = deque()
         self._heard: deque[tuple[str, news.News]] = deque()
         self._drives: dict[str, int] = {}
@@ -80,7 +80,7 @@ class WallDriver:
         if world not in self._opened:
             self._open(world)
         self._epoch += 1
-        answer = self._ask_devices(device_server.Claim(device, self._epoch))
+        answer = self._ask_devices(device_server.ClaimDevice(device, self._epoch))
         if isinstance(answer, device_server.Denied):
             raise ValueError(answer.reason)
         if not isinstance(answer, device_server.Granted):
@@ -91,7 +91,7 @@ class WallDriver:
     def release(self, device: str) -> None:
         """Give a device back."""
         epoch, _ = self._claims.pop(device)
-        self._devices.post.send(device_server.encode(device_server.Release(device, epoch)))
+        self._devices.post.send(device_server.encode(device_server.ReleaseDevice(device, epoch)))
 
     # A run
 
@@ -109,8 +109,8 @@ class WallDriver:
         """What an open world consists of; from then on its poses are told."""
         if world not in self._opened or self._devices.is_lost:
             return None
-        answer = self._ask_devices(device_server.Show(world))
-        if isinstance(answer, device_server.Shown):
+        answer = self._ask_devices(device_server.DescribeWorld(world))
+        if isinstance(answer, device_server.WorldDescribed):
             return answer.scene
         return None
 
@@ -118,17 +118,17 @@ class WallDriver:
         """Where the bodies of an open world are, as the device server said last; from then on it says so."""
         if world in self._opened and world not in self._shown:
             self._shown.add(world)
-            self._devices.post.send(device_server.encode(device_server.Pose(world)))
+            self._devices.post.send(device_server.encode(device_server.StreamPoses(world)))
         return self._poses.get(world)
 
     def pose_to(self, world: str, inlet: int) -> None:
         """From now on the device server says the same at this socket too."""
-        self._devices.post.send(device_server.encode(device_server.Pose(world)), (inlet,))
+        self._devices.post.send(device_server.encode(device_server.StreamPoses(world)), (inlet,))
 
     def touch(self, world: str, part: str, value: float) -> None:
         """Touch a part of an open world; raises ValueError with the reason why not."""
         refuse_unknown(world, self.worlds)
-        answer = self._ask_devices(device_server.Touch(world, part, value))
+        answer = self._ask_devices(device_server.TouchPart(world, part, value))
         if isinstance(answer, device_server.Denied):
             raise ValueError(answer.reason)
 
@@ -142,7 +142,7 @@ class WallDriver:
         for supervised in self._rtpus.values():
             supervised.post.send(rtpu.encode(rtpu.Share(name)), (segment.fd,))
 
-    def listen(self, listener: Listener) -> None:
+    def listen(self, listener: UnitListener) -> None:
         """Tell this one what happens."""
         self._listener = listener
 
@@ -184,7 +184,7 @@ class WallDriver:
 
     def reset(self) -> None:
         """After a stop: motion is allowed again; nothing moves by itself."""
-        self._devices.post.send(device_server.encode(device_server.GoOn()))
+        self._devices.post.send(device_server.encode(device_server.AllowMotion()))
         for name in self._rtpus:
             self.send(name, command.Reset())
 
@@ -197,10 +197,10 @@ class WallDriver:
         if self._devices.is_lost:
             return {}
         try:
-            answer = self._ask_devices(device_server.Draw())
+            answer = self._ask_devices(device_server.TakeSnapshots())
         except ValueError:
             return {}  # it does not answer any more: there is nothing to draw
-        if isinstance(answer, device_server.Drawn):
+        if isinstance(answer, device_server.SnapshotsTaken):
             return answer.snapshots
         return {}
 
@@ -222,8 +222,8 @@ class WallDriver:
                     for decode_news in rtpu.decode_news(received[0]):
                         self._news(post, decode_news)
 
-    def _news(self, supervised: Supervised, heard: rtpu.Ready | news.News) -> None:
-        if isinstance(heard, rtpu.Ready):
+    def _news(self, supervised: Supervised, heard: rtpu.UnitReady | news.News) -> None:
+        if isinstance(heard, rtpu.UnitReady):
             supervised.is_up = True
             self.granted[supervised.name] = heard.granted
         else:
@@ -233,18 +233,18 @@ class WallDriver:
 
     def _word(self, word: device_server.Word) -> None:
         match word:
-            case device_server.Up():
+            case device_server.ServerReady():
                 self._devices.is_up = True
                 self.granted[DEVICES] = word.granted
-            case device_server.Driven():
+            case device_server.DriveChanged():
                 self._drives[f"{word.world}:{word.device}"] = word.state
                 self._tell(self._driven(word))
-            case Posed():
+            case WorldPoses():
                 self._poses[word.world] = (word.at_ns, word.rows, word.lit)
             case _:
                 self._answers.append(word)
 
-    def _driven(self, word: device_server.Driven) -> event.Drive:
+    def _driven(self, word: device_server.DriveChanged) -> event.Drive:
         """In the world's time, and in that of the run that uses the drive."""
         device = f"{word.world}:{word.device}"
         began = self._listener.run_began(device) if self._listener is not None else 0
@@ -260,7 +260,7 @@ class WallDriver:
         else:
             for epoch, holder in self._claims.values():
                 if holder == supervised.name:
-                    self._devices.post.send(device_server.encode(device_server.Fence(epoch)))
+                    self._devices.post.send(device_server.encode(device_server.FenceWriter(epoch)))
         if self._listener is not None:
             if supervised is self._devices:
                 self._listener.lost("", f"the {reason}", self.now)
@@ -270,7 +270,7 @@ class WallDriver:
     def _open(self, world: str) -> None:
         segment = Segment.create(f"bus-{world}", SEGMENT_SIZE)
         self._segments.append(segment)
-        self._devices.post.send(device_server.encode(device_server.Open(world)), (segment.fd,))
+        self._devices.post.send(device_server.encode(device_server.OpenWorld(world)), (segment.fd,))
         answer = self._answer_of_devices()
         if isinstance(answer, device_server.Denied):
             raise ValueError(answer.reason)

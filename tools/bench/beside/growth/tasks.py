@@ -3,7 +3,7 @@
 import onika
 from beside.contestant import Figures, serve
 from beside.sequence.onika_sweep import Sweep
-from onika.host.units.call_watchdog import Patience
+from onika.host.units.call_watchdog import CallWatchdog
 
 CYCLES = 40_000
 
@@ -11,7 +11,7 @@ CYCLES = 40_000
 def main() -> None:
     """The contestant; a size is a number of tasks."""
     known: dict[int, Sweep] = {}
-    watch = Patience().watch
+    watch = CallWatchdog().watch
 
     def measure(tasks: int) -> Figures:
         if tasks not in known:

@@ -12,7 +12,7 @@ import onika
 from beside.contestant import Figures, serve
 from beside.hop.partner import either, start
 from beside.hop.vector import BYTES, SIZE, hops
-from onika.host.units.process_socket import Post
+from onika.host.units.process_socket import ProcessSocket
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring
 
@@ -22,7 +22,7 @@ _WAKE = b"\x01"
 class End:
     """One end: a ring to write, a ring to read, a post."""
 
-    def __init__(self, post: Post, segment: Segment, writes: int) -> None:
+    def __init__(self, post: ProcessSocket, segment: Segment, writes: int) -> None:
         self._post = post
         self.sent, self.got = np.zeros(SIZE), np.zeros(SIZE)
         rings = [Ring(segment.view, number * Ring.footprint(BYTES), BYTES) for number in range(2)]
@@ -47,7 +47,7 @@ class End:
 
 def contestant() -> None:
     """Sends first."""
-    post, theirs = Post.pair()
+    post, theirs = ProcessSocket.pair()
     segment = Segment.create("hop", 4096)
     start("beside.hop.onika_hop", (str(theirs.fileno()), str(segment.fd)), (theirs.fileno(), segment.fd))
     theirs.close()
@@ -69,7 +69,7 @@ def contestant() -> None:
 
 def partner(words: list[str]) -> None:
     """Sends back what it gets."""
-    post = Post(socket.socket(fileno=int(words[0])))
+    post = ProcessSocket(socket.socket(fileno=int(words[0])))
     end = End(post, Segment.attach(int(words[1])), 1)
     end.send()
     while end.wait():

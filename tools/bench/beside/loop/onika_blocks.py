@@ -13,7 +13,7 @@ import onika
 from beside.contestant import Figures, serve
 from beside.loop.blocks import BLOCKS
 from beside.unit import Household
-from onika.host.units.call_watchdog import Patience
+from onika.host.units.call_watchdog import CallWatchdog
 from onika.runtime.execution.executive import Executive
 
 MODULES = {
@@ -100,7 +100,7 @@ class Loop:
 
 def main() -> None:
     """The contestant."""
-    loop, done = Loop(Patience().watch), 0
+    loop, done = Loop(CallWatchdog().watch), 0
 
     def measure(steps: int) -> Figures:
         nonlocal done

@@ -11,10 +11,10 @@ from time import perf_counter_ns
 import onika
 from beside.contestant import Figures, serve
 from kit.plan_builder import PlanBuilder, action
-from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare
-from onika.host.program import Program
-from onika.host.units.call_watchdog import Patience
+from onika.host.program import RuntimeProgram
+from onika.host.units.call_watchdog import CallWatchdog
 from onika.host.units.virtual import VirtualDriver
 from onika.wire import event, request
 
@@ -81,7 +81,7 @@ class Application:
         for number, name in enumerate(names):
             shop.task(name, MODULE, frequency=1000.0, aliases={"IN": f"V{number}", "OUT": f"V{number + 1}"})
         self._actions = actions
-        self._prepared = prepare(shop.plan([action(name) for name in names]), (), DirectLoading())
+        self._prepared = prepare(shop.plan([action(name) for name in names]), (), ModuleFacts())
         if self._prepared.faults:
             raise ValueError(str(self._prepared.faults))
         self._watch = watch
@@ -90,7 +90,7 @@ class Application:
         """Microseconds from the first action's beginning to the last one's end."""
         server = RequestServer()
         driver = VirtualDriver(("rt0",), server.tell, watch=self._watch)
-        program = Program(server, driver, DirectLoading(), ("rt0",))  # type: ignore[arg-type]
+        program = RuntimeProgram(server, driver, ModuleFacts(), ("rt0",))  # type: ignore[arg-type]
         program.take("", self._prepared)
         program.begin("", request.Begin(settle_s=0.0))
         while server.result is None:
@@ -102,7 +102,7 @@ class Application:
 
 def main() -> None:
     """The contestant."""
-    application = Application(watch=Patience().watch)
+    application = Application(watch=CallWatchdog().watch)
 
     def measure(runs: int) -> Figures:
         return {"figure": sum(application.run() for _ in range(runs)) / runs}

@@ -9,7 +9,7 @@ from time import perf_counter_ns
 import onika
 from beside.contestant import serve
 from beside.unit import Household
-from onika.host.units.call_watchdog import Patience
+from onika.host.units.call_watchdog import CallWatchdog
 from onika.runtime.execution.executive import Executive
 
 ACTIONS = 24
@@ -55,7 +55,7 @@ class Sweep:
 
 def main() -> None:
     """The contestant."""
-    sweep = Sweep(ACTIONS, Patience().watch)
+    sweep = Sweep(ACTIONS, CallWatchdog().watch)
     serve(onika.__version__, lambda sweeps: {"figure": sweep.run(sweeps)})
 
 
