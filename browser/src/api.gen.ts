@@ -1506,6 +1506,7 @@ export interface ConfigurationFile {
 export interface Tree {
   libraries?: Record<string, LibraryView>;
   tasks?: Record<string, TaskView>;
+  module_sentences?: Record<string, Record<string, Record<string, string>>>;
   documents?: Record<string, DocumentView>;
   files?: Record<string, ConfigurationFile>;
   clipboard?: string;

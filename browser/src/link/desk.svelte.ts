@@ -1,5 +1,6 @@
 // The copy of the environment's tree that this page draws from. Only what the environment sends changes it.
 import type { Patch, Snapshot, Tree } from '../api.gen'
+import { modules } from '../texts/say'
 import { Exchange, withParts } from './treeParts'
 
 /** A tree whose maps are all there. What is optional inside a document or a task stays optional. */
@@ -12,6 +13,7 @@ export function fullTree(tree: Tree): FullTree {
   const empty: FullTree = {
     libraries: {},
     tasks: {},
+    module_sentences: {},
     documents: {},
     files: {},
     clipboard: '',
@@ -59,6 +61,7 @@ class Desk {
 }
 
 export const desk = new Desk()
+modules.sentences = () => desk.live.module_sentences
 
 export function applySnapshot(snapshot: Snapshot): void {
   desk.tree = fullTree(snapshot.tree)

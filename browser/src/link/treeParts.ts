@@ -1,7 +1,14 @@
 // Parts of the tree that hold very much: nobody watches each value in them, they are exchanged whole when they change.
 
 /** How long the path of such a part is, by where it begins. */
-const DEPTHS: Readonly<Record<string, number>> = { applications: 2, onikons: 1, types: 1, pictures: 1, edges: 1 }
+const DEPTHS: Readonly<Record<string, number>> = {
+  applications: 2,
+  onikons: 1,
+  types: 1,
+  pictures: 1,
+  edges: 1,
+  module_sentences: 1,
+}
 
 type Branch = Record<string, unknown>
 

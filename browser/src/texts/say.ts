@@ -9,17 +9,38 @@ export interface Reason {
   readonly args?: Readonly<Record<string, Value<Reason>>>
 }
 
-const CATALOGUES: Readonly<Record<string, Readonly<Record<string, string>>>> = { es }
+type Catalogue = Readonly<Record<string, string>>
+
+/** What modules say: translations by module, language and sentence. */
+export type ModuleSentences = Readonly<Record<string, Readonly<Record<string, Catalogue>>>>
+
+const CATALOGUES: Readonly<Record<string, Catalogue>> = { es }
+const OF_MODULE = 'module:'
+
+/** Where the translations of modules are: whoever holds what the environment shows sets it. */
+export const modules: { sentences: () => ModuleSentences } = { sentences: () => ({}) }
 
 /** The sentence of a reason, or its English where that language does not have it whole; a bare text is as it is. */
 export function say(reason: Reason | string, language: string): string {
   if (typeof reason === 'string') return reason
-  const catalogue = CATALOGUES[language]
-  if (!catalogue || !Object.hasOwn(catalogue, reason.key)) return reason.text
+  const isOfModule = reason.key.startsWith(OF_MODULE)
+  const translation = isOfModule ? ofModule(reason.key, language) : entry(CATALOGUES[language], reason.key)
+  if (translation === undefined) return reason.text
+  if (isOfModule && !reason.args) return translation
   try {
-    return fill(catalogue[reason.key]!, reason.args ?? {}, language, (inner: Reason) => say(inner, language))
+    return fill(translation, reason.args ?? {}, language, (inner: Reason) => say(inner, language))
   } catch (wrong) {
     if (wrong instanceof RangeError) return reason.text
     throw wrong
   }
+}
+
+/** The translation of a module's sentence, whose key is `module:NAME:SENTENCE`. */
+function ofModule(key: string, language: string): string | undefined {
+  const end = key.indexOf(':', OF_MODULE.length)
+  return entry(modules.sentences()[key.slice(OF_MODULE.length, end)]?.[language], key.slice(end + 1))
+}
+
+function entry(catalogue: Catalogue | undefined, key: string): string | undefined {
+  return catalogue && Object.hasOwn(catalogue, key) ? catalogue[key] : undefined
 }

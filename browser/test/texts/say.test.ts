@@ -1,4 +1,5 @@
 import { expect, test } from 'vitest'
+import { applyPatch, desk } from '../../src/link/desk.svelte'
 import { say, type Reason } from '../../src/texts/say'
 
 const option: Reason = {
@@ -24,4 +25,30 @@ test('what is in no catalogue is shown as it came', () => {
   expect(say({ key: 'plain', text: 'no such file' }, 'es')).toBe('no such file')
   expect(say({ key: 'cli.of_a_newer_version', text: 'it is so' }, 'es')).toBe('it is so')
   expect(say({ key: option.key, text: 'it is so', args: {} }, 'es')).toBe('it is so')
+})
+
+test('the sentence of a module is said as the catalogue beside its code has it', () => {
+  const path = ['module_sentences', 'lift']
+  applyPatch({
+    t: 'Patch',
+    rev: desk.rev + 1,
+    changes: [
+      [
+        path,
+        { es: { '{n:plural:floor|floors} of {why}': '{n:plural:piso|pisos} de {why}', 'up: {a}': 'arriba: {a}' } },
+      ],
+    ],
+  })
+  const bare: Reason = { key: 'module:lift:up: {a}', text: 'up: {a}' }
+  const reason: Reason = {
+    key: 'module:lift:{n:plural:floor|floors} of {why}',
+    text: 'floors of up: {a}',
+    args: { n: 2, why: bare },
+  }
+  expect(say(reason, 'es')).toBe('pisos de arriba: {a}')
+  expect(say(reason, 'en')).toBe('floors of up: {a}')
+  expect(say({ ...bare, key: 'module:lift:down' }, 'es')).toBe('up: {a}')
+  expect(say({ ...bare, key: 'module:door:up: {a}' }, 'es')).toBe('up: {a}')
+  applyPatch({ t: 'Patch', rev: desk.rev + 1, changes: [[[...path, 'es', 'up: {a}'], 'hacia arriba: {a}']] })
+  expect(say(reason, 'es')).toBe('pisos de hacia arriba: {a}')
 })

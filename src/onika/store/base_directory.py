@@ -56,6 +56,11 @@ class BaseDirectory:
         return self._names("module", ".py")
 
     @property
+    def catalogue_files(self) -> tuple[Path, ...]:
+        """The catalogues that may lie beside the code of modules, `module/NAME.LANGUAGE.toml`, in order."""
+        return tuple(self._files("module", ".toml"))
+
+    @property
     def misnamed(self) -> Faults:
         """Files whose names are no names of tasks, icons or applications, and which are therefore left out."""
         places = (("module", rmod.ENDING), ("conf", conf.ENDING), ("dict", onk.ENDING), ("appl", appl.ENDING))

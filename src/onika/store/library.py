@@ -7,6 +7,7 @@ from pathlib import Path
 from onika.files import text
 from onika.files.rmod import RmodText
 from onika.store.base_directory import BaseDirectory
+from onika.store.module_catalogue import Catalogue, reopen_catalogues
 from onika.store.opened_text import Faults
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
@@ -27,6 +28,8 @@ class Library:
     """What every file gave that was read, also where that is no task, by the names of the files."""
     modules: frozenset[str] = frozenset()
     """The modules whose code lies here."""
+    catalogues: Mapping[str, Catalogue] = field(default_factory=dict)
+    """What modules here say in other languages, by their names."""
 
     @property
     def left_out(self) -> tuple[str, ...]:
@@ -73,7 +76,8 @@ def _open(
     faults += [*base.unreadable, *(fault for fault in base.misnamed if Path(fault.place.file).parent.name == "module")]
     faults += [fault for _, faults_of_task in read.values() for fault in faults_of_task]
     faults += _alike(base, tasks)
-    return Library(base, tasks, tuple(sorted(faults)), read, frozenset(base.modules))
+    catalogues = reopen_catalogues(base, former.catalogues if former else {}, changed)
+    return Library(base, tasks, tuple(sorted(faults)), read, frozenset(base.modules), catalogues)
 
 
 def _read(base: BaseDirectory, name: str, former_record: Found | None, changed: Set[Path]) -> Found:

@@ -4,7 +4,7 @@ A line is `"sentence" = "translation"`; a translation has the gaps of its senten
 """
 
 import tomllib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Set
 from pathlib import Path
 
 from onika.files import text
@@ -17,6 +17,9 @@ from onika.words.sentence import LANGUAGES, gaps
 
 ENDINGS = tuple(f".{language}.toml" for language in LANGUAGES)
 """How the names of catalogues end."""
+
+Catalogue = Mapping[str, Mapping[str, str]]
+"""What a module says in other languages: its translations by language and sentence."""
 
 
 def read(content: str, place: str) -> tuple[Mapping[str, str], Faults]:
@@ -35,19 +38,53 @@ def read(content: str, place: str) -> tuple[Mapping[str, str], Faults]:
     return translations, tuple(faults)
 
 
+def reopen_catalogues(
+    base: BaseDirectory, former: Mapping[str, Catalogue], changed: Set[Path]
+) -> Mapping[str, Catalogue]:
+    """The catalogues of a base directory's modules, by their names; of the former ones only those in `changed` anew."""
+    catalogues = {}
+    for module, files in _files(base).items():
+        catalogue = former.get(module, {})
+        if catalogue.keys() != files.keys() or not changed.isdisjoint(files.values()):
+            catalogue = {language: _translations(path) for language, path in files.items()}
+        catalogues[module] = catalogue
+    return catalogues
+
+
+def merged(opened: Iterable[Mapping[str, Catalogue]]) -> dict[str, dict[str, dict[str, str]]]:
+    """The catalogues of a search path's modules, by their names; of one sentence the first translation counts."""
+    merged_catalogues: dict[str, dict[str, dict[str, str]]] = {}
+    for catalogues in opened:
+        for module, catalogue in catalogues.items():
+            earlier = merged_catalogues.setdefault(module, {})
+            for language, translations in catalogue.items():
+                earlier[language] = {**translations, **earlier.get(language, {})}
+    return merged_catalogues
+
+
 def translations_of(bases: Iterable[BaseDirectory], language: str) -> Mapping[str, str]:
     """What modules of a search path say in a language, by the keys of their sentences; what is at fault is left out."""
-    sentences: dict[str, str] = {}
-    for base in bases:
-        for module in base.modules:
-            for sentence, translation in _translations(base.code_file(module), language).items():
-                sentences.setdefault(key_of(module, sentence), translation)
-    return sentences
+    catalogues = merged(reopen_catalogues(base, {}, frozenset()) for base in bases)
+    return {
+        key_of(module, sentence): translation
+        for module, catalogue in catalogues.items()
+        for sentence, translation in catalogue.get(language, {}).items()
+    }
 
 
-def _translations(code: Path, language: str) -> Mapping[str, str]:
-    path = code.with_name(f"{code.stem}.{language}.toml")
-    content = text.load(path, str(path))[0] if path.is_file() else None
+def _files(base: BaseDirectory) -> dict[str, dict[str, Path]]:
+    """The files of catalogues beside the code of modules, by module and language."""
+    modules = frozenset(base.modules)
+    files: dict[str, dict[str, Path]] = {}
+    for path in base.catalogue_files:
+        module, _, language = path.name.removesuffix(".toml").rpartition(".")
+        if module in modules and language in LANGUAGES[1:]:
+            files.setdefault(module, {})[language] = path
+    return files
+
+
+def _translations(path: Path) -> Mapping[str, str]:
+    content = text.load(path, str(path))[0]
     if content is None:
         return {}
     return read(content, str(path))[0]

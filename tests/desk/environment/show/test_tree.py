@@ -1,5 +1,7 @@
 from kit.environment_fixture import EnvironmentFixture
+from onika.desk.environment.refresh import refreshed
 from onika.desk.environment.show.tree import Projector
+from onika.desk.environment.show.tree_difference import difference
 from onika.model.task import Task
 from onika.wire import act
 
@@ -33,3 +35,19 @@ def test_nothing_of_a_closed_document_is_kept(tmp_path):  # R-C06
     assert projector.project(sitting.environment.model) == sitting.environment.tree
     assert docs[0] not in repr(vars(projector).keys() | projector._made.keys() | projector._seen.keys())
     assert docs[1] in sitting.environment.tree.documents
+
+
+def test_what_modules_say_in_other_languages_travels_in_the_tree_a_sentence_at_a_time(tmp_path):
+    catalogues = {name: tmp_path / "module" / f"{name}.es.toml" for name in ("door", "lamp")}
+    (tmp_path / "module").mkdir()
+    for name, path in catalogues.items():
+        path.with_name(f"{name}.py").write_text("")
+        path.write_text('"on" = "conectada"\n"off" = "desconectada"\n')
+    environment = EnvironmentFixture(tmp_path, TASKS).environment
+    before = environment.tree
+    opened = {"es": {"on": "conectada", "off": "desconectada"}}
+    assert before.module_sentences == {"door": opened, "lamp": opened}
+    catalogues["lamp"].write_text('"on" = "encendida"\n"off" = "desconectada"\n')
+    environment.become(lambda model: refreshed(model, {catalogues["lamp"]}))
+    path = ("module_sentences", "lamp", "es", "on")
+    assert difference(before, environment.tree) == [(path, "encendida")]

@@ -7,6 +7,7 @@ from onika.desk.environment.show.wiring import MadeDocument, group_views, locus_
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.task import Task
+from onika.store.module_catalogue import merged
 from onika.store.site import is_shipped
 from onika.wire.view import DocumentView, LibraryView, Objection, PinView, ProblemView, TaskView
 
@@ -27,6 +28,11 @@ def library_views(shelf: OpenLibraries) -> dict[str, LibraryView]:
         )
         for order, library in enumerate(libraries)
     }
+
+
+def module_sentences(shelf: OpenLibraries) -> dict[str, dict[str, dict[str, str]]]:
+    """What modules of the open libraries say in other languages."""
+    return merged(library.catalogues for library in shelf.libraries)
 
 
 def task_views(

@@ -8,7 +8,7 @@ from onika.desk.environment.outcome.trouble import problems
 from onika.desk.environment.show.application_view import ApplicationProjector
 from onika.desk.environment.show.button_view import button_views
 from onika.desk.environment.show.dictionary_view import dictionary_views, onikon_views
-from onika.desk.environment.show.document_view import document_view, library_views, task_views
+from onika.desk.environment.show.document_view import document_view, library_views, module_sentences, task_views
 from onika.desk.environment.show.greying import GreyedTasks
 from onika.desk.environment.show.objections import objections
 from onika.desk.environment.show.wiring import MadeDocument
@@ -44,6 +44,7 @@ class Projector:
         return Tree(
             libraries=self._once("libraries", (model.shelf.libraries,), lambda: library_views(model.shelf)),
             tasks=self._once("tasks", (model.shelf,), lambda: self._tasks(model.shelf)),
+            module_sentences=self._once("sentences", (model.shelf.libraries,), lambda: module_sentences(model.shelf)),
             documents=documents,
             files=dict(model.files),
             application_files=dict(model.application_files),
