@@ -52,6 +52,16 @@ def test_who_fails_to_come_on_gives_way_to_who_was_there(hand):  # R-X10
     assert hand.asker.values("LEVEL")["LEVEL"] > before
 
 
+def test_who_lived_and_does_not_come_on_is_in_error_until_it_is_cleared(hand):  # law 21, law 22
+    hand.task("sulky", SULKY.replace("LEVEL", "ELSE"))
+    hand.change(spawn=["sulky"])
+    assert "not today" in hand.change(spawn=["source"], on=["source", "sulky"])
+    assert hand.states == {"sulky": "ERROR"}
+    assert hand.standing()["sulky"].reason == "on: ModuleError: not today"
+    assert hand.clear("sulky") == ""
+    assert hand.states == {"sulky": "OFF"}
+
+
 def test_consumers_of_an_exchanged_constant_learn_it_and_come_on_again(hand):  # R-A13
     hand.task("other", SOURCE, module="other", local={"SIZE": "2"})
     hand.change(spawn=["source", "user", "counter"], on=["source", "user", "counter"])
@@ -236,6 +246,17 @@ def test_who_waited_waits_again_when_the_supplier_goes_with_a_failed_change(hand
     assert "no sensor" in hand.change(spawn=["source", "broken"])
     assert hand.states == {"user": "WAITING"}
     assert hand.standing()["user"].reason == "waits for N"
+    assert hand.change(spawn=["source"], on=["source", "user"]) == ""
+
+
+@pytest.mark.parametrize("name", ["user", "another"])
+def test_who_waited_and_was_killed_first_waits_again_when_the_change_fails(hand, name):  # law 22
+    hand.task("broken", BROKEN.replace("LEVEL", "ELSE"))
+    hand.change(spawn=["user"])
+    hand.task(name, USER, module="user")
+    assert "no sensor" in hand.change(spawn=["source", "broken", name], kill=["user"], on=["source", name])
+    hand.let_pass(0.1)
+    assert hand.states == {"user": "WAITING"}
     assert hand.change(spawn=["source"], on=["source", "user"]) == ""
 
 

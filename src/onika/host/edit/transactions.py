@@ -207,7 +207,7 @@ def _take_back(live: LiveSubsystem, edit: Edit, before: _Before, is_committed: b
     """As it was: the new ones die, the old ones live, and what was ON comes on again."""
     live.outcomes.begin()
     yield from switch(live, [name for name in tasks_on(live) if name not in before.on], ())
-    awake = [name for name in before.waiting if live.members[name].is_sent]
+    awake = [name for name in before.waiting if name not in before.killed and live.members[name].is_sent]
     yield from kill(live, [*(wired.name for wired, _ in edit.new), *awake])
     live.desired.take_back_constants(before.desired)
     if not is_committed:
