@@ -38,7 +38,7 @@ def drive_after(state: drive.DriveMode, event: drive.DriveInput) -> drive.DriveM
 
 MACHINES = [
     Machine(
-        "task", task.TABLE, task.State, task.Step, task.after, task.IllegalTransition,
+        "task", task.TABLE, task.State, task.LifecycleInput, task.after, task.IllegalTransition,
         task.State.WAITING, frozenset({task.State.KILLED}), task.diagram,
     ),
     Machine(

@@ -6,7 +6,7 @@ from kit import build
 from kit.play import Play
 from onika.engine.engine import Engine
 from onika.engine.news import Abort, Finished, Killed, Run, Settled, Spawned, TurnedOn
-from onika.engine.orders import Began, Done, End, Moved, Note, Settle, Spawn, Start, Switch
+from onika.engine.orders import Began, Done, End, Moved, RunNote, Settle, Spawn, Start, Switch
 
 REACH = build.job("move", trigger="move", arguments="1 2")
 
@@ -40,7 +40,7 @@ def test_news_of_an_unknown_task_is_noted():
     play = (
         Play(build.engine([REACH]))
         >> Run() << Spawn(0, "move")
-        >> Finished(0, "ghost") << Note(0, "ghost is no task of this flow: ignored")
+        >> Finished(0, "ghost") << RunNote(0, "ghost is no task of this flow: ignored")
     )  # fmt: skip
     assert play
 

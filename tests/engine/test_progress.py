@@ -3,7 +3,7 @@ import pytest
 from kit import build
 from kit.flow_program import bottom, program, top
 from onika.engine.flow import FlowEvent, FlowState
-from onika.engine.orders import Began, Done, Moved, Note, Start, Switch
+from onika.engine.orders import Began, Done, Moved, RunNote, Start, Switch
 from onika.engine.program import FlowProgram
 from onika.engine.progress import Progress
 from onika.engine.step import steps
@@ -67,7 +67,7 @@ def test_a_job_without_a_trigger_is_noted():
     flow.enter(FlowEvent.SPAWN)
     flow.flow_tasks.spawn()
     note = flow.begin()[-1]
-    assert isinstance(note, Note)
+    assert isinstance(note, RunNote)
     assert "no trigger" in note.text
 
 

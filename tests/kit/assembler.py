@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from onika.laws import puma560
-from onika.laws.arm import Arm
+from onika.laws.arm import SerialArm
 from onika.laws.filter import Derivative
 from onika.laws.frames import Array, pose_of_nine
 from onika.laws.inverse import inverse_for
@@ -37,7 +37,7 @@ class Assembler:
         sheet = world.claim(self.arm, epoch)
         world.claim(self.hand, epoch)
         base = np.reshape(sheet.identity["BASE"], (4, 4))
-        self._law = Arm(puma560.DH, puma560.DYN, puma560.LOAD, base, puma560.TOOL)
+        self._law = SerialArm(puma560.DH, puma560.DYN, puma560.LOAD, base, puma560.TOOL)
         self._inverse = inverse_for(puma560.DH, base, puma560.TOOL, puma560.QMIN, puma560.QMAX)
         self.q = world.state(self.arm)[2:]
         self.reference, self.speed = self.q.copy(), np.zeros(6)

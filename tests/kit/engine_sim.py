@@ -22,9 +22,9 @@ from onika.engine.orders import (
     End,
     Kill,
     Moved,
-    Note,
     Off,
     Order,
+    RunNote,
     Settle,
     Spawn,
     Switch,
@@ -271,7 +271,7 @@ class EngineSim:
                 alive = [a for a, task in self.tasks.items() if task.life not in ("gone", "absent") and a != RUNTIME]
                 self._demand(not alive, f"the end, while {alive} live")
                 self.end = order
-            case Moved() | Note():
+            case Moved() | RunNote():
                 pass
 
     def _switch(self, order: Switch) -> None:

@@ -9,7 +9,7 @@ from typing import Any
 
 import msgspec
 
-from onika.desk.environment.environment import Answer, Environment
+from onika.desk.environment.environment import ActAnswer, Environment
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.outcome.button_commands import Commands
 from onika.desk.environment.outcome.outcome import Done, No, Order
@@ -70,17 +70,17 @@ class EnvironmentFixture:
             raise AssertionError(f"{asked} was not refused, or changed something")
         return answer.no
 
-    def answer(self, asked: act.AnyAct, by: str = "me") -> Answer:
+    def answer(self, asked: act.AnyAct, by: str = "me") -> ActAnswer:
         """The one answer that an act gets at once."""
-        given: list[Answer] = []
+        given: list[ActAnswer] = []
         self.environment.do(asked, by, given.append)
         if len(given) != 1:
             raise AssertionError(f"{asked} was answered {len(given)} times")
         return given[0]
 
-    def later(self, asked: act.AnyAct, by: str = "me") -> Answer:
+    def later(self, asked: act.AnyAct, by: str = "me") -> ActAnswer:
         """The answer that an act gets when what it needs has been done aside; raises queue.Empty without one."""
-        given: list[Answer] = []
+        given: list[ActAnswer] = []
         self.environment.do(asked, by, given.append)
         while not given:
             self.become()

@@ -33,9 +33,9 @@ from onika.engine.orders import (
     End,
     Kill,
     Moved,
-    Note,
     Off,
     Order,
+    RunNote,
     Settle,
     Spawn,
     Switch,
@@ -148,7 +148,7 @@ class FakeRuntime:
                 self._say(None, Settled())
             case End():
                 _demand(not self.living, f"the end was said while {sorted(self.living)} live")
-            case Together() | Done() | Moved() | Note():
+            case Together() | Done() | Moved() | RunNote():
                 pass
 
     def _switch(self, order: Switch) -> None:

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from kit.environment_fixture import EnvironmentFixture
 from kit.live_runtime import LiveRuntime
-from onika.desk.environment.environment import Answer
+from onika.desk.environment.environment import ActAnswer
 from onika.desk.environment.outcome.outcome import Done, Order
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
@@ -41,9 +41,9 @@ class FakeRuntimeEnv(EnvironmentFixture):
         self.do(act.Connect(doc))
         return doc
 
-    def answer(self, asked: act.AnyAct, by: str = "me") -> Answer:
+    def answer(self, asked: act.AnyAct, by: str = "me") -> ActAnswer:
         """The one answer that an act gets, when the runtime has done what it asks for."""
-        given: list[Answer] = []
+        given: list[ActAnswer] = []
         self.environment.do(asked, by, given.append)
         self.pump()
         if len(given) != 1:

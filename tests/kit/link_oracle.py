@@ -7,13 +7,13 @@ from kit.sim_link import SimLink
 from onika.link.channel import Channel
 from onika.link.link_events import (
     EpochChanged,
-    Fate,
     Greeted,
     LinkNotice,
     LinkStateChanged,
     ReadingReceived,
     ReplyReceived,
     RequestFailed,
+    RequestFate,
     RequestReceived,
     SignalReceived,
 )
@@ -207,7 +207,7 @@ class LinkOracle:
             if not wanted.is_abandoned:
                 self._unless(bool(wanted.outcomes), f"request {wanted.label} got neither answer nor failure")
             for outcome in wanted.outcomes:
-                if isinstance(outcome, RequestFailed) and outcome.fate in (Fate.UNSENT, Fate.LATE):
+                if isinstance(outcome, RequestFailed) and outcome.fate in (RequestFate.UNSENT, RequestFate.LATE):
                     self._unless(not wanted.begun, f"request {wanted.label} was carried out, but: {outcome.fate.value}")
 
     def _epoch_changed(self, client: str, epoch: str, asking: SimLink | None) -> None:

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from onika.model.lifecycle import IllegalTransition, State, Step, after
+from onika.model.lifecycle import IllegalTransition, LifecycleInput, State, after
 from onika.wire import event, holding, live, request, steer
 from onika.wire.plan import PlannedTask
 from onika.words.reason import Text
@@ -163,9 +163,9 @@ class LiveRuntime:
             case live.Change():
                 self._change(asked, lives)
             case live.Clear():
-                self._step(asked.subsystem, lives[asked.task], Step.CLEAR)
+                self._step(asked.subsystem, lives[asked.task], LifecycleInput.CLEAR)
             case live.Reinit():
-                self._step(asked.subsystem, lives[asked.task], Step.REINIT)
+                self._step(asked.subsystem, lives[asked.task], LifecycleInput.REINIT)
             case live.Swap():
                 lives[asked.task].said.clear()
             case live.Close():
@@ -176,9 +176,9 @@ class LiveRuntime:
     def _change(self, asked: live.Change, lives: dict[str, _Life]) -> None:
         self._judge(asked, lives)
         for name in asked.off:
-            self._step(asked.subsystem, lives[name], Step.OFF)
+            self._step(asked.subsystem, lives[name], LifecycleInput.OFF)
         for name in asked.kill:
-            self._step(asked.subsystem, lives.pop(name), Step.KILL)
+            self._step(asked.subsystem, lives.pop(name), LifecycleInput.KILL)
         self.variables.setdefault(asked.subsystem, {})
         for task in asked.spawn:
             rtpu = task.rtpu if task.rtpu in self._rtpus else self._rtpus[0]
@@ -200,18 +200,18 @@ class LiveRuntime:
             if name not in lives:
                 raise ValueError(f"there is no task {name}")
         for turn in asked.on:
-            after(after_kill[turn.task], Step.ON)
+            after(after_kill[turn.task], LifecycleInput.ON)
 
     def _turn_on(self, home: str, one: _Life, arguments: str) -> None:
         one.arguments = arguments
         items = self._asks.get(one.task.name)
         if items and not arguments:
-            self._step(home, one, Step.ASK)
+            self._step(home, one, LifecycleInput.ASK)
             self._told.append(event.Asked(home, one.task.name, "", items, self.now_s))
         else:
-            self._step(home, one, Step.ON if one.state is State.OFF else Step.ANSWERED)
+            self._step(home, one, LifecycleInput.ON if one.state is State.OFF else LifecycleInput.ANSWERED)
 
-    def _step(self, home: str, one: _Life, step: Step) -> None:
+    def _step(self, home: str, one: _Life, step: LifecycleInput) -> None:
         former, one.state = one.state, after(one.state, step)
         if one.state is not former:
             self._tell_state(home, one)

@@ -6,7 +6,7 @@ from kit.engine_sim import EngineSim
 from kit.program_tree import Act, engine_for, planned
 from onika.engine import news
 from onika.engine.engine import Engine
-from onika.engine.orders import Began, Case, Done, Note, Off, Start, Switch
+from onika.engine.orders import Began, Case, Done, Off, RunNote, Start, Switch
 from onika.wire import steer
 
 MOVE = (0, "move")
@@ -48,7 +48,7 @@ def test_what_was_taken_can_be_put_back(theatre):
 @pytest.mark.parametrize(
     ("orders", "wrong"),
     [
-        ([Note(0, "lost")], "are ON in flow 0, expected"),
+        ([RunNote(0, "lost")], "are ON in flow 0, expected"),
         ([Began(0, 1)], "but 0 is open"),
         ([Done(0, 1)], "but 0 is open"),
         ([Done(0, 0), Switch(0, (), (Start("arm"),)), Began(0, 1)], "is turned on and is on"),

@@ -1,6 +1,6 @@
 from kit.error_lines import AGAIN, REACH, clearing, finish, on, paused, running, started, stopped, where
 from onika.engine.news import Cleared, Failed, Finished, TurnedOn
-from onika.engine.orders import Began, Clear, Moved, Note, Off, Start, Switch
+from onika.engine.orders import Began, Clear, Moved, Off, RunNote, Start, Switch
 from onika.wire.steer import Recover
 
 
@@ -15,9 +15,9 @@ def test_passive_tasks_and_further_triggers_are_as_they_are_given():
     play = started([REACH], passive=[(0, "puma")], others=[(0, "puma")])
     assert play.cases(0) == []
     failed = started([REACH], passive=[(0, "puma")])
-    failed = failed >> Finished(0, "ghost") << Note(0, "ghost is no task of this flow: ignored")
+    failed = failed >> Finished(0, "ghost") << RunNote(0, "ghost is no task of this flow: ignored")
     told = f"{where(0, 0)}: puma is in error and stays off, the job goes on: x"
-    assert failed >> Failed(0, "puma", "x") << Note(0, told)
+    assert failed >> Failed(0, "puma", "x") << RunNote(0, told)
 
 
 def test_the_lines_are_what_they_say():

@@ -3,7 +3,7 @@ import pytest
 from kit import build
 from kit.fake_runtime import Activation, FakeRuntime, Fault
 from onika.engine.news import Run
-from onika.engine.orders import Began, Done, End, Kill, Moved, Note, Settle, Spawn, Start, Switch
+from onika.engine.orders import Began, Done, End, Kill, Moved, RunNote, Settle, Spawn, Start, Switch
 
 REACH = build.job("move", "puma", trigger="move", arguments="1 2")
 MOVE = frozenset({(0, "move")})
@@ -40,9 +40,9 @@ def test_a_fake_runtime_can_abort():
 @pytest.mark.parametrize(
     ("fault", "expected"),
     [
-        (Fault.ASK, [Note, Done, Moved, Settle, Kill, Kill, End]),
-        (Fault.FINISH_TWICE, [Done, Moved, Note, Settle, Kill, Kill, End]),
-        (Fault.SWITCH_OFF, [Note]),
+        (Fault.ASK, [RunNote, Done, Moved, Settle, Kill, Kill, End]),
+        (Fault.FINISH_TWICE, [Done, Moved, RunNote, Settle, Kill, Kill, End]),
+        (Fault.SWITCH_OFF, [RunNote]),
         (Fault.FAIL, [Kill, Kill, End]),
         (Fault.REFUSE, [Kill, Kill, End]),
     ],

@@ -6,17 +6,17 @@ from onika.link import lost
 from onika.link.channel import Channel
 from onika.link.link_events import (
     EpochChanged,
-    Fate,
     Greeted,
     LinkStateChanged,
     ReadingReceived,
     ReplyReceived,
     RequestFailed,
+    RequestFate,
     RequestReceived,
     SignalReceived,
 )
 from onika.link.state import LinkState
-from onika.wire.packet import Ack, Bye, Hello, Signal, Welcome
+from onika.wire.packet import Ack, Bye, Hello, SignalPacket, Welcome
 
 ENV, RT = Who.ENVIRONMENT, Who.RUNTIME
 
@@ -63,7 +63,7 @@ def test_a_witness_finds_nothing_wrong_with_an_honest_story():
     witness.sent(ENV, line, Hello(1, "me", "", 0))
     line.heard_hello = line.heard_welcome = True
     witness.sent(RT, line, Welcome(1, "e1", 1, False, 0))
-    witness.sent(RT, line, Signal(2, b"two"))
+    witness.sent(RT, line, SignalPacket(2, b"two"))
     wanted(witness)
     for news in (
         SignalReceived(2, b"two"),
@@ -92,7 +92,7 @@ def test_a_witness_finds_nothing_wrong_with_an_honest_story():
         ([RequestReceived(1, "me", b"1 body"), RequestReceived(2, "me", b"1 body")], "carried out 2 times"),
         ([RequestReceived(1, "you", b"1 body")], "came as one of you"),
         ([RequestReceived(1, "me", b"2 else")], "nobody wanted"),
-        ([RequestFailed(1, Fate.LOST), RequestFailed(1, Fate.LOST)], "has outcomes"),
+        ([RequestFailed(1, RequestFate.LOST), RequestFailed(1, RequestFate.LOST)], "has outcomes"),
         ([RequestReceived(1, "me", b"1 body"), ReplyReceived(1, b"other")], "another's answer"),
         ([LinkStateChanged(LinkState.APART, lost.garbage("x"))], "an honest environment"),
         ([ReadingReceived("key", b"5"), ReadingReceived("key", b"4")], "shown after 5"),
@@ -106,7 +106,7 @@ def test_a_witness_finds_what_is_wrong(news, fault):
     assert any(fault in found for found in witness.faults), witness.faults
 
 
-@pytest.mark.parametrize(("who", "packet"), [(RT, Signal(1, b"")), (ENV, Ack(1))])
+@pytest.mark.parametrize(("who", "packet"), [(RT, SignalPacket(1, b"")), (ENV, Ack(1))])
 def test_a_witness_hears_who_speaks_before_the_greeting(who, packet):
     witness = watching()
     witness.sent(who, cable(), Bye("closed", ""))
@@ -176,7 +176,7 @@ def test_a_request_said_not_to_be_carried_out_must_not_have_been():
     witness = watching()
     wanted(witness)
     tell(witness, RequestReceived(1, "me", b"1 body"), None)
-    tell(witness, RequestFailed(1, Fate.LATE), None)
+    tell(witness, RequestFailed(1, RequestFate.LATE), None)
     witness.environment_ends("me")
     witness.final_requests()
     assert any("was carried out, but" in fault for fault in witness.faults)

@@ -9,7 +9,7 @@ from kit.sim_network import NetworkHistory
 from kit.sim_programs import HONEST, Programs
 from onika.link.channel import Channel
 from onika.link.client import ClientEnd
-from onika.link.link_events import EpochChanged, Fate, ReplyReceived, Resumed, SignalReceived
+from onika.link.link_events import EpochChanged, ReplyReceived, RequestFate, Resumed, SignalReceived
 from onika.link.lost import LinkLost
 from onika.link.reply_log import ClientReplies, ReplyLog
 from onika.link.runtime_port import ServerPort
@@ -18,7 +18,7 @@ from onika.link.session import EnvironmentSession
 from onika.link.session_channels import SessionChannels
 from onika.link.sessions import Introduction, Sessions
 from onika.link.state import LinkEvent, LinkState
-from onika.wire.packet import Ack, Hello, Reply, Request, Signal, Welcome
+from onika.wire.packet import Ack, Hello, ReplyPacket, RequestPacket, SignalPacket, Welcome
 
 HISTORIES = 800
 SEEDS_UNTIL_FOUND = 120
@@ -50,20 +50,20 @@ def test_the_same_seed_gives_the_same_history_bit_for_bit():
 
 
 class AcceptsGaps(ClientEnd):
-    def _signal(self, packet: Signal) -> None:
+    def _signal(self, packet: SignalPacket) -> None:
         self._accepted = max(self._accepted, packet.seq - 1)
         super()._signal(packet)
 
 
 class AcceptsSignalsTwice(ClientEnd):
-    def _signal(self, packet: Signal) -> None:
+    def _signal(self, packet: SignalPacket) -> None:
         if packet.seq <= self._accepted:
             self._notices.append(SignalReceived(packet.seq, packet.body))
         super()._signal(packet)
 
 
 class AcknowledgesWhatItSkipped(ClientEnd):
-    def _signal(self, packet: Signal) -> None:
+    def _signal(self, packet: SignalPacket) -> None:
         super()._signal(packet)
         self._queues.signal(Ack(packet.seq))
 
@@ -112,7 +112,7 @@ class LosesRequestsAtACut(ClientEnd):
 
 
 class TellsTheAnswerTwice(ClientEnd):
-    def _reply(self, packet: Reply) -> None:
+    def _reply(self, packet: ReplyPacket) -> None:
         known = packet.number not in self._wishes and not packet.parts
         if known and not packet.late:
             self._notices.append(ReplyReceived(packet.number, packet.body))
@@ -135,15 +135,15 @@ class TrustsItsOwnClock(ClientEnd):
 
 
 class CallsSentRequestsUnsent(ClientEnd):
-    def _fail(self, fate: Fate, numbers: list[int]) -> None:
-        super()._fail(Fate.UNSENT, numbers)
+    def _fail(self, fate: RequestFate, numbers: list[int]) -> None:
+        super()._fail(RequestFate.UNSENT, numbers)
 
 
 class SpeaksFirst(ServerEnd):
     def open(self, now_ns: int) -> None:
         super().open(now_ns)
         if self._acked < self._sent_to:
-            self._queues.signal(Signal(self._sent_to, self._journal.body(self._sent_to)))
+            self._queues.signal(SignalPacket(self._sent_to, self._journal.body(self._sent_to)))
 
 
 class SaysWithoutJournal(ServerEnd):
@@ -167,19 +167,19 @@ class ForgetsAnswersAtACut(ServerEnd):
 
 
 class NeverRepeatsAnAnswer(ServerEnd):
-    def _request(self, client_replies: ClientReplies, request: Request, now_ns: int) -> None:
+    def _request(self, client_replies: ClientReplies, request: RequestPacket, now_ns: int) -> None:
         if request.number not in client_replies.answers:
             super()._request(client_replies, request, now_ns)
 
 
 class ForgetsWhatIsUnderWay(ServerEnd):
-    def _request(self, client_replies: ClientReplies, request: Request, now_ns: int) -> None:
+    def _request(self, client_replies: ClientReplies, request: RequestPacket, now_ns: int) -> None:
         client_replies.under_way.clear()
         super()._request(client_replies, request, now_ns)
 
 
 class CarriesOutLateRequests(ServerEnd):
-    def _request(self, client_replies: ClientReplies, request: Request, now_ns: int) -> None:
+    def _request(self, client_replies: ClientReplies, request: RequestPacket, now_ns: int) -> None:
         super()._request(client_replies, request, 0)
 
 
@@ -306,14 +306,14 @@ class TellsOfEveryChannelsBeginning(SessionChannels):
 
 
 class MixesTheChannels(ClientEnd):
-    def _signal(self, packet: Signal) -> None:
+    def _signal(self, packet: SignalPacket) -> None:
         super()._signal(packet)
-        self._queues.session((), Request(1, 1, 0, 0, b"0 "))
+        self._queues.session((), RequestPacket(1, 1, 0, 0, b"0 "))
 
 
 class AnswersOnTheChannelOfSignals(ServerEnd):
     def signal(self, body: bytes, now_ns: int) -> int:
-        self._queues.session((), Reply(1, False, 0, b"re: "))
+        self._queues.session((), ReplyPacket(1, False, 0, b"re: "))
         return super().signal(body, now_ns)
 
 

@@ -5,7 +5,7 @@ import pytest
 
 from onika.files import syntax as syntax_file
 from onika.laws import puma560
-from onika.laws.arm import Arm
+from onika.laws.arm import SerialArm
 from onika.laws.frames import pose_of_nine
 from onika.laws.inverse import inverse_for
 from onika.laws.path import PEAK, joint_duration
@@ -227,7 +227,7 @@ def test_no_motion_of_an_application_needs_more_time_than_its_target_gives(name)
                 break  # it leaves the arm elsewhere
             if job.onikon.name.startswith(MOVES):
                 side = "right" if "right" in job.onikon.name else "left"
-                arm = Arm(puma560.DH, base=base(side), tool=puma560.TOOL)
+                arm = SerialArm(puma560.DH, base=base(side), tool=puma560.TOOL)
                 for given, needed, end in seconds_of(job, targets, arm, q):
                     assert given >= needed, (job.onikon.name, targets)
                     q = end
@@ -237,7 +237,7 @@ def test_the_arms_of_two_arms_keep_to_their_own_halves():  # R-K02
     flows = read("application", "two_arms", SYNTAX).flows
     assert read("application", "two_arms", SYNTAX).is_parallel
     assert len(flows) == 2
-    left = Arm(puma560.DH, tool=puma560.TOOL)
+    left = SerialArm(puma560.DH, tool=puma560.TOOL)
     for flow in flows:
         for k in range(101):
             aside = np.array(flow.steps[1].onikon.values[0])

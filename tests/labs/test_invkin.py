@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from onika.laws import puma560
-from onika.laws.arm import Arm
+from onika.laws.arm import SerialArm
 from onika.laws.frames import pose_of_nine
 from onika.model.lifecycle import State
 from onika.store.site import shipped
@@ -22,7 +22,7 @@ CONSTANTS = {
     "Q^_MAX": puma560.QDMAX,
 }
 ABOVE = np.array([0.1814, -0.6254, 2.7006, 0.0, 1.0664, 1.7522])
-ARM = Arm(puma560.DH, tool=puma560.TOOL)
+ARM = SerialArm(puma560.DH, tool=puma560.TOOL)
 
 
 def invkin(posture, reference=None, **local):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from onika.laws import puma560
-from onika.laws.arm import Arm
+from onika.laws.arm import SerialArm
 from onika.store.site import shipped
 from onika.testing.bench import Bench
 from onika.testing.fake_partner import FakePartner
@@ -42,7 +42,7 @@ def test_the_logger_is_given_a_row_of_positions_and_references(outsider):  # R-F
 
 def test_the_view_is_given_the_places_of_the_joints_and_the_pose_of_the_tool(outsider):  # R-F04
     asked, _ = asked_by("view3d", outsider)
-    pose = Arm(puma560.DH, tool=puma560.TOOL).forward(HOME)
+    pose = SerialArm(puma560.DH, tool=puma560.TOOL).forward(HOME)
     assert (asked["ask"], np.shape(asked["points"])) == ("pose", (8, 3))
     assert np.array(asked["tool"]) == pytest.approx(pose)
     assert asked["points"][-1] == pytest.approx(list(pose[:3, 3]))

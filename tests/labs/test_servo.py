@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from onika.laws import puma560
-from onika.laws.arm import Arm
+from onika.laws.arm import SerialArm
 from onika.store.site import shipped
 from onika.testing.bench import Bench
 
@@ -34,7 +34,7 @@ def test_the_servo_only_brakes_until_a_reference_is_in_force():  # law 3: nothin
 
 
 def test_the_model_holds_the_arm_against_gravity_and_friction():
-    arm = Arm(puma560.DH, puma560.DYN, puma560.LOAD)
+    arm = SerialArm(puma560.DH, puma560.DYN, puma560.LOAD)
     bench = Bench(GENERIC / "gravcomp.py", frequency=250, constants=MODEL).init()
     bench["Q_MEZ"] = STRETCHED
     assert bench.on()["TAU_G"] == pytest.approx(arm.bias(STRETCHED, np.zeros(6)))

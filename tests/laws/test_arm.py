@@ -4,13 +4,13 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from onika.laws import puma560
-from onika.laws.arm import Arm
+from onika.laws.arm import SerialArm
 from onika.laws.chain import chain_pose
 from onika.laws.frames import inverse_pose, rotation_log, rotation_of_rpy
 
 BASE = np.eye(4)
 BASE[:3, :3], BASE[:3, 3] = rotation_of_rpy(0.2, -0.1, 2.0), (1.2, -0.3, 0.4)
-PUMA = Arm(puma560.DH, puma560.DYN, puma560.LOAD, BASE, puma560.TOOL)
+PUMA = SerialArm(puma560.DH, puma560.DYN, puma560.LOAD, BASE, puma560.TOOL)
 
 # an arm with a prismatic joint: shoulder, elbow, quill, roll
 SCARA_DH = [[0.425, 0.0, 0.3, 0.0], [0.375, np.pi, 0.0, 0.0], [0.0, 0.0, 0.24, 0.0], [0.0, 0.0, 0.0, 0.0]]
@@ -26,7 +26,7 @@ def test_forward_kinematics_is_the_product_of_the_transforms():  # R-K01
 
 
 def test_forward_kinematics_of_a_sliding_joint():
-    arm = Arm(SCARA_DH, kind=SCARA_KIND)
+    arm = SerialArm(SCARA_DH, kind=SCARA_KIND)
     q = np.array([0.4, -0.9, 0.1, 1.3])
     expected = chain_pose(np.array(SCARA_DH), np.array(SCARA_KIND), q)
     assert np.abs(arm.forward(q) - expected).max() < 1e-12
@@ -41,7 +41,7 @@ def test_an_array_handed_in_is_filled_and_given_back():
 
 
 def test_gravity_is_the_slope_of_the_potential_energy():
-    arm = Arm(puma560.DH, puma560.DYN, puma560.LOAD)
+    arm = SerialArm(puma560.DH, puma560.DYN, puma560.LOAD)
     q = np.array([0.3, -0.8, 1.9, 0.4, 0.9, -0.2])
     slope = [(_potential(q + d) - _potential(q - d)) / 2e-5 for d in 1e-5 * np.eye(6)]
     assert np.allclose(arm.bias(q, np.zeros(6)), slope, atol=1e-6)
@@ -53,7 +53,7 @@ def test_coriolis_torque_spends_what_the_inertia_gains(seed):
     # the work of C(q, qd) qd is half the change of the inertia: qd . (bias - gravity) = qd . dM/dt qd / 2
     random = np.random.default_rng(seed)
     q, qd = random.uniform(puma560.QMIN, puma560.QMAX), random.uniform(-2, 2, 6)
-    arm = Arm(puma560.DH, puma560.DYN, puma560.LOAD)
+    arm = SerialArm(puma560.DH, puma560.DYN, puma560.LOAD)
     power = qd @ (arm.bias(q, qd) - arm.bias(q, np.zeros(6)))
     energy = [qd @ _inertia(arm, q + sign * 1e-6 * qd) @ qd / 2 for sign in (1, -1)]
     assert power == pytest.approx((energy[0] - energy[1]) / 2e-6, abs=1e-4)
@@ -70,24 +70,24 @@ def test_the_jacobian_is_the_slope_of_the_pose():
 
 
 def test_a_load_weighs_on_the_joints():
-    empty = Arm(puma560.DH, puma560.DYN)
+    empty = SerialArm(puma560.DH, puma560.DYN)
     q = np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.0])
     more = PUMA.load[0] * 9.81
-    assert np.abs(Arm(puma560.DH, puma560.DYN, puma560.LOAD).bias(q, q) - empty.bias(q, q)).max() > 0.4 * more
+    assert np.abs(SerialArm(puma560.DH, puma560.DYN, puma560.LOAD).bias(q, q) - empty.bias(q, q)).max() > 0.4 * more
 
 
 def test_gravity_at_the_shoulder_is_that_of_the_table():  # the largest is 45.7 N m on joint 2 without the hand
-    arm = Arm(puma560.DH, puma560.DYN)
+    arm = SerialArm(puma560.DH, puma560.DYN)
     torques = [abs(arm.bias([0, q2, q3, 0, 0, 0], np.zeros(6))[1]) for q2 in (0.0, 0.1, -0.1) for q3 in (1.5, 1.6)]
     assert 44.0 < max(torques) < 46.0
 
 
 def test_constants_of_the_wrong_size_are_refused():
     with pytest.raises(ValueError, match="expected"):
-        Arm(puma560.DH, puma560.DYN[:5])
+        SerialArm(puma560.DH, puma560.DYN[:5])
 
 
-def _inertia(arm: Arm, q: np.ndarray) -> np.ndarray:
+def _inertia(arm: SerialArm, q: np.ndarray) -> np.ndarray:
     """Mass matrix without armature, column by column from inverse dynamics of a model of the same text."""
     model = mujoco.MjModel.from_xml_string(arm._text())
     data = mujoco.MjData(model)

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from onika.laws import adept_one, puma560
-from onika.laws.arm import Arm
+from onika.laws.arm import SerialArm
 from onika.laws.damped import DampedInverse
 from onika.laws.inverse import inverse_for
 from onika.laws.puma_inverse import PumaInverse
@@ -25,7 +25,7 @@ def test_any_other_table_gets_least_squares_and_the_same_answers():
     inverse = inverse_for(other, None, puma560.TOOL, puma560.QMIN, puma560.QMAX)
     assert isinstance(inverse, DampedInverse)
     q = np.array([0.2, -0.7, 2.4, 0.6, 0.8, -0.3])
-    solution = inverse.nearest(Arm(other, tool=puma560.TOOL).forward(q), q + 0.05)
+    solution = inverse.nearest(SerialArm(other, tool=puma560.TOOL).forward(q), q + 0.05)
     assert np.allclose(solution, q, atol=1e-6)
 
 

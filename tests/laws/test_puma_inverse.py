@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from onika.laws import puma560
-from onika.laws.arm import Arm
+from onika.laws.arm import SerialArm
 from onika.laws.frames import rotation_of_rpy
 from onika.laws.puma_inverse import PumaInverse, is_puma_family
 
@@ -13,7 +13,7 @@ BASE, TOOL = np.eye(4), puma560.TOOL.copy()
 BASE[:3, :3], BASE[:3, 3] = rotation_of_rpy(0.1, 0.2, 3.0), (1.2, 0.1, 0.2)
 TOOL[:3, :3] = rotation_of_rpy(0.3, 0.2, 0.1)
 PLACES = {"plain": (np.eye(4), puma560.TOOL), "moved": (BASE, TOOL)}
-ARMS = {name: Arm(puma560.DH, base=base, tool=tool) for name, (base, tool) in PLACES.items()}
+ARMS = {name: SerialArm(puma560.DH, base=base, tool=tool) for name, (base, tool) in PLACES.items()}
 INVERSES = {
     name: PumaInverse(puma560.DH, base, tool, puma560.QMIN, puma560.QMAX) for name, (base, tool) in PLACES.items()
 }
@@ -72,7 +72,7 @@ def test_theta_offsets_are_taken_off():
     dh[:, 3] = 0.1, -0.2, 0.3, 0.2, -0.1, 0.4
     q = np.array([0.2, -0.7, 2.4, 0.6, 0.8, -0.3])
     inverse = PumaInverse(dh, np.eye(4), puma560.TOOL, puma560.QMIN, puma560.QMAX)
-    solution = inverse.nearest(Arm(dh, tool=puma560.TOOL).forward(q), q)
+    solution = inverse.nearest(SerialArm(dh, tool=puma560.TOOL).forward(q), q)
     assert np.allclose(solution, q, atol=1e-9)
 
 

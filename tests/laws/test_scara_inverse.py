@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from onika.laws import adept_one, puma560
-from onika.laws.arm import Arm
+from onika.laws.arm import SerialArm
 from onika.laws.chain import kinds_of
 from onika.laws.damped import DampedInverse
 from onika.laws.frames import pose_of_nine, rotation_about, rotation_of_rpy
@@ -48,18 +48,18 @@ def down(x, y, z):
     tool=st.sampled_from([adept_one.TOOL, CROOKED]),
 )
 def test_forward_of_the_inverse_is_the_pose_it_came_from(q, near, dh, base, tool):  # R-K03
-    pose = Arm(dh, base=base, tool=tool).forward(q)
+    pose = SerialArm(dh, base=base, tool=tool).forward(q)
     law = inverse(dh, base, tool)
     for guess in (q, near):
         solution = law.nearest(pose, guess)
         assert not isinstance(solution, str), solution
         assert (solution >= adept_one.QMIN).all()
         assert (solution <= adept_one.QMAX).all()
-        assert np.allclose(Arm(dh, base=base, tool=tool).forward(solution), pose, atol=1e-7)
+        assert np.allclose(SerialArm(dh, base=base, tool=tool).forward(solution), pose, atol=1e-7)
 
 
 def test_the_solution_from_nearby_is_the_one_nearby():
-    rng, arm, law = np.random.default_rng(3), Arm(adept_one.DH, tool=adept_one.TOOL), inverse()
+    rng, arm, law = np.random.default_rng(3), SerialArm(adept_one.DH, tool=adept_one.TOOL), inverse()
     for _ in range(300):
         q = rng.uniform(0.9 * adept_one.QMIN, 0.9 * adept_one.QMAX)
         q[1] = math.copysign(max(abs(q[1]), 0.2), q[1])
@@ -101,7 +101,7 @@ def test_a_slight_lean_is_lost_and_the_point_between_the_fingers_kept():
     pose = down(0.6, 0.1, -0.2)
     pose[:3, :3] = rotation_about(1.0, 0.0, 0.0, 0.9 * LEAN) @ pose[:3, :3]
     solution = inverse().nearest(pose, adept_one.HOME)
-    reached = Arm(adept_one.DH, tool=adept_one.TOOL).forward(solution)
+    reached = SerialArm(adept_one.DH, tool=adept_one.TOOL).forward(solution)
     assert reached[:3, 3] == pytest.approx(pose[:3, 3], abs=1e-9)
     assert reached[:3, 2] == pytest.approx([0.0, 0.0, -1.0])
 

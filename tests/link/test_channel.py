@@ -1,13 +1,24 @@
 import pytest
 
 from onika.link.channel import THREE, Channel
-from onika.wire.packet import Ack, Beat, Bye, Hello, Part, Reading, Reply, Request, Signal, Welcome
+from onika.wire.packet import (
+    Ack,
+    Beat,
+    Bye,
+    Hello,
+    Part,
+    ReadingPacket,
+    ReplyPacket,
+    RequestPacket,
+    SignalPacket,
+    Welcome,
+)
 
 EVERYWHERE = (Hello(1, "me", "", 0), Welcome(1, "e", 0, True, 0), Beat(1, 0), Bye("closed", ""))
 OWN = {
-    Channel.SESSION: (Request(1, 1, 0, 0, b""), Reply(1, False, 0, b""), Part(1, 0, b"")),
-    Channel.SIGNAL: (Signal(1, b""), Ack(1)),
-    Channel.STREAM: (Reading(1, "k", b""),),
+    Channel.SESSION: (RequestPacket(1, 1, 0, 0, b""), ReplyPacket(1, False, 0, b""), Part(1, 0, b"")),
+    Channel.SIGNAL: (SignalPacket(1, b""), Ack(1)),
+    Channel.STREAM: (ReadingPacket(1, "k", b""),),
 }
 
 

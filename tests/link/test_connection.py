@@ -4,11 +4,11 @@ from onika.link.carrier import memory_pair, socket_pair
 from onika.link.connection import Connection
 from onika.link.link_events import (
     EpochChanged,
-    Fate,
     LinkStateChanged,
     ReadingReceived,
     ReplyReceived,
     RequestFailed,
+    RequestFate,
     RequestReceived,
     Resumed,
     SignalReceived,
@@ -91,7 +91,7 @@ def test_a_request_that_waited_too_long_on_the_way_is_not_carried_out():  # R-X1
     number = connection.ask(b"go", begin_within_s=0.2, once=True)
     runtime.now_ns += 300_000_000
     runtime.serve()
-    assert connection.poll(1)[-1] == RequestFailed(number, Fate.LATE)
+    assert connection.poll(1)[-1] == RequestFailed(number, RequestFate.LATE)
     assert runtime.asked == []
 
 

@@ -1,13 +1,16 @@
-from onika.link.link_events import Fate, LinkNotice, LinkStateChanged, RequestFailed, SignalReceived
+from onika.link.link_events import LinkNotice, LinkStateChanged, RequestFailed, RequestFate, SignalReceived
 from onika.link.state import LinkState
 
 
 def test_equal_notices_are_equal_values():
     assert SignalReceived(1, b"x") == SignalReceived(1, b"x") != SignalReceived(2, b"x")
     assert LinkStateChanged(LinkState.LINKED) == LinkStateChanged(LinkState.LINKED, None)
-    assert isinstance(RequestFailed(1, Fate.LOST), LinkNotice)
+    assert isinstance(RequestFailed(1, RequestFate.LOST), LinkNotice)
 
 
 def test_each_fate_says_whether_something_may_have_been_carried_out():
-    assert [fate for fate in Fate if "nothing was carried out" in fate.value] == [Fate.UNSENT, Fate.LATE]
-    assert "may or may not" in Fate.LOST.value
+    assert [fate for fate in RequestFate if "nothing was carried out" in fate.value] == [
+        RequestFate.UNSENT,
+        RequestFate.LATE,
+    ]
+    assert "may or may not" in RequestFate.LOST.value

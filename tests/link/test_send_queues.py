@@ -1,11 +1,11 @@
 from onika.link.body_parts import split
 from onika.link.readings import Readings
 from onika.link.send_queues import SendQueues
-from onika.wire.packet import Ack, Bye, Reading, Request
+from onika.wire.packet import Ack, Bye, ReadingPacket, RequestPacket
 
 
 def request(number, body=b""):
-    return Request(number, 1, 0, 0, body)
+    return RequestPacket(number, 1, 0, 0, body)
 
 
 def test_signals_pass_requests_and_requests_pass_readings():  # R-F01
@@ -14,7 +14,7 @@ def test_signals_pass_requests_and_requests_pass_readings():  # R-F01
     queues = SendQueues(readings)
     queues.session([], request(1))
     queues.signal(Ack(1))
-    assert queues.take(10_000, 0) == [Ack(1), request(1), Reading(1, "key", b"")]
+    assert queues.take(10_000, 0) == [Ack(1), request(1), ReadingPacket(1, "key", b"")]
 
 
 def test_without_room_only_the_signal_queue_goes():
@@ -29,7 +29,7 @@ def test_without_room_only_the_signal_queue_goes():
 def test_a_long_body_lets_signals_through_between_its_parts():
     queues = SendQueues(Readings())
     parts, last = split(1, bytes(1000), 100)
-    queues.session(parts, Request(1, 1, 0, len(parts), last))
+    queues.session(parts, RequestPacket(1, 1, 0, len(parts), last))
     assert queues.take(150, 0) == parts[:2]
     queues.signal(Ack(1))
     assert queues.take(150, 0)[0] == Ack(1)

@@ -8,7 +8,19 @@ from onika.link.reply_log import ReplyLog
 from onika.link.server import ServerEnd
 from onika.link.signal_journal import SignalJournal
 from onika.link.state import LinkState
-from onika.wire.packet import VERSION, Ack, Beat, Bye, Hello, Part, Reading, Reply, Request, Signal, Welcome
+from onika.wire.packet import (
+    VERSION,
+    Ack,
+    Beat,
+    Bye,
+    Hello,
+    Part,
+    ReadingPacket,
+    ReplyPacket,
+    RequestPacket,
+    SignalPacket,
+    Welcome,
+)
 
 ROOM = 1_000_000
 TERMS = LinkTerms(beat_ns=0, suspect_ns=0, lost_ns=1000, greeting_ns=1000, piece=4, window=3)
@@ -19,7 +31,7 @@ def hello(client="me", epoch="e1", seq=0):
 
 
 def request(number, body=b"", done_below=1, deadline_ns=0):
-    return Request(number, done_below, deadline_ns, 0, body)
+    return RequestPacket(number, done_below, deadline_ns, 0, body)
 
 
 def made(terms=TERMS, journal=None, replies=None):
@@ -59,7 +71,7 @@ def test_a_newcomer_is_welcomed_with_the_number_after_which_signals_come():  # R
     end.feed(hello(epoch=""), 77)
     assert requests(end) == [Greeted("me", False)]
     end.signal(b"now", 77)
-    assert packets(end) == [Welcome(VERSION, "e1", 1, False, 77), Signal(2, b"now")]
+    assert packets(end) == [Welcome(VERSION, "e1", 1, False, 77), SignalPacket(2, b"now")]
 
 
 def test_signals_are_said_again_from_the_last_that_was_accepted():  # R-F01
@@ -71,7 +83,7 @@ def test_signals_are_said_again_from_the_last_that_was_accepted():  # R-F01
     end.open(0)
     end.feed(hello(seq=1), 0)
     assert requests(end) == [Greeted("me", True)]
-    assert packets(end) == [Welcome(VERSION, "e1", 1, True, 0), Signal(2, b"2"), Signal(3, b"3")]
+    assert packets(end) == [Welcome(VERSION, "e1", 1, True, 0), SignalPacket(2, b"2"), SignalPacket(3, b"3")]
 
 
 def test_no_more_signals_are_under_way_than_the_window_allows():
@@ -99,12 +111,12 @@ def test_a_request_said_twice_is_handed_over_once_and_its_answer_repeated():  # 
     end.feed(request(1, b"a"), 0)
     assert requests(end) == [RequestReceived(1, "me", b"a")]
     end.reply(1, b"A")
-    assert packets(end) == [Reply(1, False, 0, b"A")]
+    assert packets(end) == [ReplyPacket(1, False, 0, b"A")]
     end.cut(lost.closed())
     greet(end)
     end.feed(request(1, b"a"), 0)
     assert requests(end) == []
-    assert packets(end) == [Reply(1, False, 0, b"A")]
+    assert packets(end) == [ReplyPacket(1, False, 0, b"A")]
 
 
 def test_an_answer_given_while_nobody_is_there_is_kept_for_the_repetition():  # R-F07
@@ -115,7 +127,7 @@ def test_an_answer_given_while_nobody_is_there_is_kept_for_the_repetition():  # 
     greet(end)
     assert packets(end) == []
     end.feed(request(1), 0)
-    assert packets(end) == [Reply(1, False, 0, b"A")]
+    assert packets(end) == [ReplyPacket(1, False, 0, b"A")]
 
 
 def test_settled_answers_are_forgotten_and_their_requests_ignored():
@@ -135,7 +147,7 @@ def test_a_late_request_is_refused_and_stays_refused():  # R-X12
     end.feed(request(1, deadline_ns=50), 51)
     end.feed(request(2, deadline_ns=51), 51)
     assert [request.ticket for request in requests(end)] == [1]
-    assert packets(end) == [Reply(1, True, 0, b"")]
+    assert packets(end) == [ReplyPacket(1, True, 0, b"")]
 
 
 def test_an_answer_never_reaches_another_environment():
@@ -147,7 +159,7 @@ def test_an_answer_never_reaches_another_environment():
     end.reply(1, b"his")
     assert packets(end) == []
     end.reply(2, b"mine")
-    assert packets(end) == [Reply(1, False, 0, b"mine")]
+    assert packets(end) == [ReplyPacket(1, False, 0, b"mine")]
 
 
 def test_a_ticket_is_good_for_one_answer():
@@ -163,7 +175,7 @@ def test_two_ends_that_share_a_journal_say_the_same_signals():
     ends = [greet(made(journal=journal, replies=replies), hello(client)) for client in ("one", "two")]
     ends[0].signal(b"x", 0)
     ends[1].tick(1)
-    assert [packets(end) for end in ends] == [[Signal(1, b"x")], [Signal(1, b"x")]]
+    assert [packets(end) for end in ends] == [[SignalPacket(1, b"x")], [SignalPacket(1, b"x")]]
 
 
 def test_who_falls_behind_the_journal_is_cut_and_begins_anew():
@@ -192,11 +204,11 @@ def test_a_lost_welcome_is_said_again_unchanged():
 def test_on_a_carrier_that_loses_packets_signals_are_said_again():
     end = greet(made(LinkTerms(beat_ns=0, suspect_ns=0, lost_ns=0, retry_ns=10)))
     end.signal(b"x", 0)
-    assert packets(end) == [Signal(1, b"x")]
+    assert packets(end) == [SignalPacket(1, b"x")]
     end.tick(9)
     assert packets(end) == []
     end.tick(10)
-    assert packets(end) == [Signal(1, b"x")]
+    assert packets(end) == [SignalPacket(1, b"x")]
     end.feed(Ack(1), 11)
     end.tick(30)
     assert packets(end) == []
@@ -206,9 +218,9 @@ def test_on_a_carrier_that_loses_packets_signals_are_said_again():
     "packet",
     [
         Welcome(VERSION, "e", 0, False, 0),
-        Reply(1, False, 0, b""),
-        Signal(1, b""),
-        Reading(1, "k", b""),
+        ReplyPacket(1, False, 0, b""),
+        SignalPacket(1, b""),
+        ReadingPacket(1, "k", b""),
         Ack(5),
         hello("x"),
     ],
@@ -262,10 +274,10 @@ def test_beats_are_answered_by_nothing_but_count_as_life():
 def test_long_bodies_come_and_go_in_parts():  # R-F01
     end = greet(made())
     end.feed(Part(1, 0, b"abcd"), 0)
-    end.feed(Request(1, 1, 0, 1, b"ef"), 0)
+    end.feed(RequestPacket(1, 1, 0, 1, b"ef"), 0)
     assert requests(end) == [RequestReceived(1, "me", b"abcdef")]
     end.reply(1, b"123456")
-    assert packets(end) == [Part(1, 0, b"1234"), Reply(1, False, 1, b"56")]
+    assert packets(end) == [Part(1, 0, b"1234"), ReplyPacket(1, False, 1, b"56")]
 
 
 def test_a_closed_link_still_says_what_was_answered_and_signalled():
@@ -274,7 +286,7 @@ def test_a_closed_link_still_says_what_was_answered_and_signalled():
     end.reply(1, b"A")
     end.signal(b"x", 0)
     end.close("quitting")
-    assert packets(end) == [Signal(1, b"x"), Reply(1, False, 0, b"A"), Bye("closed", "quitting")]
+    assert packets(end) == [SignalPacket(1, b"x"), ReplyPacket(1, False, 0, b"A"), Bye("closed", "quitting")]
     assert end.state is LinkState.ENDED
 
 
@@ -293,7 +305,7 @@ def test_readings_are_for_those_who_are_there_now():
     greet(end)
     assert packets(end) == []
     end.reading("key", b"now", 0)
-    assert packets(end) == [Reading(1, "key", b"now")]
+    assert packets(end) == [ReadingPacket(1, "key", b"now")]
 
 
 @pytest.mark.parametrize(

@@ -2,44 +2,59 @@
 
 import pytest
 
-from onika.model.lifecycle import TABLE, IllegalTransition, State, Step, after, diagram, refusal
+from onika.model.lifecycle import TABLE, IllegalTransition, LifecycleInput, State, after, diagram, refusal
 
 
 def test_a_task_is_spawned_initialised_turned_on_and_off_and_killed():  # R-A05
     state = State.WAITING
-    for step in (Step.INITIALISED, Step.ON, Step.OFF, Step.ON, Step.FINISH, Step.KILL):
+    for step in (
+        LifecycleInput.INITIALISED,
+        LifecycleInput.ON,
+        LifecycleInput.OFF,
+        LifecycleInput.ON,
+        LifecycleInput.FINISH,
+        LifecycleInput.KILL,
+    ):
         state = after(state, step)
     assert state is State.KILLED
 
 
 def test_a_task_that_asks_goes_on_with_an_answer_or_asks_again():  # R-A10
-    asking = after(State.OFF, Step.ASK)
+    asking = after(State.OFF, LifecycleInput.ASK)
     assert asking is State.ASKING
-    assert after(asking, Step.ASK) is State.ASKING
-    assert after(asking, Step.ANSWERED) is State.ON
-    assert after(asking, Step.OFF) is State.OFF
+    assert after(asking, LifecycleInput.ASK) is State.ASKING
+    assert after(asking, LifecycleInput.ANSWERED) is State.ON
+    assert after(asking, LifecycleInput.OFF) is State.OFF
 
 
 def test_an_error_is_left_by_clear_or_kill_only():  # R-A05, R-C28
     assert {step: state for step, state in TABLE[State.ERROR].items() if state is not State.ERROR} == {
-        Step.CLEAR: State.OFF,
-        Step.KILL: State.KILLED,
+        LifecycleInput.CLEAR: State.OFF,
+        LifecycleInput.KILL: State.KILLED,
     }
 
 
 def test_a_change_of_ports_or_code_leaves_a_task_where_it_is():  # laws 12, 21
-    for step in (Step.REBIND, Step.SWAP, Step.REINIT):
+    for step in (LifecycleInput.REBIND, LifecycleInput.SWAP, LifecycleInput.REINIT):
         assert all(steps[step] is state for state, steps in TABLE.items() if step in steps)
-    assert [state for state, steps in TABLE.items() if Step.REINIT in steps] == [State.OFF]
-    assert [state for state, steps in TABLE.items() if Step.REBIND in steps] == [State.WAITING, State.OFF, State.ERROR]
-    assert [state for state, steps in TABLE.items() if Step.SWAP in steps] == [State.OFF, State.ON, State.ERROR]
+    assert [state for state, steps in TABLE.items() if LifecycleInput.REINIT in steps] == [State.OFF]
+    assert [state for state, steps in TABLE.items() if LifecycleInput.REBIND in steps] == [
+        State.WAITING,
+        State.OFF,
+        State.ERROR,
+    ]
+    assert [state for state, steps in TABLE.items() if LifecycleInput.SWAP in steps] == [
+        State.OFF,
+        State.ON,
+        State.ERROR,
+    ]
 
 
 def test_a_task_can_fail_and_be_killed_as_long_as_it_lives():
     for state in State:
         if state is not State.KILLED:
-            assert after(state, Step.FAIL) is State.ERROR
-        assert after(state, Step.KILL) is State.KILLED
+            assert after(state, LifecycleInput.FAIL) is State.ERROR
+        assert after(state, LifecycleInput.KILL) is State.KILLED
 
 
 def test_nothing_brings_a_killed_task_back():
@@ -49,11 +64,11 @@ def test_nothing_brings_a_killed_task_back():
 def test_only_what_is_off_or_asking_comes_on():
     changes = [(state, step, end) for state, steps in TABLE.items() for step, end in steps.items()]
     comes_on = {(state, step) for state, step, end in changes if end is State.ON and state is not end}
-    assert comes_on == {(State.OFF, Step.ON), (State.ASKING, Step.ANSWERED)}
+    assert comes_on == {(State.OFF, LifecycleInput.ON), (State.ASKING, LifecycleInput.ANSWERED)}
 
 
 @pytest.mark.parametrize("state", State)
-@pytest.mark.parametrize("step", Step)
+@pytest.mark.parametrize("step", LifecycleInput)
 def test_a_step_that_the_table_lacks_is_refused_with_what_would_be_allowed(state, step):
     if step in TABLE[state]:
         assert after(state, step) is TABLE[state][step]

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
 
-from onika.model.lifecycle import State, Step, after
+from onika.model.lifecycle import LifecycleInput, State, after
 from onika.runtime.bus import World
 from onika.runtime.command import Rank
 from oracle.law_task import DeviceHandle, LawTask, Moment, Traced, Values
@@ -79,10 +79,10 @@ class LawLifecycles:
     def _kill(self, task: LawTask, life: Life) -> None:
         if life.state is not State.KILLED:
             if life.state is State.ON:
-                self._leave(task, Step.OFF)
+                self._leave(task, LifecycleInput.OFF)
             self._try(task, "kill", lambda: self._call(task, "kill"))
             self._hold(life)
-            life.state = after(life.state, Step.KILL)
+            life.state = after(life.state, LifecycleInput.KILL)
         self._tell(task, "KILLED")
 
     def _begin(self, task: LawTask) -> None:
@@ -108,7 +108,7 @@ class LawLifecycles:
         self._call(task, entry)
         return tuple(svar for svar in task.outvar if _bits(outputs[svar]) != before[svar])
 
-    def _leave(self, task: LawTask, step: Step) -> bool:
+    def _leave(self, task: LawTask, step: LifecycleInput) -> bool:
         """Law 3: `off` publishes nothing; a device is left in hold."""
         life = self._lives[task.name]
         life.release = None
@@ -187,7 +187,7 @@ class LawLifecycles:
             self._hold(life)
             if entry == "cycle" and not isinstance(wrong, LawBroken) and self._mends(task):
                 return True
-            life.release, life.state = None, after(life.state, Step.FAIL)
+            life.release, life.state = None, after(life.state, LifecycleInput.FAIL)
             self._tell(task, "ERROR")
             return False
         return True

@@ -10,7 +10,7 @@ from collections import deque
 from collections.abc import Callable, Iterable
 from functools import partial
 
-from onika.model.lifecycle import State, Step, after
+from onika.model.lifecycle import LifecycleInput, State, after
 from onika.model.signal import Signal, SignalKind
 from onika.runtime.bus import World
 from onika.runtime.command import Clear, Kill, Launch, Rank, Reinit, Switch
@@ -37,7 +37,7 @@ class Reference(LawLifecycles):
             self._step_world(world)
         for task in self._tasks.values():
             if self._try(task, "init", partial(self._init, task)):
-                self._lives[task.name].state = after(State.WAITING, Step.INITIALISED)
+                self._lives[task.name].state = after(State.WAITING, LifecycleInput.INITIALISED)
 
     @property
     def missed(self) -> dict[str, int]:
@@ -133,7 +133,7 @@ class Reference(LawLifecycles):
 
     def _signal(self, task: LawTask, signal: Signal) -> bool:
         """FINISH and OFF turn the task off; whether the signal is told to others."""
-        leaves = {SignalKind.FINISH: Step.FINISH, SignalKind.OFF: Step.OFF}
+        leaves = {SignalKind.FINISH: LifecycleInput.FINISH, SignalKind.OFF: LifecycleInput.OFF}
         if signal.kind in leaves and not self._leave(task, leaves[signal.kind]):
             return False
         self._tell(task, f"signal {signal.kind.value}")
@@ -159,13 +159,13 @@ class Reference(LawLifecycles):
         elif life.state is not State.ERROR:
             self._tell(task, "refused clear")
         elif self._try(task, "clear", lambda: self._clear(task, life)):
-            life.state = after(life.state, Step.CLEAR)
+            life.state = after(life.state, LifecycleInput.CLEAR)
             self._tell(task, "OFF")
 
     def _switch(self, switch: Switch) -> None:
         """Law 3: off, then what is forgotten, then rates, then on; no cycle comes in between."""
         for name in switch.off:
-            if self._lives[name].state is State.ON and self._leave(self._tasks[name], Step.OFF):
+            if self._lives[name].state is State.ON and self._leave(self._tasks[name], LifecycleInput.OFF):
                 self._tell(self._tasks[name], "OFF")
         for svar in switch.forget:
             self._forgotten[svar] = self._writes.get(svar, 0)
@@ -193,5 +193,5 @@ class Reference(LawLifecycles):
         if launch.frequency is not None:
             self._rate(task, launch.frequency)
         if self._try(task, "on", lambda: self._begin(task)):
-            life.state, life.release = after(life.state, Step.ON), self.now
+            life.state, life.release = after(life.state, LifecycleInput.ON), self.now
             self._tell(task, "ON")

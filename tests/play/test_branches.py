@@ -6,7 +6,7 @@ from kit import build
 from kit.flow_program import bottom, branch, nested, program, top
 from kit.play_lines import JOB, NOOP, begins, ends, goes_on, passes, started
 from onika.engine.news import TurnedOn
-from onika.engine.orders import Done, Moved, Note, Off, Settle, Together
+from onika.engine.orders import Done, Moved, Off, RunNote, Settle, Together
 from onika.wire.plan import Do, Halt
 from onika.wire.steer import Pause, Resume, Skip
 
@@ -27,7 +27,7 @@ def test_a_value_beyond_the_number_of_flows_takes_flow_0_and_both_numbers_are_to
     told = (
         f"test.appl flow 0 action 0: sort has 3 flows and the action before it asks for flow {choice}: flow 0 is taken"
     )
-    assert started(build.flow([JOB] * 5, THREE)) >> ends(0, choice) << Done(0, 0) << Note(0, told) << begins(0, 1)
+    assert started(build.flow([JOB] * 5, THREE)) >> ends(0, choice) << Done(0, 0) << RunNote(0, told) << begins(0, 1)
 
 
 def test_a_value_before_a_single_flow_means_nothing_and_is_not_told():  # reading 20
@@ -47,7 +47,7 @@ def test_a_conditional_that_comes_first_takes_flow_0():  # reading 21, R-D10
 
 def test_a_conditional_after_a_skip_takes_flow_0():  # reading 21
     play = started(build.flow([JOB] * 5, THREE)) >> TurnedOn(0, "move")
-    left = Note(0, "test.appl flow 0 action 0: left by the user")
+    left = RunNote(0, "test.appl flow 0 action 0: left by the user")
     assert play >> Skip("0") << left << Off(0, "move") << begins(0, 1)
 
 

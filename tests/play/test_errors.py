@@ -6,7 +6,7 @@ from kit import build
 from kit.error_lines import REACH, clearing, finish, on, running, started, stopped, where
 from kit.play import Play
 from onika.engine.news import Abort, Cleared, Failed, Finished, Killed, Refused, Run, Spawned, TurnedOn
-from onika.engine.orders import Began, Clear, Done, End, Kill, Moved, Note, Off, Switch
+from onika.engine.orders import Began, Clear, Done, End, Kill, Moved, Off, RunNote, Switch
 from onika.wire.steer import Recover
 
 
@@ -103,7 +103,7 @@ def test_of_two_that_will_not_be_cleared_both_reasons_are_told():  # R-E08
     assert (
         two_failed()
         >> Refused(0, "pd", "no number") << Moved(0, "stopped", 0, text=f"{where(0, 0)}: pd is not cleared: no number")
-        >> Refused(0, "puma", "panic button") << Note(0, f"{where(0, 0)}: puma is not cleared: panic button")
+        >> Refused(0, "puma", "panic button") << RunNote(0, f"{where(0, 0)}: puma is not cleared: panic button")
         >> Recover("0") << clearing() << Clear(0, "pd") << Clear(0, "puma")
     )  # fmt: skip
 
@@ -157,7 +157,7 @@ def test_every_trigger_of_the_action_goes_off_at_an_error_and_comes_back():  # R
 
 
 def test_a_finish_that_comes_after_the_error_does_not_end_the_action():  # R-E08
-    ignored = Note(0, f"{where(0, 0)}: move has finished, which ends no action now: ignored")
+    ignored = RunNote(0, f"{where(0, 0)}: move has finished, which ends no action now: ignored")
     assert (
         started()
         >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
@@ -170,7 +170,7 @@ def test_a_finish_that_comes_after_the_error_does_not_end_the_action():  # R-E08
 def test_an_error_of_a_passive_task_stops_nobody():  # reading 17
     job = build.job("move", "view", trigger="move", arguments="1 2")
     told = f"{where(0, 0)}: view is in error and stays off, the job goes on: no screen"
-    assert started([job], passive=[(0, "view")]) >> Failed(0, "view", "no screen") << Note(0, told)
+    assert started([job], passive=[(0, "view")]) >> Failed(0, "view", "no screen") << RunNote(0, told)
 
 
 def test_what_failed_can_be_asked():  # R-X06

@@ -6,7 +6,7 @@ from kit import build
 from kit.flow_program import bottom, program, top
 from kit.play_lines import JOB, NOOP, begins, ends, passes, started
 from onika.engine.news import Abort, Killed, Run, Spawned, TurnedOn
-from onika.engine.orders import Done, End, Kill, Moved, Note, Off, Settle
+from onika.engine.orders import Done, End, Kill, Moved, Off, RunNote, Settle
 from onika.wire.plan import Do
 from onika.wire.steer import Leave, Skip
 
@@ -188,18 +188,18 @@ def test_outside_of_a_loop_there_is_none_to_leave():  # R-E07
 
 def test_a_skipped_test_leaves_the_loop():  # reading 22
     play = started(build.flow([JOB] * 3, TWO_THEN_ONE)) >> ends(0) << Done(0, 0) << begins(0, 1) >> TurnedOn(0, "move")
-    left = Note(0, "test.appl flow 0 action 1: left by the user")
+    left = RunNote(0, "test.appl flow 0 action 1: left by the user")
     assert play >> Skip("0") << left << Off(0, "move") << begins(0, 2)
 
 
 def test_a_skip_out_of_a_loop_forgets_that_it_was_to_be_left():  # R-E13
     play = started(build.flow([JOB] * 3, TWO_THEN_ONE)) >> TurnedOn(0, "move")
-    left = Note(0, "test.appl flow 0 action 0: left by the user")
+    left = RunNote(0, "test.appl flow 0 action 0: left by the user")
     assert (
         play
         >> Leave("0") << Moved(0, "running", 0, text="leaves the loop round at its next test")
         >> Skip("0", 2) << left << Off(0, "move") << begins(0, 2) >> TurnedOn(0, "move")
-        >> Skip("0", 1) << Note(0, "test.appl flow 0 action 2: left by the user") << Off(0, "move") << begins(0, 1)
+        >> Skip("0", 1) << RunNote(0, "test.appl flow 0 action 2: left by the user") << Off(0, "move") << begins(0, 1)
         >> ends(0, loop=True) << Done(0, 1) << begins(0, 0)
     )  # fmt: skip
 
@@ -209,6 +209,6 @@ def test_a_skip_within_a_loop_remembers_that_it_is_to_be_left():  # R-E07, R-E13
     assert (
         play
         >> Leave("0") << Moved(0, "running", 0, text="leaves the loop round at its next test")
-        >> Skip("0") << Note(0, "test.appl flow 0 action 0: left by the user") << Off(0, "move") << begins(0, 1)
+        >> Skip("0") << RunNote(0, "test.appl flow 0 action 0: left by the user") << Off(0, "move") << begins(0, 1)
         >> ends(0, loop=True) << Done(0, 1) << begins(0, 2)
     )  # fmt: skip

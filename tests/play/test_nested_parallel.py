@@ -7,7 +7,7 @@ from kit.flow_program import bottom, nested, program
 from kit.play import Play
 from kit.play_lines import JOB, NOOP, begins, ends, goes_on, opened, passes, started
 from onika.engine.news import Cleared, Failed, Killed, Run, Settled, Spawned, TurnedOn
-from onika.engine.orders import Clear, Done, End, Kill, Moved, Note, Off, Order, Settle, Together
+from onika.engine.orders import Clear, Done, End, Kill, Moved, Off, Order, RunNote, Settle, Together
 from onika.wire.plan import Do, Halt, Meet
 from onika.wire.steer import Pass, Pause, Recover, Resume, Skip
 
@@ -108,7 +108,7 @@ def test_a_visit_that_was_let_pass_in_one_round_does_not_count_in_the_next():  #
     flow = parent([JOB, JOB], bottom("round", nested([(1, 0)], Do(0), Meet("meet a"), Do(1))))
     play = opened(flow, child(JOB, JOB, script=MEETS)) >> Spawned(1, "move")
     play = play << [Together("", (0, 1)), *begins(0, 0), *goes_on(1, 0)]
-    skipped = Note(1, "test.appl flow 1 action 0: left by the user")
+    skipped = RunNote(1, "test.appl flow 1 action 0: left by the user")
     assert (
         play
         >> ends(0) << Done(0, 0) << Moved(0, "waiting", 0, "meet a", (1,))
@@ -268,7 +268,7 @@ def test_nobody_is_sent_to_a_stretch_that_the_flow_above_begins():  # R-E13
 
 def test_the_next_action_of_a_flow_may_be_the_end_of_a_nested_application():  # R-E07
     play = started(SIMPLE, child()) >> ends(0) << Done(0, 0) << forked(0, 1, 1) >> TurnedOn(0, "move")
-    left = Note(0, "test.appl flow 0 action 1: left by the user")
+    left = RunNote(0, "test.appl flow 0 action 1: left by the user")
     assert play >> Skip("0") << left << Off(0, "move") << joining(0, 1, 1)
 
 

@@ -5,7 +5,7 @@ import pytest
 from kit import build
 from kit.error_lines import AGAIN, MEET, REACH, clearing, finish, on, paused, running, started, stopped, where
 from onika.engine.news import Cleared, Failed, Finished, Killed, Refused, Settled
-from onika.engine.orders import Began, Clear, Done, End, Kill, Moved, Note, Off, Settle, Switch, Together
+from onika.engine.orders import Began, Clear, Done, End, Kill, Moved, Off, RunNote, Settle, Switch, Together
 from onika.wire.steer import Pause, Recover, Resume, Skip, Step
 
 # Between two actions
@@ -102,7 +102,7 @@ def test_a_flow_that_was_done_is_done_again_and_the_application_ends_after_all()
 
 
 def test_a_flow_that_was_done_is_sent_nowhere_while_it_is_in_error():  # R-E13
-    play = started([REACH, AGAIN]) >> Skip("0", 1) << Note(0, f"{where(0, 0)}: left by the user") << Off(0, "move")
+    play = started([REACH, AGAIN]) >> Skip("0", 1) << RunNote(0, f"{where(0, 0)}: left by the user") << Off(0, "move")
     play = play << Switch(0, (), on("move", told="3 4")) << Began(0, 1) >> finish() << Done(0, 1)
     play = play << Moved(0, "done", 1) << Settle() >> Failed(0, "puma", "joint limit") << stopped(1)
     assert play.refuses(Skip("0", 0), "found it stopped")

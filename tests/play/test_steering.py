@@ -7,7 +7,7 @@ from kit.flow_program import bottom, program
 from kit.play import Play
 from kit.play_lines import JOB, NOOP, begins, ends, goes_on, opened, passes, started
 from onika.engine.news import Abort, Killed, Run, Spawned, TurnedOn
-from onika.engine.orders import Done, End, Kill, Moved, Note, Off, Settle, Start, Switch, Together
+from onika.engine.orders import Done, End, Kill, Moved, Off, RunNote, Settle, Start, Switch, Together
 from onika.wire.plan import Do
 from onika.wire.steer import Leave, Mark, Pass, Pause, Recover, Resume, Skip, Step
 
@@ -25,7 +25,7 @@ def paused(flow, index):
 
 def left(flow, index):
     """The user leaves an action whose trigger is ON."""
-    return [Note(flow, f"test.appl flow {flow} action {index}: left by the user"), Off(flow, "move")]
+    return [RunNote(flow, f"test.appl flow {flow} action {index}: left by the user"), Off(flow, "move")]
 
 
 # Pause
@@ -220,19 +220,19 @@ def test_a_skip_ends_an_action_without_a_trigger():  # R-E07
         Play(build.engine([hold, hold]))
         >> Run() << build.spawns([hold])
         >> Spawned(0, "puma") << Switch(0, (), (Start("puma", "", 100.0),)) << begins(0, 0)[1:]
-        << Note(0, "test.appl flow 0 action 0: action 0 has no trigger: it goes on until you skip it")
+        << RunNote(0, "test.appl flow 0 action 0: action 0 has no trigger: it goes on until you skip it")
     )  # fmt: skip
     assert (
         play >> TurnedOn(0, "puma")
-        >> Skip("0") << Note(0, "test.appl flow 0 action 0: left by the user")
+        >> Skip("0") << RunNote(0, "test.appl flow 0 action 0: left by the user")
         << Switch(0, (), ()) << begins(0, 1)[1:]
-        << Note(0, "test.appl flow 0 action 1: action 1 has no trigger: it goes on until you skip it")
+        << RunNote(0, "test.appl flow 0 action 1: action 1 has no trigger: it goes on until you skip it")
     )  # fmt: skip
 
 
 def test_a_trigger_that_finishes_after_the_skip_ends_nothing():  # R-E07
     play = started([JOB, JOB, JOB]) >> TurnedOn(0, "move") >> Skip("0") << left(0, 0) << begins(0, 1)
-    ignored = Note(0, "test.appl flow 0 action 1: move has finished, which ends no action now: ignored")
+    ignored = RunNote(0, "test.appl flow 0 action 1: move has finished, which ends no action now: ignored")
     assert play >> ends(0)[1:] << ignored >> ends(0) << Done(0, 1) << begins(0, 2)
 
 

@@ -10,7 +10,7 @@ from tests.sentences import found_by
 
 from kit.live_edits import COUNTER, SOURCE, USER
 from kit.plan_builder import PlanBuilder
-from onika.desk.run.runtime import Runtime
+from onika.desk.run.runtime import LaunchedRuntime
 from onika.wire import event, live, request
 
 pytestmark = pytest.mark.site
@@ -105,7 +105,7 @@ class Bench:
 
 @pytest.fixture
 def bench():
-    with Runtime(["rt0", "rt1"], is_virtual=False) as runtime:
+    with LaunchedRuntime(["rt0", "rt1"], is_virtual=False) as runtime:
         one = Bench(runtime)
         runtime.ask(live.Attend(("*",)))
         one.shop.task("source", SOURCE, frequency=500.0, rtpu="rt0")

@@ -16,13 +16,13 @@ from websockets.client import ClientProtocol
 from websockets.uri import parse_uri
 
 from kit.plan_builder import PlanBuilder, action
-from onika.desk.run.runtime import Runtime, connect
+from onika.desk.run.runtime import LaunchedRuntime, connect
 from onika.link.address import Address
 from onika.link.channel import Channel
 from onika.link.lost import LinkLost, LossCause
 from onika.link.websocket_opening import WebSocketOpening
 from onika.wire import event, live, request, steer
-from onika.wire.packet import Hello, Request, encode
+from onika.wire.packet import Hello, RequestPacket, encode
 
 pytestmark = pytest.mark.site
 
@@ -163,7 +163,7 @@ def test_an_honest_login_is_quick_beside_three_hundred_idle_connections(reachabl
 def test_garbage_and_floods_and_those_who_never_read_do_not_hold_up_a_run(reachable):  # R-F01, network.md F8, F14
     there = reachable()
     frozen, flood = raw_client(there, "frozen"), raw_client(there, "flood")
-    frozen.send(encode(Request(1, 1, 0, 0, request.encode(live.Attend(("*",))))))
+    frozen.send(encode(RequestPacket(1, 1, 0, 0, request.encode(live.Attend(("*",))))))
     run = subprocess.Popen(there.onika("run", "go_home", "--json"), stdout=subprocess.PIPE, text=True,
                            env=there.environment)  # fmt: skip
     number = 1
@@ -172,7 +172,7 @@ def test_garbage_and_floods_and_those_who_never_read_do_not_hold_up_a_run(reacha
             garbage.sendall(os.urandom(2000))
         for _ in range(100):
             if flood.pending < 100_000:
-                flood.send(encode(Request(number, number, 0, 0, request.encode(live.Survey()))))
+                flood.send(encode(RequestPacket(number, number, 0, 0, request.encode(live.Survey()))))
                 number += 1
         with contextlib.suppress(LinkLost):
             flood.receive()
@@ -247,7 +247,7 @@ def test_local_runs_go_on_when_the_porter_is_killed(monkeypatch, tmp_path):
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
     shop = PlanBuilder()
     shop.task("bell", BELL)
-    with Runtime(("rt0",), is_virtual=False, with_fifo=False, options=("--listen", "127.0.0.1:0")) as runtime:
+    with LaunchedRuntime(("rt0",), is_virtual=False, with_fifo=False, options=("--listen", "127.0.0.1:0")) as runtime:
         assert runtime.ask(request.Prepare(shop.plan([action("bell")]), ())).faults == ()
         assert runtime.ask(request.Begin()) == request.Done()
         os.kill(porter_of(runtime.pid), signal.SIGKILL)

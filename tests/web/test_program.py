@@ -12,7 +12,7 @@ from onika.files.rmod import RmodText
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import Site, shipped
-from onika.web.program import EnvironmentProgram, Wishes
+from onika.web.program import EnvironmentOptions, EnvironmentProgram
 from onika.web.server import bound
 
 pytestmark = pytest.mark.site
@@ -25,7 +25,7 @@ class Running:
         self.base = BaseDirectory(folder / "base")
         self.base.save_task(RmodText(Task("a", "a", outvar=("Q",), frequency=1.0)))
         site = Site((self.base,), shipped() / "prefs", folder)
-        self._program = EnvironmentProgram(site, Wishes(files, is_connected=False), folder / "state")
+        self._program = EnvironmentProgram(site, EnvironmentOptions(files, is_connected=False), folder / "state")
         self.addresses = []
         self._told = threading.Condition()
         self._thread = threading.Thread(target=lambda: asyncio.run(self._run()))

@@ -5,7 +5,7 @@ import pytest
 
 from kit.assembler import DT, Assembler
 from onika.laws import adept_one, puma560
-from onika.laws.arm import Arm
+from onika.laws.arm import SerialArm
 from onika.laws.filter import Derivative
 from onika.ring.device import DeviceOrder, DriveState
 from onika.workcell.boxes import BoxesWorld
@@ -25,7 +25,7 @@ def claimed(*names, epoch=1):
 
 def scara_at(world, q):
     """Drive the SCARA there with gravity and servo alone, for one second; gives where it stands."""
-    law = Arm(adept_one.DH, adept_one.DYN, adept_one.LOAD)
+    law = SerialArm(adept_one.DH, adept_one.DYN, adept_one.LOAD)
     state = world.state("scara_left")
     derivative = Derivative(4, DT, 60.0)
     derivative.reset(state[2:])

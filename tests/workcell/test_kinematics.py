@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from onika.laws import puma560
-from onika.laws.arm import Arm
+from onika.laws.arm import SerialArm
 from onika.laws.frames import pose_of_nine
 from onika.laws.inverse import inverse_for
 from onika.workcell.box import SIGNS, SIZE_M
@@ -88,7 +88,7 @@ def test_poses_are_those_of_the_joints_after_the_step():
     kinematics = make()
     arm.follow(puma560.HOME + 0.001)
     kinematics.step(plant.model, plant.data)
-    tip = Arm(puma560.DH, tool=puma560.TOOL).forward(arm._q)[:3, 3]
+    tip = SerialArm(puma560.DH, tool=puma560.TOOL).forward(arm._q)[:3, 3]
     hand = plant.body("gripper_left.hand")
     reached = plant.data.xpos[hand] + plant.data.xmat[hand].reshape(3, 3) @ puma560.TOOL[:3, 3]
     assert np.allclose(reached, tip, atol=1e-12)

@@ -9,7 +9,7 @@ import time
 from pathlib import Path
 from statistics import median
 
-from onika.desk.environment.environment import Answer, Environment
+from onika.desk.environment.environment import ActAnswer, Environment
 from onika.desk.environment.file.configurations import opened_beside
 from onika.desk.environment.file.disk_watch import DiskWatch
 from onika.desk.environment.handlers import HANDLERS
@@ -91,7 +91,7 @@ def _spot(name: str, number: int) -> Placed:
     return Placed(name, number % 25 * 220, number // 25 * 260)
 
 
-def _accepted(answer: Answer) -> None:
+def _accepted(answer: ActAnswer) -> None:
     if answer.no is not None:
         raise AssertionError(f"expected an act that is done, found {answer.no}")
 

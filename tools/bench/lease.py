@@ -15,7 +15,7 @@ from statistics import median
 from tempfile import TemporaryDirectory
 from time import monotonic
 
-from onika.desk.run.runtime import Reached, connect
+from onika.desk.run.runtime import RemoteRuntime, connect
 from onika.wire import event, holding, live
 
 HOLDER = """
@@ -34,7 +34,7 @@ BUSY = "while True: pass"
 class Watcher:
     """Somebody who listens all the time, and knows when which subsystem was lost."""
 
-    def __init__(self, runtime: Reached) -> None:
+    def __init__(self, runtime: RemoteRuntime) -> None:
         self.runtime = runtime
         self.lost: dict[str, tuple[float, str]] = {}
 

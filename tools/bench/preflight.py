@@ -15,7 +15,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests"))
 
 from kit.laboratory import Laboratory, job, joints, target
 from onika.desk.plan.preparation import prepare_run
-from onika.desk.run.runtime import Runtime
+from onika.desk.run.runtime import LaunchedRuntime
 from onika.model.redirect import Redirect
 from onika.store.site import open_site
 from onika.wire import request
@@ -40,7 +40,7 @@ def measure(path: Path, *redirects: Redirect) -> float:
     """Seconds for one look, the quickest of three, and what was found, on a line."""
     site = open_site([], {}, None)
     times = []
-    with Runtime(("rt0",), is_virtual=True) as runtime:
+    with LaunchedRuntime(("rt0",), is_virtual=True) as runtime:
         for _ in range(3):
             began = perf_counter()
             one = prepare_run(str(path), site, redirects)

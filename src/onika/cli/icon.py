@@ -6,7 +6,7 @@ from pathlib import Path
 
 from onika.cli.language import say
 from onika.cli.search_path import directory, site_here
-from onika.desk.plan.iconify import Made, iconify
+from onika.desk.plan.iconify import IconifiedFile, iconify
 from onika.words.reason import Reason
 
 
@@ -35,7 +35,7 @@ def carry_out(given: argparse.Namespace) -> int:
         picture=given.picture,
         replaces=given.replace,
     )
-    if not isinstance(made, Made):
+    if not isinstance(made, IconifiedFile):
         for reason in made:
             print(say(reason.sentence), file=sys.stderr)
         return 1

@@ -11,7 +11,7 @@ from onika.cli.language import say
 from onika.cli.runtime import add_base, unit
 from onika.cli.search_path import site_here
 from onika.link.token import read_token
-from onika.web.program import EnvironmentProgram, Wishes
+from onika.web.program import EnvironmentOptions, EnvironmentProgram
 from onika.web.server import bound
 from onika.words.reason import Reason
 
@@ -54,7 +54,7 @@ def carry_out(given: argparse.Namespace) -> int:
             given.complain(say(Reason.of("cli.port_taken", port=given.port, why=why)))
         listening = bound(0)
     token = "" if given.token_file is None else read_token(given.token_file)
-    wishes = Wishes(
+    wishes = EnvironmentOptions(
         files=tuple(given.files),
         url=given.connect or "",
         token=token,

@@ -19,7 +19,7 @@ from onika.desk.run import world_picture
 from onika.desk.run.outcome import Outcome
 from onika.desk.run.recorded_run import RecordingSource
 from onika.desk.run.run import run
-from onika.desk.run.settings import Elsewhere, RunSettings
+from onika.desk.run.settings import RunSettings, RuntimeLocation
 from onika.desk.trial.keeping import keep_in, unkeepable
 from onika.link.address import Address
 from onika.link.token import read_token
@@ -141,7 +141,7 @@ def _settings(given: argparse.Namespace, can_steer: bool) -> RunSettings:
         redirects=tuple(given.redirect),
         record=given.record,
         source=None if given.source is None else RecordingSource(given.source, given.at),
-        elsewhere=None if given.runtime is None else Elsewhere(given.runtime, given.token or "", given.ca),
+        elsewhere=None if given.runtime is None else RuntimeLocation(given.runtime, given.token or "", given.ca),
     )
 
 

@@ -10,7 +10,7 @@ from onika.cli.console_session import sit_down
 from onika.cli.language import say
 from onika.cli.search_path import directory, site_here
 from onika.cli.time_scale import scale
-from onika.desk.run.runtime import Runtime
+from onika.desk.run.runtime import LaunchedRuntime
 from onika.link.lost import LinkLost
 from onika.words.name import TASK_NAME
 from onika.words.reason import Reason
@@ -66,7 +66,7 @@ def carry_out(given: argparse.Namespace) -> int:
     site = site_here(given.base)
     scaled = () if given.scale is None else ("--scale", f"{given.scale:g}")
     is_virtual = given.virtual or given.scale is not None
-    launched = Runtime(rtpus, is_virtual, not given.no_fifo, (*listen, *scaled, *_held(given)))
+    launched = LaunchedRuntime(rtpus, is_virtual, not given.no_fifo, (*listen, *scaled, *_held(given)))
     with ExitStack() as stack:
         try:
             runtime = stack.enter_context(launched)

@@ -28,7 +28,7 @@ from onika.engine.news import (
     TaskNews,
     TurnedOn,
 )
-from onika.engine.orders import Case, End, Note, Order
+from onika.engine.orders import Case, End, Order, RunNote
 from onika.engine.program import FlowProgram
 from onika.engine.progress import Progress
 from onika.engine.recovery import ErrorRecovery
@@ -149,7 +149,7 @@ class Engine:
             is_late = flow.state in (FlowState.READY, *_OVER)
             if is_late:
                 return []
-            return [Note(flow.flow, f"{news.task} is no task of this flow: ignored")]
+            return [RunNote(flow.flow, f"{news.task} is no task of this flow: ignored")]
         if flow.state in _OVER:
             return self._hear_while_killing(flow, news)
         return self._hear_under_way(flow, news)
@@ -168,7 +168,7 @@ class Engine:
                 return self._switched_off(flow, news.task)
             case Asked():
                 reason = f": {news.reason}" if news.reason else ""
-                return [Note(flow.flow, f"{flow.where(news.task)} asks{reason}")]
+                return [RunNote(flow.flow, f"{flow.where(news.task)} asks{reason}")]
             case Failed():
                 return self._failed(flow, news)
             case Cleared():
@@ -209,7 +209,7 @@ class Engine:
 
     def _finished(self, flow: Progress, news: Finished) -> list[Order]:
         if not flow.finished(news.task):
-            return [Note(flow.flow, f"{flow.where(news.task)} has finished, which ends no action now: ignored")]
+            return [RunNote(flow.flow, f"{flow.where(news.task)} has finished, which ends no action now: ignored")]
         done = flow.ends_with(FinishValue(news.choice, news.loop))
         if not news.switched and flow.rests_after(flow.current):
             return [done, *self._router.rest(flow)]
@@ -219,7 +219,7 @@ class Engine:
         flow.flow_tasks.switched_off(task)
         flow.revision += 1
         harm = "the job goes on" if (flow.flow, task) in self._passive else "ignored, though it is not passive"
-        return [Note(flow.flow, f"{flow.where(task)} has switched itself off: {harm}")]
+        return [RunNote(flow.flow, f"{flow.where(task)} has switched itself off: {harm}")]
 
     def _failed(self, flow: Progress, news: Failed) -> list[Order]:
         if (flow.flow, news.task) not in self._passive:
@@ -228,7 +228,7 @@ class Engine:
             return self._recovery.failed(flow, news.task, f"{flow.where(news.task)} is in error: {news.text}")
         flow.flow_tasks.given_up(news.task)
         flow.revision += 1
-        note = Note(flow.flow, f"{flow.where(news.task)} is in error and stays off, the job goes on: {news.text}")
+        note = RunNote(flow.flow, f"{flow.where(news.task)} is in error and stays off, the job goes on: {news.text}")
         return [note, *self._begin_when_spawned()]
 
     def _refused(self, flow: Progress, news: Refused) -> list[Order]:
@@ -246,7 +246,7 @@ class Engine:
             return self._recovery.refused(flow, news.task, cause)
         flow.flow_tasks.given_up(news.task)
         flow.revision += 1
-        return [Note(flow.flow, f"{flow.where(news.task)} stays off, the job goes on: {news.reason}")]
+        return [RunNote(flow.flow, f"{flow.where(news.task)} stays off, the job goes on: {news.reason}")]
 
     def _not_cleared(self, flow: Progress, news: Refused) -> list[Order]:
         """A task that was cleared twice is refused the second time, which is no harm."""
@@ -256,7 +256,7 @@ class Engine:
         is_clearing = flow.state is FlowState.CLEARING
         if is_clearing:
             return self._recovery.not_cleared(flow, text)
-        return [Note(flow.flow, text)]
+        return [RunNote(flow.flow, text)]
 
     def _abort(self, cause: str) -> list[Order]:
         if any(flow.state in _OVER for flow in self._flows):

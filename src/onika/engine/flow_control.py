@@ -2,7 +2,7 @@
 
 from onika.engine.flow import FlowState
 from onika.engine.flow_router import FlowRouter
-from onika.engine.orders import Note, Order
+from onika.engine.orders import Order, RunNote
 from onika.engine.progress import Progress
 from onika.engine.recovery import ErrorRecovery
 from onika.wire.plan import Join
@@ -132,7 +132,7 @@ class FlowControl:
         orders: list[Order] = []
         step = flow.step
         if flow.state is FlowState.RUNNING and step is not None:
-            orders = [Note(flow.flow, f"{step.place}: left by the user"), *flow.flow_tasks.rest(step.triggers)]
+            orders = [RunNote(flow.flow, f"{step.place}: left by the user"), *flow.flow_tasks.rest(step.triggers)]
         elif flow.state is FlowState.WAITING:
             self._router.meetings.withdraw(flow.flow)
         flow.go(action)

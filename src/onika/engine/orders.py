@@ -106,7 +106,7 @@ class Done:
 
 
 @dataclass(frozen=True, slots=True)
-class Note:
+class RunNote:
     """For the watcher: something worth knowing that changes nothing."""
 
     flow: int
@@ -126,4 +126,4 @@ class End:
     cause: str = ""
 
 
-Order = Spawn | Switch | Off | Clear | Together | Kill | Began | Done | Moved | Note | Settle | End
+Order = Spawn | Switch | Off | Clear | Together | Kill | Began | Done | Moved | RunNote | Settle | End

@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 from onika.engine.flow import FlowEvent, FlowState, after
 from onika.engine.flow_tasks import FlowTasks
 from onika.engine.lookahead import ways
-from onika.engine.orders import Began, Case, Done, Moved, Note, Order
+from onika.engine.orders import Began, Case, Done, Moved, Order, RunNote
 from onika.engine.program import FlowProgram
 from onika.engine.step import ActionStep
 from onika.engine.walk import FinishValue, WalkResult, walk
@@ -101,7 +101,7 @@ class Progress:
         way = walk(self.program, self._pc, self._value, self.leaving, self._judge, self.rests_after)
         self._pc, self._value, self.leaving = way.pc, way.value, way.left
         behind = "" if self.step is None else f"{self.step.place}: "
-        orders: list[Order] = [Note(self.flow, f"{behind}{note}") for note in way.notes]
+        orders: list[Order] = [RunNote(self.flow, f"{behind}{note}") for note in way.notes]
         for action in way.passed:
             self.current = action
             orders += [Began(self.flow, action), Done(self.flow, action)]
@@ -135,7 +135,7 @@ class Progress:
         if was not in (FlowState.RUNNING, FlowState.SPAWNING):
             orders.append(self.moved())
         if not step.triggers:
-            orders.append(Note(self.flow, f"{step.place}: {step.name} has no trigger: it goes on until you skip it"))
+            orders.append(RunNote(self.flow, f"{step.place}: {step.name} has no trigger: it goes on until you skip it"))
         return orders
 
     def finished(self, task: str) -> bool:

@@ -24,7 +24,7 @@ Record = Mapping[str, Any]
 
 
 @dataclass(slots=True)
-class Trail:
+class TrailReading:
     """What was read: the records, all that is wrong with the chain, and its head."""
 
     records: list[Record] = field(default_factory=list)
@@ -71,15 +71,15 @@ def older(path: Path) -> list[Path]:
     return [*reversed([path for path in numbered if path.is_file()]), *([path] if path.is_file() else [])]
 
 
-def read(files: Sequence[Path]) -> Trail:
+def read(files: Sequence[Path]) -> TrailReading:
     """Read files one after another and check the chain; raises OSError for what cannot be read."""
-    trail = Trail()
+    trail = TrailReading()
     for number, path in enumerate(files):
         _read(path.read_bytes(), str(path), trail, is_first=number == 0)
     return trail
 
 
-def _read(data: bytes, place: str, trail: Trail, is_first: bool) -> None:
+def _read(data: bytes, place: str, trail: TrailReading, is_first: bool) -> None:
     torn: list[tuple[int, bytes]] = []
     begins = True
     for number, raw in enumerate(data.splitlines(keepends=True), 1):
@@ -106,7 +106,7 @@ def _read(data: bytes, place: str, trail: Trail, is_first: bool) -> None:
             trail.notes.append(f"{place}:{number}: the last line is not whole, {len(raw)} bytes of it are there")
 
 
-def _begin(record: Record, place: Place, trail: Trail, is_first: bool) -> None:
+def _begin(record: Record, place: Place, trail: TrailReading, is_first: bool) -> None:
     before = str(record.get("before", ""))
     if "before" not in record:
         trail.faults.append(
@@ -122,7 +122,7 @@ def _begin(record: Record, place: Place, trail: Trail, is_first: bool) -> None:
         trail.faults.append(Fault(place, reason, Reason.of("files.lines_may_be_gone")))
 
 
-def _torn(torn: Sequence[tuple[int, bytes]], record: Record, place: str, trail: Trail) -> None:
+def _torn(torn: Sequence[tuple[int, bytes]], record: Record, place: str, trail: TrailReading) -> None:
     """Lines that are none are in order where the next one knows of them."""
     left = torn_hash(b"".join(raw for _, raw in torn)) if torn else ""
     if torn and record.get("torn") == left:
@@ -132,7 +132,7 @@ def _torn(torn: Sequence[tuple[int, bytes]], record: Record, place: str, trail: 
         _fault(trail, place, number, Reason.of("files.trail_no_record"))
 
 
-def _fault(trail: Trail, place: str, number: int, reason: Reason) -> None:
+def _fault(trail: TrailReading, place: str, number: int, reason: Reason) -> None:
     trail.faults.append(Fault(Place(place, number), reason, Reason.of("files.trail_damaged")))
 
 

@@ -13,7 +13,7 @@ from onika.laws.frames import Array, Numbers, as_array, quaternion_of_rotation
 _SMALL = 1e-9  # a moving body needs some mass: what a chain without a table of masses is given
 
 
-class Arm:
+class SerialArm:
     """A serial arm of n joints.
 
     `dh` double[n,4]: a m, alpha rad, d m, theta offset rad (standard DH), a full turn more where the joint slides.

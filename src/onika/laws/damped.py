@@ -6,7 +6,7 @@ large as the error. An arm with fewer than six joints reaches the poses that its
 
 import numpy as np
 
-from onika.laws.arm import Arm
+from onika.laws.arm import SerialArm
 from onika.laws.frames import Array, Numbers, rotation_log
 
 _TOLERANCE = 1e-8  # m and rad together
@@ -19,7 +19,7 @@ class DampedInverse:
     """The inverse of one arm, with its base, tool, limits (double[n]) and kinds of joints."""
 
     def __init__(self, dh: Array, base: Array, tool: Array, qmin: Array, qmax: Array, kind: Array) -> None:
-        self._arm = Arm(dh, base=base, tool=tool, kind=kind)
+        self._arm = SerialArm(dh, base=base, tool=tool, kind=kind)
         self._low, self._high = qmin, qmax
         # the same starts every time: equal questions have equal answers
         share = np.random.default_rng(1).uniform(0.15, 0.85, (_STARTS, self._arm.n))

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from onika.laws.arm import Arm
+from onika.laws.arm import SerialArm
 from onika.laws.chain import kinds_of
 from onika.laws.frames import Array, Numbers, as_array, nine_of_pose, pose_of_nine
 from onika.laws.inverse import Inverse, inverse_for
@@ -28,7 +28,7 @@ def why_not(constants: Constants, targets: Sequence[tuple[str, Sequence[Any]]]) 
 def poses(constants: Constants, targets: Sequence[Numbers]) -> list[Array]:
     """The Cartesian targets double[9] that joint targets are, whose first NDOF values count (rad, m)."""
     n = constants["NDOF"]
-    arm = Arm(constants["DH"], base=constants["BASE"], tool=constants["TOOL"])
+    arm = SerialArm(constants["DH"], base=constants["BASE"], tool=constants["TOOL"])
     return [nine_of_pose(arm.forward(target[:n])) for target in targets]
 
 

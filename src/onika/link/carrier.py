@@ -51,7 +51,7 @@ class Carrier(PayloadSource, Protocol):
 
 
 @runtime_checkable
-class Beating(Protocol):
+class HeartbeatCarrier(Protocol):
     """A connection beside which it is said that its end is alive."""
 
     def served(self) -> None:

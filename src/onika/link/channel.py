@@ -2,7 +2,19 @@
 
 from enum import Enum
 
-from onika.wire.packet import Ack, Beat, Bye, Hello, Packet, Part, Reading, Reply, Request, Signal, Welcome
+from onika.wire.packet import (
+    Ack,
+    Beat,
+    Bye,
+    Hello,
+    Packet,
+    Part,
+    ReadingPacket,
+    ReplyPacket,
+    RequestPacket,
+    SignalPacket,
+    Welcome,
+)
 
 _EVERYWHERE = (Hello, Welcome, Beat, Bye)
 
@@ -33,7 +45,7 @@ THREE = (Channel.SESSION, Channel.SIGNAL, Channel.STREAM)
 
 _OWN: dict[Channel, tuple[type, ...]] = {
     Channel.ALL: (),
-    Channel.SESSION: (Request, Reply, Part),
-    Channel.SIGNAL: (Signal, Ack),
-    Channel.STREAM: (Reading,),
+    Channel.SESSION: (RequestPacket, ReplyPacket, Part),
+    Channel.SIGNAL: (SignalPacket, Ack),
+    Channel.STREAM: (ReadingPacket,),
 }

@@ -7,11 +7,11 @@ from onika.link.body_parts import BodyAssembly, split
 from onika.link.channel import Channel
 from onika.link.link_events import (
     EpochChanged,
-    Fate,
     LinkNotice,
     ReadingReceived,
     ReplyReceived,
     RequestFailed,
+    RequestFate,
     Resumed,
     SignalReceived,
 )
@@ -28,10 +28,10 @@ from onika.wire.packet import (
     Hello,
     Packet,
     Part,
-    Reading,
-    Reply,
-    Request,
-    Signal,
+    ReadingPacket,
+    ReplyPacket,
+    RequestPacket,
+    SignalPacket,
     Welcome,
 )
 
@@ -81,7 +81,7 @@ class ClientEnd:
         """There is a new connection, in place of any old one: greet on it."""
         self._drop_connection()
         self._liveness.opened(now_ns)
-        self._fail(Fate.LOST, [number for number, wish in self._wishes.items() if wish.once])
+        self._fail(RequestFate.LOST, [number for number, wish in self._wishes.items() if wish.once])
         self._greet(now_ns)
 
     def cut(self, why: lost.LinkLost) -> None:
@@ -121,7 +121,7 @@ class ClientEnd:
         if self._liveness.is_linked:
             self._send(self.request_count, now_ns)
         elif once or self.state is LinkState.ENDED:
-            self._fail(Fate.UNSENT, [self.request_count])
+            self._fail(RequestFate.UNSENT, [self.request_count])
         return self.request_count
 
     def forget(self, number: int) -> None:
@@ -184,13 +184,13 @@ class ClientEnd:
             self._garbage(f"{type(packet).__name__} has no place on the {self._channel.value} channel")
             return
         match packet:
-            case Signal():
+            case SignalPacket():
                 self._signal(packet)
-            case Reply():
+            case ReplyPacket():
                 self._reply(packet)
             case Part():
                 self._part(packet)
-            case Reading():
+            case ReadingPacket():
                 self._read(packet)
             case Beat():
                 self._clock_ahead_ns = packet.clock_ns - now_ns
@@ -213,28 +213,28 @@ class ClientEnd:
             self._notices.append(Resumed(self.epoch))
         else:
             if not first:
-                self._fail(Fate.LOST, list(self._wishes))
+                self._fail(RequestFate.LOST, list(self._wishes))
             self.epoch = packet.epoch
             self._accepted = packet.seq
             self._notices.append(EpochChanged(self.epoch))
         for number in list(self._wishes):
             self._send(number, now_ns)
 
-    def _signal(self, packet: Signal) -> None:
+    def _signal(self, packet: SignalPacket) -> None:
         # only the very next one: a gap means that what lies between was never said on this connection
         if packet.seq == self._accepted + 1:
             self._accepted = packet.seq
             self._notices.append(SignalReceived(packet.seq, packet.body))
         self._ack_due = True
 
-    def _reply(self, packet: Reply) -> None:
+    def _reply(self, packet: ReplyPacket) -> None:
         if packet.number not in self._wishes:
             return
         body = self._assembly.complete(packet.number, packet.parts, packet.body)
         if body is None:
             return
         del self._wishes[packet.number]
-        late = RequestFailed(packet.number, Fate.LATE)
+        late = RequestFailed(packet.number, RequestFate.LATE)
         self._notices.append(late if packet.late else ReplyReceived(packet.number, body))
 
     def _part(self, packet: Part) -> None:
@@ -245,7 +245,7 @@ class ClientEnd:
         except ValueError as fault:
             self._garbage(str(fault))
 
-    def _read(self, packet: Reading) -> None:
+    def _read(self, packet: ReadingPacket) -> None:
         if packet.count > self._reading:
             self._reading = packet.count
             self._notices.append(ReadingReceived(packet.key, packet.body))
@@ -260,7 +260,7 @@ class ClientEnd:
             self._end(LinkEvent.CUT, lost.link_lost(packet.cause, packet.reason))
 
     def _unexpected(self, packet: Packet) -> None:
-        if isinstance(packet, Hello | Request | Ack):
+        if isinstance(packet, Hello | RequestPacket | Ack):
             self._garbage(f"a runtime does not say {type(packet).__name__}")
 
     def _garbage(self, detail: str) -> None:
@@ -269,13 +269,13 @@ class ClientEnd:
     def _send(self, number: int, now_ns: int) -> None:
         wish = self._wishes[number]
         if wish.begin_by_ns and now_ns > wish.begin_by_ns and wish.sent_ns is None:
-            self._fail(Fate.UNSENT, [number])
+            self._fail(RequestFate.UNSENT, [number])
             return
         wish.sent_ns = now_ns
         # the runtime's clock alone judges lateness; the last reading of it is behind by the way here, never ahead
         deadline_ns = max(1, wish.begin_by_ns + self._clock_ahead_ns) if wish.begin_by_ns else 0
         parts, last = split(number, wish.body, self._terms.piece)
-        request = Request(number, next(iter(self._wishes)), deadline_ns, len(parts), last)
+        request = RequestPacket(number, next(iter(self._wishes)), deadline_ns, len(parts), last)
         self._queues.session(parts, request, wish.urgent)
 
     def _retry(self, now_ns: int) -> None:
@@ -289,7 +289,7 @@ class ClientEnd:
                 if wish.sent_ns is not None and now_ns - wish.sent_ns >= retry_ns:
                     self._send(number, now_ns)
 
-    def _fail(self, fate: Fate, numbers: list[int]) -> None:
+    def _fail(self, fate: RequestFate, numbers: list[int]) -> None:
         for number in numbers:
             del self._wishes[number]
             self._notices.append(RequestFailed(number, fate))
@@ -298,9 +298,9 @@ class ClientEnd:
         self._drop_connection()
         self._liveness.turn(event, why)
         if self.state is LinkState.ENDED:
-            self._fail(Fate.LOST, list(self._wishes))
+            self._fail(RequestFate.LOST, list(self._wishes))
         else:
-            self._fail(Fate.LOST, [number for number, wish in self._wishes.items() if wish.once])
+            self._fail(RequestFate.LOST, [number for number, wish in self._wishes.items() if wish.once])
 
     def _drop_connection(self) -> None:
         self._queues.clear()

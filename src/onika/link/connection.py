@@ -5,9 +5,16 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from typing import Protocol
 
-from onika.link.carrier import Beating, Carrier, PayloadSource, wait_for
+from onika.link.carrier import Carrier, HeartbeatCarrier, PayloadSource, wait_for
 from onika.link.channel import THREE, Channel
-from onika.link.link_events import Fate, LinkNotice, LinkStateChanged, ReadingReceived, ReplyReceived, RequestFailed
+from onika.link.link_events import (
+    LinkNotice,
+    LinkStateChanged,
+    ReadingReceived,
+    ReplyReceived,
+    RequestFailed,
+    RequestFate,
+)
 from onika.link.link_terms import LOCAL, LinkTerms
 from onika.link.lost import LinkLost, closed, here
 from onika.link.session_channels import SessionChannels
@@ -191,7 +198,7 @@ class Connection:
     def _vouch(self) -> None:
         """Whoever serves the connections is alive."""
         for carrier in self._session.carriers:
-            if isinstance(carrier, Beating):
+            if isinstance(carrier, HeartbeatCarrier):
                 carrier.served()
 
     def _sources(self) -> list[PayloadSource]:
@@ -235,8 +242,8 @@ class Connection:
     def _outcome(self, outcome: ReplyReceived | RequestFailed, timeout_s: float) -> bytes:
         if isinstance(outcome, ReplyReceived):
             return outcome.body
-        if outcome.fate is Fate.LOST:
+        if outcome.fate is RequestFate.LOST:
             raise self._lost or closed("it may or may not have been carried out")
-        if outcome.fate is Fate.UNSENT and self.state in (LinkState.APART, LinkState.ENDED):
+        if outcome.fate is RequestFate.UNSENT and self.state in (LinkState.APART, LinkState.ENDED):
             raise self._lost or closed()
         raise TimeoutError(f"not begun within {timeout_s:g} s: {outcome.fate.value}")

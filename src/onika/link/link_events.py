@@ -45,7 +45,7 @@ class ReplyReceived:
     body: bytes
 
 
-class Fate(Enum):
+class RequestFate(Enum):
     """What became of a request that got no answer."""
 
     UNSENT = "it was not sent, nothing was carried out"
@@ -58,7 +58,7 @@ class RequestFailed:
     """To the environment: this request gets no answer any more."""
 
     number: int
-    fate: Fate
+    fate: RequestFate
 
 
 @dataclass(frozen=True, slots=True)

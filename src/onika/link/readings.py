@@ -1,6 +1,6 @@
 """Readings that wait to be sent: the newest value under each key, dropped when it grows old."""
 
-from onika.wire.packet import Reading
+from onika.wire.packet import ReadingPacket
 
 
 class Readings:
@@ -23,16 +23,16 @@ class Readings:
         while self._bytes > self._keep_bytes and len(self._waiting) > 1:
             self._pop(next(iter(self._waiting)))
 
-    def take(self, room: int, now_ns: int) -> list[Reading]:
+    def take(self, room: int, now_ns: int) -> list[ReadingPacket]:
         """Readings for about `room` bytes; those that are too old are dropped."""
-        taken: list[Reading] = []
+        taken: list[ReadingPacket] = []
         while self._waiting and room > 0:
             key = next(iter(self._waiting))
             at_ns, body = self._pop(key)
             if self._age_ns and now_ns - at_ns > self._age_ns:
                 continue
             self._count += 1
-            taken.append(Reading(self._count, key, body))
+            taken.append(ReadingPacket(self._count, key, body))
             room -= len(body) + 32
         return taken
 

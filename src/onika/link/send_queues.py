@@ -7,7 +7,7 @@ from collections import deque
 from collections.abc import Sequence
 
 from onika.link.readings import Readings
-from onika.wire.packet import Packet, Part, Reply, Request
+from onika.wire.packet import Packet, Part, ReplyPacket, RequestPacket
 
 _OVERHEAD = 32
 
@@ -18,7 +18,7 @@ class SendQueues:
     def __init__(self, readings: Readings) -> None:
         self._readings = readings
         self._signal: deque[Packet] = deque()
-        self._session: deque[Request | Reply | Part] = deque()
+        self._session: deque[RequestPacket | ReplyPacket | Part] = deque()
         self._queued: set[tuple[type, int]] = set()
         self._last: Packet | None = None
 
@@ -26,7 +26,7 @@ class SendQueues:
         """Queue a packet that goes whatever the room: these are small and bounded by the signals' window."""
         self._signal.append(packet)
 
-    def session(self, parts: Sequence[Part], final: Request | Reply, urgent: bool = False) -> None:
+    def session(self, parts: Sequence[Part], final: RequestPacket | ReplyPacket, urgent: bool = False) -> None:
         """Queue a request or reply behind its parts, unless it waits here already; urgent ones pass the others."""
         if (type(final), final.number) in self._queued:
             return

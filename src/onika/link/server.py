@@ -14,7 +14,19 @@ from onika.link.reply_log import ClientReplies, ReplyLog, StoredReply
 from onika.link.send_queues import SendQueues
 from onika.link.signal_journal import SignalJournal
 from onika.link.state import LinkEvent, LinkState
-from onika.wire.packet import VERSION, Ack, Beat, Bye, Hello, Packet, Part, Reply, Request, Signal, Welcome
+from onika.wire.packet import (
+    VERSION,
+    Ack,
+    Beat,
+    Bye,
+    Hello,
+    Packet,
+    Part,
+    ReplyPacket,
+    RequestPacket,
+    SignalPacket,
+    Welcome,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,7 +166,7 @@ class ServerEnd:
             self._garbage(f"{type(packet).__name__} has no place on the {self._channel.value} channel")
             return
         match packet:
-            case Request():
+            case RequestPacket():
                 self._request(client_replies, packet, now_ns)
             case Part():
                 self._part(client_replies, packet)
@@ -197,7 +209,7 @@ class ServerEnd:
             # it may have been lost: the same once more, for what was said since goes on from there
             self._queues.signal(self._welcome)
 
-    def _request(self, client_replies: ClientReplies, request: Request, now_ns: int) -> None:
+    def _request(self, client_replies: ClientReplies, request: RequestPacket, now_ns: int) -> None:
         client_replies.settle(request.done_below)
         if len(client_replies.under_way) + len(
             client_replies.answers
@@ -230,7 +242,7 @@ class ServerEnd:
     def _repeat(self, client_replies: ClientReplies, number: int) -> None:
         answer = client_replies.answers[number]
         parts, last = split(number, answer.body, self._terms.piece)
-        self._queues.session(parts, Reply(number, answer.late, len(parts), last))
+        self._queues.session(parts, ReplyPacket(number, answer.late, len(parts), last))
 
     def _part(self, client_replies: ClientReplies, part: Part) -> None:
         if not client_replies.is_new(part.number):
@@ -262,7 +274,7 @@ class ServerEnd:
             return
         while self._sent_to < self._journal.last and self._sent_to - self._acked < self._terms.window:
             self._sent_to += 1
-            self._queues.signal(Signal(self._sent_to, self._journal.body(self._sent_to)))
+            self._queues.signal(SignalPacket(self._sent_to, self._journal.body(self._sent_to)))
 
     def _retry(self, now_ns: int) -> None:
         retry_ns = self._terms.retry_ns

@@ -24,7 +24,7 @@ class State(Enum):
     __hash__ = object.__hash__  # a member is one object: quicker than the hash of its name, at every step of a switch
 
 
-class Step(Enum):
+class LifecycleInput(Enum):
     """What can happen to a task: commands from outside, and what comes out of its own code."""
 
     INITIALISED = "initialised"
@@ -43,46 +43,46 @@ class Step(Enum):
     __hash__ = object.__hash__
 
 
-TABLE: dict[State, dict[Step, State]] = {
+TABLE: dict[State, dict[LifecycleInput, State]] = {
     State.WAITING: {
-        Step.INITIALISED: State.OFF,
-        Step.REBIND: State.WAITING,
-        Step.FAIL: State.ERROR,
-        Step.KILL: State.KILLED,
+        LifecycleInput.INITIALISED: State.OFF,
+        LifecycleInput.REBIND: State.WAITING,
+        LifecycleInput.FAIL: State.ERROR,
+        LifecycleInput.KILL: State.KILLED,
     },
     State.OFF: {
-        Step.ON: State.ON,
-        Step.ASK: State.ASKING,
-        Step.OFF: State.OFF,
-        Step.REINIT: State.OFF,
-        Step.REBIND: State.OFF,
-        Step.SWAP: State.OFF,
-        Step.FAIL: State.ERROR,
-        Step.KILL: State.KILLED,
+        LifecycleInput.ON: State.ON,
+        LifecycleInput.ASK: State.ASKING,
+        LifecycleInput.OFF: State.OFF,
+        LifecycleInput.REINIT: State.OFF,
+        LifecycleInput.REBIND: State.OFF,
+        LifecycleInput.SWAP: State.OFF,
+        LifecycleInput.FAIL: State.ERROR,
+        LifecycleInput.KILL: State.KILLED,
     },
     State.ASKING: {
-        Step.ANSWERED: State.ON,
-        Step.ASK: State.ASKING,
-        Step.OFF: State.OFF,
-        Step.FAIL: State.ERROR,
-        Step.KILL: State.KILLED,
+        LifecycleInput.ANSWERED: State.ON,
+        LifecycleInput.ASK: State.ASKING,
+        LifecycleInput.OFF: State.OFF,
+        LifecycleInput.FAIL: State.ERROR,
+        LifecycleInput.KILL: State.KILLED,
     },
     State.ON: {
-        Step.OFF: State.OFF,
-        Step.FINISH: State.OFF,
-        Step.SWAP: State.ON,
-        Step.FAIL: State.ERROR,
-        Step.KILL: State.KILLED,
+        LifecycleInput.OFF: State.OFF,
+        LifecycleInput.FINISH: State.OFF,
+        LifecycleInput.SWAP: State.ON,
+        LifecycleInput.FAIL: State.ERROR,
+        LifecycleInput.KILL: State.KILLED,
     },
     State.ERROR: {
-        Step.CLEAR: State.OFF,
-        Step.OFF: State.ERROR,
-        Step.REBIND: State.ERROR,
-        Step.SWAP: State.ERROR,
-        Step.FAIL: State.ERROR,
-        Step.KILL: State.KILLED,
+        LifecycleInput.CLEAR: State.OFF,
+        LifecycleInput.OFF: State.ERROR,
+        LifecycleInput.REBIND: State.ERROR,
+        LifecycleInput.SWAP: State.ERROR,
+        LifecycleInput.FAIL: State.ERROR,
+        LifecycleInput.KILL: State.KILLED,
     },
-    State.KILLED: {Step.KILL: State.KILLED, Step.OFF: State.KILLED},
+    State.KILLED: {LifecycleInput.KILL: State.KILLED, LifecycleInput.OFF: State.KILLED},
 }
 
 
@@ -90,7 +90,7 @@ class IllegalTransition(Exception):
     """A step that the table does not allow in this state; nothing has changed."""
 
 
-def after(state: State, step: Step) -> State:
+def after(state: State, step: LifecycleInput) -> State:
     """The state after a step; raises IllegalTransition and changes nothing where the table has no entry."""
     try:
         return TABLE[state][step]
@@ -99,7 +99,7 @@ def after(state: State, step: Step) -> State:
         raise IllegalTransition(f"expected one of {allowed} while {state.value}, found {step.value}") from None
 
 
-def refusal(state: State, step: Step) -> str:
+def refusal(state: State, step: LifecycleInput) -> str:
     """Why the table does not allow a step in this state; empty where it does."""
     try:
         after(state, step)

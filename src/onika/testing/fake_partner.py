@@ -19,7 +19,7 @@ from onika.runtime.partner.partner import Partner
 _PATIENCE_S = 5.0
 
 
-class Call:
+class PartnerConnection:
     """One connection of a task, seen from the partner's side."""
 
     def __init__(self, line: socket.socket) -> None:
@@ -63,7 +63,7 @@ class FakePartner:
         self._path = folder / "partner"
         self.address = f"unix:{self._path}"
         self._server: socket.socket | None = None
-        self._entry_points: list[Call] = []
+        self._entry_points: list[PartnerConnection] = []
         if listens:
             self.open()
 
@@ -74,11 +74,11 @@ class FakePartner:
         self._server.listen()
         self._server.settimeout(_PATIENCE_S)
 
-    def accept(self) -> Call:
+    def accept(self) -> PartnerConnection:
         """The next call; raises TimeoutError where nobody calls."""
         if self._server is None:
             raise RuntimeError("expected an outsider that listens: open it first")
-        self._entry_points.append(Call(self._server.accept()[0]))
+        self._entry_points.append(PartnerConnection(self._server.accept()[0]))
         return self._entry_points[-1]
 
     def close(self) -> None:

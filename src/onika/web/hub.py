@@ -9,7 +9,7 @@ from typing import Any, Protocol
 import msgspec
 
 from onika import __version__
-from onika.desk.environment.environment import Answer, Environment
+from onika.desk.environment.environment import ActAnswer, Environment
 from onika.desk.environment.outcome.outcome import Done
 from onika.web.outbox import Outbox
 from onika.wire import act, page
@@ -121,7 +121,7 @@ class Hub:
             if made[key]:
                 client.outbox.frame(made[key])
 
-    def _answer(self, client: BrowserClient, cid: int, given: Answer) -> None:
+    def _answer(self, client: BrowserClient, cid: int, given: ActAnswer) -> None:
         revision = self._environment.revision
         no = given.no
         message = (

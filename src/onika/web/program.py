@@ -11,7 +11,7 @@ from pathlib import Path
 
 from onika.desk.environment import initial_model, preferences as preferring, refresh
 from onika.desk.environment.diary import Diary
-from onika.desk.environment.environment import Answer, Environment
+from onika.desk.environment.environment import ActAnswer, Environment
 from onika.desk.environment.file.autosave import Autosave
 from onika.desk.environment.file.disk_watch import DiskWatch
 from onika.desk.environment.file.recovery import Recovery, reopened
@@ -45,7 +45,7 @@ _NAME = "Onika"
 
 
 @dataclass(frozen=True, slots=True)
-class Wishes:
+class EnvironmentOptions:
     """How an environment is to begin.
 
     files           configurations to open
@@ -67,7 +67,7 @@ class Wishes:
 class EnvironmentProgram:
     """One environment from its beginning to its end; `state` is where diary and recovery are kept."""
 
-    def __init__(self, site: Site, wishes: Wishes, state: Path) -> None:
+    def __init__(self, site: Site, wishes: EnvironmentOptions, state: Path) -> None:
         self._site = site
         self._wishes = wishes
         self._state = state
@@ -156,7 +156,7 @@ class EnvironmentProgram:
     def _open(self, environment: Environment) -> None:
         """The files that were named; a blank configuration where there is nothing."""
 
-        def report(given: Answer) -> None:
+        def report(given: ActAnswer) -> None:
             if given.no is not None:
                 environment.say(page.Say("error", given.no.reason))
 

@@ -42,7 +42,7 @@ class Welcome(msgspec.Struct, frozen=True, array_like=True, tag="welcome", forbi
     clock_ns: Count
 
 
-class Request(msgspec.Struct, frozen=True, array_like=True, tag="request", forbid_unknown_fields=True):
+class RequestPacket(msgspec.Struct, frozen=True, array_like=True, tag="request", forbid_unknown_fields=True):
     """A question; every number below `done_below` is settled for the asker; deadline on the runtime's clock, 0 none."""
 
     number: Count
@@ -52,7 +52,7 @@ class Request(msgspec.Struct, frozen=True, array_like=True, tag="request", forbi
     body: bytes
 
 
-class Reply(msgspec.Struct, frozen=True, array_like=True, tag="reply", forbid_unknown_fields=True):
+class ReplyPacket(msgspec.Struct, frozen=True, array_like=True, tag="reply", forbid_unknown_fields=True):
     """The answer to the request of that number; late: it came after its deadline and was not carried out."""
 
     number: Count
@@ -69,7 +69,7 @@ class Part(msgspec.Struct, frozen=True, array_like=True, tag="part", forbid_unkn
     body: bytes
 
 
-class Signal(msgspec.Struct, frozen=True, array_like=True, tag="signal", forbid_unknown_fields=True):
+class SignalPacket(msgspec.Struct, frozen=True, array_like=True, tag="signal", forbid_unknown_fields=True):
     """The signal of that number in the runtime's epoch."""
 
     seq: Count
@@ -82,7 +82,7 @@ class Ack(msgspec.Struct, frozen=True, array_like=True, tag="ack", forbid_unknow
     seq: Count
 
 
-class Reading(msgspec.Struct, frozen=True, array_like=True, tag="reading", forbid_unknown_fields=True):
+class ReadingPacket(msgspec.Struct, frozen=True, array_like=True, tag="reading", forbid_unknown_fields=True):
     """The newest value under a key; `count` grows from reading to reading, so that an overtaken one is known."""
 
     count: Count
@@ -106,7 +106,7 @@ class Bye(msgspec.Struct, frozen=True, array_like=True, tag="bye", forbid_unknow
     reason: Sentence
 
 
-Packet = Hello | Welcome | Request | Reply | Part | Signal | Ack | Reading | Beat | Bye
+Packet = Hello | Welcome | RequestPacket | ReplyPacket | Part | SignalPacket | Ack | ReadingPacket | Beat | Bye
 
 _encoder = msgspec.msgpack.Encoder()
 _decoder: msgspec.msgpack.Decoder[Packet] = msgspec.msgpack.Decoder(Packet)

@@ -3,7 +3,7 @@ from typing import get_args
 import pytest
 
 from onika.desk.environment.diary_entry import _EVENTS, HEADER, DiaryEntry, entry
-from onika.desk.environment.environment import Answer
+from onika.desk.environment.environment import ActAnswer
 from onika.desk.environment.outcome.outcome import No
 from onika.wire import act
 
@@ -11,7 +11,7 @@ NAMES = {"c1": "Untitled-1", "c2": "move"}
 
 
 def columns(asked, value=None, no=None):
-    return entry(asked, Answer(value, no), NAMES).line(770909683.25).split("\t")
+    return entry(asked, ActAnswer(value, no), NAMES).line(770909683.25).split("\t")
 
 
 def test_a_line_has_the_seven_columns_of_the_thesis():  # R-H01, §E.2
@@ -68,7 +68,7 @@ def test_every_act_of_a_user_has_its_event_and_what_a_page_asks_by_itself_has_no
     of_the_page = {act.Watch, act.Scene, act.Peek, act.Seats}
     of_the_page |= {act.Company, act.Recordings, act.Glance, act.Course, act.RecordedScene}
     assert set(_EVENTS) == set(get_args(act.AnyAct)) - of_the_page - {act.Note}
-    assert entry(act.Watch(), Answer(), NAMES) is None
+    assert entry(act.Watch(), ActAnswer(), NAMES) is None
 
 
 def test_a_text_can_never_break_a_line():  # R-H01
@@ -84,4 +84,4 @@ def test_a_text_can_never_break_a_line():  # R-H01
 
 
 def test_a_token_is_never_written():  # R-H01
-    assert "secret" not in entry(act.Connect("c1", "ws://robot", "secret"), Answer(), NAMES).line(0.0)
+    assert "secret" not in entry(act.Connect("c1", "ws://robot", "secret"), ActAnswer(), NAMES).line(0.0)

@@ -4,7 +4,16 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from kit.environment_fixture import EnvironmentFixture
-from onika.desk.environment.outcome.outcome import Ask, Done, EditEnd, No, Shown, SubsystemChange, Until, Work
+from onika.desk.environment.outcome.outcome import (
+    Ask,
+    AwaitedNews,
+    Done,
+    EditEnd,
+    InterimModel,
+    No,
+    SubsystemChange,
+    Work,
+)
 from onika.model.task import Task
 from onika.wire import act, live, page, request
 
@@ -129,7 +138,7 @@ def test_two_acts_that_ask_the_same_get_each_its_own_reply(begin):
 def test_what_an_act_has_done_is_shown_while_it_waits_and_stays_where_it_is_refused_then(begin):  # R-X10
     def procedure(model, _act, _outside):
         model, _ = yield Ask(people(model, 2), live.Survey())
-        model, _ = yield Shown(people(model, model.people + 1))
+        model, _ = yield InterimModel(people(model, model.people + 1))
         return No("not so many")
 
     sitting, answers = begin(procedure)
@@ -150,7 +159,7 @@ def test_an_act_may_wait_for_work_that_is_done_aside(begin):
 
 def test_an_act_may_wait_until_something_comes_by_itself_and_so_may_several(begin):
     def procedure(model, _act, _outside):
-        model, news = yield Until(model, EditEnd(7))
+        model, news = yield AwaitedNews(model, EditEnd(7))
         return Done(model, value=news)
 
     sitting, answers = begin(procedure)

@@ -3,7 +3,7 @@ from pathlib import Path
 
 import pytest
 
-from onika.desk.plan.iconify import Made, iconify
+from onika.desk.plan.iconify import IconifiedFile, iconify
 from onika.files import syntax as syntax_file
 from onika.files.rmod import RmodText
 from onika.model.application import AppFlow, Application, Hole, Icon
@@ -35,13 +35,13 @@ def site(tmp_path: Path) -> Site:
 
 def made(path: Path, site: Site, **given: object) -> Onikon:
     outcome = iconify(path, site, **given)  # type: ignore[arg-type]
-    assert isinstance(outcome, Made), outcome
+    assert isinstance(outcome, IconifiedFile), outcome
     return outcome.onikon
 
 
 def reasons(path: Path, site: Site, **given: object) -> list[str]:
     outcome = iconify(path, site, **given)  # type: ignore[arg-type]
-    assert not isinstance(outcome, Made)
+    assert not isinstance(outcome, IconifiedFile)
     return list(map(str, outcome))
 
 

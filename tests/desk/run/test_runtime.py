@@ -9,7 +9,7 @@ from tests.sentences import found_by
 from kit.plan_builder import PlanBuilder, action
 from kit.rail_world import rail_tasks
 from onika.desk.run import runtime as room
-from onika.desk.run.runtime import NumberedResponse, Runtime
+from onika.desk.run.runtime import LaunchedRuntime, NumberedResponse
 from onika.link.launcher import launch
 from onika.link.lost import LinkLost
 from onika.wire import event, live, request
@@ -54,7 +54,7 @@ def events_of(runtime):
 
 
 def test_a_runtime_is_asked_and_listened_to_until_the_block_ends():  # R-F01, reading 1
-    with Runtime(("rt0",), is_virtual=True) as runtime:
+    with LaunchedRuntime(("rt0",), is_virtual=True) as runtime:
         assert runtime.ask(request.Prepare(bell(), ())) == request.Prepared(())
         assert runtime.ask(request.Begin()) == request.Done()
         *_, result = events_of(runtime)
@@ -66,7 +66,7 @@ def test_a_runtime_is_asked_and_listened_to_until_the_block_ends():  # R-F01, re
 
 
 def test_whoever_stops_listening_hears_the_rest_next_time():  # R-F01
-    with Runtime(("rt0",), is_virtual=True) as runtime:
+    with LaunchedRuntime(("rt0",), is_virtual=True) as runtime:
         runtime.ask(request.Prepare(bell(), ()))
         runtime.ask(request.Begin())
         messages = []
@@ -78,7 +78,7 @@ def test_whoever_stops_listening_hears_the_rest_next_time():  # R-F01
 
 def test_names_and_kind_of_time_are_passed_on(puppet):
     puppet("import sys; print(sys.argv[1:], flush=True)")
-    runtime = Runtime(("rt0", "rt1"), is_virtual=True, with_fifo=False)
+    runtime = LaunchedRuntime(("rt0", "rt1"), is_virtual=True, with_fifo=False)
     with pytest.raises(LinkLost, match=r"'--rtpu', 'rt0', '--rtpu', 'rt1', '--virtual', '--no-fifo'"), runtime:
         pass
 
@@ -92,12 +92,12 @@ def test_names_and_kind_of_time_are_passed_on(puppet):
 )
 def test_a_runtime_that_ends_tells_how_and_what_it_printed_last(puppet, code, sentence):  # R-E10
     puppet(code)
-    with pytest.raises(LinkLost, match=sentence), Runtime(("rt0",), is_virtual=True):
+    with pytest.raises(LinkLost, match=sentence), LaunchedRuntime(("rt0",), is_virtual=True):
         pass
 
 
 def test_a_runtime_lost_in_the_middle_is_told(puppet):  # R-E10
-    with Runtime(("rt0",), is_virtual=True) as runtime:
+    with LaunchedRuntime(("rt0",), is_virtual=True) as runtime:
         os.kill(runtime.pid, signal.SIGKILL)
         with pytest.raises(LinkLost, match=r"the runtime is gone.*killed by signal 9"):
             for _ in events_of(runtime):
@@ -108,14 +108,14 @@ def test_a_runtime_lost_in_the_middle_is_told(puppet):  # R-E10
 
 def test_faults_of_a_plan_come_back_over_the_link():  # R-E01
     plan = rail_tasks().plan([action("mass", "servo", arguments="99")])
-    with Runtime(("rt0",), is_virtual=True) as runtime:
+    with LaunchedRuntime(("rt0",), is_virtual=True) as runtime:
         faults = runtime.ask(request.Prepare(plan, ())).faults
     assert any("expected -9..9 m, found 99" in found_by(fault) for fault in faults)
     assert any("DEVICE yard:m0" in str(fault.reason) for fault in faults)  # a world that this runtime has not
 
 
 def test_what_is_sent_is_not_waited_for_and_answered_under_its_number():
-    with Runtime(("rt0",), is_virtual=True) as runtime:
+    with LaunchedRuntime(("rt0",), is_virtual=True) as runtime:
         numbers = [runtime.send(message) for message in (live.Survey(), live.Take("main"), live.Scene("moon"))]
         messages = []
         while sum(isinstance(message, NumberedResponse) for message in messages) < len(numbers):
@@ -128,7 +128,7 @@ def test_what_is_sent_is_not_waited_for_and_answered_under_its_number():
 
 
 def test_what_is_sent_to_nobody_is_refused_and_the_end_is_told(puppet):  # R-E10
-    with Runtime(("rt0",), is_virtual=True) as runtime:
+    with LaunchedRuntime(("rt0",), is_virtual=True) as runtime:
         os.kill(runtime.pid, signal.SIGKILL)
         number, messages = runtime.send(live.Take("main")), []
         with pytest.raises(LinkLost, match="killed by signal 9"):

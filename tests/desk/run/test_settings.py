@@ -1,4 +1,4 @@
-from onika.desk.run.settings import Elsewhere, RunSettings
+from onika.desk.run.settings import RunSettings, RuntimeLocation
 from onika.words.condition import Condition
 
 
@@ -9,7 +9,7 @@ def test_a_run_is_as_usual_unless_said_otherwise():  # R-E01, R-E08, R-E10
 
 
 def test_a_runtime_elsewhere_needs_no_more_than_its_address():  # R-F01
-    assert (Elsewhere("ws://127.0.0.1:7994").token, Elsewhere("ws://127.0.0.1:7994").ca) == ("", None)
+    assert (RuntimeLocation("ws://127.0.0.1:7994").token, RuntimeLocation("ws://127.0.0.1:7994").ca) == ("", None)
 
 
 def test_the_runtime_is_asked_for_what_it_has_to_know():  # R-E01, R-X07

@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from onika.desk.run.settings import Elsewhere, RunSettings
+from onika.desk.run.settings import RunSettings, RuntimeLocation
 from onika.desk.trial import keeping
 from onika.desk.trial.account import RunAccount
 from onika.desk.trial.keeping import keep, keep_in
@@ -90,7 +90,7 @@ def test_only_a_good_run_can_be_kept(workshop):  # R-X07
     ("more", "remedy"),
     [
         ({"is_virtual": False}, "give --virtual"),
-        ({"elsewhere": Elsewhere("ws://127.0.0.1:1")}, "leave out --runtime"),
+        ({"elsewhere": RuntimeLocation("ws://127.0.0.1:1")}, "leave out --runtime"),
         ({"subsystems": ("left",)}, "leave out --subsystem"),
     ],
 )

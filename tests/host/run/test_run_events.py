@@ -32,7 +32,9 @@ def test_a_flow_that_waits_is_told_with_the_names_of_those_it_waits_for():  # R-
 
 
 def test_a_note_names_its_subsystem():  # R-A08
-    assert told(lambda events: events.note(orders.Note(1, "so"), 1_000_000_000)) == event.Warned("right", "", "so", 0)
+    assert told(lambda events: events.note(orders.RunNote(1, "so"), 1_000_000_000)) == event.Warned(
+        "right", "", "so", 0
+    )
 
 
 def test_a_meeting_is_told_in_the_time_of_the_run():  # R-E11

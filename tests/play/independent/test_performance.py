@@ -8,7 +8,7 @@ from hypothesis import given, settings, strategies as st
 from kit import build
 from onika.engine.engine import Engine
 from onika.engine.news import Abort, Failed, Finished, Illegal, News, Refused, Run, Spawned, SwitchedOff, TurnedOn
-from onika.engine.orders import Began, Done, Kill, Moved, Note, Order, Settle, Spawn, Switch, Together
+from onika.engine.orders import Began, Done, Kill, Moved, Order, RunNote, Settle, Spawn, Switch, Together
 
 from .performance import Action, Event, Performance
 
@@ -91,7 +91,7 @@ class Stage:
                 return [("runs again", order.flow)]
             case Moved(state="done"):
                 return [("is done", order.flow)]
-            case Note() if not isinstance(news, Run | Abort):
+            case RunNote() if not isinstance(news, Run | Abort):
                 return [(next(what for text, what in TELLS.items() if text in order.text), order.flow, news.task)]
             case _:
                 raise AssertionError(f"expected no {order} while the application runs")

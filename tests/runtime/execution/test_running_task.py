@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from onika.model.lifecycle import IllegalTransition, State, Step
+from onika.model.lifecycle import IllegalTransition, LifecycleInput, State
 from onika.module import InBoth, InConst, Input, InVar, Local, Module, ModuleError, OutBoth, OutConst, OutVar
 from onika.ring.segment import Segment
 from onika.runtime.command import BoundPort, Spawn
@@ -149,9 +149,9 @@ def test_what_is_in_force_is_named_as_the_module_names_it(place):  # law 3
 def test_the_state_follows_the_table_of_lifecycles(place):  # law 11
     task = place.task(Steps)
     with pytest.raises(IllegalTransition):
-        task.step(Step.ON)
+        task.step(LifecycleInput.ON)
     assert task.state is State.WAITING
-    task.step(Step.INITIALISED)
+    task.step(LifecycleInput.INITIALISED)
     assert task.state is State.OFF
 
 

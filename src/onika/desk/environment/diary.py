@@ -9,7 +9,7 @@ from queue import SimpleQueue
 
 from onika.desk.environment.application_entry import ApplicationNames
 from onika.desk.environment.diary_entry import HEADER, DiaryEntry, entry
-from onika.desk.environment.environment import Answer
+from onika.desk.environment.environment import ActAnswer
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
@@ -49,7 +49,7 @@ class Diary:
         self._thread.start()
         self._put(DiaryEntry("Start_Onika"))
 
-    def observe(self, command: act.AnyAct, _by: str, answer: Answer) -> None:
+    def observe(self, command: act.AnyAct, _by: str, answer: ActAnswer) -> None:
         """An act has been answered."""
         if self._wrong and not self._is_told:
             self._is_told = True

@@ -9,8 +9,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from onika.desk.environment import application_entry
-from onika.desk.environment.environment import Answer
-from onika.desk.environment.state.open_file import Kind
+from onika.desk.environment.environment import ActAnswer
+from onika.desk.environment.state.open_file import DocumentKind
 from onika.wire import act
 
 HEADER = "time\tevent\tobject\tid\tassociated\tassociated_id\twindow"
@@ -140,7 +140,7 @@ class DiaryEntry:
         return "\t".join(words)
 
 
-def entry(command: act.AnyAct, answer: Answer, names: Mapping[str, str]) -> DiaryEntry | None:
+def entry(command: act.AnyAct, answer: ActAnswer, names: Mapping[str, str]) -> DiaryEntry | None:
     """What is written of an act; None: nothing. `names` are those of documents by their ids."""
     if isinstance(command, act.Note):
         return DiaryEntry(
@@ -162,7 +162,7 @@ def entry(command: act.AnyAct, answer: Answer, names: Mapping[str, str]) -> Diar
     return DiaryEntry(name, *_things(command, answer, names), window)
 
 
-def _things(command: act.AnyAct, answer: Answer, names: Mapping[str, str]) -> tuple[str, str, str, str]:
+def _things(command: act.AnyAct, answer: ActAnswer, names: Mapping[str, str]) -> tuple[str, str, str, str]:
     """Object, its id, associated object, its id."""
     if of_application := application_entry.things(command, answer.value, names):
         return of_application
@@ -186,11 +186,11 @@ def _things(command: act.AnyAct, answer: Answer, names: Mapping[str, str]) -> tu
     return _listed(things), _ids(doc, things), *document
 
 
-def _is_of_application(command: act.AnyAct, answer: Answer) -> bool:
+def _is_of_application(command: act.AnyAct, answer: ActAnswer) -> bool:
     """Whether an act that both kinds of documents know was about an application."""
     if isinstance(command, act.Open):
-        return Kind.of(str(answer.value or "")) is Kind.APPLICATION or command.path.endswith(".appl")
-    return Kind.of(getattr(command, "doc", "")) is Kind.APPLICATION
+        return DocumentKind.of(str(answer.value or "")) is DocumentKind.APPLICATION or command.path.endswith(".appl")
+    return DocumentKind.of(getattr(command, "doc", "")) is DocumentKind.APPLICATION
 
 
 def _named(command: act.AnyAct) -> tuple[str, ...]:

@@ -5,7 +5,17 @@ from dataclasses import dataclass, replace
 from typing import Any, Protocol, cast
 
 from onika.desk.environment.file import undo
-from onika.desk.environment.outcome.outcome import Ask, Done, No, Order, Procedure, Shown, SubsystemChange, Until, Work
+from onika.desk.environment.outcome.outcome import (
+    Ask,
+    AwaitedNews,
+    Done,
+    InterimModel,
+    No,
+    Order,
+    Procedure,
+    SubsystemChange,
+    Work,
+)
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile import following
 from onika.desk.environment.show.tree import Projector
@@ -19,7 +29,7 @@ Handler = Callable[[Model, Any, Services], Done | No | Procedure]
 """What an act does: of a model, the act and the outside. One that waits is a generator."""
 
 
-class Listener(Protocol):
+class ModelListener(Protocol):
     """Whoever is shown what changes."""
 
     def patch(self, patch: page.Patch) -> None:
@@ -40,7 +50,7 @@ class RuntimeChannel(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class Answer:
+class ActAnswer:
     """What an act gets: a value, or a no."""
 
     value: Any = None
@@ -52,7 +62,7 @@ class _Act:
     """An act that is carried out: how it goes on where it waits, and who gets its answer."""
 
     steps: Procedure | None
-    answer: Callable[[Answer], None]
+    answer: Callable[[ActAnswer], None]
 
 
 class Environment:
@@ -72,16 +82,16 @@ class Environment:
         self._waiting: dict[Hashable, list[_Act]] = {}
         """Acts by what they wait for: a response, work that is done aside, a change of a running system."""
         self.model = model
-        self.listeners: list[Listener] = []
-        self.observers: list[Callable[[act.AnyAct, str, Answer], None]] = []
+        self.listeners: list[ModelListener] = []
+        self.observers: list[Callable[[act.AnyAct, str, ActAnswer], None]] = []
         """Told of every act, by whom and how it ended: the diary."""
         self.revision = 0
         self.tree: Tree = self._projector.project(model)
 
-    def do(self, command: act.AnyAct, by: str, answer: Callable[[Answer], None]) -> None:
+    def do(self, command: act.AnyAct, by: str, answer: Callable[[ActAnswer], None]) -> None:
         """Carry an act out, and answer it once: now, or when the runtime has said what comes of it."""
 
-        def tell(given: Answer) -> None:
+        def tell(given: ActAnswer) -> None:
             for observer in self.observers:
                 observer(command, by, given)
             answer(given)
@@ -121,27 +131,27 @@ class Environment:
         for listener in self.listeners:
             listener.say(message)
 
-    def _go_on(self, carried: _Act, outcome: Shown | Done | No, by: str = "") -> None:
+    def _go_on(self, carried: _Act, outcome: InterimModel | Done | No, by: str = "") -> None:
         """Answer an act that has come to its end; keep one that waits by what it waits for."""
         if isinstance(outcome, No):
-            carried.answer(Answer(no=outcome))
+            carried.answer(ActAnswer(no=outcome))
             return
         if isinstance(outcome, Done):
             self._adopt(outcome, by)
-            carried.answer(Answer(outcome.value))
+            carried.answer(ActAnswer(outcome.value))
             return
         orders = outcome.orders
         if isinstance(outcome, Ask):
             order = Order(outcome.request, reach=outcome.reach)
             orders = (order, *orders)
             self._waiting[order] = [carried]
-        elif isinstance(outcome, Until):
+        elif isinstance(outcome, AwaitedNews):
             self._waiting.setdefault(outcome.what, []).append(carried)
         self._adopt(Done(outcome.model, orders=orders, says=outcome.says, news=outcome.news), by)
         if isinstance(outcome, Work):
             self._waiting[outcome] = [carried]
             outcome.worker.answer(outcome.work, outcome)
-        elif type(outcome) is Shown:
+        elif type(outcome) is InterimModel:
             self._resume(carried, None)
 
     def _come(self, what: Hashable, news: Any) -> None:
@@ -156,7 +166,9 @@ class Environment:
         if carried.steps is not None:
             self._go_on(carried, _next(carried.steps, (self.model, news)))
 
-    def _followed(self, before: Model, outcome: Shown | Done | No, by: str, command: act.AnyAct) -> Shown | Done | No:
+    def _followed(
+        self, before: Model, outcome: InterimModel | Done | No, by: str, command: act.AnyAct
+    ) -> InterimModel | Done | No:
         """Make a step of what was done to a document, and have the running system follow."""
         if isinstance(outcome, No):
             return outcome
@@ -194,7 +206,7 @@ class Environment:
             listener.patch(patch)
 
 
-def _next(steps: Procedure, news: tuple[Model, Any] | None) -> Shown | Done | No:
+def _next(steps: Procedure, news: tuple[Model, Any] | None) -> InterimModel | Done | No:
     """What an act does until it waits again, or ends."""
     try:
         return next(steps) if news is None else steps.send(news)
@@ -204,7 +216,7 @@ def _next(steps: Procedure, news: tuple[Model, Any] | None) -> Shown | Done | No
 
 def _taken_up(done: Done, change: SubsystemChange) -> Procedure:
     """An act that changes a running system, answered when the change is accepted or refused."""
-    model, refused = yield Until(done.model, change, says=done.says, orders=done.orders, news=done.news)
+    model, refused = yield AwaitedNews(done.model, change, says=done.says, orders=done.orders, news=done.news)
     return Done(model, value=done.value) if refused is None else refused
 
 

@@ -16,7 +16,7 @@ from onika.desk.environment.reconcile import runtime_loss
 from onika.desk.environment.reconcile.loop_watchdog import LoopWatchdog
 from onika.desk.environment.reconcile.multiplexer import Multiplexer
 from onika.desk.environment.reconcile.watches import Watch
-from onika.desk.run.runtime import Conversation, in_short
+from onika.desk.run.runtime import RuntimeConversation, in_short
 from onika.link.lost import LinkLost
 from onika.wire import event, page, request
 
@@ -29,7 +29,7 @@ class RuntimeOpening(Protocol):
 
     def __call__(
         self, url: str, token: str, simulator: Simulator | None = None
-    ) -> AbstractContextManager[Conversation]:
+    ) -> AbstractContextManager[RuntimeConversation]:
         """At an address, or where that is empty one that is started here; raises LinkLost, ValueError, OSError."""
         ...
 
@@ -49,8 +49,8 @@ class RuntimeThread:
         self._door.setblocking(False)
         self._is_over = False
         self._thread: Thread | None = None
-        self._entered: AbstractContextManager[Conversation] | None = None
-        self._runtime: Conversation | None = None
+        self._entered: AbstractContextManager[RuntimeConversation] | None = None
+        self._runtime: RuntimeConversation | None = None
         self._talk: Multiplexer | None = None
         self._url = ""
         self._tokens: dict[str, str] = {}

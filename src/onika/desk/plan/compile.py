@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from hashlib import sha256
 
-from onika.desk.plan.sequence import Doing, FlowSequence, Sequencer, plain_type
+from onika.desk.plan.sequence import FlowSequence, SequencedAction, Sequencer, plain_type
 from onika.files import text
 from onika.model.application import Icon
 from onika.model.configuration import Placed
@@ -119,7 +119,9 @@ class Compiler:
                 place = self._places.get(task.name, task.name)
                 yield chosen[task.name], planned_task(task, placed.rtpu, self._digests.get(task.module, ""), place)
 
-    def _action(self, doing: Doing, placed: Sequence[Placed], tasks: Mapping[str, PlannedTask]) -> PlannedAction:
+    def _action(
+        self, doing: SequencedAction, placed: Sequence[Placed], tasks: Mapping[str, PlannedTask]
+    ) -> PlannedAction:
         job = doing.icon.onikon
         names = [target.onikon.name for target in doing.targets]
         present = [placed for placed in placed if placed.task in tasks]

@@ -24,7 +24,7 @@ _FOLDERS = {conf.ENDING: "conf", appl.ENDING: "appl"}
 
 
 @dataclass(frozen=True, slots=True)
-class Made:
+class IconifiedFile:
     """An icon, the file it stands in now, and what is worth knowing."""
 
     path: Path
@@ -52,7 +52,7 @@ class _Source:
 
 def iconify(
     path: Path, site: Site, *, description: str | None = None, picture: Path | None = None, replaces: bool = False
-) -> Made | Reasons:
+) -> IconifiedFile | Reasons:
     """Write `dict/NAME.onk` for the configuration or application in the file `path`; or say why not.
 
     An icon that is there keeps its description and picture, unless others are given; `picture` is the file of an icon
@@ -79,7 +79,7 @@ def iconify(
     saved = source.home.save_onikon(onikon, former, overwrites=replaces)
     if isinstance(saved, Refusal):
         return (saved,)
-    return Made(saved.path, onikon, faults)
+    return IconifiedFile(saved.path, onikon, faults)
 
 
 def _source(path: Path, site: Site) -> _Source | Reasons:

@@ -17,7 +17,7 @@ from onika.words.reason import Reason
 
 
 @dataclass(frozen=True, slots=True)
-class Seat:
+class RedirectableTask:
     """A task that a flow uses: who has its place now, and who else could."""
 
     task: Task
@@ -73,13 +73,13 @@ def faults(redirects: Sequence[Redirect], plan: Plan, program: ApplicationProgra
 
 def seats(
     program: ApplicationProgram, plan: Plan, redirects: Sequence[Redirect], known_tasks: Iterable[Task]
-) -> dict[str, tuple[Seat, ...]]:
+) -> dict[str, tuple[RedirectableTask, ...]]:
     """For every flow that is not nested, by its subsystem: the tasks that it uses, each with who could stand for it.
 
     known   the tasks of all libraries
     """
     library = list(known_tasks)
-    seats_of: dict[str, tuple[Seat, ...]] = {}
+    seats_of: dict[str, tuple[RedirectableTask, ...]] = {}
     homes = chiefs(plan)
     for home in homes:
         own = _within(plan, home)
@@ -89,7 +89,7 @@ def seats(
         for task in _used(plan, program, own).values():
             crews = {key: crew for name in own for key, crew in _crews(plan, program, redirects, name, task.name)}
             taken_by = choice(redirects, home).get(task.name, task.name)
-            seats.append(Seat(task, taken_by, tuple(candidates(task, library, crews, others))))
+            seats.append(RedirectableTask(task, taken_by, tuple(candidates(task, library, crews, others))))
         seats_of[home] = tuple(seats)
     return seats_of
 

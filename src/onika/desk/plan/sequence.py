@@ -16,7 +16,7 @@ from onika.wire.plan import Again, Choose, Do, Fork, Halt, Instruction, Join, Ju
 
 
 @dataclass(frozen=True, slots=True)
-class Doing:
+class SequencedAction:
     """An action in line: its icon, its targets, the file it stands in and the applications around it."""
 
     icon: Icon
@@ -34,7 +34,7 @@ class FlowSequence:
 
     subsystem: str
     parent: int | None = None
-    doings: list[Doing] = field(default_factory=list)
+    doings: list[SequencedAction] = field(default_factory=list)
     program: list[Instruction] = field(default_factory=list)
 
     def put(self, *instructions: Instruction) -> None:
@@ -112,7 +112,7 @@ class Sequencer:
             line.put(Do(len(line.doings)))
             is_noop = kind is not None and kind.is_noop
             spot = (*context.spot, icon.line)
-            line.doings.append(Doing(icon, targets, context.file, context.within, is_noop, spot))
+            line.doings.append(SequencedAction(icon, targets, context.file, context.within, is_noop, spot))
             line.put(*([Rest(len(line.doings) - 1, icon.marker_if)] if icon.marker else []))
             return
         self._nested(number, icon, targets, context)

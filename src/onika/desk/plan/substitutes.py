@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from onika.desk.plan.preparation import PreparedRun
-from onika.desk.plan.redirection import Seat, seats
+from onika.desk.plan.redirection import RedirectableTask, seats
 from onika.model.redirect import Redirect
 from onika.store.library import open_libraries
 from onika.store.site import Site
@@ -32,7 +32,7 @@ def with_substitutes(
     return [_helped(fault, taken.get(places.get(fault.place.file, ""))) for fault in faults]
 
 
-def _helped(fault: Fault, seat: Seat | None) -> Fault:
+def _helped(fault: Fault, seat: RedirectableTask | None) -> Fault:
     if seat is None or fault.remedies:
         return fault
     names = [

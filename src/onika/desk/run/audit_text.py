@@ -2,11 +2,11 @@
 
 from collections.abc import Iterator
 
-from onika.files.trail import Record, Trail
+from onika.files.trail import Record, TrailReading
 from onika.words.reason import NOTHING, Reason
 
 
-def lines(trail: Trail) -> Iterator[Reason]:
+def lines(trail: TrailReading) -> Iterator[Reason]:
     """The records, oldest first."""
     for record in trail.records:
         yield sentence(record)
@@ -29,7 +29,7 @@ def sentence(record: Record) -> Reason:
     )
 
 
-def verdict(trail: Trail) -> Reason:
+def verdict(trail: TrailReading) -> Reason:
     """Whether it is whole, and by which hash its end can be known again."""
     count = len(trail.records)
     if trail.faults:

@@ -15,7 +15,7 @@ from onika.desk.run.interruption import Interruption
 from onika.desk.run.outcome import Outcome
 from onika.desk.run.recorded_run import RecordedRun, recorded_run
 from onika.desk.run.running_application import Running
-from onika.desk.run.runtime import Conversation, Reached, Runtime, connect
+from onika.desk.run.runtime import LaunchedRuntime, RemoteRuntime, RuntimeConversation, connect
 from onika.desk.run.script_player import ScriptPlayer
 from onika.desk.run.settings import RunSettings
 from onika.desk.run.steering_script import ScriptLine
@@ -228,22 +228,22 @@ def _unrecorded(settings: RunSettings) -> tuple[Fault, ...]:
     )
 
 
-def _runtime(settings: RunSettings, plan: Plan, recorded: RecordedRun | None) -> Runtime | Reached:
+def _runtime(settings: RunSettings, plan: Plan, recorded: RecordedRun | None) -> LaunchedRuntime | RemoteRuntime:
     if recorded is not None:
-        return Runtime(recorded.run.rtpus, True, False, recorded.run.options)
+        return LaunchedRuntime(recorded.run.rtpus, True, False, recorded.run.options)
     if settings.elsewhere is not None:
         return connect(settings.elsewhere.url, settings.elsewhere.token, settings.elsewhere.ca)
     given = {"--scale": settings.scale, "--shake": settings.shake}
     options = tuple(word for key, value in given.items() if value is not None for word in (key, f"{value:.15g}"))
-    return Runtime(rtpus_of(plan), settings.is_virtual, settings.with_fifo, options)
+    return LaunchedRuntime(rtpus_of(plan), settings.is_virtual, settings.with_fifo, options)
 
 
-def _is_virtual(runtime: Conversation) -> bool:
+def _is_virtual(runtime: RuntimeConversation) -> bool:
     answer = runtime.ask(live.Survey())
     return isinstance(answer, live.Standing) and answer.is_virtual
 
 
-def _prepare(prepared: PreparedRun, plan: Plan, runtime: Conversation, outcome: Outcome) -> None:
+def _prepare(prepared: PreparedRun, plan: Plan, runtime: RuntimeConversation, outcome: Outcome) -> None:
     answer = runtime.ask(request.Prepare(plan, prepared.targets))
     if isinstance(answer, request.Prepared):
         outcome.faults += [fault for fault in map(fault_of, answer.faults) if fault not in outcome.faults]

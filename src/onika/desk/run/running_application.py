@@ -21,7 +21,7 @@ from onika.desk.run.flow_tracker import FlowTracker
 from onika.desk.run.outcome import Outcome
 from onika.desk.run.pending_wait import PendingWait
 from onika.desk.run.recorded_run import RecordedRun
-from onika.desk.run.runtime import Conversation
+from onika.desk.run.runtime import RuntimeConversation
 from onika.desk.run.settings import RunSettings
 from onika.desk.run.steering import Act, Expectation, PositionQuery, SteeringOrder, SteeringWait
 from onika.desk.run.steering_fault import GOES_ON, objection
@@ -51,7 +51,7 @@ class Running:
         settings: RunSettings,
         prepared: PreparedRun,
         plan: Plan,
-        runtime: Conversation,
+        runtime: RuntimeConversation,
         outcome: Outcome,
         *,
         is_held: bool,

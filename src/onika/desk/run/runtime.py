@@ -58,7 +58,7 @@ class NumberedResponse:
     response: request.Response
 
 
-class Conversation:
+class RuntimeConversation:
     """Questions, events and readings of one runtime, however it is reached."""
 
     def __init__(self, connection: Connection) -> None:
@@ -162,7 +162,7 @@ class Conversation:
             raise LinkLost(LossCause.CLOSED, Reason.of("link.started_anew"))
 
 
-class Runtime(Conversation):
+class LaunchedRuntime(RuntimeConversation):
     """A runtime that is launched here; ends with the `with` block, and so do all its processes."""
 
     def __init__(
@@ -176,7 +176,7 @@ class Runtime(Conversation):
         self._child: RuntimeProcess = launch([*words, *options])
         super().__init__(Connection(self._child.carrier, monotonic_ns, CHILD))
 
-    def __enter__(self) -> "Runtime":
+    def __enter__(self) -> "LaunchedRuntime":
         try:
             self._connection.open(_PATIENCE_S)
         except (LinkLost, TimeoutError) as lost:
@@ -208,14 +208,14 @@ class Runtime(Conversation):
         return LinkLost(cause, Reason.of("link.runtime_gone", why=_why(lost), how=how, printed=printed))
 
 
-class Reached(Conversation):
+class RemoteRuntime(RuntimeConversation):
     """A runtime that somebody else started; it lives on after the `with` block."""
 
     def __init__(self, opening: WebSocketOpening) -> None:
         self._opening = opening
         super().__init__(Connection(None, monotonic_ns, REMOTE, connector=ThreadConnector(opening)))
 
-    def __enter__(self) -> "Reached":
+    def __enter__(self) -> "RemoteRuntime":
         try:
             self._connection.open(REMOTE.greeting_ns / 1e9)
         except (LinkLost, TimeoutError) as lost:
@@ -232,14 +232,14 @@ class Reached(Conversation):
         self._connection.close(timeout_s=0.5)
 
 
-def connect(url: str, token: str = "", ca: Path | None = None) -> Reached:
+def connect(url: str, token: str = "", ca: Path | None = None) -> RemoteRuntime:
     """A runtime at an address; raises ValueError for what is no address, LinkLost where no token is to be had.
 
     token   empty: that of ONIKA_TOKEN, or on this machine the one in the user's state directory
     ca      a file of certificates to trust beside the system's
     """
     address = Address.parse(url)
-    return Reached(WebSocketOpening(address, token or _token(address), ca))
+    return RemoteRuntime(WebSocketOpening(address, token or _token(address), ca))
 
 
 def in_short(reason: Text) -> Text:

@@ -10,7 +10,7 @@ from onika.words.condition import Condition
 
 
 @dataclass(frozen=True, slots=True)
-class Elsewhere:
+class RuntimeLocation:
     """A runtime that somebody else started: its address, a token (empty: see `connect`), certificates to trust."""
 
     url: str
@@ -32,7 +32,7 @@ class RunSettings:
     may_ask: bool = False
     wants_picture: bool = False
     with_fifo: bool = True
-    elsewhere: Elsewhere | None = None
+    elsewhere: RuntimeLocation | None = None
     """The runtime to run on; else one is launched here."""
     scale: float | None = None
     """In virtual time: how many times as fast as wall time it passes; None: as fast as it goes."""

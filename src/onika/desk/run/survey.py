@@ -7,7 +7,7 @@ from pathlib import Path
 
 from onika.desk.plan.compile import UNKNOWN, no_code, planned_task, rtpus_of
 from onika.desk.plan.preparation import prepare_run
-from onika.desk.run.runtime import Runtime
+from onika.desk.run.runtime import LaunchedRuntime
 from onika.files import appl, buttons, conf, onk, picture, preferences, rmod, syntax, text
 from onika.model.rules.warning import self_fed
 from onika.model.syntax import Syntax
@@ -138,7 +138,7 @@ def _judge(files: list[Path], site: Site, note: Callable[[str], None]) -> list[F
         return faults
     prepared = [prepare_run(str(file), site) for file in applications]
     rtpus = {name for run in prepared if run.plan for name in rtpus_of(run.plan)}
-    with Runtime(tuple(sorted(rtpus)) or ("rt0",), is_virtual=True) as runtime:
+    with LaunchedRuntime(tuple(sorted(rtpus)) or ("rt0",), is_virtual=True) as runtime:
         faults += _asked(runtime, request.Inspect(tuple(planned), tuple(code)), note)
         for run in prepared:
             faults += run.faults
@@ -173,7 +173,7 @@ def _is_part(file: Path, site: Site) -> bool:
     return kind is not None and kind.is_application and kind.needs_target
 
 
-def _asked(runtime: Runtime, question: request.Request, note: Callable[[str], None]) -> list[Fault]:
+def _asked(runtime: LaunchedRuntime, question: request.Request, note: Callable[[str], None]) -> list[Fault]:
     answer = runtime.ask(question)
     if not isinstance(answer, request.Prepared):
         return []

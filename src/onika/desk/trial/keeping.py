@@ -28,7 +28,7 @@ SHAKES = 4
 
 
 @dataclass(frozen=True, slots=True)
-class Keepsake:
+class KeepResult:
     """A run that was kept, and what is worth knowing of it; without one, why not."""
 
     kept: KeptRun | None
@@ -44,14 +44,14 @@ Progress = Callable[[int, int], None]
 
 def keep(
     settings: RunSettings, site: Site, *, workers: int = 1, shakes: int = SHAKES, progress: Progress | None = None
-) -> Keepsake:
+) -> KeepResult:
     """Do a run, and others with shaken worlds, and keep what they have in common.
 
     progress    with one worker, who is told how far it is
     """
     refusal = unkeepable(settings)
     if refusal:
-        return Keepsake(None, refusal=refusal)
+        return KeepResult(None, refusal=refusal)
     plain = _plain(settings)
     shaken = [replace(plain, seed=settings.seed + n, shake=settings.seed + n) for n in range(1, shakes + 1)]
     if workers > 1:
@@ -130,20 +130,20 @@ def store(keepsake: KeptRun, path: Path) -> Refusal | None:
     return done if isinstance(done, Refusal) else None
 
 
-def kept_of(settings: RunSettings, first: RunAccount, others: Sequence[RunAccount]) -> Keepsake:
+def kept_of(settings: RunSettings, first: RunAccount, others: Sequence[RunAccount]) -> KeepResult:
     """What is kept of a run, by the accounts of it and of others that are as good."""
     if first.refusals:
-        return Keepsake(None, refusal="; ".join(map(str, first.refusals)))
+        return KeepResult(None, refusal="; ".join(map(str, first.refusals)))
     if first.cause:
-        return Keepsake(None, refusal=f"only a run that comes to its end can be kept; this one: {first.cause}")
+        return KeepResult(None, refusal=f"only a run that comes to its end can be kept; this one: {first.cause}")
     failed = [text for text, _, holds in first.expectations if not holds]
     if failed:
-        return Keepsake(None, refusal=f"only a good run can be kept; in this one {failed[0]} does not hold")
+        return KeepResult(None, refusal=f"only a good run can be kept; in this one {failed[0]} does not hold")
     alike = [account for account in others if not account.cause and _way(account) == _way(first)]
     notes = [f"{len(others) - len(alike)} of {len(others)} shaken runs went another way, so that they say nothing"]
     notes = notes if len(alike) < len(others) else []
     flows = [_flow(number, first, alike) for number, part in enumerate(first.parts) if part.passed]
-    return Keepsake(
+    return KeepResult(
         KeptRun(
             application=settings.name,
             digest=first.digest,

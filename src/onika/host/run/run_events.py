@@ -7,7 +7,7 @@ from onika.host.run.run_statistics import Meeting
 from onika.wire import event
 from onika.wire.plan import Plan
 
-FlowNote = orders.Began | orders.Done | orders.Moved | orders.Note
+FlowNote = orders.Began | orders.Done | orders.Moved | orders.RunNote
 """What the engine says for whoever watches."""
 
 
@@ -43,7 +43,7 @@ class RunEvents:
             case orders.Moved():
                 absent = self.names(note.waits_for)
                 self._tell(event.Moved(name, note.state, note.index, at_s, note.tag, absent, note.text))
-            case orders.Note():
+            case orders.RunNote():
                 self._tell(event.Warned(name, "", note.text, at_s))
 
     def met(self, meeting: Meeting, now: int) -> None:

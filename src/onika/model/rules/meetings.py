@@ -6,7 +6,7 @@ passes are not considered: they are the user's way out.
 
 from collections.abc import Iterator
 
-from onika.model.rules.waits import Explored, FlowWait, Knot, Waits
+from onika.model.rules.waits import Deadlock, Exploration, FlowWait, Waits
 from onika.wire.plan import Do, Meet, Plan, PlannedAction
 from onika.words.fault import NOT_RUN, Fault, Place, parted
 from onika.words.reason import Reason, Text
@@ -46,7 +46,7 @@ class _Finder:
                 faults += self._told(self._waits.explore(family, limit), family)
         return tuple(dict.fromkeys(faults))
 
-    def _told(self, explored: Explored, family: tuple[int, ...]) -> Iterator[Fault]:
+    def _told(self, explored: Exploration, family: tuple[int, ...]) -> Iterator[Fault]:
         for knot in explored.knots[:EXAMPLES]:
             yield self._certain(knot) if explored.is_certain else self._possible(knot)
         for wait in explored.idling[:EXAMPLES]:
@@ -64,7 +64,7 @@ class _Finder:
                 is_note=True,
             )
 
-    def _certain(self, knot: Knot) -> Fault:
+    def _certain(self, knot: Deadlock) -> Fault:
         wait = self._knot(knot)
         reason = (
             Reason.of("rules.tags_in_order", wait=wait)
@@ -73,7 +73,7 @@ class _Finder:
         )
         return Fault(self._place(knot.waits[0]), reason, NOT_RUN)
 
-    def _possible(self, knot: Knot) -> Fault:
+    def _possible(self, knot: Deadlock) -> Fault:
         choices = [f"{self._flow(flow)} {choice}" for flow, choice in knot.choices]
         shown = choices if len(choices) <= EXAMPLES else ["…", *choices[-EXAMPLES:]]
         when = Reason.of("rules.when_chosen", choices=tuple(shown)) if shown else Reason.of("rules.in_some_runs")
@@ -84,7 +84,7 @@ class _Finder:
             reason = Reason.of("rules.tags_as_often_always", wait=wait, when=when)
         return Fault(self._place(knot.waits[0]), reason, Reason.of("rules.flow_may_pass"), is_note=True)
 
-    def _knot(self, knot: Knot) -> Reason:
+    def _knot(self, knot: Deadlock) -> Reason:
         wait = self._waiting(knot.waits[0])
         for further in knot.waits[1:]:
             wait = Reason.of("rules.wait_which", wait=wait, further=self._waits_on(further))

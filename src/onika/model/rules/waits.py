@@ -28,7 +28,7 @@ class FlowWait:
 
 
 @dataclass(frozen=True, slots=True)
-class Knot:
+class Deadlock:
     """Flows that can never go on: each waits for the next one, the last one for the first or for one that has ended."""
 
     waits: tuple[FlowWait, ...]
@@ -38,10 +38,10 @@ class Knot:
 
 
 @dataclass(frozen=True, slots=True)
-class Explored:
+class Exploration:
     """What was found among flows that have to do with each other."""
 
-    knots: tuple[Knot, ...]
+    knots: tuple[Deadlock, ...]
     is_certain: bool
     """Whether every run comes to one of the knots."""
     idling: tuple[FlowWait, ...]
@@ -75,7 +75,7 @@ class Waits:
             members.setdefault(party, []).append(number)
         return [tuple(member) for member in members.values()]
 
-    def explore(self, family: Sequence[int], limit: int) -> Explored:
+    def explore(self, family: Sequence[int], limit: int) -> Exploration:
         """Every state that these flows can come to, at most so many."""
         return _Exploration(self, limit).explore(self._first(family))
 
@@ -157,17 +157,17 @@ class _Exploration:
         self._limit = limit
         self._came: dict[State, tuple[State | None, tuple[tuple[int, str], ...]]] = {}
         self._steps: dict[State, list[State]] = {}
-        self._knots: dict[tuple[FlowWait, ...], Knot] = {}
+        self._knots: dict[tuple[FlowWait, ...], Deadlock] = {}
         self._idling: dict[FlowWait, None] = {}
         self._has_good_end = False
         self._ahead: deque[State] = deque()
 
-    def explore(self, first: Iterator[tuple[State, tuple[tuple[int, str], ...]]]) -> Explored:
+    def explore(self, first: Iterator[tuple[State, tuple[tuple[int, str], ...]]]) -> Exploration:
         is_whole = self._reach(None, first)
         while is_whole and self._ahead:
             is_whole = self._look_at(self._ahead.popleft())
         is_certain = bool(self._knots) and is_whole and not self._has_good_end and not _has_circle(self._steps)
-        return Explored(tuple(self._knots.values()), is_certain, tuple(self._idling), is_whole, len(self._came))
+        return Exploration(tuple(self._knots.values()), is_certain, tuple(self._idling), is_whole, len(self._came))
 
     def _look_at(self, state: State) -> bool:
         """Look at one state and what follows from it; False where the limit is reached."""
@@ -210,7 +210,7 @@ class _Exploration:
         for number in sorted(stuck):
             waits, is_circle = self._chain(state, number, stuck)
             if waits not in self._knots:
-                self._knots[waits] = Knot(waits, is_circle, self._example(state))
+                self._knots[waits] = Deadlock(waits, is_circle, self._example(state))
 
     def _chain(self, state: State, number: int, stuck: set[int]) -> tuple[tuple[FlowWait, ...], bool]:
         """From a stuck flow to whom it waits for and so on: the circle at its end, or the wait for an ended flow."""

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from onika.model.lifecycle import Step
+from onika.model.lifecycle import LifecycleInput
 from onika.model.signal import Signal
 from onika.runtime import news
 from onika.runtime.error import AskAgain, LawBroken
@@ -91,7 +91,7 @@ class EntryPoints:
             return
         self._unit.leave(task, now)
         self._unit.prepared.drop(task.address[0])
-        task.step(Step.FAIL)
+        task.step(LifecycleInput.FAIL)
         path, line, trace = where(task.spawn.path, wrong)
         text = self._traced(task, wrong) if isinstance(wrong, LawBroken) else raised(wrong, task.spawn.module)
         values = values_of(task.binding)

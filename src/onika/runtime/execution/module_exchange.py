@@ -6,7 +6,7 @@ from types import CodeType, SimpleNamespace
 
 from msgspec import structs
 
-from onika.model.lifecycle import State, Step, refusal
+from onika.model.lifecycle import LifecycleInput, State, refusal
 from onika.runtime import command, news
 from onika.runtime.execution.entry_points import RAISED, EntryPoints
 from onika.runtime.execution.running_task import RunningTask
@@ -100,7 +100,7 @@ class ModuleExchange:
         if was_on and not new.goes_on:
             self._farewell(old, new, "off", now)
         new.state = old.state
-        new.step(Step.SWAP)
+        new.step(LifecycleInput.SWAP)
         if was_on:
             new.counters.begin(now)
             new.is_first = True
@@ -127,7 +127,7 @@ def _why_not(old: RunningTask, spawn: command.Spawn) -> str:
         return f"expected a task that is {old.spawn.task_type} as before, found {spawn.task_type}"
     if old.state is State.OFF and not old.is_initialised:
         return "it was bound anew and waits to be reinitialised"
-    return refusal(old.state, Step.SWAP)
+    return refusal(old.state, LifecycleInput.SWAP)
 
 
 def _commands(task: RunningTask) -> bool:

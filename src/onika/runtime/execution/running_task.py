@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 from msgspec import structs
 
-from onika.model.lifecycle import State, Step, after
+from onika.model.lifecycle import LifecycleInput, State, after
 from onika.model.signal import Signal, off
 from onika.runtime.command import BoundPort, Spawn
 from onika.runtime.counters import Counters
@@ -108,7 +108,7 @@ class RunningTask:
         """Its place among tasks with the same deadline (law 1)."""
         return -type(self.module).crit, self.spawn.rank, f"{self.spawn.subsystem}/{self.spawn.task}"
 
-    def step(self, step: Step) -> None:
+    def step(self, step: LifecycleInput) -> None:
         """Change state as the table of lifecycles says."""
         self.state = after(self.state, step)
 

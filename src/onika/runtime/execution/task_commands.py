@@ -2,7 +2,7 @@
 
 from msgspec import structs
 
-from onika.model.lifecycle import State, Step, refusal
+from onika.model.lifecycle import LifecycleInput, State, refusal
 from onika.runtime import command, news
 from onika.runtime.execution.entry_points import RAISED, EntryPoints
 from onika.runtime.execution.running_task import RunningTask
@@ -25,20 +25,20 @@ class TaskCommands:
             return
         was_initialised = task.is_initialised
         if self._entry_points.attempt(task, "clear", now, task.clear):
-            task.step(Step.CLEAR)
+            task.step(LifecycleInput.CLEAR)
             off = news.Changed(*task.address, task.state.value, now, activation=task.activation)
             self._unit.tell(off if was_initialised else news.Initialised(*task.address))
 
     def reinit(self, order: command.Reinit, now: int) -> None:
         """Constants in, `reinit`, constants out."""
-        task = self._living((order.subsystem, order.task), "reinit", Step.REINIT)
+        task = self._living((order.subsystem, order.task), "reinit", LifecycleInput.REINIT)
         if task is not None and self._entry_points.attempt(task, "reinit", now, task.reinit):
-            task.step(Step.REINIT)
+            task.step(LifecycleInput.REINIT)
             self._unit.tell(news.Reinitialised(*task.address))
 
     def rebind(self, order: command.Rebind) -> None:
         """Ports to other entries, other parameters; no entry point is called."""
-        task = self._living((order.subsystem, order.task), "rebind", Step.REBIND)
+        task = self._living((order.subsystem, order.task), "rebind", LifecycleInput.REBIND)
         if task is None:
             return
         try:
@@ -46,7 +46,7 @@ class TaskCommands:
         except RAISED as wrong:
             self._unit.refuse(task.address, "rebind", traceback_text(wrong))
             return
-        task.step(Step.REBIND)
+        task.step(LifecycleInput.REBIND)
         self._unit.know_rings(task)
         self._unit.tell(news.Rebound(*task.address))
 
@@ -86,7 +86,7 @@ class TaskCommands:
 
     # Inner
 
-    def _living(self, address: Address, entry: str, step: Step) -> RunningTask | None:
+    def _living(self, address: Address, entry: str, step: LifecycleInput) -> RunningTask | None:
         """The task, if it is there and its state allows the step."""
         task = self._unit.tasks.get(address)
         reason = "no such task" if task is None else refusal(task.state, step)

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from functools import partial
 from types import CodeType
 
-from onika.model.lifecycle import State, Step, refusal
+from onika.model.lifecycle import LifecycleInput, State, refusal
 from onika.model.signal import Signal, SignalKind
 from onika.runtime import command, news
 from onika.runtime.error import AskAgain, ModuleError
@@ -62,7 +62,7 @@ class TaskLifecycle:
         """The task lives from now on; `init`."""
         self._unit.admit(task)
         if self._entry_points.attempt(task, "init", now, task.init):
-            task.step(Step.INITIALISED)
+            task.step(LifecycleInput.INITIALISED)
             self._unit.tell(news.Initialised(*task.address))
 
     def kill(self, address: Address, now: int) -> None:
@@ -73,12 +73,12 @@ class TaskLifecycle:
             self._unit.tell(news.Changed(*address, State.KILLED.value, now))
             return
         if task.state in (State.ON, State.ASKING):
-            self._leave(task, Step.OFF, now)
+            self._leave(task, LifecycleInput.OFF, now)
         self._unit.dismiss(address)
         self._entry_points.attempt(task, "kill", now, task.module.kill)
         task.part()
         task.hold()
-        task.step(Step.KILL)
+        task.step(LifecycleInput.KILL)
         self._unit.tell(news.Changed(*address, State.KILLED.value, now, activation=task.activation))
 
     def stop(self, now: int) -> None:
@@ -147,7 +147,7 @@ class TaskLifecycle:
             return self._finish(task, signal, now)
         if signal.kind is SignalKind.OFF:
             self._unit.prepared.drop(address[0])  # it counts on who is ON
-            if self._leave(task, Step.OFF, now):
+            if self._leave(task, LifecycleInput.OFF, now):
                 self._unit.tell(news.Changed(*address, _OFF, now, "OFF", run))
         else:
             text = sayable(signal.text, task.spawn.module) if signal.text else ""
@@ -157,7 +157,7 @@ class TaskLifecycle:
     # Inner
 
     def _finish(self, task: RunningTask, signal: Signal, now: int) -> command.Switch | None:
-        if not self._leave(task, Step.FINISH, now):
+        if not self._leave(task, LifecycleInput.FINISH, now):
             return None
         case = self._unit.prepared.take(*task.address, task.activation, signal)
         number = case.number if case else 0
@@ -194,7 +194,7 @@ class TaskLifecycle:
         if task is None:
             return "no such task"
         if task.state is not State.OFF:
-            return refusal(task.state, Step.ON)
+            return refusal(task.state, LifecycleInput.ON)
         if task.is_initialised:
             return ""
         return "it was bound anew and waits to be reinitialised"
@@ -215,7 +215,7 @@ class TaskLifecycle:
             return
         task.publish()
         task.line, task.goes_on = line, False
-        task.step(Step.ANSWERED if task.state is State.ASKING else Step.ON)
+        task.step(LifecycleInput.ANSWERED if task.state is State.ASKING else LifecycleInput.ON)
         self._unit.enter(task, now)
         self._unit.watch(task, now)
         if task.is_synchronous:
@@ -230,13 +230,13 @@ class TaskLifecycle:
             return False
         if self._entry_points.attempt(task, "off", now, task.off):
             if task.state is State.ASKING:
-                task.step(Step.OFF)
+                task.step(LifecycleInput.OFF)
                 self._unit.tell(news.Changed(*task.address, _OFF, now, "", task.activation))
             self._unit.refuse(task.address, "on", reason)
         return True
 
     def _ask(self, task: RunningTask, reason: Text, now: int) -> None:
-        task.step(Step.ASK)
+        task.step(LifecycleInput.ASK)
         items = task.input.items if task.input else ()
         self._unit.tell(news.Asked(*task.address, reason, items, now, task.activation))
 
@@ -244,10 +244,10 @@ class TaskLifecycle:
         task = self._unit.tasks.get(address)
         if task is None or not (task.state is State.ON or task.state is State.ASKING):
             return  # off already: turning off what is off harms nothing
-        if self._leave(task, Step.OFF, now):
+        if self._leave(task, LifecycleInput.OFF, now):
             self._unit.tell(news.Changed(*address, _OFF, now, "", task.activation))
 
-    def _leave(self, task: RunningTask, step: Step, now: int) -> bool:
+    def _leave(self, task: RunningTask, step: LifecycleInput, now: int) -> bool:
         """Out of ON or ASKING; `off` runs only after an `on`. False if it raised: the task is in ERROR instead."""
         self._unit.leave(task, now)
         self._unit.watch(task, now)

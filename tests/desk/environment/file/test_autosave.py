@@ -6,7 +6,7 @@ from hypothesis import given, strategies as st
 from onika.desk.environment.file.autosave import APART_S, REST_S, Autosave, UnsavedChange
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
-from onika.desk.environment.state.history import History, Step
+from onika.desk.environment.state.history import History, UndoStep
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import Judgement, OpenApplication
 from onika.model.application import AppFlow, Application, Icon
@@ -58,7 +58,7 @@ def test_nothing_is_written_of_what_is_saved_or_the_same():
     assert autosave.due_s is None
     autosave.look(model(document(1)), 0.0)
     autosave.take_all(0.0)
-    past = History((Step("moving", "me", Content(Configuration("a")), Content(Configuration("a"))),))
+    past = History((UndoStep("moving", "me", Content(Configuration("a")), Content(Configuration("a"))),))
     autosave.look(model(replace(document(1), history=past)), 5.0)
     assert autosave.due_s is None
 

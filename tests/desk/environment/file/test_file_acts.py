@@ -2,10 +2,10 @@ import pytest
 
 from kit.app_fixture import AppFixture
 from onika.desk.environment.file.file_acts import KINDS
-from onika.desk.environment.state.open_file import Kind
+from onika.desk.environment.state.open_file import DocumentKind
 from onika.wire import act
 
-BLANK = {Kind.CONFIGURATION: act.New(), Kind.APPLICATION: act.NewApplication()}
+BLANK = {DocumentKind.CONFIGURATION: act.New(), DocumentKind.APPLICATION: act.NewApplication()}
 
 
 @pytest.fixture
@@ -13,7 +13,7 @@ def gallery(tmp_path):
     return AppFixture(tmp_path)
 
 
-@pytest.fixture(params=list(Kind), ids=lambda kind: kind.value)
+@pytest.fixture(params=list(DocumentKind), ids=lambda kind: kind.value)
 def kind(request):
     return request.param
 
@@ -28,7 +28,7 @@ def save(gallery, doc, name="mine", **how):
 
 
 def test_every_kind_of_files_can_be_opened_and_saved():
-    assert set(KINDS) == set(Kind)
+    assert set(KINDS) == set(DocumentKind)
 
 
 def test_whatever_is_open_is_saved_under_a_name_and_opened_by_its_file(gallery, kind, doc):  # R-C06, R-D04
@@ -36,7 +36,7 @@ def test_whatever_is_open_is_saved_under_a_name_and_opened_by_its_file(gallery, 
     assert gallery.do(act.Open(path)) == doc
     gallery.do(act.Close(doc))
     again = gallery.do(act.Open(path))
-    assert again != doc and Kind.of(again) is kind
+    assert again != doc and DocumentKind.of(again) is kind
     assert gallery.environment.model.file(again).name == "mine"
 
 
@@ -52,7 +52,7 @@ def test_what_has_no_file_is_not_read_again(gallery, doc):
 def test_a_file_that_another_has_written_is_overwritten_once_what_is_here_is_kept(gallery, doc, kind):  # R-B07
     path = gallery.do(save(gallery, doc))
     folder = gallery.base
-    file = folder.application_file("mine") if kind is Kind.APPLICATION else folder.configuration_file("mine")
+    file = folder.application_file("mine") if kind is DocumentKind.APPLICATION else folder.configuration_file("mine")
     file.write_text(file.read_text() + "\n")
     assert [str(remedy.label) for remedy in gallery.no(act.Save(doc)).remedies][-1] == "Save as…"
     gallery.do(act.Keep(doc))

@@ -4,7 +4,14 @@ from pathlib import Path
 import pytest
 
 from kit.app_fixture import AppFixture
-from onika.desk.environment.file.recovery_record import Rescue, application_of, document_of, read, rescue_of, write
+from onika.desk.environment.file.recovery_record import (
+    RecoveryRecord,
+    application_of,
+    document_of,
+    read,
+    rescue_of,
+    write,
+)
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
 from onika.model.configuration import Configuration, Placed
@@ -52,7 +59,7 @@ def test_what_is_no_rescue_raises(content):
 
 def test_a_text_that_is_no_configuration_raises():
     with pytest.raises(ValueError, match="EOF"):
-        document_of(Rescue("x", "nonsense"), "c1")
+        document_of(RecoveryRecord("x", "nonsense"), "c1")
 
 
 @pytest.fixture

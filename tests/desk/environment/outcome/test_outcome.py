@@ -1,4 +1,4 @@
-from onika.desk.environment.outcome.outcome import Ask, EditEnd, Order, RequiredRuntime, Until
+from onika.desk.environment.outcome.outcome import Ask, AwaitedNews, EditEnd, Order, RequiredRuntime
 from onika.desk.environment.state.model import Model
 from onika.wire import live
 
@@ -14,6 +14,6 @@ def test_an_order_is_itself_alone_so_that_a_reply_finds_who_waits_for_it():
 
 def test_what_an_act_waits_for_carries_the_model_that_is_shown_meanwhile():
     model = Model(people=2)
-    waits = (Ask(model, live.Survey()), Until(model, EditEnd(7)))
+    waits = (Ask(model, live.Survey()), AwaitedNews(model, EditEnd(7)))
     assert [wait.model.people for wait in waits] == [2, 2]
     assert waits[1].what == EditEnd(7) != EditEnd(8)

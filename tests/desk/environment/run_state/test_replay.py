@@ -1,7 +1,7 @@
 from kit.recording_builder import run
 from onika.desk.environment.run_state import flow_progress
 from onika.desk.environment.run_state.membership import StepMembership
-from onika.desk.environment.run_state.replay import Replay
+from onika.desk.environment.run_state.replay import RunHistory
 from onika.desk.environment.run_state.run import begun
 from onika.wire import event
 
@@ -18,7 +18,7 @@ def told(count):
 
 def test_any_instant_is_what_was_told_up_to_it():  # R-X05
     first, events = begun("a1", PLAN, 0, 0.0, StepMembership({}, {})), list(told(200))
-    replay = Replay(first, events)
+    replay = RunHistory(first, events)
     for at_s in (0.0, 0.49, 0.5, 31.9, 32.0, 63.7, 99.25, 199.0, 199.5, 1e6):
         expected = first
         for at, _, one in events:
@@ -28,6 +28,6 @@ def test_any_instant_is_what_was_told_up_to_it():  # R-X05
 
 def test_nothing_can_be_chosen_at_a_standstill_of_the_past():  # R-X05
     stop = event.Explained("flow0", "servo", "", 0, "", "it failed", "", 0, (), (), (("retry", "again"),), 1.0, "error")
-    replay = Replay(begun("a1", PLAN, 0, 0.0, StepMembership({}, {})), [(1_000_000_000, "flow0", stop)])
+    replay = RunHistory(begun("a1", PLAN, 0, 0.0, StepMembership({}, {})), [(1_000_000_000, "flow0", stop)])
     assert replay.at(0.5).stops == {}
     assert (str(replay.at(1.0).stops["flow0"].text), replay.at(1.0).stops["flow0"].choices) == ("it failed", ())

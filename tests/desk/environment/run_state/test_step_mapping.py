@@ -4,7 +4,7 @@ from msgspec import structs
 from kit.recording_builder import run
 from onika.desk.environment.run_state.membership import StepMembership
 from onika.desk.environment.run_state.messages import IconWording
-from onika.desk.environment.run_state.step_mapping import Present, recast
+from onika.desk.environment.run_state.step_mapping import CurrentApplication, recast
 from onika.wire.plan import Plan, PlannedAction, PlannedFlow
 
 
@@ -19,7 +19,7 @@ def plan(*flows, spots=False):
 
 
 def found(recorded, now):
-    present = Present("a1", "p", now, StepMembership({}, {}), IconWording())
+    present = CurrentApplication("a1", "p", now, StepMembership({}, {}), IconWording())
     return recast(recorded, present)
 
 

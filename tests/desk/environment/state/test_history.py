@@ -1,14 +1,14 @@
 import pytest
 
 from onika.desk.environment.state.content import Content
-from onika.desk.environment.state.history import History, Step
+from onika.desk.environment.state.history import History, UndoStep
 from onika.model.configuration import Configuration
 
 HERE = Content(Configuration("c"))
 
 
 def step(label):
-    return Step(label, "me", HERE, HERE)
+    return UndoStep(label, "me", HERE, HERE)
 
 
 def test_steps_are_taken_back_newest_first_and_done_again_oldest_first():  # R-X10

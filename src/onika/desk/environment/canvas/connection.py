@@ -5,7 +5,7 @@ from dataclasses import replace
 import msgspec
 
 from onika.desk.environment.outcome.on_file import closed, on_document
-from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, RequiredRuntime, Shown, Steps
+from onika.desk.environment.outcome.outcome import Ask, Done, InterimModel, No, Procedure, RequiredRuntime, Steps
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile import following, joint_limits
@@ -18,10 +18,10 @@ from onika.desk.environment.reconcile.task_plan import birth
 from onika.desk.environment.reconcile.watches import is_going
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
-from onika.desk.environment.state.history import Step
+from onika.desk.environment.state.history import UndoStep
 from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_file import Kind
+from onika.desk.environment.state.open_file import DocumentKind
 from onika.wire import act, live, page, request, view
 from onika.wire.view import Remedy, ShowConnect, ShowTask
 from onika.words.name import TASK_NAME
@@ -53,7 +53,7 @@ def connect(model: Model, document: Document, command: act.Connect, outside: Ser
         model = replace(model, runtime=view.RuntimeView("starting", url))
     model, outcome = yield from _joined(model, document.id, wish, RequiredRuntime(url, command.token), outside)
     if not isinstance(outcome, Done | No):
-        yield Shown(_as_before(model, document.id, subsystem_facts, outcome))
+        yield InterimModel(_as_before(model, document.id, subsystem_facts, outcome))
         name = model.documents[document.id].name
         return No(
             Reason.of("desk.not_connected_for", name=name, why=outcome),
@@ -124,7 +124,7 @@ def _joined(
     model, standing = yield Ask(model, live.Survey(), reach)
     document = model.documents.get(doc)
     if document is None:
-        return model, closed(Kind.CONFIGURATION)
+        return model, closed(DocumentKind.CONFIGURATION)
     if not isinstance(standing, live.Standing):
         return model, refusal(standing)
     model = replace(model, runtime=runtime_view(model.runtime, standing))
@@ -137,7 +137,7 @@ def _joined(
     model, standing = yield Ask(model, live.Survey())
     document = model.documents.get(doc)
     if document is None or document.live is None:
-        return model, closed(Kind.CONFIGURATION)
+        return model, closed(DocumentKind.CONFIGURATION)
     if not isinstance(standing, live.Standing):
         return model, refusal(standing)
     holders = [subsystem.holder for subsystem in standing.subsystems if subsystem.name == document.live.subsystem]
@@ -186,7 +186,7 @@ def _stepped(document: Document, merged_tasks: Merged) -> Document:
     if old.configuration is new.configuration:
         return settled(merged_tasks.document)
     wanted = {name: new.wanted.get(name, False) for name in old.names}
-    step = Step(Reason.of("desk.connecting"), "", Content(old.configuration, wanted), new)
+    step = UndoStep(Reason.of("desk.connecting"), "", Content(old.configuration, wanted), new)
     return settled(replace(merged_tasks.document, history=document.history.done(step)))
 
 

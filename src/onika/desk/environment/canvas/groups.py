@@ -15,7 +15,7 @@ from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.clipboard import Clipboard, copied
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_file import Kind
+from onika.desk.environment.state.open_file import DocumentKind
 from onika.model.configuration import Configuration, Group
 from onika.model.rules import loci
 from onika.store.base_directory import BaseDirectory
@@ -119,7 +119,7 @@ def turn_group(model: Model, command: act.TurnGroup, outside: Services) -> Done 
 def _of(model: Model, doc: str, name: str) -> tuple[Document, Group] | No:
     document = model.documents.get(doc)
     if document is None:
-        return closed(Kind.CONFIGURATION)
+        return closed(DocumentKind.CONFIGURATION)
     group = document.content.configuration.group(name)
     if group:
         return (document, group)

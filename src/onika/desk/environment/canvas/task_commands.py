@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from onika.desk.environment.canvas.placement import absent, several
 from onika.desk.environment.outcome.on_file import on_document
-from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, Shown
+from onika.desk.environment.outcome.outcome import Ask, Done, InterimModel, No, Procedure
 from onika.desk.environment.outcome.runtime_refusal import refusal, simply_done
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.reconciliation import accepted, under_way
@@ -123,7 +123,7 @@ def _asked(model: Model, document: Document, order: request.Request, task: str) 
     done = accepted(model, response, document.id, key)
     if isinstance(response, live.Accepted):
         return done
-    yield Shown(done.model, says=done.says, orders=done.orders, news=done.news)
+    yield InterimModel(done.model, says=done.says, orders=done.orders, news=done.news)
     return No(refusal(response))
 
 

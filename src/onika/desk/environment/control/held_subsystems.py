@@ -11,7 +11,7 @@ from onika.desk.environment.reconcile.presence import ask_flows, you
 from onika.desk.environment.reconcile.watches import is_going
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_file import Kind
+from onika.desk.environment.state.open_file import DocumentKind
 from onika.wire import act, request, steer
 from onika.wire.view import HoldView, Remedy
 
@@ -43,7 +43,7 @@ def named(model: Model, doc: str, subsystem: str, connects: bool = False) -> str
         return No(f"there is no subsystem {subsystem} any more")
     document = model.documents.get(doc)
     if document is None:
-        return closed(Kind.CONFIGURATION)
+        return closed(DocumentKind.CONFIGURATION)
     if document.live is None or document.live.state != "live":
         connect = Remedy("Connect", act.Connect(document.id))
         if connects:

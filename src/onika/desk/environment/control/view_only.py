@@ -5,7 +5,7 @@ from dataclasses import replace
 from msgspec import structs
 
 from onika.desk.environment.control.held_subsystems import is_held_here
-from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, RequiredRuntime, Shown
+from onika.desk.environment.outcome.outcome import Ask, Done, InterimModel, No, Procedure, RequiredRuntime
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.live_facts import with_standing
@@ -47,7 +47,7 @@ def watch_no_more(model: Model, _asked: act.WatchNoMore, _outside: Services) -> 
     if not isinstance(response, live.Standing):
         why = refusal(response)
         done = lost(model, why)
-        yield Shown(done.model, says=done.says, orders=done.orders, news=done.news)
+        yield InterimModel(done.model, says=done.says, orders=done.orders, news=done.news)
         return No(Reason.of("run.not_reached_anew", why=why))
     model = replace(model, runtime=runtime_view(structs.replace(model.runtime, sessions={}), response))
     for document in model.documents.values():

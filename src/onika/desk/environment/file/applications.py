@@ -3,16 +3,16 @@
 from dataclasses import replace
 from pathlib import Path
 
-from onika.desk.environment.file.file_kind import READ_AGAIN, Reading, place
+from onika.desk.environment.file.file_kind import READ_AGAIN, FileReading, place
 from onika.desk.environment.outcome.on_file import is_running
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import unreadable
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.outcome.unread_faults import told
-from onika.desk.environment.state.history import Step
+from onika.desk.environment.state.history import UndoStep
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import MOST_FLOWS, OpenApplication
-from onika.desk.environment.state.open_file import Kind
+from onika.desk.environment.state.open_file import DocumentKind
 from onika.model.application import AppFlow, Application
 from onika.model.flow_path import numbered
 from onika.store.base_directory import BaseDirectory
@@ -39,11 +39,11 @@ def new(model: Model, command: act.NewApplication, outside: Services) -> Done | 
 class Applications:
     """Applications as a kind of files."""
 
-    def read(self, model: Model, path_or_name: str, outside: Services) -> Reading[Application] | No:
+    def read(self, model: Model, path_or_name: str, outside: Services) -> FileReading[Application] | No:
         """An application by its path or name, with what could not be read of it."""
         if model.syntax is None:
             return No(_NO_SYNTAX)
-        where = place(path_or_name, Kind.APPLICATION, outside)
+        where = place(path_or_name, DocumentKind.APPLICATION, outside)
         if isinstance(where, No):
             return where
         base, name = where
@@ -51,23 +51,23 @@ class Applications:
             file = self.path(base, name).name
             return No(f"{file} is no name of an application: expected letters, digits and _ . -, a letter first")
         reading = self.read_again(model, base, name)
-        if isinstance(reading, Reading):
+        if isinstance(reading, FileReading):
             return reading
         return No(unreadable(path_or_name, reading))
 
-    def read_again(self, model: Model, base: BaseDirectory, name: str) -> Reading[Application] | Faults:
+    def read_again(self, model: Model, base: BaseDirectory, name: str) -> FileReading[Application] | Faults:
         """An application of a base directory as far as its file can be read; the faults where that is nothing."""
         if model.syntax is None:
             return ()
         opened, faults = base.open_application(name, model.syntax)
         if opened is not None:
-            return Reading(base, opened, faults)
+            return FileReading(base, opened, faults)
         opened, faults = base.salvage_application(name, model.syntax)
         if opened is None:
             return faults
-        return Reading(base, opened, faults, is_partial=True)
+        return FileReading(base, opened, faults, is_partial=True)
 
-    def open(self, model: Model, reading: Reading[Application]) -> Done:
+    def open(self, model: Model, reading: FileReading[Application]) -> Done:
         """It is open beside the others."""
         opened = OpenApplication(_next_id(model), reading.opened.value, base=reading.base.path)
         return _opened_beside(model, _taken_over(opened, reading))
@@ -105,14 +105,14 @@ class Applications:
         left = {doc: application for doc, application in model.applications.items() if doc != opened.id}
         return Done(replace(model, applications=left))
 
-    def reread(self, model: Model, opened: OpenApplication, reading: Reading[Application]) -> Done:
+    def reread(self, model: Model, opened: OpenApplication, reading: FileReading[Application]) -> Done:
         """The steps of its file are taken over."""
         return Done(model.with_application(_taken_over(opened, reading)), label=READ_AGAIN, doc=opened.id)
 
-    def refreshed(self, opened: OpenApplication, reading: Reading[Application]) -> OpenApplication:
+    def refreshed(self, opened: OpenApplication, reading: FileReading[Application]) -> OpenApplication:
         """With what its file says now."""
         now = _taken_over(opened, reading)
-        return replace(now, history=now.history.done(Step(READ_AGAIN, "", opened.application, now.application)))
+        return replace(now, history=now.history.done(UndoStep(READ_AGAIN, "", opened.application, now.application)))
 
     def is_in_use(self, model: Model, opened: OpenApplication) -> bool:
         """Whether it runs."""
@@ -124,7 +124,7 @@ class Applications:
 
 
 def _next_id(model: Model) -> str:
-    return Kind.APPLICATION.id(model.opened + 1)
+    return DocumentKind.APPLICATION.id(model.opened + 1)
 
 
 def _opened_beside(model: Model, opened: OpenApplication) -> Done:
@@ -132,7 +132,7 @@ def _opened_beside(model: Model, opened: OpenApplication) -> Done:
     return Done(replace(model.with_application(opened), opened=model.opened + 1), value=opened.id)
 
 
-def _taken_over(here: OpenApplication, reading: Reading[Application]) -> OpenApplication:
+def _taken_over(here: OpenApplication, reading: FileReading[Application]) -> OpenApplication:
     """With what stands in its file; every step gets a number that was never used here."""
     application, last = numbered(reading.opened.value, here.last_number)
     return replace(

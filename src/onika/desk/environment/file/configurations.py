@@ -3,16 +3,16 @@
 from dataclasses import replace
 from pathlib import Path
 
-from onika.desk.environment.file.file_kind import READ_AGAIN, Reading, place
+from onika.desk.environment.file.file_kind import READ_AGAIN, FileReading, place
 from onika.desk.environment.outcome.other_tasks import with_other_tasks
 from onika.desk.environment.outcome.outcome import Done, No, Order
 from onika.desk.environment.outcome.remedy import plain, unreadable
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
-from onika.desk.environment.state.history import Step
+from onika.desk.environment.state.history import UndoStep
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_file import Kind
+from onika.desk.environment.state.open_file import DocumentKind
 from onika.model.configuration import Configuration
 from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import Faults, OpenedText
@@ -26,13 +26,13 @@ def new(model: Model, _asked: act.New, _outside: Services) -> Done | No:
     return opened_beside(model, None, None, model.blank())
 
 
-def read(path_or_name: str, outside: Services) -> Reading[Configuration] | No:
+def read(path_or_name: str, outside: Services) -> FileReading[Configuration] | No:
     """A configuration by the path of its file, or by its name on the search path."""
-    where = place(path_or_name, Kind.CONFIGURATION, outside)
+    where = place(path_or_name, DocumentKind.CONFIGURATION, outside)
     if isinstance(where, No):
         return where
     reading = _read(*where)
-    if isinstance(reading, Reading):
+    if isinstance(reading, FileReading):
         return reading
     return No(unreadable(path_or_name, reading))
 
@@ -42,7 +42,7 @@ def opened_beside(
 ) -> Done:
     """With one more document, whose id is the value."""
     number = model.opened + 1
-    doc = Kind.CONFIGURATION.id(number)
+    doc = DocumentKind.CONFIGURATION.id(number)
     document = Document(doc, Content(configuration), opened=opened, base=base.path if base else None)
     return Done(replace(model.with_document(document), opened=number), value=document.id)
 
@@ -50,15 +50,15 @@ def opened_beside(
 class Configurations:
     """Configurations as a kind of files."""
 
-    def read(self, _model: Model, path_or_name: str, outside: Services) -> Reading[Configuration] | No:
+    def read(self, _model: Model, path_or_name: str, outside: Services) -> FileReading[Configuration] | No:
         """A configuration by its path or name."""
         return read(path_or_name, outside)
 
-    def read_again(self, _model: Model, base: BaseDirectory, name: str) -> Reading[Configuration] | Faults:
+    def read_again(self, _model: Model, base: BaseDirectory, name: str) -> FileReading[Configuration] | Faults:
         """A configuration of a base directory."""
         return _read(base, name)
 
-    def open(self, model: Model, reading: Reading[Configuration]) -> Done:
+    def open(self, model: Model, reading: FileReading[Configuration]) -> Done:
         """It is open beside the others; where only a blank one was open, in its place."""
         done = opened_beside(model, reading.base, reading.opened, reading.opened.value)
         blank = [document for document in model.documents.values() if _is_untouched(document)]
@@ -98,15 +98,15 @@ class Configurations:
             return done
         return replace(done, orders=(Order(live.Close(subsystem_facts.subsystem)),))
 
-    def reread(self, model: Model, document: Document, reading: Reading[Configuration]) -> Done:
+    def reread(self, model: Model, document: Document, reading: FileReading[Configuration]) -> Done:
         """The tasks of its file are placed; what lives follows."""
         document = replace(document, opened=reading.opened, has_changed_on_disk=False)
         return with_other_tasks(model, document, reading.opened.value, READ_AGAIN)
 
-    def refreshed(self, document: Document, reading: Reading[Configuration]) -> Document:
+    def refreshed(self, document: Document, reading: FileReading[Configuration]) -> Document:
         """With what its file says now."""
         content = Content(reading.opened.value)
-        history = document.history.done(Step(READ_AGAIN, "", document.content, content))
+        history = document.history.done(UndoStep(READ_AGAIN, "", document.content, content))
         return replace(document, content=content, history=history, opened=reading.opened, has_changed_on_disk=False)
 
     def is_in_use(self, _model: Model, document: Document) -> bool:
@@ -118,11 +118,11 @@ class Configurations:
         return f"is at fault now: {'; '.join(plain(str(fault)) for fault in faults)}"
 
 
-def _read(base: BaseDirectory, name: str) -> Reading[Configuration] | Faults:
+def _read(base: BaseDirectory, name: str) -> FileReading[Configuration] | Faults:
     opened, faults = base.open_configuration(name)
     if opened is None:
         return faults
-    return Reading(base, opened, faults)
+    return FileReading(base, opened, faults)
 
 
 def _asked_about(document: Document, moving: list[str], *, discards: bool) -> No:

@@ -15,7 +15,7 @@ from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import overwriting, plain
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_file import Kind
+from onika.desk.environment.state.open_file import DocumentKind
 from onika.files import appl, conf, text
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import is_shipped
@@ -24,9 +24,9 @@ from onika.wire.view import Remedy, ShowSaveAs
 from onika.words.fault import Refusal
 from onika.words.name import TASK_NAME
 
-KINDS: Mapping[Kind, FileKind[Any, Any]] = {
-    Kind.CONFIGURATION: Configurations(),
-    Kind.APPLICATION: Applications(),
+KINDS: Mapping[DocumentKind, FileKind[Any, Any]] = {
+    DocumentKind.CONFIGURATION: Configurations(),
+    DocumentKind.APPLICATION: Applications(),
 }
 
 
@@ -104,18 +104,18 @@ def keep(model: Model, file: AnyFile, _command: act.Keep, _outside: Services) ->
     return Done(model.with_file(file.seen(content)))
 
 
-def _kind(path_or_name: str, outside: Services) -> Kind:
+def _kind(path_or_name: str, outside: Services) -> DocumentKind:
     """The ending says what is opened; of a name alone a configuration, else an application."""
     ending, bases = Path(path_or_name).suffix, outside.site.directories
     if ending in (appl.ENDING, conf.ENDING):
         if ending == appl.ENDING:
-            return Kind.APPLICATION
-        return Kind.CONFIGURATION
+            return DocumentKind.APPLICATION
+        return DocumentKind.CONFIGURATION
     is_configuration = any(path_or_name in base.configurations for base in bases)
     is_application = any(path_or_name in base.applications for base in bases)
     if is_application and not is_configuration:
-        return Kind.APPLICATION
-    return Kind.CONFIGURATION
+        return DocumentKind.APPLICATION
+    return DocumentKind.CONFIGURATION
 
 
 def _shipped(command: act.Save, name: str, own: Path | None) -> No:

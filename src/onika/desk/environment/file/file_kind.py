@@ -8,7 +8,7 @@ from typing import Generic, Protocol, TypeVar
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_file import Kind
+from onika.desk.environment.state.open_file import DocumentKind
 from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import Faults, OpenedText
 from onika.words.fault import Refusal
@@ -20,7 +20,7 @@ _F = TypeVar("_F")
 
 
 @dataclass(frozen=True, slots=True)
-class Reading(Generic[_T]):
+class FileReading(Generic[_T]):
     """A file as it was read; `is_partial`: as far as it could be."""
 
     base: BaseDirectory
@@ -32,15 +32,15 @@ class Reading(Generic[_T]):
 class FileKind(Protocol[_F, _T]):
     """One kind of files: `_F` is an open one, `_T` what it holds."""
 
-    def read(self, model: Model, path_or_name: str, outside: Services, /) -> Reading[_T] | No:
+    def read(self, model: Model, path_or_name: str, outside: Services, /) -> FileReading[_T] | No:
         """A file by its path, or by its name on the search path."""
         ...
 
-    def read_again(self, model: Model, base: BaseDirectory, name: str, /) -> Reading[_T] | Faults:
+    def read_again(self, model: Model, base: BaseDirectory, name: str, /) -> FileReading[_T] | Faults:
         """A file of a base directory; the faults where it cannot be read."""
         ...
 
-    def open(self, model: Model, reading: Reading[_T], /) -> Done:
+    def open(self, model: Model, reading: FileReading[_T], /) -> Done:
         """What was read is open beside the others; the value is its id."""
         ...
 
@@ -64,11 +64,11 @@ class FileKind(Protocol[_F, _T]):
         """It is open no more."""
         ...
 
-    def reread(self, model: Model, file: _F, reading: Reading[_T], /) -> Done:
+    def reread(self, model: Model, file: _F, reading: FileReading[_T], /) -> Done:
         """What stands in the file now is taken over, as a step."""
         ...
 
-    def refreshed(self, file: _F, reading: Reading[_T], /) -> _F:
+    def refreshed(self, file: _F, reading: FileReading[_T], /) -> _F:
         """The same, with its step in the history, where nothing that lives or runs is concerned."""
         ...
 
@@ -81,9 +81,9 @@ class FileKind(Protocol[_F, _T]):
         ...
 
 
-def place(path_or_name: str, kind: Kind, outside: Services) -> tuple[BaseDirectory, str] | No:
+def place(path_or_name: str, kind: DocumentKind, outside: Services) -> tuple[BaseDirectory, str] | No:
     """The base directory and the name of a file; its ending is called as its folder."""
-    folder = "appl" if kind is Kind.APPLICATION else "conf"
+    folder = "appl" if kind is DocumentKind.APPLICATION else "conf"
     path = Path(path_or_name)
     if path.suffix == f".{folder}":
         if not path.is_file():
@@ -93,13 +93,13 @@ def place(path_or_name: str, kind: Kind, outside: Services) -> tuple[BaseDirecto
         return BaseDirectory(path.absolute().parent.parent), path.stem
     bases = [base for base in outside.site.directories if path_or_name in names_of(base, kind)]
     if not bases:
-        article = "an" if kind is Kind.APPLICATION else "a"
+        article = "an" if kind is DocumentKind.APPLICATION else "a"
         return No(f"no base directory on the search path has {article} {kind.value} {path_or_name}")
     return bases[0], path_or_name
 
 
-def names_of(base: BaseDirectory, kind: Kind) -> Sequence[str]:
+def names_of(base: BaseDirectory, kind: DocumentKind) -> Sequence[str]:
     """The files of a kind in a base directory."""
-    if kind is Kind.APPLICATION:
+    if kind is DocumentKind.APPLICATION:
         return base.applications
     return base.configurations

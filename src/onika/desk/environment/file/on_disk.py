@@ -4,10 +4,10 @@ from collections.abc import Set
 from pathlib import Path
 
 from onika.desk.environment.file.file_acts import KINDS
-from onika.desk.environment.file.file_kind import Reading
+from onika.desk.environment.file.file_kind import FileReading
 from onika.desk.environment.outcome.on_file import AnyFile
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_file import Kind
+from onika.desk.environment.state.open_file import DocumentKind
 from onika.files import text
 from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import Faults
@@ -39,9 +39,9 @@ def _refreshed(model: Model, file: AnyFile, path: Path, former: str) -> tuple[An
     if text.load(path, str(path))[0] == former:
         return file.differing(False), [], ()
     reading = kind.read_again(model, BaseDirectory(path.parent.parent), path.stem)
-    if not isinstance(reading, Reading):
+    if not isinstance(reading, FileReading):
         line = f"{name} was changed by somebody else and {kind.at_fault(reading)}"
-        faults = reading if file.kind is Kind.CONFIGURATION else ()
+        faults = reading if file.kind is DocumentKind.CONFIGURATION else ()
         return file.differing(True), [page.Say("warning", line, file.id)], faults
     if file.is_unsaved or kind.is_in_use(model, file):
         line = f"{name} was changed on the disk by somebody else; what is here stays until you read it again"

@@ -15,12 +15,12 @@ from pathlib import Path
 
 from onika.desk.environment.file import recovery_record as rescues
 from onika.desk.environment.file.autosave import UnsavedChange
-from onika.desk.environment.file.recovery_record import Rescue, application_of, document_of, rescue_of
+from onika.desk.environment.file.recovery_record import RecoveryRecord, application_of, document_of, rescue_of
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.environment.state.open_file import Kind
+from onika.desk.environment.state.open_file import DocumentKind
 from onika.files import appl, text, whole
 from onika.wire import page
 from onika.words.fault import Refusal
@@ -40,7 +40,7 @@ class Recovery:
             self._lock = _held(self.folder)
         self._taken: dict[Path, int] = {}
 
-    def recovered(self) -> tuple[Rescue, ...]:
+    def recovered(self) -> tuple[RecoveryRecord, ...]:
         """What those left that are dead; it stays on the disk until it is kept here by `carry_out`, or let go."""
         with _alone(self._all):
             for folder in sorted(path for path in self._all.iterdir() if path.is_dir() and path != self.folder):
@@ -82,7 +82,7 @@ class Recovery:
         self._taken = {}
 
 
-def reopened(model: Model, recovered: Sequence[Rescue]) -> Done:
+def reopened(model: Model, recovered: Sequence[RecoveryRecord]) -> Done:
     """With the documents that were not saved, as unsaved as they were; each is told."""
     says = []
     for record in recovered:
@@ -100,16 +100,16 @@ def reopened(model: Model, recovered: Sequence[Rescue]) -> Done:
     return Done(model, says=tuple(says))
 
 
-def _of(model: Model, rescue: Rescue, number: int, name: str) -> Document | OpenApplication:
+def _of(model: Model, rescue: RecoveryRecord, number: int, name: str) -> Document | OpenApplication:
     """What was rescued, under the next id; raises ValueError."""
     if rescue.kind != appl.ENDING:
-        return document_of(rescue, Kind.CONFIGURATION.id(number), name)
+        return document_of(rescue, DocumentKind.CONFIGURATION.id(number), name)
     if model.syntax is None:
         raise ValueError("there are no types of icons")
-    return application_of(rescue, Kind.APPLICATION.id(number), model.syntax, name)
+    return application_of(rescue, DocumentKind.APPLICATION.id(number), model.syntax, name)
 
 
-def _read(folder: Path) -> Iterator[Rescue]:
+def _read(folder: Path) -> Iterator[RecoveryRecord]:
     """What is in a folder; what cannot be read is put aside, and nobody looks at it again."""
     for path in sorted(folder.glob(f"*{_ENDING}")):
         content, _ = text.load(path, str(path))

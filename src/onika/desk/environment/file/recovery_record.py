@@ -9,7 +9,7 @@ from onika.desk.environment.outcome.unread_faults import told
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.environment.state.open_file import Kind
+from onika.desk.environment.state.open_file import DocumentKind
 from onika.files import appl, conf, text
 from onika.model.flow_path import numbered
 from onika.model.syntax import Syntax
@@ -17,7 +17,7 @@ from onika.store.opened_text import OpenedText
 
 
 @dataclass(frozen=True, slots=True)
-class Rescue:
+class RecoveryRecord:
     """A document.
 
     name    what it is called
@@ -36,30 +36,30 @@ class Rescue:
     kind: str = conf.ENDING
 
 
-def rescue_of(document: Document | OpenApplication) -> Rescue:
+def rescue_of(document: Document | OpenApplication) -> RecoveryRecord:
     """What is to be kept of a document."""
     opened = document.opened
-    return Rescue(
+    return RecoveryRecord(
         name=document.name,
         text=_text(document),
-        kind=conf.ENDING if document.kind is Kind.CONFIGURATION else appl.ENDING,
+        kind=conf.ENDING if document.kind is DocumentKind.CONFIGURATION else appl.ENDING,
         base=str(document.base or ""),
         path=str(opened.path) if opened else "",
         former=opened.text if opened else "",
     )
 
 
-def write(rescue: Rescue) -> str:
+def write(rescue: RecoveryRecord) -> str:
     """As a file holds it."""
     return msgspec.json.encode(asdict(rescue)).decode() + "\n"
 
 
-def read(content: str) -> Rescue:
+def read(content: str) -> RecoveryRecord:
     """What such a file holds; raises ValueError."""
-    return msgspec.json.decode(content, type=Rescue)
+    return msgspec.json.decode(content, type=RecoveryRecord)
 
 
-def document_of(rescue: Rescue, doc: str, name: str = "") -> Document:
+def document_of(rescue: RecoveryRecord, doc: str, name: str = "") -> Document:
     """The document with the id `doc` as it was, and with another `name` where one is given; raises ValueError.
 
     It is as unsaved as it was; where its file has changed meanwhile, it says so.
@@ -80,7 +80,7 @@ def document_of(rescue: Rescue, doc: str, name: str = "") -> Document:
     )
 
 
-def application_of(rescue: Rescue, doc: str, syntax: Syntax, name: str = "") -> OpenApplication:
+def application_of(rescue: RecoveryRecord, doc: str, syntax: Syntax, name: str = "") -> OpenApplication:
     """The same of an application; raises ValueError."""
     name = name or rescue.name
     application, faults = appl.salvage(rescue.text, name, name, syntax)
@@ -108,6 +108,6 @@ def _text(document: Document | OpenApplication) -> str:
     return appl.write(document.application)
 
 
-def _has_changed(rescue: Rescue) -> bool:
+def _has_changed(rescue: RecoveryRecord) -> bool:
     path = Path(rescue.path)
     return bool(rescue.path) and text.load(path, rescue.path)[0] != rescue.former

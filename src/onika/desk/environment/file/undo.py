@@ -11,7 +11,7 @@ from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state import task_edit
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
-from onika.desk.environment.state.history import Edits, FileState, History, Step
+from onika.desk.environment.state.history import Edits, FileState, History, UndoStep
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.environment.state.open_libraries import OpenLibraries
@@ -55,7 +55,7 @@ def stepped(before: Model, done: Done, by: str, command: act.AnyAct) -> Model:
     if isinstance(old, OpenApplication) and isinstance(new, OpenApplication):
         if old.application is new.application:
             return done.model
-        change = Step(done.label, by, old.application, new.application)
+        change = UndoStep(done.label, by, old.application, new.application)
         return done.model.with_application(replace(new, history=new.history.done(change)))
     if not isinstance(old, Document) or not isinstance(new, Document):
         return done.model
@@ -63,7 +63,7 @@ def stepped(before: Model, done: Done, by: str, command: act.AnyAct) -> Model:
     if old.content == new.content and not edited:
         return done.model
     backwards = edits_between(done.model.shelf, before.shelf)
-    step = Step(done.label, by, old.content, new.content, backwards, edited, before.shelf, done.model.shelf)
+    step = UndoStep(done.label, by, old.content, new.content, backwards, edited, before.shelf, done.model.shelf)
     if isinstance(command, act.OpenInPlace):
         step = replace(step, file_before=FileState(old.opened, old.base), file_after=FileState(new.opened, new.base))
     return done.model.with_document(replace(new, history=new.history.done(step)))
@@ -105,7 +105,7 @@ def moved_wanted(now: Mapping[str, bool], start: Content, end: Content) -> dict[
 class _Way:
     """From one end of a step to the other."""
 
-    step: Step[Content]
+    step: UndoStep[Content]
     start: Content
     end: Content
     edits_start: Edits
@@ -126,7 +126,7 @@ class _Way:
         return end
 
 
-def _undone(model: Model, document: Document, step: Step[Content], command: act.Undo) -> Done | No:
+def _undone(model: Model, document: Document, step: UndoStep[Content], command: act.Undo) -> Done | No:
     risk = _comes_on(document, step.after, step.before)
     if risk and not command.confirmed:
         meant = act.Undo(command.doc, confirmed=True)
@@ -135,7 +135,7 @@ def _undone(model: Model, document: Document, step: Step[Content], command: act.
     return _restored(model, document, way, document.history.undone(), f"“{step.label}” cannot be taken back")
 
 
-def _redone(model: Model, document: Document, step: Step[Content], command: act.Redo) -> Done | No:
+def _redone(model: Model, document: Document, step: UndoStep[Content], command: act.Redo) -> Done | No:
     risk = _comes_on(document, step.before, step.after)
     if risk and not command.confirmed:
         meant = act.Redo(command.doc, confirmed=True)

@@ -15,7 +15,7 @@ from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.icon_words import forgotten, told_again
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_file import Kind
+from onika.desk.environment.state.open_file import DocumentKind
 from onika.desk.environment.state.picture_digits import painted
 from onika.desk.plan.icon_names import kind_named
 from onika.model.onikon import Onikon
@@ -69,7 +69,7 @@ def _drafted(model: Model, doc: str, outside: Services) -> Draft | No:
         return application_icon.drafted(model, application, outside.site)
     document = model.documents.get(doc)
     if document is None:
-        return closed(Kind.CONFIGURATION)
+        return closed(DocumentKind.CONFIGURATION)
     refused = _unsaved(document)
     if refused:
         return refused

@@ -9,7 +9,7 @@ from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.environment.state.open_file import Kind
+from onika.desk.environment.state.open_file import DocumentKind
 from onika.model.syntax import Syntax
 from onika.wire import act
 from onika.wire.view import Remedy, ShowSaveAs
@@ -31,9 +31,9 @@ AnyFile = Document | OpenApplication
 _NO_SYNTAX = Syntax((), ())
 
 
-def closed(kind: Kind) -> No:
+def closed(kind: DocumentKind) -> No:
     """The file is no longer open: somebody else has closed it."""
-    is_application = kind is Kind.APPLICATION
+    is_application = kind is DocumentKind.APPLICATION
     return No(Reason.of("run.application_closed") if is_application else Reason.of("run.configuration_closed"))
 
 
@@ -44,7 +44,7 @@ def on_file(carry_out: _Inner[AnyFile, _A, _R]) -> _Handler[_A, _R]:
     def handler(model: Model, command: _A, outside: Services) -> _R | No:
         file = model.file(command.doc)
         if file is None:
-            return closed(Kind.of(command.doc))
+            return closed(DocumentKind.of(command.doc))
         return carry_out(model, file, command, outside)
 
     return handler
@@ -57,7 +57,7 @@ def on_document(carry_out: _Inner[Document, _A, _R]) -> _Handler[_A, _R]:
     def handler(model: Model, command: _A, outside: Services) -> _R | No:
         document = model.documents.get(command.doc)
         if document is None:
-            return closed(Kind.CONFIGURATION)
+            return closed(DocumentKind.CONFIGURATION)
         return carry_out(model, document, command, outside)
 
     return handler
@@ -70,7 +70,7 @@ def on_application(carry_out: _Inner[OpenApplication, _A, _R]) -> _Handler[_A, _
     def handler(model: Model, command: _A, outside: Services) -> _R | No:
         application = model.applications.get(command.doc)
         if application is None:
-            return closed(Kind.APPLICATION)
+            return closed(DocumentKind.APPLICATION)
         return carry_out(model, application, command, outside)
 
     return handler

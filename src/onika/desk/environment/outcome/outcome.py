@@ -1,7 +1,8 @@
 """What comes of an act: a new model, or a no with its reasons; and what is asked of the outside for it.
 
-An act that waits is a generator. It yields what it waits for (`Ask`, `Work`, `Until`), each with the model as it is to
-be meanwhile; it receives the model of then together with what has come; and it returns `Done` or `No` (decision 35).
+An act that waits is a generator. It yields what it waits for (`Ask`, `Work`, `AwaitedNews`), each with the model as it
+is to be meanwhile; it receives the model of then together with what has come; and it returns `Done` or `No`
+(decision 35).
 """
 
 from collections.abc import Callable, Generator, Hashable, Mapping
@@ -96,7 +97,7 @@ class Done:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Shown:
+class InterimModel:
     """What an act has done so far; yielded as it is, the act goes on at once with the model of then."""
 
     model: Model
@@ -106,7 +107,7 @@ class Shown:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Ask(Shown):
+class Ask(InterimModel):
     """A request to a runtime: the act goes on with its response."""
 
     request: Request
@@ -123,7 +124,7 @@ class Worker(Protocol):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Work(Shown):
+class Work(InterimModel):
     """Something that takes long: it is done in a thread of its own, and the act goes on with its result."""
 
     worker: Worker
@@ -131,13 +132,13 @@ class Work(Shown):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Until(Shown):
+class AwaitedNews(InterimModel):
     """Something that comes by itself: the act goes on with its news."""
 
     what: Hashable
 
 
-Steps = Generator[Shown, tuple[Model, Any], _T]
+Steps = Generator[InterimModel, tuple[Model, Any], _T]
 """Part of an act that waits."""
 
 Procedure = Steps[Done | No]

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from contextlib import AbstractContextManager
 
 from onika.desk.environment.outcome.outcome import Simulator
-from onika.desk.run.runtime import Conversation, Runtime, connect
+from onika.desk.run.runtime import LaunchedRuntime, RuntimeConversation, connect
 
 _AS_WALL_TIME = ("--scale", "1")
 """A person looks on."""
@@ -32,10 +32,10 @@ class RuntimeLauncher:
 
     def __call__(
         self, url: str, token: str, simulator: Simulator | None = None
-    ) -> AbstractContextManager[Conversation]:
+    ) -> AbstractContextManager[RuntimeConversation]:
         """A runtime; raises ValueError for what is no address, LinkLost where no token is to be had."""
         if url:
             return connect(url, token)
         if simulator is not None:
-            return Runtime(simulator.rtpus, True, False, (*_AS_WALL_TIME, *simulator.options))
-        return Runtime(self._rtpus, self._is_virtual, self._with_fifo, self._options)
+            return LaunchedRuntime(simulator.rtpus, True, False, (*_AS_WALL_TIME, *simulator.options))
+        return LaunchedRuntime(self._rtpus, self._is_virtual, self._with_fifo, self._options)

@@ -13,11 +13,11 @@ from msgspec import structs
 from onika.desk.environment.outcome.outcome import (
     Ask,
     Done,
+    InterimModel,
     No,
     Order,
     Procedure,
     RequiredRuntime,
-    Shown,
     Simulator,
     Steps,
     Work,
@@ -65,7 +65,7 @@ def continue_run(model: Model, command: act.Continue, outside: Services) -> Proc
     former = model.run
     model, wrong = yield from _repeated(model, _run(model, subject, command.at_s, outside), recorded)
     if wrong is not None:
-        yield Shown(replace(model, run=former))  # nothing runs; the recording is still looked at
+        yield InterimModel(replace(model, run=former))  # nothing runs; the recording is still looked at
         return wrong
     put_away(model, outside.reading)
     return _goes_on(replace(model, looking=None))

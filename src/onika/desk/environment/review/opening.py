@@ -17,7 +17,7 @@ from onika.desk.environment.run_state.membership import StepMembership
 from onika.desk.environment.run_state.messages import IconWording
 from onika.desk.environment.run_state.recorded_run import ReviewedRun, subject
 from onika.desk.environment.run_state.review_session import ReviewSession
-from onika.desk.environment.run_state.step_mapping import Present, recast
+from onika.desk.environment.run_state.step_mapping import CurrentApplication, recast
 from onika.desk.environment.runs.begin import durations, ready
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
@@ -146,8 +146,8 @@ def subject_of(review: Review, opened: OpenApplication | None, note: str, site: 
     return subject(review, mapping, durations(review.run.prepare.targets, syntax))
 
 
-def _present(opened: OpenApplication, site: Site, syntax: Syntax) -> Present:
+def _present(opened: OpenApplication, site: Site, syntax: Syntax) -> CurrentApplication:
     prepared = ready(opened, site, syntax)
     speech = IconWording.of(place_of(opened), with_numbers_as_lines(opened.application), prepared.program, syntax)
     belonging = StepMembership.of(opened.application, syntax)
-    return Present(opened.id, opened.name, prepared.plan, belonging, speech)
+    return CurrentApplication(opened.id, opened.name, prepared.plan, belonging, speech)

@@ -8,7 +8,7 @@ from threading import Event
 
 from onika.desk.environment.run_state.event_marks import marks
 from onika.desk.environment.run_state.messages import IconWording
-from onika.desk.environment.run_state.replay import Replay
+from onika.desk.environment.run_state.replay import RunHistory
 from onika.desk.environment.run_state.run import Run, begun
 from onika.desk.environment.run_state.step_mapping import StepMapping
 from onika.desk.environment.run_state.variable_cache import VariableCache
@@ -23,7 +23,7 @@ class ReviewedRun:
     """One recorded run; equal only to itself."""
 
     review: Review
-    replay: Replay
+    replay: RunHistory
     view: RecordingView
     speech: IconWording
     """The words of its icons."""
@@ -53,7 +53,7 @@ def subject(review: Review, recast: StepMapping, durations: Mapping[tuple[int, i
     run = begun(recast.doc, recast.plan, 0, _began(review.run.began), recast.belonging)
     run = replace(run, speech=recast.speech, durations=durations)
     run = run.shown(state="running", recording=str(review.path))
-    return ReviewedRun(review, Replay(run, review.events), _view(review, run, recast), run.speech)
+    return ReviewedRun(review, RunHistory(run, review.events), _view(review, run, recast), run.speech)
 
 
 def _view(review: Review, run: Run, recast: StepMapping) -> RecordingView:

@@ -15,7 +15,7 @@ _EVERY = 64
 """Pieces of news between two runs that are kept: so many are told again at most."""
 
 
-class Replay:
+class RunHistory:
     """The run as it began, and what was told of it since: when (ns), about which subsystem, and what."""
 
     def __init__(self, begun: Run, events: Sequence[tuple[int, str, event.Event]]) -> None:

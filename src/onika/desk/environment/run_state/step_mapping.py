@@ -21,7 +21,7 @@ _NAMED = 3
 
 
 @dataclass(frozen=True, slots=True)
-class Present:
+class CurrentApplication:
     """An application as it is open now."""
 
     doc: str
@@ -43,7 +43,7 @@ class StepMapping:
     notes: tuple[Text, ...] = ()
 
 
-def recast(recorded: Plan, present: Present | None) -> StepMapping:
+def recast(recorded: Plan, present: CurrentApplication | None) -> StepMapping:
     """Find the steps; what has changed since is told."""
     bare = _placed(recorded, {})
     if present is None:
@@ -134,7 +134,7 @@ def _told(speech: IconWording, recorded: Plan, plan: Plan) -> IconWording:
     return replace(recorded_speech, actions=actions)
 
 
-def _changed(recorded: Plan, present: Present, partners: _Partners) -> Iterator[str]:
+def _changed(recorded: Plan, present: CurrentApplication, partners: _Partners) -> Iterator[str]:
     if present.plan is None:
         yield f"{present.name} cannot be compiled as it is now: the recorded actions are shown without their icons"
         return

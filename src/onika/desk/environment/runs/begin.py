@@ -15,15 +15,15 @@ from onika.desk.environment.outcome.fault_view import FaultViews, place_of
 from onika.desk.environment.outcome.on_file import closed
 from onika.desk.environment.outcome.outcome import (
     Ask,
+    AwaitedNews,
     Done,
     EditEnd,
+    InterimModel,
     No,
     Order,
     Procedure,
     RequiredRuntime,
-    Shown,
     Steps,
-    Until,
 )
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Services
@@ -41,7 +41,7 @@ from onika.desk.environment.runs.preflight_result import looked, worth_noting
 from onika.desk.environment.runs.readiness_refusal import refused, refused_by_runtime
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.environment.state.open_file import Kind
+from onika.desk.environment.state.open_file import DocumentKind
 from onika.desk.plan.preparation import PreparedRun, prepare
 from onika.desk.plan.subsystem_renaming import rehoused
 from onika.desk.run.runtime import in_short
@@ -84,7 +84,7 @@ def run(model: Model, command: act.Run, outside: Services) -> Procedure:
     model, start = begun_with
     model, refused_ = yield from _begun(model, start)
     if refused_ is not None:
-        yield Shown(replace(model, run=former))  # nothing runs: what was shown before is shown again
+        yield InterimModel(replace(model, run=former))  # nothing runs: what was shown before is shown again
         return refused_
     if model.run is None:
         return Done(model)
@@ -99,7 +99,7 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, _S
     """What is to be begun, with everything saved that it uses; or all that speaks against it here."""
     opened = model.applications.get(command.doc)
     if opened is None:
-        return closed(Kind.APPLICATION)
+        return closed(DocumentKind.APPLICATION)
     syntax = model.syntax
     busy = _busy(model)
     if busy is not None:
@@ -254,7 +254,7 @@ def _ended(model: Model, start: _Start, subsystem: str) -> Steps[tuple[Model, No
     refused_ = No(cause) if cause else None
     if cause is None:
         awaiting = replace(model.run, awaits=response.number)
-        model, refused_ = yield Until(replace(model, run=awaiting), EditEnd(response.number))
+        model, refused_ = yield AwaitedNews(replace(model, run=awaiting), EditEnd(response.number))
     if refused_ is None and _is_given_up(model):
         refused_ = _given_up(start)
     return model, refused_

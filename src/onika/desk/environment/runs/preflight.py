@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from onika.desk.environment.outcome.fault_view import FaultViews
 from onika.desk.environment.outcome.on_file import on_application
-from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, RequiredRuntime, Shown
+from onika.desk.environment.outcome.outcome import Ask, Done, InterimModel, No, Procedure, RequiredRuntime
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.outcome.unread_faults import not_run
@@ -59,12 +59,12 @@ def _checked(
     model, standing = yield Ask(replace(model, runtime=state), live.Survey(), RequiredRuntime(url))
     if not isinstance(standing, live.Standing):
         why = refusal(standing)
-        yield Shown(flow_placement.lost(model, why))
+        yield InterimModel(flow_placement.lost(model, why))
         return No(Reason.of("run.no_runtime", why=in_short(why)))
     model = replace(model, runtime=runtime_view(model.runtime, standing))
     busy = _busy(model, opened.name)  # somebody began a run meanwhile
     if busy is not None:
-        yield Shown(model)
+        yield InterimModel(model)
         return busy
     model, response = yield Ask(model, request.Prepare(plan, targets))
     if not isinstance(response, request.Prepared):

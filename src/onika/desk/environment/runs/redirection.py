@@ -14,7 +14,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.plan import redirection
 from onika.desk.plan.preparation import PreparedRun
-from onika.desk.plan.redirection import Seat
+from onika.desk.plan.redirection import RedirectableTask
 from onika.model.redirect import Redirect
 from onika.model.rules.union import devices
 from onika.store.library import open_libraries
@@ -84,7 +84,7 @@ def _joined(seats: Sequence[SeatView]) -> SeatView:
     return structs.replace(first, taken_by=first.taken_by if len(holders) == 1 else "", candidates=tuple(candidates))
 
 
-def _seat(seat: Seat) -> SeatView:
+def _seat(seat: RedirectableTask) -> SeatView:
     candidates = tuple(
         CandidateView(
             each.task.name, each.task.description, each.more, tuple(refusal.reason for refusal in each.refusals)

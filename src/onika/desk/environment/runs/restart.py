@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import replace
 
-from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, RequiredRuntime, Shown
+from onika.desk.environment.outcome.outcome import Ask, Done, InterimModel, No, Procedure, RequiredRuntime
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.merge import runtime_view
@@ -34,7 +34,7 @@ def start_anew(model: Model, command: act.StartAnew, _outside: Services) -> Proc
     model, response = yield Ask(after, live.Survey(), RequiredRuntime(is_anew=True), says=tuple(_says(model)))
     if not isinstance(response, live.Standing):
         why = refusal(response)
-        yield Shown(flow_placement.lost(model, why))
+        yield InterimModel(flow_placement.lost(model, why))
         return No(Reason.of("run.no_runtime", why=in_short(why)))
     note = page.Say("info", Reason.of("run.new_runtime"))
     return Done(replace(model, runtime=runtime_view(model.runtime, response)), says=(note,))

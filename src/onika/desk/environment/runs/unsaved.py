@@ -9,7 +9,7 @@ from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.environment.state.open_file import Kind
+from onika.desk.environment.state.open_file import DocumentKind
 from onika.store.program import ApplicationProgram
 from onika.wire import act
 from onika.wire.view import Remedy
@@ -31,7 +31,8 @@ def used(changed: Iterable[Changed], program: ApplicationProgram | None) -> tupl
     return tuple(
         (doc, name)
         for doc, name in changed
-        if name in (program.applications if Kind.of(doc) is Kind.APPLICATION else program.configurations)
+        if name
+        in (program.applications if DocumentKind.of(doc) is DocumentKind.APPLICATION else program.configurations)
     )
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.live import SubsystemFacts
-from onika.desk.environment.state.open_file import Kind, OpenFile
+from onika.desk.environment.state.open_file import DocumentKind, OpenFile
 from onika.model.configuration import Configuration
 
 
@@ -13,7 +13,7 @@ from onika.model.configuration import Configuration
 class Document(OpenFile[Configuration, Content]):
     """An open configuration."""
 
-    kind = Kind.CONFIGURATION
+    kind = DocumentKind.CONFIGURATION
     content: Content
     live: SubsystemFacts | None = None
     """What is known of it in the running system; None: it is not connected."""

@@ -29,7 +29,7 @@ class FileState:
 
 
 @dataclass(frozen=True, slots=True)
-class Step(Generic[_C]):
+class UndoStep(Generic[_C]):
     """One thing that was done: what is open before and after it, and the tasks of the libraries it changed."""
 
     label: Text
@@ -50,20 +50,20 @@ class Step(Generic[_C]):
 class History(Generic[_C]):
     """The steps of a document, oldest first, and those taken back, the next to be done again last."""
 
-    past: tuple[Step[_C], ...] = ()
-    future: tuple[Step[_C], ...] = ()
+    past: tuple[UndoStep[_C], ...] = ()
+    future: tuple[UndoStep[_C], ...] = ()
 
     @property
-    def last(self) -> Step[_C] | None:
+    def last(self) -> UndoStep[_C] | None:
         """What Undo takes back."""
         return self.past[-1] if self.past else None
 
     @property
-    def next(self) -> Step[_C] | None:
+    def next(self) -> UndoStep[_C] | None:
         """What Redo does again."""
         return self.future[-1] if self.future else None
 
-    def done(self, step: Step[_C]) -> "History[_C]":
+    def done(self, step: UndoStep[_C]) -> "History[_C]":
         """With one more step; what was taken back is gone."""
         return History((*self.past, step)[-_KEPT:])
 

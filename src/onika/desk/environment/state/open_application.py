@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-from onika.desk.environment.state.open_file import Kind, OpenFile
+from onika.desk.environment.state.open_file import DocumentKind, OpenFile
 from onika.model.application import Application
 from onika.model.redirect import Redirect
 from onika.wire.view import FaultView
@@ -40,7 +40,7 @@ class PreflightResult:
 class OpenApplication(OpenFile[Application, Application]):
     """An application whose steps have numbers."""
 
-    kind = Kind.APPLICATION
+    kind = DocumentKind.APPLICATION
     application: Application
     """Every step in it, those of branches too, has a number of its own."""
     last_number: int = 0

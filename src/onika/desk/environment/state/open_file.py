@@ -13,7 +13,7 @@ _T = TypeVar("_T")
 _C = TypeVar("_C")
 
 
-class Kind(Enum):
+class DocumentKind(Enum):
     """What an open file is; the value is what users call it."""
 
     CONFIGURATION = "configuration"
@@ -24,7 +24,7 @@ class Kind(Enum):
         return f"{self.value[0]}{number}"
 
     @classmethod
-    def of(cls, doc: str) -> "Kind":
+    def of(cls, doc: str) -> "DocumentKind":
         """The kind of the open file that has, or had, an id."""
         if doc[:1] == cls.APPLICATION.value[0]:
             return cls.APPLICATION
@@ -35,7 +35,7 @@ class Kind(Enum):
 class OpenFile(ABC, Generic[_T, _C]):
     """A file holds a `_T`; what is done to it changes a `_C`."""
 
-    kind: ClassVar[Kind]
+    kind: ClassVar[DocumentKind]
     id: str
     history: History[_C] = field(default_factory=History, kw_only=True)
     opened: OpenedText[_T] | None = field(default=None, kw_only=True)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from onika.laws import reach
-from onika.laws.arm import Arm as ArmModel
+from onika.laws.arm import SerialArm
 from onika.laws.robot import published, unlike
 from onika.laws.robots import robot_of
 from onika.module import InVar, Local, Module, ModuleError, OutConst, OutVar
@@ -89,7 +89,7 @@ class Arm(Module):
     def init(self):
         if reason := self.fits(self.state_constants(), self.device.identity):
             raise ModuleError(reason)
-        self._arm = ArmModel(self.DH, self.DYN, self.LOAD, self.BASE_POSE)
+        self._arm = SerialArm(self.DH, self.DYN, self.LOAD, self.BASE_POSE)
         self._torque, self._highest, self._lowest = np.zeros(self.NDOF), self.TAUMAX.copy(), -self.TAUMAX
         self.held("TAU_REF")  # the model of the arm is built with its first use: here, not in a cycle
 

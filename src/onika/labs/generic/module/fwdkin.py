@@ -1,6 +1,6 @@
 """Forward kinematics."""
 
-from onika.laws.arm import Arm
+from onika.laws.arm import SerialArm
 from onika.module import InConst, InVar, Module, OutVar
 
 
@@ -25,7 +25,7 @@ class Fwdkin(Module):
     X_MEZ = OutVar("double[4,4]", "-", "pose of the tool in the world, position in m")
 
     def init(self):
-        self._arm = Arm(self.DH, base=self.BASE, tool=self.TOOL)
+        self._arm = SerialArm(self.DH, base=self.BASE, tool=self.TOOL)
         self.cycle()  # the model of the arm is built with its first use: here, not when the task comes on
 
     def on(self, inputs):

@@ -1,6 +1,6 @@
 """Torque against gravity, Coriolis forces and viscous friction."""
 
-from onika.laws.arm import Arm
+from onika.laws.arm import SerialArm
 from onika.module import InConst, InVar, Module, OutVar
 
 
@@ -31,7 +31,7 @@ class Gravcomp(Module):
     TAU_G = OutVar("double[NDOF]", "N m", "the torque")
 
     def init(self):
-        self._arm = Arm(self.DH, self.DYN, self.LOAD, self.BASE)
+        self._arm = SerialArm(self.DH, self.DYN, self.LOAD, self.BASE)
         self._friction = self.DYN[:, 8].copy()
         self.cycle()  # the model of the arm is built with its first use: here, not when the task comes on
 
