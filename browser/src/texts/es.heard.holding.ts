@@ -1,42 +1,7 @@
 // Español: lo que dice el entorno de quién puede mover los robots.
 export const esHeardHolding: readonly (readonly [RegExp, string])[] = [
-  [/^its holder (.+) has been silent for (.+) s$/, 'a {0}, que lo tenía, no se le oyó durante {1} s'],
-  [/^its holder (.+) is gone$/, '{0}, que lo tenía, ya no está'],
-  [/^the session (.+) that began it is gone$/, '{0}, que la inició, ya no está'],
-  [/^(.+) has handed it over$/, '{0} lo ha entregado'],
-  [/^nobody held its run$/, 'nadie tenía su ejecución'],
-  [/^(.+) offers (.+): take it, or decline$/, '{0} ofrece {1}: tómelo o rechácelo'],
-  [/^(.+) offers (.+) no more: (.+)$/, '{0} ya no ofrece {1}: {=2}'],
   [/^withdrawn$/, 'oferta retirada'],
   [/^(.+) declines$/, '{0} la rechaza'],
   [/^no answer within 60 s$/, 'sin respuesta en 60 s'],
-  [/^(.+) is held here now: (.+) has handed it over$/, '{0} lo tiene ahora usted: {1} lo ha entregado'],
-  [/^(.+) has taken (.+)$/, '{0} ha tomado {1}'],
-  [/^(.+) is no longer offered to (.+): (.+)$/, '{0} ya no está ofrecido a {1}: {=2}'],
-  [/^(.+) is offered to (.+)$/, '{0} está ofrecido a {1}'],
-  [/^(.+): (its holder .+)$/, '{0}: {=1}'],
-  [/^(.+): (the session .+ that began it is gone)$/, '{0}: {=1}'],
-  [
-    /^(.+) runs in (.+); (.+) began it and is gone\. Taken over.+$/,
-    '{0} está en marcha en {1}; {2}, que la inició, ya no está. Si se hace cargo, usted decide si sigue o termina. Hacerse cargo no inicia ni para nada',
-  ],
-  [
-    /^(.+) goes on where it paused.+$/,
-    '{0} sigue donde se pausó, con los iconos de su propio programa: el robot se mueve',
-  ],
-  [
-    /^what failed in (.+) is cleared and its action is done again: the robot moves$/,
-    'se borra el error de {0} y se repite su acción: el robot se mueve',
-  ],
-  [
-    /^(.+) ends: its tasks go off, its devices hold$/,
-    '{0} termina: sus tareas se apagan, sus dispositivos se mantienen quietos',
-  ],
-  [/^Take it over$/, 'Hacerse cargo'],
-  [/^Take it$/, 'Tomarlo'],
   [/^Go on$/, 'Seguir'],
-  [/^Clear and repeat$/, 'Borrar el error y repetir'],
-  [/^End it$/, 'Terminarla'],
-  [/^Release (.+)$/, 'Soltar {0}'],
-  [/^(.+) is held here; release it first$/, '{0} lo tiene usted; suéltelo antes'],
 ]

@@ -194,11 +194,6 @@ export const esHeard: readonly (readonly [RegExp, string])[] = [
   [/^(.+) was aborted after (\d+) actions: ([^]+)$/, '{0} se interrumpió tras {1} acciones: {=2}'],
   [/^ended by you, after: ([^]+)$/, 'terminada por usted, después de: {=0}'],
   [/^aborted by the user$/, 'interrumpida por el usuario'],
-  [/^everything is stopped: ([^]+)$/, 'todo está parado: {=0}'],
-  [
-    /^motion is allowed again; nothing comes on by itself$/,
-    'el movimiento está permitido de nuevo; nada se pone en marcha solo',
-  ],
   [/^nothing runs$/, 'nada se está ejecutando'],
   [/^(.+) has nothing to run$/, '{0} no tiene nada que ejecutar'],
   [

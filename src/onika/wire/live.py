@@ -206,7 +206,7 @@ class Described(Struct, frozen=True, tag=True):
     """What classes of modules declare, and why others cannot be read, each by the digest of the code."""
 
     sheets: dict[str, ModuleSheet]
-    faults: dict[str, str] = {}
+    faults: dict[str, Text] = {}
 
 
 class TaskStanding(Struct, frozen=True):

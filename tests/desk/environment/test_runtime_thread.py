@@ -161,7 +161,7 @@ def test_where_no_runtime_is_to_be_had_the_reason_is_the_answer(lab):  # R-C18
 
 
 def test_without_a_runtime_every_order_is_answered(lab):  # law 27
-    assert lab.do(act.Stop()) == "there is nothing to stop: no runtime is connected"
+    assert str(lab.do(act.Stop())) == "there is nothing to stop: no runtime is connected"
 
 
 def test_a_stop_passes_a_runtime_that_does_not_answer(lab):  # law 27

@@ -16,4 +16,4 @@ def test_modules_are_described_each_by_its_code_and_the_bad_ones_with_why():  # 
     assert [(one.name, one.shape, one.unit, one.meaning) for one in told.sheets["1"].ports] == [
         ("X", "double[6]", "rad", "where it is")
     ]
-    assert set(told.faults) == {"2"} and "nowhere_at_all" in told.faults["2"]
+    assert set(told.faults) == {"2"} and "nowhere_at_all" in str(told.faults["2"])

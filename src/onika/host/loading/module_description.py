@@ -12,5 +12,5 @@ def describe(codes: tuple[Code, ...], loading: ModuleQuestions) -> live.Describe
     answers = {code.digest: loading.sheet(code) for code in codes}
     sheets = {digest: answer for digest, answer in answers.items() if not isinstance(answer, Fault)}
     return live.Described(
-        sheets, {digest: str(answer) for digest, answer in answers.items() if isinstance(answer, Fault)}
+        sheets, {digest: answer.sentence for digest, answer in answers.items() if isinstance(answer, Fault)}
     )

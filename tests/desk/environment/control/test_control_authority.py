@@ -19,7 +19,7 @@ def test_everybody_stops_everything_whoever_holds_it(duet):  # law 27
 
 def test_a_stop_without_a_runtime_says_that_there_is_none(duet):  # law 27
     duet.rebuffs = {request.Stop: request.Refused("no runtime is connected")}
-    assert duet.do(act.Stop()) == "there is nothing to stop: no runtime is connected"
+    assert str(duet.do(act.Stop())) == "there is nothing to stop: no runtime is connected"
 
 
 def test_a_reset_allows_motion_again_and_nothing_more(duet):  # law 27
@@ -69,7 +69,7 @@ def test_what_is_handed_over_can_only_be_watched_from_then_on(duet):  # R-X12
     duet.do(act.Hand(doc, "anna#2"))
     duet.tell(event.Held("Untitled-1", "anna#2", "you has handed it over"))
     assert not duet.environment.tree.documents[doc].is_held_here
-    assert duet.no(act.Hand(doc, "anna#2")).reason == "Untitled-1 is not held here, so it cannot be handed over"
+    assert str(duet.no(act.Hand(doc, "anna#2")).reason) == "Untitled-1 is not held here, so it cannot be handed over"
     assert "held by anna#2" in str(duet.no(act.Toggle(doc, "a")).reason)
 
 
@@ -90,7 +90,7 @@ def test_who_only_wants_to_watch_releases_first(duet):  # R-X12
     doc = duet.connected("a")
     assert duet.no(act.OnlyWatch()).remedies[0].act == act.Release(doc)
     duet.do(act.Release(doc))
-    assert duet.do(act.OnlyWatch()) == "this environment only watches from now on"
+    assert str(duet.do(act.OnlyWatch())) == "this environment only watches from now on"
     assert holding.OnlyWatch() in duet.carried_out
 
 

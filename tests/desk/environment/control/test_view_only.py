@@ -29,7 +29,7 @@ def test_who_only_wants_to_watch_releases_first(duet):  # R-X12
     doc = duet.connected("a")
     assert duet.no(act.OnlyWatch()).remedies[0].act == act.Release(doc)
     duet.do(act.Release(doc))
-    assert duet.do(act.OnlyWatch()) == "this environment only watches from now on"
+    assert str(duet.do(act.OnlyWatch())) == "this environment only watches from now on"
     assert holding.OnlyWatch() in duet.carried_out
 
 
@@ -45,7 +45,7 @@ def test_the_promise_ends_by_coming_anew_and_nothing_is_held_then(duet):  # R-X1
     doc = promised(duet)
     assert duet.environment.tree.runtime.sessions["you"].only_watches
     duet.runtime.sessions = (holding.SessionStanding("you", "owner"),)
-    assert duet.do(act.WatchNoMore()) == "this environment may change something again"
+    assert str(duet.do(act.WatchNoMore())) == "this environment may change something again"
     anew = [one for one in duet.orders if one.reach is not None and one.reach.is_anew]
     assert [(one.asked, one.reach.url) for one in anew] == [(live.Survey(), "ws://far:1")]
     assert not duet.environment.tree.runtime.sessions["you"].only_watches

@@ -76,7 +76,7 @@ def test_what_is_known_is_not_asked_again_and_what_has_changed_is(duet):
 def test_a_module_without_a_file_is_not_asked_for(duet, tmp_path):
     (tmp_path / "module" / "m7.py").unlink()
     duet.connected()
-    assert "m7.py" in duet.environment.model.shelf.unread["m7"] and "m7" not in duet.runtime.described
+    assert duet.environment.model.shelf.unread["m7"].key == "run.code_missing" and "m7" not in duet.runtime.described
 
 
 def test_a_runtime_that_does_not_say_it_is_not_asked_further(duet):  # law 23

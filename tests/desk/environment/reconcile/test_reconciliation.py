@@ -36,7 +36,7 @@ def test_a_change_that_fails_on_its_way_is_taken_back_and_told(duet):  # R-X10
     duet.runtime.lives["Untitled-1"].pop("a")  # so that killing it fails
     duet.do(act.Remove(doc, ("a",)))
     assert duet.document(doc).content.names == ("a",) and str(duet.document(doc).history.last.label) == "placing a"
-    assert [one.text for one in duet.says if one.level == "error"] == ["nothing is changed: there is no task a"]
+    assert [str(one.text) for one in duet.says if one.level == "error"] == ["nothing is changed: there is no task a"]
 
 
 def test_what_was_done_meanwhile_stays_when_an_older_change_fails(duet):  # R-X10

@@ -127,7 +127,8 @@ def test_who_has_no_code_is_a_fault_and_who_is_missing_is_left_out(shelf, tmp_pa
     (tmp_path / "module" / "source.py").unlink()
     after = content({"source": False, "stranger": False})
     what = reconfiguration(content({}), after, living(), shelf, (), UNITS)
-    assert what.faults == ("source cannot live: there is no source.py beside it or in another open library",)
+    reasons = [(fault.key, fault.args["task"], fault.args["why"].key) for fault in what.faults]
+    assert reasons == [("run.cannot_live", "source", "run.code_missing")]
     assert what.is_nothing
 
 

@@ -39,12 +39,12 @@ def test_a_unit_that_the_runtime_lacks_means_its_first_one(shelf):  # reading 12
 
 
 def test_why_a_task_cannot_live_is_said(shelf, tmp_path):  # R-X01
-    assert birth(Placed("lone"), shelf, ()) == (
+    assert str(birth(Placed("lone"), shelf, ())) == (
         "lone cannot live: there is no loner.py beside it or in another open library"
     )
-    assert birth(Placed("stranger"), shelf, ()) == "no open library has a task stranger"
+    assert str(birth(Placed("stranger"), shelf, ())) == "no open library has a task stranger"
     (tmp_path / "one" / "module" / "loner.py").write_bytes(b"\xff\xfe")
-    assert "loner.py cannot be read" in birth(Placed("lone"), shelf, ())
+    assert "loner.py cannot be read" in str(birth(Placed("lone"), shelf, ()))
 
 
 def test_a_task_without_a_rate_has_none_wherever_it_is_placed():

@@ -100,7 +100,7 @@ def renew(model: Model, document: Document, command: act.Renew, _outside: Servic
     if task is None:
         return No(Reason.of("desk.no_task", name=command.task))
     code = code_of(task.module, model.shelf, command.task)
-    if isinstance(code, str):
+    if isinstance(code, Reason):
         return No(Reason.of("desk.keeps_code", task=command.task, why=code))
     return _asked(model, document, live.Swap(of_living.subsystem, command.task, code), command.task)
 

@@ -11,6 +11,7 @@ from onika.desk.environment.reconcile.presence import ask_flows
 from onika.desk.environment.state.model import Model
 from onika.wire import act, holding, live, request
 from onika.wire.view import Remedy
+from onika.words.reason import Reason
 
 _CAUSE = "Stop was pressed in the page"
 
@@ -20,7 +21,7 @@ def stop(model: Model, _asked: act.Stop, _outside: Services) -> Procedure:
     model, response = yield Ask(model, request.Stop(_CAUSE))
     if isinstance(response, request.Done):
         return Done(model)
-    return Done(model, value=f"there is nothing to stop: {refusal(response)}")
+    return Done(model, value=Reason.of("run.nothing_to_stop", why=refusal(response)))
 
 
 def reset(model: Model, _asked: act.Reset, _outside: Services) -> Procedure:
@@ -46,7 +47,7 @@ def release(model: Model, command: act.Release, _outside: Services) -> No | Proc
         return name
     holder = held_subsystems.holder(model, name)
     if holder and not held_subsystems.is_held_here(model, name):
-        return No(f"{name} is held by {holder}")
+        return No(Reason.of("run.held_by", name=name, holder=holder))
     return _changed(model, live.Release(name), name)
 
 
@@ -57,9 +58,9 @@ def hand(model: Model, command: act.Hand, _outside: Services) -> No | Procedure:
         return name
     if not held_subsystems.is_held_here(model, name):
         is_free = bool(name) and not held_subsystems.holder(model, name)
-        take_it = (Remedy("Take it", act.Take(command.doc, command.subsystem)),) if is_free else ()
+        take_it = Remedy(Reason.of("desk.take_it"), act.Take(command.doc, command.subsystem))
         what = held_subsystems.called(model, command.doc, name)
-        return No(f"{what} is not held here, so it cannot be handed over", take_it)
+        return No(Reason.of("run.not_held_here", name=what), (take_it,) if is_free else ())
     return simply_done(model, holding.Hand(name, command.to))
 
 
@@ -69,7 +70,8 @@ def decline(model: Model, command: act.Decline, _outside: Services) -> No | Proc
     if isinstance(name, No):
         return name
     if not held_subsystems.is_offered_here(model, name):
-        return No(f"nobody offers {held_subsystems.called(model, command.doc, name)} to this environment")
+        what = held_subsystems.called(model, command.doc, name)
+        return No(Reason.of("run.not_offered", name=what))
     return simply_done(model, holding.Decline(name))
 
 

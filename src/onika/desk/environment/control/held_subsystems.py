@@ -14,6 +14,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_file import DocumentKind
 from onika.wire import act, request, steer
 from onika.wire.view import HoldView, Remedy
+from onika.words.reason import Reason
 
 _BY_THE_USER = "ended by the user who took it over"
 
@@ -40,14 +41,14 @@ def named(model: Model, doc: str, subsystem: str, connects: bool = False) -> str
         is_there = subsystem in model.runtime.subsystems
         if is_there:
             return subsystem
-        return No(f"there is no subsystem {subsystem} any more")
+        return No(Reason.of("run.no_subsystem", name=subsystem))
     document = model.documents.get(doc)
     if document is None:
         return closed(DocumentKind.CONFIGURATION)
     if document.live is None or document.live.state != "live":
-        connect = Remedy("Connect", act.Connect(document.id))
+        connect = Remedy(Reason.of("desk.connect_it"), act.Connect(document.id))
         if connects:
-            return No(f"{document.name} is not connected", (connect,))
+            return No(Reason.of("desk.not_connected", name=document.name), (connect,))
         return ""
     return document.live.subsystem
 
@@ -95,28 +96,38 @@ def run_here(model: Model) -> str:
 def refused(model: Model, subsystem: str, command: act.Take) -> No | None:
     """Why it is not taken, or not without a word: a run is everything that its flows do."""
     hold = model.runtime.holds.get(subsystem, HoldView())
-    if not hold.application or (model.run is not None and subsystem in model.run.homes):
+    is_own = model.run is not None and subsystem in model.run.homes
+    is_offered = is_offered_here(model, subsystem)
+    if not hold.application or is_own:
         return None
-    if hold.holder and not is_offered_here(model, subsystem):
+    if hold.holder and not is_offered:
         return None  # the runtime says why not
-    other = model.run.view.name if model.run is not None and is_going(model) else ""
-    other = other or model.runtime.holds.get(run_here(model), HoldView()).application
+    other = _application_here(model)
     if other:
-        return No(f"{other} runs here already, and one application runs at a time")
-    if command.confirmed or is_offered_here(model, subsystem):
+        return No(Reason.of("run.runs_here", name=other))
+    if command.confirmed or is_offered:
         return None
-    flows = ", ".join(flows_with(model.runtime.holds, subsystem))
-    was = f"{hold.former} began it and is gone" if hold.former else "who began it is gone"
-    reason = (
-        f"{hold.application} runs in {flows}; {was}. Taken over, it is yours to let go on, or to end. "
-        "Taking it over starts nothing and stops nothing"
-    )
-    return No(reason, (Remedy("Take it over", structs.replace(command, confirmed=True)),))
+    take_over = Remedy(Reason.of("run.take_over"), structs.replace(command, confirmed=True))
+    return No(_taken_over(model, subsystem, hold), (take_over,))
+
+
+def _application_here(model: Model) -> str:
+    """The application that runs here: one that was begun here, or one that was taken over; empty: none does."""
+    if model.run is not None and is_going(model):
+        return model.run.view.name
+    return model.runtime.holds.get(run_here(model), HoldView()).application
+
+
+def _taken_over(model: Model, subsystem: str, hold: HoldView) -> Reason:
+    """What taking over the run of another means."""
+    flows = flows_with(model.runtime.holds, subsystem)
+    was = Reason.of("run.former_gone", name=hold.former) if hold.former else Reason.of("run.former_gone_unnamed")
+    return Reason.of("run.take_over_what", name=hold.application, flows=flows, was=was)
 
 
 def steer_taken(model: Model, command: act.SteerTaken, _outside: Services) -> Procedure:
     """Steer a run that was taken over; what moves, or ends it, is asked back first."""
-    hold = _held(model, command.subsystem, "steers it")
+    hold = _held(model, command.subsystem, is_answered=False)
     if isinstance(hold, No):
         return hold
     meant = _back(command, hold.application)
@@ -131,24 +142,26 @@ def steer_taken(model: Model, command: act.SteerTaken, _outside: Services) -> Pr
 def answer(model: Model, command: act.Answer, _outside: Services) -> No | Procedure:
     """Answer what a task of a run that was taken over asks, named as `SUBSYSTEM/TASK`; it goes on with the answer."""
     subsystem, _, task = command.task.rpartition("/")
-    hold = _held(model, subsystem, "answers it")
+    hold = _held(model, subsystem, is_answered=True)
     if isinstance(hold, No):
         return hold
     if task not in hold.asks:
-        return No(f"{task} asks for nothing any more")
+        return No(Reason.of("run.no_answer_wanted", task=task))
     return simply_done(model, request.Reply(subsystem, task, command.line))
 
 
-def _held(model: Model, subsystem: str, does: str) -> HoldView | No:
-    """A run in a subsystem that is held here; else why it is not for this environment."""
+def _held(model: Model, subsystem: str, *, is_answered: bool) -> HoldView | No:
+    """A run in a subsystem that is held here; else why it is not for this environment to answer it, or to steer it."""
     hold = model.runtime.holds.get(subsystem, HoldView())
     if not hold.application:
-        return No(f"no application runs in {subsystem} any more")
+        return No(Reason.of("run.no_application_in", subsystem=subsystem))
     if is_held_here(model, subsystem):
         return hold
-    by = hold.holder or "nobody"
-    take_it = () if hold.holder else (Remedy("Take it over", act.Take(subsystem=subsystem)),)
-    return No(f"{hold.application} is held by {by}; only its holder {does}, everybody can stop", take_it)
+    holder = hold.holder or Reason.of("run.nobody")
+    take_it = () if hold.holder else (Remedy(Reason.of("run.take_over"), act.Take(subsystem=subsystem)),)
+    if is_answered:
+        return No(Reason.of("run.held_only_answers", name=hold.application, holder=holder), take_it)
+    return No(Reason.of("run.held_only_steers", name=hold.application, holder=holder), take_it)
 
 
 def _back(command: act.SteerTaken, application: str) -> No | None:
@@ -156,13 +169,14 @@ def _back(command: act.SteerTaken, application: str) -> No | None:
     sure = structs.replace(command, confirmed=True)
     match command.wish:
         case "resume":
-            reason = f"{application} goes on where it paused, with the icons that its own program has: the robot moves"
-            return No(reason, (Remedy("Go on", sure),))
+            go_on = Remedy(Reason.of("desk.go_on"), sure)
+            return No(Reason.of("run.goes_on_paused", name=application), (go_on,))
         case "clear":
-            reason = f"what failed in {application} is cleared and its action is done again: the robot moves"
-            return No(reason, (Remedy("Clear and repeat", sure),))
+            repeat = Remedy(Reason.of("run.clear_and_repeat"), sure)
+            return No(Reason.of("run.cleared_repeats", name=application), (repeat,))
         case "abort":
-            return No(f"{application} ends: its tasks go off, its devices hold", (Remedy("End it", sure),))
+            end = Remedy(Reason.of("run.end_it"), sure)
+            return No(Reason.of("run.ends_devices_hold", name=application), (end,))
     return None
 
 

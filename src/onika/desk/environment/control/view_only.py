@@ -20,29 +20,42 @@ from onika.words.reason import Reason
 
 def only_watch(model: Model, _asked: act.OnlyWatch, _outside: Services) -> Procedure:
     """This environment changes nothing in this runtime any more."""
-    here = [document for document in model.documents.values() if document.live and document.live.is_held_here]
-    homes = {document.live.subsystem for document in here if document.live}
-    others = [name for name in model.runtime.holds if name not in homes and is_held_here(model, name)]
-    if here or others:
-        by_document = tuple(Remedy(f"Release {document.name}", act.Release(document.id)) for document in here)
-        by_hand = [name for name in others if not model.runtime.holds[name].application]
-        remedies = (*by_document, *(Remedy(f"Release {name}", act.Release(subsystem=name)) for name in by_hand))
-        names = ", ".join((*(document.name for document in here), *others))
-        return No(f"{names} is held here; release it first", remedies)
+    held = _held_here(model)
+    if held is not None:
+        return held
     model, response = yield Ask(model, holding.OnlyWatch())
     if not isinstance(response, request.Done):
         return No(refusal(response))
-    return Done(model, orders=(ask_company(),), value="this environment only watches from now on")
+    return Done(model, orders=(ask_company(),), value=Reason.of("run.only_watches_now"))
+
+
+def _held_here(model: Model) -> No | None:
+    """Why that cannot be promised now: what is held here is to be released first; None: nothing is."""
+    here = [document for document in model.documents.values() if document.live and document.live.is_held_here]
+    homes = {document.live.subsystem for document in here if document.live}
+    others = [name for name in model.runtime.holds if name not in homes and is_held_here(model, name)]
+    if not here and not others:
+        return None
+    by_document = [_release(document.name, act.Release(document.id)) for document in here]
+    by_hand = [name for name in others if not model.runtime.holds[name].application]
+    by_subsystem = [_release(name, act.Release(subsystem=name)) for name in by_hand]
+    names = (*(document.name for document in here), *others)
+    return No(Reason.of("run.held_here_first", names=names), (*by_document, *by_subsystem))
+
+
+def _release(name: str, release: act.Release) -> Remedy:
+    """The button that lets others have it."""
+    return Remedy(Reason.of("run.release", name=name), release)
 
 
 def watch_no_more(model: Model, _asked: act.WatchNoMore, _outside: Services) -> Procedure:
     """This environment leaves and comes anew, under another name; what runs is left as it is."""
     me = next((session for session in model.runtime.sessions.values() if session.is_you), None)
     if me is None or not me.only_watches:
-        return No("this environment has not promised that it only watches")
+        return No(Reason.of("run.no_promise"))
     if not model.runtime.address:
-        again = Remedy("Start the runtime anew…", act.StartAnew())
-        return No("the runtime was started here, and the promise ends with it", (again,))
+        again = Remedy(Reason.of("run.start_runtime_anew"), act.StartAnew())
+        return No(Reason.of("run.promise_ends_anew"), (again,))
     model, response = yield Ask(model, live.Survey(), RequiredRuntime(model.runtime.address, is_anew=True))
     if not isinstance(response, live.Standing):
         why = refusal(response)
@@ -54,4 +67,4 @@ def watch_no_more(model: Model, _asked: act.WatchNoMore, _outside: Services) -> 
         if document.live is not None and document.live.state == "live":
             subsystem_facts = with_standing(replace(document.live, me="", offer=None), response)
             model = model.with_document(replace(document, live=subsystem_facts))
-    return Done(model, value="this environment may change something again", orders=(ask_company(), ask_flows()))
+    return Done(model, value=Reason.of("run.may_change_again"), orders=(ask_company(), ask_flows()))

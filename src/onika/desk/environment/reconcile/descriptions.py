@@ -10,9 +10,11 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.wire import live, request
 from onika.wire.sheet import ModuleSheet
+from onika.words.reason import Reason, Text
 
 _AT_ONCE = 16
 """Modules after which what was learnt is shown."""
+_UNREADABLE = Reason.of("run.unreadable")
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +22,7 @@ class LearntDescriptions:
     """What was told and is not shown yet."""
 
     sheets: Mapping[str, ModuleSheet] = field(default_factory=dict)
-    unread: Mapping[str, str] = field(default_factory=dict)
+    unread: Mapping[str, Text] = field(default_factory=dict)
 
     @property
     def names(self) -> frozenset[str]:
@@ -43,7 +45,7 @@ def describe(model: Model, learnt: LearntDescriptions | None = None) -> Done:
         model, learnt = learnt.taken_over(model), LearntDescriptions()
     for module, task in _lacking(model.shelf, learnt):
         code = code_of(module, model.shelf, task)
-        if isinstance(code, str):
+        if isinstance(code, Reason):
             learnt = replace(learnt, unread={**learnt.unread, module: code})
             continue
         then = partial(_told, module=module, digest=code.digest, learnt=learnt)
@@ -67,7 +69,8 @@ def _told(model: Model, response: request.Response, module: str, digest: str, le
     if digest in response.sheets:
         learnt = replace(learnt, sheets={**learnt.sheets, module: response.sheets[digest]})
     else:
-        learnt = replace(learnt, unread={**learnt.unread, module: response.faults.get(digest, "it cannot be read")})
+        why = response.faults.get(digest, _UNREADABLE)
+        learnt = replace(learnt, unread={**learnt.unread, module: why})
     return describe(model, learnt)
 
 

@@ -11,6 +11,7 @@ from onika.desk.environment.reconcile.reconciliation import next_change, noted, 
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.wire import event, live
+from onika.words.reason import Reason
 
 
 def follow(before: Model, after: Model, outside: Services) -> Done | No:
@@ -61,7 +62,7 @@ def given_up(before: Model, after: Model) -> tuple[News, ...]:
     """The news for acts that waited in documents that are no longer open, or no longer connected."""
     homes = {document.id for document in after.documents.values() if document.live and document.live.state == "live"}
     return tuple(
-        (next_change(document.id, document.live), No(f"{document.name} is no longer connected"))
+        (next_change(document.id, document.live), No(Reason.of("run.no_longer_connected", name=document.name)))
         for document in before.documents.values()
         if document.live is not None and document.live.is_awaited and document.id not in homes
     )

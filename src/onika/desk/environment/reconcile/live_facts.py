@@ -61,7 +61,7 @@ def _facts(standing: live.TaskStanding, former: TaskFacts | None, question: even
     is_asking = standing.state == "ASKING"
     return TaskFacts(
         state=standing.state,
-        note="" if question and is_asking else str(standing.reason),
+        note="" if question and is_asking else standing.reason,
         rtpu=standing.rtpu,
         hz=standing.frequency,
         question=question if is_asking else None,

@@ -17,6 +17,7 @@ from onika.model.planned import task_of
 from onika.model.rules import loci
 from onika.model.rules.merge import Merge, merge
 from onika.wire import live, page, request, view
+from onika.words.reason import Reason
 
 _GAP = 40
 """Pixels between what stands on the canvas and what comes onto it."""
@@ -146,27 +147,15 @@ def _with_strangers(
 
 def _says(document: Document, merged_tasks: Merge, subsystem_facts: SubsystemFacts) -> list[page.Say]:
     """What connecting has done, one line for each thing."""
-    messages = [
-        page.Say(
-            "warning", f"{name} leaves the canvas: {'; '.join(plain(refusal.reason) for refusal in why)}", document.id
-        )
-        for name, why in merged_tasks.remove.items()
-    ]
+    messages = []
+    for name, refusals in merged_tasks.remove.items():
+        reasons = tuple(plain(refusal.reason) for refusal in refusals)
+        reason = Reason.of("run.leaves_canvas", name=name, reasons=reasons)
+        messages.append(page.Say("warning", reason, document.id))
     if merged_tasks.add:
-        names = ", ".join(placed.task for placed in merged_tasks.add)
-        messages.append(
-            page.Say(
-                "info",
-                f"{names} {'runs' if len(merged_tasks.add) == 1 else 'run'} already and came onto the canvas",
-                document.id,
-            )
-        )
+        names = tuple(placed.task for placed in merged_tasks.add)
+        messages.append(page.Say("info", Reason.of("run.run_already", names=names), document.id))
     if subsystem_facts.is_foreign:
-        messages.append(
-            page.Say(
-                "warning",
-                f"{subsystem_facts.subsystem} is held by {subsystem_facts.holder}: you can only watch",
-                document.id,
-            )
-        )
+        name, holder = subsystem_facts.subsystem, subsystem_facts.holder
+        messages.append(page.Say("warning", Reason.of("run.only_watch", name=name, holder=holder), document.id))
     return messages

@@ -13,12 +13,13 @@ from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.state.live import Offer
 from onika.desk.environment.state.model import Model
 from onika.wire import act, event, holding, live, page, request, steer, view
+from onika.words.reason import Reason
 
 
 def look_around(model: Model, _asked: act.Company, _outside: Services) -> Procedure:
     """Ask anew who is there, who holds what, and where flows are."""
     if model.runtime.state != "linked":
-        return No("there is no runtime yet, so nobody else is there")
+        return No(Reason.of("run.nobody_else"))
     model, response = yield Ask(model, live.Survey(), orders=(ask_flows(), ask_company()))
     if isinstance(response, live.Standing):
         return surveyed(model, response)
@@ -57,11 +58,10 @@ def offered(model: Model, message: event.Offered, at_s: float = 0.0) -> Done:
         ),
         None,
     )
-    says = (
-        (page.Say("info", _words(message, me), document.id if document else ""),)
-        if me in (message.holder, message.to)
-        else ()
-    )
+    says: tuple[page.Say, ...] = ()
+    if me in (message.holder, message.to):
+        reason = _words_of_offer_here(message) if message.to == me else _words_of_own_offer(message)
+        says = (page.Say("info", reason, document.id if document else ""),)
     if document is None or document.live is None:
         return Done(model, says=says)
     offer = None if message.outcome else Offer(message.holder, message.to, message.to == me)
@@ -102,17 +102,19 @@ def _with_sessions(model: Model, sessions: Sequence[holding.SessionStanding], me
     return replace(model, runtime=msgspec.structs.replace(model.runtime, sessions=views))
 
 
-def _words(message: event.Offered, me: str) -> str:
-    is_accepted = message.outcome == "accepted"
-    if message.to == me:
-        if is_accepted:
-            return f"{message.subsystem} is held here now: {message.holder} has handed it over"
-        text = f"{message.holder} offers {message.subsystem}: take it, or decline"
-        if message.outcome:
-            return f"{message.holder} offers {message.subsystem} no more: {message.outcome}"
-        return text
-    if is_accepted:
-        return f"{message.to} has taken {message.subsystem}"
+def _words_of_offer_here(message: event.Offered) -> Reason:
+    subsystem, holder = message.subsystem, message.holder
+    if message.outcome == "accepted":
+        return Reason.of("run.handed_over", subsystem=subsystem, holder=holder)
     if message.outcome:
-        return f"{message.subsystem} is no longer offered to {message.to}: {message.outcome}"
-    return f"{message.subsystem} is offered to {message.to}"
+        return Reason.of("run.offer_ended", holder=holder, subsystem=subsystem, outcome=message.outcome)
+    return Reason.of("run.offered_here", holder=holder, subsystem=subsystem)
+
+
+def _words_of_own_offer(message: event.Offered) -> Reason:
+    subsystem, to = message.subsystem, message.to
+    if message.outcome == "accepted":
+        return Reason.of("run.has_taken", to=to, subsystem=subsystem)
+    if message.outcome:
+        return Reason.of("run.offered_no_more", subsystem=subsystem, to=to, outcome=message.outcome)
+    return Reason.of("run.offered_to", subsystem=subsystem, to=to)

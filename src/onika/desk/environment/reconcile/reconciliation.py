@@ -21,6 +21,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.wire import act, live, page, request
 from onika.wire.view import Remedy, ShowTask
+from onika.words.reason import Reason, Text
 
 _KEPT = 64
 
@@ -32,7 +33,7 @@ def pursue(model: Model, document: Document) -> Done | No:
     content = under_way or base.content
     what = reconfiguration(content, document.content, subsystem_facts, model.shelf, base.edits, living_units(model))
     if what.faults:
-        return No("; ".join(what.faults))
+        return No(Reason.of("run.together", parts=what.faults))
     if what.is_nothing:
         if under_way is None:
             subsystem_facts = replace(
@@ -108,7 +109,7 @@ def accepted(
     return replace(done, news=(*_news(change, None), *done.news))
 
 
-def edited(model: Model, doc: str, number: int, cause: str) -> Done:
+def edited(model: Model, doc: str, number: int, cause: Text) -> Done:
     """How something that was accepted has ended: done, or with a cause come to nothing."""
     document = model.documents.get(doc)
     subsystem_facts = document.live if document else None
@@ -119,7 +120,7 @@ def edited(model: Model, doc: str, number: int, cause: str) -> Done:
         return _unknown(model, document, subsystem_facts, number, cause)
     if cause:
         done = _failed(model, document, key)
-        return replace(done, says=(page.Say("error", f"nothing is changed: {cause}", doc), *done.says))
+        return replace(done, says=(page.Say("error", Reason.of("run.not_changed", cause=cause), doc), *done.says))
     return _go_on(model, _carried_out(document, key))
 
 
@@ -219,7 +220,8 @@ def _go_on(model: Model, document: Document | None, doc: str = "") -> Done:
     look, (subsystem_facts, base) = merge.look_again(document.id), _of(document)
     if isinstance(done, No):  # what waited cannot be asked any more
         news = ((next_change(document.id, subsystem_facts), No(done.reason)),) if subsystem_facts.is_awaited else ()
-        says = () if news else (page.Say("error", f"nothing more is changed: {done.reason}", document.id),)
+        reason = Reason.of("run.not_changed_more", cause=done.reason)
+        says = () if news else (page.Say("error", reason, document.id),)
         subsystem_facts = replace(subsystem_facts, turns={}, is_awaited=False)
         document = replace(document, content=base.content, history=base.history, live=subsystem_facts)
         return Done(model.with_document(document), orders=(look,), says=says, news=news)
@@ -236,19 +238,18 @@ def _go_on(model: Model, document: Document | None, doc: str = "") -> Done:
 def _refused(document: Document, subsystem_facts: SubsystemFacts, what: Reconfiguration, model: Model) -> No | None:
     if subsystem_facts.is_foreign:
         name, holder = subsystem_facts.subsystem, subsystem_facts.holder
-        reason = f"{name} is held by {holder}, who can release it; everybody can stop it"
-        return No(reason, (Remedy("Take it", act.Take(document.id)),))
+        take = Remedy(Reason.of("desk.take_it"), act.Take(document.id))
+        return No(Reason.of("desk.held_by", name=name, holder=holder), (take,))
     if model.runtime.is_stopped and what.wakes:
-        return No("everything is stopped: allow motion again first", (Remedy("Reset", act.Reset()),))
+        return No(Reason.of("run.stopped_first"), (Remedy(Reason.of("run.reset"), act.Reset()),))
     return None
 
 
 def _rests(name: str, document: Document) -> page.Say:
-    text = f"{name} moves hardware: it is exchanged, and stays OFF until you turn it on"
-    return page.Say("warning", text, document.id, ShowTask(name))
+    return page.Say("warning", Reason.of("run.moves_hardware", task=name), document.id, ShowTask(name))
 
 
-def _unknown(model: Model, document: Document, subsystem_facts: SubsystemFacts, number: int, cause: str) -> Done:
+def _unknown(model: Model, document: Document, subsystem_facts: SubsystemFacts, number: int, cause: Text) -> Done:
     """An outcome that was told before its change was accepted, or one of somebody else's change."""
     if any(pending.number is None for pending in subsystem_facts.pending.values()):
         early = dict(list({**subsystem_facts.early, number: cause}.items())[-_KEPT:])

@@ -9,6 +9,7 @@ from onika.desk.environment.state.live import SubsystemFacts, TaskFacts
 from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.rules.order import Ports, rank
 from onika.wire import live
+from onika.words.reason import Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +23,7 @@ class Reconfiguration:
     rates: tuple[tuple[str, float], ...] = ()
     resting: tuple[str, ...] = ()
     """Hardware that is exchanged while it is ON, and stays OFF until somebody turns it on (as in law 12)."""
-    faults: tuple[str, ...] = field(default=(), compare=False)
+    faults: tuple[Reason, ...] = field(default=(), compare=False)
     """Why tasks cannot be born."""
 
     @property
@@ -65,20 +66,19 @@ def reconfiguration(
     exchanged = difference.exchanged(stay, rates)
     births = difference.births(exchanged)
 
-    resting = [name for name in exchanged if before.wanted[name] and is_hardware(shelf.tasks[name], shelf)]
-    off = [name for name in stay if before.wanted[name] and not after.wanted[name] and name not in births]
-    gone = [name for name in before.wanted if name not in after.wanted or name in births]
+    resting = difference.resting(exchanged)
+    off = difference.turned_off(stay, births)
     on = _in_order(difference.turned_on(births, resting), after, shelf)
 
     groups = after.configuration  # a runtime spawns who supplies a constant before who needs it, whatever they say
     in_order = [births[name] for name in groups.in_group_order(births)]
     return Reconfiguration(
-        kill=tuple(filter(difference.lives, gone)),
+        kill=difference.killed(births),
         spawn=tuple(newcomer for newcomer in in_order if isinstance(newcomer, SpawnPlan)),
         off=tuple(reversed(groups.in_group_order(reversed(off)))),
         on=tuple(live.Turn(name, subsystem_facts.turns.get(name, "")) for name in on),
         rates=tuple((name, hz) for name, hz in rates if name not in births),
-        resting=tuple(resting),
+        resting=resting,
         faults=tuple(reason for reason in births.values() if not isinstance(reason, SpawnPlan)),
     )
 
@@ -103,12 +103,27 @@ class _Difference:
         unborn = {name for name, _ in rates if self.is_unborn(name)}
         return [name for name in stay if name in unborn or self.is_exchanged(name)]
 
-    def births(self, exchanged: Collection[str]) -> dict[str, SpawnPlan | str]:
+    def births(self, exchanged: Collection[str]) -> dict[str, SpawnPlan | Reason]:
         """Who is to be born, each with its plan, or why it cannot be."""
         new = [name for name in self.after.wanted if name not in self.before.wanted]
         again = [name for name in self.after.wanted if self.comes_again(name)]
         names = [name for name in (*new, *exchanged, *again) if name in self.shelf.tasks]
         return {name: _birth(name, self.after, self.shelf, self.units) for name in names}
+
+    def resting(self, exchanged: Collection[str]) -> tuple[str, ...]:
+        """The hardware among those that are exchanged that was ON: it stays OFF."""
+        were_on = [name for name in exchanged if self.before.wanted[name]]
+        return tuple(name for name in were_on if is_hardware(self.shelf.tasks[name], self.shelf))
+
+    def turned_off(self, stay: Collection[str], births: Collection[str]) -> list[str]:
+        """Who goes OFF, and is not born anew."""
+        were_on = [name for name in stay if self.before.wanted[name] and name not in births]
+        return [name for name in were_on if not self.after.wanted[name]]
+
+    def killed(self, births: Collection[str]) -> tuple[str, ...]:
+        """Who dies: it is wanted no more, or another one takes its place."""
+        gone = [name for name in self.before.wanted if name not in self.after.wanted or name in births]
+        return tuple(filter(self.lives, gone))
 
     def turned_on(self, births: Collection[str], resting: Collection[str]) -> list[str]:
         """Who comes ON."""
@@ -159,7 +174,7 @@ def with_facts(subsystem_facts: SubsystemFacts, what: Reconfiguration, units: Co
     return replace(subsystem_facts, tasks={**subsystem_facts.tasks, **rates, **spawning}, turns={})
 
 
-def _birth(name: str, after: Content, shelf: OpenLibraries, units: Collection[str]) -> SpawnPlan | str:
+def _birth(name: str, after: Content, shelf: OpenLibraries, units: Collection[str]) -> SpawnPlan | Reason:
     placed = after.placed(name)
     if placed is None:
         raise ValueError(f"expected {name}, which is wanted, on the canvas, found {after.names}")

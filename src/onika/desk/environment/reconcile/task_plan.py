@@ -12,6 +12,7 @@ from onika.desk.plan.compile import UNKNOWN, planned_task
 from onika.model.configuration import Placed
 from onika.model.task import Task
 from onika.wire.plan import Code, PlannedTask
+from onika.words.reason import Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,14 +23,14 @@ class SpawnPlan:
     code: Code
 
 
-def birth(placed: Placed, shelf: OpenLibraries, units: Collection[str]) -> SpawnPlan | str:
+def birth(placed: Placed, shelf: OpenLibraries, units: Collection[str]) -> SpawnPlan | Reason:
     """How a placed task is born, or why it cannot be; on a unit that is not there it is born on the first one."""
     task = shelf.tasks.get(placed.task)
     if task is None:
-        return f"no open library has a task {placed.task}"
+        return Reason.of("desk.no_task", name=placed.task)
     code = code_of(task.module, shelf, placed.task)
-    if isinstance(code, str):
-        return f"{placed.task} cannot live: {code}"
+    if isinstance(code, Reason):
+        return Reason.of("run.cannot_live", task=placed.task, why=code)
     rtpu = placed.rtpu if placed.rtpu in units else UNKNOWN
     planned = planned_task(task, rtpu, code.digest, str(shelf.homes[placed.task].base.task_file(placed.task)))
     return SpawnPlan(msgspec.structs.replace(planned, frequency=rate_of(placed, task)), code)
@@ -42,15 +43,15 @@ def rate_of(placed: Placed, task: Task) -> float | None:
     return placed.frequency or task.frequency
 
 
-def code_of(module: str, shelf: OpenLibraries, task: str) -> Code | str:
+def code_of(module: str, shelf: OpenLibraries, task: str) -> Code | Reason:
     """The code of a task's module as it stands in its file now, beside the task or in another open library."""
     path = code_path(module, shelf, task)
     if path is None:
-        return f"there is no {module}.py beside it or in another open library"
+        return Reason.of("run.code_missing", module=module)
     try:
         source = path.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as wrong:
-        return f"{path} cannot be read: {wrong}"
+        return Reason.of("run.code_unreadable", path=str(path), why=str(wrong))
     return Code(sha256(source.encode()).hexdigest(), module, str(path), source)
 
 
