@@ -131,7 +131,7 @@ def test_an_arm_is_made_to_move_by_acts_alone(lab):  # R-C11, R-C12, R-C13, R-C1
     lab.do(act.Answer(doc, "jtraj", "0.5 -1.5 1.5 0 0 0 2"))
     lab.stands("jtraj", "ON")
     lab.stands("jtraj", "OFF")
-    assert "jtraj has finished" in [one.text for one in lab.says]
+    assert "jtraj has finished" in [str(one.text) for one in lab.says]
     lab.until(lambda: abs(lab.values.get(f"{doc}/Q_MEZ", [0.0])[0] - 0.5) < 0.01)
     assert len(lab.values["world:boxes"]["rows"]) > 6
 
