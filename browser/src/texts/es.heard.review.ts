@@ -39,16 +39,8 @@ export const esHeardReview: readonly (readonly [RegExp, string])[] = [
     /^expected (a run that was the first on its runtime), found (.+)$/,
     'se esperaba una ejecución que fuera la primera en su entorno de ejecución; en esta ya habían pasado otras cosas que nadie grabó',
   ],
-  [
-    /^expected a run that repeats \(law 15\), found tasks that had to do with the outside: (.+)$/,
-    'se esperaba una ejecución que se repite; en esta hay tareas que trataron con el exterior: {0}',
-  ],
   [/^it cannot be continued: (.+)$/, 'no se puede continuar: {=0}'],
   [/^(\S+) cannot be continued: (.+)$/, '{0} no se puede continuar: {=1}'],
-  [
-    /^expected a recording of a run, found no such file$/,
-    'se esperaba la grabación de una ejecución; el archivo ya no está',
-  ],
   [/^everything was stopped: (.+)$/, 'se paró todo: {0}'],
   [/^everything stopped$/, 'se paró todo'],
   [/^the run ended: (.+)$/, 'la ejecución terminó: {=0}'],
@@ -56,8 +48,6 @@ export const esHeardReview: readonly (readonly [RegExp, string])[] = [
   [/^(.+) met at (.+)$/, '{0} se encontraron en {1}'],
   [/^(.+): (.+), in the other (.+)$/, '{0}: {=1}; en la otra, {=2}'],
   [/^(\d+(?: × \d+)*) values$/, '{0} valores'],
-  [/^it is there$/, 'está'],
   [/^it is not$/, 'no está'],
   [/^nothing more$/, 'nada más'],
-  [/^nothing yet$/, 'nada todavía'],
 ]
