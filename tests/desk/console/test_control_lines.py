@@ -1,13 +1,12 @@
-from tests.sentences import found_by
-
 from onika.wire import holding, live, request
+from onika.words.reason import Reason
 
 
 def test_a_stop_is_for_all_and_lasts_until_it_is_reset(sit):  # law 27
     sitting = sit()
     sitting.does("spawn puma")
     assert any("STOPPED: smoke; every drive holds until `reset`" in line for line in sitting.does("stop smoke"))
-    assert found_by(sitting.fails("on puma")) == "everything is stopped"
+    assert str(sitting.fails("on puma").reason) == "expected the change to be done, found everything is stopped"
     assert any("motion is allowed again" in line for line in sitting.does("reset"))
     sitting.does("on puma")
     assert sitting.requests_of(request.Stop) == [request.Stop("smoke")]
@@ -19,7 +18,7 @@ def test_a_subsystem_is_taken_and_released(sit):  # R-X12
     assert "main is held by you" in sitting.does("take")
     assert "main is held by nobody" in sitting.does("release main")
     sitting.runtime.refusals["Take"] = "held by ada"
-    assert found_by(sitting.fails("take")) == "held by ada"
+    assert str(sitting.fails("take").reason) == "expected the runtime to do it, found held by ada"
     assert len(sitting.requests_of(live.Take)) == 2
 
 
@@ -27,12 +26,12 @@ def test_the_network_channel_is_named_where_it_was_opened_at_the_start(sit):  # 
     sitting = sit(addresses=("127.0.0.1:7994",))
     for line in ("open", "listen 127.0.0.1:7994", "network"):
         assert sitting.does(line) == ["others reach this runtime at 127.0.0.1:7994"]
-    assert found_by(sitting.fails("open 0.0.0.0:1")) == "one that listens at 127.0.0.1:7994"
+    assert sitting.fails("open 0.0.0.0:1").reason == Reason.of("console.listens_elsewhere", addresses="127.0.0.1:7994")
 
 
 def test_where_it_was_not_opened_the_console_says_how(sit):  # R-A16
     fault = sit().fails("open 127.0.0.1:8000")
-    assert found_by(fault) == "one for this console alone"
+    assert fault.reason == Reason.of("console.listens_to_nobody")
     assert "`onika runtime --listen 127.0.0.1:8000`" in str(fault.instead)
 
 
@@ -46,7 +45,10 @@ def test_a_subsystem_is_offered_to_another_session_or_no_more(sit):  # R-X12
     sitting.does("hand bob arms")
     assert sitting.requests_of(holding.Hand)[-1] == holding.Hand("arms", "bob")
     sitting.runtime.refusals["Hand"] = "bob only watches and can take nothing"
-    assert found_by(sitting.fails("hand bob")) == "bob only watches and can take nothing"
+    assert (
+        str(sitting.fails("hand bob").reason)
+        == "expected the runtime to do it, found bob only watches and can take nothing"
+    )
 
 
 def test_what_is_offered_is_declined(sit):  # R-X12
@@ -72,4 +74,6 @@ def test_a_console_that_only_watches_says_so(sit):  # R-X12
     sitting = sit()
     assert "this console only watches from now on; everybody can stop" in sitting.does("watch only")
     sitting.runtime.refusals["OnlyWatch"] = "this session holds main; release it first"
-    assert found_by(sitting.fails("watch only")) == "this session holds main; release it first"
+    assert str(sitting.fails("watch only").reason) == (
+        "expected the runtime to do it, found this session holds main; release it first"
+    )

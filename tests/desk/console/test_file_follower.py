@@ -1,7 +1,6 @@
 import os
 
 import pytest
-from tests.sentences import found_by
 
 from onika.wire import live, request
 from onika.words.reason import Reason
@@ -115,5 +114,9 @@ def test_the_file_of_the_search_path_is_followed_unless_another_is_named(sit, tm
     sitting = sit()
     sitting.does("spawn diff")
     assert sitting.does("follow diff")[0].endswith("generic/module/diff.py")
-    assert found_by(sitting.fails(f"follow diff {tmp_path}/none.py")) == f"nothing at {tmp_path}/none.py"
-    assert found_by(sitting.fails("follow pd")) == "'pd'"
+    assert sitting.fails(f"follow diff {tmp_path}/none.py").reason == Reason.of(
+        "console.code_file_missing", path=f"{tmp_path}/none.py"
+    )
+    assert sitting.fails("follow pd").reason == Reason.of(
+        "console.not_living", subsystem="main", living=("diff",), name="pd"
+    )

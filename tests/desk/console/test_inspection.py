@@ -1,7 +1,6 @@
-from tests.sentences import expected_by, found_by
-
 from onika.desk.console.display import Tone
 from onika.wire import live
+from onika.words.reason import Reason
 
 
 def test_status_shows_the_columns_that_the_user_prefers(sit, tmp_path):  # R-A11
@@ -19,7 +18,9 @@ def test_status_of_a_task_shows_every_figure(sit):  # R-A11
     output = sitting.does("status puma")
     assert output[0] == "main/puma"
     assert [line.split()[0] for line in output[1:-1]] == list(_COLUMNS)
-    assert expected_by(sitting.fails("status diff")) == "a living task of main (puma)"
+    assert sitting.fails("status diff").reason == Reason.of(
+        "console.not_living", subsystem="main", living=("puma",), name="diff"
+    )
 
 
 def test_an_overload_that_is_foretold_is_told(sit, monkeypatch):  # R-X13
@@ -64,7 +65,7 @@ def test_units_and_subsystems_are_listed(sit):  # R-A06
     sitting.does("spawn left/puma", "take left", "subsystem left")
     assert sitting.does("subsystems")[1].split()[:4] == ["*", "left", "1", "you"]
     assert sitting.does("subsystem") == ["left"]
-    assert found_by(sitting.fails("subsystem 7")) == "'7'"
+    assert sitting.fails("subsystem 7").reason == Reason.of("desk.icon_name", name="7")
 
 
 def with_variables(sitting):
@@ -99,10 +100,13 @@ def test_a_vector_is_read_in_a_line_and_a_matrix_in_rows(sit):  # R-A16
         "BASE[1,1] = 1.0000",
         "BASE[0] = 1.0000  0.0000",
     ]
-    for line in ("read Q_MEZ[2]", "read NDOF[0]", "read BASE[0,0,0]"):
-        assert expected_by(sitting.fails(line)) == "an element, counted from 0"
-    assert found_by(sitting.fails("read NDOF Q_MES")) == "'Q_MES'"
-    assert "no subsystem other" in found_by(sitting.fails("read other/Q"))
+    for name in ("Q_MEZ[2]", "NDOF[0]", "BASE[0,0,0]"):
+        assert sitting.fails(f"read {name}").reason == Reason.of("console.no_element", name=name)
+    assert sitting.fails("read NDOF Q_MES").reason == Reason.of("console.no_variable", subsystem="main", name="Q_MES")
+    assert (
+        str(sitting.fails("read other/Q").reason)
+        == "expected the variable Q of other, found there is no subsystem other"
+    )
 
 
 def test_a_check_of_memory_names_what_it_finds(sit):  # R-A12
@@ -110,7 +114,9 @@ def test_a_check_of_memory_names_what_it_finds(sit):  # R-A12
     assert sitting.does("check") == ["main: the memory of variables is sound"]
     sitting.runtime.findings["main"] = ("Q_MEZ was overwritten; puma on rt0 writes beside it",)
     fault = sitting.fails("check main")
-    assert found_by(fault) == "Q_MEZ was overwritten; puma on rt0 writes beside it"
+    assert str(fault.reason) == (
+        "expected sound memory of variables in main, found Q_MEZ was overwritten; puma on rt0 writes beside it"
+    )
 
 
 def test_what_the_runtime_will_not_say_is_a_fault(sit):
@@ -118,7 +124,7 @@ def test_what_the_runtime_will_not_say_is_a_fault(sit):
     sitting.runtime.refusals |= {"Status": "not now", "Check": "not now", "Read": "not now"}
     sitting.does("spawn puma")
     for line in ("status", "check", "vars", "read Q"):
-        assert found_by(sitting.fails(line)) == "not now"
+        assert str(sitting.fails(line).reason).endswith(", found not now")
 
 
 _COLUMNS = (

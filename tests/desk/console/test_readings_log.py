@@ -1,5 +1,3 @@
-from tests.sentences import found_by
-
 from onika.desk.console import readings_log
 from onika.wire.live import Values
 from onika.words.argument import split
@@ -28,7 +26,7 @@ def test_a_file_that_cannot_be_written_is_told_and_nothing_is_left(sit, tmp_path
     fault = sitting.fails(f"log {tmp_path}/none/now.log")
     assert str(fault.instead) == "nothing is written"
     sitting.runtime.refusals["Read"] = "not yours"
-    assert found_by(sitting.fails(f"log {tmp_path}/x.log")) == "not yours"
+    assert str(sitting.fails(f"log {tmp_path}/x.log").reason) == "expected variables of main, found not yours"
     assert list(tmp_path.iterdir()) == []
 
 

@@ -1,6 +1,5 @@
 import pytest
 from msgspec.structs import replace
-from tests.sentences import expected_by, found_by
 
 from onika.wire import event, request
 from onika.wire.figures import TaskFigures
@@ -25,9 +24,9 @@ def test_an_application_is_redirected_by_further_words(sit):  # R-E09, R-A16
     (flow,) = sitting.requests_of(request.Prepare)[0].plan.flows
     assert [(name, old.name) for name, old in flow.replaced] == [("puma_kin", "puma")]
     sitting.does("wait run")
-    assert expected_by(sitting.fails("run go_home puma")) == "[FLOW:]TASK=TASK"
+    assert str(sitting.fails("run go_home puma").reason) == "expected [FLOW:]TASK=TASK, found 'puma'"
     output = sitting.console.carry_out("run go_home puma=gripper")
-    assert any("does not write" in found_by(fault) for fault in output)
+    assert any("does not write" in str(fault.reason) for fault in output)
 
 
 def test_home_is_the_application_go_home(sit):  # R-A16
@@ -40,15 +39,13 @@ def test_home_is_the_application_go_home(sit):  # R-A16
 def test_a_second_application_has_to_wait(sit):
     sitting = sit()
     sitting.console.carry_out("run go_home")
-    assert (expected_by(sitting.fails("run assemble")), found_by(sitting.fails("home"))) == (
-        "no application that runs",
-        "go_home",
-    )
+    for line in ("run assemble", "home"):
+        assert sitting.fails(line).reason == Reason.of("console.one_runs_already", name="go_home")
 
 
 def test_what_is_wrong_with_an_application_is_told_before_anything_moves(sit):
     sitting = sit()
-    assert found_by(sitting.fails("run go_hone")) == "neither"
+    assert sitting.fails("run go_hone").reason.key == "desk.application_unknown"
     sitting.runtime.faults = (
         request.FaultText(
             "go_home.appl", 7, Reason.plain("expected a posture, found none"), Reason.plain("nothing moves")
@@ -57,7 +54,7 @@ def test_what_is_wrong_with_an_application_is_told_before_anything_moves(sit):
     assert sitting.fails("run go_home").place.line == 7
     sitting.runtime.faults = ()
     sitting.runtime.refusals["Begin"] = "another holds it"
-    assert found_by(sitting.fails("run go_home")) == "another holds it"
+    assert str(sitting.fails("run go_home").reason) == "expected the runtime to do it, found another holds it"
     assert sitting.session.running == ""
 
 
@@ -67,8 +64,8 @@ def test_a_run_is_aborted(sit):
     sitting.does("abort it is late")
     assert sitting.requests_of(request.Abort) == [request.Abort("it is late")]
     assert any("run aborted, 0 of 1 actions: it is late" in line for line in sitting.lines)
-    assert expected_by(sitting.fails("abort")) == "an application that runs"
-    assert "aborted: it is late" in found_by(sitting.fails("wait run"))
+    assert sitting.fails("abort").reason == Reason.of("console.no_application_runs")
+    assert str(sitting.fails("wait run").reason) == "expected the run completed, found it was aborted: it is late"
 
 
 def test_a_question_of_an_application_goes_to_the_next_line_of_a_script(sit, monkeypatch):  # R-A10
@@ -77,9 +74,9 @@ def test_a_question_of_an_application_goes_to_the_next_line_of_a_script(sit, mon
     monkeypatch.setattr(sitting.runtime, "_command", asking_once(sitting.runtime))
     sitting.does("run go_home")
     assert sitting.session.running == "go_home"
-    assert found_by(sitting.fails("wait run")) == "flow0/jtraj"
+    assert sitting.fails("wait run").reason == Reason.of("console.tasks_ask", asking=("flow0/jtraj",))
     (fault,) = sitting.console.finish()
-    assert found_by(fault) == "flow0/jtraj"
+    assert fault.reason == Reason.of("console.tasks_ask", asking=("flow0/jtraj",))
     sitting.does("answer flow0/jtraj 1", "wait run")
     assert sitting.session.running == ""
 
@@ -117,7 +114,7 @@ def test_the_end_of_what_another_runs_is_not_the_end_of_ours(sit):
 def test_calibration_is_an_application_of_the_laboratory(sit, tmp_path, line, name):  # R-A16
     sitting = sit()
     fault = sitting.fails(line)
-    assert f"an application {name} on the search path" in expected_by(fault)
+    assert fault.reason == Reason.of("console.no_calibration", name=name)
     assert "measure absolute angles" in str(fault.instead)
     (tmp_path / "appl").mkdir()
     shipped = sitting.session.site.application_file("go_home")

@@ -1,5 +1,4 @@
 import pytest
-from tests.sentences import expected_by, found_by
 
 from onika.desk.console.steering_lines import flow_index_of
 from onika.wire import event, live, request, steer
@@ -38,20 +37,15 @@ def test_the_words_of_steering_are_those_of_scripts(steered, line, message):  # 
 
 def test_where_no_application_runs_there_is_nothing_to_steer(sit):  # R-E07
     sitting = sit()
-    assert (expected_by(sitting.fails("pause")), found_by(sitting.fails("skip 3"))) == (
-        "an application that runs",
-        "none",
-    )
+    for line in ("pause", "skip 3"):
+        assert sitting.fails(line).reason == Reason.of("console.no_application_runs")
     assert sitting.does("who", "runs")[-2:] == ["no application runs", "no application runs"]
 
 
 def test_what_is_written_wrongly_or_refused_is_a_fault(steered):  # R-E07
-    assert expected_by(steered.fails("pause flow7")) == "a flow (flow0) or its number"
+    assert steered.fails("pause flow7").reason == Reason.of("desk.flow_or_number", names=("flow0",), word="flow7")
     steered.runtime.refusals["Pass"] = Reason.plain("expected flow 0 to be waiting, found it paused")
-    assert (expected_by(steered.fails("pass")), found_by(steered.fails("pass"))) == (
-        "flow 0 to be waiting",
-        "it paused",
-    )
+    assert str(steered.fails("pass").reason) == "expected flow 0 to be waiting, found it paused"
 
 
 def test_who_says_where_every_flow_is_and_whom_it_waits_for(steered):  # R-X03
@@ -113,8 +107,10 @@ def test_a_person_is_waited_for_at_an_error(sit):  # R-E08
 
 def test_a_script_waits_for_the_state_of_a_flow(steered):  # R-E07
     steered.does("wait flow0 paused")
-    assert found_by(steered.fails("wait flow0 done within 0.1")) == "paused"
-    assert expected_by(steered.fails("wait flow7 paused")) == "a flow of an application that runs"
+    assert steered.fails("wait flow0 done within 0.1").reason == Reason.of(
+        "console.not_within", expected="flow0 done", limit=0.1, reality="paused"
+    )
+    assert steered.fails("wait flow7 paused").reason == Reason.of("console.no_flow", name="flow7")
 
 
 def test_what_flows_do_is_told(steered):  # R-E11, R-X03, R-X06

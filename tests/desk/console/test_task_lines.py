@@ -1,8 +1,8 @@
 import pytest
-from tests.sentences import expected_by, found_by
 
 from kit.laboratory import Laboratory
 from onika.wire import live
+from onika.words.reason import Reason
 
 CMOVE = ("puma", "diff", "gravcomp", "pd", "torque_sum", "led_monitor", "fwdkin", "invkin", "ctraj")
 
@@ -33,26 +33,28 @@ def test_one_module_serves_two_tasks_with_one_code(sit):  # R-A01
 
 
 @pytest.mark.parametrize(
-    ("line", "expected", "actual"),
+    ("line", "sentence"),
     [
-        ("spawn pumma", "a task on the search path (near it: puma", "'pumma'"),
-        ("spawn puma on rt7", "one of the units rt0, rt1", "'rt7'"),
-        ("spawn puma at fast", "a rate in hertz after `at`", "'fast'"),
-        ("spawn puma at -1", "a rate in hertz after `at`", "'-1'"),
-        ("spawn puma on", "`spawn TASK… [on RTPU] [as NAME] [at HZ]`", "`spawn puma on`"),
-        ("spawn on rt1", "`spawn TASK… [on RTPU] [as NAME] [at HZ]`", "`spawn on rt1`"),
-        ("spawn puma diff as x", "one task before `as`", "2"),
-        ("spawn puma other/diff", "tasks of one subsystem, as main", "other"),
-        ("spawn all of nothing", "a configuration on the search path", "'nothing'"),
-        ("spawn all of", "`spawn all of CONFIGURATION`", "`spawn all of`"),
+        ("spawn pumma", "a task on the search path (near it: puma, puma_kin), found 'pumma'"),
+        ("spawn puma on rt7", "one of the units rt0, rt1, found 'rt7'"),
+        ("spawn puma at fast", "a rate in hertz after `at`, found 'fast'"),
+        ("spawn puma at -1", "a rate in hertz after `at`, found '-1'"),
+        ("spawn puma on", "`spawn TASK… [on RTPU] [as NAME] [at HZ]`, found `spawn puma on`"),
+        ("spawn on rt1", "`spawn TASK… [on RTPU] [as NAME] [at HZ]`, found `spawn on rt1`"),
+        ("spawn puma diff as x", "one task before `as`, found 2"),
+        ("spawn puma other/diff", "tasks of one subsystem, as main, found other"),
+        ("spawn all of", "`spawn all of CONFIGURATION`, found `spawn all of`"),
     ],
 )
-def test_what_cannot_be_spawned_is_told_and_nothing_is_asked(sit, line, expected, actual):
+def test_what_cannot_be_spawned_is_told_and_nothing_is_asked(sit, line, sentence):
     sitting = sit()
-    fault = sitting.fails(line)
-    assert expected in expected_by(fault)
-    assert actual in found_by(fault)
+    assert str(sitting.fails(line).reason) == f"expected {sentence}"
     assert sitting.requests_of(live.Change) == []
+
+
+def test_a_configuration_that_is_not_there_is_not_spawned(sit):
+    reason = sit().fails("spawn all of nothing").reason
+    assert (reason.key, reason.args["name"]) == ("desk.not_on_search_path", "nothing")
 
 
 def test_all_tasks_of_a_configuration_are_spawned_but_those_that_live(sit):  # R-A13
@@ -76,13 +78,13 @@ def test_a_target_of_the_dictionary_gives_the_arguments(sit):
     sitting.does("spawn jtraj", "on jtraj @home")
     assert sitting.requests_of(live.Change)[1].on == (live.Turn("jtraj", "0.0 -1.570796 1.570796 0.0 0.0 0.0 3.0"),)
     fault = sitting.fails("on jtraj @hme")
-    assert "a target on the search path (near it: home" in expected_by(fault)
+    assert str(fault.reason) == "expected a target on the search path (near it: home), found 'hme'"
 
 
 def test_a_target_without_values_gives_no_arguments(sit):
     sitting = sit()
     sitting.does("spawn jtraj")
-    assert expected_by(sitting.fails("on jtraj @noop")) == "a target with values, as in @noop"
+    assert sitting.fails("on jtraj @noop").reason == Reason.of("desk.target_without_values", text="@noop")
 
 
 def test_all_that_is_off_goes_on_and_all_that_is_on_goes_off(sit):
@@ -121,7 +123,7 @@ def test_a_task_that_does_not_live_is_named_with_those_that_do(sit, line):
     sitting = sit()
     sitting.does("spawn puma")
     fault = sitting.fails(line)
-    assert (expected_by(fault), found_by(fault)) == ("a living task of main (puma)", "'diff'")
+    assert fault.reason == Reason.of("console.not_living", subsystem="main", living=("puma",), name="diff")
     assert sitting.states() == {"puma": "OFF"}
 
 
@@ -129,8 +131,9 @@ def test_the_outcome_of_a_change_is_waited_for_and_its_cause_told(sit):
     sitting = sit()
     sitting.does("spawn puma", "on puma")
     fault = sitting.fails("on puma")
-    assert expected_by(fault) == "the change to be done"
-    assert "while ON, found on" in found_by(fault)
+    assert str(fault.reason) == (
+        "expected the change to be done, found expected one of fail, finish, kill, off, swap while ON, found on"
+    )
 
 
 def test_a_task_in_error_is_cleared_by_name_or_with_all_others(sit):  # R-A05
@@ -162,6 +165,6 @@ def test_a_configuration_with_a_missing_task_changes_nothing(sit, tmp_path):
     Laboratory(tmp_path).configuration("lost", "gone 9")
     sitting = sit()
     faults = sitting.console.carry_out("config lost")
-    assert [found_by(fault) for fault in faults] == ["'gone'"]
+    assert [(fault.reason.key, fault.reason.args["name"]) for fault in faults] == [("desk.not_on_search_path", "gone")]
     assert sitting.requests_of(live.Change) == []
-    assert found_by(sitting.fails("config nothing")) == "'nothing'"
+    assert sitting.fails("config nothing").reason.key == "desk.not_on_search_path"

@@ -1,5 +1,4 @@
 import pytest
-from tests.sentences import expected_by, found_by
 
 from onika.wire import live, request
 from onika.words.reason import Reason
@@ -10,7 +9,7 @@ def test_a_rate_is_changed_while_the_task_runs(sit):  # R-A04
     sitting.does("spawn puma", "on puma", "rate puma 250")
     assert sitting.session.tasks()["puma"].frequency == 250.0
     assert sitting.states() == {"puma": "ON"}
-    assert found_by(sitting.fails("rate puma often")) == "'often'"
+    assert sitting.fails("rate puma often").reason == Reason.of("console.rate", word="often")
 
 
 def test_a_task_is_initialised_anew_with_another_local_line(sit):  # R-A13
@@ -20,7 +19,7 @@ def test_a_task_is_initialised_anew_with_another_local_line(sit):  # R-A13
     assert plain.local is None
     assert speed.local == (("SPEED", ("0.25",)), ("SETTLE", ("0.5",)))
     assert dict(label.local)["LABEL"] == ("two", "words")
-    assert expected_by(sitting.fails("reinit jtraj SPEED")) == "the words of the LOCAL line SPEED"
+    assert sitting.fails("reinit jtraj SPEED").reason == Reason.of("console.local_words", key="SPEED")
 
 
 def test_code_is_exchanged_for_that_of_its_file_or_of_another(sit, tmp_path):  # R-A14
@@ -46,7 +45,7 @@ def test_code_that_cannot_be_read_or_that_the_runtime_finds_faults_in_is_not_exc
         ),
     )
     fault = sitting.fails("swap diff")
-    assert (fault.place.file, fault.place.line, expected_by(fault)) == ("diff.py", 3, "a class")
+    assert (fault.place.file, fault.place.line, str(fault.reason)) == ("diff.py", 3, "expected a class, found none")
 
 
 def test_the_code_of_a_task_under_another_name_is_found_by_its_module(sit):
@@ -60,7 +59,10 @@ def test_a_module_is_asked_and_told_by_name(sit):  # R-A01, R-A05
     sitting.does("spawn jtraj", "set jtraj label two words")
     assert sitting.does("get jtraj label") == ["label = two words"]
     assert sitting.requests_of(live.Set) == [live.Set("main", "jtraj", "label", "two words")]
-    assert "nothing called 'gain'" in found_by(sitting.fails("get jtraj gain"))
+    assert (
+        str(sitting.fails("get jtraj gain").reason)
+        == "expected the module to do it, found there is nothing called 'gain' to get"
+    )
 
 
 def test_a_question_is_answered_with_words_or_with_a_target(asking):  # R-A10
@@ -86,14 +88,14 @@ def test_an_answer_that_will_not_do_is_asked_for_again(asking):  # R-A10
 def test_an_answer_that_is_refused_leaves_the_question_open(asking):
     asking.does("spawn jtraj", "on jtraj")
     asking.runtime.refusals["Reply"] = "not yours"
-    assert found_by(asking.fails("answer jtraj 1 1 1")) == "not yours"
+    assert str(asking.fails("answer jtraj 1 1 1").reason) == "expected the runtime to do it, found not yours"
     assert ("main", "jtraj") in asking.session.questions
 
 
 def test_only_a_task_that_asks_is_answered(asking):
     asking.does("spawn jtraj diff", "on jtraj")
     fault = asking.fails("answer diff 1")
-    assert (expected_by(fault), found_by(fault)) == ("a task that asks (main/jtraj)", "'diff'")
+    assert fault.reason == Reason.of("console.other_tasks_ask", asking=("main/jtraj",), word="diff")
 
 
 def test_defaults_are_the_answer_where_every_input_has_one(sit):
@@ -107,4 +109,4 @@ def test_defaults_are_the_answer_where_every_input_has_one(sit):
 
 @pytest.mark.parametrize("line", ["rate diff 5", "reinit diff", "swap diff", "get diff x", "set diff x 1"])
 def test_what_does_not_live_cannot_be_altered(sit, line):
-    assert expected_by(sit().fails(line)) == "a living task of main (there is none)"
+    assert sit().fails(line).reason == Reason.of("console.none_living", subsystem="main", name="diff")

@@ -1,4 +1,4 @@
-from tests.sentences import expected_by, found_by
+from onika.words.reason import Reason
 
 
 def watching(sit, line="watch X 4"):
@@ -46,7 +46,7 @@ def test_watching_ends_when_it_is_told_or_the_variable_is_gone(sit):
 
 def test_what_is_not_there_cannot_be_watched(sit):
     sitting = watching(sit)
-    assert found_by(sitting.fails("watch X Z")) == "'Z'"
-    assert expected_by(sitting.fails("watch X 1000")) == "variables, and a rate of at most 20 Hz"
-    assert found_by(sitting.fails("watch 5")) == "5"
+    assert sitting.fails("watch X Z").reason == Reason.of("console.no_variable", subsystem="main", name="Z")
+    assert sitting.fails("watch X 1000").reason == Reason.of("console.watch_usage", hz=20.0, words="X 1000")
+    assert sitting.fails("watch 5").reason == Reason.of("console.watch_usage", hz=20.0, words="5")
     assert sitting.does("watch") == ["watched: main/X"]
