@@ -49,15 +49,6 @@ export const esHeard: readonly (readonly [RegExp, string])[] = [
     /^(\d+) values of variables were written over before they could be recorded$/,
     '{0} valores de variables se sobrescribieron antes de poder grabarlos',
   ],
-  [
-    /^the runtime at (.+) is left for the simulator, and (.+) with it: what this environment held there comes to rest$/,
-    'se deja el entorno de ejecución en {0} por el simulador, y con él {1}: lo que este entorno sostenía allí queda en reposo',
-  ],
-  [/^End it and go on in the simulator$/, 'Terminarlo y seguir en el simulador'],
-  [
-    /^(.+) is no longer connected: the simulator has taken the place of its runtime$/,
-    '{0} ya no está conectada: el simulador ocupa el lugar de su entorno de ejecución',
-  ],
   [/^(\d+) actions, (\d+) values?$/, '{0} acciones, {1} valores'],
   [/^(.+) is there already$/, '{0} ya existe'],
   [

@@ -76,7 +76,7 @@ def test_without_its_application_it_is_shown_without_icons(cinema, doc):  # R-X0
     (cinema.base.path / "appl" / "play.appl").unlink()
     view = cinema.look(path)
     assert (view.doc, steps(view)) == ("", [0, 0, 0])
-    assert "play is not open" in view.notes[0]
+    assert view.notes[0].key == "run.is_not_open" and view.notes[0].args["name"] == "play"
     assert view.flows["flow0"].passages[0].name == "aC"
 
 

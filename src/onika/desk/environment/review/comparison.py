@@ -17,6 +17,7 @@ from onika.record.reader import UNREADABLE, Reader
 from onika.record.tolerance import Tolerance, usual
 from onika.wire import act
 from onika.wire.view import DifferenceView
+from onika.words.reason import NOTHING, Reason, Text, reason_of
 
 _SHAPE = re.compile(r"[a-z]+\[(\d+(?:,\d+)*)\]")
 
@@ -27,9 +28,9 @@ def compare_with(model: Model, command: act.CompareWith, outside: Services) -> P
     if reading is None or comparing is None:
         return NOT_HERE
     if model.looking is None:
-        return No("no recording is looked at: open one first")
+        return No(Reason.of("run.none_looked_at_open"))
     if wrong := _negative(command):
-        return No("a tolerance is 0 or more", fields=wrong)
+        return No(Reason.of("run.tolerance_sign"), fields=wrong)
     if not command.path:
         put_one_away(model.looking.other, reading)
         return Done(replace(model, looking=ReviewSession(model.looking.subject)))
@@ -38,7 +39,7 @@ def compare_with(model: Model, command: act.CompareWith, outside: Services) -> P
         return other
     if model.looking is None:
         put_one_away(other, reading)
-        return No("the recording was put away meanwhile")
+        return No(Reason.of("run.put_away"))
     put_one_away(model.looking.other, reading)
     subject = model.looking.subject
     is_virtual = subject.view.is_virtual and other.view.is_virtual
@@ -47,21 +48,22 @@ def compare_with(model: Model, command: act.CompareWith, outside: Services) -> P
     return Done(replace(model, looking=ReviewSession(subject, other)), value=other.view.path)
 
 
-def _negative(command: act.CompareWith) -> dict[str, str]:
-    return {name: "expected 0 or more" for name in ("tolerance", "part", "time_s") if (getattr(command, name) or 0) < 0}
+def _negative(command: act.CompareWith) -> dict[str, Text]:
+    names = ("tolerance", "part", "time_s")
+    return {name: Reason.of("run.zero_or_more") for name in names if (getattr(command, name) or 0) < 0}
 
 
 def _compared(subject: ReviewedRun, other: ReviewedRun, tolerance: Tolerance) -> Callable[[Model], Done]:
     """Both files are read anew, so that nobody waits who looks at them meanwhile."""
     first: Difference | None = None
-    wrong = ""
+    wrong = NOTHING
     try:
         readers = Reader(subject.path), Reader(other.path)
         first = first_difference(*readers, tolerance, lambda: not (subject.away.is_set() or other.away.is_set()))
         for reader in readers:
             reader.close()
     except UNREADABLE as fault:
-        wrong = f"the two recordings cannot be compared: {fault}"
+        wrong = Reason.of("run.not_compared", why=reason_of(fault))
 
     def with_difference(model: Model) -> Done:
         looking = model.looking
@@ -97,21 +99,32 @@ def _numbers(difference: Difference, unit: str) -> tuple[str, str] | None:
     return f"{pair[0]}{behind}", f"{pair[1]}{behind}"
 
 
-def _plain(side: str) -> str:
-    """One side of a difference; the type of an array by how many values there are."""
+def _side(side: Text, subject: ReviewedRun) -> Text:
+    """What one of the two says: an action by its icon, the type of an array by how many values there are."""
+    if isinstance(side, Reason):
+        return _with_icon(side, subject)
     shape = _SHAPE.fullmatch(side)
     if shape:
-        return f"{' × '.join(shape[1].split(','))} values"
+        return Reason.of("run.values_of_shape", shape=" × ".join(shape[1].split(",")))
     return side
+
+
+def _with_icon(side: Reason, subject: ReviewedRun) -> Reason:
+    """An event; an action that begins is called by what its icon shows."""
+    event = side.args.get("event")
+    if not isinstance(event, Reason) or event.key != "record.action_begins":
+        return side
+    icon = subject.speech.actions.get(str(event.args["action"]))
+    if icon is None:
+        return side
+    return Reason.of("record.event_at", event=Reason.of("run.icon_begins", icon=icon), at_s=side.args["at_s"])
 
 
 def _view(difference: Difference | None, subject: ReviewedRun) -> DifferenceView:
     if difference is None:
         return DifferenceView()
     series = subject.review.series.get(difference.variable)
-    first, second = _numbers(difference, series.unit if series else "") or (
-        _plain(str(difference.first)),
-        _plain(str(difference.second)),
-    )
-    text = subject.with_icons(f"{difference.what}: {first}, in the other {second}")
-    return DifferenceView(text, difference.at_ns * 1e-9, difference.variable)
+    numbers = _numbers(difference, series.unit if series else "")
+    first, second = numbers or (_side(difference.first, subject), _side(difference.second, subject))
+    reason = Reason.of("run.differs", what=difference.what, first=first, second=second)
+    return DifferenceView(reason, difference.at_ns * 1e-9, difference.variable)

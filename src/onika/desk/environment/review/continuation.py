@@ -34,14 +34,13 @@ from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.runs import flow_placement
 from onika.desk.environment.runs.obstacles import left
 from onika.desk.environment.state.model import Model
-from onika.desk.plan.icon_names import listed
 from onika.desk.run.recorded_run import RecordedRun, RecordingSource, recorded_run
 from onika.desk.run.runtime import in_short
 from onika.wire import act, live, page, request, view
 from onika.wire.view import Remedy
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
-_ABORT = Remedy("Abort it", act.Steer("abort"))
+_ABORT = Remedy(Reason.of("run.abort_it"), act.Steer("abort"))
 _BY_USER = "aborted by the user"
 _ENDING = (request.Abort, request.Stop, live.Reset)
 
@@ -59,7 +58,7 @@ def continue_run(model: Model, command: act.Continue, outside: Services) -> Proc
         return recorded
     wrong = _refused(model, command, outside)
     if wrong is None and model.looking is not None and not model.looking.subject.is_of(subject):
-        wrong = No("another recording is looked at now")
+        wrong = No(Reason.of("run.another_looked_at"))
     if wrong is not None:
         return wrong
     former = model.run
@@ -75,47 +74,45 @@ def _read(subject: ReviewedRun, at_s: float) -> RecordedRun | No:
     recorded = recorded_run(RecordingSource(subject.path, at_s))
     if isinstance(recorded, RecordedRun):
         return recorded
-    why = (f"it cannot be continued: {fault.reason}" for fault in recorded)
-    return No("; ".join(why))
+    reasons = tuple(Reason.of("run.it_cannot_continue", why=fault.reason) for fault in recorded)
+    return No(Reason.of("run.together", parts=reasons))
 
 
 def _refused(model: Model, command: act.Continue, outside: Services) -> No | None:
     if outside.reading is None:
         return NOT_HERE
     if model.looking is None:
-        return No("no recording is looked at")
+        return No(Reason.of("run.none_looked_at"))
     recording = model.looking.subject.view
     if recording.cannot_continue:
-        return No(f"{recording.name} cannot be continued: {recording.cannot_continue}")
+        return No(Reason.of("run.cannot_continue", name=recording.name, why=recording.cannot_continue))
     if not recording.begin_s <= command.at_s <= recording.end_s:
-        return No(f"expected an instant from {recording.begin_s:g} to {recording.end_s:g} s, found {command.at_s:g}")
+        begin_s, end_s, at_s = recording.begin_s, recording.end_s, command.at_s
+        return No(Reason.of("run.instant_expected", begin_s=begin_s, end_s=end_s, at_s=at_s))
     if model.run is not None and not model.run.is_over:
-        return No(f"{model.run.view.name} runs, and one application runs at a time", (_ABORT,))
+        return No(Reason.of("run.runs_one", name=model.run.view.name), (_ABORT,))
     ends = _ends(model)
     if ends and not command.confirmed:
-        go_on = Remedy("End it and go on in the simulator", act.Continue(command.at_s, confirmed=True))
+        go_on = Remedy(Reason.of("run.end_and_go_on"), act.Continue(command.at_s, confirmed=True))
         return No(ends, (go_on,))
     return None
 
 
-def _ends(model: Model) -> str:
-    """What ends where the runtime gives way to a simulator; empty: nothing lives there."""
+def _ends(model: Model) -> Reason:
+    """What ends where the runtime gives way to a simulator; nothing: nothing lives there."""
     runtime = model.runtime
     if runtime.state != "linked":
-        return ""
+        return NOTHING
     connected = [(document.name, document.live) for document in model.documents.values() if document.live is not None]
     others = runtime.subsystems.keys() - {message.subsystem for _, message in connected}
-    living = [*(name for name, message in connected if message.tasks), *sorted(others)]
+    living = (*(name for name, message in connected if message.tasks), *sorted(others))
     if not living:
-        return ""
+        return NOTHING
     if runtime.address:
-        return (
-            f"the runtime at {runtime.address} is left for the simulator, and {listed(living)} with it: "
-            "what this environment held there comes to rest"
-        )
-    what = "simulator" if runtime.is_virtual else "runtime"
-    tasks = "its tasks" if len(living) == 1 else "their tasks"
-    return f"the {what} that lives now ends for the simulator of this run, and {listed(living)} with {tasks}"
+        return Reason.of("run.left_for_simulator", address=runtime.address, names=living)
+    if runtime.is_virtual:
+        return Reason.of("run.simulator_makes_room", names=living)
+    return Reason.of("run.runtime_makes_room", names=living)
 
 
 def _repeated(model: Model, run: Run, recorded: RecordedRun) -> Steps[tuple[Model, No | None]]:
@@ -126,9 +123,8 @@ def _repeated(model: Model, run: Run, recorded: RecordedRun) -> Steps[tuple[Mode
     connected = [document for document in model.documents.values() if document.live is not None]
     after = left(model, [document.live.subsystem for document in connected if document.live is not None])
     after = replace(after, runtime=view.RuntimeView("starting"), run=run)
-    taken = "is no longer connected: the simulator has taken the place of its runtime"
     says = tuple(
-        page.Say("info", f"{document.name} {taken}", document.id)
+        page.Say("info", Reason.of("run.left_by_simulator", name=document.name), document.id)
         for document in connected
         if document.live is not None and document.live.tasks
     )
@@ -136,30 +132,28 @@ def _repeated(model: Model, run: Run, recorded: RecordedRun) -> Steps[tuple[Mode
     model, standing = yield Ask(after, live.Survey(), reach, says=says, news=given_up(model, after))
     if not isinstance(standing, live.Standing):
         why = refusal(standing)
-        return flow_placement.lost(model, why), No(f"no simulator: {in_short(why)}")
+        return flow_placement.lost(model, why), No(Reason.of("run.no_simulator", why=in_short(why)))
     model = replace(model, runtime=runtime_view(model.runtime, standing))
     model, prepared = yield Ask(model, recorded.run.prepare)
     wrong = _unprepared(prepared)
     if wrong is None and model.run is not None and model.run.is_given_up:
-        wrong = No(f"{run.view.name} was aborted before it had begun")
+        wrong = No(Reason.of("run.aborted_before", name=run.view.name))
     if wrong is not None:
         return model, wrong
     begin = recorded.begin(request.Begin(may_ask=True, on_loss="stop"))
     model, response = yield Ask(model, structs.replace(begin, on_error="wait"))  # somebody is there to clear it
     if isinstance(response, request.Done):
         return model, None
-    return model, No(f"{run.view.name} cannot be gone on with: {refusal(response)}")
+    return model, No(Reason.of("run.not_gone_on", name=run.view.name, why=refusal(response)))
 
 
 def _unprepared(response: request.Response) -> No | None:
     """Why the simulator does not take the recorded plan."""
     if not isinstance(response, request.Prepared):
-        return No(f"the simulator does not take the recorded plan: {refusal(response)}")
+        return No(Reason.of("run.plan_not_taken", why=refusal(response)))
     if not response.faults:
         return None
-    first = response.faults[0]
-    text = f"{first.reason}"
-    return No(f"the simulator does not take the recorded plan: {text}")
+    return No(Reason.of("run.plan_not_taken", why=response.faults[0].reason))
 
 
 def _not_ended(recorded: RecordedRun) -> tuple[RecordedRun, tuple[Reason, ...]]:
@@ -189,6 +183,9 @@ def _goes_on(model: Model) -> Done:
     described = describe(replace(model, run=run, performed=model.performed + 1))
     end = (Order(request.Abort(_BY_USER)),) if run.is_given_up else ()
     until_s = run.view.repeats_until_s
-    how = f"up to {until_s:.1f} s and goes on from there" if until_s > 0 else "from its beginning"
-    says = (page.Say("info", f"{run.view.name} is repeated in the simulator {how}", run.doc),)
+    if until_s > 0:
+        reason = Reason.of("run.repeated_to", name=run.view.name, until_s=until_s)
+    else:
+        reason = Reason.of("run.repeated", name=run.view.name)
+    says = (page.Say("info", reason, run.doc),)
     return Done(described.model, value=run.view.number, says=says, orders=(*end, run_reducer.look(), *described.orders))

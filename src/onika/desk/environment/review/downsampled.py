@@ -16,6 +16,7 @@ from onika.record.reader import UNREADABLE
 from onika.record.series import Series
 from onika.wire import act
 from onika.wire.view import StretchView
+from onika.words.reason import Reason
 
 _MOST_POINTS = 4000
 
@@ -29,7 +30,7 @@ def course(model: Model, command: act.Course, outside: Services) -> Procedure:
     if aside is None:
         return NOT_HERE
     if series is None:
-        return No(f"{command.variable} is not in {subject.path.name}")
+        return No(Reason.of("run.not_recorded", variable=command.variable, name=subject.path.name))
     if not recorded.is_drawn(series):
         return Done(model, value=())
     samples = subject.samples.get(command.variable)

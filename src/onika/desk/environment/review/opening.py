@@ -28,9 +28,9 @@ from onika.record.reader import UNREADABLE, flaw
 from onika.store.site import Site
 from onika.wire import act
 from onika.wire.plan import Plan
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
-NOT_HERE = No("recordings cannot be looked at here")
+NOT_HERE = No(Reason.of("run.no_recordings_here"))
 _NO_SYNTAX = Syntax((), ())
 
 
@@ -87,7 +87,7 @@ def _review(file: Path) -> Review | No:
 
 
 def _compiled(
-    review: Review, opened: OpenApplication | None, note: str, site: Site, syntax: Syntax
+    review: Review, opened: OpenApplication | None, note: Reason, site: Site, syntax: Syntax
 ) -> ReviewedRun | No:
     try:
         return subject_of(review, opened, note, site, syntax)
@@ -103,16 +103,18 @@ def _unreadable(file: Path, wrong: Exception) -> No:
 # -- its application
 
 
-def _opened(model: Model, plan: Plan, outside: Services, *, opens: bool) -> tuple[Model, OpenApplication | None, str]:
+def _opened(
+    model: Model, plan: Plan, outside: Services, *, opens: bool
+) -> tuple[Model, OpenApplication | None, Reason]:
     """The open application whose run it was, opened where it is not; or why there is none."""
     application = open_one(model, plan)
     if application is not None or not opens:
-        return model, application, ""
+        return model, application, NOTHING
     place = _place(plan)
     done = file_acts.open_file(model, act.Open(place if Path(place).is_file() else plan.application), outside)
     if isinstance(done, No):
-        return model, None, f"{plan.application} is not open: {done.reason}. Its actions are shown without icons"
-    return done.model, done.model.applications[str(done.value)], ""
+        return model, None, Reason.of("run.is_not_open", name=plan.application, why=done.reason)
+    return done.model, done.model.applications[str(done.value)], NOTHING
 
 
 def open_one(model: Model, plan: Plan) -> OpenApplication | None:
@@ -138,8 +140,8 @@ def _place(plan: Plan) -> str:
     return next(own, plan.application)
 
 
-def subject_of(review: Review, opened: OpenApplication | None, note: str, site: Site, syntax: Syntax) -> ReviewedRun:
-    """A recording shown at the icons of an application as it is now."""
+def subject_of(review: Review, opened: OpenApplication | None, note: Reason, site: Site, syntax: Syntax) -> ReviewedRun:
+    """A recording shown at the icons of an application as it is now; `note` is what else is to be said of it."""
     present = None if opened is None else _present(opened, site, syntax)
     mapping = recast(review.run.prepare.plan, present)
     mapping = replace(mapping, notes=(*((note,) if note else ()), *mapping.notes))

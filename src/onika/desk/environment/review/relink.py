@@ -13,6 +13,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.record.reader import UNREADABLE
 from onika.wire import act
+from onika.words.reason import NOTHING
 
 Handler = Callable[[Model, Any, Services], Done | No]
 
@@ -50,7 +51,7 @@ def _follow(subject: ReviewedRun, model: Model, outside: Services, *, is_read_ag
         if subject.away.is_set() or syntax is None:
             return
         try:
-            recorded = subject_of(subject.review, opened, "", site, syntax)
+            recorded = subject_of(subject.review, opened, NOTHING, site, syntax)
         except UNREADABLE:
             return  # who looks at it next is told
         recorded = replace(recorded, samples=subject.samples, away=subject.away)

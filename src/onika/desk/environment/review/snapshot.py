@@ -10,6 +10,7 @@ from onika.desk.environment.state.model import Model
 from onika.record.reader import UNREADABLE
 from onika.wire import act
 from onika.wire.view import InstantView
+from onika.words.reason import Reason, reason_of
 
 _FAR_S = 1e9
 
@@ -35,7 +36,7 @@ def recorded_scene(model: Model, command: act.RecordedScene, _outside: Services)
     except UNREADABLE as wrong:
         return spoilt(subject, wrong)
     if shapes is None:
-        return No(f"nothing of a world {command.world} is in this recording")
+        return No(Reason.of("run.no_world_recorded", world=command.world))
     return Done(model, value={"shapes": shapes})
 
 
@@ -43,8 +44,8 @@ def looked_at(model: Model, *, of_other: bool) -> ReviewedRun | No:
     """The recorded run that is meant."""
     looking: ReviewSession | None = model.looking
     if looking is None:
-        return No("no recording is looked at")
-    return looking.subject_of(of_other=of_other) or No("no other recording is looked at beside it")
+        return No(Reason.of("run.none_looked_at"))
+    return looking.subject_of(of_other=of_other) or No(Reason.of("run.no_other_looked_at"))
 
 
 def sane(at_s: float) -> float:
@@ -54,7 +55,7 @@ def sane(at_s: float) -> float:
 
 def spoilt(subject: ReviewedRun, wrong: Exception) -> No:
     """The file is not what it was when it was opened, or was spoilt before."""
-    return No(f"{subject.path.name} cannot be read there: {wrong}")
+    return No(Reason.of("run.unreadable_there", name=subject.path.name, why=reason_of(wrong)))
 
 
 def _instant(subject: ReviewedRun, model: Model, at_s: float) -> InstantView:

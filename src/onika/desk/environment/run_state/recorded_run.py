@@ -41,12 +41,6 @@ class ReviewedRun:
         """Whether both were made when the same recording was opened: it may be shown at other icons since."""
         return self.review is other.review
 
-    def with_icons(self, text: str) -> str:
-        """A text in the words of the icons, where it names actions as files do."""
-        for name, shown in sorted(self.speech.actions.items(), key=lambda pair: -len(pair[0])):
-            text = text.replace(f"action {name} ", f"“{shown}” ")
-        return text
-
 
 def subject(review: Review, recast: StepMapping, durations: Mapping[tuple[int, int], float]) -> ReviewedRun:
     """Made of a recording, and of the steps of the open application that its actions are."""
