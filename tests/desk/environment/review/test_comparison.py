@@ -59,7 +59,7 @@ def test_an_action_that_is_another_is_told_in_the_words_of_its_icon(watched):  #
     found = compared(watched, watched.film(watched.doc, "other"))
     assert (found.at_s, found.variable) == (0.0, "")
     sides = [found.text.args[side].args["event"] for side in ("first", "second")]
-    assert [str(side) for side in sides] == ["“aC” begins", "“bC” begins"]
+    assert [str(side) for side in sides] == ["“a job” begins", "“a job” begins"]
 
 
 def test_the_other_one_can_be_put_away(watched):
