@@ -29,7 +29,7 @@ def sits(monkeypatch):
     """How the console would have been held."""
     seen = []
     Launched.seen = []
-    monkeypatch.setattr(room, "Runtime", Launched)
+    monkeypatch.setattr(room, "LaunchedRuntime", Launched)
     monkeypatch.setattr(
         room, "sit_down", lambda runtime, site, script, **given: seen.append((site, script, given)) or 0
     )
@@ -76,7 +76,7 @@ def test_a_runtime_that_does_not_start_says_why(sits, monkeypatch, capsys, words
         def printed(self):
             return "--users: expected a file\n"
 
-    monkeypatch.setattr(room, "Runtime", Stillborn)
+    monkeypatch.setattr(room, "LaunchedRuntime", Stillborn)
     assert main(["runtime", *words]) == code
     assert capsys.readouterr().err.strip() == sentence
     assert sits == []

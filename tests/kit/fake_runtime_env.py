@@ -59,9 +59,9 @@ class FakeRuntimeEnv(EnvironmentFixture):
         """Another state variable behind a coded name, wherever the task is placed."""
 
         def change(model: Model) -> Done:
-            known = model.shelf.tasks[task]
+            known = model.libraries.tasks[task]
             changed = replace(known, aliases=(*known.aliases, (coded, svar)))
-            return Done(replace(model, shelf=model.shelf.edited({task: changed})))
+            return Done(replace(model, libraries=model.libraries.edited({task: changed})))
 
         self.environment.become(change)
         self.pump()

@@ -204,7 +204,7 @@ class Person:
     def tab(self, name: str) -> Locator:
         return self.page.get_by_role("navigation").get_by_role("button", name=re.compile(rf"^{re.escape(name)}( |$)"))
 
-    def shelf(self, library: str) -> None:
+    def libraries(self, library: str) -> None:
         self.page.get_by_role("group", name="Libraries").get_by_role(
             "button", name=re.compile(rf"^{library} \d")
         ).click()
@@ -296,5 +296,5 @@ def me(program: Program, page: Page) -> Person:
     """A person with a blank configuration in front, and the small tasks in the library."""
     person = Person(program.enter(page))
     person.blank()
-    person.shelf("bench")
+    person.libraries("bench")
     return person

@@ -29,7 +29,7 @@ def first_start(me):
 
 def canvas(me):
     name = me.blank()
-    me.shelf("bench")
+    me.libraries("bench")
     me.page.locator("body").press("Alt+c")
     panel = me.page.get_by_role("dialog", name=f"Connect {name}")
     panel.get_by_role("button", name="Connect", exact=True).click()
@@ -44,14 +44,14 @@ def canvas(me):
 
 def sheet(me):
     me.blank()
-    me.shelf("generic")
+    me.libraries("generic")
     me.place("pd")
     me.box("pd").click()
 
 
 def job(me):
     me.blank()
-    me.shelf("generic")
+    me.libraries("generic")
     me.place("jtraj")
     me.page.get_by_role("button", name="Save as job…").click()
     expect(me.page.get_by_role("dialog", name=re.compile("as a job"))).to_be_visible()
@@ -69,7 +69,7 @@ def files(me):
 
 def texts(me):
     me.blank()
-    me.shelf("bench")
+    me.libraries("bench")
     me.icon("wave").click(button="middle", modifiers=["Shift"])
     expect(me.page.get_by_role("dialog", name="Source of wave").get_by_role("textbox")).to_be_visible()
 

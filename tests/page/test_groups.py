@@ -203,7 +203,7 @@ def alive(begin, lab):
 def test_shift_and_a_click_on_the_tab_switch_all_on_then_off_and_an_error_shows_in_it(alive, page, people):  # R-C17
     me = people(alive.enter(page))
     name = me.blank()
-    me.shelf("bench")
+    me.libraries("bench")
     page.locator("body").press("Alt+c")
     page.get_by_role("dialog", name=f"Connect {name}").get_by_role("button", name="Connect", exact=True).click()
     expect(page.get_by_role("button", name="Release")).to_be_visible(timeout=30_000)

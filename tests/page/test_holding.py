@@ -118,7 +118,7 @@ def side(there, begin, programs, new_page, people, excused):
             programs[name] = begin(f"--base={there.lab.path}", "--no-connect")
         person = people(programs[name].enter(new_page()))
         person.blank()
-        person.shelf("bench")
+        person.libraries("bench")
         return Side(programs[name], person, name)
 
     return entered

@@ -18,7 +18,7 @@ RED_PNG = (
 
 def job(me, *tasks):
     """The panel of a job of these tasks, from the shelf of generic ones."""
-    me.shelf("generic")
+    me.libraries("generic")
     me.place(*tasks)
     me.page.get_by_role("button", name="Save as job…").click()
     return me.page.get_by_role("dialog", name=re.compile("as a job$"))
@@ -46,7 +46,7 @@ def picture(lab, name):
 
 
 def test_a_job_is_drawn_with_the_mouse_and_written(me, lab):  # R-C16, R-C29, R-D07
-    me.shelf("generic")
+    me.libraries("generic")
     me.place("jtraj")
     saved(me, lab, "drawnC")
     me.page.get_by_role("button", name="Save as job…").click()
@@ -83,7 +83,7 @@ def test_a_job_is_drawn_with_the_mouse_and_written(me, lab):  # R-C16, R-C29, R-
 
 
 def test_a_job_is_drawn_with_the_keys_alone(me, lab):  # R-D07, R-G04
-    me.shelf("generic")
+    me.libraries("generic")
     me.place("repeat")
     saved(me, lab, "keysC")
     me.page.get_by_role("button", name="Save as job…").click()
@@ -104,7 +104,7 @@ def test_a_job_is_drawn_with_the_keys_alone(me, lab):  # R-D07, R-G04
 
 
 def test_a_picture_is_mirrored_cleared_and_imported(me, lab, tmp_path):  # R-D07
-    me.shelf("generic")
+    me.libraries("generic")
     me.place("repeat")
     saved(me, lab, "mirrorC")
     me.page.get_by_role("button", name="Save as job…").click()
@@ -131,7 +131,7 @@ def test_a_picture_is_mirrored_cleared_and_imported(me, lab, tmp_path):  # R-D07
 
 
 def test_cancel_gives_the_whole_job_up_and_the_panel_blocks_nothing(me, lab):  # R-D21, R-C16
-    me.shelf("generic")
+    me.libraries("generic")
     me.place("repeat")
     saved(me, lab, "cancelC")
     me.page.get_by_role("button", name="Save as job…").click()
@@ -152,7 +152,7 @@ def test_what_is_not_saved_must_be_saved_before_it_is_a_job(me):  # R-C16, R-X01
 
 
 def test_several_triggers_are_named_and_the_first_gives_the_type(me, lab):  # R-C29
-    me.shelf("generic")
+    me.libraries("generic")
     me.place("repeat", "jtraj")
     saved(me, lab, "severalC")
     me.page.get_by_role("button", name="Save as job…").click()

@@ -60,9 +60,9 @@ def test_five_hundred_boxes_open_are_dragged_and_taken_back(program, page, peopl
 
 def test_a_library_of_five_hundred_scrolls_and_draws_only_what_is_seen(program, page, people):  # R-C01
     me = people(program.enter(page))
-    me.shelf("many")
-    shelf = page.get_by_role("group", name="many")
-    assert shelf.get_by_role("button").count() < 80
+    me.libraries("many")
+    libraries = page.get_by_role("group", name="many")
+    assert libraries.get_by_role("button").count() < 80
     page.keyboard.press("Control+f")
     page.keyboard.type("t499")
     page.keyboard.press("Enter")

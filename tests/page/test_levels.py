@@ -65,8 +65,8 @@ def test_a_job_shows_its_configuration_where_the_pointer_rests_and_opens_below(u
 
 
 def test_the_dictionary_shows_it_too(user):  # R-G05
-    shelf = user.get_by_role("complementary", name="Dictionary", exact=True)
-    shelf.get_by_text("wave with both arms together").first.hover()
+    libraries = user.get_by_role("complementary", name="Dictionary", exact=True)
+    libraries.get_by_text("wave with both arms together").first.hover()
     expect(user.get_by_role("tooltip")).to_contain_text("both_wave")
 
 
@@ -105,11 +105,11 @@ def test_the_tutorial_sees_what_is_done_and_goes_on_after_a_reload(user):  # R-H
     user.get_by_role("button", name="New application…").first.click()
     user.get_by_role("button", name="Begin").click()
     expect(lesson).to_contain_text("open the hand")
-    shelf = user.get_by_role("complementary", name="Dictionary", exact=True)
-    shelf.get_by_text("open the hand", exact=True).first.dblclick()
+    libraries = user.get_by_role("complementary", name="Dictionary", exact=True)
+    libraries.get_by_text("open the hand", exact=True).first.dblclick()
     expect(lesson).to_contain_text("move the joints")
     for words in ("move the joints", "above the box with the triangle") * 2:  # the second hole is one again
-        shelf.get_by_text(words, exact=True).first.dblclick()
+        libraries.get_by_text(words, exact=True).first.dblclick()
     expect(lesson).to_contain_text("Run it")
     expect(lesson).to_be_in_viewport(ratio=0.9)
     user.reload()

@@ -14,8 +14,8 @@ pytestmark = pytest.mark.page
 def test_left_on_an_icon_selects_it_and_on_nothing_lets_go(me):  # R-G04, table B.1
     me.icon("wave").click()
     expect(me.icon("wave")).to_have_attribute("aria-pressed", "true")
-    shelf = me.page.get_by_role("group", name="bench")
-    box = shelf.bounding_box()
+    libraries = me.page.get_by_role("group", name="bench")
+    box = libraries.bounding_box()
     me.page.mouse.click(box["x"] + 4, box["y"] + 4)
     expect(me.icon("wave")).to_have_attribute("aria-pressed", "false")
 
@@ -70,7 +70,7 @@ def test_every_library_of_the_search_path_is_a_tab_with_its_tasks(me, lab):  # R
     libraries = me.page.get_by_role("group", name="Libraries")
     for name in ("bench", "boxes", "generic", "puma"):
         expect(libraries.get_by_role("button", name=re.compile(rf"^{name} \d"))).to_be_visible()
-    me.shelf("generic")
+    me.libraries("generic")
     expect(me.icon("pd")).to_be_visible()
     expect(me.icon("wave")).to_have_count(0)
 
@@ -92,7 +92,7 @@ def test_a_library_is_closed_and_opened_again_by_its_path(me, lab):  # R-C01
     panel = me.page.get_by_role("dialog", name="Open a library")
     panel.get_by_role("textbox").fill(str(lab.path))
     panel.get_by_role("textbox").press("Enter")
-    me.shelf("bench")
+    me.libraries("bench")
     expect(me.icon("wave")).to_be_visible()
 
 

@@ -19,7 +19,7 @@ def me(program, page, people):
     """A person with a blank configuration that is connected; in the end nothing of it lives any more."""
     person = people(program.enter(page))
     name = person.blank()
-    person.shelf("bench")
+    person.libraries("bench")
     page.locator("body").press("Alt+c")
     page.get_by_role("dialog", name=f"Connect {name}").get_by_role("button", name="Connect", exact=True).click()
     expect(page.get_by_role("button", name="Release")).to_be_visible(timeout=30_000)

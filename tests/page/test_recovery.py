@@ -10,7 +10,7 @@ def test_what_was_not_saved_is_there_again_after_the_program_was_killed(begin, l
     first = begin(f"--base={lab.path}", "--no-connect")
     me = people(first.enter(page))
     name = me.blank()
-    me.shelf("bench")
+    me.libraries("bench")
     me.place("wave", "calm")
     corner = me.corner("calm")
     kept = first.state / "onika" / "recovery"

@@ -25,8 +25,8 @@ def two(program, new_page, people):
     name = one.blank()
     other.tab(name).click()
     expect(other.page.get_by_role("application", name=f"canvas of {name}")).to_be_visible()
-    one.shelf("bench")
-    other.shelf("bench")
+    one.libraries("bench")
+    other.libraries("bench")
     return one, other
 
 
@@ -110,7 +110,7 @@ def test_a_page_whose_line_was_cut_shows_it_and_has_everything_when_it_is_back(p
     isolated.append(True)
     lines[-1].close()
     expect(page.get_by_text("not connected to the environment, trying again")).to_be_visible()
-    witness.shelf("bench")
+    witness.libraries("bench")
     witness.place("wave")
     isolated.clear()
     expect(me.box("wave")).to_be_visible(timeout=20_000)
@@ -140,7 +140,7 @@ def test_a_malformed_message_closes_that_connection_only(two, message):  # R-X01
 def test_a_lost_runtime_leaves_the_layout_and_connecting_starts_another(program, new_page, people):  # R-C12, R-E10
     me = people(program.enter(new_page()))
     name = me.blank()
-    me.shelf("bench")
+    me.libraries("bench")
     page = me.page
     connect(me, name)
     me.place("wave", "calm")

@@ -13,7 +13,7 @@ def alias(me, pin):
 
 
 def test_the_sheet_tells_description_module_rate_and_ports(me):  # R-C02, R-C23
-    me.shelf("generic")
+    me.libraries("generic")
     me.icon("diff").click()
     for words in ("module diff", "library generic", "not placed"):
         expect(me.sheet).to_contain_text(words)

@@ -35,7 +35,7 @@ def me(program, new_page, people, excused):
     page.route_web_socket(re.compile("/ws"), through)
     person = people(program.enter(page))
     name = person.blank()
-    person.shelf("bench")
+    person.libraries("bench")
     page.locator("body").press("Alt+c")
     page.get_by_role("dialog", name=f"Connect {name}").get_by_role("button", name="Connect", exact=True).click()
     expect(page.get_by_role("button", name="Release")).to_be_visible(timeout=30_000)

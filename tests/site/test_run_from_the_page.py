@@ -215,7 +215,7 @@ def test_a_question_is_answered_in_mid_run(page):  # R-D16, R-E15
 def test_a_question_offers_where_the_arm_stands(page):  # R-C13, R-E15
     doc = page.open([*pause("first", 8), job("jmoveC", "Odd job")])
     page.do(act.Run(doc))
-    page.until(lambda: "jtraj" in page.environment.model.shelf.sheets)
+    page.until(lambda: "jtraj" in page.environment.model.libraries.sheets)
     page.do(act.Steer("next"))
     page.until(lambda: page.run.asks.get("flow0/jtraj") is not None and page.run.asks["flow0/jtraj"].present)
     assert len(page.run.asks["flow0/jtraj"].present["endpoint"]) == 6

@@ -72,7 +72,7 @@ def test_targets_are_taken_from_where_the_robot_stands(bench):  # R-D13, R-D23, 
     bench.do(act.Connect(doc))
     bench.until(lambda: bench.item("Joint object").low is not None)
     assert np.allclose(bench.item("Joint object").low, puma560.QMIN)
-    bench.until(lambda: "ctraj" in bench.environment.model.shelf.sheets)
+    bench.until(lambda: "ctraj" in bench.environment.model.libraries.sheets)
     no = bench.answer(act.Teach("Cartesian object")).no
     bench.do(next(one.act for one in no.remedies if isinstance(one.act, act.Turn)))
 

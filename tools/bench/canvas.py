@@ -46,7 +46,7 @@ class Large:
         self.placed = tuple(f"t{number:05}" for number in range(half))
         self.free = f"t{count - 1:05}"
         canvas = Configuration("large", tuple(_spot(name, number) for number, name in enumerate(self.placed)))
-        canvas = loci.settled(canvas, model.shelf.boxes(self.placed), Configuration(""))
+        canvas = loci.settled(canvas, model.libraries.boxes(self.placed), Configuration(""))
         model = opened_beside(model, None, None, canvas).model
         surroundings = Services(self.site, time.monotonic)
         self.environment = Environment(model, HANDLERS, surroundings, self)
@@ -104,8 +104,8 @@ def main(arguments: list[str] | None = None) -> None:
     given = parser.parse_args(arguments)
     with tempfile.TemporaryDirectory() as folder:
         large = Large(Path(folder), given.tasks)
-        shelf = large.environment.model.shelf
-        standing = [shelf.tasks[name] for name in large.placed]
+        libraries = large.environment.model.libraries
+        standing = [libraries.tasks[name] for name in large.placed]
         one = large.placed[0]
         pairs = (
             ("place", "undo", act.Place("c1", large.free, 37, 41), act.Undo("c1")),
@@ -120,9 +120,9 @@ def main(arguments: list[str] | None = None) -> None:
             for said, times in zip((name, f"{back} ({name})"), both, strict=True):
                 print(f"{said:<16}{median(times) * 1e3:>8.2f}")
         disk, model = DiskWatch(large.site), large.environment.model
-        every = {large.site.directories[0].task_file(name) for name in shelf.tasks}
+        every = {large.site.directories[0].task_file(name) for name in libraries.tasks}
         for said, what in (
-            ("greyed anew", lambda: placement.greyed(shelf.tasks.values(), standing)),
+            ("greyed anew", lambda: placement.greyed(libraries.tasks.values(), standing)),
             ("look at disk", lambda: disk.changed(model)),
             ("all touched", lambda: refreshed(model, every)),
         ):

@@ -14,8 +14,8 @@ def test_the_shipped_laboratories_open_without_a_word():  # R-C01
     site = open_site([], {}, None)
     model, says = opened(site, None, {})
     assert says == ()
-    assert [one.base for one in model.shelf.libraries] == list(site.directories)
-    assert {"pd", "ctraj"} <= model.shelf.tasks.keys()
+    assert [one.base for one in model.libraries.libraries] == list(site.directories)
+    assert {"pd", "ctraj"} <= model.libraries.tasks.keys()
     assert {Path(path).suffix for path in model.files} == {".conf"}
     assert all(file.tasks for file in model.files.values())
     assert "Joint job" in model.job_types and "Joint object" not in model.job_types
@@ -40,10 +40,10 @@ def test_everything_that_is_at_fault_is_told_once_and_the_rest_is_there(tmp_path
         assert any(part in text for text in texts), part
     assert len(texts) == len(set(texts))
     assert {said.level for said in says} == {"warning", "info"}
-    assert list(model.shelf.tasks) == ["pd"]
-    assert [one.base.path.name for one in model.shelf.libraries] == ["base"]
+    assert list(model.libraries.tasks) == ["pd"]
+    assert [one.base.path.name for one in model.libraries.libraries] == ["base"]
     assert [file.tasks for file in model.files.values()] == [0]
-    assert model.job_types and not model.habits.shows_warnings
+    assert model.job_types and not model.settings.shows_warnings
 
 
 def test_preferences_and_buttons_are_the_users(tmp_path):  # R-B12, R-G02
@@ -53,4 +53,4 @@ def test_preferences_and_buttons_are_the_users(tmp_path):  # R-B12, R-G02
     (base.path / "module" / "pd.rmod").write_text(rmod.write(RmodText(TASK)))
     model, _ = opened(Site((base,), shipped() / "prefs", tmp_path), None, {})
     assert [(one.name, one.command) for one in model.buttons] == [("Clock", "date")]
-    assert model.shelf.preferences == model.preferences
+    assert model.libraries.preferences == model.preferences

@@ -42,7 +42,7 @@ def test_preferences_of_every_kind_are_changed(sitting):  # R-G01
     now = preferred(sitting)
     assert (now.pin_length, now.shows_period) == (20, True)
     assert now.status_columns == ("rmod", "tick")
-    assert sitting.environment.model.habits.keeps_diary is False
+    assert sitting.environment.model.settings.keeps_diary is False
 
 
 @pytest.mark.parametrize(

@@ -86,7 +86,7 @@ def test_a_task_that_was_written_is_as_its_file_says_and_what_was_changed_here_s
     rewrite(sitting, Task("a", "a", aliases=(("Q", "R"),), outvar=("Q",), frequency=10.0))
     sitting.look()
     assert not sitting.environment.tree.tasks["a"].is_changed
-    assert sitting.environment.model.shelf.edits == {}
+    assert sitting.environment.model.libraries.edits == {}
 
 
 def test_undo_takes_back_what_the_step_changed_and_not_what_a_file_has_changed_since(sitting):  # R-X10, R-C04
@@ -105,10 +105,10 @@ def test_a_changed_task_that_lives_stays_as_it_is_whatever_its_file_says(sitting
     doc, _ = saved(sitting)
     sitting.do(act.Alias("a", "Q", "R", doc))
     living(sitting, doc, {"a": False})
-    before = sitting.environment.model.shelf.tasks["a"]
+    before = sitting.environment.model.libraries.tasks["a"]
     rewrite(sitting, Task("a", "a", description="new", outvar=("Q",), frequency=10.0))
     sitting.look()
-    assert sitting.environment.model.shelf.tasks["a"] == before
+    assert sitting.environment.model.libraries.tasks["a"] == before
 
 
 def test_a_task_at_fault_or_gone_is_left_out_told_and_stays_placed_as_missing(sitting):  # R-C01

@@ -120,7 +120,7 @@ def runtime(monkeypatch):
     class Fresh(FakeRuntime):
         pass
 
-    monkeypatch.setattr(room, "Runtime", Fresh)
+    monkeypatch.setattr(room, "LaunchedRuntime", Fresh)
     return Fresh
 
 

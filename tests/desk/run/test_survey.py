@@ -47,7 +47,7 @@ def site(tmp_path):
 @pytest.fixture
 def runtime(monkeypatch):
     FakeRuntime.messages = []
-    monkeypatch.setattr(room, "Runtime", FakeRuntime)
+    monkeypatch.setattr(room, "LaunchedRuntime", FakeRuntime)
     return FakeRuntime
 
 

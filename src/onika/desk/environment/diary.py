@@ -69,7 +69,7 @@ class Diary:
         self._thread.join(timeout_s)
 
     def _put(self, line: DiaryEntry) -> None:
-        if self._model().habits.keeps_diary:
+        if self._model().settings.keeps_diary:
             self._lines.put(line.line(self._clock()))
 
     def _write(self) -> None:

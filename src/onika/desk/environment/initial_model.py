@@ -27,11 +27,11 @@ def opened(site: Site, state: Path | None, environment: Mapping[str, str]) -> tu
     syntax, of_syntax = site.syntax()
     listed = file_index.listed(bases, syntax)
     ends, of_ends = site.flow_pictures()
-    kept, of_habits = settings.read(state, environment)
+    kept, of_settings = settings.read(state, environment)
     model = Model(
-        shelf=OpenLibraries(libraries, preferences=preferred),
+        libraries=OpenLibraries(libraries, preferences=preferred),
         preferences=preferred,
-        habits=kept,
+        settings=kept,
         buttons=buttons,
         search=tuple(base.path for base in site.directories),
         flow_pictures=("".join(ends[0].rows), "".join(ends[1].rows)),
@@ -40,5 +40,5 @@ def opened(site: Site, state: Path | None, environment: Mapping[str, str]) -> tu
     faults = [*site.absent(), *of_preferences, *of_buttons, *of_syntax, *of_ends, *listed.faults]
     faults += [fault for dictionary in model.dictionaries for fault in dictionary.faults]
     faults += [fault for library in libraries for fault in library.faults]
-    lines = [page.Say("warning", plain(of_habits))] if of_habits else []
+    lines = [page.Say("warning", plain(of_settings))] if of_settings else []
     return model, (*lines, *told(tuple(dict.fromkeys(faults))))

@@ -18,7 +18,7 @@ from onika.words.fault import Refusal
 _LONGEST = 10_000
 """Pixels or characters: what is longer is found on no screen."""
 
-_HABITS = {field.name for field in fields(Settings)}
+_SETTINGS = {field.name for field in fields(Settings)}
 
 
 class _Wrong(ValueError):
@@ -37,16 +37,16 @@ def prefer(model: Model, command: act.Prefer, outside: Services) -> Done | No:
             wrong[name] = str(why)
     if wrong:
         return No("; ".join(f"{name}: {why}" for name, why in wrong.items()), fields=wrong)
-    of_file = {name: value for name, value in taken.items() if name not in _HABITS}
-    of_habits = {name: value for name, value in taken.items() if name in _HABITS}
+    of_file = {name: value for name, value in taken.items() if name not in _SETTINGS}
+    of_settings = {name: value for name, value in taken.items() if name in _SETTINGS}
     preferred = replace(model.preferences, **of_file)
     changed = replace(
         model,
         preferences=preferred,
-        habits=replace(model.habits, **of_habits),
-        shelf=model.shelf if not of_file else replace(model.shelf, preferences=preferred),
+        settings=replace(model.settings, **of_settings),
+        libraries=model.libraries if not of_file else replace(model.libraries, preferences=preferred),
     )
-    return Done(changed, says=tuple(_kept(of_file, of_habits, outside)))
+    return Done(changed, says=tuple(_kept(of_file, of_settings, outside)))
 
 
 def leave(model: Model, outside: Services) -> str:
@@ -55,11 +55,11 @@ def leave(model: Model, outside: Services) -> str:
     return str(refused.reason) if refused else ""
 
 
-def _kept(of_file: Mapping[str, Any], of_habits: Mapping[str, bool], outside: Services) -> Iterator[page.Say]:
+def _kept(of_file: Mapping[str, Any], of_settings: Mapping[str, bool], outside: Services) -> Iterator[page.Say]:
     """Write what was asked for; a no is told, and the change holds for this session."""
     refused = [_filed(of_file, outside)] if of_file else []
-    if of_habits:
-        refused.append(settings.keep(outside.state, of_habits))
+    if of_settings:
+        refused.append(settings.keep(outside.state, of_settings))
     for refusal in refused:
         if refusal is not None:
             yield page.Say("warning", f"{plain(refusal.reason)}; it holds for this session")

@@ -41,15 +41,19 @@ def convert(path: Path, out: Path | None, site: Site, *, is_whole: bool = False)
     content, unread = text.load(path, str(path))
     if content is None or syntax is None:
         return _converted(None, "", (*faults, *unread))
-    shelf = _Shelf(site, syntax)
+    dictionaries = _Dictionaries(site, syntax)
     if is_text(path):
         name = out.name.removesuffix(appl.ENDING) if out else path.stem
-        application, faults_of_file = reader.read(content, name, str(path), syntax, shelf.find)
+        application, faults_of_file = reader.read(content, name, str(path), syntax, dictionaries.find)
         made = appl.write(application) if application else ""
     else:
         application, faults_of_file = appl.read(content, path.name.removesuffix(appl.ENDING), str(path), syntax)
-        made = writer.write(application, syntax, (lambda _: None) if is_whole else shelf.find) if application else ""
-    return _converted(application, made, (*faults, *faults_of_file), shelf.faults)
+        made = (
+            writer.write(application, syntax, (lambda _: None) if is_whole else dictionaries.find)
+            if application
+            else ""
+        )
+    return _converted(application, made, (*faults, *faults_of_file), dictionaries.faults)
 
 
 def unfit(path: Path, out: Path) -> Fault | None:
@@ -80,7 +84,7 @@ def keep(converted: Converted, out: Path, *, overwrites: bool) -> Refusal | None
 
 
 @dataclass(slots=True)
-class _Shelf:
+class _Dictionaries:
     """The dictionaries of a site, each icon read once."""
 
     site: Site
@@ -103,10 +107,10 @@ def _at_home(site: Site, path: Path) -> Site:
 
 
 def _converted(
-    application: Application | None, content: str, faults: tuple[Fault, ...], shelf: tuple[Fault, ...] = ()
+    application: Application | None, content: str, faults: tuple[Fault, ...], dictionary_faults: tuple[Fault, ...] = ()
 ) -> Converted:
     """A conversion whose faulty dictionary icons are told, but forbid nothing by themselves."""
     mistakes, notes = parted(faults)
     if application is not None:
-        return Converted(application, content, (), (*mistakes, *notes, *shelf))
-    return Converted(None, "", (*mistakes, *shelf), notes)
+        return Converted(application, content, (), (*mistakes, *notes, *dictionary_faults))
+    return Converted(None, "", (*mistakes, *dictionary_faults), notes)

@@ -59,7 +59,7 @@ def test_loci_that_are_there_stay_and_those_that_come_keep_off_icons(sitting):  
     sitting.do(act.Undo(other))
     sitting.do(act.Move(other, {}, {"Q_MEZ": (500, 5), "TAU": (600, 5)}))
     sitting.do(act.Paste(other, 150, 100))
-    boxes = sitting.environment.model.shelf.boxes(("robot", "cubic", "pd"))
+    boxes = sitting.environment.model.libraries.boxes(("robot", "cubic", "pd"))
     for locus in configuration(sitting, other).loci:
         for task in configuration(sitting, other).placed:
             inside_x = task.x < locus.x < task.x + boxes[task.task].width

@@ -25,7 +25,7 @@ def running(duet, *names, subsystem="main"):
     from onika.desk.environment.reconcile.task_plan import birth
     from onika.model.configuration import Placed
 
-    born = [birth(Placed(name), duet.environment.model.shelf, ()) for name in names]
+    born = [birth(Placed(name), duet.environment.model.libraries, ()) for name in names]
     on = tuple(live.Turn(name) for name in names)
     duet.runtime.ask(live.Change(subsystem, spawn=tuple(one.task for one in born), on=on))
     list(duet.runtime.events(0.0))

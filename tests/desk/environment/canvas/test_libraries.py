@@ -37,7 +37,7 @@ def test_a_library_that_is_open_is_not_opened_twice(sitting, far, tmp_path):  # 
     sitting.do(act.OpenLibrary(str(far.path)))
     (tmp_path / "link").symlink_to(far.path)
     assert sitting.do(act.OpenLibrary(str(tmp_path / "link"))) == str(far.path)
-    assert len(sitting.environment.model.shelf.libraries) == 2
+    assert len(sitting.environment.model.libraries.libraries) == 2
 
 
 def test_what_is_no_base_directory_is_refused_with_what_was_found(sitting, far, tmp_path):  # R-C01, R-B07
@@ -99,4 +99,4 @@ def test_a_library_read_again_is_the_same_library_where_nothing_is_new(sitting):
     assert libraries.reread(model, {sitting.base.task_file("own")}).model is model
     sitting.base.task_file("own").write_text(rmod.write(RmodText(Task("own", "own", outvar=("R",), frequency=10.0))))
     done = libraries.reread(model, {sitting.base.task_file("own")})
-    assert done.model.shelf.tasks["own"].outvar == ("R",)
+    assert done.model.libraries.tasks["own"].outvar == ("R",)

@@ -30,7 +30,7 @@ def spot(sitting, doc, svar):
 
 
 def task(sitting, name):
-    return sitting.environment.model.shelf.tasks[name]
+    return sitting.environment.model.libraries.tasks[name]
 
 
 def file(sitting, name):
@@ -155,7 +155,7 @@ def test_a_rate_of_the_library_holds_for_later_placements_and_no_step_is_made(si
         10.0,
     )
     sitting.do(act.LibraryRate("writer", 10.0))
-    assert sitting.environment.model.shelf.rates == {}
+    assert sitting.environment.model.libraries.rates == {}
 
 
 @pytest.mark.parametrize("hz", [0.0, -1.0, float("nan"), float("inf")])
@@ -199,9 +199,9 @@ def test_saving_a_task_writes_what_was_changed_and_nothing_else(sitting):  # R-C
     text = file(sitting, "writer").read_text()
     assert "# kept" in text
     assert rmod.read(text, "writer", "")[0].task == replace(WRITER, aliases=(("Q", "GOAL"),), frequency=20.0)
-    shelf = sitting.environment.model.shelf
-    assert (shelf.edits, shelf.rates) == ({}, {})
-    assert str(shelf.records["writer"].text) == text
+    libraries = sitting.environment.model.libraries
+    assert (libraries.edits, libraries.rates) == ({}, {})
+    assert str(libraries.records["writer"].text) == text
     assert not sitting.environment.tree.tasks["writer"].is_changed
 
 

@@ -142,7 +142,7 @@ def test_documents_are_reopened_unsaved_and_each_is_told(tmp_path):  # R-X10
     found = [rescue_of(one.document) for one in autosave.take_all(0.0)]
     assert [one.name for one in found] == ["move", sitting.environment.model.documents[blank].name]
 
-    done = reopened(Model(sitting.environment.model.shelf), (*found, RecoveryRecord("broken", "nonsense")))
+    done = reopened(Model(sitting.environment.model.libraries), (*found, RecoveryRecord("broken", "nonsense")))
     one, other = done.model.documents.values()
     assert (one.id, one.name, one.is_dirty, one.base) == ("c1", "move", True, tmp_path)
     assert one.content.placed("pd").frequency == 2.0

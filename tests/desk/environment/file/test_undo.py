@@ -44,8 +44,8 @@ def test_a_task_that_was_saved_with_its_rate_is_what_it_was(tmp_path):  # law 22
     sitting = EnvironmentFixture(tmp_path, (Task("t", "m", outvar=("Q",), frequency=1.0),))
     sitting.do(act.Alias("t", "Q", "R"))
     sitting.do(act.LibraryRate("t", 5.0))
-    before = sitting.environment.model.shelf
+    before = sitting.environment.model.libraries
     sitting.do(act.SaveTask("t"))
-    after = sitting.environment.model.shelf
+    after = sitting.environment.model.libraries
     assert after.edits != before.edits
     assert edits_between(before, after) == {}

@@ -115,7 +115,7 @@ def test_where_it_cannot_be_written_the_reason_is_given(sitting, doc):
 
 def test_what_was_changed_of_a_task_and_not_saved_is_told(sitting, doc):  # R-C04
     edits = {"jmove": replace(TASKS[0], aliases=(("Q", "Q_2"),))}
-    sitting.environment.become(lambda now: Done(replace(now, shelf=now.shelf.edited(edits))))
+    sitting.environment.become(lambda now: Done(replace(now, libraries=now.libraries.edited(edits))))
     assert "jmove was changed here" in str(sitting.do(act.Draft(doc)).warnings[0])
 
 

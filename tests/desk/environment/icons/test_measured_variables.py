@@ -13,7 +13,7 @@ MODEL, _ = opened(open_site([], {}, None), None, {})
 SHEETS = {
     path.stem: sheet_of(load(path.read_text("utf-8"), str(path), path.stem)) for path in shipped().glob("*/module/*.py")
 }
-KNOWING = replace(MODEL, shelf=replace(MODEL.shelf, sheets=SHEETS))
+KNOWING = replace(MODEL, libraries=replace(MODEL.libraries, sheets=SHEETS))
 
 
 def measures(name, model=KNOWING):

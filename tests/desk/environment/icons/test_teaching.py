@@ -86,7 +86,7 @@ def test_what_does_not_run_measures_nothing_and_could_be_turned_on(duet):  # R-D
 
 def test_where_no_robot_is_connected_a_configuration_could_be(duet):  # R-X01
     doc = duet.new("arm")
-    duet.environment.become(lambda model: Done(replace(model, shelf=replace(model.shelf, sheets=SHEETS))))
+    duet.environment.become(lambda model: Done(replace(model, libraries=replace(model.libraries, sheets=SHEETS))))
     no = duet.no(act.Teach("Joint object"))
     assert "no robot is connected" in str(no.reason)
     assert [one.act for one in no.remedies][:1] == [act.Connect(doc)]

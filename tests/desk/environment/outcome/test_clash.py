@@ -16,7 +16,7 @@ def test_a_pure_outvar_that_would_meet_a_pure_inconst_speaks_against_an_alias(tm
     sitting = EnvironmentFixture(tmp_path, (W, C))
     doc = sitting.new("w", "c")
     model = sitting.environment.model
-    (reason,) = clashes(model, model.shelf.edited({"w": aliased(W, "Q", "K")}), ("w",))
+    (reason,) = clashes(model, model.libraries.edited({"w": aliased(W, "Q", "K")}), ("w",))
     name = model.documents[doc].name
     assert str(reason.text) == f"in {name}, c needs K at initialisation, w gives it only while it runs"
     assert [str(one.label) for one in reason.remedies] == [f"Remove c from {name}", "Alias K of c…", "Show c"]
@@ -32,7 +32,7 @@ def test_what_speaks_against_it_already_is_no_reason_against_a_change(tmp_path):
     sitting.do(act.Open("odd"))
     model = sitting.environment.model
     moved = Task("c", "c", aliases=(("K", "Q"), ("P", "R")), inconst=("K",), invar=("P",), frequency=1.0)
-    assert clashes(model, model.shelf.edited({"c": moved}), ("c",)) == ()
+    assert clashes(model, model.libraries.edited({"c": moved}), ("c",)) == ()
 
 
 def test_a_no_names_all_reasons_and_each_way_out_once():  # R-X01

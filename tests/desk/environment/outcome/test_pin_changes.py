@@ -11,10 +11,10 @@ def test_a_document_none_of_whose_pins_have_changed_is_the_same_object(tmp_path)
     sitting = EnvironmentFixture(tmp_path, (A, B))
     doc = sitting.new("a")
     model = sitting.environment.model
-    shelf = model.shelf.edited({"b": Task("b", "b", aliases=(("Q", "R"),), invar=("Q",), frequency=1.0)})
+    libraries = model.libraries.edited({"b": Task("b", "b", aliases=(("Q", "R"),), invar=("Q",), frequency=1.0)})
     content = model.documents[doc].content
-    assert settled(content, model.shelf, shelf) is content
-    assert resettled(model, model.shelf) is model
+    assert settled(content, model.libraries, libraries) is content
+    assert resettled(model, model.libraries) is model
 
 
 def test_the_second_task_of_a_variable_brings_its_locus_half_way_by_an_alias_too(tmp_path):  # R-C24
@@ -23,12 +23,12 @@ def test_the_second_task_of_a_variable_brings_its_locus_half_way_by_an_alias_too
     doc = sitting.new("a", "b")
     model = sitting.environment.model
     content = model.documents[doc].content
-    shelf = model.shelf.edited({"b": B})
-    joined = settled(content, model.shelf, shelf)
+    libraries = model.libraries.edited({"b": B})
+    joined = settled(content, model.libraries, libraries)
     alone = {one.svar: one for one in content.configuration.loci}
     (locus,) = joined.configuration.loci
     assert (locus.svar, locus.conns) == ("Q", 2)
     assert (locus.x, locus.y) != (alone["Q"].x, alone["Q"].y)
-    parted = settled(joined, shelf, model.shelf)
+    parted = settled(joined, libraries, model.libraries)
     assert {one.svar for one in parted.configuration.loci} == {"Q", "R"}
     assert isinstance(parted, Content)

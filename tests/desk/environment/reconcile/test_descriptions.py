@@ -76,21 +76,23 @@ def test_what_is_known_is_not_asked_again_and_what_has_changed_is(duet):
 def test_a_module_without_a_file_is_not_asked_for(duet, tmp_path):
     (tmp_path / "module" / "m7.py").unlink()
     duet.connected()
-    assert duet.environment.model.shelf.unread["m7"].key == "run.code_missing" and "m7" not in duet.runtime.described
+    assert (
+        duet.environment.model.libraries.unread["m7"].key == "run.code_missing" and "m7" not in duet.runtime.described
+    )
 
 
 def test_a_runtime_that_does_not_say_it_is_not_asked_further(duet):  # law 23
     duet.rebuffs = {live.Describe: request.Refused("code from another machine is not accepted")}
     duet.connected()
     assert len([one for one in duet.carried_out if isinstance(one, live.Describe)]) == 1
-    assert duet.environment.model.shelf.sheets == {}
+    assert duet.environment.model.libraries.sheets == {}
 
 
 def test_where_everything_is_described_nothing_is_asked(duet):
     duet.connected()
     model = duet.environment.model
     assert describe(model) == Done(model)
-    empty = replace(model, shelf=replace(model.shelf, libraries=()))
+    empty = replace(model, libraries=replace(model.libraries, libraries=()))
     assert describe(empty).orders == ()
 
 

@@ -56,7 +56,7 @@ def test_a_library_that_was_changed_for_it_is_as_it_was(duet):  # reading 9, R-X
     duet.rebuffs = {live.Change: request.Refused("they disagree")}
     duet.alias("a", "A", "OTHER")
     assert str(duet.says[-1].text) == "they disagree"
-    assert duet.environment.model.shelf.edits == {} and duet.state(doc, "a") == "OFF"
+    assert duet.environment.model.libraries.edits == {} and duet.state(doc, "a") == "OFF"
 
 
 def test_an_undo_that_the_runtime_refuses_can_be_tried_again(duet):  # R-X10
@@ -241,7 +241,7 @@ def test_whatever_fails_document_and_runtime_agree_in_the_end(tmp_path_factory, 
     }
     assert set(document.content.names) == set(lives)
     for placed in document.content.configuration.placed:
-        life, task = lives[placed.task], duet.environment.model.shelf.tasks[placed.task]
+        life, task = lives[placed.task], duet.environment.model.libraries.tasks[placed.task]
         assert document.content.wanted[placed.task] is (life.state is State.ON)
         assert life.task.aliases == task.aliases
         assert life.frequency == (placed.frequency or task.frequency)

@@ -43,10 +43,12 @@ def test_runs_in_wall_time_may_differ_as_such_runs_do_unless_it_is_said(watched)
     found = compared(watched, other)
     assert (str(found.text) != "", found.tolerance, found.part, found.time_s) == (True, 0.0, 0.0, 0.0)
     watched.do(act.CompareWith(""))
-    looking = watched.environment.model.looking
-    view = structs.replace(looking.subject.view, is_virtual=False)
-    subject = replace(looking.subject, view=view)
-    watched.environment.model = replace(watched.environment.model, looking=replace(looking, subject=subject))
+    review_session = watched.environment.model.review_session
+    view = structs.replace(review_session.subject.view, is_virtual=False)
+    subject = replace(review_session.subject, view=view)
+    watched.environment.model = replace(
+        watched.environment.model, review_session=replace(review_session, subject=subject)
+    )
     found = compared(watched, other)
     assert (str(found.text), found.tolerance, found.part, found.time_s) == ("", 0.002, 0.001, 0.1)
     assert found.is_of_places
@@ -64,10 +66,10 @@ def test_an_action_that_is_another_is_told_in_the_words_of_its_icon(watched):  #
 
 def test_the_other_one_can_be_put_away(watched):
     compared(watched, watched.film(watched.doc, "other"))
-    other = watched.environment.model.looking.other
+    other = watched.environment.model.review_session.other
     watched.do(act.CompareWith(""))
     assert other.away.is_set() and watched.environment.tree.review.other is None
-    assert not watched.environment.model.looking.subject.away.is_set()
+    assert not watched.environment.model.review_session.subject.away.is_set()
 
 
 def test_what_cannot_be_compared_is_refused(watched, tmp_path):
@@ -96,7 +98,7 @@ def test_nobody_hears_of_a_difference_that_is_not_wanted_any_more(watched):
 
 
 def test_why_two_cannot_be_compared_is_told_in_place_of_a_difference(watched):
-    watched.environment.model.looking.subject.path.write_bytes(b"")
+    watched.environment.model.review_session.subject.path.write_bytes(b"")
     found = compared(watched, watched.film(watched.doc, "other"))
     assert "cannot be compared" in str(found.text)
 

@@ -90,7 +90,7 @@ def test_an_application_that_has_changed_shows_what_is_still_there(cinema, doc):
 
 def test_another_recording_takes_its_place_and_closing_puts_it_away(cinema, doc):  # R-X05
     cinema.look(cinema.film(doc, "one"))
-    first = cinema.environment.model.looking.subject
+    first = cinema.environment.model.review_session.subject
     assert cinema.look(cinema.film(doc, "two")).path.endswith("two.mcap")
     assert first.away.is_set()
     cinema.do(act.CloseRecording())

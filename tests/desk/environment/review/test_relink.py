@@ -61,10 +61,10 @@ def test_icons_that_were_read_again_are_the_ones_at_which_it_is_shown(cinema, do
 
 def test_another_application_changes_nothing(cinema, doc):  # R-X05
     cinema.look(cinema.film(doc))
-    subject = cinema.environment.model.looking.subject
+    subject = cinema.environment.model.review_session.subject
     cinema.open(THREE, name="other")
     assert cinema.changes.empty()
-    assert cinema.environment.model.looking.subject is subject
+    assert cinema.environment.model.review_session.subject is subject
 
 
 def test_what_was_put_away_meanwhile_stays_away(cinema, doc):  # R-X05

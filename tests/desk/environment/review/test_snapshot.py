@@ -77,7 +77,7 @@ def test_nothing_is_shown_of_another_one_that_is_not_there(watched):
 
 
 def test_a_file_that_is_written_over_meanwhile_does_no_harm(watched):  # R-X05: the same name recorded again
-    path = watched.environment.model.looking.subject.path
+    path = watched.environment.model.review_session.subject.path
     with path.open("wb") as other:
         other.write(b"\x89MCAP0\r\n")
     assert "film.mcap cannot be read there" in str(watched.no(act.Glance(1.5)).reason)

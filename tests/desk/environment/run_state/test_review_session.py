@@ -5,7 +5,7 @@ from onika.wire import act
 
 def test_one_is_looked_at_and_perhaps_another_beside_it(cinema):  # R-X05
     cinema.look(cinema.film(cinema.open([job("aC")])))
-    subject = cinema.environment.model.looking.subject
+    subject = cinema.environment.model.review_session.subject
     alone, both = ReviewSession(subject), ReviewSession(subject, subject)
     assert (alone.subject_of(of_other=False), alone.subject_of(of_other=True)) == (subject, None)
     docs = cinema.environment.model.applications

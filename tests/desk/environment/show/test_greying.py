@@ -26,18 +26,18 @@ several = st.tuples(st.permutations([*NAMES, "unknown"]), st.integers(0, 6)).map
 placements = st.lists(several)
 
 
-def plain(names, shelf):
-    placed = [shelf.tasks[name] for name in names if name in shelf.tasks]
-    found = greyed(shelf.tasks.values(), placed)
-    return {name: reasons(refused, "c1", shelf.tasks[name]) for name, refused in found.items()}
+def plain(names, libraries):
+    placed = [libraries.tasks[name] for name in names if name in libraries.tasks]
+    found = greyed(libraries.tasks.values(), placed)
+    return {name: reasons(refused, "c1", libraries.tasks[name]) for name, refused in found.items()}
 
 
 @given(shelves, placements)
 @settings(max_examples=100, deadline=None)
-def test_the_set_is_what_it_would_be_made_anew_whatever_comes_and_goes(shelf, placements):  # R-C07, Equation (2)
+def test_the_set_is_what_it_would_be_made_anew_whatever_comes_and_goes(libraries, placements):  # R-C07, Equation (2)
     greying = GreyedTasks("c1")
     for names in placements:
-        assert greying.greyed(names, shelf) == plain(names, shelf)
+        assert greying.greyed(names, libraries) == plain(names, libraries)
 
 
 @given(shelves, shelves, placements)
@@ -45,16 +45,16 @@ def test_the_set_is_what_it_would_be_made_anew_whatever_comes_and_goes(shelf, pl
 def test_it_follows_changed_libraries(one, other, placements):  # R-C01, R-C07
     greying = GreyedTasks("c1")
     for names in placements:
-        for shelf in (one, other):
-            assert greying.greyed(names, shelf) == plain(names, shelf)
+        for libraries in (one, other):
+            assert greying.greyed(names, libraries) == plain(names, libraries)
 
 
 @given(shelves, st.permutations(NAMES))
 @settings(max_examples=20, deadline=None)
-def test_what_has_not_changed_is_the_same_object(shelf, names):
+def test_what_has_not_changed_is_the_same_object(libraries, names):
     greying = GreyedTasks("c1")
-    first = greying.greyed(tuple(names), shelf)
-    assert greying.greyed(tuple(names), shelf) is first
-    fewer = greying.greyed(tuple(names[:-1]), shelf)
+    first = greying.greyed(tuple(names), libraries)
+    assert greying.greyed(tuple(names), libraries) is first
+    fewer = greying.greyed(tuple(names[:-1]), libraries)
     untouched = {name for name in NAMES if names[-1] not in str(first.get(name))}
     assert all(fewer[name] is first[name] for name in untouched & first.keys() if fewer[name] == first[name])

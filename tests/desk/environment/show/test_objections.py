@@ -38,7 +38,7 @@ SHEETS = {
 
 
 @pytest.fixture
-def shelf(tmp_path):
+def libraries(tmp_path):
     base = BaseDirectory(tmp_path)
     for task in TASKS:
         base.save_task(RmodText(task))
@@ -49,25 +49,25 @@ def document(*names):
     return Document("c1", Content(Configuration("c", tuple(Placed(name) for name in names))))
 
 
-def test_a_task_that_takes_a_variable_for_something_else_is_objected_to(shelf):  # law 7, R-X01
-    found = objections(document("reader"), shelf)
+def test_a_task_that_takes_a_variable_for_something_else_is_objected_to(libraries):  # law 7, R-X01
+    found = objections(document("reader"), libraries)
     assert set(found) == {"writer"}
     (reason,) = found["writer"]
     assert reason.text == "takes X for double[6] in m, reader for double[6] in rad"
     assert [one.show for one in reason.remedies] == [ShowPin("writer", "OUT"), ShowTask("reader")]
 
 
-def test_a_second_master_of_a_device_is_objected_to(shelf):  # law 16
-    (reason,) = objections(document("arm"), shelf)["other_arm"]
+def test_a_second_master_of_a_device_is_objected_to(libraries):  # law 16
+    (reason,) = objections(document("arm"), libraries)["other_arm"]
     assert reason.text == "moves boxes:left, which arm moves already"
     assert reason.remedies[0].act == act.Exchange("c1", "arm", "other_arm")
 
 
-def test_what_no_runtime_has_read_is_not_judged(shelf):
-    assert objections(document("unknown"), replace(shelf, sheets={})) == {}
-    assert objections(document("writer", "unknown"), shelf).keys() == {"reader"}
+def test_what_no_runtime_has_read_is_not_judged(libraries):
+    assert objections(document("unknown"), replace(libraries, sheets={})) == {}
+    assert objections(document("writer", "unknown"), libraries).keys() == {"reader"}
 
 
-def test_what_stands_already_and_what_stands_alone_is_not_objected_to(shelf):
-    assert objections(document("reader", "writer"), shelf) == {}
-    assert objections(document(), shelf) == {}
+def test_what_stands_already_and_what_stands_alone_is_not_objected_to(libraries):
+    assert objections(document("reader", "writer"), libraries) == {}
+    assert objections(document(), libraries) == {}

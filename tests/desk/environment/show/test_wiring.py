@@ -28,8 +28,8 @@ TASKS = (
     Task("c", "c", inconst=("P",), invar=("P", "Q")),
     Task("d", "d", invar=("Q",), aliases=(("Q", "P"),)),
 )
-SHELF = OpenLibraries((Library(BaseDirectory("x"), {one.name: RmodText(one) for one in TASKS}, ()),))
-OTHER = SHELF.edited({"d": replace(TASKS[3], aliases=())})
+LIBRARIES = OpenLibraries((Library(BaseDirectory("x"), {one.name: RmodText(one) for one in TASKS}, ()),))
+OTHER = LIBRARIES.edited({"d": replace(TASKS[3], aliases=())})
 FEWER = OpenLibraries((Library(BaseDirectory("x"), {one.name: RmodText(one) for one in TASKS[:3]}, ()),))
 
 facts = st.dictionaries(st.sampled_from("abcd"), st.sampled_from(["ON", "OFF", "ERROR"]).map(TaskFacts))
@@ -39,15 +39,15 @@ spots = st.permutations("abcde").flatmap(
         lambda found: tuple(Placed(name, 300 * x, 0, left) for name, (x, left) in zip(names, found, strict=False))
     )
 )
-shelves = st.sampled_from([SHELF, OTHER, FEWER])
+libraries_examples = st.sampled_from([LIBRARIES, OTHER, FEWER])
 
 
-def document(placed, live, shelf, former=None):
+def document(placed, live, libraries, former=None):
     """A document after `former`, whose tasks and loci are the same objects where they are the same."""
     before = former.content.configuration if former else Configuration("c")
     known = {one: one for one in before.placed}
     configuration = replace(before, placed=tuple(known.get(one, one) for one in placed))
-    boxes = shelf.boxes(tuple(one.task for one in placed))
+    boxes = libraries.boxes(tuple(one.task for one in placed))
     return Document("c1", Content(loci.settled(configuration, boxes, before)), live=live)
 
 
@@ -58,42 +58,42 @@ def cpu_s(work):
     return time.process_time() - began
 
 
-@given(st.lists(st.tuples(spots, lives, shelves), min_size=1, max_size=5))
+@given(st.lists(st.tuples(spots, lives, libraries_examples), min_size=1, max_size=5))
 @settings(max_examples=150, deadline=None)
 def test_what_is_shown_is_what_it_would_be_made_anew(states):  # R-C09, R-C25
     seen = None
-    for placed, live, shelf in states:
-        now = document(placed, live, shelf, seen and seen.document)
-        tasks, lines = placed_views(now, shelf, seen), locus_views(now, shelf, seen)
-        assert tasks == placed_views(now, shelf, None)
-        assert lines == locus_views(now, shelf, None)
-        seen = MadeDocument(now, shelf, DocumentView("c", 0, tasks=tasks, loci=lines))
+    for placed, live, libraries in states:
+        now = document(placed, live, libraries, seen and seen.document)
+        tasks, lines = placed_views(now, libraries, seen), locus_views(now, libraries, seen)
+        assert tasks == placed_views(now, libraries, None)
+        assert lines == locus_views(now, libraries, None)
+        seen = MadeDocument(now, libraries, DocumentView("c", 0, tasks=tasks, loci=lines))
 
 
 def test_a_line_is_live_where_its_writer_is_on_and_stale_where_it_failed():  # R-C25
     placed = (Placed("a"), Placed("b"), Placed("gone"))
     states = {"a": TaskFacts("ON"), "b": TaskFacts("ERROR")}
-    live = document(placed, SubsystemFacts("s", "live", states), SHELF)
-    found = locus_views(live, SHELF, None)
+    live = document(placed, SubsystemFacts("s", "live", states), LIBRARIES)
+    found = locus_views(live, LIBRARIES, None)
     assert {svar: one.line for svar, one in found.items()} == {"K": "live", "P": "live", "Q": "stale"}
     assert (found["P"].writers, found["P"].readers, found["K"].is_constant) == (("a",), ("b",), True)
-    assert placed_views(live, SHELF, None)["gone"].is_missing
-    idle = locus_views(document(placed, SubsystemFacts("s", "lost", states), SHELF), SHELF, None)
+    assert placed_views(live, LIBRARIES, None)["gone"].is_missing
+    idle = locus_views(document(placed, SubsystemFacts("s", "lost", states), LIBRARIES), LIBRARIES, None)
     assert {one.line for one in idle.values()} == {"idle"}
 
 
 def test_one_task_that_moves_is_the_only_new_object():
-    before = document((Placed("a"), Placed("b")), None, SHELF)
-    tasks, lines = placed_views(before, SHELF, None), locus_views(before, SHELF, None)
-    seen = MadeDocument(before, SHELF, DocumentView("c", 0, tasks=tasks, loci=lines))
+    before = document((Placed("a"), Placed("b")), None, LIBRARIES)
+    tasks, lines = placed_views(before, LIBRARIES, None), locus_views(before, LIBRARIES, None)
+    seen = MadeDocument(before, LIBRARIES, DocumentView("c", 0, tasks=tasks, loci=lines))
     configuration = before.content.configuration
     moved = replace(configuration, placed=(Placed("a", 50), configuration.placed[1]))
     now = before.having(Content(moved))
-    assert locus_views(now, SHELF, seen) is lines
-    found = placed_views(now, SHELF, seen)
+    assert locus_views(now, LIBRARIES, seen) is lines
+    found = placed_views(now, LIBRARIES, seen)
     assert found["a"].x == 50
     assert found["b"] is tasks["b"]
-    assert placed_views(before, SHELF, seen) is tasks
+    assert placed_views(before, LIBRARIES, seen) is tasks
 
 
 def test_acts_are_quick_on_a_large_canvas(tmp_path):  # R-C07: a thousand tasks in the library, 500 placed
@@ -110,14 +110,14 @@ def test_acts_are_quick_on_a_large_canvas(tmp_path):  # R-C07: a thousand tasks 
 def test_lines_follow_the_states_of_their_writers(states):  # R-C25
     placed, seen = tuple(Placed(name) for name in "abcd"), None
     for live in states:
-        now = document(placed, live, SHELF, seen and seen.document)
-        tasks, lines = placed_views(now, SHELF, seen), locus_views(now, SHELF, seen)
-        assert (tasks, lines) == (placed_views(now, SHELF, None), locus_views(now, SHELF, None))
-        seen = MadeDocument(now, SHELF, DocumentView("c", 0, tasks=tasks, loci=lines))
+        now = document(placed, live, LIBRARIES, seen and seen.document)
+        tasks, lines = placed_views(now, LIBRARIES, seen), locus_views(now, LIBRARIES, seen)
+        assert (tasks, lines) == (placed_views(now, LIBRARIES, None), locus_views(now, LIBRARIES, None))
+        seen = MadeDocument(now, LIBRARIES, DocumentView("c", 0, tasks=tasks, loci=lines))
 
 
 def test_supermodules_are_shown_and_those_that_stay_are_the_same_objects():  # R-C17
-    plain = document((Placed("a"), Placed("b"), Placed("c")), None, SHELF)
+    plain = document((Placed("a"), Placed("b"), Placed("c")), None, LIBRARIES)
 
     def grouped(*groups):
         return plain.having(replace(plain.content, configuration=replace(plain.content.configuration, groups=groups)))
@@ -125,7 +125,7 @@ def test_supermodules_are_shown_and_those_that_stay_are_the_same_objects():  # R
     first = grouped(Group("one", ("b", "a")))
     shown = group_views(first, None)
     assert shown == {"one": GroupView(("b", "a"))}
-    seen = MadeDocument(first, SHELF, DocumentView("c", 0, groups=shown))
+    seen = MadeDocument(first, LIBRARIES, DocumentView("c", 0, groups=shown))
     assert group_views(first, seen) is shown
     more = group_views(grouped(Group("one", ("b", "a")), Group("two", ("c",))), seen)
     assert more["one"] is shown["one"] and more["two"] == GroupView(("c",))

@@ -9,41 +9,41 @@ from onika.store.library import open_libraries
 A = Task("a", "a", outvar=("Q",), frequency=1.0)
 
 
-def shelf(tmp_path):
+def libraries(tmp_path):
     for folder, task in (("one", A), ("two", replace(A, description="the other"))):
         BaseDirectory(tmp_path / folder).save_task(RmodText(task))
     return OpenLibraries(open_libraries(BaseDirectory(tmp_path / folder) for folder in ("one", "two")))
 
 
 def test_the_first_library_with_a_name_counts(tmp_path):  # R-C01
-    found = shelf(tmp_path)
+    found = libraries(tmp_path)
     assert found.tasks["a"].description == ""
     assert found.homes["a"].base.path.name == "one"
 
 
 def test_an_edit_stands_for_the_file_until_it_says_the_same(tmp_path):  # R-C04
     changed = replace(A, aliases=(("Q", "R"),))
-    edited = shelf(tmp_path).edited({"a": changed})
+    edited = libraries(tmp_path).edited({"a": changed})
     assert edited.tasks["a"].outputs == {"R"}
     assert edited.edited({"a": None}).edits == {}
     assert edited.edited({"a": edited.records["a"].task}).edits == {}
 
 
 def test_boxes_follow_the_edits(tmp_path):
-    edited = shelf(tmp_path).edited({"a": replace(A, aliases=(("Q", "R"),))})
+    edited = libraries(tmp_path).edited({"a": replace(A, aliases=(("Q", "R"),))})
     assert edited.box("a").pins[0].svar == "R"
     assert edited.box("nobody") is None
     assert list(edited.boxes(("a", "nobody"))) == ["a"]
 
 
 def test_an_edit_changes_what_a_user_can_change_and_the_rest_is_as_the_file_says(tmp_path):  # R-C04
-    found = shelf(tmp_path)
+    found = libraries(tmp_path)
     stale = replace(A, description="old", aliases=(("Q", "R"), ("GONE", "S")))
     assert found.edited({"a": stale}).tasks["a"] == replace(A, aliases=(("Q", "R"),))
 
 
 def test_what_is_known_of_the_files_is_known_after_an_edit_and_nothing_of_the_edited(tmp_path):  # R-C04
-    found = shelf(tmp_path)
+    found = libraries(tmp_path)
     assert found.box("a") and found.company
     edited = found.edited({"a": replace(A, aliases=(("Q", "R"),))})
     assert edited.records is found.records
@@ -58,7 +58,7 @@ def test_what_is_known_of_the_files_is_known_after_an_edit_and_nothing_of_the_ed
 
 
 def test_code_is_found_beside_the_task_first(tmp_path):  # R-C05, R-C23
-    assert shelf(tmp_path).code_file("a") is None
+    assert libraries(tmp_path).code_file("a") is None
     for folder in ("two", "one"):
         (tmp_path / folder / "module" / "a.py").write_text("")
-        assert shelf(tmp_path).code_file("a") == tmp_path / folder / "module" / "a.py"
+        assert libraries(tmp_path).code_file("a") == tmp_path / folder / "module" / "a.py"

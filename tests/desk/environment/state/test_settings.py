@@ -33,8 +33,8 @@ def test_what_only_this_session_said_is_not_kept(tmp_path):  # R-C20, R-G05
 @pytest.mark.parametrize("content", [b"{", b'{"shows_warnings": 3}', b"\xff"])
 def test_a_file_that_cannot_be_read_is_named_and_the_defaults_hold(tmp_path, content):  # R-B07
     (tmp_path / NAME).write_bytes(content)
-    habits, wrong = read(tmp_path, {})
-    assert habits == Settings()
+    settings, wrong = read(tmp_path, {})
+    assert settings == Settings()
     assert str(tmp_path / NAME) in wrong
 
 

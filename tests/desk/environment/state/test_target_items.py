@@ -54,7 +54,7 @@ def test_what_a_runtime_says_counts_before_what_the_code_does(tmp_path):  # R-B1
     model = with_tasks(tmp_path, {"nap": sheet(duration(1, 2, default=1.5))}, waiting("nap"))
     (item,) = items_of(model, "Pause object")
     assert (item.low, item.high, item.default) == ((1.0,), (2.0,), (1.5,))
-    assert inputs_of(replace(model.shelf, sheets={}), model.shelf.tasks["nap"]) == ()
+    assert inputs_of(replace(model.libraries, sheets={}), model.libraries.tasks["nap"]) == ()
 
 
 def test_of_several_tasks_the_widest_bounds_count_and_none_where_one_has_none(tmp_path):  # R-D08

@@ -19,7 +19,7 @@ def check(model: Model, file: AnyFile, _command: act.Check, _outside: Services) 
     if isinstance(file, OpenApplication):
         faults = (*file.file_faults, *(file.judgement.faults if file.judgement else ()))
         return Done(model, value=tuple(fault.text for fault in sorted(faults, key=_order)))
-    troubles = sorted(problems(file, model.shelf).values(), key=_order)
+    troubles = sorted(problems(file, model.libraries).values(), key=_order)
     return Done(model, value=tuple(trouble.text for trouble in troubles))
 
 

@@ -28,7 +28,7 @@ def copy(model: Model, document: Document, command: act.Copy, _outside: Services
     refused = _nothing(command.tasks) or absent(document, command.tasks)
     if refused:
         return refused
-    boxes = model.shelf.boxes(command.tasks).values()
+    boxes = model.libraries.boxes(command.tasks).values()
     svars = (pin.svar for box in boxes for pin in box.pins)
     taken = copied(document.content.configuration, command.tasks, svars)
     return Done(replace(model, buffer=taken), value=write(taken))
@@ -53,7 +53,7 @@ def paste(model: Model, document: Document, command: act.Paste, _outside: Servic
         return No(taken)
     if not taken.placed:
         return No(Reason.of("desk.nothing_copied"))
-    against = objections(model.shelf, document, taken)
+    against = objections(model.libraries, document, taken)
     if against:
         return refusal(Reason.of("desk.nothing_pasted_plain"), against)
     names = tuple(placed.task for placed in taken.placed)
@@ -73,7 +73,7 @@ def placed(model: Model, document: Document, taken: Clipboard, label: Text) -> D
     done = with_other_tasks(model, document, both, label)
     after = done.model.documents[document.id]
     spots = {locus.svar: locus for locus in taken.loci if locus.svar not in svars}
-    boxes = model.shelf.boxes(after.content.names)
+    boxes = model.libraries.boxes(after.content.names)
     kept = replace(after.content, configuration=loci.wished(after.content.configuration, spots, boxes))
     return replace(done, model=done.model.with_document(after.having(kept)), value=names)
 
@@ -99,9 +99,9 @@ def _renamed(groups: Iterable[Group], standing: Iterable[Group]) -> Iterator[Gro
         yield replace(group, name=name)
 
 
-def objections(shelf: OpenLibraries, document: Document, taken: Clipboard) -> list[Objection]:
+def objections(libraries: OpenLibraries, document: Document, taken: Clipboard) -> list[Objection]:
     """Every reason why what was copied may not be placed, task by task."""
-    tasks = shelf.tasks
+    tasks = libraries.tasks
     standing = [tasks[name] for name in document.content.names if name in tasks]
     against = _against(standing, [tasks[placed.task] for placed in taken.placed if placed.task in tasks])
     missing = set(document.content.names) - set(tasks)

@@ -197,7 +197,7 @@ def _spawned(model: Model, merged_tasks: Merged, outside: Services) -> Done:
     wanted, says = {}, []
     for name in merged_tasks.spawn:
         placed = document.content.placed(name)
-        born = birth(placed, model.shelf, units) if placed else Reason.of("desk.task_missing", name=name)
+        born = birth(placed, model.libraries, units) if placed else Reason.of("desk.task_missing", name=name)
         if isinstance(born, Reason):
             says.append(page.Say("warning", Reason.of("desk.left_out", why=born), document.id, ShowTask(name)))
         else:

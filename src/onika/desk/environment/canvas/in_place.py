@@ -53,7 +53,7 @@ def _content(document: Document, configuration: Configuration) -> Content:
 
 def _told(model: Model, document: Document, subsystem_facts: SubsystemFacts, content: Content) -> Reason:
     """What becomes of each task; nothing: nothing happens to any."""
-    what = reconfiguration(document.content, content, subsystem_facts, model.shelf, (), living_units(model))
+    what = reconfiguration(document.content, content, subsystem_facts, model.libraries, (), living_units(model))
     if what.is_nothing and not what.faults:
         return NOTHING
     both = [birth.task.name for birth in what.spawn if birth.task.name in what.kill]
@@ -77,7 +77,7 @@ def _told(model: Model, document: Document, subsystem_facts: SubsystemFacts, con
 
 def _again(model: Model, subsystem_facts: SubsystemFacts, what: Reconfiguration) -> tuple[str, ...]:
     """Whose constants come from another task afterwards."""
-    tasks = model.shelf.tasks
+    tasks = model.libraries.tasks
     living = [Standing(Ports.of(tasks[name]), tasks[name].module) for name in subsystem_facts.tasks if name in tasks]
     new = [Standing(Ports.of(tasks[birth.task.name]), tasks[birth.task.name].module) for birth in what.spawn]
     return exchange(living, what.kill, new).reinit

@@ -37,18 +37,18 @@ def open_library(model: Model, command: act.OpenLibrary, _outside: Services) -> 
         )
     if refused:
         return refused
-    library = next((library for library in model.shelf.libraries if library.base.path.resolve() == whole), None)
+    library = next((library for library in model.libraries.libraries if library.base.path.resolve() == whole), None)
     if library is not None:
         return Done(model, value=str(library.base.path))
     base = BaseDirectory(path)
-    done = rearranged(model, (*(library.base for library in model.shelf.libraries), base), frozenset())
+    done = rearranged(model, (*(library.base for library in model.libraries.libraries), base), frozenset())
     listed = file_index.listed([base], model.syntax)
     return replace(done, model=listed.beside(done.model), value=str(path), says=(*done.says, *told(listed.faults)))
 
 
 def close_library(model: Model, command: act.CloseLibrary, _outside: Services) -> Done | No:
     """Close a library; what is placed of it stays, and what was changed of its tasks comes back with it."""
-    bases = [library.base for library in model.shelf.libraries]
+    bases = [library.base for library in model.libraries.libraries]
     left = [base for base in bases if str(base.path) != command.library]
     if len(left) == len(bases):
         return No(Reason.of("desk.library_closed", library=command.library))
@@ -58,7 +58,7 @@ def close_library(model: Model, command: act.CloseLibrary, _outside: Services) -
 
 def reread(model: Model, changed: Set[Path]) -> Done:
     """With files of the open libraries read again."""
-    done = rearranged(model, (library.base for library in model.shelf.libraries), changed)
+    done = rearranged(model, (library.base for library in model.libraries.libraries), changed)
     model = done.model
     for module in sorted({path.stem for path in changed if path.suffix == ".py"}):
         model = forgotten(model, module)
@@ -70,16 +70,16 @@ def rearranged(model: Model, bases: Iterable[BaseDirectory], changed: Set[Path])
 
     What was changed here of a task goes onto its new file, and the open documents follow.
     """
-    former = model.shelf
-    libraries = reopen_libraries(bases, former.libraries, changed)
-    if libraries == former.libraries:
+    former = model.libraries
+    reopened = reopen_libraries(bases, former.libraries, changed)
+    if reopened == former.libraries:
         return Done(model)
-    shelf, dropped = _rebased(replace(former, libraries=libraries), former, _living(model))
-    says = [*_news(former.libraries, libraries), *dropped]
-    names = {name for name in shelf.tasks if shelf.tasks[name] != former.tasks.get(name)}
-    against = clashes(model, shelf, names & former.tasks.keys())
+    rebased, dropped = _rebased(replace(former, libraries=reopened), former, _living(model))
+    says = [*_news(former.libraries, reopened), *dropped]
+    names = {name for name in rebased.tasks if rebased.tasks[name] != former.tasks.get(name)}
+    against = clashes(model, rebased, names & former.tasks.keys())
     says += [page.Say("warning", reason.text) for reason in against]
-    return Done(pin_changes.resettled(replace(model, shelf=shelf), former), says=tuple(says))
+    return Done(pin_changes.resettled(replace(model, libraries=rebased), former), says=tuple(says))
 
 
 def _no_base(path: Path) -> No | None:
@@ -105,27 +105,27 @@ def _living(model: Model) -> frozenset[str]:
 
 
 def _rebased(
-    shelf: OpenLibraries, former: OpenLibraries, living: frozenset[str]
+    libraries: OpenLibraries, former: OpenLibraries, living: frozenset[str]
 ) -> tuple[OpenLibraries, list[page.Say]]:
     """With every change put on its file as that is now; one that does not fit is told and gone."""
     edits: dict[str, Task] = {}
     says = []
     for name, changed in former.edits.items():
-        old, new = former.filed(name), shelf.filed(name)
+        old, new = former.filed(name), libraries.filed(name)
         if new is None or old is new or name in living:
             edits[name] = changed
             continue
         edits[name] = task_edit.carried(changed, new) if old is None else task_edit.rebased(changed, old, new)
-        is_other = new.module != changed.module or _is_elsewhere(name, former, shelf)
+        is_other = new.module != changed.module or _is_elsewhere(name, former, libraries)
         if is_other or placement.alias_refusals(edits[name], ()):
             edits[name] = new
             says.append(page.Say("warning", Reason.of("desk.edit_unfit", name=name)))
-    return replace(shelf, edits={name: task for name, task in edits.items() if task != shelf.filed(name)}), says
+    return replace(libraries, edits={name: task for name, task in edits.items() if task != libraries.filed(name)}), says
 
 
-def _is_elsewhere(name: str, former: OpenLibraries, shelf: OpenLibraries) -> bool:
+def _is_elsewhere(name: str, former: OpenLibraries, libraries: OpenLibraries) -> bool:
     """Whether another library has the task now."""
-    old, new = former.homes.get(name), shelf.homes.get(name)
+    old, new = former.homes.get(name), libraries.homes.get(name)
     return old is not None and new is not None and old.base != new.base
 
 

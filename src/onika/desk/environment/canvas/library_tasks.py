@@ -4,7 +4,7 @@ import math
 from dataclasses import replace
 from pathlib import Path
 
-from onika.desk.environment.canvas import libraries
+from onika.desk.environment.canvas.libraries import reread
 from onika.desk.environment.outcome import pin_changes
 from onika.desk.environment.outcome.clash import clashes, refused
 from onika.desk.environment.outcome.outcome import Done, No
@@ -25,7 +25,7 @@ from onika.words.reason import NOTHING, Reason, reason_of
 
 def alias(model: Model, command: act.Alias, _outside: Services) -> Done | No:
     """Give the variable behind a pin, everywhere: every open configuration must bear it."""
-    task, filed = model.shelf.tasks.get(command.task), model.shelf.filed(command.task)
+    task, filed = model.libraries.tasks.get(command.task), model.libraries.filed(command.task)
     if task is None or filed is None:
         return unknown(command.task)
     if command.pin not in task.kinds():
@@ -35,13 +35,13 @@ def alias(model: Model, command: act.Alias, _outside: Services) -> Done | No:
         expected = Reason.of("desk.variable_form")
         return No(Reason.of("desk.no_variable_name", svar=svar), fields={"svar": expected})
     changed = task_edit.aliased(task, command.pin, svar, filed)
-    shelf = model.shelf.edited({command.task: changed})
-    against = clashes(model, shelf, (command.task,))
+    libraries = model.libraries.edited({command.task: changed})
+    against = clashes(model, libraries, (command.task,))
     name = svar or command.pin
     if against:
         return refused(Reason.of("desk.pin_cannot_be", pin=command.pin, task=command.task, name=name), against, "svar")
     return Done(
-        _taken_over(model, shelf),
+        _taken_over(model, libraries),
         Reason.of("desk.aliasing", pin=command.pin, task=command.task, name=name),
         command.doc,
     )
@@ -49,7 +49,7 @@ def alias(model: Model, command: act.Alias, _outside: Services) -> Done | No:
 
 def library_rate(model: Model, command: act.LibraryRate, _outside: Services) -> Done | No:
     """A rate for later placements of this session (reading 10)."""
-    task = model.shelf.tasks.get(command.task)
+    task = model.libraries.tasks.get(command.task)
     if task is None:
         return unknown(command.task)
     if task.type is not TaskType.PERIODIC:
@@ -59,12 +59,12 @@ def library_rate(model: Model, command: act.LibraryRate, _outside: Services) -> 
         reason = Reason.of("desk.rate_form", hz=str(command.hz))
         return No(Reason.of("desk.rate_unfit", task=command.task, why=reason), fields={"hz": reason})
     rate = None if command.hz == task.frequency else command.hz
-    return Done(replace(model, shelf=model.shelf.rated({command.task: rate})))
+    return Done(replace(model, libraries=model.libraries.rated({command.task: rate})))
 
 
 def local(model: Model, command: act.Local, _outside: Services) -> Done | No:
     """Other parameters of a module; the file's own reader says what may stand there."""
-    task = model.shelf.tasks.get(command.task)
+    task = model.libraries.tasks.get(command.task)
     if task is None:
         return unknown(command.task)
     lines = tuple(LocalLine(key, words) for key, words in command.lines)
@@ -75,18 +75,18 @@ def local(model: Model, command: act.Local, _outside: Services) -> Done | No:
     }
     if wrong:
         return No(Reason.of("desk.parameters_unfit", task=command.task, reasons=tuple(wrong.values())), fields=wrong)
-    shelf = model.shelf.edited({command.task: replace(task, local=lines)})
-    return Done(_taken_over(model, shelf), Reason.of("desk.setting_parameters", task=command.task), command.doc)
+    libraries = model.libraries.edited({command.task: replace(task, local=lines)})
+    return Done(_taken_over(model, libraries), Reason.of("desk.setting_parameters", task=command.task), command.doc)
 
 
 def save_task(model: Model, command: act.SaveTask, _outside: Services) -> Done | No:
     """Write what was changed of a task, its rate too, to its file."""
-    task = model.shelf.tasks.get(command.task)
+    task = model.libraries.tasks.get(command.task)
     if task is None:
         return unknown(command.task)
-    base, record = model.shelf.homes[command.task].base, model.shelf.records[command.task]
+    base, record = model.libraries.homes[command.task].base, model.libraries.records[command.task]
     path = base.task_file(command.task)
-    changed = replace(task, frequency=model.shelf.rates.get(command.task, task.frequency))
+    changed = replace(task, frequency=model.libraries.rates.get(command.task, task.frequency))
     if changed == record.task:
         return Done(model, value=str(path))
     done = base.save_task(record, changed, overwrites=command.overwrites)
@@ -101,11 +101,11 @@ def save_task(model: Model, command: act.SaveTask, _outside: Services) -> Done |
 
 def forget_task(model: Model, command: act.ForgetTask, _outside: Services) -> Done | No:
     """A task as its file says now, where every open configuration bears it."""
-    if command.task not in model.shelf.tasks:
+    if command.task not in model.libraries.tasks:
         return unknown(command.task)
-    path = model.shelf.homes[command.task].base.task_file(command.task)
+    path = model.libraries.homes[command.task].base.task_file(command.task)
     done = _as_filed(model, command.task, path)
-    against = clashes(model, done.model.shelf, (command.task,))
+    against = clashes(model, done.model.libraries, (command.task,))
     if against:
         return refused(Reason.of("desk.not_as_filed", task=command.task), against)
     return done
@@ -116,16 +116,16 @@ def unknown(name: str) -> No:
     return No(Reason.of("desk.no_task", name=name), (Remedy(Reason.of("desk.open_library"), show=ShowLibraries()),))
 
 
-def _taken_over(model: Model, shelf: OpenLibraries) -> Model:
+def _taken_over(model: Model, libraries: OpenLibraries) -> Model:
     """With changed tasks, wherever they are placed."""
-    return pin_changes.resettled(replace(model, shelf=shelf), model.shelf)
+    return pin_changes.resettled(replace(model, libraries=libraries), model.libraries)
 
 
 def _as_filed(model: Model, name: str, path: Path) -> Done:
     """With the file read again, and nothing changed of it here."""
-    done = libraries.reread(model, {path})
-    shelf = done.model.shelf.edited({name: None}).rated({name: None})
-    return replace(done, model=_taken_over(done.model, shelf))
+    done = reread(model, {path})
+    unchanged = done.model.libraries.edited({name: None}).rated({name: None})
+    return replace(done, model=_taken_over(done.model, unchanged))
 
 
 def _wrong(task: Task, line: LocalLine) -> Reason:

@@ -26,7 +26,7 @@ def place(model: Model, document: Document, command: act.Place, _outside: Servic
     refused = _refused(model, document, command.task, ())
     if refused:
         return refused
-    rate = model.shelf.rates.get(command.task, 0.0)
+    rate = model.libraries.rates.get(command.task, 0.0)
     spot = inside(command.x, command.y)
     new = Placed(command.task, *spot, command.in_left, rate, command.rtpu or UNKNOWN_RTPU)
     configuration = document.content.configuration
@@ -47,7 +47,7 @@ def exchange(model: Model, document: Document, command: act.Exchange, _outside: 
     refused = _refused(model, document, command.new, (command.old,))
     if refused:
         return refused
-    new = Placed(command.new, old.x, old.y, old.in_left, model.shelf.rates.get(command.new, 0.0), old.rtpu)
+    new = Placed(command.new, old.x, old.y, old.in_left, model.libraries.rates.get(command.new, 0.0), old.rtpu)
     configuration = document.content.configuration
     placed = tuple(new if placed is old else placed for placed in configuration.placed)
     exchanged = replace(
@@ -103,7 +103,7 @@ def flip(model: Model, document: Document, command: act.Flip, _outside: Services
         for placed in configuration.placed
     )
     turned = replace(configuration, placed=placed)
-    boxes = model.shelf.boxes(document.content.names)
+    boxes = model.libraries.boxes(document.content.names)
     return _as_it_stands(
         model,
         document,
@@ -120,7 +120,7 @@ def align(model: Model, document: Document, command: act.Align, _outside: Servic
         return missing
     configuration = document.content.configuration
     chosen = [placed for placed in configuration.placed if placed.task in command.tasks]
-    boxes = model.shelf.boxes(command.tasks)
+    boxes = model.libraries.boxes(command.tasks)
     heights = {name: box.height for name, box in boxes.items()}
     spots = _aligned(chosen, heights, command.edge)
     placed = tuple(_at(placed, spots.get(placed.task)) for placed in configuration.placed)
@@ -156,7 +156,7 @@ def _as_it_stands(model: Model, document: Document, configuration: Configuration
 
 def _refused(model: Model, document: Document, name: str, leaving: tuple[str, ...]) -> No | None:
     """Why a task may not join, if so."""
-    tasks = model.shelf.tasks
+    tasks = model.libraries.tasks
     task = tasks.get(name)
     if task is None:
         return No(Reason.of("desk.no_task", name=name), (Remedy(Reason.of("desk.open_library"), show=ShowLibraries()),))

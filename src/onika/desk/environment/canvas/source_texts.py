@@ -48,7 +48,7 @@ def write_text(model: Model, command: act.WriteText, _outside: Services) -> Done
         return _refused(path, refused, command)
     view = _view(path, command.text, refused)
     done = libraries.reread(model, {path})
-    left_out = command.kind == "rmod" and path.stem not in done.model.shelf.tasks
+    left_out = command.kind == "rmod" and path.stem not in done.model.libraries.tasks
     message = page.Say("warning", Reason.of("desk.saved_at_fault", name=path.name))
     return replace(done, value=view, says=(message,) if left_out else done.says)
 
@@ -59,26 +59,26 @@ def _path(model: Model, task: str, kind: str) -> Path | No:
     if isinstance(path, No):
         return path
     file = path.resolve()
-    if not any(file.is_relative_to(library.base.path.resolve()) for library in model.shelf.libraries):
+    if not any(file.is_relative_to(library.base.path.resolve()) for library in model.libraries.libraries):
         return No(Reason.of("desk.outside_libraries", path=str(path)))
     return path
 
 
 def _rmod(model: Model, task: str) -> Path | No:
     """The file of a task, of one that is left out for its faults too."""
-    home = model.shelf.homes.get(task)
+    home = model.libraries.homes.get(task)
     if home is not None:
         return home.base.task_file(task)
-    files = (library.base.task_file(task) for library in model.shelf.libraries) if TASK_NAME.match(task) else ()
+    files = (library.base.task_file(task) for library in model.libraries.libraries) if TASK_NAME.match(task) else ()
     return next((file for file in files if file.is_file()), unknown(task))
 
 
 def _code(model: Model, task: str) -> Path | No:
     """The code of a task's module: beside its file, else in the first library that has it."""
-    described = model.shelf.tasks.get(task)
+    described = model.libraries.tasks.get(task)
     if described is None:
         return unknown(task)
-    path = model.shelf.code_file(task)
+    path = model.libraries.code_file(task)
     if path is None:
         return No(Reason.of("desk.no_source", module=described.module, task=task))
     return path

@@ -96,10 +96,10 @@ def renew(model: Model, document: Document, command: act.Renew, _outside: Servic
     of_living = _of_living(document, command.task)
     if isinstance(of_living, No):
         return of_living
-    task = model.shelf.tasks.get(command.task)
+    task = model.libraries.tasks.get(command.task)
     if task is None:
         return No(Reason.of("desk.no_task", name=command.task))
-    code = code_of(task.module, model.shelf, command.task)
+    code = code_of(task.module, model.libraries, command.task)
     if isinstance(code, Reason):
         return No(Reason.of("desk.keeps_code", task=command.task, why=code))
     return _asked(model, document, live.Swap(of_living.subsystem, command.task, code), command.task)
@@ -149,7 +149,7 @@ def _of_living(document: Document, task: str) -> SubsystemFacts | No:
 def _unknown(model: Model, document: Document, tasks: tuple[str, ...]) -> No | None:
     """Tasks that cannot live, because no library knows them."""
     facts_by_task = document.live.tasks if document.live else {}
-    lost = [name for name in tasks if name not in model.shelf.tasks and name not in facts_by_task]
+    lost = [name for name in tasks if name not in model.libraries.tasks and name not in facts_by_task]
     if not lost:
         return None
     return No(

@@ -47,7 +47,7 @@ class DiskWatch:
 def bases(site: Site, model: Model) -> Iterable[Path]:
     """The base directories that matter: of the search path and of what is open."""
     yield from (base.path for base in site.directories)
-    yield from (library.base.path for library in model.shelf.libraries)
+    yield from (library.base.path for library in model.libraries.libraries)
     yield from (dictionary.base.path for dictionary in model.dictionaries)
     yield from (document.base for document in model.documents.values() if document.base is not None)
     yield from (application.base for application in model.applications.values() if application.base is not None)

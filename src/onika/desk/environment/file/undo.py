@@ -59,11 +59,11 @@ def stepped(before: Model, done: Done, by: str, command: act.AnyAct) -> Model:
         return done.model.with_application(replace(new, history=new.history.done(change)))
     if not isinstance(old, Document) or not isinstance(new, Document):
         return done.model
-    edited = edits_between(before.shelf, done.model.shelf)
+    edited = edits_between(before.libraries, done.model.libraries)
     if old.content == new.content and not edited:
         return done.model
-    backwards = edits_between(done.model.shelf, before.shelf)
-    step = UndoStep(done.label, by, old.content, new.content, backwards, edited, before.shelf, done.model.shelf)
+    backwards = edits_between(done.model.libraries, before.libraries)
+    step = UndoStep(done.label, by, old.content, new.content, backwards, edited, before.libraries, done.model.libraries)
     if isinstance(command, act.OpenInPlace):
         step = replace(step, file_before=FileState(old.opened, old.base), file_after=FileState(new.opened, new.base))
     return done.model.with_document(replace(new, history=new.history.done(step)))
@@ -77,10 +77,10 @@ def edits_between(before: OpenLibraries, after: OpenLibraries) -> dict[str, Task
     return {name: _now(name, after) for name in names if _meaning(_now(name, before)) != _meaning(_now(name, after))}
 
 
-def _now(name: str, shelf: OpenLibraries) -> Task | None:
-    if name in shelf.edits:
-        return shelf.edits[name]
-    return shelf.filed(name)
+def _now(name: str, libraries: OpenLibraries) -> Task | None:
+    if name in libraries.edits:
+        return libraries.edits[name]
+    return libraries.filed(name)
 
 
 def _meaning(task: Task | None) -> Task | None:
@@ -110,7 +110,7 @@ class _Way:
     end: Content
     edits_start: Edits
     edits_end: Edits
-    shelf: OpenLibraries | None
+    libraries: OpenLibraries | None
     """What the loci of the end were settled with."""
     file: FileState | None
     """The file of the end, where it is another one."""
@@ -131,7 +131,9 @@ def _undone(model: Model, document: Document, step: UndoStep[Content], command: 
     if risk and not command.confirmed:
         meant = act.Undo(command.doc, confirmed=True)
         return No(f"taking back “{step.label}” turns {risk} ON again", (Remedy("Go on", meant),))
-    way = _Way(step, step.after, step.before, step.edits_after, step.edits_before, step.shelf_before, step.file_before)
+    way = _Way(
+        step, step.after, step.before, step.edits_after, step.edits_before, step.libraries_before, step.file_before
+    )
     return _restored(model, document, way, document.history.undone(), f"“{step.label}” cannot be taken back")
 
 
@@ -140,7 +142,9 @@ def _redone(model: Model, document: Document, step: UndoStep[Content], command: 
     if risk and not command.confirmed:
         meant = act.Redo(command.doc, confirmed=True)
         return No(f"doing “{step.label}” again turns {risk} ON", (Remedy("Go on", meant),))
-    way = _Way(step, step.before, step.after, step.edits_before, step.edits_after, step.shelf_after, step.file_after)
+    way = _Way(
+        step, step.before, step.after, step.edits_before, step.edits_after, step.libraries_after, step.file_after
+    )
     return _restored(model, document, way, document.history.redone(), f"“{step.label}” cannot be done again")
 
 
@@ -159,15 +163,15 @@ def _restored(model: Model, document: Document, way: _Way, history: History[Cont
     kept = {name: is_on for name, is_on in wanted.items() if name in names}
     if document.live:
         kept = {**dict.fromkeys(sorted(names), False), **kept}
-    shelf = model.shelf.edited(way.edits(model.shelf)) if way.edits_end else model.shelf
-    content = pin_changes.settled(Content(way.end.configuration, kept), way.shelf or shelf, shelf)
+    libraries = model.libraries.edited(way.edits(model.libraries)) if way.edits_end else model.libraries
+    content = pin_changes.settled(Content(way.end.configuration, kept), way.libraries or libraries, libraries)
     restored = replace(document, content=content, history=history)
     if way.file is not None:
         restored = replace(restored, opened=way.file.opened, base=way.file.base)
-    against = clashes(model.with_document(restored), shelf, way.edits_end)
+    against = clashes(model.with_document(restored), libraries, way.edits_end)
     if against:
         return refused(cannot, against)
-    others = pin_changes.resettled(replace(model.without(document.id), shelf=shelf), model.shelf)
+    others = pin_changes.resettled(replace(model.without(document.id), libraries=libraries), model.libraries)
     documents = {key: others.documents.get(key, restored) for key in model.documents}
     return Done(replace(others, documents=documents), way.step.label, document.id)
 

@@ -75,10 +75,10 @@ def _drafted(model: Model, doc: str, outside: Services) -> Draft | No:
         return refused
     job = drafted(document, outside.site)
     if isinstance(job, Draft):
-        edited = [name for name in document.content.names if name in model.shelf.edits]
+        edited = [name for name in document.content.names if name in model.libraries.edits]
         unsaved = (Reason.of("desk.task_unsaved", name=name) for name in edited)
         warnings = (*unsaved, *job.warnings)
-        return replace(job, warnings=warnings + (job.notes if model.habits.shows_warnings else ()))
+        return replace(job, warnings=warnings + (job.notes if model.settings.shows_warnings else ()))
     return No(Reason.of("desk.several_reasons", reasons=job))
 
 

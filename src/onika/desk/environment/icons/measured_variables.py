@@ -33,10 +33,10 @@ def measures_of(model: Model, kind: IconType) -> tuple[MeasuredVariable, ...]:
     measures: dict[MeasuredVariable, None] = {}
     if model.syntax is None:
         return ()
-    uses = uses_of(model.shelf, model.syntax, kind)
+    uses = uses_of(model.libraries, model.syntax, kind)
     for item in kind.items:
         for use in uses.get(item.name, ()):
-            for port in _like(use.input, ports_of(model.shelf, use.task)):
+            for port in _like(use.input, ports_of(model.libraries, use.task)):
                 is_frame = port.shape != use.input.shape
                 measures[
                     MeasuredVariable(

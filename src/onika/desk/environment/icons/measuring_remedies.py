@@ -39,14 +39,14 @@ def _ways(model: Model, wanted: frozenset[str]) -> Iterator[Remedy]:
 
 
 def _writers(model: Model, names: Iterable[str], wanted: frozenset[str]) -> list[Task]:
-    tasks = model.shelf.tasks
+    tasks = model.libraries.tasks
     return [tasks[name] for name in names if name in tasks and tasks[name].given_while_running & wanted]
 
 
 def _with_hardware(model: Model, document: Document, tasks: Sequence[Task]) -> tuple[str, ...]:
     """These tasks behind the drivers of robots whose measurements they read."""
     reads = {name for task in tasks for name in task.svars(task.invar)}
-    library_tasks = model.shelf.tasks
+    library_tasks = model.libraries.tasks
     drivers = [
         name
         for name in document.content.names
@@ -59,7 +59,7 @@ def _with_hardware(model: Model, document: Document, tasks: Sequence[Task]) -> t
 
 def _drives(model: Model, task: Task) -> bool:
     """Whether a task is the driver of a device, as its file says or its module does."""
-    sheet = model.shelf.sheets.get(task.module)
+    sheet = model.libraries.sheets.get(task.module)
     return any(line.key == "DEVICE" for line in task.local) or (sheet is not None and sheet.hardware)
 
 

@@ -20,12 +20,12 @@ def clashes(model: Model, after: OpenLibraries, names: Collection[str]) -> tuple
     found: list[Objection] = []
     for name in sorted(names):
         task = after.tasks.get(name)
-        if task is None or task == model.shelf.tasks.get(name):
+        if task is None or task == model.libraries.tasks.get(name):
             continue
         found += reasons(placement.alias_refusals(task, ()), "", task)
         for document in model.documents.values():
             if name in document.content.names:
-                found += _beside(task, document, model.shelf, after)
+                found += _beside(task, document, model.libraries, after)
     return tuple(dict.fromkeys(found))
 
 

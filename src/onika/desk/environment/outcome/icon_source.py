@@ -26,7 +26,7 @@ class Sources:
     def __init__(self, model: Model, syntax: Syntax) -> None:
         self._syntax = syntax
         self._sources = model.sources
-        self._tasks = {name: record.task for name, record in model.shelf.records.items()}
+        self._tasks = {name: record.task for name, record in model.libraries.records.items()}
         ranks = {path: place for place, path in enumerate(model.search)}
         homes = {path: Path(path).parent.parent for path in model.sources}
         self._first: dict[str, str] = {}

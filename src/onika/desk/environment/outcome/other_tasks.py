@@ -13,7 +13,7 @@ from onika.words.reason import Text
 def with_other_tasks(model: Model, document: Document, configuration: Configuration, label: Text) -> Done:
     """The outcome of giving a document another configuration; new tasks are wanted OFF where it is connected."""
     names = tuple(placed.task for placed in configuration.placed)
-    boxes = model.shelf.boxes((*names, *document.content.names))
+    boxes = model.libraries.boxes((*names, *document.content.names))
     settled = loci.settled(configuration, boxes, document.content.configuration)
     content = document.content.with_configuration(settled)
     if document.live is not None:

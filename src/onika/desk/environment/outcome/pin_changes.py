@@ -14,7 +14,7 @@ from onika.model.rules.box import TaskBox
 def resettled(model: Model, before: OpenLibraries) -> Model:
     """With the loci of every document as its pins are now; `before` has the tasks that they were settled with."""
     for document in model.documents.values():
-        content = settled(document.content, before, model.shelf)
+        content = settled(document.content, before, model.libraries)
         if content is not document.content:
             model = model.with_document(document.having(content))
     return model

@@ -52,7 +52,7 @@ def error_view(document: Document, name: str, facts: TaskFacts) -> ErrorView | N
 
 def problems(
     document: Document,
-    shelf: OpenLibraries,
+    libraries: OpenLibraries,
     *,
     with_warnings: bool = True,
     greyed: Mapping[str, tuple[Objection, ...]] | None = None,
@@ -64,9 +64,9 @@ def problems(
     """
     place = Place(document.name)
     names = document.content.names
-    tasks = [shelf.tasks[name] for name in names if name in shelf.tasks]
+    tasks = [libraries.tasks[name] for name in names if name in libraries.tasks]
     suspects = tasks if greyed is None else [task for task in tasks if len(greyed.get(task.name, ())) > 1]
-    found = {f"missing {name}": _missing(document, name) for name in names if name not in shelf.tasks}
+    found = {f"missing {name}": _missing(document, name) for name in names if name not in libraries.tasks}
     found |= {
         f"conflict {later.name} {earlier.name}": _conflict(document, later, earlier, refused)
         for later, earlier, refused in conflict.conflicts(suspects)

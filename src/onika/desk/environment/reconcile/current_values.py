@@ -25,7 +25,7 @@ def ask_present(model: Model, document: Document, task: str) -> tuple[Order, ...
 
 def measured(model: Model, task: str, moving: Collection[str]) -> dict[str, str]:
     """By input of a task: the variable of its kind that it reads and that one of the tasks that are ON writes."""
-    library_tasks = model.shelf.tasks
+    library_tasks = model.libraries.tasks
     written = {svar for name in moving if name in library_tasks for svar in library_tasks[name].outputs}
     return {name: svar for name, svar in _wanted(model, task).items() if svar in written}  # else it is old
 
@@ -37,8 +37,8 @@ def values_of(values: live.Values, wanted: Mapping[str, str]) -> dict[str, tuple
 
 def _wanted(model: Model, name: str) -> Mapping[str, str]:
     """By input: the variable that is read and is of its kind."""
-    task = model.shelf.tasks.get(name)
-    sheet = model.shelf.sheets.get(task.module) if task else None
+    task = model.libraries.tasks.get(name)
+    sheet = model.libraries.sheets.get(task.module) if task else None
     if task is None or sheet is None:
         return {}
     read = [port for port in sheet.ports if PortKind(port.kind).is_input and PortKind(port.kind).at_cycle]

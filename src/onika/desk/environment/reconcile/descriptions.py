@@ -33,9 +33,9 @@ class LearntDescriptions:
         """The model with it."""
         if not self.names:
             return model
-        shelf = model.shelf
-        new = replace(shelf, sheets={**shelf.sheets, **self.sheets}, unread={**shelf.unread, **self.unread})
-        return replace(model, shelf=new)
+        libraries = model.libraries
+        new = replace(libraries, sheets={**libraries.sheets, **self.sheets}, unread={**libraries.unread, **self.unread})
+        return replace(model, libraries=new)
 
 
 def describe(model: Model, learnt: LearntDescriptions | None = None) -> Done:
@@ -43,8 +43,8 @@ def describe(model: Model, learnt: LearntDescriptions | None = None) -> Done:
     learnt = learnt or LearntDescriptions()
     if len(learnt.names) >= _AT_ONCE:
         model, learnt = learnt.taken_over(model), LearntDescriptions()
-    for module, task in _lacking(model.shelf, learnt):
-        code = code_of(module, model.shelf, task)
+    for module, task in _lacking(model.libraries, learnt):
+        code = code_of(module, model.libraries, task)
         if isinstance(code, Reason):
             learnt = replace(learnt, unread={**learnt.unread, module: code})
             continue
@@ -55,12 +55,12 @@ def describe(model: Model, learnt: LearntDescriptions | None = None) -> Done:
 
 def forgotten(model: Model, module: str) -> Model:
     """Without what is known of a module, whose code has changed."""
-    shelf = model.shelf
-    if module not in shelf.sheets and module not in shelf.unread:
+    libraries = model.libraries
+    if module not in libraries.sheets and module not in libraries.unread:
         return model
-    sheets = {name: sheet for name, sheet in shelf.sheets.items() if name != module}
-    unread = {name: reason for name, reason in shelf.unread.items() if name != module}
-    return replace(model, shelf=replace(shelf, sheets=sheets, unread=unread))
+    sheets = {name: sheet for name, sheet in libraries.sheets.items() if name != module}
+    unread = {name: reason for name, reason in libraries.unread.items() if name != module}
+    return replace(model, libraries=replace(libraries, sheets=sheets, unread=unread))
 
 
 def _told(model: Model, response: request.Response, module: str, digest: str, learnt: LearntDescriptions) -> Done:
@@ -74,10 +74,10 @@ def _told(model: Model, response: request.Response, module: str, digest: str, le
     return describe(model, learnt)
 
 
-def _lacking(shelf: OpenLibraries, learnt: LearntDescriptions) -> Iterator[tuple[str, str]]:
+def _lacking(libraries: OpenLibraries, learnt: LearntDescriptions) -> Iterator[tuple[str, str]]:
     """Modules that are not described, each with a task that uses it."""
-    described = {*shelf.sheets, *shelf.unread, *learnt.names}
-    for name, task in shelf.tasks.items():
+    described = {*libraries.sheets, *libraries.unread, *learnt.names}
+    for name, task in libraries.tasks.items():
         if task.module not in described:
             described.add(task.module)
             yield task.module, name

@@ -18,9 +18,9 @@ def follow(before: Model, after: Model, outside: Services) -> Done | No:
     """Have the running system follow what differs between two models; a no where it cannot."""
     del outside
     marked = changed_breakpoints(before, after)
-    if before.documents is after.documents and before.shelf is after.shelf:
+    if before.documents is after.documents and before.libraries is after.libraries:
         return Done(after, orders=marked)
-    model, docs = noted(after, before.shelf)
+    model, docs = noted(after, before.libraries)
     changed = (
         document.id for document in model.documents.values() if document.id in docs or _is_changed(before, document)
     )
@@ -51,7 +51,7 @@ def _is_changed(before: Model, document: Document) -> bool:
 
 def _described(before: Model, after: Model) -> Done:
     """Modules that nobody knows yet are described, where a runtime is there to do it."""
-    old, new = before.shelf, after.shelf
+    old, new = before.libraries, after.libraries
     is_same = old.libraries is new.libraries and old.sheets is new.sheets and old.unread is new.unread
     if is_same or after.runtime.state != "linked":
         return Done(after)

@@ -26,7 +26,7 @@ def connected(model: Model, document: Document) -> tuple[Order, ...]:
 
 
 def _orders(model: Model, subsystem: str, tasks: tuple[str, ...]) -> tuple[Order, ...]:
-    library_tasks = model.shelf.tasks
+    library_tasks = model.libraries.tasks
     stated = {
         name
         for task in tasks
@@ -43,11 +43,13 @@ def _orders(model: Model, subsystem: str, tasks: tuple[str, ...]) -> tuple[Order
 def _wanted(model: Model) -> set[str]:
     """The constants that bound what tasks take from targets."""
     names = set()
-    for task in model.shelf.tasks.values():
+    for task in model.libraries.tasks.values():
         if task.object_type is not None:
             aliases = dict(task.aliases)
             bounds = (
-                bound for input_sheet in inputs_of(model.shelf, task) for bound in (input_sheet.low, input_sheet.high)
+                bound
+                for input_sheet in inputs_of(model.libraries, task)
+                for bound in (input_sheet.low, input_sheet.high)
             )
             names |= {aliases.get(bound, bound) for bound in bounds if isinstance(bound, str)}
     return names

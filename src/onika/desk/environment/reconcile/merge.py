@@ -38,7 +38,7 @@ def merged(model: Model, document: Document, subsystem_facts: SubsystemFacts, st
     """Equation (1) with (4): what runs wins, what runs and is not placed comes onto the canvas, the rest is spawned."""
     there = alive(standing, subsystem_facts.subsystem)
     running = tuple(_placed(task_standing) for task_standing in there.values())
-    tasks = {**model.shelf.tasks, **{name: task_of(task_standing.task) for name, task_standing in there.items()}}
+    tasks = {**model.libraries.tasks, **{name: task_of(task_standing.task) for name, task_standing in there.items()}}
     merged_tasks = merge(document.content.configuration.placed, running, tasks)
     configuration = _configuration(model, document.content.configuration, merged_tasks)
     wanted = {
@@ -94,7 +94,7 @@ def runtime_view(former: view.RuntimeView, standing: live.Standing) -> view.Runt
 def with_loci(model: Model, document: Document) -> Model:
     """The model with a document whose tasks have changed, its loci settled."""
     configuration = document.content.configuration
-    boxes = model.shelf.boxes(document.content.names)
+    boxes = model.libraries.boxes(document.content.names)
     placed = loci.settled(configuration, boxes, configuration)
     return model.with_document(document.having(replace(document.content, configuration=placed)))
 
@@ -109,7 +109,7 @@ def _configuration(model: Model, former: Configuration, merged_tasks: Merge) -> 
     """What is placed afterwards, each at its place; newcomers stand to the right of all others."""
     stays = {placed.task: placed for placed in (*merged_tasks.update, *merged_tasks.spawn)}
     placed = [stays.get(placed.task, placed) for placed in former.placed if placed.task not in merged_tasks.remove]
-    boxes = model.shelf.boxes(tuple(placed.task for placed in (*placed, *merged_tasks.add)))
+    boxes = model.libraries.boxes(tuple(placed.task for placed in (*placed, *merged_tasks.add)))
     x = max((placed.x + _width(boxes, placed.task) for placed in placed), default=0) + _GAP
     top = y = min((placed.y for placed in placed), default=_GAP)
     column = 0

@@ -31,7 +31,7 @@ def pursue(model: Model, document: Document) -> Done | No:
     subsystem_facts, base = _of(document)
     under_way = next((pending.after for pending in subsystem_facts.pending.values() if pending.after is not None), None)
     content = under_way or base.content
-    what = reconfiguration(content, document.content, subsystem_facts, model.shelf, base.edits, living_units(model))
+    what = reconfiguration(content, document.content, subsystem_facts, model.libraries, base.edits, living_units(model))
     if what.faults:
         return No(Reason.of("run.together", parts=what.faults))
     if what.is_nothing:
@@ -61,14 +61,14 @@ def pursue_all(model: Model, docs: Iterable[str]) -> Done | No:
 
 
 def noted(model: Model, former: OpenLibraries, *, but: str = "") -> tuple[Model, tuple[str, ...]]:
-    """With what has changed of tasks since a former shelf noted in every connected document (but one); in which."""
-    changed, docs = edits_between(model.shelf, former), []
+    """With what has changed of tasks since former libraries noted in every connected document (but one); in which."""
+    changed, docs = edits_between(model.libraries, former), []
     for document in model.documents.values() if changed else ():
         if document.id == but or document.live is None or document.live.base is None:
             continue
         base, concerned = document.live.base, {*document.content.wanted, *document.live.tasks}
         edits = {**{name: task for name, task in changed.items() if name in concerned}, **base.edits}
-        still = {name: task for name, task in edits.items() if task != model.shelf.edits.get(name)}
+        still = {name: task for name, task in edits.items() if task != model.libraries.edits.get(name)}
         if still == base.edits:
             continue
         live = replace(document.live, base=replace(base, edits=still))
@@ -201,11 +201,11 @@ def _failed(model: Model, document: Document, key: int) -> Done:
     history = without_steps(document.history, before.history, pending.present)
     edits = {name: task for name, task in base.edits.items() if name not in before.edits}
     subsystem_facts = replace(subsystem_facts, tasks=tasks, base=RequestedState(before.content, before.history, edits))
-    former = model.shelf
-    shelf = former.edited(before.edits) if before.edits else former
+    former = model.libraries
+    libraries = former.edited(before.edits) if before.edits else former
     document = file_before(document, before.history, pending.present)
     document = replace(document, content=content, history=history, live=subsystem_facts)
-    done = _go_on(merge.with_loci(replace(model, shelf=shelf), document), None, document.id)
+    done = _go_on(merge.with_loci(replace(model, libraries=libraries), document), None, document.id)
     others = pursue_all(*noted(done.model, former, but=document.id))
     if isinstance(others, No):
         return replace(done, says=(*done.says, page.Say("error", others.reason)))

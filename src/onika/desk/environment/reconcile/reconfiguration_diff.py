@@ -55,20 +55,20 @@ def reconfiguration(
     before: Content,
     after: Content,
     subsystem_facts: SubsystemFacts,
-    shelf: OpenLibraries,
+    libraries: OpenLibraries,
     changed: Collection[str],
     units: Collection[str],
 ) -> Reconfiguration:
     """From one content to another, with some tasks of the libraries changed, beside what is known to live."""
-    difference = _Difference(before, after, subsystem_facts, shelf, changed, units)
+    difference = _Difference(before, after, subsystem_facts, libraries, changed, units)
     stay = [name for name in after.wanted if difference.stays(name)]
-    rates = _rates(stay, before, after, shelf)
+    rates = _rates(stay, before, after, libraries)
     exchanged = difference.exchanged(stay, rates)
     births = difference.births(exchanged)
 
     resting = difference.resting(exchanged)
     off = difference.turned_off(stay, births)
-    on = _in_order(difference.turned_on(births, resting), after, shelf)
+    on = _in_order(difference.turned_on(births, resting), after, libraries)
 
     groups = after.configuration  # a runtime spawns who supplies a constant before who needs it, whatever they say
     in_order = [births[name] for name in groups.in_group_order(births)]
@@ -90,7 +90,7 @@ class _Difference:
     before: Content
     after: Content
     facts: SubsystemFacts
-    shelf: OpenLibraries
+    libraries: OpenLibraries
     changed: Collection[str]
     units: Collection[str]
 
@@ -107,13 +107,13 @@ class _Difference:
         """Who is to be born, each with its plan, or why it cannot be."""
         new = [name for name in self.after.wanted if name not in self.before.wanted]
         again = [name for name in self.after.wanted if self.comes_again(name)]
-        names = [name for name in (*new, *exchanged, *again) if name in self.shelf.tasks]
-        return {name: _birth(name, self.after, self.shelf, self.units) for name in names}
+        names = [name for name in (*new, *exchanged, *again) if name in self.libraries.tasks]
+        return {name: _birth(name, self.after, self.libraries, self.units) for name in names}
 
     def resting(self, exchanged: Collection[str]) -> tuple[str, ...]:
         """The hardware among those that are exchanged that was ON: it stays OFF."""
         were_on = [name for name in exchanged if self.before.wanted[name]]
-        return tuple(name for name in were_on if is_hardware(self.shelf.tasks[name], self.shelf))
+        return tuple(name for name in were_on if is_hardware(self.libraries.tasks[name], self.libraries))
 
     def turned_off(self, stay: Collection[str], births: Collection[str]) -> list[str]:
         """Who goes OFF, and is not born anew."""
@@ -174,17 +174,17 @@ def with_facts(subsystem_facts: SubsystemFacts, what: Reconfiguration, units: Co
     return replace(subsystem_facts, tasks={**subsystem_facts.tasks, **rates, **spawning}, turns={})
 
 
-def _birth(name: str, after: Content, shelf: OpenLibraries, units: Collection[str]) -> SpawnPlan | Reason:
+def _birth(name: str, after: Content, libraries: OpenLibraries, units: Collection[str]) -> SpawnPlan | Reason:
     placed = after.placed(name)
     if placed is None:
         raise ValueError(f"expected {name}, which is wanted, on the canvas, found {after.names}")
-    return birth(placed, shelf, units)
+    return birth(placed, libraries, units)
 
 
-def _rates(names: list[str], before: Content, after: Content, shelf: OpenLibraries) -> list[tuple[str, float]]:
+def _rates(names: list[str], before: Content, after: Content, libraries: OpenLibraries) -> list[tuple[str, float]]:
     signs = []
     for name in names:
-        old, new, task = before.placed(name), after.placed(name), shelf.tasks.get(name)
+        old, new, task = before.placed(name), after.placed(name), libraries.tasks.get(name)
         if old is None or new is None or task is None or old.frequency == new.frequency:
             continue
         hz = rate_of(new, task)
@@ -193,11 +193,11 @@ def _rates(names: list[str], before: Content, after: Content, shelf: OpenLibrari
     return signs
 
 
-def _in_order(names: list[str], after: Content, shelf: OpenLibraries) -> list[str]:
+def _in_order(names: list[str], after: Content, libraries: OpenLibraries) -> list[str]:
     """Producers before consumers, but the tasks of a supermodule in its order (C17)."""
     if len(names) < 2:
         return names
-    tasks: Mapping[str, Ports] = {name: Ports.of(shelf.tasks[name]) for name in names if name in shelf.tasks}
-    hardware = [name for name in tasks if is_hardware(shelf.tasks[name], shelf)]
+    tasks: Mapping[str, Ports] = {name: Ports.of(libraries.tasks[name]) for name in names if name in libraries.tasks}
+    hardware = [name for name in tasks if is_hardware(libraries.tasks[name], libraries)]
     place = rank(list(tasks.values()), hardware)
     return after.configuration.in_group_order(sorted(names, key=lambda name: place.get(name, len(place))))

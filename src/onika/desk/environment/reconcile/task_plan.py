@@ -23,16 +23,16 @@ class SpawnPlan:
     code: Code
 
 
-def birth(placed: Placed, shelf: OpenLibraries, units: Collection[str]) -> SpawnPlan | Reason:
+def birth(placed: Placed, libraries: OpenLibraries, units: Collection[str]) -> SpawnPlan | Reason:
     """How a placed task is born, or why it cannot be; on a unit that is not there it is born on the first one."""
-    task = shelf.tasks.get(placed.task)
+    task = libraries.tasks.get(placed.task)
     if task is None:
         return Reason.of("desk.no_task", name=placed.task)
-    code = code_of(task.module, shelf, placed.task)
+    code = code_of(task.module, libraries, placed.task)
     if isinstance(code, Reason):
         return Reason.of("run.cannot_live", task=placed.task, why=code)
     rtpu = placed.rtpu if placed.rtpu in units else UNKNOWN
-    planned = planned_task(task, rtpu, code.digest, str(shelf.homes[placed.task].base.task_file(placed.task)))
+    planned = planned_task(task, rtpu, code.digest, str(libraries.homes[placed.task].base.task_file(placed.task)))
     return SpawnPlan(msgspec.structs.replace(planned, frequency=rate_of(placed, task)), code)
 
 
@@ -43,9 +43,9 @@ def rate_of(placed: Placed, task: Task) -> float | None:
     return placed.frequency or task.frequency
 
 
-def code_of(module: str, shelf: OpenLibraries, task: str) -> Code | Reason:
+def code_of(module: str, libraries: OpenLibraries, task: str) -> Code | Reason:
     """The code of a task's module as it stands in its file now, beside the task or in another open library."""
-    path = code_path(module, shelf, task)
+    path = code_path(module, libraries, task)
     if path is None:
         return Reason.of("run.code_missing", module=module)
     try:
@@ -55,16 +55,16 @@ def code_of(module: str, shelf: OpenLibraries, task: str) -> Code | Reason:
     return Code(sha256(source.encode()).hexdigest(), module, str(path), source)
 
 
-def code_path(module: str, shelf: OpenLibraries, task: str) -> Path | None:
+def code_path(module: str, libraries: OpenLibraries, task: str) -> Path | None:
     """Where the code of a task's module stands."""
-    home = shelf.homes.get(task)
-    bases = (*((home.base,) if home else ()), *(library.base for library in shelf.libraries))
+    home = libraries.homes.get(task)
+    bases = (*((home.base,) if home else ()), *(library.base for library in libraries.libraries))
     return next((path for base in bases if (path := base.code_file(module)).is_file()), None)
 
 
-def is_hardware(task: Task, shelf: OpenLibraries) -> bool:
+def is_hardware(task: Task, libraries: OpenLibraries) -> bool:
     """Whether it moves a device, as its module says; one that was never read does if it names a device."""
-    sheet = shelf.sheets.get(task.module)
+    sheet = libraries.sheets.get(task.module)
     if sheet is not None:
         return sheet.hardware
     return any(line.key == "DEVICE" for line in task.local)

@@ -27,25 +27,25 @@ def compare_with(model: Model, command: act.CompareWith, outside: Services) -> P
     reading, comparing = outside.reading, outside.comparing
     if reading is None or comparing is None:
         return NOT_HERE
-    if model.looking is None:
+    if model.review_session is None:
         return No(Reason.of("run.none_looked_at_open"))
     if wrong := _negative(command):
         return No(Reason.of("run.tolerance_sign"), fields=wrong)
     if not command.path:
-        put_one_away(model.looking.other, reading)
-        return Done(replace(model, looking=ReviewSession(model.looking.subject)))
+        put_one_away(model.review_session.other, reading)
+        return Done(replace(model, review_session=ReviewSession(model.review_session.subject)))
     model, other = yield from read(model, command.path, outside, reading, opens=False)
     if isinstance(other, No):
         return other
-    if model.looking is None:
+    if model.review_session is None:
         put_one_away(other, reading)
         return No(Reason.of("run.put_away"))
-    put_one_away(model.looking.other, reading)
-    subject = model.looking.subject
+    put_one_away(model.review_session.other, reading)
+    subject = model.review_session.subject
     is_virtual = subject.view.is_virtual and other.view.is_virtual
     tolerance = usual(is_virtual, command.tolerance, command.part, command.time_s)
     comparing.do(lambda: comparing.tell(_compared(subject, other, tolerance)))
-    return Done(replace(model, looking=ReviewSession(subject, other)), value=other.view.path)
+    return Done(replace(model, review_session=ReviewSession(subject, other)), value=other.view.path)
 
 
 def _negative(command: act.CompareWith) -> dict[str, Text]:
@@ -66,12 +66,12 @@ def _compared(subject: ReviewedRun, other: ReviewedRun, tolerance: Tolerance) ->
         wrong = Reason.of("run.not_compared", why=reason_of(fault))
 
     def with_difference(model: Model) -> Done:
-        looking = model.looking
+        review_session = model.review_session
         if (
-            looking is None
-            or not looking.subject.is_of(subject)
-            or looking.other is None
-            or not looking.other.is_of(other)
+            review_session is None
+            or not review_session.subject.is_of(subject)
+            or review_session.other is None
+            or not review_session.other.is_of(other)
         ):
             return Done(model)
         difference = DifferenceView(wrong) if wrong else _view(first, subject)
@@ -82,7 +82,7 @@ def _compared(subject: ReviewedRun, other: ReviewedRun, tolerance: Tolerance) ->
             time_s=tolerance.seconds,
             is_of_places=tolerance.is_of_places,
         )
-        return Done(replace(model, looking=replace(looking, difference=difference)))
+        return Done(replace(model, review_session=replace(review_session, difference=difference)))
 
     return with_difference
 

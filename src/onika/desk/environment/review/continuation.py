@@ -50,14 +50,14 @@ def continue_run(model: Model, command: act.Continue, outside: Services) -> Proc
     wrong = _refused(model, command, outside)
     if wrong is not None:
         return wrong
-    if model.looking is None or outside.reading is None:
+    if model.review_session is None or outside.reading is None:
         return NOT_HERE
-    subject = model.looking.subject
+    subject = model.review_session.subject
     model, recorded = yield Work(model, outside.reading, partial(_read, subject, command.at_s))
     if isinstance(recorded, No):
         return recorded
     wrong = _refused(model, command, outside)
-    if wrong is None and model.looking is not None and not model.looking.subject.is_of(subject):
+    if wrong is None and model.review_session is not None and not model.review_session.subject.is_of(subject):
         wrong = No(Reason.of("run.another_looked_at"))
     if wrong is not None:
         return wrong
@@ -67,7 +67,7 @@ def continue_run(model: Model, command: act.Continue, outside: Services) -> Proc
         yield InterimModel(replace(model, run=former))  # nothing runs; the recording is still looked at
         return wrong
     put_away(model, outside.reading)
-    return _goes_on(replace(model, looking=None))
+    return _goes_on(replace(model, review_session=None))
 
 
 def _read(subject: ReviewedRun, at_s: float) -> RecordedRun | No:
@@ -81,9 +81,9 @@ def _read(subject: ReviewedRun, at_s: float) -> RecordedRun | No:
 def _refused(model: Model, command: act.Continue, outside: Services) -> No | None:
     if outside.reading is None:
         return NOT_HERE
-    if model.looking is None:
+    if model.review_session is None:
         return No(Reason.of("run.none_looked_at"))
-    recording = model.looking.subject.view
+    recording = model.review_session.subject.view
     if recording.cannot_continue:
         return No(Reason.of("run.cannot_continue", name=recording.name, why=recording.cannot_continue))
     if not recording.begin_s <= command.at_s <= recording.end_s:

@@ -43,21 +43,21 @@ def open_recording(model: Model, command: act.OpenRecording, outside: Services) 
     if isinstance(recorded, No):
         return recorded
     put_away(model, aside)
-    return Done(replace(model, looking=ReviewSession(recorded)), value=recorded.view.path)
+    return Done(replace(model, review_session=ReviewSession(recorded)), value=recorded.view.path)
 
 
 def close_recording(model: Model, _asked: act.CloseRecording, outside: Services) -> Done | No:
     """Put it away; none need be looked at."""
     if outside.reading is not None:
         put_away(model, outside.reading)
-    return Done(replace(model, looking=None))
+    return Done(replace(model, review_session=None))
 
 
 def put_away(model: Model, aside: BackgroundWorker) -> None:
     """Put everything away that is looked at."""
-    if model.looking is not None:
-        put_one_away(model.looking.subject, aside)
-        put_one_away(model.looking.other, aside)
+    if model.review_session is not None:
+        put_one_away(model.review_session.subject, aside)
+        put_one_away(model.review_session.other, aside)
 
 
 def put_one_away(looked_at: ReviewedRun | None, aside: BackgroundWorker) -> None:

@@ -23,21 +23,21 @@ def relinked(carry_out: Handler) -> Handler:
 
     def handler(model: Model, command: Any, outside: Services) -> Done | No:
         done = carry_out(model, command, outside)
-        looking = done.model.looking if isinstance(done, Done) else None
-        if isinstance(done, No) or looking is None:
+        review_session = done.model.review_session if isinstance(done, Done) else None
+        if isinstance(done, No) or review_session is None:
             return done
         is_read_again = isinstance(command, act.Reload)
-        for subject in _both(looking):
+        for subject in _both(review_session):
             _follow(subject, done.model, outside, is_read_again=is_read_again)
         return done
 
     return handler
 
 
-def _both(looking: ReviewSession) -> tuple[ReviewedRun, ...]:
-    if looking.other:
-        return (looking.subject, looking.other)
-    return (looking.subject,)
+def _both(review_session: ReviewSession) -> tuple[ReviewedRun, ...]:
+    if review_session.other:
+        return (review_session.subject, review_session.other)
+    return (review_session.subject,)
 
 
 def _follow(subject: ReviewedRun, model: Model, outside: Services, *, is_read_again: bool) -> None:
@@ -62,11 +62,11 @@ def _follow(subject: ReviewedRun, model: Model, outside: Services, *, is_read_ag
 
 def _shown(model: Model, former: ReviewedRun, relinked: ReviewedRun, opened: OpenApplication) -> Model:
     """With one recorded run as it is shown now, unless something has come between."""
-    looking = model.looking
-    if looking is None or opened.id not in model.applications:
+    review_session = model.review_session
+    if review_session is None or opened.id not in model.applications:
         return model
-    if looking.subject is former:
-        return replace(model, looking=replace(looking, subject=relinked))
-    if looking.other is former:
-        return replace(model, looking=replace(looking, other=relinked))
+    if review_session.subject is former:
+        return replace(model, review_session=replace(review_session, subject=relinked))
+    if review_session.other is former:
+        return replace(model, review_session=replace(review_session, other=relinked))
     return model

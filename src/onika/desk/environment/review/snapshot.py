@@ -42,10 +42,10 @@ def recorded_scene(model: Model, command: act.RecordedScene, _outside: Services)
 
 def looked_at(model: Model, *, of_other: bool) -> ReviewedRun | No:
     """The recorded run that is meant."""
-    looking: ReviewSession | None = model.looking
-    if looking is None:
+    review_session: ReviewSession | None = model.review_session
+    if review_session is None:
         return No(Reason.of("run.none_looked_at"))
-    return looking.subject_of(of_other=of_other) or No(Reason.of("run.no_other_looked_at"))
+    return review_session.subject_of(of_other=of_other) or No(Reason.of("run.no_other_looked_at"))
 
 
 def sane(at_s: float) -> float:

@@ -14,9 +14,9 @@ from onika.wire.view import DocumentView, LibraryView, Objection, PinView, Probl
 _V = TypeVar("_V")
 
 
-def library_views(shelf: OpenLibraries) -> dict[str, LibraryView]:
+def library_views(libraries: OpenLibraries) -> dict[str, LibraryView]:
     """The open libraries, by their paths; those in which nothing is to be seen come last."""
-    libraries = sorted(shelf.libraries, key=lambda library: not library.tasks and not library.faults)
+    in_order = sorted(libraries.libraries, key=lambda library: not library.tasks and not library.faults)
     return {
         str(library.base.path): LibraryView(
             name=library.base.path.name,
@@ -26,52 +26,52 @@ def library_views(shelf: OpenLibraries) -> dict[str, LibraryView]:
             faults=tuple(str(fault) for fault in library.faults),
             is_shipped=is_shipped(library.base.path),
         )
-        for order, library in enumerate(libraries)
+        for order, library in enumerate(in_order)
     }
 
 
-def module_sentences(shelf: OpenLibraries) -> dict[str, dict[str, dict[str, str]]]:
+def module_sentences(libraries: OpenLibraries) -> dict[str, dict[str, dict[str, str]]]:
     """What modules of the open libraries say in other languages."""
-    return merged(library.catalogues for library in shelf.libraries)
+    return merged(library.catalogues for library in libraries.libraries)
 
 
 def task_views(
-    shelf: OpenLibraries, former: Mapping[str, TaskView], before: OpenLibraries | None
+    libraries: OpenLibraries, former: Mapping[str, TaskView], before: OpenLibraries | None
 ) -> dict[str, TaskView]:
-    """Every task of the open libraries; what looks as it did in the shelf `before` is the same object."""
+    """Every task of the open libraries; what looks as it did in the libraries `before` is the same object."""
     views = {}
-    is_near = before is not None and _is_near(shelf, before)
-    for order, (name, task) in enumerate(shelf.tasks.items()):
+    is_near = before is not None and _is_near(libraries, before)
+    for order, (name, task) in enumerate(libraries.tasks.items()):
         former_view = former.get(name)
-        if former_view is not None and before is not None and is_near and _is_same(name, shelf, before):
+        if former_view is not None and before is not None and is_near and _is_same(name, libraries, before):
             views[name] = former_view
             continue
-        view = _task(name, task, order, shelf)
+        view = _task(name, task, order, libraries)
         views[name] = former_view if former_view is not None and former_view == view else view
     return views
 
 
-def _is_near(shelf: OpenLibraries, before: OpenLibraries) -> bool:
+def _is_near(libraries: OpenLibraries, before: OpenLibraries) -> bool:
     """Whether two shelves can differ in single tasks only."""
-    return shelf.libraries is before.libraries and shelf.preferences is before.preferences
+    return libraries.libraries is before.libraries and libraries.preferences is before.preferences
 
 
-def _is_same(name: str, shelf: OpenLibraries, before: OpenLibraries) -> bool:
+def _is_same(name: str, libraries: OpenLibraries, before: OpenLibraries) -> bool:
     """Whether there is nothing new to see of a task."""
-    task = shelf.tasks[name]
+    task = libraries.tasks[name]
     return (
         task is before.tasks[name]
-        and shelf.rates.get(name) == before.rates.get(name)
-        and shelf.sheets.get(task.module) is before.sheets.get(task.module)
+        and libraries.rates.get(name) == before.rates.get(name)
+        and libraries.sheets.get(task.module) is before.sheets.get(task.module)
     )
 
 
-def _task(name: str, task: Task, order: int, shelf: OpenLibraries) -> TaskView:
-    library, box = shelf.homes[name], shelf.box(name)
-    filed = shelf.records[name].task
-    sheet = shelf.sheets.get(task.module)
+def _task(name: str, task: Task, order: int, libraries: OpenLibraries) -> TaskView:
+    library, box = libraries.homes[name], libraries.box(name)
+    filed = libraries.records[name].task
+    sheet = libraries.sheets.get(task.module)
     ports = {port.name: port for port in sheet.ports} if sheet else {}
-    code = shelf.code_file(name)
+    code = libraries.code_file(name)
     pins = []
     for pin in box.pins if box else ():
         port = ports.get(pin.name)
@@ -87,12 +87,12 @@ def _task(name: str, task: Task, order: int, shelf: OpenLibraries) -> TaskView:
         height=box.height if box else 0,
         pins=tuple(pins),
         type=task.type.value,
-        hz=shelf.rates.get(name, task.frequency),
+        hz=libraries.rates.get(name, task.frequency),
         file_hz=filed.frequency,
         object_type=task.object_type or "",
         is_trigger=bool(sheet.trigger) if sheet else task.object_type is not None,
         local=tuple((line.key, line.words) for line in task.local),
-        is_changed=name in shelf.edits,
+        is_changed=name in libraries.edits,
         path=str(library.base.task_file(name)),
         code=str(code) if code else "",
     )
@@ -101,7 +101,7 @@ def _task(name: str, task: Task, order: int, shelf: OpenLibraries) -> TaskView:
 def document_view(
     document: Document,
     order: int,
-    shelf: OpenLibraries,
+    libraries: OpenLibraries,
     greyed: dict[str, tuple[Objection, ...]],
     objected: dict[str, tuple[Objection, ...]],
     troubles: dict[str, ProblemView],
@@ -121,8 +121,8 @@ def document_view(
         has_changed_on_disk=document.has_changed_on_disk,
         undo=last.label if last else "",
         redo=following.label if following else "",
-        tasks=placed_views(document, shelf, seen),
-        loci=locus_views(document, shelf, seen),
+        tasks=placed_views(document, libraries, seen),
+        loci=locus_views(document, libraries, seen),
         groups=group_views(document, seen),
         greyed=greyed,
         objections=_kept({name: why for name, why in objected.items() if name not in greyed}, old.objections),

@@ -18,7 +18,7 @@ class GreyedTasks:
 
     def __init__(self, doc: str) -> None:
         self._doc = doc
-        self._shelf = OpenLibraries()
+        self._libraries = OpenLibraries()
         self._names: tuple[str, ...] = ()
         self._shadows: dict[str, dict[str, Reasons]] = {}
         """Of each placed task: whom it keeps out, and why."""
@@ -26,10 +26,10 @@ class GreyedTasks:
         """Of each task of the libraries: who keeps it out."""
         self._greyed: dict[str, Reasons] = {}
 
-    def greyed(self, names: tuple[str, ...], shelf: OpenLibraries) -> dict[str, Reasons]:
+    def greyed(self, names: tuple[str, ...], libraries: OpenLibraries) -> dict[str, Reasons]:
         """The set for these placed tasks; the same object where nothing has changed."""
-        former, self._shelf = self._shelf, shelf
-        edited = _edited(former, shelf)
+        former, self._libraries = self._libraries, libraries
+        edited = _edited(former, libraries)
         if not edited and edited is not None and names == self._names:
             return self._greyed
         if edited is None or not _keep_order(self._names, names):
@@ -49,7 +49,7 @@ class GreyedTasks:
 
     def _retold(self, edited: set[str]) -> set[str]:
         """Whom those that stay keep out, where these tasks are others than they were."""
-        tasks = self._shelf.tasks
+        tasks = self._libraries.tasks
         for other in edited:
             self._shadowed[other] = set()
             for name, shadow in self._shadows.items():
@@ -62,7 +62,7 @@ class GreyedTasks:
     def _add(self, names: Sequence[str]) -> set[str]:
         changed = set[str]()
         for name in names:
-            if name not in self._shadows and name in self._shelf.tasks:
+            if name not in self._shadows and name in self._libraries.tasks:
                 shadow = self._shadow(name)
                 self._shadows[name] = shadow
                 for other in shadow:
@@ -71,7 +71,7 @@ class GreyedTasks:
         return changed
 
     def _shadow(self, name: str) -> dict[str, Reasons]:
-        kept_out = self._shelf.company.kept_out_by(self._shelf.tasks[name])
+        kept_out = self._libraries.company.kept_out_by(self._libraries.tasks[name])
         return {task.name: reasons(refused, self._doc, task) for task, refused in kept_out}
 
     def _merged(self, changed: set[str]) -> dict[str, Reasons]:
@@ -89,13 +89,13 @@ class GreyedTasks:
         return greyed
 
 
-def _edited(former: OpenLibraries, shelf: OpenLibraries) -> set[str] | None:
+def _edited(former: OpenLibraries, libraries: OpenLibraries) -> set[str] | None:
     """The tasks that are others than they were, where they are few; None: look at everything anew."""
-    if former.tasks is shelf.tasks:
+    if former.tasks is libraries.tasks:
         return set()
-    if former.tasks.keys() != shelf.tasks.keys():
+    if former.tasks.keys() != libraries.tasks.keys():
         return None
-    tasks = {name for name, task in shelf.tasks.items() if former.tasks[name] is not task}
+    tasks = {name for name, task in libraries.tasks.items() if former.tasks[name] is not task}
     return tasks if len(tasks) <= _FEW else None
 
 

@@ -33,7 +33,7 @@ def peek(model: Model, command: act.Peek, outside: Services) -> Done | No:
     reading = configurations.read(command.path, outside)
     if isinstance(reading, No):
         return reading
-    return Done(model, value=_drawn(reading.opened.value, model.shelf))
+    return Done(model, value=_drawn(reading.opened.value, model.libraries))
 
 
 def _application(model: Model, path: Path) -> Done | No:
@@ -51,8 +51,8 @@ def _flows(application: Application, syntax: Syntax) -> Iterator[tuple[PeekIcon,
         yield tuple(PeekIcon("".join(icon.picture.rows), *edges_of(syntax.acting(icon.type))) for icon in icons)
 
 
-def _drawn(configuration: Configuration, shelf: OpenLibraries) -> PeekView:
-    boxes = {placed.task: shelf.box(placed.task) for placed in configuration.placed}
+def _drawn(configuration: Configuration, libraries: OpenLibraries) -> PeekView:
+    boxes = {placed.task: libraries.box(placed.task) for placed in configuration.placed}
     places = {
         placed.task: (placed.x, placed.y, box.width if box else _WIDTH, box.height if box else _HEIGHT)
         for placed in configuration.placed

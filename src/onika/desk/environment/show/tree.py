@@ -42,15 +42,19 @@ class Projector:
         for closed in self._seen.keys() - documents.keys():
             self._forget(closed)
         return Tree(
-            libraries=self._once("libraries", (model.shelf.libraries,), lambda: library_views(model.shelf)),
-            tasks=self._once("tasks", (model.shelf,), lambda: self._tasks(model.shelf)),
-            module_sentences=self._once("sentences", (model.shelf.libraries,), lambda: module_sentences(model.shelf)),
+            libraries=self._once("libraries", (model.libraries.libraries,), lambda: library_views(model.libraries)),
+            tasks=self._once("tasks", (model.libraries,), lambda: self._tasks(model.libraries)),
+            module_sentences=self._once(
+                "sentences", (model.libraries.libraries,), lambda: module_sentences(model.libraries)
+            ),
             documents=documents,
             files=dict(model.files),
             application_files=dict(model.application_files),
             clipboard=" ".join(placed.task for placed in model.buffer.placed),
             runtime=model.runtime,
-            preferences=self._once("preferences", (model.preferences, model.habits), lambda: preference_values(model)),
+            preferences=self._once(
+                "preferences", (model.preferences, model.settings), lambda: preference_values(model)
+            ),
             buttons=self._once("buttons", (model.buttons, model.runs), lambda: button_views(model)),
             job_types=model.job_types,
             edges=dict(model.edges),
@@ -58,7 +62,7 @@ class Projector:
             icon_clipboard=several(model.icons) if model.icons else "",
             **self._dictionaries(model),
             run=model.run.view if model.run is not None else None,
-            review=model.looking.view(model.applications) if model.looking is not None else None,
+            review=model.review_session.view(model.applications) if model.review_session is not None else None,
             keeping=model.keeping,
             people=model.people,
         )
@@ -83,42 +87,42 @@ class Projector:
 
     def _dictionaries(self, model: Model) -> dict[str, Any]:
         """What is shown of dictionaries, their icons and the types of these."""
-        opened, shelf, syntax = model.dictionaries, model.shelf, model.syntax
+        opened, libraries, syntax = model.dictionaries, model.libraries, model.syntax
         files = (model.files, model.application_files, model.sources)
         former = self._made.get("onikons", ((), {}))[1]
-        tasks = (shelf.libraries, shelf.edits, shelf.sheets, model.limits)
+        tasks = (libraries.libraries, libraries.edits, libraries.sheets, model.limits)
         drawn = (opened, model.applications, model.flow_pictures)
         return {
             "dictionaries": self._once("dictionaries", (opened,), lambda: dictionary_views(model)),
             "onikons": self._once(
-                "onikons", (opened, syntax, shelf.libraries, *files), lambda: onikon_views(model, former)
+                "onikons", (opened, syntax, libraries.libraries, *files), lambda: onikon_views(model, former)
             ),
             "types": self._once("types", (syntax, *tasks), lambda: type_views(model)),
             "pictures": self._once("pictures", drawn, lambda: self._album.shown(*drawn)),
         }
 
     def _document(self, document: Document, order: int, model: Model) -> DocumentView:
-        shelf, key = model.shelf, f"document {document.id}"
+        libraries, key = model.libraries, f"document {document.id}"
         seen = self._seen.get(document.id)
         names = document.content.names
-        greyed = self._greying.setdefault(document.id, GreyedTasks(document.id)).greyed(names, shelf)
+        greyed = self._greying.setdefault(document.id, GreyedTasks(document.id)).greyed(names, libraries)
         objected = self._once(
             f"objections {document.id}",
-            (names, shelf.tasks, shelf.sheets, shelf.unread),
-            lambda: objections(document, shelf),
+            (names, libraries.tasks, libraries.sheets, libraries.unread),
+            lambda: objections(document, libraries),
         )
-        warned = model.habits.shows_warnings
+        warned = model.settings.shows_warnings
         troubles = self._once(
             f"problems {document.id}",
-            (names, (document.name,), shelf.tasks, warned),
-            lambda: problems(document, shelf, with_warnings=warned, greyed=greyed),
+            (names, (document.name,), libraries.tasks, warned),
+            lambda: problems(document, libraries, with_warnings=warned, greyed=greyed),
         )
         view: DocumentView = self._once(
             key,
-            (document, order, shelf, greyed, objected, troubles),
-            lambda: document_view(document, order, shelf, greyed, objected, troubles, seen),
+            (document, order, libraries, greyed, objected, troubles),
+            lambda: document_view(document, order, libraries, greyed, objected, troubles, seen),
         )
-        self._seen[document.id] = MadeDocument(document, shelf, view)
+        self._seen[document.id] = MadeDocument(document, libraries, view)
         return view
 
     def _forget(self, doc: str) -> None:
@@ -127,9 +131,9 @@ class Projector:
         for key in [key for key in self._made if key.endswith(f" {doc}")]:
             del self._made[key]
 
-    def _tasks(self, shelf: OpenLibraries) -> Mapping[str, Any]:
+    def _tasks(self, libraries: OpenLibraries) -> Mapping[str, Any]:
         of, former = self._made.get("tasks", ((None,), {}))
-        return task_views(shelf, former, of[0])
+        return task_views(libraries, former, of[0])
 
     def _once(self, key: str, of: tuple[Any, ...], make: Any) -> Any:
         """What `make` gives, made anew only where one of `of` is another object."""

@@ -21,16 +21,16 @@ class MadeDocument:
     """What a document looked like, and what that was made of."""
 
     document: Document
-    shelf: OpenLibraries
+    libraries: OpenLibraries
     view: DocumentView
 
 
-def placed_views(document: Document, shelf: OpenLibraries, seen: MadeDocument | None) -> dict[str, PlacedView]:
+def placed_views(document: Document, libraries: OpenLibraries, seen: MadeDocument | None) -> dict[str, PlacedView]:
     """The tasks on the canvas."""
     old = seen.view.tasks if seen else {}
     placed_before = {placed.task: placed for placed in seen.document.content.configuration.placed} if seen else {}
     facts, former = _facts(document), _facts(seen.document) if seen else {}
-    tasks = shelf.tasks
+    tasks = libraries.tasks
     views: dict[str, PlacedView] = {}
     for placed in document.content.configuration.placed:
         name, view = placed.task, old.get(placed.task)
@@ -45,16 +45,16 @@ def placed_views(document: Document, shelf: OpenLibraries, seen: MadeDocument | 
     return _same_map(views, old)
 
 
-def locus_views(document: Document, shelf: OpenLibraries, seen: MadeDocument | None) -> dict[str, LocusView]:
+def locus_views(document: Document, libraries: OpenLibraries, seen: MadeDocument | None) -> dict[str, LocusView]:
     """The loci on the canvas."""
     old = seen.view.loci if seen else {}
-    touched = _touched(document, shelf, seen) if seen else None
+    touched = _touched(document, libraries, seen) if seen else None
     former = {locus.svar: locus for locus in seen.document.content.configuration.loci} if seen else {}
     loci = document.content.configuration.loci
     stale = {
         locus.svar for locus in loci if touched is None or locus.svar in touched or former.get(locus.svar) is not locus
     }
-    users = _users(document.content.names, shelf, stale) if stale else {}
+    users = _users(document.content.names, libraries, stale) if stale else {}
     return _same_map(
         {
             svar: _same(_locus(locus, users.get(svar, _NOBODY), document), old.get(svar))
@@ -104,7 +104,7 @@ def _same_map(new: dict[str, _T], old: dict[str, _T]) -> dict[str, _T]:
     return new
 
 
-def _touched(document: Document, shelf: OpenLibraries, seen: MadeDocument) -> set[str] | None:
+def _touched(document: Document, libraries: OpenLibraries, seen: MadeDocument) -> set[str] | None:
     """The variables whose users, or the states of those, have changed; None: all may have."""
     before, now = seen.document.content.names, document.content.names
     changed = set(before) ^ set(now)
@@ -115,9 +115,9 @@ def _touched(document: Document, shelf: OpenLibraries, seen: MadeDocument) -> se
     old, new = _facts(seen.document), _facts(document)
     if old is not new:
         changed |= {name for name in now if _state(old.get(name)) != _state(new.get(name))}
-    if shelf is not seen.shelf:
-        changed |= {name for name in now if shelf.box(name) is not seen.shelf.box(name)}
-    boxes = [box for name in changed for box in (seen.shelf.box(name), shelf.box(name)) if box is not None]
+    if libraries is not seen.libraries:
+        changed |= {name for name in now if libraries.box(name) is not seen.libraries.box(name)}
+    boxes = [box for name in changed for box in (seen.libraries.box(name), libraries.box(name)) if box is not None]
     return {svar for box in boxes for svar in box.uses}
 
 
@@ -125,10 +125,10 @@ def _state(facts: TaskFacts | None) -> str:
     return facts.state if facts else ""
 
 
-def _users(names: Sequence[str], shelf: OpenLibraries, svars: Set[str]) -> dict[str, _Users]:
+def _users(names: Sequence[str], libraries: OpenLibraries, svars: Set[str]) -> dict[str, _Users]:
     users_by_svar: dict[str, _Users] = {}
     for name in names:
-        box = shelf.box(name)
+        box = libraries.box(name)
         if box is None or svars.isdisjoint(box.uses):
             continue
         for pin in box.pins:

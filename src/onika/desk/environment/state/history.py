@@ -38,9 +38,9 @@ class UndoStep(Generic[_C]):
     after: _C
     edits_before: Edits = field(default_factory=dict)
     edits_after: Edits = field(default_factory=dict)
-    shelf_before: OpenLibraries | None = None
+    libraries_before: OpenLibraries | None = None
     """The tasks that the loci of `before` were settled with; None: those of now."""
-    shelf_after: OpenLibraries | None = None
+    libraries_after: OpenLibraries | None = None
     file_before: FileState | None = None
     """Where a step changed what file the document is tied to: the file before it; None: the same all along."""
     file_after: FileState | None = None

@@ -28,7 +28,7 @@ from onika.words.fault import Refusal
 class Model:
     """What is open, what was copied, what the user prefers, and what is known of the runtime."""
 
-    shelf: OpenLibraries = field(default_factory=OpenLibraries)
+    libraries: OpenLibraries = field(default_factory=OpenLibraries)
     documents: Mapping[str, Document] = field(default_factory=lambda: MappingProxyType({}))
     """By their ids, in the order in which they were opened."""
     opened: int = 0
@@ -36,7 +36,7 @@ class Model:
     buffer: Clipboard = field(default_factory=Clipboard)
     """What was cut or copied last (C22)."""
     preferences: Preferences = field(default_factory=Preferences)
-    habits: Settings = field(default_factory=Settings)
+    settings: Settings = field(default_factory=Settings)
     buttons: tuple[Button, ...] = ()
     runs: Mapping[str, view.ButtonView] = field(default_factory=dict)
     """The commands of buttons that run or ran."""
@@ -63,7 +63,7 @@ class Model:
     """Those of the start and end icons, 1024 digits each."""
     run: Run | None = None
     """The run of an application that goes on now, or the last one."""
-    looking: ReviewSession | None = None
+    review_session: ReviewSession | None = None
     """The recorded run that is looked at."""
     keeping: view.KeepingView | None = None
     """The test that is being kept, or was last."""

@@ -15,4 +15,4 @@ _WITHOUT_EFFECT = {
 def preference_values(model: Model) -> dict[str, Any]:
     """The preferences that a user may change, as a page sees them."""
     of_file = {name: value for name, value in asdict(model.preferences).items() if name not in _WITHOUT_EFFECT}
-    return of_file | asdict(model.habits)
+    return of_file | asdict(model.settings)

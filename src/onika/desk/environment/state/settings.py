@@ -27,23 +27,23 @@ class Settings:
 
 
 def read(state: Path | None, environment: Mapping[str, str]) -> tuple[Settings, str]:
-    """The habits of a user, and a sentence where the file cannot be read: then the defaults hold."""
-    habits, wrong = _kept(state / NAME if state else None)
+    """The settings of a user, and a sentence where the file cannot be read: then the defaults hold."""
+    settings, wrong = _kept(state / NAME if state else None)
     named = {"shows_warnings": "ONIKA_WARNINGS", "shows_lower": "ONIKA_LOWER"}
     overrides = {habit: environment[name].lower() not in _NO for habit, name in named.items() if name in environment}
-    return replace(habits, **overrides), wrong
+    return replace(settings, **overrides), wrong
 
 
 def keep(state: Path | None, values: Mapping[str, bool]) -> Refusal | None:
     """Write these, beside what is kept of the others; without a state directory they hold for this session."""
     if state is None:
         return None
-    habits = replace(_kept(state / NAME)[0], **values)
+    settings = replace(_kept(state / NAME)[0], **values)
     try:
         state.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         return Refusal(f"{state} cannot be made: {error.strerror}")
-    done = whole.write(state / NAME, msgspec.json.encode(asdict(habits)).decode() + "\n", whole.ANYTHING)
+    done = whole.write(state / NAME, msgspec.json.encode(asdict(settings)).decode() + "\n", whole.ANYTHING)
     return done if isinstance(done, Refusal) else None
 
 

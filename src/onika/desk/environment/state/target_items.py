@@ -31,35 +31,35 @@ def items_of(model: Model, type_: str) -> tuple[ItemView, ...]:
     kind = model.syntax.find(type_) if model.syntax else None
     if kind is None or model.syntax is None:
         return ()
-    uses = uses_of(model.shelf, model.syntax, kind)
+    uses = uses_of(model.libraries, model.syntax, kind)
     return tuple(_view(item, uses.get(item.name, ()), model.limits) for item in kind.items)
 
 
-def uses_of(shelf: OpenLibraries, syntax: Syntax, kind: IconType) -> dict[str, tuple[InputUse, ...]]:
+def uses_of(libraries: OpenLibraries, syntax: Syntax, kind: IconType) -> dict[str, tuple[InputUse, ...]]:
     """The inputs of tasks that take the data of a type of target, by the names of these."""
     uses_by_type: dict[str, tuple[InputUse, ...]] = {}
-    for task in shelf.tasks.values() if kind.is_target else ():
+    for task in libraries.tasks.values() if kind.is_target else ():
         if takes(task, kind, syntax):
-            for item, taken in _paired(kind.items, inputs_of(shelf, task)):
+            for item, taken in _paired(kind.items, inputs_of(libraries, task)):
                 uses_by_type[item.name] = (*uses_by_type.get(item.name, ()), InputUse(task, taken))
     return uses_by_type
 
 
-def inputs_of(shelf: OpenLibraries, task: Task) -> tuple[InputSheet, ...]:
+def inputs_of(libraries: OpenLibraries, task: Task) -> tuple[InputSheet, ...]:
     """What a task takes, as a runtime says, else as its code does."""
-    sheet = shelf.sheets.get(task.module)
+    sheet = libraries.sheets.get(task.module)
     if sheet is not None:
         return sheet.inputs
-    code = shelf.code_file(task.name)
+    code = libraries.code_file(task.name)
     return declared_inputs(code) if code else ()
 
 
-def ports_of(shelf: OpenLibraries, task: Task) -> tuple[PortSheet, ...]:
+def ports_of(libraries: OpenLibraries, task: Task) -> tuple[PortSheet, ...]:
     """The ports of a task's module, as a runtime says, else as its code does."""
-    sheet = shelf.sheets.get(task.module)
+    sheet = libraries.sheets.get(task.module)
     if sheet is not None:
         return sheet.ports
-    code = shelf.code_file(task.name)
+    code = libraries.code_file(task.name)
     return declared_ports(code) if code else ()
 
 
