@@ -909,7 +909,7 @@ export interface DictionaryView {
   path: string;
   order: number;
   onikons: number;
-  faults?: (string)[];
+  faults?: (Text)[];
   is_shipped?: boolean;
 }
 
@@ -1033,7 +1033,7 @@ export interface LibraryView {
   path: string;
   order: number;
   tasks: number;
-  faults?: (string)[];
+  faults?: (Text)[];
   is_shipped?: boolean;
 }
 
@@ -1123,7 +1123,7 @@ export interface TextView {
   path: string;
   text: string;
   stamp: string;
-  faults?: ([number, string])[];
+  faults?: ([number, Text])[];
   is_read_only?: boolean;
 }
 

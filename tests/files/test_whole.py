@@ -19,7 +19,7 @@ def refused(path: Path, text: str, expected: str) -> str:
     write = whole.write(path, text, expected)
     assert isinstance(write, Refusal)
     assert {item: item.read_bytes() for item in path.parent.iterdir() if item.is_file()} == before
-    return write.reason
+    return str(write.reason)
 
 
 def test_a_file_is_replaced_and_nothing_else_is_left(tmp_path: Path) -> None:
@@ -170,7 +170,7 @@ def test_a_file_longer_than_the_system_allows_leaves_the_old_one(tmp_path: Path)
 def test_a_missing_directory_is_a_refusal(tmp_path: Path) -> None:
     write = whole.write(tmp_path / "none" / "a.conf", "x", ABSENT)
     assert isinstance(write, Refusal)
-    assert "No such file or directory" in write.reason
+    assert "No such file or directory" in str(write.reason)
 
 
 def test_text_that_is_no_utf_8_changes_nothing(tmp_path: Path) -> None:

@@ -15,6 +15,7 @@ from onika.model.task import Task, TaskType
 from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import OpenedText
 from onika.words.fault import Refusal
+from onika.words.reason import Reason
 
 SYNTAX = Syntax((IconType("Complete job", 0, 0),), ())
 TASK = Task("pid", "pid", invar=("Q_REF",), outvar=("TAU",), frequency=100.0)
@@ -110,7 +111,7 @@ def test_what_another_changed_meanwhile_is_not_overwritten(base: BaseDirectory) 
     path.write_text(theirs)
     refusal = base.save_application(APPLICATION, former)
     assert isinstance(refusal, Refusal)
-    assert "has changed since it was read" in refusal.reason
+    assert "has changed since it was read" in str(refusal.reason)
     assert path.read_text() == theirs
     assert isinstance(base.save_application(APPLICATION, former, overwrites=True), OpenedText)
     assert path.read_text() == theirs
@@ -123,7 +124,7 @@ def test_a_broken_application_is_opened_as_far_as_it_can_be_read(base: BaseDirec
     assert base.open_application("work", SYNTAX)[0] is None
     result, faults = base.salvage_application("work", SYNTAX)
     assert result is not None
-    assert (result.value, result.text) == (APPLICATION, path.read_text())
+    assert (result.value, str(result.text)) == (APPLICATION, path.read_text())
     assert faults
 
 
@@ -146,18 +147,18 @@ def test_a_configuration_and_an_application_of_one_name_do_not_take_each_others_
     assert isinstance(base.save_onikon(ONIKON), OpenedText)
     refusal = base.save_onikon(replace(ONIKON, type="Complete application"))
     assert isinstance(refusal, Refusal)
-    assert "the configuration and the application hold share it" in refusal.reason
-    assert refusal.remedies[0] == "rename the configuration or the application hold"
+    assert "the configuration and the application hold share it" in str(refusal.reason)
+    assert refusal.remedies[0] == Reason.of("store.rename_either", name="hold")
     confirmed = base.save_onikon(replace(ONIKON, type="Complete application"), overwrites=True)
     assert isinstance(confirmed, OpenedText)
-    assert base.onikon_file("hold").read_text() == confirmed.text
+    assert base.onikon_file("hold").read_text() == str(confirmed.text)
 
 
 def test_where_no_directory_can_be_the_saving_is_refused(base: BaseDirectory) -> None:
     (base.path / "conf").write_text("a file")  # R-B07
     refusal = base.save_configuration(CONFIGURATION)
     assert isinstance(refusal, Refusal)
-    assert "cannot be saved" in refusal.reason
+    assert "cannot be saved" in str(refusal.reason)
 
 
 def test_a_module_lies_beside_its_tasks(base: BaseDirectory) -> None:

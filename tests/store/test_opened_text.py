@@ -48,4 +48,4 @@ def test_no_directory_is_a_refusal(tmp_path: Path) -> None:
     (tmp_path / "x").touch()
     refusal = put(tmp_path / "x" / "a", "1", "1", "")
     assert isinstance(refusal, Refusal)
-    assert "cannot be saved" in refusal.reason
+    assert "cannot be saved" in str(refusal.reason)

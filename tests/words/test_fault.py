@@ -40,9 +40,10 @@ def test_equal_faults_are_one():
 
 
 def test_a_refusal_gives_its_reason_and_what_the_user_can_do():  # R-X01
-    assert str(Refusal("cubic writes Q_REF already")) == "cubic writes Q_REF already"
-    refusal = Refusal("cubic writes Q_REF already", ("replace cubic", "alias Q_REF"))
-    assert str(refusal) == "cubic writes Q_REF already (you can: replace cubic; alias Q_REF)"
+    written = Reason.of("rules.output_written", svar="Q_REF", other="cubic")
+    assert str(Refusal(written)) == "writes Q_REF, which `cubic` already writes"
+    refusal = Refusal(written, (Reason.of("rules.replace", task="cubic"), Reason.of("rules.alias", svar="Q_REF")))
+    assert str(refusal) == "writes Q_REF, which `cubic` already writes (you can: replace `cubic`; alias Q_REF)"
 
 
 def test_notes_are_parted_from_what_is_wrong_and_each_is_told_once():  # R-B07

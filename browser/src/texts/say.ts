@@ -20,15 +20,20 @@ const OF_MODULE = 'module:'
 /** Where the translations of modules are: whoever holds what the environment shows sets it. */
 export const modules: { sentences: () => ModuleSentences } = { sentences: () => ({}) }
 
-/** The sentence of a reason, or its English where that language does not have it whole; a bare text is as it is. */
+/** The sentence of a reason, or its English where that language does not have it whole; a bare text is as it is.
+ *  Names stand in it without the marks with which terminals show them. */
 export function say(reason: Reason | string, language: string): string {
   if (typeof reason === 'string') return reason
+  return sentence(reason, language).replaceAll('`', '')
+}
+
+function sentence(reason: Reason, language: string): string {
   const isOfModule = reason.key.startsWith(OF_MODULE)
   const translation = isOfModule ? ofModule(reason.key, language) : entry(CATALOGUES[language], reason.key)
   if (translation === undefined) return reason.text
   if (isOfModule && !reason.args) return translation
   try {
-    return fill(translation, reason.args ?? {}, language, (inner: Reason) => say(inner, language))
+    return fill(translation, reason.args ?? {}, language, (inner: Reason) => sentence(inner, language))
   } catch (wrong) {
     if (wrong instanceof RangeError) return reason.text
     throw wrong

@@ -52,3 +52,13 @@ test('the sentence of a module is said as the catalogue beside its code has it',
   applyPatch({ t: 'Patch', rev: desk.rev + 1, changes: [[[...path, 'es', 'up: {a}'], 'hacia arriba: {a}']] })
   expect(say(reason, 'es')).toBe('pisos de hacia arriba: {a}')
 })
+
+test('names stand without the marks of terminals', () => {
+  const written: Reason = {
+    key: 'rules.output_written',
+    text: 'writes X, which `cubic` already writes',
+    args: { svar: 'X', other: 'cubic' },
+  }
+  expect(say(written, 'en')).toBe('writes X, which cubic already writes')
+  expect(say(written, 'es')).toBe('escribe X, que cubic ya escribe')
+})

@@ -17,6 +17,7 @@ from pathlib import Path
 
 from onika.files import text as texts
 from onika.words.fault import Fault, Refusal
+from onika.words.reason import Reason
 
 Stamp = str
 """What a file holds: the SHA-256 of its bytes."""
@@ -27,7 +28,11 @@ ABSENT: Stamp = ""
 ANYTHING: Stamp = "*"
 """In place of a stamp: whatever stands there is overwritten, as the user has said."""
 
-_OVERWRITE = "overwrite it"
+ELSEWHERE = Reason.of("files.save_elsewhere")
+"""What can be done where a file cannot be written."""
+
+_ALL_THE_SAME = Reason.of("files.save_all_the_same")
+_OVERWRITE = Reason.of("files.overwrite")
 _NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_CLOEXEC | os.O_NOFOLLOW
 
 
@@ -58,9 +63,10 @@ def write(path: Path, text: str, expected: Stamp) -> Stamp | Refusal:
             if refusal is None:
                 _exchange(target.name, data, folder)
     except OSError as error:
-        return Refusal(f"{path} cannot be saved: {error.strerror or type(error).__name__}", ("save it elsewhere",))
+        why = error.strerror or type(error).__name__
+        return Refusal(Reason.of("files.not_savable", path=str(path), why=why), (ELSEWHERE,))
     except RuntimeError:  # Python 3.11 and 3.12 say so of links that lead to themselves
-        return Refusal(f"{path} cannot be saved: it is a link to itself", ("save it elsewhere",))
+        return Refusal(Reason.of("files.is_linked_to_itself", path=str(path)), (ELSEWHERE,))
     return refusal or sha256(data).hexdigest()
 
 
@@ -83,18 +89,19 @@ def _differs(path: Path, name: str, folder: int, expected: Stamp) -> Refusal | N
     except FileNotFoundError:
         if expected in (ABSENT, ANYTHING):
             return None
-        return Refusal(f"{path} was removed since it was read", ("save it all the same", "save it elsewhere"))
+        return Refusal(Reason.of("files.removed_since", path=str(path)), (_ALL_THE_SAME, ELSEWHERE))
     if not stat.S_ISREG(status.st_mode):
-        return Refusal(f"{path} is no plain file", ("save it elsewhere",))
+        return Refusal(Reason.of("files.not_plain", path=str(path)), (ELSEWHERE,))
     if not os.access(name, os.W_OK, dir_fd=folder, effective_ids=True):
-        return Refusal(f"{path} may not be written by you", ("save it elsewhere",))
+        return Refusal(Reason.of("files.not_writable", path=str(path)), (ELSEWHERE,))
     if expected == ANYTHING:
         return None
     if expected == ABSENT:
-        return Refusal(f"{path} is there already, {_who(status)}", ("save it elsewhere", _OVERWRITE))
+        return Refusal(Reason.of("files.is_there", path=str(path), who=_who(status)), (ELSEWHERE, _OVERWRITE))
     if _stamp_at(name, folder) == expected:
         return None
-    return Refusal(f"{path} has changed since it was read, {_who(status)}", ("read it again", _OVERWRITE))
+    reason = Reason.of("files.changed_since", path=str(path), who=_who(status))
+    return Refusal(reason, (Reason.of("files.read_again"), _OVERWRITE))
 
 
 def _stamp_at(name: str, folder: int) -> Stamp:
@@ -102,14 +109,14 @@ def _stamp_at(name: str, folder: int) -> Stamp:
         return sha256(file.read()).hexdigest()
 
 
-def _who(status: os.stat_result) -> str:
+def _who(status: os.stat_result) -> Reason:
     """Whose file it is and when it was written."""
     try:
         owner = pwd.getpwuid(status.st_uid).pw_name
     except KeyError:
         owner = str(status.st_uid)
     moment = datetime.fromtimestamp(status.st_mtime, UTC).strftime("%Y-%m-%d %H:%M:%S UTC")
-    return f"written {moment} and owned by {owner}"
+    return Reason.of("files.written_by", moment=moment, owner=owner)
 
 
 def _exchange(name: str, data: bytes, folder: int) -> None:

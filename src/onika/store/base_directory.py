@@ -182,8 +182,8 @@ class BaseDirectory:
         saved = save(path, onikon, onk.write, former, overwrites=overwrites)
         both = self.configuration_file(name).exists() and self.application_file(name).exists()
         if former is None and both and isinstance(saved, Refusal):
-            remedies = (f"rename the configuration or the application {name}", *saved.remedies)
-            return Refusal(f"{saved.reason}; the configuration and the application {name} share it", remedies)
+            rename = Reason.of("store.rename_either", name=name)
+            return Refusal(Reason.of("store.icon_shared", reason=saved.reason, name=name), (rename, *saved.remedies))
         return saved
 
     def save_application(

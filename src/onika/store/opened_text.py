@@ -7,6 +7,7 @@ from typing import Generic, TypeVar
 
 from onika.files import text, whole
 from onika.words.fault import Fault, Refusal
+from onika.words.reason import Reason
 
 _T = TypeVar("_T")
 Faults = tuple[Fault, ...]
@@ -52,7 +53,8 @@ def put(path: Path, value: _T, content: str, expected: whole.Stamp) -> OpenedTex
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        return Refusal(f"{path} cannot be saved: {error.strerror}", ("save it elsewhere",))
+        reason = Reason.of("files.not_savable", path=str(path), why=error.strerror or type(error).__name__)
+        return Refusal(reason, (whole.ELSEWHERE,))
     written = whole.write(path, content, expected)
     if isinstance(written, Refusal):
         return written

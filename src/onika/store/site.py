@@ -102,7 +102,7 @@ class Site:
         """Save preferences opened as `former`, or new ones; see `opened.save`."""
         path = self._own_path(preferences.NAME)
         if path is None:
-            return Refusal("there is no home directory for preferences")
+            return Refusal(Reason.of("store.no_home_for_preferences"))
         return save(path, preferred, preferences.write, former, overwrites=overwrites)
 
     def buttons(self) -> tuple[tuple[Button, ...], Faults]:
@@ -130,7 +130,7 @@ class Site:
         """Save buttons opened as `former`, or new ones; see `opened.save`."""
         path = self._own_path(buttons.NAME)
         if path is None:
-            return Refusal("there is no home directory for buttons")
+            return Refusal(Reason.of("store.no_home_for_buttons"))
         return save(path, made, buttons.write, former, overwrites=overwrites)
 
     def flow_pictures(self) -> tuple[tuple[Picture, Picture], Faults]:

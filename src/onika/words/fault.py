@@ -61,22 +61,19 @@ def parted(faults: Iterable[Fault]) -> tuple[tuple[Fault, ...], tuple[Fault, ...
 class Refusal:
     """A "no" with its reason and what the user could do instead, likeliest first."""
 
-    reason: Text
-    remedies: tuple[str, ...] = ()
+    reason: Reason
+    remedies: tuple[Reason, ...] = ()
 
     @property
-    def sentence(self) -> Text:
+    def sentence(self) -> Reason:
         """All of it in one sentence."""
-        if self.remedies:
-            return _with_remedies(self.reason, self.remedies)
-        return self.reason
+        return _with_remedies(self.reason, self.remedies)
 
     def __str__(self) -> str:
         return str(self.sentence)
 
 
-def _with_remedies(reason: Text, remedies: Sequence[Text]) -> Reason:
-    plain = reason if isinstance(reason, Reason) else Reason.plain(reason)
+def _with_remedies(reason: Reason, remedies: Sequence[Text]) -> Reason:
     if remedies:
-        return Reason.of("words.with_remedies", reason=plain, remedies=tuple(remedies))
-    return plain
+        return Reason.of("words.with_remedies", reason=reason, remedies=tuple(remedies))
+    return reason

@@ -58,13 +58,13 @@ def test_a_file_with_faults_is_left_as_it_is(sitting):  # R-B07
     sitting.home.mkdir()
     path = sitting.home / file.NAME
     path.write_text("BUTTON a\nEOF\n")
-    assert "left as it is" in sitting.no(act.SetButton("b", "true")).reason
+    assert "left as it is" in str(sitting.no(act.SetButton("b", "true")).reason)
     assert path.read_text() == "BUTTON a\nEOF\n"
 
 
 def test_where_the_file_cannot_be_written_there_is_no_button(sitting):  # R-G02
     sitting.home.write_text("no directory")
-    assert "cannot be saved" in sitting.no(act.SetButton("b", "true")).reason
+    assert "cannot be saved" in str(sitting.no(act.SetButton("b", "true")).reason)
 
 
 def test_a_pressed_button_shows_what_its_command_prints_and_how_it_ends(sitting):  # R-G02
@@ -81,16 +81,16 @@ def test_a_pressed_button_shows_what_its_command_prints_and_how_it_ends(sitting)
 
 def test_a_running_command_is_halted_and_neither_started_twice_nor_removed(sitting):  # R-G02
     sitting.do(act.SetButton("Wait", "sleep 1000"))
-    assert "not running" in sitting.no(act.Halt("Wait")).reason
+    assert "not running" in str(sitting.no(act.Halt("Wait")).reason)
     sitting.do(act.Press("Wait"))
     assert [one.act for one in sitting.no(act.Press("Wait")).remedies] == [act.Halt("Wait")]
-    assert "is running" in sitting.no(act.SetButton("Wait", "")).reason
+    assert "is running" in str(sitting.no(act.SetButton("Wait", "")).reason)
     sitting.do(act.Halt("Wait"))
     assert sitting.button("Wait", has_ended).code == -15
 
 
 def test_only_what_stands_in_the_users_file_is_ever_run(sitting):  # R-G02
-    assert "there is no button" in sitting.no(act.Press("rm -rf /")).reason
+    assert "there is no button" in str(sitting.no(act.Press("rm -rf /")).reason)
 
 
 def test_a_button_that_is_gone_shows_nothing_any_more(sitting):  # R-G02
@@ -113,4 +113,4 @@ def test_a_command_that_cannot_begin_is_refused(tmp_path):  # R-G02
     sitting = EnvironmentFixture(tmp_path)
     sitting.do(act.SetButton("a", "true"))
     sitting.surroundings.commands.__class__ = Refusing
-    assert sitting.no(act.Press("a")).reason == "a cannot be run: no more processes"
+    assert str(sitting.no(act.Press("a")).reason) == "a cannot be run: no more processes"

@@ -20,7 +20,7 @@ def test_acts_that_both_kinds_of_documents_know_go_to_the_kind_their_id_says(tmp
     gallery.do(act.Undo(doc))
     assert gallery.flow(doc) == ""
     gallery.do(act.Redo(doc))
-    assert gallery.no(act.Undo(conf)).reason == "there is nothing to take back"
+    assert str(gallery.no(act.Undo(conf)).reason) == "there is nothing to take back"
     for one in (act.Keep, act.Reload, act.Close):
         gallery.do(one(doc))
         gallery.do(one(conf))

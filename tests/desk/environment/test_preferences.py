@@ -111,14 +111,14 @@ def test_a_file_with_faults_is_left_as_it_is_and_the_change_holds_for_the_sessio
     assert preferred(sitting).locus_size == 30
     (said,) = sitting.says
     assert said.level == "warning"
-    assert "PINLENGTH" in said.text
+    assert "PINLENGTH" in str(said.text)
 
 
 def test_where_nothing_can_be_written_it_is_said(sitting):  # R-B12
     sitting.home.write_text("no directory")
     sitting.surroundings.state.write_text("no directory")
     sitting.do(act.Prefer({"keeps_diary": False}))
-    assert ["holds for this session" in said.text for said in sitting.says] == [True]
+    assert ["holds for this session" in str(said.text) for said in sitting.says] == [True]
     assert "cannot be saved" in leave(sitting.environment.model, sitting.surroundings)
 
 

@@ -129,7 +129,7 @@ def test_a_file_that_clashes_in_an_open_configuration_is_taken_and_told(sitting)
     saved(sitting)
     rewrite(sitting, Task("b", "b", outvar=("Q",), frequency=10.0))
     sitting.look()
-    assert [str(said.text) for said in sitting.says] == ["in job, b writes Q, which a already writes"]
+    assert [str(said.text) for said in sitting.says] == ["in job, b writes Q, which `a` already writes"]
 
 
 def test_a_document_that_is_as_it_was_saved_is_read_again_and_undo_brings_back_what_was_here(sitting):  # R-C06, R-X10

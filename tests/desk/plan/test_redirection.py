@@ -68,12 +68,12 @@ def test_every_task_of_a_flow_is_offered_those_that_can_stand_for_it_and_told_wh
     assert list(seats_of) == ["flow0", "flow1"]
     seat = {seat.task.name: seat for seat in seats_of["flow0"]}["puma"]
     can = [each.task.name for each in seat.candidates if not each.refusals]
-    cannot = {each.task.name: each.refusals[0].reason for each in seat.candidates if each.refusals}
+    cannot = {each.task.name: str(each.refusals[0].reason) for each in seat.candidates if each.refusals}
     assert seat.taken_by == "scara"
     assert {"puma_kin", "scara", "scara_kin"} <= set(can)
     assert cannot["puma_right"] == "its device boxes:arm_right is claimed by `puma_right`"
     other = {seat.task.name: seat for seat in seats_of["flow1"]}["puma_right"]
     assert other.taken_by == "puma_right"
     assert "its device boxes:scara_left is claimed by `scara`" in {
-        refusal.reason for each in other.candidates for refusal in each.refusals
+        str(refusal.reason) for each in other.candidates for refusal in each.refusals
     }

@@ -4,6 +4,7 @@ from hypothesis import given, strategies as st
 
 from onika.model.rules.agreement import claims, contested, declared, device_of, disagreements, rivals
 from onika.model.task import LocalLine, Task
+from onika.words.reason import Reason
 
 Port = namedtuple("Port", "name shape unit")
 
@@ -22,8 +23,8 @@ def test_type_shape_and_unit_have_to_agree():  # law 7
     result = contested(tasks)
     assert result == {"Q": {"a": "double[6] in rad", "b": "double[4] in rad"}}
     (refused,) = disagreements("a", "Q", result["Q"], ("a", "b"))
-    assert refused.reason == "takes Q for double[6] in rad, `b` for double[4] in rad"
-    assert refused.remedies == ("alias Q", "show `b`")
+    assert str(refused.reason) == "takes Q for double[6] in rad, `b` for double[4] in rad"
+    assert refused.remedies == (Reason.of("rules.alias", svar="Q"), Reason.of("rules.show", task="b"))
 
 
 names = st.sampled_from("abcd")
@@ -52,5 +53,5 @@ def test_a_device_has_one_master():  # law 16
     first, second, third = arm("first", "boxes:left"), arm("second", "boxes:left"), arm("third", "boxes:right")
     assert rivals([first, second, third, Task("plain", "plain")]) == {"boxes:left": ("first", "second")}
     (refused,) = claims("second", "boxes:left", ("first", "second"))
-    assert refused.reason == "moves boxes:left, which `first` moves already"
+    assert str(refused.reason) == "moves boxes:left, which `first` moves already"
     assert device_of(Task("odd", "odd", local=(LocalLine("DEVICE", ()),))) == ""

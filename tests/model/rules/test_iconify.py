@@ -50,7 +50,7 @@ def test_a_job_has_the_type_of_its_first_trigger_with_a_target(tasks: tuple[str,
 
 def reasons(result: ActionType | tuple[Refusal, ...]) -> list[str]:
     assert not isinstance(result, ActionType)
-    return [refusal.reason for refusal in result]
+    return [str(refusal.reason) for refusal in result]
 
 
 def test_a_configuration_that_is_not_whole_is_refused() -> None:

@@ -8,6 +8,7 @@ from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.model.rules.jigsaw import delete, fits, insert, misfits, refusals
 from onika.model.syntax import IconType, Syntax
+from onika.words.reason import Reason
 
 KINDS = {
     "Application start": (0, 0),
@@ -61,8 +62,8 @@ def test_a_hole_opens_before_the_end_icon() -> None:
 
 def test_an_icon_that_does_not_fit_is_refused_with_what_would_fit() -> None:
     (refusal,) = refusals(AppFlow((JOB, Hole())), 1, GRIP, SYNTAX)  # R-D03, R-X01
-    assert refusal.reason == "a Complete job does not fit behind a Joint job"
-    assert refusal.remedies == ("insert a Joint object", "insert a Bridge object")
+    assert str(refusal.reason) == "a Complete job does not fit behind a Joint job"
+    assert [way.args["kind"] for way in refusal.remedies] == ["Joint object", "Bridge object"]
     with pytest.raises(ValueError, match="does not fit"):
         insert(AppFlow((JOB, Hole())), 1, GRIP, SYNTAX)
 
@@ -112,7 +113,7 @@ def test_behind_a_target_stands_the_next_one_its_job_wants() -> None:
     assert misfits(AppFlow((AND_OTHER, TARGET, GRIP)), SYNTAX) == (2,)
     assert misfits(AppFlow((JOB, TARGET, OTHER, GRIP)), SYNTAX) == (2,)
     (refusal,) = refusals(AppFlow((AND_OTHER, TARGET, Hole())), 1, GRIP, SYNTAX)
-    assert refusal.remedies == ("insert a Other object",)
+    assert refusal.remedies == (Reason.of("rules.insert", kind="Other object"),)
 
 
 def test_targets_are_inserted_one_by_one() -> None:
@@ -160,5 +161,5 @@ def test_a_branch_has_the_edges_of_a_no_op() -> None:
     assert misfits(AppFlow((BRANCH, JOB, TARGET, BRANCH)), SYNTAX) == ()
     assert misfits(AppFlow((JOB, BRANCH)), SYNTAX) == (1,)
     (refusal,) = refusals(AppFlow((JOB, Hole())), 0, BRANCH, SYNTAX)
-    assert refusal.reason == "a branch does not fit behind a Joint job"
+    assert str(refusal.reason) == "a branch does not fit behind a Joint job"
     assert delete(AppFlow((GRIP, BRANCH, GRIP)), 1, SYNTAX).steps == (GRIP, GRIP)

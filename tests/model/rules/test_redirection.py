@@ -16,7 +16,7 @@ def other(name="other", **changes):
 
 
 def reasons(new, crews=CREWS, others=(), old=ROBOT):
-    return [refusal.reason for refusal in refusals(old, new, crews, others)]
+    return [str(refusal.reason) for refusal in refusals(old, new, crews, others)]
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,6 @@
 from dataclasses import replace
 
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.remedy import plain
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.files import buttons as file
@@ -12,6 +11,7 @@ from onika.store.opened_text import OpenedText
 from onika.wire import act, page
 from onika.wire.view import ButtonView, Remedy
 from onika.words.fault import Refusal
+from onika.words.reason import Reason
 
 
 def press(model: Model, command: act.Press, outside: Services) -> Done | No:
@@ -49,8 +49,7 @@ def set_button(model: Model, command: act.SetButton, outside: Services) -> Done 
         return No(f"{name} is running", (Remedy(f"Halt {name}", act.Halt(name)),))
     opened, faults = outside.site.open_buttons()
     if opened is None and faults:
-        reasons = "; ".join(plain(str(fault)) for fault in faults)
-        return No(f"the file of buttons is left as it is: {reasons}")
+        return No(Reason.of("run.buttons_left", faults=tuple(fault.sentence for fault in faults)))
     return _saved(model, _changed(opened.value if opened else (), button), opened, outside)
 
 
@@ -92,7 +91,7 @@ def _saved(
 ) -> Done | No:
     done = outside.site.save_buttons(buttons, opened)
     if isinstance(done, Refusal):
-        return No(plain(done.reason))
+        return No(done.reason)
     names = {button.name for button in buttons}
     runs = {name: run for name, run in model.runs.items() if name in names}
     return Done(replace(model, buttons=buttons, runs=runs))

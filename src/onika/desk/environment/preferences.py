@@ -5,7 +5,6 @@ from dataclasses import fields, replace
 from typing import Any
 
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.remedy import plain
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state import settings
 from onika.desk.environment.state.model import Model
@@ -14,6 +13,7 @@ from onika.desk.environment.state.settings import Settings
 from onika.model.preferences import STATUS_COLUMNS
 from onika.wire import act, page
 from onika.words.fault import Refusal
+from onika.words.reason import Reason
 
 _LONGEST = 10_000
 """Pixels or characters: what is longer is found on no screen."""
@@ -62,7 +62,7 @@ def _kept(of_file: Mapping[str, Any], of_settings: Mapping[str, bool], outside: 
         refused.append(settings.keep(outside.state, of_settings))
     for refusal in refused:
         if refusal is not None:
-            yield page.Say("warning", f"{plain(refusal.reason)}; it holds for this session")
+            yield page.Say("warning", Reason.of("run.holds_for_session", reason=refusal.reason))
 
 
 def _filed(values: Mapping[str, Any], outside: Services) -> Refusal | None:
@@ -70,7 +70,7 @@ def _filed(values: Mapping[str, Any], outside: Services) -> Refusal | None:
     opened, faults = outside.site.open_preferences()
     wrong = [fault for fault in faults if not fault.is_note]
     if wrong:  # to write it again would lose what is wrong in it, which may be a word away from right
-        return Refusal(f"the file of preferences is left as it is: {'; '.join(map(str, wrong))}")
+        return Refusal(Reason.of("run.preferences_left", faults=tuple(fault.sentence for fault in wrong)))
     if opened is None:
         return None
     done = outside.site.save_preferences(replace(opened.value, **values), opened)

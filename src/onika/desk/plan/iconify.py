@@ -110,8 +110,9 @@ def _former(source: _Source) -> tuple[OpenedText[Onikon] | Refusal | None, tuple
     is_ours = kind is not None and (kind.is_application if source.is_application else kind.is_job)
     if is_ours:
         return former, tuple(fault for fault in faults if not fault.is_note)
-    reason = f"{file} is the icon of something else, a {former.value.type}"
-    return Refusal(reason, (f"rename {source.path.name}", "replace it")), ()
+    reason = Reason.of("desk.icon_of_another", path=str(file), kind=former.value.type)
+    rename = Reason.of("desk.rename_file", name=source.path.name)
+    return Refusal(reason, (rename, Reason.of("desk.replace_icon"))), ()
 
 
 def _type(source: _Source) -> ActionType | Reasons:

@@ -124,7 +124,7 @@ def store(keepsake: KeptRun, path: Path) -> Refusal | None:
     """Write a test; the comments of one that stood there stay."""
     former, faults = ("", ()) if not path.exists() else text.load(path, str(path))
     if former is None:
-        return Refusal(f"{faults[0]}")
+        return Refusal(faults[0].sentence)
     written = kept.write(keepsake, former) if former else HINT.format(name=keepsake.application) + kept.write(keepsake)
     done = whole.write(path, written, whole.ANYTHING if path.exists() else whole.ABSENT)
     return done if isinstance(done, Refusal) else None

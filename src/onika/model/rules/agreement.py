@@ -9,6 +9,7 @@ from typing import Protocol
 
 from onika.model.task import Task
 from onika.words.fault import Refusal
+from onika.words.reason import Reason
 from onika.words.shape import Shape
 
 
@@ -51,7 +52,10 @@ def disagreements(name: str, svar: str, users: Users, standing: Iterable[str]) -
     """Why a task would not run beside others that use a contested variable."""
     kind = users[name]
     return tuple(
-        Refusal(f"takes {svar} for {kind}, `{other}` for {users[other]}", (f"alias {svar}", f"show `{other}`"))
+        Refusal(
+            Reason.of("rules.kinds_differ", svar=svar, kind=kind, other=other, other_kind=users[other]),
+            (Reason.of("rules.alias", svar=svar), Reason.of("rules.show", task=other)),
+        )
         for other in standing
         if other != name and users[other] != kind
     )
@@ -74,7 +78,10 @@ def rivals(hardware: Iterable[Task]) -> dict[str, tuple[str, ...]]:
 def claims(name: str, device: str, standing: Iterable[str]) -> tuple[Refusal, ...]:
     """Why hardware would not run beside other hardware: one device has one master."""
     return tuple(
-        Refusal(f"moves {device}, which `{other}` moves already", (f"replace `{other}`", f"show `{other}`"))
+        Refusal(
+            Reason.of("rules.device_moved", device=device, other=other),
+            (Reason.of("rules.replace", task=other), Reason.of("rules.show", task=other)),
+        )
         for other in standing
         if other != name
     )

@@ -11,6 +11,9 @@ from onika.model.rules.union import tasks_of
 from onika.model.syntax import COMPLETE_APPLICATION, COMPLETE_JOB, Syntax, application_name
 from onika.model.task import Task
 from onika.words.fault import Refusal
+from onika.words.reason import Reason
+
+_DEFINE_IT = Reason.of("rules.define_it")
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,19 +47,20 @@ def job_type(
 def _incomplete(configuration: Configuration, tasks: Mapping[str, Task]) -> tuple[Refusal, ...]:
     """Why a configuration is no job yet: it has no tasks, or some of them are missing."""
     if not configuration.placed:
-        return (Refusal(f"`{configuration.name}` has no tasks", ("place some",)),)
+        reason = Reason.of("rules.without_tasks", configuration=configuration.name)
+        return (Refusal(reason, (Reason.of("rules.place_some"),)),)
+    name = configuration.name
     missing = [placed.task for placed in configuration.placed if placed.task not in tasks]
-    remedies = ("make it", f"remove it from `{configuration.name}`")
-    return tuple(Refusal(f"the task {name} of `{configuration.name}` is missing", remedies) for name in missing)
+    remedies = (Reason.of("rules.make_it"), Reason.of("rules.remove_from", configuration=name))
+    reasons = (Reason.of("rules.task_lost", task=task, configuration=name) for task in missing)
+    return tuple(Refusal(reason, remedies) for reason in reasons)
 
 
 def _unknown_targets(trigger: Task, syntax: Syntax) -> tuple[Refusal, ...]:
     """A refusal for each further target of a trigger whose type is no target of the syntax."""
-    reason = f"`{trigger.name}` takes a target of the type {{}}, which the syntax does not define"
-    remedies = ("define it in the syntax",)
-    return tuple(
-        Refusal(reason.format(kind), remedies) for kind in trigger.more_targets if not _is_target(kind, syntax)
-    )
+    unknown = (kind for kind in trigger.more_targets if not _is_target(kind, syntax))
+    reasons = (Reason.of("rules.target_undefined", task=trigger.name, kind=kind) for kind in unknown)
+    return tuple(Refusal(reason, (_DEFINE_IT,)) for reason in reasons)
 
 
 def _is_target(kind: str, syntax: Syntax) -> bool:
@@ -80,7 +84,8 @@ def application_type(application: Application, syntax: Syntax) -> ActionType | t
     for open_hole in hole.holes(outline, syntax):
         if not open_hole.types:
             at = outline.at(open_hole.passage, open_hole.position)
-            refusals.append(Refusal(f"{at}, is no place for a target", ("fill it with an action",)))
+            reason = Reason.of("rules.hole_no_target", at=at)
+            refusals.append(Refusal(reason, (Reason.of("rules.fill_with_action"),)))
     kinds = hole.open_types(outline, syntax)
     refusals += [_no_type(kind, syntax) for kind in kinds[:1] if not syntax.find(application_name(kind))]
     refusals += [_no_target(kind) for kind in kinds if not syntax.find(kind)]
@@ -91,15 +96,15 @@ def application_type(application: Application, syntax: Syntax) -> ActionType | t
 
 
 def _no_type(kind: str, syntax: Syntax) -> Refusal:
-    names = (
-        " or ".join(
-            icon_type.name for icon_type in syntax.types if icon_type.is_application and not icon_type.is_complete
-        )
-        or "none"
-    )
-    reason = f"its holes want a {kind}, and the syntax has no {application_name(kind)}, only {names}"
-    return Refusal(reason, ("fill the holes", "define it in the syntax"))
+    partial_types = (kind for kind in syntax.types if kind.is_application and not kind.is_complete)
+    names = tuple(icon_type.name for icon_type in partial_types)
+    wanted = application_name(kind)
+    if names:
+        reason = Reason.of("rules.holes_untyped", kind=kind, type=wanted, names=names)
+    else:
+        reason = Reason.of("rules.holes_untyped_wholly", kind=kind, type=wanted)
+    return Refusal(reason, (Reason.of("rules.fill_holes"), _DEFINE_IT))
 
 
 def _no_target(kind: str) -> Refusal:
-    return Refusal(f"its holes want a {kind}, which the syntax does not define", ("define it in the syntax",))
+    return Refusal(Reason.of("rules.holes_undefined", kind=kind), (_DEFINE_IT,))

@@ -11,6 +11,7 @@ from onika.model.application import AppFlow, Hole, Icon, Step
 from onika.model.rules.gap import Row, Solid, either, kind_at, kind_of, kinds
 from onika.model.syntax import IconType, Syntax
 from onika.words.fault import Refusal
+from onika.words.reason import Reason
 
 
 def fits(left: IconType, right: IconType) -> bool:
@@ -25,12 +26,14 @@ def refusals(flow: AppFlow, after: int, step: Solid, syntax: Syntax) -> tuple[Re
     """
     left, right = kind_at(flow, solid_at(flow, after), syntax), kind_of(step, syntax)
     if isinstance(step, Icon) and (right is None or not stands_in_flow(right)):
-        return (Refusal(f"`{step.onikon.name}` is of the type {step.onikon.type}, which stands in no flow"),)
+        return (Refusal(Reason.of("rules.stands_in_no_flow", name=step.onikon.name, kind=step.onikon.type)),)
     if left is None or right is None or fits(left, right):
         return ()
-    fitting = tuple(f"insert a {kind.name}" for kind in syntax.types if stands_in_flow(kind) and fits(left, kind))
-    shown = right.name if isinstance(step, Icon) else "branch"
-    return (Refusal(f"a {shown} does not fit behind a {left.name}", fitting),)
+    fitting = (kind.name for kind in syntax.types if stands_in_flow(kind) and fits(left, kind))
+    inserting = tuple(Reason.of("rules.insert", kind=name) for name in fitting)
+    if isinstance(step, Icon):
+        return (Refusal(Reason.of("rules.kind_not_behind", kind=right.name, left=left.name), inserting),)
+    return (Refusal(Reason.of("rules.branch_not_behind", left=left.name), inserting),)
 
 
 def insert(flow: AppFlow, after: int, step: Solid, syntax: Syntax) -> AppFlow:
@@ -45,9 +48,11 @@ def insert_all(flow: AppFlow, after: int, steps: Sequence[Step], syntax: Syntax)
     Raises ValueError where the first of them does not fit, and where there is none but holes.
     """
     new = Row.of(AppFlow(tuple(steps)))
-    reasons = refusals(flow, after, new.solids[0], syntax) if new.solids else (Refusal("there are only holes"),)
+    if not new.solids:
+        raise ValueError(Reason.of("rules.not_insertable", why=Reason.of("rules.only_holes")))
+    reasons = refusals(flow, after, new.solids[0], syntax)
     if reasons:
-        raise ValueError(f"expected an icon that fits, found: {reasons[0]}")
+        raise ValueError(Reason.of("rules.not_insertable", why=reasons[0].sentence))
     row, at = Row.of(flow), _solids(flow, solid_at(flow, after) + 1)
     behind = at + len(new.solids)
     last = either(new.gaps[-1], row.gaps[at]) if new.gaps[-1] and new.gaps[-1].kept else row.gaps[at]

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from onika.model.task import Task
 from onika.words.fault import Refusal
+from onika.words.reason import Reason
 
 
 def refusals(task: Task, placed: Iterable[Task]) -> tuple[Refusal, ...]:
@@ -62,7 +63,8 @@ def alias_refusals(changed: Task, others: Iterable[Task]) -> tuple[Refusal, ...]
     """Why the aliases of `changed` may not be taken over beside the `others` of its configuration (reading 9)."""
     twice = tuple(
         Refusal(
-            f"{' and '.join(names)} of `{changed.name}` would both write {svar}", (f"give {names[-1]} another alias",)
+            Reason.of("rules.outputs_alike", pins=tuple(names), task=changed.name, svar=svar),
+            (Reason.of("rules.alias_anew", pin=names[-1]),),
         )
         for svar, names in _writers(changed).items()
         if len(names) > 1
@@ -108,19 +110,21 @@ def _meet(task: Task, other: Task) -> bool:
 
 
 def _between(task: Task, other: Task) -> list[Refusal]:
+    show = Reason.of("rules.show", task=other.name)
     if task.name == other.name:
-        return [Refusal(f"`{task.name}` is placed already", (f"show `{other.name}`",))]
+        return [Refusal(Reason.of("rules.task_placed", task=task.name), (show,))]
     refusals = []
-    replace, show = f"replace `{other.name}`", f"show `{other.name}`"
+    replace = Reason.of("rules.replace", task=other.name)
     if task.module == other.module:
-        refusals.append(Refusal(f"its module `{task.module}` is used already, by `{other.name}`", (replace, show)))
+        reason = Reason.of("rules.module_used", module=task.module, other=other.name)
+        refusals.append(Refusal(reason, (replace, show)))
     for svar in sorted(task.outputs & other.outputs):
-        reason = f"writes {svar}, which `{other.name}` already writes"
-        refusals.append(Refusal(reason, (replace, f"alias {svar}", show)))
+        reason = Reason.of("rules.output_written", svar=svar, other=other.name)
+        refusals.append(Refusal(reason, (replace, Reason.of("rules.alias", svar=svar), show)))
     for writer, reader in ((task, other), (other, task)):
         for svar in sorted(meets_constant(writer, reader)):
-            reason = f"`{reader.name}` needs {svar} at initialisation, `{writer.name}` gives it only while it runs"
-            refusals.append(Refusal(reason, (replace, f"alias {svar}", show)))
+            reason = Reason.of("rules.constant_while_running", reader=reader.name, svar=svar, writer=writer.name)
+            refusals.append(Refusal(reason, (replace, Reason.of("rules.alias", svar=svar), show)))
     return refusals
 
 

@@ -14,6 +14,7 @@ from onika.model.rules.union import devices
 from onika.model.syntax import same_type
 from onika.model.task import Task
 from onika.words.fault import Refusal
+from onika.words.reason import Reason
 
 Crews = Mapping[str, Sequence[Task]]
 """The tasks of each job of a flow that uses the replaced task, by the name of its configuration."""
@@ -85,12 +86,14 @@ def _is_near(old: Task, new: Task) -> bool:
 
 def _lacks(old: Task, new: Task) -> Iterator[Refusal]:
     if lacking := sorted(old.outputs - new.outputs):
-        yield Refusal(f"`{new.name}` does not write {', '.join(lacking)}, as `{old.name}` does")
+        yield Refusal(Reason.of("rules.outputs_lacking", new=new.name, svars=tuple(lacking), old=old.name))
 
 
 def _takes(old: Task, new: Task) -> Iterator[Refusal]:
     if not _same_targets(old, new):
-        yield Refusal(f"`{new.name}` takes {_shown(new)}, `{old.name}` takes {_shown(old)}")
+        yield Refusal(
+            Reason.of("rules.targets_differ", new=new.name, of_new=_taken(new), old=old.name, of_old=_taken(old))
+        )
 
 
 def _same_targets(old: Task, new: Task) -> bool:
@@ -104,10 +107,13 @@ def _targets(task: Task) -> tuple[str, ...]:
     return ()
 
 
-def _shown(task: Task) -> str:
-    if _targets(task):
-        return f"the target of a {' with '.join(_targets(task))}"
-    return "no target"
+def _taken(task: Task) -> Reason:
+    """The targets that a task takes, in words."""
+    if not task.object_type:
+        return Reason.of("rules.no_target")
+    if task.more_targets:
+        return Reason.of("rules.target_of_with", kind=task.object_type, more=task.more_targets)
+    return Reason.of("rules.target_of", kind=task.object_type)
 
 
 def _starves(old: Task, new: Task, crews: Crews) -> Iterator[Refusal]:
@@ -115,21 +121,23 @@ def _starves(old: Task, new: Task, crews: Crews) -> Iterator[Refusal]:
         written = frozenset[str]().union(*(task.outputs for task in crew if task.name != old.name))
         if old.inputs - written - old.outputs:
             continue  # it is not the redirection that leaves something unwritten
-        if lacking := ", ".join(sorted(new.inputs - written - new.outputs)):
-            remedy = f"place a task in `{name}` that writes {lacking}"
-            yield Refusal(f"`{new.name}` reads {lacking}, which no task of `{name}` writes", (remedy,))
+        if lacking := tuple(sorted(new.inputs - written - new.outputs)):
+            remedy = Reason.of("rules.place_writer", configuration=name, svars=lacking)
+            yield Refusal(Reason.of("rules.inputs_lacking", new=new.name, svars=lacking, configuration=name), (remedy,))
 
 
 def _clashes(old: Task, new: Task, crews: Crews, others: Sequence[Task]) -> Iterator[Refusal]:
     beside = {task.name: task for crew in crews.values() for task in crew if task.name != old.name}
     if new.name in beside:
-        yield Refusal(f"`{new.name}` lives in this flow already")
+        yield Refusal(Reason.of("rules.in_flow_already", task=new.name))
         return
     for crew in crews.values():
         yield from placement.refusals(new, (task for task in crew if task.name != old.name))
     for task in beside.values():
         if task.module == new.module:
-            yield Refusal(f"its module `{new.module}` is used already, by `{task.name}`", (f"replace `{task.name}`",))
+            reason = Reason.of("rules.module_used", module=new.module, other=task.name)
+            yield Refusal(reason, (Reason.of("rules.replace", task=task.name),))
     for other in (*beside.values(), *others):
         for device in sorted(set(devices(other)) & set(devices(new))):
-            yield Refusal(f"its device {device} is claimed by `{other.name}`", (f"redirect `{other.name}` too",))
+            reason = Reason.of("rules.device_claimed", device=device, other=other.name)
+            yield Refusal(reason, (Reason.of("rules.redirect_too", task=other.name),))

@@ -46,7 +46,7 @@ class DictionaryView(View, frozen=True):
     """Of its base directory."""
     order: int
     onikons: int
-    faults: tuple[str, ...] = ()
+    faults: tuple[Text, ...] = ()
     is_shipped: bool = False
 
 

@@ -12,7 +12,7 @@ class TextView(View, frozen=True):
     path: str
     text: str
     stamp: str
-    faults: tuple[tuple[int, str], ...] = ()
+    faults: tuple[tuple[int, Text], ...] = ()
     is_read_only: bool = False
 
 

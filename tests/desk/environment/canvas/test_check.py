@@ -20,8 +20,8 @@ def test_a_check_gives_every_sentence_what_is_wrong_first_and_also_where_warning
     doc = sitting.do(act.Open(str(sitting.base.configuration_file("c"))))
     sitting.do(act.Prefer({"shows_warnings": False}))
     fault, warning, note = sitting.do(act.Check(doc))
-    assert "its module m is used already, by memory" in str(fault)
-    assert "a task that writes Q, found only reader" in str(warning)
+    assert "its module `m` is used already, by `memory`" in str(fault)
+    assert "a task that writes Q, found only `reader`" in str(warning)
     assert "M, which it does both" in str(note)
     assert len(sitting.environment.tree.documents[doc].problems) == 1
 

@@ -94,8 +94,8 @@ def test_nothing_is_pasted_where_one_task_may_not_be_and_every_reason_is_named(s
     other = sitting.new("cubic", "pd")
     text = sitting.do(act.Copy(one, ("trapez", "pd", "robot")))
     no = sitting.no(act.Paste(other, 0, 0, text))
-    assert "trapez: writes Q_REF, which cubic already writes" in str(no.reason)
-    assert "pd is placed already" in str(no.reason)
+    assert "trapez: writes Q_REF, which `cubic` already writes" in str(no.reason)
+    assert "`pd` is placed already" in str(no.reason)
     assert "robot" not in str(no.reason)
     assert ShowTask("pd") in [remedy.show for remedy in no.remedies]
     assert not any(isinstance(remedy.act, act.Exchange) for remedy in no.remedies)
@@ -120,7 +120,7 @@ def test_a_task_that_no_library_has_is_named(sitting, tmp_path):  # R-C10
 
 def test_tasks_of_a_text_that_contradict_each_other_are_not_pasted(sitting):  # R-C07
     text = '{"onika":1,"tasks":[{"task":"cubic","x":0,"y":0},{"task":"trapez","x":0,"y":0}]}'
-    assert "trapez: writes Q_REF, which cubic already writes" in str(
+    assert "trapez: writes Q_REF, which `cubic` already writes" in str(
         sitting.no(act.Paste(sitting.new(), 0, 0, text)).reason
     )
 

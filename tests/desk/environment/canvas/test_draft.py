@@ -13,6 +13,7 @@ from onika.model.picture import blank
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import Site, shipped
+from onika.words.reason import Reason
 
 TASKS = (
     Task("jmove", "jmove", invar=("Q",), outvar=("Q_REF",), frequency=1.0, object_type="joint job"),
@@ -51,7 +52,7 @@ def test_the_first_task_that_takes_a_target_gives_the_type_and_its_edges(site, b
     syntax = site.syntax()[0]
     assert found.edges == (syntax.find("Joint job").left_edge, syntax.find("Joint job").right_edge)
     (note,) = found.notes
-    assert "grip (Gripper job)" in str(note)
+    assert "`grip` (Gripper job)" in str(note)
     assert (found.warnings, found.former, found.path) == ((), None, base.onikon_file("move"))
 
 
@@ -62,9 +63,9 @@ def test_without_such_a_task_it_is_a_complete_job_and_hanging_inputs_are_noted(s
 
 
 def test_every_reason_why_there_is_no_job_is_given(site, base):  # R-C16
-    assert draft(site, base) == ("move has no tasks",)
+    assert draft(site, base) == (Reason.of("rules.without_tasks", configuration="move"),)
     reasons = draft(site, base, "gone", "lost")
-    assert [reason.split()[2] for reason in reasons] == ["gone", "lost"]
+    assert [str(reason).split()[2] for reason in reasons] == ["gone", "lost"]
 
 
 def test_an_unknown_type_is_kept_and_told(site, base):  # R-D16

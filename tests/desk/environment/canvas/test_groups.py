@@ -205,8 +205,8 @@ def test_nothing_is_inserted_where_one_task_may_not_be_and_every_reason_is_named
     no = sitting.no(act.Insert(other, "arm", 0, 0))
     for reason in (
         "arm is not inserted: there is a supermodule arm already",
-        "trapez: writes Q_REF, which cubic already writes",
-        "pd is placed already",
+        "trapez: writes Q_REF, which `cubic` already writes",
+        "`pd` is placed already",
     ):
         assert reason in str(no.reason)
     assert "grav" not in str(no.reason)

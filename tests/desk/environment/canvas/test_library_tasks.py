@@ -78,9 +78,9 @@ def test_an_alias_that_would_clash_in_another_open_configuration_is_refused_with
     here, there = sitting.new("writer"), sitting.new("writer", "other")
     no = sitting.no(act.Alias("writer", "Q", "P", here))
     name = sitting.environment.model.documents[there].name
-    assert str(no.reason) == f"Q of writer cannot be P: in {name}, writer writes P, which other already writes"
+    assert str(no.reason) == f"Q of writer cannot be P: in {name}, writer writes P, which `other` already writes"
     assert {field: str(why) for field, why in no.fields.items()} == {
-        "svar": f"in {name}, writer writes P, which other already writes"
+        "svar": f"in {name}, writer writes P, which `other` already writes"
     }
     assert no.remedies[0].act == act.Remove(there, ("other",))
     assert [one.show for one in no.remedies[1:]] == [ShowPin("other", "P"), ShowTask("other")]

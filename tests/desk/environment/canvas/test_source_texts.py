@@ -32,7 +32,7 @@ def test_a_tasks_file_and_its_modules_code_are_read_with_their_stamps(sitting): 
     text = sitting.do(act.ReadText("pd", "rmod"))
     assert (text.path, str(text.text), text.faults) == (str(file(sitting, "pd.rmod")), rmod.write(RmodText(PD)), ())
     code = sitting.do(act.ReadText("pd", "code"))
-    assert (code.text, code.stamp, code.is_read_only) == (CODE, whole.stamp(CODE), False)
+    assert (str(code.text), code.stamp, code.is_read_only) == (CODE, whole.stamp(CODE), False)
 
 
 def test_without_source_a_sentence_says_so(sitting):  # R-C23
@@ -83,7 +83,7 @@ def test_faults_of_code_are_told_beside_their_lines_and_it_is_saved_all_the_same
     line, words = FAULTY[text]
     found = write(sitting, "code", text)
     assert found.faults[0][0] in (line, 1)
-    assert words in found.faults[0][1]
+    assert words in str(found.faults[0][1])
     assert file(sitting, "pd.py").read_text() == text
     assert found.stamp == whole.stamp(text) == sitting.do(act.ReadText("pd", "code")).stamp
 
@@ -106,7 +106,7 @@ def test_a_task_saved_half_done_is_left_out_until_it_is_mended(sitting):  # R-C0
     good = file(sitting, "pd.rmod").read_text()
     found = write(sitting, "rmod", good.replace("TASKTYPE", "TASKTIPE"))
     assert found.faults[0][0] > 0
-    assert "TASKT" in found.faults[0][1]
+    assert "TASKT" in str(found.faults[0][1])
     assert "pd" not in sitting.environment.tree.tasks
     assert sitting.environment.tree.documents[doc].tasks["pd"].is_missing
     assert "left out until it is mended" in str(sitting.says[-1].text)

@@ -101,18 +101,18 @@ def test_reading_again_takes_the_file_over_and_can_be_taken_back(sitting):
 
 @pytest.mark.parametrize("path", ["nothing", "/nowhere/conf/nothing.conf"])
 def test_what_is_not_there_is_not_opened(sitting, path):
-    assert "nothing" in sitting.no(act.Open(path)).reason
+    assert "nothing" in str(sitting.no(act.Open(path)).reason)
 
 
 def test_a_file_outside_a_base_directory_is_not_opened(sitting, tmp_path):
     (tmp_path / "lonely.conf").write_text("EOF\n")
-    assert "conf/" in sitting.no(act.Open(str(tmp_path / "lonely.conf"))).reason
+    assert "conf/" in str(sitting.no(act.Open(str(tmp_path / "lonely.conf"))).reason)
 
 
 def test_a_file_at_fault_is_not_opened_and_says_where(sitting):  # R-B07
     sitting.base.path.joinpath("conf").mkdir()
     sitting.base.configuration_file("bad").write_text("RMODFILE pd\nCOORDS x y\nEOF\n")
-    assert "bad.conf:2" in sitting.no(act.Open("bad")).reason
+    assert "bad.conf:2" in str(sitting.no(act.Open("bad")).reason)
 
 
 def test_keeping_what_is_here_ends_the_question(sitting):
@@ -126,7 +126,7 @@ def test_what_comes_with_onika_is_not_saved_over_by_the_way(sitting, tmp_path, m
     monkeypatch.setattr("onika.store.site.shipped", lambda: tmp_path)
     sitting.do(act.Place(doc, "pd", 300, 0))
     refused = sitting.no(act.Save(doc))
-    assert "part of Onika itself" in refused.reason
+    assert "part of Onika itself" in str(refused.reason)
     sitting.do(refused.remedies[-1].act)
     assert "pd" in sitting.base.configuration_file("mine").read_text()
 
@@ -152,7 +152,7 @@ def test_tasks_that_are_on_are_asked_about_before_their_tab_closes(duet):  # R-C
     doc = duet.connected("cubic", "pd")
     duet.do(act.Toggle(doc, "cubic"))
     refused = duet.no(act.Close(doc, discards=True))
-    assert "cubic of Untitled-1 is ON" in refused.reason
+    assert "cubic of Untitled-1 is ON" in str(refused.reason)
     end, leave = [one.act for one in refused.remedies]
     assert (end.alive, leave.alive) == ("end", "leave")
     duet.do(leave)

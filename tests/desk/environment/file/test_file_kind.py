@@ -6,6 +6,7 @@ from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.state.open_file import DocumentKind
 from onika.model.configuration import Configuration
 from onika.store.opened_text import OpenedText
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -23,20 +24,20 @@ def test_a_file_is_found_by_its_path_or_by_its_name(sitting):  # R-C06
 
 
 @pytest.mark.parametrize(
-    ("kind", "reason"),
+    ("kind", "key"),
     [
-        (DocumentKind.CONFIGURATION, "no base directory on the search path has a configuration gone"),
-        (DocumentKind.APPLICATION, "no base directory on the search path has an application gone"),
+        (DocumentKind.CONFIGURATION, "run.none_on_path_configuration"),
+        (DocumentKind.APPLICATION, "run.none_on_path_application"),
     ],
 )
-def test_a_name_that_nobody_has_is_refused_with_the_kind_of_file(sitting, kind, reason):
-    assert place("gone", kind, sitting.surroundings) == No(reason)
+def test_a_name_that_nobody_has_is_refused_with_the_kind_of_file(sitting, kind, key):
+    assert place("gone", kind, sitting.surroundings) == No(Reason.of(key, name="gone"))
 
 
 def test_a_file_in_another_folder_belongs_to_no_base_directory(sitting, tmp_path):
     stray = tmp_path / "lamp.appl"
     stray.write_text("")
-    assert "stands in no folder appl/" in place(str(stray), DocumentKind.APPLICATION, sitting.surroundings).reason
+    assert "stands in no folder appl/" in str(place(str(stray), DocumentKind.APPLICATION, sitting.surroundings).reason)
 
 
 def test_names_are_listed_by_kind(sitting):

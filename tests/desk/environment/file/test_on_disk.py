@@ -33,7 +33,7 @@ def test_a_file_that_others_changed_is_read_again_where_nothing_is_lost(gallery)
     look(gallery, path)
     assert gallery.flow(doc) == "open grip"
     assert not gallery.view(doc).is_dirty
-    assert "read again" in gallery.says[-1].text
+    assert "read again" in str(gallery.says[-1].text)
     gallery.do(act.Undo(doc))
     assert gallery.flow(doc) == "grip open"
 
@@ -69,7 +69,7 @@ def test_a_file_that_is_gone_or_broken_is_told(gallery):
     path.unlink()
     look(gallery, path)
     assert gallery.view(doc).has_changed_on_disk
-    assert "was removed" in gallery.says[-1].text
+    assert "was removed" in str(gallery.says[-1].text)
 
 
 def test_a_file_broken_in_part_is_shown_as_far_as_it_goes(gallery):

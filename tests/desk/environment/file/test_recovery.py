@@ -177,7 +177,7 @@ def test_applications_are_had_back_beside_configurations(tmp_path):  # R-X10
     assert after.view("a1").is_dirty
     after.environment.become(lambda model: reopened(model, rescues[:1]))
     assert after.view("a3").name == "Untitled-3"
-    assert "is open as it was" in after.says[-1].text
+    assert "is open as it was" in str(after.says[-1].text)
     lost = EnvironmentFixture(tmp_path / "other")
     lost.environment.become(lambda model: reopened(model, rescues[:1]))
-    assert "cannot be had back" in lost.says[-1].text
+    assert "cannot be had back" in str(lost.says[-1].text)

@@ -32,7 +32,7 @@ def test_another_dictionary_is_opened_by_its_base_directory_or_its_folder(cabine
     assert list(cabinet.environment.tree.dictionaries)[-1] == str(base.path)
     assert cabinet.icon("weld").dictionary == str(base.path)
     assert cabinet.icon("grip").dictionary == str(cabinet.base.path)
-    assert "grip" in cabinet.environment.tree.dictionaries[str(base.path)].faults[0]
+    assert "grip" in str(cabinet.environment.tree.dictionaries[str(base.path)].faults[0])
     assert "grip" in str(cabinet.says[-1].text)
     revision = cabinet.environment.revision
     assert cabinet.do(act.OpenDictionary(str(base.path))) == str(base.path)

@@ -122,7 +122,7 @@ def test_what_was_changed_of_a_task_and_not_saved_is_told(sitting, doc):  # R-C0
 def test_no_job_is_made_of_nothing(sitting):  # R-C16
     doc = sitting.new()
     sitting.do(act.Save(doc, "empty", str(sitting.base.path)))
-    assert str(sitting.no(act.Draft(doc)).reason) == "empty has no tasks"
+    assert str(sitting.no(act.Draft(doc)).reason) == "`empty` has no tasks"
     assert "no longer open" in str(sitting.no(act.Draft("c9")).reason)
 
 

@@ -71,7 +71,14 @@ CROSSED = Reason.of(
         ),
         (Reason.of("host.device_claimed", device="b:arm", other="puma"), "puma and another task both claim b:arm"),
         (Reason.of("host.devices_unfit", world="boxes", why="'a' is kinematic"), "'a' is kinematic"),
-        (Reason.of("desk.substitute_unfit", old="a", reason="`b` does not write X"), "b does not write X"),
+        (
+            Reason.of(
+                "desk.substitute_unfit",
+                old="a",
+                reason=Reason.of("host.module_twice", module="m", other="b"),
+            ),
+            "its module m is used already, by b",
+        ),
         (Reason.of("desk.task_not_of_flow", where="play", used=("a", "b"), old="puma"), "play does not use puma"),
         (Reason.of("runtime.constant_missing", svar="NDOF"), "no task gives the constant NDOF"),
         (

@@ -36,7 +36,7 @@ def test_an_icon_that_says_another_type_than_is_made_now_says_so_as_soon_as_that
     assert "makes a Joint job with a Pause target now, not a" in str(cabinet.icon("goC").trouble)
     lab.task("go", "MODULE")
     cabinet.look()
-    assert "the task go of goC is missing" in str(cabinet.icon("goC").trouble)
+    assert "the task go of `goC` is missing" in str(cabinet.icon("goC").trouble)
     cabinet.base.configuration_file("goC").write_text("NONSENSE\n")
     cabinet.look()
     assert "is at fault" in str(cabinet.icon("goC").trouble)

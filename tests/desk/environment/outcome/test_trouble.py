@@ -40,8 +40,8 @@ def test_tasks_of_a_file_that_contradict_each_other_are_a_fault_with_ways_out(si
     doc = opened(sitting, "cubic", "trapez")
     found = problems(sitting, doc)["conflict trapez cubic"]
     assert found.level == "fault"
-    assert "its module traj is used already, by cubic" in str(found.text)
-    assert "writes Q_REF, which cubic already writes" in str(found.text)
+    assert "its module `traj` is used already, by `cubic`" in str(found.text)
+    assert "writes Q_REF, which `cubic` already writes" in str(found.text)
     removing = [remedy.act for remedy in found.remedies if remedy.act]
     assert removing == [act.Remove(doc, ("trapez",)), act.Remove(doc, ("cubic",))]
     sitting.do(removing[0])
@@ -71,7 +71,6 @@ def test_hanging_inputs_further_triggers_and_memories_are_told_and_never_forbidd
         "trigger wait": ("warning", ShowTask("wait")),
         "fed memory M": ("note", ShowTask("memory")),
     }
-    assert "`" not in "".join(str(one.text) for one in found.values())
 
 
 def test_warnings_can_be_switched_off_and_faults_cannot(sitting):  # R-C08, R-C20

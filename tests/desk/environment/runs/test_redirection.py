@@ -48,7 +48,7 @@ def test_each_flow_has_its_own_and_the_last_word_counts(play):  # R-E09
 
 def test_who_cannot_stand_there_is_refused_with_all_reasons(play):  # R-E09
     doc = play.open([job("aC")])
-    assert "b does not write A" in str(play.no(act.Redirect(doc, "", "a", "b")).reason)
+    assert "`b` does not write A" in str(play.no(act.Redirect(doc, "", "a", "b")).reason)
     assert "found" not in str(play.no(act.Redirect(doc, "", "a", "nobody")).reason)
     assert str(play.no(act.Redirect(doc, "flow7", "a", "twin")).reason).endswith("flow7")
     assert shown(play, doc) == ()

@@ -30,7 +30,7 @@ def test_a_file_at_fault_is_left_out_and_told(tmp_path):  # R-C01
     tree = EnvironmentFixture(tmp_path, TASKS).environment.tree
     (library,) = tree.libraries.values()
     assert (sorted(tree.tasks), library.tasks) == (["a", "b"], 2)
-    assert any("bad.rmod" in fault for fault in library.faults)
+    assert any("bad.rmod" in str(fault) for fault in library.faults)
 
 
 def test_libraries_in_which_nothing_is_to_be_seen_come_last(tmp_path):  # R-C01

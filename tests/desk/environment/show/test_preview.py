@@ -39,8 +39,8 @@ def test_a_task_that_no_library_has_is_a_box_without_wires(sitting):  # R-G05
 
 
 def test_what_cannot_be_read_is_refused_with_its_reason(sitting):  # R-G05, R-X01
-    assert "there is no file" in sitting.no(act.Peek(str(sitting.base.path / "conf" / "none.conf"))).reason
-    assert "syntax" in sitting.no(act.Peek("/a/appl/b.appl")).reason
+    assert "there is no file" in str(sitting.no(act.Peek(str(sitting.base.path / "conf" / "none.conf"))).reason)
+    assert "syntax" in str(sitting.no(act.Peek("/a/appl/b.appl")).reason)
 
 
 def test_an_application_is_its_first_icons_with_their_edges(tmp_path):  # R-G05

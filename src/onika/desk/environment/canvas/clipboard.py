@@ -21,6 +21,9 @@ from onika.wire.view import Objection, Remedy, ShowLibraries, ShowTask
 from onika.words.fault import Refusal
 from onika.words.reason import Reason, Text
 
+_NAMED_FIRST = {"rules.task_placed": "task", "rules.constant_while_running": "reader"}
+"""Of reasons that begin with the name of a task, the argument that is this name."""
+
 
 @on_document
 def copy(model: Model, document: Document, command: act.Copy, _outside: Services) -> Done | No:
@@ -119,9 +122,10 @@ def objections(libraries: OpenLibraries, document: Document, taken: Clipboard) -
             open_one = Remedy(Reason.of("desk.open_library"), show=ShowLibraries())
             objections.append(Objection(Reason.of("desk.in_no_library", task=placed.task), (open_one,)))
         else:
-            for reason in reasons(against.get(task.name, ()), document.id, task):
-                remedies = tuple(remedy for remedy in reason.remedies if _helps(remedy, taken))
-                objections.append(Objection(_sentence(task.name, reason.text), remedies))
+            for refused in against.get(task.name, ()):
+                (objection,) = reasons((refused,), document.id, task)
+                remedies = tuple(remedy for remedy in objection.remedies if _helps(remedy, taken))
+                objections.append(Objection(_with_name(task.name, refused.reason), remedies))
     return objections
 
 
@@ -141,10 +145,12 @@ def _against(standing: Sequence[Task], pasted: Sequence[Task]) -> dict[str, tupl
     return refusals
 
 
-def _sentence(name: str, text: Text) -> Text:
-    if str(text).startswith(f"{name} "):
-        return text
-    return Reason.of("desk.named_wrong", name=name, why=text)
+def _with_name(name: str, reason: Reason) -> Reason:
+    """What speaks against a task, with its name in front where the sentence does not begin with it."""
+    is_named = reason.args.get(_NAMED_FIRST.get(reason.key, "")) == name
+    if is_named:
+        return reason
+    return Reason.of("desk.named_wrong", name=name, why=reason)
 
 
 def _helps(remedy: Remedy, taken: Clipboard) -> bool:

@@ -4,11 +4,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from onika.desk.environment.outcome.remedy import plain
+from onika.desk.environment.outcome.fault_text import simple
 from onika.desk.environment.outcome.trouble import said
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.icon_types import role_of
-from onika.desk.plan.icon_names import a_kind, in_words, kind_named
+from onika.desk.plan.icon_names import a_kind, kind_named
 from onika.files import conf
 from onika.model.onikon import Onikon
 from onika.model.rules import conflict, warning
@@ -68,7 +68,7 @@ def drafted(document: Document, site: Site) -> Draft | tuple[Text, ...]:
     tasks = _tasks(document, site.at(home.path))
     kind = job_type(document.content.configuration, tasks, syntax)
     if not isinstance(kind, ActionType):
-        return tuple(in_words(plain(refusal.reason)) for refusal in kind)
+        return tuple(simple(refusal.reason) for refusal in kind)
     former, taken = former_of(document.name, home, syntax, "job")
     acting = syntax.acting(kind.type)
     standing = [tasks[name] for name in document.content.names]

@@ -10,7 +10,7 @@ from onika.desk.environment.canvas.placement import absent, inside, several
 from onika.desk.environment.file.configurations import read
 from onika.desk.environment.outcome.on_file import closed, on_document
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.remedy import overwriting, plain
+from onika.desk.environment.outcome.remedy import overwriting
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.clipboard import Clipboard, copied
 from onika.desk.environment.state.document import Document
@@ -78,7 +78,7 @@ def save_group(model: Model, command: act.SaveGroup, outside: Services) -> Done 
     done = directory.save_configuration(_part(model, document, group), overwrites=command.overwrites)
     if isinstance(done, Refusal):
         again = act.SaveGroup(command.doc, command.name, command.base, overwrites=True)
-        return No(plain(done.reason), (*overwriting(done, again), *_elsewhere(command, base, outside)))
+        return No(done.reason, (*overwriting(done, again), *_elsewhere(command, base, outside)))
     return Done(model, value=str(done.path))
 
 

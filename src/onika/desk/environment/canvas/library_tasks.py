@@ -8,7 +8,7 @@ from onika.desk.environment.canvas.libraries import reread
 from onika.desk.environment.outcome import pin_changes
 from onika.desk.environment.outcome.clash import clashes, refused
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.remedy import overwriting, plain
+from onika.desk.environment.outcome.remedy import overwriting
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state import task_edit
 from onika.desk.environment.state.model import Model
@@ -95,7 +95,7 @@ def save_task(model: Model, command: act.SaveTask, _outside: Services) -> Done |
             *overwriting(done, act.SaveTask(command.task, overwrites=True)),
             Remedy(Reason.of("desk.take_as_filed"), act.ForgetTask(command.task)),
         )
-        return No(plain(done.reason), remedies)
+        return No(done.reason, remedies)
     return replace(_as_filed(model, command.task, path), value=str(path))
 
 

@@ -9,8 +9,8 @@ from pathlib import Path
 from onika.desk.environment.canvas import libraries
 from onika.desk.environment.canvas.library_tasks import unknown
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.remedy import plain
 from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.outcome.trouble import said
 from onika.desk.environment.state.model import Model
 from onika.files import rmod, whole
 from onika.wire import act, page
@@ -29,7 +29,7 @@ def read_text(model: Model, command: act.ReadText, _outside: Services) -> Done |
         return path
     text, faults = whole.read(path)
     if text is None:
-        return No("; ".join(plain(str(fault)) for fault in faults))
+        return No(Reason.of("run.faults_together", faults=tuple(fault.sentence for fault in faults)))
     return Done(model, value=_view(path, *text))
 
 
@@ -90,7 +90,8 @@ def _refused(path: Path, refused: Refusal, command: act.WriteText) -> No:
     fields = {"theirs": text[0], "stamp": text[1]} if text and text[1] != command.stamp else {}
     again = act.WriteText(command.task, command.kind, command.text, command.stamp, overwrites=True)
     is_other = bool(fields) or not path.exists()
-    return No(plain(refused.reason), (Remedy(Reason.of("desk.overwrite_it"), again),) if is_other else (), fields)
+    overwrite = Remedy(Reason.of("desk.overwrite_it"), again)
+    return No(refused.reason, (overwrite,) if is_other else (), fields)
 
 
 def _view(path: Path, text: str, stamp: whole.Stamp) -> TextView:
@@ -99,19 +100,19 @@ def _view(path: Path, text: str, stamp: whole.Stamp) -> TextView:
     return TextView(str(path), text, stamp, tuple(faults), is_read_only)
 
 
-def _rmod_faults(path: Path, text: str) -> list[tuple[int, str]]:
+def _rmod_faults(path: Path, text: str) -> list[tuple[int, Reason]]:
     _, faults = rmod.read(text, path.stem, path.name)
-    return [(fault.place.line, plain(f"{fault.reason}; {fault.instead}")) for fault in faults]
+    return [(fault.place.line, said(fault)) for fault in faults]
 
 
-def _code_faults(path: Path, text: str) -> list[tuple[int, str]]:
+def _code_faults(path: Path, text: str) -> list[tuple[int, Reason]]:
     """What the compiler says; nothing of the module is run."""
     with warnings.catch_warnings(record=True) as catch_warnings:
         warnings.simplefilter("always")
         try:
             compile(text, path.name, "exec", dont_inherit=True)
         except SyntaxError as error:
-            return [(error.lineno or 0, error.msg)]
+            return [(error.lineno or 0, Reason.plain(error.msg))]
         except (ValueError, RecursionError, MemoryError) as error:  # bytes of nothing; nested without end
-            return [(0, str(error) or "nested too deeply")]
-    return [(warning_message.lineno, str(warning_message.message)) for warning_message in catch_warnings]
+            return [(0, Reason.plain(str(error)) or Reason.of("run.code_nested"))]
+    return [(message.lineno, Reason.plain(str(message.message))) for message in catch_warnings]

@@ -20,8 +20,9 @@ from onika.store.opened_text import Faults, OpenedText
 from onika.wire import act, page
 from onika.words.fault import Refusal
 from onika.words.name import TASK_NAME
+from onika.words.reason import NOTHING, Reason, reason_of
 
-_NO_SYNTAX = "there are no types of icons: the definition OnikaUpperSetUp.dta could not be read"
+_NO_SYNTAX = Reason.of("run.definition_unread", file="OnikaUpperSetUp.dta")
 
 
 def new(model: Model, command: act.NewApplication, outside: Services) -> Done | No:
@@ -30,8 +31,9 @@ def new(model: Model, command: act.NewApplication, outside: Services) -> Done | 
     if model.syntax is None:
         return No(_NO_SYNTAX)
     if not 1 <= command.flows <= MOST_FLOWS:
-        form = f"from 1 to {MOST_FLOWS}"
-        return No(f"an application has {form} flows, not {command.flows}", fields={"flows": f"expected {form}"})
+        form = Reason.of("run.from_to", least=1, most=MOST_FLOWS)
+        reason = Reason.of("run.application_flows", form=form, count=command.flows)
+        return No(reason, fields={"flows": Reason.of("run.expected", form=form)})
     blank = Application(model.blank_name(), command.is_parallel, (AppFlow(()),) * command.flows)
     return _opened_beside(model, OpenApplication(_next_id(model), blank))
 
@@ -49,7 +51,7 @@ class Applications:
         base, name = where
         if not TASK_NAME.match(name):
             file = self.path(base, name).name
-            return No(f"{file} is no name of an application: expected letters, digits and _ . -, a letter first")
+            return No(Reason.of("run.no_application_name", file=file))
         reading = self.read_again(model, base, name)
         if isinstance(reading, FileReading):
             return reading
@@ -72,12 +74,12 @@ class Applications:
         opened = OpenApplication(_next_id(model), reading.opened.value, base=reading.base.path)
         return _opened_beside(model, _taken_over(opened, reading))
 
-    def loss(self, opened: OpenApplication, path: Path) -> str:
+    def loss(self, opened: OpenApplication, path: Path) -> Reason:
         """A file that could be read only in part is never overwritten without asking."""
         if not opened.is_partial or opened.opened is None or opened.opened.path != path:
-            return ""
+            return NOTHING
         first = next(fault.text for fault in opened.file_faults if fault.level == "fault")
-        return f"what could not be read of {path} would be lost: {first}"
+        return Reason.of("run.unread_lost", path=str(path), first=first)
 
     def path(self, base: BaseDirectory, name: str) -> Path:
         """The file of an application."""
@@ -90,7 +92,7 @@ class Applications:
         try:
             return base.save_application(replace(opened.value, name=name), opened.opened, overwrites=overwrites)
         except ValueError as wrong:
-            return No(f"{name} cannot be saved: {wrong}")
+            return No(Reason.of("run.cannot_be_saved", name=name, why=reason_of(wrong)))
 
     def saved(self, model: Model, opened: OpenApplication, file: OpenedText[Application], base: Path) -> Done:
         """It was saved there; one that runs stays what it is, and its copy is open beside it."""
@@ -118,9 +120,9 @@ class Applications:
         """Whether it runs."""
         return is_running(model, opened.id)
 
-    def at_fault(self, _faults: Faults) -> str:
+    def at_fault(self, _faults: Faults) -> Reason:
         """It cannot be shown at all."""
-        return "cannot be read now"
+        return Reason.of("run.unreadable_now")
 
 
 def _next_id(model: Model) -> str:
@@ -149,6 +151,6 @@ def _taken_over(here: OpenApplication, reading: FileReading[Application]) -> Ope
 def _copied(model: Model, opened: OpenApplication, file: OpenedText[Application], base: Path) -> Done:
     """The copy of one that runs is open beside it, to be changed; what runs stays what it is."""
     copy = OpenApplication(_next_id(model), file.value, opened.last_number, opened=file, base=base)
-    text = f"{copy.name} is open beside {opened.name}, and can be changed"
+    text = Reason.of("run.copy_open", copy=copy.name, name=opened.name)
     done = _opened_beside(model, copy)
     return replace(done, value=str(file.path), says=(page.Say("info", text, copy.id),))

@@ -6,7 +6,7 @@ from pathlib import Path
 from onika.desk.environment.file.file_kind import READ_AGAIN, FileReading, place
 from onika.desk.environment.outcome.other_tasks import with_other_tasks
 from onika.desk.environment.outcome.outcome import Done, No, Order
-from onika.desk.environment.outcome.remedy import plain, unreadable
+from onika.desk.environment.outcome.remedy import unreadable
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
@@ -19,6 +19,10 @@ from onika.store.opened_text import Faults, OpenedText
 from onika.wire import act, live
 from onika.wire.view import Remedy
 from onika.words.fault import Refusal
+from onika.words.reason import NOTHING, Reason
+
+_MANY = 3
+"""Tasks of which only the number is said."""
 
 
 def new(model: Model, _asked: act.New, _outside: Services) -> Done | No:
@@ -66,9 +70,9 @@ class Configurations:
             done = replace(done, model=done.model.without(blank[0].id))  # as everywhere: it makes room
         return done
 
-    def loss(self, _document: Document, _path: Path) -> str:
+    def loss(self, _document: Document, _path: Path) -> Reason:
         """Nothing is lost: configurations are read whole, or not at all."""
-        return ""
+        return NOTHING
 
     def path(self, base: BaseDirectory, name: str) -> Path:
         """The file of a configuration."""
@@ -113,9 +117,9 @@ class Configurations:
         """Whether its tasks live."""
         return document.live is not None
 
-    def at_fault(self, faults: Faults) -> str:
+    def at_fault(self, faults: Faults) -> Reason:
         """What is wrong with it now."""
-        return f"is at fault now: {'; '.join(plain(str(fault)) for fault in faults)}"
+        return Reason.of("run.now_at_fault", faults=tuple(fault.sentence for fault in faults))
 
 
 def _read(base: BaseDirectory, name: str) -> FileReading[Configuration] | Faults:
@@ -127,12 +131,13 @@ def _read(base: BaseDirectory, name: str) -> FileReading[Configuration] | Faults
 
 def _asked_about(document: Document, moving: list[str], *, discards: bool) -> No:
     """Nobody would see any more what goes on moving."""
-    names = " and ".join(moving) if len(moving) < 3 else f"{len(moving)} tasks"
-    remedies = (
-        Remedy("End all its tasks and close", act.Close(document.id, discards, "end")),
-        Remedy("Let them run and close", act.Close(document.id, discards, "leave")),
-    )
-    return No(f"{names} of {document.name} {'is' if len(moving) == 1 else 'are'} ON", remedies)
+    if len(moving) < _MANY:
+        reason = Reason.of("run.are_on", names=tuple(moving), name=document.name)
+    else:
+        reason = Reason.of("run.many_are_on", count=len(moving), name=document.name)
+    end = Remedy(Reason.of("run.end_and_close"), act.Close(document.id, discards, "end"))
+    leave = Remedy(Reason.of("run.leave_and_close"), act.Close(document.id, discards, "leave"))
+    return No(reason, (end, leave))
 
 
 def _is_untouched(document: Document) -> bool:

@@ -12,7 +12,7 @@ from onika.desk.environment.file.configurations import Configurations
 from onika.desk.environment.file.file_kind import FileKind
 from onika.desk.environment.outcome.on_file import AnyFile, busy, on_file
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.remedy import overwriting, plain
+from onika.desk.environment.outcome.remedy import overwriting
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_file import DocumentKind
@@ -23,6 +23,7 @@ from onika.wire import act
 from onika.wire.view import Remedy, ShowSaveAs
 from onika.words.fault import Refusal
 from onika.words.name import TASK_NAME
+from onika.words.reason import Reason
 
 KINDS: Mapping[DocumentKind, FileKind[Any, Any]] = {
     DocumentKind.CONFIGURATION: Configurations(),
@@ -47,24 +48,23 @@ def save(model: Model, file: AnyFile, command: act.Save, outside: Services) -> D
     """Save an open file; the value is its path."""
     kind, name = KINDS[file.kind], command.name or file.name
     if not TASK_NAME.match(name):
-        form = "a name of letters, digits and _ . - that begins with a letter"
-        return No(f"{name!r} is no name for a file", fields={"name": f"expected {form}"})
+        form = Reason.of("run.file_name_form")
+        return No(Reason.of("run.no_file_name", name=name), fields={"name": Reason.of("run.expected", form=form)})
     own = outside.site.own
     base = Path(command.base).expanduser().absolute() if command.base else file.base or (own if command.name else None)
     if base is None:
-        return No("it has no file yet: give it a name and a base directory", (Remedy("Save as…", show=ShowSaveAs()),))
+        return No(Reason.of("run.save_nowhere"), (_elsewhere(),))
     if is_shipped(base) and not command.overwrites:
         return _shipped(command, name, own)
     again = act.Save(command.doc, command.name, command.base, overwrites=True)
-    elsewhere = Remedy("Save as…", show=ShowSaveAs())
     loss = kind.loss(file, kind.path(BaseDirectory(base), name))
     if loss and not command.overwrites:
-        return No(loss, (elsewhere, Remedy("Overwrite it", again)))
+        return No(loss, (_elsewhere(), Remedy(Reason.of("desk.overwrite_it"), again)))
     opened = kind.write(BaseDirectory(base), name, file, overwrites=command.overwrites)
     if isinstance(opened, No):
         return opened
     if isinstance(opened, Refusal):
-        return No(plain(opened.reason), (*overwriting(opened, again), elsewhere))
+        return No(opened.reason, (*overwriting(opened, again), _elsewhere()))
     return kind.saved(model, file, opened, base)
 
 
@@ -75,8 +75,9 @@ def close(model: Model, file: AnyFile, command: act.Close, _outside: Services) -
     if refused is not None:
         return refused
     if file.is_unsaved and not command.discards:
-        remedies = (Remedy("Save it first", act.Save(command.doc)), Remedy("Discard it", act.Close(command.doc, True)))
-        return No(f"{file.name} is not saved", remedies)
+        save_first = Remedy(Reason.of("run.save_first"), act.Save(command.doc))
+        discard = Remedy(Reason.of("run.discard"), act.Close(command.doc, True))
+        return No(Reason.of("run.is_not_saved", name=file.name), (save_first, discard))
     return KINDS[file.kind].close(model, file, command.alive, discards=command.discards)
 
 
@@ -87,7 +88,7 @@ def reload(model: Model, file: AnyFile, _command: act.Reload, outside: Services)
     if refused is not None:
         return refused
     if file.opened is None:
-        return No(f"{file.name} has no file yet")
+        return No(Reason.of("run.has_no_file", name=file.name))
     reading = KINDS[file.kind].read(model, str(file.opened.path), outside)
     if isinstance(reading, No):
         return reading
@@ -120,6 +121,12 @@ def _kind(path_or_name: str, outside: Services) -> DocumentKind:
 
 def _shipped(command: act.Save, name: str, own: Path | None) -> No:
     """What comes with Onika is not changed by the way."""
-    here = () if own is None else (Remedy(f"Save a copy in {own}", act.Save(command.doc, name, str(own))),)
-    meant = Remedy("Change the shipped one", act.Save(command.doc, command.name, command.base, overwrites=True))
-    return No(f"{name} would be part of Onika itself there", (*here, Remedy("Save as…", show=ShowSaveAs()), meant))
+    label = Reason.of("run.save_copy_in", base=str(own))
+    here = () if own is None else (Remedy(label, act.Save(command.doc, name, str(own))),)
+    again = act.Save(command.doc, command.name, command.base, overwrites=True)
+    meant = Remedy(Reason.of("run.change_shipped"), again)
+    return No(Reason.of("run.would_be_shipped", name=name), (*here, _elsewhere(), meant))
+
+
+def _elsewhere() -> Remedy:
+    return Remedy(Reason.of("desk.save_as"), show=ShowSaveAs())

@@ -12,8 +12,9 @@ from onika.desk.environment.state.open_file import DocumentKind
 from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import Faults, OpenedText
 from onika.words.fault import Refusal
+from onika.words.reason import Reason
 
-READ_AGAIN = "reading the file again"
+READ_AGAIN = Reason.of("run.reading_again")
 
 _T = TypeVar("_T")
 _F = TypeVar("_F")
@@ -44,7 +45,7 @@ class FileKind(Protocol[_F, _T]):
         """What was read is open beside the others; the value is its id."""
         ...
 
-    def loss(self, file: _F, path: Path, /) -> str:
+    def loss(self, file: _F, path: Path, /) -> Reason:
         """What would be lost if it were saved there; empty: nothing."""
         ...
 
@@ -76,7 +77,7 @@ class FileKind(Protocol[_F, _T]):
         """Whether something that lives or runs is of it."""
         ...
 
-    def at_fault(self, faults: Faults, /) -> str:
+    def at_fault(self, faults: Faults, /) -> Reason:
         """What is said of a file that cannot be read any more."""
         ...
 
@@ -87,14 +88,16 @@ def place(path_or_name: str, kind: DocumentKind, outside: Services) -> tuple[Bas
     path = Path(path_or_name)
     if path.suffix == f".{folder}":
         if not path.is_file():
-            return No(f"{path} is no file" if path.exists() else f"there is no file {path}")
+            key = "run.not_a_file" if path.exists() else "run.no_file_there"
+            return No(Reason.of(key, path=str(path)))
         if path.absolute().parent.name != folder:
-            return No(f"{path} stands in no folder {folder}/ of a base directory: what it names could not be found")
+            return No(Reason.of("run.outside_folder", path=str(path), folder=folder))
         return BaseDirectory(path.absolute().parent.parent), path.stem
     bases = [base for base in outside.site.directories if path_or_name in names_of(base, kind)]
     if not bases:
-        article = "an" if kind is DocumentKind.APPLICATION else "a"
-        return No(f"no base directory on the search path has {article} {kind.value} {path_or_name}")
+        is_application = kind is DocumentKind.APPLICATION
+        key = "run.none_on_path_application" if is_application else "run.none_on_path_configuration"
+        return No(Reason.of(key, name=path_or_name))
     return bases[0], path_or_name
 
 

@@ -12,6 +12,7 @@ from onika.files import text
 from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import Faults
 from onika.wire import page
+from onika.words.reason import Reason
 
 
 def refreshed(model: Model, changed: Set[Path]) -> tuple[Model, list[page.Say], Faults]:
@@ -34,18 +35,18 @@ def _refreshed(model: Model, file: AnyFile, path: Path, former: str) -> tuple[An
     """What is not saved here, lives or runs, is never touched."""
     kind, name = KINDS[file.kind], file.name
     if not path.is_file():
-        line = f"{path} was removed; {name} is still here and can be saved again"
+        line = Reason.of("run.was_removed", path=str(path), name=name)
         return file.differing(True), [page.Say("warning", line, file.id)], ()
     if text.load(path, str(path))[0] == former:
         return file.differing(False), [], ()
     reading = kind.read_again(model, BaseDirectory(path.parent.parent), path.stem)
     if not isinstance(reading, FileReading):
-        line = f"{name} was changed by somebody else and {kind.at_fault(reading)}"
+        line = Reason.of("run.changed_by_other", name=name, what=kind.at_fault(reading))
         faults = reading if file.kind is DocumentKind.CONFIGURATION else ()
         return file.differing(True), [page.Say("warning", line, file.id)], faults
     if file.is_unsaved or kind.is_in_use(model, file):
-        line = f"{name} was changed on the disk by somebody else; what is here stays until you read it again"
+        line = Reason.of("run.changed_stays", name=name)
         return file.differing(True), [page.Say("warning", line, file.id)], ()
     now = kind.refreshed(file, reading)
-    line = f"{name} was changed on the disk by somebody else and is read again"
+    line = Reason.of("run.changed_read_again", name=name)
     return now, [page.Say("warning" if reading.is_partial else "info", line, file.id)], ()

@@ -24,6 +24,7 @@ from onika.desk.environment.state.open_file import DocumentKind
 from onika.files import appl, text, whole
 from onika.wire import page
 from onika.words.fault import Refusal
+from onika.words.reason import Reason, reason_of
 
 _LOCK = ".lock"
 _ENDING = ".json"
@@ -92,10 +93,11 @@ def reopened(model: Model, recovered: Sequence[RecoveryRecord]) -> Done:
         try:
             document = _of(model, record, number, name)
         except ValueError as wrong:
-            says.append(page.Say("warning", f"{record.name} was not saved and cannot be had back: {wrong}"))
+            lost = Reason.of("run.not_had_back", name=record.name, why=reason_of(wrong))
+            says.append(page.Say("warning", lost))
             continue
         model = replace(model.with_file(document), opened=number)
-        sentence = f"{document.name} was not saved when Onika ended: it is open as it was"
+        sentence = Reason.of("run.had_back", name=document.name)
         says.append(page.Say("info", sentence, document.id))
     return Done(model, says=tuple(says))
 
@@ -105,7 +107,7 @@ def _of(model: Model, rescue: RecoveryRecord, number: int, name: str) -> Documen
     if rescue.kind != appl.ENDING:
         return document_of(rescue, DocumentKind.CONFIGURATION.id(number), name)
     if model.syntax is None:
-        raise ValueError("there are no types of icons")
+        raise ValueError(Reason.of("run.icon_types_missing"))
     return application_of(rescue, DocumentKind.APPLICATION.id(number), model.syntax, name)
 
 

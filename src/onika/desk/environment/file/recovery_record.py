@@ -13,7 +13,8 @@ from onika.desk.environment.state.open_file import DocumentKind
 from onika.files import appl, conf, text
 from onika.model.flow_path import numbered
 from onika.model.syntax import Syntax
-from onika.store.opened_text import OpenedText
+from onika.store.opened_text import Faults, OpenedText
+from onika.words.reason import Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +68,7 @@ def document_of(rescue: RecoveryRecord, doc: str, name: str = "") -> Document:
     name = name or rescue.name
     configuration, faults = conf.read(rescue.text, name, name)
     if configuration is None:
-        raise ValueError("; ".join(map(str, faults)))
+        raise ValueError(_all_of(faults))
     path = Path(rescue.path) if rescue.path else None
     former = conf.read(rescue.former, rescue.name, rescue.path)[0] if path else None
     opened = OpenedText(former, path, rescue.former) if path and former else None
@@ -85,7 +86,7 @@ def application_of(rescue: RecoveryRecord, doc: str, syntax: Syntax, name: str =
     name = name or rescue.name
     application, faults = appl.salvage(rescue.text, name, name, syntax)
     if application is None:
-        raise ValueError("; ".join(map(str, faults)))
+        raise ValueError(_all_of(faults))
     application, last = numbered(application, 0)
     here = OpenApplication(doc, application, last, base=Path(rescue.base) if rescue.base else None)
     if not rescue.path:
@@ -100,6 +101,10 @@ def application_of(rescue: RecoveryRecord, doc: str, syntax: Syntax, name: str =
         is_partial=is_partial,
         has_changed_on_disk=_has_changed(rescue),
     )
+
+
+def _all_of(faults: Faults) -> Reason:
+    return Reason.of("run.faults_together", faults=tuple(fault.sentence for fault in faults))
 
 
 def _text(document: Document | OpenApplication) -> str:

@@ -19,6 +19,7 @@ from onika.model.application import Application
 from onika.model.task import Task
 from onika.wire import act
 from onika.wire.view import Remedy
+from onika.words.reason import Reason
 
 
 @on_file
@@ -28,7 +29,7 @@ def undo(model: Model, file: AnyFile, command: act.Undo, _outside: Services) -> 
     if refused_ is not None:
         return refused_
     if file.history.last is None:
-        return No("there is nothing to take back")
+        return No(Reason.of("run.nothing_to_undo"))
     if isinstance(file, OpenApplication):
         return _application(model, file, file.history.undone(), is_undo=True)
     return _undone(model, file, file.history.last, command)
@@ -41,7 +42,7 @@ def redo(model: Model, file: AnyFile, command: act.Redo, _outside: Services) -> 
     if refused_ is not None:
         return refused_
     if file.history.next is None:
-        return No("there is nothing to do again")
+        return No(Reason.of("run.nothing_to_redo"))
     if isinstance(file, OpenApplication):
         return _application(model, file, file.history.redone(), is_undo=False)
     return _redone(model, file, file.history.next, command)
@@ -130,22 +131,36 @@ def _undone(model: Model, document: Document, step: UndoStep[Content], command: 
     risk = _comes_on(document, step.after, step.before)
     if risk and not command.confirmed:
         meant = act.Undo(command.doc, confirmed=True)
+<<<<<<< HEAD
         return No(f"taking back “{step.label}” turns {risk} ON again", (Remedy("Go on", meant),))
     way = _Way(
         step, step.after, step.before, step.edits_after, step.edits_before, step.libraries_before, step.file_before
     )
     return _restored(model, document, way, document.history.undone(), f"“{step.label}” cannot be taken back")
+=======
+        reason = Reason.of("run.undo_turns_on", step=step.label, names=risk)
+        return No(reason, (Remedy(Reason.of("desk.go_on"), meant),))
+    way = _Way(step, step.after, step.before, step.edits_after, step.edits_before, step.shelf_before, step.file_before)
+    return _restored(model, document, way, document.history.undone(), Reason.of("run.not_undone", step=step.label))
+>>>>>>> a6ff7c70 (What rules and files refuse, and what could be done instead, is reasons; a page shows names without a terminal's marks)
 
 
 def _redone(model: Model, document: Document, step: UndoStep[Content], command: act.Redo) -> Done | No:
     risk = _comes_on(document, step.before, step.after)
     if risk and not command.confirmed:
         meant = act.Redo(command.doc, confirmed=True)
+<<<<<<< HEAD
         return No(f"doing “{step.label}” again turns {risk} ON", (Remedy("Go on", meant),))
     way = _Way(
         step, step.before, step.after, step.edits_before, step.edits_after, step.libraries_after, step.file_after
     )
     return _restored(model, document, way, document.history.redone(), f"“{step.label}” cannot be done again")
+=======
+        reason = Reason.of("run.redo_turns_on", step=step.label, names=risk)
+        return No(reason, (Remedy(Reason.of("desk.go_on"), meant),))
+    way = _Way(step, step.before, step.after, step.edits_before, step.edits_after, step.shelf_after, step.file_after)
+    return _restored(model, document, way, document.history.redone(), Reason.of("run.not_redone", step=step.label))
+>>>>>>> a6ff7c70 (What rules and files refuse, and what could be done instead, is reasons; a page shows names without a terminal's marks)
 
 
 def _application(model: Model, opened: OpenApplication, history: History[Application], *, is_undo: bool) -> Done:
@@ -157,7 +172,7 @@ def _application(model: Model, opened: OpenApplication, history: History[Applica
     return Done(model.with_application(opened), step.label, opened.id)
 
 
-def _restored(model: Model, document: Document, way: _Way, history: History[Content], cannot: str) -> Done | No:
+def _restored(model: Model, document: Document, way: _Way, history: History[Content], cannot: Reason) -> Done | No:
     wanted = moved_wanted(document.content.wanted, way.start, way.end) if document.live else {}
     names = {placed.task for placed in way.end.configuration.placed}
     kept = {name: is_on for name, is_on in wanted.items() if name in names}
@@ -176,10 +191,10 @@ def _restored(model: Model, document: Document, way: _Way, history: History[Cont
     return Done(replace(others, documents=documents), way.step.label, document.id)
 
 
-def _comes_on(document: Document, start: Content, end: Content) -> str:
+def _comes_on(document: Document, start: Content, end: Content) -> tuple[str, ...]:
     """The tasks that would come ON in the running system."""
     if document.live is None:
-        return ""
+        return ()
     now = document.content.wanted
     after = moved_wanted(now, start, end)
-    return " and ".join(sorted(name for name, is_on in after.items() if is_on and not now.get(name)))
+    return tuple(sorted(name for name, is_on in after.items() if is_on and not now.get(name)))

@@ -3,12 +3,11 @@
 from collections.abc import Iterator, Sequence
 
 from onika.desk.environment.canvas.draft import Draft, former_of, namesakes, of_type
-from onika.desk.environment.outcome.fault_text import said
+from onika.desk.environment.outcome.fault_text import said, simple
 from onika.desk.environment.outcome.outcome import No
-from onika.desk.environment.outcome.remedy import plain
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.plan.icon_names import a_kind, in_words, kind_named
+from onika.desk.plan.icon_names import a_kind, kind_named
 from onika.model.application import Icon, every_flow
 from onika.model.rules import hole, shape
 from onika.model.rules.iconify import ActionType, application_type
@@ -67,7 +66,7 @@ def _elsewhere() -> Remedy:
 def _refused(opened: OpenApplication, syntax: Syntax, refused: Sequence[Refusal]) -> Reason:
     """What is wrong with its steps, which comes first, in the words of the list beside it; then what its holes want."""
     wrong = [said(fault) for fault in shape.faults(Outline.of(opened.application, syntax, opened.name), syntax)]
-    wanted = [in_words(plain(refusal.reason)) for refusal in refused[len(wrong) :]]
+    wanted = [simple(refusal.reason) for refusal in refused[len(wrong) :]]
     return Reason.of("desk.several_reasons", reasons=tuple(dict.fromkeys((*wrong, *wanted))))
 
 

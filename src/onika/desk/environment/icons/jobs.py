@@ -10,7 +10,7 @@ from onika.desk.environment.icons import application_icon
 from onika.desk.environment.icons.dictionaries import shown_at_once
 from onika.desk.environment.outcome.on_file import closed
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.remedy import overwriting, plain
+from onika.desk.environment.outcome.remedy import overwriting
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.icon_words import forgotten, told_again
@@ -52,7 +52,7 @@ def make_job(model: Model, command: act.MakeJob, outside: Services) -> Done | No
     saved = job.home.save_onikon(made, job.former, overwrites=command.overwrites)
     if isinstance(saved, Refusal):
         again = overwriting(saved, msgspec.structs.replace(command, overwrites=True), Reason.of("desk.replace_it"))
-        return No(plain(saved.reason), () if command.overwrites else again)
+        return No(saved.reason, () if command.overwrites else again)
     text = Reason.of("desk.icon_made", name=name, what=job.says, kind=kind_named(made.type), path=str(saved.path))
     source = file_index.again(job.source, model.syntax)
     model = source.beside(model) if source else model  # what was saved just now is what the icon is judged by

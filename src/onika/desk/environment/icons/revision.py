@@ -8,7 +8,7 @@ import msgspec
 from onika.desk.environment.icons.dictionaries import shown_at_once
 from onika.desk.environment.icons.uses import users_of
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.remedy import overwriting, plain
+from onika.desk.environment.outcome.remedy import overwriting
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state import target_values
 from onika.desk.environment.state.dictionary import home_of
@@ -46,7 +46,7 @@ def edit_onikon(model: Model, command: act.EditOnikon, outside: Services) -> Don
     saved = target.save_onikon(changed, None if is_copy else opened, overwrites=command.overwrites and not is_copy)
     if isinstance(saved, Refusal):
         meant = overwriting(saved, msgspec.structs.replace(command, overwrites=True))
-        return No(plain(saved.reason), () if is_copy or command.overwrites else meant)
+        return No(saved.reason, () if is_copy or command.overwrites else meant)
     gone = forgotten(opened.value, changed.description)
     lost = Reason.of("desk.icon_words_lost", why=gone) if gone else NOTHING
     text = Reason.of("desk.icon_changed", name=command.onikon, path=str(saved.path), lost=lost)

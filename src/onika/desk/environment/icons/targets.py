@@ -6,7 +6,7 @@ import msgspec
 
 from onika.desk.environment.icons.dictionaries import shown_at_once
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.remedy import overwriting, plain
+from onika.desk.environment.outcome.remedy import overwriting
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state import target_values
 from onika.desk.environment.state.dictionary import home_of
@@ -50,7 +50,7 @@ def make_target(model: Model, command: act.MakeTarget, outside: Services) -> Don
     saved = home.save_onikon(onikon, former, overwrites=command.overwrites)
     if isinstance(saved, Refusal):
         again = msgspec.structs.replace(command, overwrites=True)
-        return No(plain(saved.reason), overwriting(saved, again, Reason.of("desk.replace_it")))
+        return No(saved.reason, overwriting(saved, again, Reason.of("desk.replace_it")))
     text = Reason.of("desk.target_made", name=command.name, kind=a_kind(kind.name), path=str(saved.path))
     now = shown_at_once(model, saved.path, outside.site)
     return Done(now, value=command.name, says=(page.Say("success", text),))

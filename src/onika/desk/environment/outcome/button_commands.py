@@ -51,7 +51,7 @@ class Commands:
         try:
             command = _Command(line, self._environment)
         except (OSError, ValueError) as wrong:
-            return Refusal(str(wrong))
+            return Refusal(Reason.plain(str(wrong)))
         self._running[button.name] = command
         command.begin(self._shower(button.name))
         lacks_terminal = button.spawns_terminal and not terminal

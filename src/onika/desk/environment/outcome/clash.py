@@ -3,7 +3,7 @@
 from collections.abc import Collection, Iterator
 
 from onika.desk.environment.outcome.outcome import No
-from onika.desk.environment.outcome.remedy import coded, plain, reasons
+from onika.desk.environment.outcome.remedy import coded, reasons
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import OpenLibraries
@@ -42,29 +42,28 @@ def _beside(task: Task, document: Document, before: OpenLibraries, after: OpenLi
         if other is None or name == task.name:
             continue
         known = _known(before.tasks.get(task.name), before.tasks.get(name))
-        for one in placement.refusals(task, (other,)):
-            if one.reason not in known:
-                reason = Reason.of("run.objection_in", name=document.name, reason=_said(one, task))
-                yield Objection(reason, _remedies(one, other, document))
+        for refusal in placement.refusals(task, (other,)):
+            if refusal.reason not in known:
+                reason = Reason.of("run.objection_in", name=document.name, reason=_told(refusal, task))
+                yield Objection(reason, _remedies(refusal, other, document))
 
 
-def _known(task: Task | None, other: Task | None) -> set[str]:
+def _known(task: Task | None, other: Task | None) -> set[Reason]:
     if task is None or other is None:
         return set()
-    return {str(one.reason) for one in placement.refusals(task, (other,))}
+    return {refusal.reason for refusal in placement.refusals(task, (other,))}
 
 
-def _said(one: Refusal, task: Task) -> Text:
-    text = plain(one.reason)
-    speaks_of_task = str(text).startswith("writes")
-    if speaks_of_task:
-        return Reason.of("run.task_speaks", task=task.name, reason=text)
-    return text
+def _told(refusal: Refusal, task: Task) -> Reason:
+    """Why a task may not stand there, with its name where the rule leaves that to the reader."""
+    if refusal.reason.key == "rules.output_written":
+        return Reason.of("run.task_speaks", task=task.name, reason=refusal.reason)
+    return refusal.reason
 
 
-def _remedies(one: Refusal, other: Task, document: Document) -> tuple[Remedy, ...]:
+def _remedies(refusal: Refusal, other: Task, document: Document) -> tuple[Remedy, ...]:
     """The ways out on the side of the other task: what is wrong with the changed one is being typed just now."""
-    svars = [words.removeprefix("alias ") for words in one.remedies if words.startswith("alias ")]
+    svars = [str(way.args["svar"]) for way in refusal.remedies if way.key == "rules.alias"]
     aliases = (
         Remedy(Reason.of("run.alias", svar=svar, task=other.name), show=ShowPin(other.name, coded(other, svar)))
         for svar in svars

@@ -3,10 +3,7 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from msgspec import structs
-
-from onika.desk.environment.outcome.remedy import plain
-from onika.desk.plan.icon_names import kind_named
+from onika.desk.environment.outcome.kind_text import kind_text
 from onika.words.catalogue import sentence
 from onika.words.fault import Fault
 from onika.words.reason import Argument, Reason
@@ -42,6 +39,9 @@ _SENTENCES = {
     "rules.end_unfit": "run.end_unfit",
     "rules.flow_empty": "run.flow_empty",
     "rules.hanging": "run.hanging",
+    "rules.holes_undefined": "rules.holes_undefined",
+    "rules.holes_untyped": "rules.holes_untyped",
+    "rules.holes_untyped_wholly": "rules.holes_untyped_wholly",
     "rules.kind_of_trigger": "run.kind_of_trigger",
     "rules.kind_unknown": "run.kind_unknown",
     "rules.loop_at_one_action": "run.loop_at_one_action",
@@ -57,6 +57,7 @@ _SENTENCES = {
     "rules.tag_alone": "run.tag_alone",
     "rules.tag_not_parallel": "run.tag_not_parallel",
     "rules.target_missing": "run.target_missing",
+    "rules.target_undefined": "rules.target_undefined",
     "rules.task_in": "run.task_in",
     "rules.task_in_flow": "run.task_in",
     "rules.icon_of_kind": "run.icon_of_kind",
@@ -67,7 +68,7 @@ _SENTENCES = {
     "runtime.port_undeclared": "run.no_port",
     "store.name_twice": "run.name_twice",
 }
-"""Of a reason, by its key, the sentence that says it without places; it takes arguments of that reason."""
+"""Of a reason, by its key, the sentence that says it without places and files' names of types, with its arguments."""
 
 _WHY = {"desk.substitute_unfit": "reason", "host.devices_unfit": "why", "runtime.local_unfit": "why"}
 """Reasons of which one argument says it all."""
@@ -103,11 +104,6 @@ def arguments(reason: Reason) -> dict[str, Argument]:
         if isinstance(value, Reason):
             every = arguments(value) | every
     return every
-
-
-def bare(reason: Reason) -> Reason:
-    """The reason without the marks that terminals show names with."""
-    return structs.replace(reason, text=plain(reason))
 
 
 def together(faults: Iterable[Fault]) -> list[Fault]:
@@ -151,7 +147,7 @@ def _special(reason: Reason) -> Reason | None:
         why = args[_WHY[reason.key]]
         if isinstance(why, Reason):
             return simple(why)
-        return Reason.plain(plain(str(why)))
+        return Reason.plain(str(why))
     return None
 
 
@@ -188,8 +184,6 @@ def _argument(name: str, value: Argument) -> Argument:
         if value.key == "rules.tag_of":
             return value.args["tag"]
         return simple(value)
-    if isinstance(value, str):
-        if name in _KINDS:
-            return kind_named(value)
-        return plain(value)
+    if isinstance(value, str) and name in _KINDS:
+        return kind_text(value)
     return value

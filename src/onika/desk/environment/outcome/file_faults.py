@@ -3,7 +3,6 @@
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from onika.desk.environment.outcome.fault_text import bare
 from onika.wire import page
 from onika.words.fault import Fault
 from onika.words.reason import Reason
@@ -35,7 +34,7 @@ def _lines(folder: Path, found: list[Fault], *, is_out: bool) -> Iterator[page.S
         yield _line(Reason.of(key, count=count, where=f"{folder.parent.name}/{folder.name}"), found)
         return
     for one in found:
-        yield _line(bare(one.sentence), [one])
+        yield _line(one.sentence, [one])
 
 
 def _line(reason: Reason, found: list[Fault]) -> page.Say:

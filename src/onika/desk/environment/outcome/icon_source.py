@@ -3,12 +3,11 @@
 from collections.abc import Iterable
 from pathlib import Path
 
+from onika.desk.environment.outcome.fault_text import simple
 from onika.desk.environment.outcome.kind_text import kind_text, with_article
-from onika.desk.environment.outcome.remedy import plain
 from onika.desk.environment.state.dictionary import Dictionary
 from onika.desk.environment.state.icon_types import role_of
 from onika.desk.environment.state.model import Model
-from onika.desk.plan.icon_names import in_words
 from onika.files import appl, conf
 from onika.model.configuration import Configuration
 from onika.model.onikon import Onikon
@@ -58,7 +57,7 @@ class Sources:
             key = "run.configuration_at_fault" if is_job else "run.application_at_fault"
             return Reason.of(key, path=path)
         if not isinstance(kind, ActionType):
-            return Reason.of("run.together", parts=tuple(in_words(plain(refusal.reason)) for refusal in kind))
+            return Reason.of("run.together", parts=tuple(simple(refusal.reason) for refusal in kind))
         if _is_alike((onikon.type, *onikon.more_targets), (kind.type, *kind.more_targets)):
             return ""
         key = "run.its_configuration_makes" if is_job else "run.its_application_makes"

@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping, Sequence
 
-from onika.desk.environment.outcome.fault_text import bare
 from onika.desk.environment.outcome.remedy import reasons
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import TaskFacts
@@ -115,4 +114,4 @@ def _conflict(document: Document, later: Task, earlier: Task, refused: Sequence[
 
 def said(fault: Fault) -> Reason:
     """A fault as a sentence without its place."""
-    return bare(Reason.of("run.fault_instead", reason=fault.reason, instead=fault.instead))
+    return Reason.of("run.fault_instead", reason=fault.reason, instead=fault.instead)

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable
 
-from onika.desk.environment.outcome.fault_text import bare
 from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.model.application import Application
@@ -38,5 +37,5 @@ def _view(fault: Fault, lines: list[tuple[int, int]], is_partial: bool) -> Fault
     reason = Reason.of("run.at_line", line=line, reason=fault.reason) if line else fault.reason
     step = before[-1] if before and line else 0
     if is_partial and not fault.is_note:
-        return FaultView(bare(reason), "fault", step)
-    return FaultView(bare(Reason.of("run.fault_instead", reason=reason, instead=fault.instead)), "warning", step)
+        return FaultView(reason, "fault", step)
+    return FaultView(Reason.of("run.fault_instead", reason=reason, instead=fault.instead), "warning", step)

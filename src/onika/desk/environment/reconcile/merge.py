@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 from onika.desk.environment.outcome.outcome import Done, Order
-from onika.desk.environment.outcome.remedy import plain
 from onika.desk.environment.reconcile import holders
 from onika.desk.environment.reconcile.live_facts import alive, settled, with_standing
 from onika.desk.environment.state.content import Content
@@ -149,7 +148,7 @@ def _says(document: Document, merged_tasks: Merge, subsystem_facts: SubsystemFac
     """What connecting has done, one line for each thing."""
     messages = []
     for name, refusals in merged_tasks.remove.items():
-        reasons = tuple(plain(refusal.reason) for refusal in refusals)
+        reasons = tuple(refusal.reason for refusal in refusals)
         reason = Reason.of("run.leaves_canvas", name=name, reasons=reasons)
         messages.append(page.Say("warning", reason, document.id))
     if merged_tasks.add:

@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 
 from onika.desk.environment.outcome.icon_source import Sources
-from onika.desk.environment.outcome.remedy import plain
 from onika.desk.environment.state import target_values
 from onika.desk.environment.state.dictionary import Dictionary
 from onika.desk.environment.state.icon_types import edges_of, role_of
@@ -25,7 +24,7 @@ def dictionary_views(model: Model) -> dict[str, DictionaryView]:
             path=str(dictionary.base.path),
             order=order,
             onikons=len(dictionary.onikons),
-            faults=tuple(plain(str(fault)) for fault in dictionary.faults),
+            faults=tuple(fault.sentence for fault in dictionary.faults),
             is_shipped=is_shipped(dictionary.base.path),
         )
         for order, dictionary in enumerate(model.dictionaries)

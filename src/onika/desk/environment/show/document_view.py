@@ -23,7 +23,7 @@ def library_views(libraries: OpenLibraries) -> dict[str, LibraryView]:
             path=str(library.base.path),
             order=order,
             tasks=len(library.tasks),
-            faults=tuple(str(fault) for fault in library.faults),
+            faults=tuple(fault.sentence for fault in library.faults),
             is_shipped=is_shipped(library.base.path),
         )
         for order, library in enumerate(in_order)

@@ -5,7 +5,6 @@ from pathlib import Path
 
 from onika.desk.environment.file import configurations
 from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.remedy import plain
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.icon_types import edges_of
 from onika.desk.environment.state.model import Model
@@ -17,6 +16,7 @@ from onika.model.syntax import Syntax
 from onika.store.base_directory import BaseDirectory
 from onika.wire import act
 from onika.wire.view import PeekIcon, PeekView
+from onika.words.reason import Reason
 
 _FLOWS, _ICONS = 2, 12
 """As many are drawn of an application."""
@@ -38,10 +38,10 @@ def peek(model: Model, command: act.Peek, outside: Services) -> Done | No:
 
 def _application(model: Model, path: Path) -> Done | No:
     if model.syntax is None:
-        return No("there is no syntax definition: icons have no types")
+        return No(Reason.of("run.no_syntax_definition"))
     application, faults = BaseDirectory(path.absolute().parent.parent).application(path.stem, model.syntax)
     if application is None:
-        return No(f"{path} cannot be read: " + "; ".join(plain(str(fault)) for fault in faults))
+        return No(Reason.of("run.cannot_be_read", path=str(path), faults=tuple(fault.sentence for fault in faults)))
     return Done(model, value=PeekView(application.name, flows=tuple(_flows(application, model.syntax))))
 
 
