@@ -1,4 +1,4 @@
-"""Counts what makes code hard to read: vague names, conditional expressions, complex functions, crowded folders.
+"""Counts what makes code hard to read: vague and ambiguous names, conditionals, complex functions, crowded folders.
 
 Usage: python tools/figures.py [--check] [--root ROOT]. Prints a table of what is counted in src/onika (folders also in
 browser/src) and where the worst stand. The limits stand in pyproject.toml under [tool.onika.figures]; with --check the
@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 from itertools import zip_longest
 from pathlib import Path, PurePosixPath
 
+import shared_names
 from import_graph import imports
 
 ROOT = Path(__file__).parents[1]
@@ -56,6 +57,7 @@ class Figures:
     folders: Counter[str] = field(default_factory=Counter)
     sentences: list[str] = field(default_factory=list)
     mutual: list[str] = field(default_factory=list)
+    ambiguous: list[str] = field(default_factory=list)
 
     def rows(self) -> list[tuple[str, str, float, list[str]]]:
         """The rows of the table: the name of the limit, what it is, the figure, and where the worst stand."""
@@ -72,6 +74,12 @@ class Figures:
             ("folder", "files in the largest folder", max(self.folders.values(), default=0), folders),
             ("sentences", "our own sentences taken apart", len(self.sentences), self.sentences),
             ("mutual-imports", "pairs of packages that import each other", len(self.mutual), self.mutual),
+            (
+                "ambiguous-names",
+                "class names of several packages without a reason",
+                len(self.ambiguous),
+                self.ambiguous,
+            ),
         ]
 
 
@@ -85,6 +93,7 @@ def count(root: Path) -> Figures:
             _count_page(figures, path.relative_to(root).as_posix(), path)
     figures.functions.sort(key=lambda row: (-row[0], row[1]))
     figures.mutual = sorted(f"{left} and {right}" for left, right in _mutual(root))
+    figures.ambiguous = shared_names.unexplained(root)
     return figures
 
 

@@ -7,7 +7,17 @@ import pytest
 import figures
 
 ROOMY = dict.fromkeys(
-    ("vague-names", "conditionals", "complex-functions", "complexity", "folder", "sentences", "mutual-imports"), 1000
+    (
+        "vague-names",
+        "conditionals",
+        "complex-functions",
+        "complexity",
+        "folder",
+        "sentences",
+        "mutual-imports",
+        "ambiguous-names",
+    ),
+    1000,
 )
 
 

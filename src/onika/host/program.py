@@ -5,7 +5,7 @@ from time import monotonic_ns
 from msgspec.structs import replace
 
 from onika.host.driver import Driver
-from onika.host.edit.editor import Editor, refused
+from onika.host.edit.editor import LiveEditor, refused
 from onika.host.inspection import Inspection
 from onika.host.loading.loader_client import LoaderClient, NotYet
 from onika.host.loading.module_description import describe
@@ -45,7 +45,7 @@ class RuntimeProgram:
         self._backlog = Backlog()
         self.subsystems = Subsystems(driver, server.tell, rtpus)
         driver.listen(self.subsystems)
-        self._editor = Editor(self.subsystems, loading)
+        self._editor = LiveEditor(self.subsystems, loading)
         self._run_commands = RunCommands(self.subsystems)
         self._presence = Presence(server, lambda: self.authority.watching, self._lease_of)
         self.authority = ControlAuthority(self.subsystems, server.tell, self._run_commands, self._presence.sessions)

@@ -27,7 +27,7 @@ from onika.words.reason import NOTHING, Reason
 Answer = Callable[[request.Response], None]
 
 
-class Editor:
+class LiveEditor:
     """One runtime's subsystems as they are held by hand."""
 
     def __init__(self, subsystems: Subsystems, loading: ModuleQuestions) -> None:
