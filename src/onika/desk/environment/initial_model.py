@@ -39,9 +39,5 @@ def opened(site: Site, state: Path | None, environment: Mapping[str, str]) -> tu
     faults = [*site.absent(), *of_preferences, *of_buttons, *of_syntax, *of_ends, *listed.faults]
     faults += [fault for dictionary in model.dictionaries for fault in dictionary.faults]
     faults += [fault for library in libraries for fault in library.faults]
-<<<<<<< HEAD
-    lines = [page.Say("warning", plain(of_settings))] if of_settings else []
-=======
-    lines = [page.Say("warning", of_habits)] if of_habits else []
->>>>>>> a6ff7c70 (What rules and files refuse, and what could be done instead, is reasons; a page shows names without a terminal's marks)
+    lines = [page.Say("warning", of_settings)] if of_settings else []
     return model, (*lines, *told(tuple(dict.fromkeys(faults))))

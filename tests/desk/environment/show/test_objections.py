@@ -57,15 +57,9 @@ def test_a_task_that_takes_a_variable_for_something_else_is_objected_to(librarie
     assert [one.show for one in reason.remedies] == [ShowPin("writer", "OUT"), ShowTask("reader")]
 
 
-<<<<<<< HEAD
 def test_a_second_master_of_a_device_is_objected_to(libraries):  # law 16
     (reason,) = objections(document("arm"), libraries)["other_arm"]
-    assert reason.text == "moves boxes:left, which arm moves already"
-=======
-def test_a_second_master_of_a_device_is_objected_to(shelf):  # law 16
-    (reason,) = objections(document("arm"), shelf)["other_arm"]
     assert str(reason.text) == "moves boxes:left, which `arm` moves already"
->>>>>>> a6ff7c70 (What rules and files refuse, and what could be done instead, is reasons; a page shows names without a terminal's marks)
     assert reason.remedies[0].act == act.Exchange("c1", "arm", "other_arm")
 
 

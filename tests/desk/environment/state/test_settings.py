@@ -34,15 +34,9 @@ def test_what_only_this_session_said_is_not_kept(tmp_path):  # R-C20, R-G05
 @pytest.mark.parametrize("content", [b"{", b'{"shows_warnings": 3}', b"\xff"])
 def test_a_file_that_cannot_be_read_is_named_and_the_defaults_hold(tmp_path, content):  # R-B07
     (tmp_path / NAME).write_bytes(content)
-<<<<<<< HEAD
     settings, wrong = read(tmp_path, {})
     assert settings == Settings()
-    assert str(tmp_path / NAME) in wrong
-=======
-    habits, wrong = read(tmp_path, {})
-    assert habits == Settings()
     assert str(tmp_path / NAME) in str(wrong)
->>>>>>> a6ff7c70 (What rules and files refuse, and what could be done instead, is reasons; a page shows names without a terminal's marks)
 
 
 def test_where_they_cannot_be_written_the_reason_is_given(tmp_path):

@@ -131,36 +131,24 @@ def _undone(model: Model, document: Document, step: UndoStep[Content], command: 
     risk = _comes_on(document, step.after, step.before)
     if risk and not command.confirmed:
         meant = act.Undo(command.doc, confirmed=True)
-<<<<<<< HEAD
-        return No(f"taking back “{step.label}” turns {risk} ON again", (Remedy("Go on", meant),))
+        reason = Reason.of("run.undo_turns_on", step=step.label, names=risk)
+        return No(reason, (Remedy(Reason.of("desk.go_on"), meant),))
     way = _Way(
         step, step.after, step.before, step.edits_after, step.edits_before, step.libraries_before, step.file_before
     )
-    return _restored(model, document, way, document.history.undone(), f"“{step.label}” cannot be taken back")
-=======
-        reason = Reason.of("run.undo_turns_on", step=step.label, names=risk)
-        return No(reason, (Remedy(Reason.of("desk.go_on"), meant),))
-    way = _Way(step, step.after, step.before, step.edits_after, step.edits_before, step.shelf_before, step.file_before)
     return _restored(model, document, way, document.history.undone(), Reason.of("run.not_undone", step=step.label))
->>>>>>> a6ff7c70 (What rules and files refuse, and what could be done instead, is reasons; a page shows names without a terminal's marks)
 
 
 def _redone(model: Model, document: Document, step: UndoStep[Content], command: act.Redo) -> Done | No:
     risk = _comes_on(document, step.before, step.after)
     if risk and not command.confirmed:
         meant = act.Redo(command.doc, confirmed=True)
-<<<<<<< HEAD
-        return No(f"doing “{step.label}” again turns {risk} ON", (Remedy("Go on", meant),))
+        reason = Reason.of("run.redo_turns_on", step=step.label, names=risk)
+        return No(reason, (Remedy(Reason.of("desk.go_on"), meant),))
     way = _Way(
         step, step.before, step.after, step.edits_before, step.edits_after, step.libraries_after, step.file_after
     )
-    return _restored(model, document, way, document.history.redone(), f"“{step.label}” cannot be done again")
-=======
-        reason = Reason.of("run.redo_turns_on", step=step.label, names=risk)
-        return No(reason, (Remedy(Reason.of("desk.go_on"), meant),))
-    way = _Way(step, step.before, step.after, step.edits_before, step.edits_after, step.shelf_after, step.file_after)
     return _restored(model, document, way, document.history.redone(), Reason.of("run.not_redone", step=step.label))
->>>>>>> a6ff7c70 (What rules and files refuse, and what could be done instead, is reasons; a page shows names without a terminal's marks)
 
 
 def _application(model: Model, opened: OpenApplication, history: History[Application], *, is_undo: bool) -> Done:

@@ -35,13 +35,8 @@ def _unread(libraries: OpenLibraries) -> dict[str, Objection]:
         return {}
     return {
         name: Objection(
-<<<<<<< HEAD
-            f"its module {task.module} cannot be used: {libraries.unread[task.module]}",
-            (Remedy("Source…", show=ShowSource(name)),),
-=======
-            Reason.of("run.module_unusable", module=task.module, why=shelf.unread[task.module]),
+            Reason.of("run.module_unusable", module=task.module, why=libraries.unread[task.module]),
             (Remedy(Reason.of("run.source"), show=ShowSource(name)),),
->>>>>>> a6ff7c70 (What rules and files refuse, and what could be done instead, is reasons; a page shows names without a terminal's marks)
         )
         for name, task in libraries.tasks.items()
         if task.module in libraries.unread

@@ -27,15 +27,9 @@ class Settings:
     shows_lower: bool = True
 
 
-<<<<<<< HEAD
-def read(state: Path | None, environment: Mapping[str, str]) -> tuple[Settings, str]:
+def read(state: Path | None, environment: Mapping[str, str]) -> tuple[Settings, Reason]:
     """The settings of a user, and a sentence where the file cannot be read: then the defaults hold."""
     settings, wrong = _kept(state / NAME if state else None)
-=======
-def read(state: Path | None, environment: Mapping[str, str]) -> tuple[Settings, Reason]:
-    """The habits of a user, and a sentence where the file cannot be read: then the defaults hold."""
-    habits, wrong = _kept(state / NAME if state else None)
->>>>>>> a6ff7c70 (What rules and files refuse, and what could be done instead, is reasons; a page shows names without a terminal's marks)
     named = {"shows_warnings": "ONIKA_WARNINGS", "shows_lower": "ONIKA_LOWER"}
     overrides = {habit: environment[name].lower() not in _NO for habit, name in named.items() if name in environment}
     return replace(settings, **overrides), wrong
@@ -49,13 +43,8 @@ def keep(state: Path | None, values: Mapping[str, bool]) -> Refusal | None:
     try:
         state.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-<<<<<<< HEAD
-        return Refusal(f"{state} cannot be made: {error.strerror}")
-    done = whole.write(state / NAME, msgspec.json.encode(asdict(settings)).decode() + "\n", whole.ANYTHING)
-=======
         return Refusal(Reason.of("run.folder_not_made", path=str(state), why=error.strerror or str(error)))
-    done = whole.write(state / NAME, msgspec.json.encode(asdict(habits)).decode() + "\n", whole.ANYTHING)
->>>>>>> a6ff7c70 (What rules and files refuse, and what could be done instead, is reasons; a page shows names without a terminal's marks)
+    done = whole.write(state / NAME, msgspec.json.encode(asdict(settings)).decode() + "\n", whole.ANYTHING)
     return done if isinstance(done, Refusal) else None
 
 
