@@ -1206,7 +1206,6 @@ export interface RecordingsView {
 export interface RecordingView {
   path: string;
   name: string;
-  began?: string;
   is_virtual?: boolean;
   is_whole?: boolean;
   is_completed?: boolean;

@@ -1,13 +1,9 @@
 // Español: frases que dice el entorno. Cada una por lo que es en inglés; lo que no está aquí queda en inglés.
 // `{0}` es lo primero que varía; `{=0}`, si a su vez es una frase de estas, se traduce también.
-import { esHeardDone } from './es.heard.done'
-import { esHeardEdit } from './es.heard.edit'
 import { esHeardHolding } from './es.heard.holding'
-import { esHeardReview } from './es.heard.review'
 
 export const esHeard: readonly (readonly [RegExp, string])[] = [
   // qué le falta a una aplicación
-  [/^(.+) does not fit behind (.+)$/, '{0} no encaja detrás de {1}'],
   [/^(.+) is out of reach: (.+)$/, '{0} está fuera de alcance: {=1}'],
   [
     /^the hand would lean (.+) degrees; this arm only holds it upright, fingers down$/,
@@ -18,12 +14,6 @@ export const esHeard: readonly (readonly [RegExp, string])[] = [
     'la muñeca quedaría a {0} m del hombro, son posibles {1} m',
   ],
   [/^joint (\d+) at (.+) rad is beyond (.+)$/, 'la articulación {0} a {1} rad pasa de {2}'],
-  [/^(\S+) does not write (.+), as (\S+) does$/, '{0} no escribe {1}, como hace {2}'],
-  [/^(\S+) reads (.+), which no task of (\S+) writes$/, '{0} lee {1}, que ninguna tarea de {2} escribe'],
-  [/^its device (\S+) is claimed by (\S+)$/, '{1} ya usa su dispositivo {0}'],
-  [/^its module (\S+) is used already, by (\S+)$/, '{1} ya usa su módulo {0}'],
-  [/^(\S+) lives in this flow already$/, '{0} ya está en este flujo'],
-  [/^(\S+) takes (.+), (\S+) takes (.+)$/, '{0} y {2} no admiten el mismo objetivo'],
   [
     /^expected (\S+) as a vector of length 1, found length (.+)$/,
     'se esperaba {0} como vector de longitud 1; tiene {1}',
@@ -43,7 +33,6 @@ export const esHeard: readonly (readonly [RegExp, string])[] = [
   [/^(\S+) runs$/, '{0} se ejecuta'],
   [/^aborted by the user$/, 'interrumpida por el usuario'],
   [/^the runtime is lost: ([^]+)$/, 'se perdió el entorno de ejecución: {=0}'],
-  [/^'(.*)' is no name for a file$/, '«{0}» no sirve como nombre de archivo'],
   // grabaciones, simulador y pruebas
   [
     /^(\d+) values of variables were written over before they could be recorded$/,
@@ -59,8 +48,5 @@ export const esHeard: readonly (readonly [RegExp, string])[] = [
     /^only a run that comes to its end can be kept; this one: ([^]+)$/,
     'solo se guarda una ejecución que llega a su fin; esta: {=0}',
   ],
-  ...esHeardReview,
   ...esHeardHolding,
-  ...esHeardEdit,
-  ...esHeardDone,
 ]

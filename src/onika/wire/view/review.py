@@ -51,8 +51,6 @@ class RecordingView(View, frozen=True):
     path: str
     name: str
     """Of the application."""
-    began: str = ""
-    """When it began, in words."""
     is_virtual: bool = False
     is_whole: bool = True
     """Else it was cut short, and ends where it was."""

@@ -56,7 +56,7 @@ def test_icons_that_were_read_again_are_the_ones_at_which_it_is_shown(cinema, do
     view, steps = shown(cinema)
     icons = cinema.environment.tree.applications[doc].steps
     assert [icons[str(one)].name if one else "" for one in steps] == ["", "", "cC"]
-    assert "2 of 3 recorded actions have no icon now" in view.notes[0]
+    assert "2 of 3 recorded actions have no icon now" in str(view.notes[0])
 
 
 def test_another_application_changes_nothing(cinema, doc):  # R-X05

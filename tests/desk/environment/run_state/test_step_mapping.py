@@ -6,6 +6,7 @@ from onika.desk.environment.run_state.membership import StepMembership
 from onika.desk.environment.run_state.messages import IconWording
 from onika.desk.environment.run_state.step_mapping import CurrentApplication, recast
 from onika.wire.plan import Plan, PlannedAction, PlannedFlow
+from onika.words.reason import Reason
 
 
 def plan(*flows, spots=False):
@@ -51,11 +52,11 @@ def test_what_is_as_it_was_needs_no_word():
 
 def test_what_has_changed_since_is_told():  # R-X05: icons that are others now
     (lost,) = found(plan("abcde"), plan("a", spots=True)).notes
-    assert lost == "p has changed since it was recorded: 4 of 5 recorded actions have no icon now: b, c, d, …"
+    assert str(lost) == "p has changed since it was recorded: 4 of 5 recorded actions have no icon now: b, c, d, …"
     (more,) = found(plan("ab"), plan("abc", spots=True)).notes
-    assert more == "p has changed since it was recorded: 1 action of it now was not there"
+    assert str(more) == "p has changed since it was recorded: 1 action of it now was not there"
     (broken,) = found(plan("ab"), None).notes
-    assert "cannot be compiled" in broken
+    assert broken.key == "run.not_compiled"
 
 
 def test_without_an_application_there_are_no_steps():
@@ -66,5 +67,6 @@ def test_without_an_application_there_are_no_steps():
 def test_a_redirection_of_that_run_is_told():  # R-E09, R-X05
     servo = run().prepare.plan.flows[0].tasks[0]
     flow = structs.replace(plan("a").flows[0], replaced=(("other", servo),))
-    assert recast(Plan("p", (flow,), ()), None).notes == ("other stood for mass",)
-    assert recast(Plan("p", (plan("b").flows[0], flow), ()), None).notes == ("other stood for mass in flow 1",)
+    assert recast(Plan("p", (flow,), ()), None).notes == (Reason.of("run.stood_for", name="other", old="mass"),)
+    (note,) = recast(Plan("p", (plan("b").flows[0], flow), ()), None).notes
+    assert str(note) == "other stood for mass in flow 1"

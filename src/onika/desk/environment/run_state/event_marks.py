@@ -5,18 +5,19 @@ from onika.desk.environment.run_state.run_view import tag
 from onika.desk.run.run_review import Review
 from onika.wire import event, live, request, steer
 from onika.wire.view import MarkView
+from onika.words.reason import Reason, Text
 
-_STEERED: dict[type, str] = {
-    steer.Pause: "pause",
-    steer.Resume: "go on",
-    steer.Step: "one action",
-    steer.Pass: "let pass",
-    steer.Leave: "leave the loop",
-    steer.Recover: "clear and repeat",
-    live.Reset: "allow motion again",
-    live.Change: "tasks were changed",
-    live.Swap: "a module was exchanged",
-    live.Close: "end the subsystem",
+_STEERED: dict[type, Reason] = {
+    steer.Pause: Reason.of("run.steer_pause"),
+    steer.Resume: Reason.of("run.steer_resume"),
+    steer.Step: Reason.of("run.steer_step"),
+    steer.Pass: Reason.of("run.steer_pass"),
+    steer.Leave: Reason.of("run.steer_leave"),
+    steer.Recover: Reason.of("run.steer_recover"),
+    live.Reset: Reason.of("run.steer_reset"),
+    live.Change: Reason.of("run.steer_change"),
+    live.Swap: Reason.of("run.steer_swap"),
+    live.Close: Reason.of("run.steer_close"),
 }
 
 
@@ -30,48 +31,68 @@ def marks(run: Run, review: Review) -> tuple[MarkView, ...]:
 def _of_event(run: Run, at_s: float, message: event.Event) -> MarkView | None:
     match message:
         case event.Failed():
-            return MarkView(at_s, "error", run.speech.with_icons(f"{message.task}: {message.text}"))
+            return MarkView(at_s, "error", _with_icons(run, message.task, message.text))
         case event.Lost():
-            return MarkView(at_s, "error", f"{message.name} was lost: {message.cause}")
+            return MarkView(at_s, "error", Reason.of("run.was_lost", name=message.name, cause=message.cause))
         case event.Stopped() if message.is_stopped:
-            return MarkView(
-                at_s, "stop", f"everything was stopped: {message.cause}" if message.cause else "everything stopped"
-            )
+            return MarkView(at_s, "stop", _stopped(message))
         case event.Explained() if message.choices:
-            return MarkView(at_s, "stop", run.speech.with_icons(f"{message.subsystem}: {message.text}"))
+            return MarkView(at_s, "stop", _with_icons(run, message.subsystem, message.text))
         case event.Result() if not message.completed:
-            return MarkView(at_s, "stop", run.speech.with_icons(f"the run ended: {message.cause}"))
+            return MarkView(at_s, "stop", run.speech.with_icons(Reason.of("run.run_ended", cause=message.cause)))
         case event.Met():
-            return MarkView(at_s, "meet", f"{' and '.join(message.subsystems)} met at {tag(message.tag)}")
+            return MarkView(at_s, "meet", Reason.of("run.met", flows=message.subsystems, tag=tag(message.tag)))
     return None
+
+
+def _with_icons(run: Run, what: str, why: Text) -> Text:
+    return run.speech.with_icons(Reason.of("run.what_why", what=what, why=why))
+
+
+def _stopped(message: event.Stopped) -> Reason:
+    if message.cause:
+        return Reason.of("run.everything_was_stopped", cause=message.cause)
+    return Reason.of("run.everything_stopped")
 
 
 def _of_command(run: Run, at_s: float, command: request.Request) -> MarkView:
     return MarkView(at_s, "stop" if isinstance(command, request.Stop) else "command", _command(run, command))
 
 
-def _command(run: Run, command: request.Request) -> str:
+def _command(run: Run, command: request.Request) -> Reason:
     match command:
+        case request.Stop() if command.cause:
+            return Reason.of("run.stop_why", cause=command.cause)
         case request.Stop():
-            if command.cause:
-                return f"stop: {command.cause}"
-            return "stop"
+            return Reason.of("run.stop")
         case request.Abort():
-            return f"end the run: {command.cause}"
+            return Reason.of("run.run_ends", cause=command.cause)
         case request.Reply():
-            return f"answer to {command.task}: {command.line}"
+            return Reason.of("run.answered", task=command.task, line=command.line)
+        case steer.Skip() if command.action is not None:
+            action = run.called(command.subsystem, command.action)
+            return Reason.of("run.skip_to", action=action, flow=command.subsystem)
         case steer.Skip():
-            where = run.called(command.subsystem, command.action) if command.action is not None else "the next action"
-            return f"skip to {where}: {command.subsystem}"
+            return Reason.of("run.skip_to_next", flow=command.subsystem)
         case steer.Mark():
-            verb = "set a breakpoint after" if command.is_set else "remove the breakpoint after"
-            return f"{verb} {run.called(command.subsystem, command.action)}"
+            key = "run.breakpoint_set" if command.is_set else "run.breakpoint_removed"
+            return Reason.of(key, action=run.called(command.subsystem, command.action))
+    return _by_hand(command)
+
+
+def _by_hand(command: request.Request) -> Reason:
+    """What was done to tasks and to what stands in a workcell, or how flows were steered."""
+    match command:
         case live.Touch():
-            return f"{command.part} is {'pressed' if command.value else 'let go'}"
+            return Reason.of("run.pressed" if command.value else "run.let_go", part=command.part)
         case live.Set():
-            return f"set {command.name} of {command.task} to {command.value}"
-        case live.Clear() | live.Reinit():
-            verb = "bring out of its error" if isinstance(command, live.Clear) else "begin anew"
-            return f"{verb}: {command.task}"
+            return Reason.of("run.set_value", name=command.name, task=command.task, value=command.value)
+        case live.Clear():
+            return Reason.of("run.brought_out", task=command.task)
+        case live.Reinit():
+            return Reason.of("run.begins_anew", task=command.task)
     home = getattr(command, "subsystem", "")
-    return _STEERED[type(command)] + (f": {home}" if home else "")
+    steered = _STEERED[type(command)]
+    if home:
+        return Reason.of("run.what_why", what=steered, why=home)
+    return steered

@@ -15,7 +15,9 @@ from onika.desk.environment.run_state.variable_cache import VariableCache
 from onika.desk.run.recorded_run import RecordingSource, recorded_run
 from onika.desk.run.run_review import Review, ReviewedFlow
 from onika.record.series import Series
+from onika.wire import event
 from onika.wire.view import PassageView, RecordedFlowView, RecordedVariableView, RecordingView, RedirectView
+from onika.words.reason import NOTHING, Reason, Text
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -55,11 +57,10 @@ def _view(review: Review, run: Run, recast: StepMapping) -> RecordingView:
     return RecordingView(
         path=str(review.path),
         name=review.run.prepare.plan.application,
-        began=_in_words(review.run.began),
         is_virtual=review.run.is_virtual,
         is_whole=review.is_whole,
         is_completed=review.ending.get("completed") == "yes",
-        cause=run.speech.with_icons(review.ending.get("cause", "")),
+        cause=run.speech.with_icons(_cause(review)),
         begin_s=begin_s,
         end_s=end_s,
         flows={
@@ -103,26 +104,30 @@ def _variable(series: Series) -> RecordedVariableView:
     return RecordedVariableView(series.unit, () if series.is_picture else tuple(series.labels))
 
 
-def _losses(review: Review) -> list[str]:
+def _losses(review: Review) -> Iterator[Reason]:
     """What is not in the recording."""
-    losses = []
     if not review.is_whole:
-        losses.append("the recording was cut short: what came after its end is not known")
+        yield Reason.of("run.lost_cut")
     missed, untold = (int(review.ending.get(key, "0") or 0) for key in ("missed", "untold"))
     if missed:
-        losses.append(f"{missed} values were written over before they could be recorded")
+        yield Reason.of("run.lost_values", count=missed)
     if untold:
-        losses.append(f"{untold} events could not be recorded for want of room")
+        yield Reason.of("run.lost_events", count=untold)
     if not review.run.is_virtual:
-        losses.append("it was recorded in wall time: continued from an instant, it goes on nearly as then, not exactly")
-    return losses
+        yield Reason.of("run.lost_exactness")
 
 
-def _cannot_continue(path: Path) -> str:
+def _cause(review: Review) -> Text:
+    """Why it ended: as its last event says, else as the recording's own summary does."""
+    results = (message for _, _, message in reversed(review.events) if isinstance(message, event.Result))
+    return next((result.cause for result in results), review.ending.get("cause", ""))
+
+
+def _cannot_continue(path: Path) -> Reason:
     source = recorded_run(RecordingSource(path))
     if isinstance(source, tuple):
-        return "; ".join(str(fault.reason) for fault in source)
-    return ""
+        return Reason.of("run.together", parts=tuple(fault.reason for fault in source))
+    return NOTHING
 
 
 def _began(iso: str) -> float:
@@ -131,11 +136,3 @@ def _began(iso: str) -> float:
         return datetime.fromisoformat(iso).timestamp()
     except ValueError:
         return 0.0
-
-
-def _in_words(iso: str) -> str:
-    try:
-        began = datetime.fromisoformat(iso).astimezone()
-    except ValueError:
-        return ""
-    return f"{began.day} {began:%B %Y, %H:%M}"

@@ -14,7 +14,7 @@ from onika.desk.environment.run_state.membership import StepMembership
 from onika.desk.environment.run_state.messages import IconWording
 from onika.wire.plan import Plan, PlannedAction, PlannedFlow
 from onika.words.fault import Place
-from onika.words.reason import Text
+from onika.words.reason import Reason
 
 _NAMED = 3
 """How many of the actions that have no icon are named."""
@@ -40,7 +40,7 @@ class StepMapping:
     doc: str = ""
     belonging: StepMembership = field(default_factory=lambda: StepMembership({}, {}))
     speech: IconWording = field(default_factory=IconWording)
-    notes: tuple[Text, ...] = ()
+    notes: tuple[Reason, ...] = ()
 
 
 def recast(recorded: Plan, present: CurrentApplication | None) -> StepMapping:
@@ -134,26 +134,24 @@ def _told(speech: IconWording, recorded: Plan, plan: Plan) -> IconWording:
     return replace(recorded_speech, actions=actions)
 
 
-def _changed(recorded: Plan, present: CurrentApplication, partners: _Partners) -> Iterator[str]:
+def _changed(recorded: Plan, present: CurrentApplication, partners: _Partners) -> Iterator[Reason]:
     if present.plan is None:
-        yield f"{present.name} cannot be compiled as it is now: the recorded actions are shown without their icons"
+        yield Reason.of("run.not_compiled", name=present.name)
         return
     every = [(number, index) for number, flow in enumerate(recorded.flows) for index, _ in enumerate(flow.actions)]
     lacking = [recorded.flows[number].actions[index] for number, index in every if (number, index) not in partners]
     more = sum(len(flow.actions) for flow in present.plan.flows) - len(partners)
-    changed = f"{present.name} has changed since it was recorded"
     if lacking:
-        names = list(dict.fromkeys(present.speech.action(planned_action) for planned_action in lacking))
-        some = ", ".join(names[:_NAMED]) + (", …" if len(names) > _NAMED else "")
-        have = "has" if len(lacking) == 1 else "have"
-        yield f"{changed}: {len(lacking)} of {len(every)} recorded actions {have} no icon now: {some}"
+        names = tuple(dict.fromkeys(present.speech.action(planned_action) for planned_action in lacking))
+        key = "run.changed_lacks_more" if len(names) > _NAMED else "run.changed_lacks"
+        yield Reason.of(key, name=present.name, count=len(lacking), of=len(every), names=names[:_NAMED])
     elif more:
-        yield f"{changed}: {more} action{'' if more == 1 else 's'} of it now {'was' if more == 1 else 'were'} not there"
+        yield Reason.of("run.changed_more", name=present.name, count=more)
 
 
-def _redirected(recorded: Plan) -> tuple[str, ...]:
-    return tuple(
-        f"{name} stood for {old.name}" + (f" in flow {number}" if len(recorded.flows) > 1 else "")
-        for number, flow in enumerate(recorded.flows)
-        for name, old in flow.replaced
-    )
+def _redirected(recorded: Plan) -> tuple[Reason, ...]:
+    """Who stood for whom; where there are several flows, in which."""
+    replaced = [(number, name, old.name) for number, flow in enumerate(recorded.flows) for name, old in flow.replaced]
+    if len(recorded.flows) > 1:
+        return tuple(Reason.of("run.stood_for_in", name=name, old=old, number=number) for number, name, old in replaced)
+    return tuple(Reason.of("run.stood_for", name=name, old=old) for _, name, old in replaced)
