@@ -1,3 +1,7 @@
+from hashlib import sha256
+
+from msgspec import structs
+
 from onika.host.loading.module_description import describe
 from onika.host.loading.module_facts import ModuleFacts
 from onika.wire.plan import Code
@@ -11,9 +15,20 @@ class Good(Module):
 
 
 def test_modules_are_described_each_by_its_code_and_the_bad_ones_with_why():  # law 24
-    codes = (Code("1", "good", "good.py", GOOD), Code("2", "bad", "bad.py", "import nowhere_at_all\n"))
-    told = describe(codes, ModuleFacts())
-    assert [(one.name, one.shape, one.unit, one.meaning) for one in told.sheets["1"].ports] == [
+    good, bad = _code("good", GOOD), _code("bad", "import nowhere_at_all\n")
+    told = describe((good, bad), ModuleFacts())
+    assert [(one.name, one.shape, one.unit, one.meaning) for one in told.sheets[good.digest].ports] == [
         ("X", "double[6]", "rad", "where it is")
     ]
-    assert set(told.faults) == {"2"} and "nowhere_at_all" in str(told.faults["2"])
+    assert set(told.faults) == {bad.digest} and "nowhere_at_all" in str(told.faults[bad.digest])
+
+
+def test_code_under_the_digest_of_another_is_not_executed():  # R-F01, law 24
+    foreign = structs.replace(_code("good", GOOD), source="raise SystemExit")
+    told = describe((foreign,), ModuleFacts())
+    assert not told.sheets
+    assert "digest" in str(told.faults[foreign.digest])
+
+
+def _code(module: str, source: str) -> Code:
+    return Code(sha256(source.encode()).hexdigest(), module, f"{module}.py", source)

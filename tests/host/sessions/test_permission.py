@@ -4,7 +4,7 @@ from kit.module_source import COUNTER
 from kit.plan_builder import PlanBuilder
 from onika.host.sessions.permission import brings_code, changes_nothing, refusal
 from onika.link.caller import PARENT, Caller, Role
-from onika.wire import holding, live, request
+from onika.wire import holding, live, request, steer
 from onika.wire.plan import Code, Plan
 
 CODE = Code("d", "m", "m.py", "x = 1")
@@ -72,3 +72,13 @@ def test_a_task_that_starts_a_program_is_as_good_as_code_though_its_module_is_kn
 def test_who_looks_or_stops_changes_nothing():  # R-X12
     assert all(changes_nothing(asked) for asked in LOOKS)
     assert not any(changes_nothing(asked) for asked in COMMANDS)
+
+
+def test_what_is_to_be_repeated_is_asked_in_his_name_who_begins_it():  # law 27, law 29
+    swap = request.Recorded(1, 0, request.encode(live.Change("s", code=(CODE,))))
+    pause = request.Recorded(1, 0, request.encode(steer.Pause()))
+    begin = request.Begin(repeat=(pause, swap))
+    assert refusal(caller(Role.OPERATOR), begin, True).key.startswith("host.role_wanted")
+    assert refusal(caller(Role.PROGRAMMER, near=False), begin, False).key == "host.code_from_afar"
+    assert not refusal(caller(Role.PROGRAMMER), begin, False)
+    assert not refusal(caller(Role.OPERATOR), request.Begin(repeat=(pause,)), False)

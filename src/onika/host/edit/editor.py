@@ -8,6 +8,7 @@ from msgspec import structs
 from onika.host.edit import edit_objections, transactions
 from onika.host.loading.module_questions import ModuleQuestions
 from onika.host.loading.plan_checks import absent_devices, conflicts, cycles, shapeless, shared_devices
+from onika.host.loading.plan_form import wrong_code, wrong_tasks
 from onika.host.loading.plan_preparation import unknown_parameters
 from onika.host.subsystems.live_subsystem import LiveSubsystem, Transaction
 from onika.host.subsystems.load_forecast import ComingTask
@@ -37,6 +38,9 @@ class LiveEditor:
 
     def change(self, order: asked.Change) -> request.Response:
         """Check a change whole; accepted, it begins after those before it."""
+        malformed = wrong_code(order.code) + wrong_tasks(order.spawn, [code.digest for code in order.code])
+        if malformed:
+            return refused([edit_objections.of_change(fault) for fault in malformed], [])
         self._loading.expect(order.code)
         sheets, faults = self._sheets(order.code)
         new, wrong, notes = edit_objections.wired(order.spawn, sheets)
@@ -107,6 +111,9 @@ class LiveEditor:
         if live is None:
             return refusal
         before = live.members[order.task].wired
+        malformed = wrong_code([order.code])
+        if malformed:
+            return refused([edit_objections.of_change(fault) for fault in malformed], [])
         sheet = self._loading.sheet(order.code)
         if isinstance(sheet, Fault):
             return refused([edit_objections.of_change(sheet)], [])

@@ -19,6 +19,7 @@ from onika.host.loading.plan_checks import (
     wrong_rates,
 )
 from onika.host.loading.plan_conditions import wrong_conditions
+from onika.host.loading.plan_form import wrong_code, wrong_plan, wrong_tasks
 from onika.host.loading.target_resolution import Resolution, notes_on_resolved, resolve
 from onika.model.planned import task_of
 from onika.runtime.modules.sheet import differences, strangers
@@ -50,6 +51,10 @@ class Preparation:
 def prepare(plan: Plan, targets: Sequence[TargetValues], loading: ModuleQuestions) -> Preparation:
     """Look at every module, task, flow, argument line and target of a plan."""
     preparation = Preparation(plan, {code.digest: code for code in plan.code})
+    preparation.faults += wrong_plan(plan, targets)
+    if preparation.faults:
+        return preparation  # nothing else of it is believed
+    loading.expect(plan.code)
     used = {task.digest for flow in plan.flows for task in flow.tasks}
     sheets = _sheets([code for code in plan.code if code.digest in used], loading, preparation.faults)
     resolution = resolve(plan, targets, sheets, loading)
@@ -96,8 +101,10 @@ def inspect(
     tasks: Sequence[PlannedTask], code: Sequence[Code], loading: ModuleQuestions
 ) -> tuple[list[Fault], list[Reason]]:
     """Check tasks against their modules, each by itself: faults, and what is only worth knowing."""
-    faults: list[Fault] = []
+    faults = wrong_code(code) + wrong_tasks(tasks, [one.digest for one in code])
     notes: list[Reason] = []
+    if faults:
+        return sorted(set(faults)), notes
     sheets = _sheets(code, loading, faults)
     for task in tasks:
         if task.digest in sheets:

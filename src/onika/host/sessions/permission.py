@@ -31,6 +31,11 @@ def refusal(caller: Caller, message: request.Request, accepts_code: bool) -> Rea
 
     accepts_code    whether code from other machines is taken
     """
+    if isinstance(message, request.Begin):
+        repeated = (refusal(caller, request.decode_request(recorded.body), accepts_code) for recorded in message.repeat)
+        denied = next((reason for reason in repeated if reason), NOTHING)  # what is repeated is asked in his name
+        if denied:
+            return denied
     least = _least(message)
     if caller.role < least:
         what = type(message).__name__

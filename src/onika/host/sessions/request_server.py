@@ -8,6 +8,7 @@ from typing import Protocol
 
 from onika.host.sessions.leases import SessionSilence
 from onika.host.sessions.permission import refusal
+from onika.host.sessions.request_decoder import decode
 from onika.link.caller import Role
 from onika.link.carrier import Carrier, SocketCarrier
 from onika.link.link_events import RequestReceived
@@ -17,7 +18,7 @@ from onika.link.session import EnvironmentSession
 from onika.link.sessions import Introduction, Sessions
 from onika.wire import event, holding, request
 from onika.wire.packet import Bye, encode
-from onika.words.reason import Reason, reason_of
+from onika.words.reason import reason_of
 
 _EVERY = "*"
 _WAITING = 4 * 1024 * 1024
@@ -278,15 +279,15 @@ class RequestServer:
         self._count += 1
         self._tickets[self._count] = (session, each.ticket)
         try:
-            decode_request = request.decode_request(each.body)
+            message = decode(each.body)
         except ValueError as wrong:
             if self.watcher is not None:
                 self.watcher.garbage(session.name, str(wrong))
-            self.reply(self._count, request.Refused(Reason.of("host.no_request", why=reason_of(wrong))))
+            self.reply(self._count, request.Refused(reason_of(wrong)))
             return None
-        call = SessionRequest(self._count, session.name, session.caller.role, decode_request, session.caller.address)
+        call = SessionRequest(self._count, session.name, session.caller.role, message, session.caller.address)
         self._calls[self._count] = call
-        why = refusal(session.caller, decode_request, self._accepts_code)
+        why = refusal(session.caller, message, self._accepts_code)
         if why:
             self.reply(self._count, request.Refused(why))
             return None
