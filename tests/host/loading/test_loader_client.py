@@ -2,7 +2,7 @@ import pytest
 from tests.sentences import found_by
 
 from onika.host.loading import loader_client as room
-from onika.host.loading.loader import AskDevices, AskSheet, Devices, Sheet, Wrong
+from onika.host.loading.loader import AskDevices, AskSheet, Devices, Sheet, UnusableModule
 from onika.host.loading.loader_client import LoaderClient, NotYet
 from onika.runtime.modules.code import load
 from onika.runtime.modules.sheet import sheet_of
@@ -31,7 +31,7 @@ class FakeLoader:
     def give_up(self, code):
         self.given_up.append(code.module)
         self.is_lost = False
-        return Wrong(
+        return UnusableModule(
             FaultText(
                 code.path, 0, Reason.plain("expected a module, found the loader died of it"), Reason.plain("not used")
             )
