@@ -10,8 +10,8 @@ def began(monkeypatch):
     seen = []
 
     class EnvironmentProgram:
-        def __init__(self, site, wishes, state):
-            seen.append((site, wishes, state))
+        def __init__(self, site, options, state):
+            seen.append((site, options, state))
 
         async def run(self, listening, on_ready):
             seen.append(listening.getsockname())
@@ -45,10 +45,10 @@ def test_options_reach_the_program(began, tmp_path):  # R-C20
         str(tmp_path),
     ]
     assert commands.carry_out(words) == 0
-    site, wishes, _ = began[0]
+    site, options, _ = began[0]
     assert site.directories[0].path == tmp_path
-    assert (wishes.is_connected, wishes.has_diary, wishes.rtpus) == (False, False, ("a", "b"))
-    assert wishes.is_upper_only
+    assert (options.is_connected, options.has_diary, options.rtpus) == (False, False, ("a", "b"))
+    assert options.is_upper_only
 
 
 def test_only_one_way_to_a_runtime_may_be_named(began, capsys):

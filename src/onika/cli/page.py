@@ -54,7 +54,7 @@ def carry_out(given: argparse.Namespace) -> int:
             given.complain(say(Reason.of("cli.port_taken", port=given.port, why=why)))
         listening = bound(0)
     token = "" if given.token_file is None else read_token(given.token_file)
-    wishes = EnvironmentOptions(
+    options = EnvironmentOptions(
         files=tuple(given.files),
         url=given.connect or "",
         token=token,
@@ -64,7 +64,7 @@ def carry_out(given: argparse.Namespace) -> int:
         has_diary=not given.no_diary,
         is_upper_only=given.upper,
     )
-    program = EnvironmentProgram(site_here(given.base), wishes, state_directory())
+    program = EnvironmentProgram(site_here(given.base), options, state_directory())
     shows = not given.no_browser and _has_screen()
     answers: list[str] = []
 

@@ -67,9 +67,9 @@ class EnvironmentOptions:
 class EnvironmentProgram:
     """One environment from its beginning to its end; `state` is where diary and recovery are kept."""
 
-    def __init__(self, site: Site, wishes: EnvironmentOptions, state: Path) -> None:
+    def __init__(self, site: Site, options: EnvironmentOptions, state: Path) -> None:
         self._site = site
-        self._wishes = wishes
+        self._options = options
         self._state = state
 
     async def run(self, listening: socket.socket, on_ready: Callable[[str], None]) -> None:
@@ -88,7 +88,7 @@ class EnvironmentProgram:
         surroundings = Services(
             self._site, time.monotonic, self._state, commands, reading=reading, comparing=comparing, keeping=keeping
         )
-        launching = RuntimeLauncher(self._wishes.rtpus, with_fifo=self._wishes.with_fifo)
+        launching = RuntimeLauncher(self._options.rtpus, with_fifo=self._options.with_fifo)
         station = RuntimeThread(launching, post)
         disk = DiskWatch(self._site)  # before the files are read: what is written meanwhile is seen at the first look
         model, says = initial_model.opened(self._site, self._state, self._settings())
@@ -121,7 +121,7 @@ class EnvironmentProgram:
 
     def _settings(self) -> Mapping[str, str]:
         """What the system says of this session, and what was asked for when it was begun."""
-        if self._wishes.is_upper_only:
+        if self._options.is_upper_only:
             return {**os.environ, "ONIKA_LOWER": "no"}
         return os.environ
 
@@ -136,7 +136,7 @@ class EnvironmentProgram:
         preferring.leave(environment.model, surroundings)
 
     def _diary(self, environment: Environment) -> Diary | None:
-        if not self._wishes.has_diary:
+        if not self._options.has_diary:
             return None
         diary = Diary(self._state / "diary", lambda: environment.model, environment.say)
         environment.observers.append(diary.observe)
@@ -160,13 +160,13 @@ class EnvironmentProgram:
             if given.no is not None:
                 environment.say(page.Say("error", given.no.reason))
 
-        for name in self._wishes.files:
+        for name in self._options.files:
             environment.do(act.Open(name), _NAME, report)
         if not environment.model.documents:
             environment.do(act.New(), _NAME, report)
-        if self._wishes.is_connected:
+        if self._options.is_connected:
             first = next(iter(environment.model.documents))
-            connect = act.Connect(first, self._wishes.url, self._wishes.token)
+            connect = act.Connect(first, self._options.url, self._options.token)
             environment.do(
                 connect, _NAME, lambda given: report(given) if first in environment.model.documents else None
             )

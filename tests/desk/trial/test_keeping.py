@@ -31,12 +31,12 @@ def repeated(workshop, monkeypatch):
 
 
 def test_what_robots_reach_and_what_is_measured_is_kept_and_forces_are_not(workshop):  # R-X07
-    keepsake = workshop.kept(workshop.run(force=17.0)).kept
-    above, shut = keepsake.flows[0].actions[1], keepsake.flows[0].actions[3]
+    result = workshop.kept(workshop.run(force=17.0)).kept
+    above, shut = result.flows[0].actions[1], result.flows[0].actions[3]
     assert above.after == (Demand("Q_MEZ", (0.5,), "rad", 0.005), Demand("Q_REF", (0.5,), "rad", 0.005))
     assert shut.after == (Demand("GRIP_MEZ[0]", (0.08,), "m", 0.002), Demand("GRIP", (-1.0,), "", 0.01))
     assert (above.lasts_s, above.within_s) == (1.0, 0.05)
-    assert keepsake.meetings == (KeptMeeting("meet", ("flow0", "flow1")),)
+    assert result.meetings == (KeptMeeting("meet", ("flow0", "flow1")),)
 
 
 def test_a_lamp_is_told_when_it_changes_and_in_the_end(workshop):  # R-X07
@@ -48,8 +48,8 @@ def test_a_lamp_is_told_when_it_changes_and_in_the_end(workshop):  # R-X07
     assert Demand("LAMP", (1.0,)) in flow.at_end
 
 
-def on_the_way(keepsake):
-    return [at for at, action in enumerate(keepsake.kept.flows[0].actions) if action.is_on_way]
+def on_the_way(result):
+    return [at for at, action in enumerate(result.kept.flows[0].actions) if action.is_on_way]
 
 
 def test_a_lift_is_on_the_way_and_so_is_no_place_that_may_be_the_purpose(workshop):  # R-X07
@@ -64,19 +64,19 @@ def test_a_reference_that_the_next_trigger_has_overwritten_already_is_not_kept(w
     account.parts[0].passed[0].values["GRIP"] = (-1.0,)
     shut = replace(account.parts[0].passed[1].variables[2], writer="other")
     account.parts[0].passed[1].variables = (*account.parts[0].passed[1].variables[:2], shut)
-    keepsake = keeping.kept_of(SETTINGS, account, []).kept
-    assert "GRIP" not in [each.address for each in keepsake.flows[0].actions[0].after]
+    result = keeping.kept_of(SETTINGS, account, []).kept
+    assert "GRIP" not in [each.address for each in result.flows[0].actions[0].after]
 
 
 def test_what_varies_in_shaken_runs_is_asked_for_less_exactly(workshop):  # R-X07
-    keepsake = workshop.kept(workshop.run(off=0.006), workshop.run(off=0.001)).kept
-    assert keepsake.flows[0].actions[1].after[0].tolerance == 0.02
+    result = workshop.kept(workshop.run(off=0.006), workshop.run(off=0.001)).kept
+    assert result.flows[0].actions[1].after[0].tolerance == 0.02
 
 
 def test_runs_that_went_another_way_say_nothing_and_that_is_told(workshop):  # R-X07
-    keepsake = workshop.kept(workshop.run(("open",)), workshop.run(cause="aborted"), workshop.run())
-    assert keepsake.notes == ("2 of 3 shaken runs went another way, so that they say nothing",)
-    assert keepsake.kept is not None
+    result = workshop.kept(workshop.run(("open",)), workshop.run(cause="aborted"), workshop.run())
+    assert result.notes == ("2 of 3 shaken runs went another way, so that they say nothing",)
+    assert result.kept is not None
 
 
 def test_only_a_good_run_can_be_kept(workshop):  # R-X07
@@ -95,15 +95,15 @@ def test_only_a_good_run_can_be_kept(workshop):  # R-X07
     ],
 )
 def test_what_no_test_could_do_again_is_refused_with_a_remedy(more, remedy):  # R-X07
-    keepsake = keep(replace(SETTINGS, **more), SITE)
-    assert keepsake.kept is None
-    assert remedy in keepsake.refusal
+    result = keep(replace(SETTINGS, **more), SITE)
+    assert result.kept is None
+    assert remedy in result.refusal
 
 
 def test_a_run_is_kept_with_others_of_other_seeds_in_shaken_worlds(repeated):  # R-X07
-    keepsake = keep(replace(SETTINGS, seed=5, expectations=(Condition.parse("LAMP == 1"),)), SITE, workers=2, shakes=3)
+    result = keep(replace(SETTINGS, seed=5, expectations=(Condition.parse("LAMP == 1"),)), SITE, workers=2, shakes=3)
     assert [(attempt.seed, attempt.shake) for attempt in repeated] == [(5, None), (6, 6), (7, 7), (8, 8)]
-    assert (keepsake.kept.seed, keepsake.kept.expectations, keepsake.hash) == (5, ("LAMP == 1",), "h")
+    assert (result.kept.seed, result.kept.expectations, result.hash) == (5, ("LAMP == 1",), "h")
 
 
 def test_one_run_after_the_other_is_told_how_far_it_is(repeated):  # R-X07

@@ -108,7 +108,7 @@ def test_what_is_repeated_goes_as_fast_as_it_can_and_the_rest_as_the_wall_lets_i
     result = desk.to_the_end()
     until = round(result.runtime_s * 1e9) - 300_000_000
     again = DirectClient()
-    again.driver._pace = RealtimeFactor(SLOWEST, 0, monotonic_ns())
+    again.driver._realtime_factor = RealtimeFactor(SLOWEST, 0, monotonic_ns())
     again.ask(request.Prepare(PLAN, ()))
     again.ask(request.Begin(repeat=tuple(inputs_of(Reader(path), until)), repeat_until_ns=until))
     began = monotonic_ns()
@@ -118,7 +118,7 @@ def test_what_is_repeated_goes_as_fast_as_it_can_and_the_rest_as_the_wall_lets_i
         again.program.advance(1_000_000)
     passed = monotonic_ns() - began
     assert again.driver.now - until <= passed * SLOWEST + 1
-    again.driver._pace = RealtimeFactor(FASTEST, again.driver.now, monotonic_ns())
+    again.driver._realtime_factor = RealtimeFactor(FASTEST, again.driver.now, monotonic_ns())
     while not again.of(event.Result):
         again.program.advance(1_000_000)
     assert again.of(event.Result)[0].hash == result.hash
@@ -126,7 +126,7 @@ def test_what_is_repeated_goes_as_fast_as_it_can_and_the_rest_as_the_wall_lets_i
 
 def test_a_disk_that_is_full_ends_the_recording_and_not_the_run(path):  # R-X05
     desk = begun(path)
-    desk.program._recorder._pen.reason = "No space left on device"
+    desk.program._recorder._writer.reason = "No space left on device"
     result = desk.to_the_end()
     assert result.completed
     warned = [str(one.text) for one in desk.of(event.Warned)]

@@ -15,17 +15,19 @@ class Doorway:
 
 
 def test_who_is_there_is_told_when_it_changes_to_those_who_want_to_know():  # R-X12
-    doorway, watching = Doorway("one"), set()
-    company = Presence(doorway, lambda: watching)
+    session_source, watching = Doorway("one"), set()
+    company = Presence(session_source, lambda: watching)
     company.look()
     company.look()
-    doorway.names.append("two")
+    session_source.names.append("two")
     company.look()
     watching.add("two")
     company.look()
-    sessions = [[(one.name, one.only_watches) for one in told.sessions] for told, _, _ in doorway.told]
+    sessions = [[(one.name, one.only_watches) for one in told.sessions] for told, _, _ in session_source.told]
     assert sessions == [[("one", False)], [("one", False), ("two", False)], [("one", False), ("two", True)]]
-    assert {(type(told), where, who) for told, where, who in doorway.told} == {(event.Company, holding.COMPANY, "")}
+    assert {(type(told), where, who) for told, where, who in session_source.told} == {
+        (event.Company, holding.COMPANY, "")
+    }
 
 
 def test_who_asks_learns_its_own_name():  # R-X12

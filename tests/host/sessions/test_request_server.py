@@ -43,9 +43,9 @@ class House:
     def __init__(self, accepts_code=False):
         self.now = 0
         self.road = Road()
-        self.guests = Sessions("life")
+        self.sessions = Sessions("life")
         self.connections: list[Connection] = []
-        self.server = RequestServer(self.guests, lambda: self.now, self.road, accepts_code)
+        self.server = RequestServer(self.sessions, lambda: self.now, self.road, accepts_code)
         self.calls: list[SessionRequest] = []
         self.answers = True
 
@@ -75,7 +75,7 @@ class House:
     def close(self):
         for connection in self.connections:
             connection.close(timeout_s=0)
-        for session in self.guests.sessions:
+        for session in self.sessions.sessions:
             session.drop()
         self.road.post.close()
         self.road.other.close()

@@ -255,7 +255,7 @@ def outside_run(outsider, passive=False, patience="10.0", scale=None):
     shop.task("enough", ENOUGH, frequency=100.0)
     run = Run(shop, [action("asks", "enough")], begin=Begin(watch=("N",)))
     if scale:
-        run.driver._pace = RealtimeFactor(scale, 0, monotonic_ns())
+        run.driver._realtime_factor = RealtimeFactor(scale, 0, monotonic_ns())
     return run
 
 

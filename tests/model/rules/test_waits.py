@@ -21,45 +21,47 @@ def tags(text):
 
 def test_two_flows_that_meet_in_one_order_get_through():
     result = explored(tags("a - b"), tags("- a b"))
-    assert (result.knots, result.is_whole) == ((), True)
+    assert (result.deadlocks, result.is_whole) == ((), True)
 
 
 def test_a_circle_is_told_once_from_its_first_flow():
     result = explored(tags("a b"), tags("b c"), tags("c a"))
     assert result.is_certain
-    assert [knot.waits for knot in result.knots] == [(FlowWait(0, 0, 2), FlowWait(2, 0, 1), FlowWait(1, 0, 0))]
+    assert [deadlock.waits for deadlock in result.deadlocks] == [
+        (FlowWait(0, 0, 2), FlowWait(2, 0, 1), FlowWait(1, 0, 0))
+    ]
 
 
 def test_a_flow_that_waits_for_an_ended_one_waits_for_ever():
     result = explored(tags("a a"), tags("a"))
-    assert [(knot.waits, knot.is_circle) for knot in result.knots] == [((FlowWait(0, 2, 1),), False)]
+    assert [(deadlock.waits, deadlock.is_circle) for deadlock in result.deadlocks] == [((FlowWait(0, 2, 1),), False)]
 
 
 def test_who_waits_for_a_flow_in_a_circle_is_no_circle_of_its_own():
     result = explored(tags("a"), tags("b a"), tags("c b"), tags("b c"))
-    assert [{wait.flow for wait in knot.waits} for knot in result.knots] == [{2, 3}]
+    assert [{wait.flow for wait in deadlock.waits} for deadlock in result.deadlocks] == [{2, 3}]
 
 
 def test_a_deadlock_beside_flows_that_go_on_for_ever_is_found():
     for_ever = (Loop("l", (Act("z"), NOOP)),)
     result = explored(tags("a b"), tags("b a"), for_ever, for_ever)
-    assert [{wait.flow for wait in knot.waits} for knot in result.knots] == [{0, 1}]
+    assert [{wait.flow for wait in deadlock.waits} for deadlock in result.deadlocks] == [{0, 1}]
 
 
 def test_waiting_for_a_flow_that_goes_round_for_ever_is_told_apart():
     result = explored(tags("a"), (Loop("l", (Act(), NOOP)), Act("a")))
-    assert (result.knots, result.idling) == ((), (FlowWait(0, 0, 1),))
+    assert (result.deadlocks, result.idling) == ((), (FlowWait(0, 0, 1),))
 
 
 def test_a_tag_that_a_nested_flow_does_not_come_to_again_ties_its_parent_up():  # R-D13
     result = explored((Side(((Act("n a"), Act("n a")), (Act("n a"),))),))
-    assert [knot.waits for knot in result.knots] == [(FlowWait(0, 3, 1), FlowWait(1, -1, 0))]
+    assert [deadlock.waits for deadlock in result.deadlocks] == [(FlowWait(0, 3, 1), FlowWait(1, -1, 0))]
     assert result.is_certain
 
 
 def test_a_nested_application_in_a_loop_begins_anew_each_time():
     result = explored((Loop("l", (Side(((Act("n a"),), (Act("n a"), Act()))), Act())),))
-    assert (result.knots, result.is_whole) == ((), True)
+    assert (result.deadlocks, result.is_whole) == ((), True)
 
 
 def test_what_has_nothing_to_do_with_each_other_is_looked_at_apart():
@@ -69,7 +71,7 @@ def test_what_has_nothing_to_do_with_each_other_is_looked_at_apart():
 
 def test_the_example_names_the_choices_on_the_way():
     result = explored((Act(), Pick((tags("a"), tags("b")))), tags("a b"))
-    assert {(knot.is_circle, knot.choices) for knot in result.knots} == {
+    assert {(deadlock.is_circle, deadlock.choices) for deadlock in result.deadlocks} == {
         (True, ((0, "takes flow 1 of a branch"),)),
         (False, ((0, "takes flow 0 of a branch"),)),
     }
@@ -77,7 +79,7 @@ def test_the_example_names_the_choices_on_the_way():
 
 def test_a_run_that_can_go_on_for_ever_is_no_certain_deadlock():
     result = explored((Loop("l", (Act("a"), Act())), Act("b")), (Loop("l", (Act("a"), NOOP)), Act("b")))
-    assert result.knots
+    assert result.deadlocks
     assert not result.is_certain
 
 
@@ -218,10 +220,10 @@ def judged(plan):
 def test_what_can_stand_still_is_foretold_and_nothing_else(flows):
     plan = planned(*flows)
     result, search = judged(plan), Search(plan)
-    assert any(item.knots for item in result) == search.can_stand_still()
+    assert any(item.deadlocks for item in result) == search.can_stand_still()
     if any(item.is_certain for item in result):
         assert not search.can_be_completed()
-    elif not any(item.knots for item in result):
+    elif not any(item.deadlocks for item in result):
         assert search.can_be_completed()
 
 
@@ -233,5 +235,5 @@ straight = st.lists(st.sampled_from(["", "a", "b", "c"]).map(Act), max_size=6).m
 def test_straight_flows_either_get_through_or_certainly_do_not(flows):
     plan = planned(*flows)
     result = judged(plan)
-    assert all(item.is_certain == bool(item.knots) for item in result)
+    assert all(item.is_certain == bool(item.deadlocks) for item in result)
     assert any(item.is_certain for item in result) != Search(plan).can_be_completed()

@@ -1,4 +1,4 @@
-"""The station: the thread that owns the talk with a runtime, launched here or reached elsewhere."""
+"""The runtime thread: all that goes to a runtime, launched here or elsewhere, and all that comes from it."""
 
 import select
 import socket
@@ -51,7 +51,7 @@ class RuntimeThread:
         self._thread: Thread | None = None
         self._entered: AbstractContextManager[RuntimeConversation] | None = None
         self._runtime: RuntimeConversation | None = None
-        self._talk: Multiplexer | None = None
+        self._multiplexer: Multiplexer | None = None
         self._url = ""
         self._tokens: dict[str, str] = {}
         self._environment: Environment | None = None
@@ -127,10 +127,10 @@ class RuntimeThread:
         readers: list[int] = [self._door.fileno()]
         writers: list[int] = []
         wait_s = None
-        if self._runtime is not None and self._talk is not None and not self._is_alone:
+        if self._runtime is not None and self._multiplexer is not None and not self._is_alone:
             readers += self._runtime.readers()
             writers = self._runtime.writers()
-            times = [self._runtime.due_s(), self._talk.poll_figures(self._watching.figures)]
+            times = [self._runtime.due_s(), self._multiplexer.poll_figures(self._watching.figures)]
             times += [self._vouch.ask()] if self._url else []
             wait_s = min((time for time in times if time is not None), default=None)
         if not self._orders or self._is_alone:
@@ -148,36 +148,36 @@ class RuntimeThread:
                 if refused:
                     self._reply([(order, request.Refused(refused))])
                     continue
-            if self._talk is None:
+            if self._multiplexer is None:
                 self._reply([(order, request.Refused("no runtime is connected"))])
             else:
-                self._talk.ask(order)
+                self._multiplexer.ask(order)
 
     def _listen(self) -> None:
-        talk, environment = self._talk, self._environment
-        if talk is None or environment is None:
+        multiplexer, environment = self._multiplexer, self._environment
+        if multiplexer is None or environment is None:
             return
         try:
-            talk.attend(self._watching.attend(environment.model))
-            came = talk.hear()
+            multiplexer.attend(self._watching.attend(environment.model))
+            came = multiplexer.hear()
         except LinkLost as lost:
-            self._lose(talk, str(lost))
+            self._lose(multiplexer, str(lost))
             return
         except ValueError as wrong:  # another version's words, or garbage
-            self._lose(talk, f"the runtime cannot be understood: {wrong}")
+            self._lose(multiplexer, f"the runtime cannot be understood: {wrong}")
             return
         if came:
             self._post(lambda: _tell(environment, came))
-        self._frames.put(talk.readings(), talk.figures, environment.model)
-        if talk.figures is not None:
-            loads = talk.figures.loads
+        self._frames.put(multiplexer.readings(), multiplexer.figures, environment.model)
+        if multiplexer.figures is not None:
+            loads = multiplexer.figures.loads
             self._post(lambda: environment.become(lambda model: runtime_loss.with_loads(model, loads)))
 
     def _reach(self, reach: RequiredRuntime) -> str:
         """Have the runtime there; why it is not, else empty."""
-        if self._talk is not None and not reach.is_anew and (not reach.url or reach.url == self._url):
+        if self._multiplexer is not None and not reach.is_anew and (not reach.url or reach.url == self._url):
             return ""
-        orphans = self._talk.orphans("the runtime was started anew") if self._talk is not None else []
+        orphans = self._multiplexer.orphans("the runtime was started anew") if self._multiplexer is not None else []
         self._leave()
         self._reply(orphans)
         token = reach.token or self._tokens.get(reach.url, "")
@@ -189,13 +189,13 @@ class RuntimeThread:
             return str(wrong)
         self._url = reach.url
         self._tokens[reach.url] = token
-        self._talk = Multiplexer(self._runtime, monotonic)
+        self._multiplexer = Multiplexer(self._runtime, monotonic)
         self._frames.clear()
         return ""
 
-    def _lose(self, talk: Multiplexer, reason: str) -> None:
+    def _lose(self, multiplexer: Multiplexer, reason: str) -> None:
         environment = self._environment
-        orphans = talk.orphans(in_short(reason))
+        orphans = multiplexer.orphans(in_short(reason))
         self._leave()
         if environment is not None:
             self._post(lambda: environment.become(lambda model: runtime_loss.lost(model, reason)))
@@ -209,7 +209,7 @@ class RuntimeThread:
     def _leave(self) -> None:
         """Let the runtime go; one that was launched here ends."""
         entered, self._entered = self._entered, None
-        self._runtime = self._talk = None
+        self._runtime = self._multiplexer = None
         self._url = ""
         if entered is not None:
             entered.__exit__(None, None, None)

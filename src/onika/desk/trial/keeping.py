@@ -92,14 +92,14 @@ def keep_in(
     refusal = unkeepable(settings, path)
     if refusal:
         return False, (refusal,)
-    keepsake = keep(settings, site, workers=workers, progress=progress)
-    if keepsake.kept is None:
-        return False, (keepsake.refusal,)
-    notes = list(keepsake.notes)
-    if seen and keepsake.hash != seen:
+    result = keep(settings, site, workers=workers, progress=progress)
+    if result.kept is None:
+        return False, (result.refusal,)
+    notes = list(result.notes)
+    if seen and result.hash != seen:
         notes.append("this run does not repeat itself bit for bit: something outside takes part in it")
     file = site.application_file(settings.name)
-    named = replace(keepsake.kept, application=file.stem if file is not None else settings.name)
+    named = replace(result.kept, application=file.stem if file is not None else settings.name)
     source = home_of(path, site).application_file(named.application)
     if file is not None and (source is None or not source.samefile(file)):
         notes.append(
@@ -113,19 +113,18 @@ def keep_in(
     return True, (f"{path}: {actions} actions, {demands} values", *notes)
 
 
-def _count(keepsake: KeptRun) -> tuple[int, int]:
-    actions = [action for flow in keepsake.flows for action in flow.actions]
-    return len(actions), sum(
-        len(some) for some in [a.after for a in actions] + [flow.at_end for flow in keepsake.flows]
-    )
+def _count(kept_run: KeptRun) -> tuple[int, int]:
+    actions = [action for flow in kept_run.flows for action in flow.actions]
+    demands = [*(action.after for action in actions), *(flow.at_end for flow in kept_run.flows)]
+    return len(actions), sum(map(len, demands))
 
 
-def store(keepsake: KeptRun, path: Path) -> Refusal | None:
+def store(kept_run: KeptRun, path: Path) -> Refusal | None:
     """Write a test; the comments of one that stood there stay."""
     former, faults = ("", ()) if not path.exists() else text.load(path, str(path))
     if former is None:
         return Refusal(faults[0].sentence)
-    written = kept.write(keepsake, former) if former else HINT.format(name=keepsake.application) + kept.write(keepsake)
+    written = kept.write(kept_run, former) if former else HINT.format(name=kept_run.application) + kept.write(kept_run)
     done = whole.write(path, written, whole.ANYTHING if path.exists() else whole.ABSENT)
     return done if isinstance(done, Refusal) else None
 

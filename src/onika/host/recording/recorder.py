@@ -93,7 +93,7 @@ class Recorder:
         self._server = server
         self._rtpus = rtpus
         self._asked: dict[str, request.Prepare] = {}
-        self._pen: RecordingWriter | None = None
+        self._writer: RecordingWriter | None = None
         self._session = self._path = ""
         self._was_up = False
         self._has_run = False
@@ -114,7 +114,7 @@ class Recorder:
     def lost(self, session: str) -> None:
         """A session is gone."""
         self._asked.pop(session, None)
-        if self._pen is not None and self._session == session and self._began < 0:
+        if self._writer is not None and self._session == session and self._began < 0:
             self._close()  # it never began
 
     def begin(self, session: str, message: request.Begin, prepared: Preparation) -> Reason:
@@ -124,7 +124,7 @@ class Recorder:
             self._close()  # it was asked for once, and the run refused
         if not message.record:
             return NOTHING
-        if self._pen is None:
+        if self._writer is None:
             self._has_run = not is_first
             refusal = self._open(session, message, prepared, is_first)
             if refusal:
@@ -140,10 +140,10 @@ class Recorder:
 
     def _refusal_of_pen(self) -> Reason:
         """Why whoever writes cannot; raises NotYet until it is up."""
-        pen = self._pen
-        if pen is not None and pen.reason:
-            return Reason.of("host.no_recording", why=pen.reason)
-        if pen is not None and not pen.is_up:
+        writer = self._writer
+        if writer is not None and writer.reason:
+            return Reason.of("host.no_recording", why=writer.reason)
+        if writer is not None and not writer.is_up:
             raise NotYet
         return NOTHING
 
@@ -156,23 +156,23 @@ class Recorder:
         }
         self._began = self._seen.now
         self._has_run = True
-        if self._pen is not None:
-            self._pen.take(BeginRecording(monotonic_ns()))
+        if self._writer is not None:
+            self._writer.take(BeginRecording(monotonic_ns()))
         self._server.overhear(self._hear)
         if self._seen.is_virtual:
             self._seen.each_instant(self._look)
 
     def has_come(self) -> bool:
         """Whether whoever writes has come up, or failed, since the last call."""
-        if self._pen is None or self._was_up:
+        if self._writer is None or self._was_up:
             return False
-        self._pen.serve()
-        self._was_up = self._pen.is_up or bool(self._pen.reason)
+        self._writer.serve()
+        self._was_up = self._writer.is_up or bool(self._writer.reason)
         return self._was_up
 
     def readers(self) -> Sequence[ProcessSocket]:
         """What to wait for."""
-        return () if self._pen is None else self._pen.readers()
+        return () if self._writer is None else self._writer.readers()
 
     def command(self, session: str, message: request.Request) -> None:
         """Something was asked and carried out."""
@@ -182,24 +182,24 @@ class Recorder:
 
     def serve(self) -> None:
         """Look after it, now and then."""
-        if self._pen is not None and self._began >= 0:
+        if self._writer is not None and self._began >= 0:
             self._look()
-            self._pen.serve()
+            self._writer.serve()
 
     def may_end(self, run: ApplicationRun, result: event.Result) -> bool:
         """Whether the end of a run may be told: its recording, if one is made, has to be finished by then."""
-        pen = self._pen
-        if pen is None or run.session != self._session or self._began < 0:
+        writer = self._writer
+        if writer is None or run.session != self._session or self._began < 0:
             return True
         if not self._end_at:
             self._look()
             self._say(topics.EVENTS, topics.encode(topics.EventRecord("", result)))
             self._end_at = monotonic_ns() + _END_NS
-            pen.take(FinishRecording(ending(result), pen.untold))
-        pen.serve()
-        if not pen.is_done and monotonic_ns() < self._end_at:
+            writer.take(FinishRecording(ending(result), writer.untold))
+        writer.serve()
+        if not writer.is_done and monotonic_ns() < self._end_at:
             return False
-        for text in complaints(pen):
+        for text in complaints(writer):
             run.warn(text, round((self._seen.now - self._began) * 1e-9, 9))
         self._close()
         return True
@@ -221,9 +221,9 @@ class Recorder:
         )
         try:
             if self._seen.is_virtual:
-                self._pen = InProcessWriter(message.record, run)
+                self._writer = InProcessWriter(message.record, run)
             else:
-                self._pen = WriterProcess(message.record, run, _every_ns(prepared), self._seen.with_fifo)
+                self._writer = WriterProcess(message.record, run, _every_ns(prepared), self._seen.with_fifo)
         except OSError as wrong:
             return Reason.of("host.no_recording", why=reason_of(wrong))
         self._session, self._path, self._was_up = session, message.record, False
@@ -233,9 +233,9 @@ class Recorder:
         self._server.overhear(None)
         if self._seen.is_virtual:
             self._seen.each_instant(None)
-        if self._pen is not None:
-            self._pen.close()
-        self._pen, self._session = None, ""
+        if self._writer is not None:
+            self._writer.close()
+        self._writer, self._session = None, ""
         self._forget()
 
     def _hear(self, message: event.Event, subsystem: str) -> None:
@@ -244,23 +244,23 @@ class Recorder:
             self._say(topics.EVENTS, topics.encode(topics.EventRecord(subsystem, message)))
 
     def _say(self, topic: str, body: bytes) -> None:
-        if self._pen is not None:
-            self._pen.take(AddMessage(topic, max(self._seen.now - self._began, 0), body))
+        if self._writer is not None:
+            self._writer.take(AddMessage(topic, max(self._seen.now - self._began, 0), body))
 
     def _look(self) -> None:
         """What has come since the last time: variables, worlds; in virtual time the values too."""
-        pen, now = self._pen, self._seen.now - self._began
-        if pen is None or self._end_at:
+        writer, now = self._writer, self._seen.now - self._began
+        if writer is None or self._end_at:
             return
         for name in self._names:
             table = self._subsystems.tables.get(name)
             if table is not None and len(table.entries) != self._met.get(name, 0):
-                self._meet(pen, name)
-        pen.look(now)
+                self._meet(writer, name)
+        writer.look(now)
         for world in self._seen.worlds:
-            self._show(pen, world, now)
+            self._show(writer, world, now)
 
-    def _meet(self, pen: RecordingWriter, name: str) -> None:
+    def _meet(self, writer: RecordingWriter, name: str) -> None:
         table, known = self._subsystems.tables[name], self._met.get(name, 0)
         new = list(table.entries.values())[known:]
         self._met[name] = known + len(new)
@@ -269,22 +269,22 @@ class Recorder:
             VariablePlace(entry.name, str(entry.shape), units.get(entry.name, ""), entry.offset) for entry in new
         )
         is_needed = not known or self._seen.is_virtual
-        pen.take(AddVariables(name, variables), table.segment if is_needed else None)
+        writer.take(AddVariables(name, variables), table.segment if is_needed else None)
 
-    def _show(self, pen: RecordingWriter, world: str, now: int) -> None:
+    def _show(self, writer: RecordingWriter, world: str, now: int) -> None:
         if world not in self._shown:
             scene = self._seen.scene(world)
             if scene is None:
                 return
-            pen.take(AddScene(world, _shapes(scene)))
+            writer.take(AddScene(world, _shapes(scene)))
             self._shown[world] = now
-            if pen.inlet is not None:
-                self._seen.pose_to(world, pen.inlet)
-        if pen.inlet is None and now >= self._shown[world]:
+            if writer.inlet is not None:
+                self._seen.pose_to(world, writer.inlet)
+        if writer.inlet is None and now >= self._shown[world]:
             self._shown[world] = now + _POSED_EVERY_NS
             poses = self._seen.poses(world)
             if poses is not None:
-                pen.take(WorldPoses(world, now, poses[1], poses[2]))
+                writer.take(WorldPoses(world, now, poses[1], poses[2]))
 
 
 def _shapes(scene: Mapping[str, object]) -> tuple[dict[str, object], ...]:

@@ -224,13 +224,13 @@ class WriterProcess:
             self._process.wait()
 
 
-def complaints(pen: RecordingWriter) -> list[str]:
+def complaints(writer: RecordingWriter) -> list[str]:
     """What the user has to know of a recording that is not what was asked for."""
     found = []
-    if pen.reason or not pen.is_done:
-        found.append(f"the recording is not whole: {pen.reason or 'whoever writes it does not come to an end'}")
-    if pen.missed:
-        found.append(f"{pen.missed} values of variables were written over before they could be recorded")
-    if pen.untold:
-        found.append(f"{pen.untold} events and poses had no room and are not in the recording")
+    if writer.reason or not writer.is_done:
+        found.append(f"the recording is not whole: {writer.reason or 'whoever writes it does not come to an end'}")
+    if writer.missed:
+        found.append(f"{writer.missed} values of variables were written over before they could be recorded")
+    if writer.untold:
+        found.append(f"{writer.untold} events and poses had no room and are not in the recording")
     return found

@@ -34,8 +34,8 @@ class AuditWriter(Protocol):
 class AuditLog:
     """Writes to a book; `complain` is told once when that no longer succeeds."""
 
-    def __init__(self, book: AuditWriter, complain: Callable[[str], None] = lambda _text: None) -> None:
-        self._book = book
+    def __init__(self, audit_writer: AuditWriter, complain: Callable[[str], None] = lambda _text: None) -> None:
+        self._audit_writer = audit_writer
         self._complain = complain
         self._trouble = ""
 
@@ -100,8 +100,8 @@ class AuditLog:
                 self._note("lost", who=message.name, result=str(message.cause))
 
     def _note(self, what: str, weighs: bool = False, **about: object) -> None:
-        self._book.note(what, weighs, **about)
-        trouble = self._book.trouble
+        self._audit_writer.note(what, weighs, **about)
+        trouble = self._audit_writer.trouble
         if trouble and not self._trouble:
             self._trouble = trouble
             self._complain(trouble)

@@ -1,4 +1,7 @@
-"""The beat book: whose datagram a beat is, and whether it counts. No I/O, no clock; strangers cost next to nothing."""
+"""The heartbeat registry knows whose datagram a heartbeat is, and whether it counts. No I/O, no clock.
+
+Strangers cost next to nothing.
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -62,13 +62,13 @@ class Acceptor:
         self._tasks: dict[int, asyncio.Task[None]] = {}
         self._relays: set[asyncio.Task[None]] = set()
         self._inside = 0
-        self._book = HeartbeatRegistry()
+        self._heartbeats = HeartbeatRegistry()
 
     async def serve(self, listener: socket.socket, beats: socket.socket | None) -> None:
         """Take connections until the program is gone; and their beats, where they can come as datagrams."""
         loop = asyncio.get_running_loop()
         if beats is not None:
-            self._book.port = beats.getsockname()[1]
+            self._heartbeats.port = beats.getsockname()[1]
             loop.add_reader(beats.fileno(), self._take_beats, beats)
         loop.call_soon(self._say_awake, loop, _IDLE)
         gone = asyncio.Event()
@@ -100,7 +100,7 @@ class Acceptor:
                 datagram = beats.recv(LENGTH + 1)
             except OSError:
                 return
-            self._book.take(datagram)
+            self._heartbeats.take(datagram)
 
     async def _accept(self, listener: socket.socket) -> None:
         loop = asyncio.get_running_loop()
@@ -153,7 +153,7 @@ class Acceptor:
         transport, _ = await loop.connect_accepted_socket(
             lambda: protocol, connected, ssl=self._context, ssl_handshake_timeout=limit
         )
-        return Relay(reader, asyncio.StreamWriter(transport, protocol, reader, loop), address, self._book)
+        return Relay(reader, asyncio.StreamWriter(transport, protocol, reader, loop), address, self._heartbeats)
 
     async def _inwards(self, relay: Relay, answer: LetIn, hello: Hello, payloads: list[bytes], address: str) -> None:
         if self._inside >= _RELAYS:
@@ -226,14 +226,14 @@ def main(words: list[str]) -> None:
     try:
         listener = listen(listening.host, listening.port)
         beats = hear_beats(listener)
-        house = Acceptor(listening, post)
+        acceptor = Acceptor(listening, post)
     except OSError as wrong:
         reason = f"cannot listen on {listening.host} port {listening.port}: {wrong.strerror or wrong}"
         post.send(encode(ListenFailed(reason)))
         return
     post.send(encode(ListenerReady(listener.getsockname()[1])))
     with contextlib.suppress(KeyboardInterrupt):
-        asyncio.run(house.serve(listener, beats))
+        asyncio.run(acceptor.serve(listener, beats))
 
 
 if __name__ == "__main__":

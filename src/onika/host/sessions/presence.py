@@ -24,9 +24,9 @@ class Presence:
     """The sessions of a runtime, with what each of them has said of itself."""
 
     def __init__(
-        self, doorway: SessionSource, watching: Callable[[], Set[str]], lease: Callable[[str], int] = lambda _: 0
+        self, session_source: SessionSource, watching: Callable[[], Set[str]], lease: Callable[[str], int] = lambda _: 0
     ) -> None:
-        self._doorway = doorway
+        self._session_source = session_source
         self._lease = lease
         self._watching = watching
         self._told: tuple[holding.SessionStanding, ...] = ()
@@ -34,7 +34,7 @@ class Presence:
     def sessions(self) -> tuple[holding.SessionStanding, ...]:
         """Who is known."""
         watching = self._watching()
-        sessions = self._doorway.sessions()
+        sessions = self._session_source.sessions()
         return tuple(self._standing(standing, watching) for standing in sessions)
 
     def answer(self, session: str) -> holding.Company:
@@ -46,7 +46,7 @@ class Presence:
         sessions = self.sessions()
         if sessions != self._told:
             self._told = sessions
-            self._doorway.tell(event.Company(sessions), holding.COMPANY)
+            self._session_source.tell(event.Company(sessions), holding.COMPANY)
 
     def _standing(self, standing: holding.SessionStanding, watching: Set[str]) -> holding.SessionStanding:
         return structs.replace(

@@ -38,9 +38,9 @@ class Relay:
         reader: asyncio.StreamReader,
         writer: asyncio.StreamWriter,
         address: str,
-        book: HeartbeatRegistry | None = None,
+        heartbeats: HeartbeatRegistry | None = None,
     ) -> None:
-        self._book = book or HeartbeatRegistry()
+        self._heartbeats = heartbeats or HeartbeatRegistry()
         self._heartbeat_key: HeartbeatKey | None = None
         self._inside: asyncio.StreamWriter | None = None
         self._reader = reader
@@ -85,7 +85,7 @@ class Relay:
 
     async def end(self, reason: str = "") -> None:
         """Close, politely where the other side still listens."""
-        self._book.close(self._heartbeat_key)
+        self._heartbeats.close(self._heartbeat_key)
         with contextlib.suppress(OSError, TimeoutError):
             if self._protocol.state is State.OPEN:
                 self._protocol.send_close(1000, reason)
@@ -119,7 +119,7 @@ class Relay:
 
     def _agree(self, response: Response) -> None:
         """Tell the other end, and nobody else, how it may beat beside this connection."""
-        self._heartbeat_key = self._book.open(self._beat)
+        self._heartbeat_key = self._heartbeats.open(self._beat)
         if self._heartbeat_key is not None:
             response.headers[HEADER] = self._heartbeat_key.header()
 

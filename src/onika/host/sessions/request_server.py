@@ -96,18 +96,18 @@ class RequestServer:
 
     def __init__(
         self,
-        guests: Sessions,
+        sessions: Sessions,
         clock: Callable[[], int],
         listener: ConnectionSource | None = None,
         accepts_code: bool = False,
     ) -> None:
-        self._guests = guests
+        self._sessions = sessions
         self._listener = listener
         self._clock = clock
         self._accepts_code = accepts_code
         self._parent: EnvironmentSession | None = None
         self._told: list[tuple[event.Event, str, str]] = []
-        self._ear: Callable[[event.Event, str], None] | None = None
+        self._event_observer: Callable[[event.Event, str], None] | None = None
         self._tickets: dict[int, tuple[EnvironmentSession, int]] = {}
         self._calls: dict[int, SessionRequest] = {}
         self.watcher: RequestObserver | None = None
@@ -127,7 +127,7 @@ class RequestServer:
 
     def adopt(self, carrier: Carrier, terms: LinkTerms = CHILD) -> str:
         """Serve the program that launched this one; the name of its session."""
-        self._parent = self._guests.adopt(carrier, self._clock(), terms)
+        self._parent = self._sessions.adopt(carrier, self._clock(), terms)
         return self._parent.name
 
     def readers(self) -> list[Descriptor]:
@@ -143,7 +143,7 @@ class RequestServer:
         if self._told:
             return 0.0
         now = self._clock()
-        times = [due for session in self._guests.sessions if (due := session.due_ns(now)) is not None]
+        times = [due for session in self._sessions.sessions if (due := session.due_ns(now)) is not None]
         return min(times) * 1e-9 if times else None
 
     def wait_s(self, most_s: float) -> float:
@@ -160,12 +160,12 @@ class RequestServer:
         self._told.append((message, subsystem, session))
         if self.watcher is not None:
             self.watcher.told(message)
-        if self._ear is not None:
-            self._ear(message, subsystem)
+        if self._event_observer is not None:
+            self._event_observer(message, subsystem)
 
-    def overhear(self, ear: Callable[[event.Event, str], None] | None) -> None:
+    def overhear(self, observer: Callable[[event.Event, str], None] | None) -> None:
         """From now on this one hears every event as it is told, and the subsystem it is about; none: nobody does."""
-        self._ear = ear
+        self._event_observer = observer
 
     def flush(self) -> None:
         """Send what was told."""
@@ -178,13 +178,13 @@ class RequestServer:
     def attend(self, session: str, subsystems: tuple[str, ...]) -> None:
         """From now on the session hears these subsystems, in place of what it heard before; `*`: all."""
         self.flush()  # what was told before was told to those who attended then
-        find = self._guests.find(session)
+        find = self._sessions.find(session)
         if find is not None:
             find.attends = frozenset(subsystems)
 
     def show(self, session: str, key: str, body: bytes) -> None:
         """The newest reading under a key, to one session; dropped where there is no room."""
-        find = self._guests.find(session)
+        find = self._sessions.find(session)
         if find is not None:
             find.show(key, body, self._clock())
 
@@ -193,7 +193,7 @@ class RequestServer:
         self.flush()
         self._welcome()
         now = self._clock()
-        sessions = self._guests.sessions
+        sessions = self._sessions.sessions
         self._turn += 1
         first = self._turn % len(sessions) if sessions else 0  # in turns: nobody is always the last
         stirring = self._stirring(sessions[first:] + sessions[:first], now)
@@ -213,17 +213,17 @@ class RequestServer:
     def close(self, reason: str) -> None:
         """Say good-bye to everybody; `requests` and `is_waiting` go on until it is out."""
         self.flush()
-        for session in self._guests.sessions:
+        for session in self._sessions.sessions:
             session.close(reason, self._clock())
 
     def sessions(self) -> tuple[holding.SessionStanding, ...]:
         """Who is known; here is who is heard at present."""
-        sessions = self._guests.sessions
+        sessions = self._sessions.sessions
         return tuple(holding.SessionStanding(one.name, one.caller.role.word, one.is_linked) for one in sessions)
 
     def hearing(self, session: str) -> SessionSilence | None:
         """How a session is heard; None: it is not known, or the launching program, whose end is told."""
-        find = self._guests.find(session)
+        find = self._sessions.find(session)
         if find is None or find is self._parent:
             return None
         now, link_quality = self._clock(), find.link_quality
@@ -239,7 +239,7 @@ class RequestServer:
 
     def lost(self) -> list[str]:
         """The sessions given up since the last call: good-bye, or silence for too long; each loss once."""
-        lost = self._guests.lost(self._clock())
+        lost = self._sessions.lost(self._clock())
         if self.watcher is not None:
             for session in lost:
                 self.watcher.lost(session)
@@ -264,7 +264,7 @@ class RequestServer:
             return
         for new, connected in self._listener.arrivals():
             carrier = SocketCarrier(connected, buffer_limit=_WAITING, turn=_PACKETS, turn_bytes=_BYTES)
-            why = self._guests.admit(new, carrier, self._clock())
+            why = self._sessions.admit(new, carrier, self._clock())
             if self.watcher is not None:
                 self.watcher.came(new, why)
             if why:
@@ -294,10 +294,10 @@ class RequestServer:
         return call
 
     def _say(self, body: bytes, subsystem: str, name: str, now: int) -> None:
-        for session in self._guests.sessions:
+        for session in self._sessions.sessions:
             hears = not subsystem or not session.attends.isdisjoint((subsystem, _EVERY))
             if hears or session.name == name:
                 session.signal(body, now)
 
     def _ports(self) -> list[ServerPort]:
-        return [port for session in self._guests.sessions for port in session.ports]
+        return [port for session in self._sessions.sessions for port in session.ports]

@@ -37,7 +37,7 @@ class VirtualDriver:
         scale: float | None = None,
     ) -> None:
         self._now = 0
-        self._pace = None if scale is None else RealtimeFactor(scale, 0, monotonic_ns())
+        self._realtime_factor = None if scale is None else RealtimeFactor(scale, 0, monotonic_ns())
         self._views: dict[str, memoryview] = {}
         self._rtpus = frozenset(rtpus)
         self._executive = Executive("", self._views, watch)
@@ -139,9 +139,9 @@ class VirtualDriver:
         self._deliver()
         if listener is None:
             return False
-        if self._pace is not None and not listener.is_hurried:
-            return self._keep_pace(self._pace, listener)
-        while listener.is_moving and (self._pace is None or listener.is_hurried):
+        if self._realtime_factor is not None and not listener.is_hurried:
+            return self._keep_pace(self._realtime_factor, listener)
+        while listener.is_moving and (self._realtime_factor is None or listener.is_hurried):
             if not self._answered(until):
                 return True
             if not self._instant(listener):
@@ -154,14 +154,14 @@ class VirtualDriver:
 
     def wait_s(self) -> float:
         """How long the loop may sleep before `advance` has something to do."""
-        if self._pace is None or self._listener is None:
+        if self._realtime_factor is None or self._listener is None:
             return 0.1
         if self._executive.owed():
             return 0.001
         following = self._next(self._listener)
         if following is None:
             return 0.02
-        return min(0.02, self._pace.wait_s(following))
+        return min(0.02, self._realtime_factor.wait_s(following))
 
     def stop(self) -> None:
         """Everything off and every drive in hold, latched (law 27)."""
@@ -198,11 +198,11 @@ class VirtualDriver:
 
     # Inner
 
-    def _keep_pace(self, pace: RealtimeFactor, listener: UnitListener) -> bool:
+    def _keep_pace(self, realtime_factor: RealtimeFactor, listener: UnitListener) -> bool:
         """Everything that is due as far as the clock may go; the worlds go all the way."""
-        pace.follow(self._now, monotonic_ns())
+        realtime_factor.follow(self._now, monotonic_ns())
         answered = self._answered(0)
-        allowed = pace.allowed(monotonic_ns(), stands=listener.is_still or not answered)
+        allowed = realtime_factor.allowed(monotonic_ns(), stands=listener.is_still or not answered)
         while answered and not listener.is_still:
             following = self._next(listener)
             if following is None or following > allowed:

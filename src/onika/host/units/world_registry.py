@@ -1,4 +1,4 @@
-"""Worlds by name: whatever package offers one under the entry point `onika.worlds`; the house itself knows none."""
+"""Worlds by name: whatever package offers one under the entry point `onika.worlds`; Onika itself knows none."""
 
 from collections.abc import Collection
 from importlib.metadata import entry_points

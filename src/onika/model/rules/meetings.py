@@ -47,8 +47,8 @@ class _Finder:
         return tuple(dict.fromkeys(faults))
 
     def _told(self, explored: Exploration, family: tuple[int, ...]) -> Iterator[Fault]:
-        for knot in explored.knots[:EXAMPLES]:
-            yield self._certain(knot) if explored.is_certain else self._possible(knot)
+        for deadlock in explored.deadlocks[:EXAMPLES]:
+            yield self._certain(deadlock) if explored.is_certain else self._possible(deadlock)
         for wait in explored.idling[:EXAMPLES]:
             yield Fault(
                 self._place(wait),
@@ -64,29 +64,29 @@ class _Finder:
                 is_note=True,
             )
 
-    def _certain(self, knot: Deadlock) -> Fault:
-        wait = self._knot(knot)
+    def _certain(self, deadlock: Deadlock) -> Fault:
+        wait = self._deadlock(deadlock)
         reason = (
             Reason.of("rules.tags_in_order", wait=wait)
-            if knot.is_circle
+            if deadlock.is_circle
             else Reason.of("rules.tags_as_often", wait=wait)
         )
-        return Fault(self._place(knot.waits[0]), reason, NOT_RUN)
+        return Fault(self._place(deadlock.waits[0]), reason, NOT_RUN)
 
-    def _possible(self, knot: Deadlock) -> Fault:
-        choices = [f"{self._flow(flow)} {choice}" for flow, choice in knot.choices]
+    def _possible(self, deadlock: Deadlock) -> Fault:
+        choices = [f"{self._flow(flow)} {choice}" for flow, choice in deadlock.choices]
         shown = choices if len(choices) <= EXAMPLES else ["…", *choices[-EXAMPLES:]]
         when = Reason.of("rules.when_chosen", choices=tuple(shown)) if shown else Reason.of("rules.in_some_runs")
-        wait = self._knot(knot)
-        if knot.is_circle:
+        wait = self._deadlock(deadlock)
+        if deadlock.is_circle:
             reason = Reason.of("rules.tags_in_order_always", wait=wait, when=when)
         else:
             reason = Reason.of("rules.tags_as_often_always", wait=wait, when=when)
-        return Fault(self._place(knot.waits[0]), reason, Reason.of("rules.flow_may_pass"), is_note=True)
+        return Fault(self._place(deadlock.waits[0]), reason, Reason.of("rules.flow_may_pass"), is_note=True)
 
-    def _knot(self, knot: Deadlock) -> Reason:
-        wait = self._waiting(knot.waits[0])
-        for further in knot.waits[1:]:
+    def _deadlock(self, deadlock: Deadlock) -> Reason:
+        wait = self._waiting(deadlock.waits[0])
+        for further in deadlock.waits[1:]:
             wait = Reason.of("rules.wait_which", wait=wait, further=self._waits_on(further))
         return wait
 

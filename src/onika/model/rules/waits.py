@@ -41,7 +41,7 @@ class Deadlock:
 class Exploration:
     """What was found among flows that have to do with each other."""
 
-    knots: tuple[Deadlock, ...]
+    deadlocks: tuple[Deadlock, ...]
     is_certain: bool
     """Whether every run comes to one of the knots."""
     idling: tuple[FlowWait, ...]

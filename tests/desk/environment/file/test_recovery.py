@@ -169,15 +169,15 @@ def test_applications_are_had_back_beside_configurations(tmp_path):  # R-X10
     gallery = AppFixture(tmp_path / "base")
     doc, conf = gallery.begun("grip", "open"), gallery.do(act.New())
     model = gallery.environment.model
-    rescues = [rescue_of(model.applications[doc]), rescue_of(model.documents[conf])]
+    records = [rescue_of(model.applications[doc]), rescue_of(model.documents[conf])]
     after = AppFixture(tmp_path / "base")
-    after.environment.become(lambda model: reopened(model, rescues))
+    after.environment.become(lambda model: reopened(model, records))
     assert list(after.environment.tree.applications) == ["a1"]
     assert after.flow("a1") == "grip open"
     assert after.view("a1").is_dirty
-    after.environment.become(lambda model: reopened(model, rescues[:1]))
+    after.environment.become(lambda model: reopened(model, records[:1]))
     assert after.view("a3").name == "Untitled-3"
     assert "is open as it was" in str(after.says[-1].text)
     lost = EnvironmentFixture(tmp_path / "other")
-    lost.environment.become(lambda model: reopened(model, rescues[:1]))
+    lost.environment.become(lambda model: reopened(model, records[:1]))
     assert "cannot be had back" in str(lost.says[-1].text)

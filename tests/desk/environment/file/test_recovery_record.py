@@ -44,9 +44,9 @@ def test_a_document_without_a_file_comes_back_too():
 
 @pytest.mark.parametrize("change", [lambda path: path.write_text("EOF\n"), Path.unlink])
 def test_a_file_that_has_changed_meanwhile_is_not_overwritten_unseen(document, change):  # R-B07
-    rescue = rescue_of(document)
+    record = rescue_of(document)
     change(document.opened.path)
-    again = document_of(rescue, "c1")
+    again = document_of(record, "c1")
     assert again.has_changed_on_disk
     assert isinstance(BaseDirectory(again.base).save_configuration(again.content.configuration, again.opened), Refusal)
 
@@ -72,9 +72,9 @@ def test_an_application_comes_back_as_it_was_and_as_unsaved(gallery):  # R-X10
     gallery.do(act.Save(doc, "job1", str(gallery.base.path)))
     gallery.do(act.SetBreakpoint(doc, (gallery.number(doc, "grip"),)))
     opened, syntax = gallery.environment.model.applications[doc], gallery.environment.model.syntax
-    rescue = read(write(rescue_of(opened)))
-    assert rescue.kind == ".appl"
-    again = application_of(rescue, "a9", syntax)
+    record = read(write(rescue_of(opened)))
+    assert record.kind == ".appl"
+    again = application_of(record, "a9", syntax)
     assert (again.application, again.opened.value) == (opened.application, opened.opened.value)
     assert (again.is_dirty, again.has_changed_on_disk, again.is_partial, again.base) == (
         True,
@@ -84,16 +84,16 @@ def test_an_application_comes_back_as_it_was_and_as_unsaved(gallery):  # R-X10
     )
     assert all(step.number for step in again.application.flows[0].steps)
     opened.opened.path.write_text("EOF\n")
-    assert application_of(rescue, "a9", syntax).has_changed_on_disk
+    assert application_of(record, "a9", syntax).has_changed_on_disk
 
 
 def test_an_application_without_a_file_comes_back_under_a_free_name(gallery):
     doc = gallery.begun("grip")
-    rescue = rescue_of(gallery.environment.model.applications[doc])
-    again = application_of(rescue, "a5", gallery.environment.model.syntax, "Untitled-7")
+    record = rescue_of(gallery.environment.model.applications[doc])
+    again = application_of(record, "a5", gallery.environment.model.syntax, "Untitled-7")
     assert (again.name, again.opened, again.is_dirty) == ("Untitled-7", None, True)
     with pytest.raises(ValueError, match="expected"):
-        application_of(replace(rescue, text=""), "a5", gallery.environment.model.syntax)
+        application_of(replace(record, text=""), "a5", gallery.environment.model.syntax)
 
 
 def test_one_whose_file_could_be_read_in_part_still_asks_before_it_is_saved(gallery):

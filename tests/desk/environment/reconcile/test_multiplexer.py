@@ -42,51 +42,51 @@ def now():
 
 
 @pytest.fixture
-def talk(wire, now):
+def multiplexer(wire, now):
     return Multiplexer(wire, lambda: now[0])
 
 
-def test_orders_and_events_are_told_in_the_order_in_which_they_came(talk, wire):
+def test_orders_and_events_are_told_in_the_order_in_which_they_came(multiplexer, wire):
     first, second = Order(live.Survey()), Order(request.Stop("now"))
-    talk.ask(first)
-    talk.ask(second)
+    multiplexer.ask(first)
+    multiplexer.ask(second)
     turned = event.TaskState("main", "a", "ON", 1.0)
     wire.words = [NumberedResponse(2, request.Done()), turned, NumberedResponse(1, request.Refused("no"))]
-    assert talk.hear() == [(second, request.Done()), turned, (first, request.Refused("no"))]
-    assert talk.readings() == {"main/X": b"1"}
+    assert multiplexer.hear() == [(second, request.Done()), turned, (first, request.Refused("no"))]
+    assert multiplexer.readings() == {"main/X": b"1"}
 
 
-def test_the_same_wish_is_said_once(talk, wire):
+def test_the_same_wish_is_said_once(multiplexer, wire):
     wish = live.Attend(("*",))
-    talk.attend(wish)
-    talk.attend(live.Attend(("*",)))
-    talk.attend(live.Attend(("*",), ("main/X",)))
+    multiplexer.attend(wish)
+    multiplexer.attend(live.Attend(("*",)))
+    multiplexer.attend(live.Attend(("*",), ("main/X",)))
     wire.words = [NumberedResponse(1, request.Done())]
-    assert len(wire.sent) == 2 and talk.hear() == []
+    assert len(wire.sent) == 2 and multiplexer.hear() == []
 
 
-def test_figures_are_asked_for_twice_a_second_and_never_twice_at_once(talk, wire, now):  # R-A11
-    assert talk.poll_figures(is_wanted=False) is None and wire.sent == []
-    talk.poll_figures(is_wanted=True)
+def test_figures_are_asked_for_twice_a_second_and_never_twice_at_once(multiplexer, wire, now):  # R-A11
+    assert multiplexer.poll_figures(is_wanted=False) is None and wire.sent == []
+    multiplexer.poll_figures(is_wanted=True)
     now[0] = 9.0
-    talk.poll_figures(is_wanted=True)
+    multiplexer.poll_figures(is_wanted=True)
     assert wire.sent == [live.Status()]
     wire.words = [NumberedResponse(1, FIGURES)]
-    assert talk.hear() == [] and talk.figures is FIGURES
-    assert talk.poll_figures(is_wanted=True) is None and len(wire.sent) == 2
+    assert multiplexer.hear() == [] and multiplexer.figures is FIGURES
+    assert multiplexer.poll_figures(is_wanted=True) is None and len(wire.sent) == 2
     wire.words = [NumberedResponse(2, request.Refused("no"))]
-    talk.hear()
-    assert talk.figures is None
-    assert talk.poll_figures(is_wanted=True) == pytest.approx(0.5)
+    multiplexer.hear()
+    assert multiplexer.figures is None
+    assert multiplexer.poll_figures(is_wanted=True) == pytest.approx(0.5)
     now[0] = 9.5
-    assert talk.poll_figures(is_wanted=True) is None and len(wire.sent) == 3
+    assert multiplexer.poll_figures(is_wanted=True) is None and len(wire.sent) == 3
 
 
-def test_orders_that_get_no_reply_any_more_are_refused_with_the_reason(talk, wire):  # R-E10
+def test_orders_that_get_no_reply_any_more_are_refused_with_the_reason(multiplexer, wire):  # R-E10
     order = Order(live.Survey())
-    talk.ask(order)
+    multiplexer.ask(order)
     wire.words = [LinkLost(LossCause.CLOSED, "it is gone")]
     with pytest.raises(LinkLost):
-        talk.hear()
-    assert talk.orphans("it is gone") == [(order, request.Refused("it is gone"))]
-    assert talk.orphans("it is gone") == []
+        multiplexer.hear()
+    assert multiplexer.orphans("it is gone") == [(order, request.Refused("it is gone"))]
+    assert multiplexer.orphans("it is gone") == []

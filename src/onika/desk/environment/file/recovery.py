@@ -13,7 +13,7 @@ from contextlib import contextmanager, suppress
 from dataclasses import replace
 from pathlib import Path
 
-from onika.desk.environment.file import recovery_record as rescues
+from onika.desk.environment.file import recovery_record as records
 from onika.desk.environment.file.autosave import UnsavedChange
 from onika.desk.environment.file.recovery_record import RecoveryRecord, application_of, document_of, rescue_of
 from onika.desk.environment.outcome.outcome import Done
@@ -48,7 +48,7 @@ class Recovery:
                 lock = _held(folder) if folder not in self._taken else None
                 if lock is not None:
                     self._taken[folder] = lock
-        return tuple(rescue for folder in self._taken for rescue in _read(folder))
+        return tuple(record for folder in self._taken for record in _read(folder))
 
     def carry_out(self, changes: Sequence[UnsavedChange]) -> str:
         """Write and remove files; why not, if so. May take as long as a disk does."""
@@ -57,7 +57,7 @@ class Recovery:
             if change.document is None:
                 path.unlink(missing_ok=True)
                 continue
-            done = whole.write(path, rescues.write(rescue_of(change.document)), whole.ANYTHING)
+            done = whole.write(path, records.write(rescue_of(change.document)), whole.ANYTHING)
             if isinstance(done, Refusal):
                 return str(done.reason)
         if changes:
@@ -102,13 +102,13 @@ def reopened(model: Model, recovered: Sequence[RecoveryRecord]) -> Done:
     return Done(model, says=tuple(says))
 
 
-def _of(model: Model, rescue: RecoveryRecord, number: int, name: str) -> Document | OpenApplication:
+def _of(model: Model, record: RecoveryRecord, number: int, name: str) -> Document | OpenApplication:
     """What was rescued, under the next id; raises ValueError."""
-    if rescue.kind != appl.ENDING:
-        return document_of(rescue, DocumentKind.CONFIGURATION.id(number), name)
+    if record.kind != appl.ENDING:
+        return document_of(record, DocumentKind.CONFIGURATION.id(number), name)
     if model.syntax is None:
         raise ValueError(Reason.of("run.icon_types_missing"))
-    return application_of(rescue, DocumentKind.APPLICATION.id(number), model.syntax, name)
+    return application_of(record, DocumentKind.APPLICATION.id(number), model.syntax, name)
 
 
 def _read(folder: Path) -> Iterator[RecoveryRecord]:
@@ -116,7 +116,7 @@ def _read(folder: Path) -> Iterator[RecoveryRecord]:
     for path in sorted(folder.glob(f"*{_ENDING}")):
         content, _ = text.load(path, str(path))
         try:
-            yield rescues.read(content or "")
+            yield records.read(content or "")
         except ValueError:
             with suppress(OSError):
                 path.rename(folder.parent / f"{folder.name}-{path.stem}.broken")

@@ -50,9 +50,9 @@ def rescue_of(document: Document | OpenApplication) -> RecoveryRecord:
     )
 
 
-def write(rescue: RecoveryRecord) -> str:
+def write(record: RecoveryRecord) -> str:
     """As a file holds it."""
-    return msgspec.json.encode(asdict(rescue)).decode() + "\n"
+    return msgspec.json.encode(asdict(record)).decode() + "\n"
 
 
 def read(content: str) -> RecoveryRecord:
@@ -60,46 +60,46 @@ def read(content: str) -> RecoveryRecord:
     return msgspec.json.decode(content, type=RecoveryRecord)
 
 
-def document_of(rescue: RecoveryRecord, doc: str, name: str = "") -> Document:
+def document_of(record: RecoveryRecord, doc: str, name: str = "") -> Document:
     """The document with the id `doc` as it was, and with another `name` where one is given; raises ValueError.
 
     It is as unsaved as it was; where its file has changed meanwhile, it says so.
     """
-    name = name or rescue.name
-    configuration, faults = conf.read(rescue.text, name, name)
+    name = name or record.name
+    configuration, faults = conf.read(record.text, name, name)
     if configuration is None:
         raise ValueError(_all_of(faults))
-    path = Path(rescue.path) if rescue.path else None
-    former = conf.read(rescue.former, rescue.name, rescue.path)[0] if path else None
-    opened = OpenedText(former, path, rescue.former) if path and former else None
+    path = Path(record.path) if record.path else None
+    former = conf.read(record.former, record.name, record.path)[0] if path else None
+    opened = OpenedText(former, path, record.former) if path and former else None
     return Document(
         doc,
         Content(configuration),
         opened=opened,
-        base=Path(rescue.base) if rescue.base else None,
-        has_changed_on_disk=_has_changed(rescue),
+        base=Path(record.base) if record.base else None,
+        has_changed_on_disk=_has_changed(record),
     )
 
 
-def application_of(rescue: RecoveryRecord, doc: str, syntax: Syntax, name: str = "") -> OpenApplication:
+def application_of(record: RecoveryRecord, doc: str, syntax: Syntax, name: str = "") -> OpenApplication:
     """The same of an application; raises ValueError."""
-    name = name or rescue.name
-    application, faults = appl.salvage(rescue.text, name, name, syntax)
+    name = name or record.name
+    application, faults = appl.salvage(record.text, name, name, syntax)
     if application is None:
         raise ValueError(_all_of(faults))
     application, last = numbered(application, 0)
-    here = OpenApplication(doc, application, last, base=Path(rescue.base) if rescue.base else None)
-    if not rescue.path:
+    here = OpenApplication(doc, application, last, base=Path(record.base) if record.base else None)
+    if not record.path:
         return here
-    path = Path(rescue.path)
-    former, wrong = appl.salvage(rescue.former, rescue.name, rescue.path, syntax)
-    is_partial = appl.read(rescue.former, rescue.name, rescue.path, syntax)[0] is None
+    path = Path(record.path)
+    former, wrong = appl.salvage(record.former, record.name, record.path, syntax)
+    is_partial = appl.read(record.former, record.name, record.path, syntax)[0] is None
     return replace(
         here,
-        opened=OpenedText(former, path, rescue.former) if former else None,
+        opened=OpenedText(former, path, record.former) if former else None,
         file_faults=told(former, wrong, is_partial=is_partial) if former else (),
         is_partial=is_partial,
-        has_changed_on_disk=_has_changed(rescue),
+        has_changed_on_disk=_has_changed(record),
     )
 
 
@@ -113,6 +113,6 @@ def _text(document: Document | OpenApplication) -> str:
     return appl.write(document.application)
 
 
-def _has_changed(rescue: RecoveryRecord) -> bool:
-    path = Path(rescue.path)
-    return bool(rescue.path) and text.load(path, rescue.path)[0] != rescue.former
+def _has_changed(record: RecoveryRecord) -> bool:
+    path = Path(record.path)
+    return bool(record.path) and text.load(path, record.path)[0] != record.former

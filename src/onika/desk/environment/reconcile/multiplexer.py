@@ -1,4 +1,4 @@
-"""The talk with one runtime: orders go out as they come, and what comes back is sorted; nothing here waits."""
+"""The multiplexer of one runtime: orders go out as they come, and what comes back is sorted; nothing here waits."""
 
 from collections.abc import Callable, Iterator
 from typing import Protocol
