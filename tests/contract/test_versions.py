@@ -8,7 +8,6 @@ import pytest
 from hypothesis import given, settings, strategies as st
 from tests.contract.test_formats import every_format
 from tests.files.models import FORMATS, TYPES, Format
-from tests.sentences import expected_by, found_by
 
 from onika.files import appl, conf, onk, rmod
 from onika.files.rmod import RmodText
@@ -16,6 +15,7 @@ from onika.model.configuration import Configuration, Placed
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
 from onika.words.fault import Refusal
+from onika.words.reason import Reason
 
 TASK = rmod.write(RmodText(Task("t", "m", frequency=10.0, object_type="Joint job")))
 CONF = conf.write(Configuration("c", (Placed("a"), Placed("b"))))
@@ -59,8 +59,8 @@ def test_a_planned_extension_is_refused_with_one_fault_under_its_version_and_by_
     newer = text.replace("1.3", "1.4", 1)
     found, faults = read(newer, "x", "f")
     assert found is None
-    known = "a file of version 1.3 or older, or 2.0"
-    assert [(expected_by(fault), found_by(fault)) for fault in faults] == [(known, "version 1.4, which is newer")]
+    refusal = Reason.of("files.version_newer_extended", version="1.3", extended="2.0", given="1.4")
+    assert [fault.reason for fault in faults] == [refusal]
     found, faults = read(text, "x", "f")
     assert found is None
     assert all(fault.place.line > 1 for fault in faults)
@@ -70,7 +70,11 @@ def test_a_new_line_of_the_onika_block_is_refused_by_name() -> None:
     text = TASK.replace("OBJECT      Joint job\n", "OBJECT      Joint job\nMEMBERS     a b\n")  # R-B09
     record, (fault,) = rmod.read(text, "t", "f")
     assert record is None
-    assert (expected_by(fault), found_by(fault)) == ("TARGET or LOCAL", "'MEMBERS a b'")
+    assert fault.reason == Reason.of(
+        "files.keywords_expected",
+        keywords=("TARGET", "LOCAL"),
+        line="'MEMBERS a b'",
+    )
 
 
 @every_format
@@ -83,7 +87,7 @@ def test_a_newer_file_is_refused_whole_and_says_so_once(form: Format, data: st.D
     body = text.partition("\n")[2].replace("EOF", "NEW words\nEOF\nEOF")
     for version in ("1.4", "1.3.0.1", "1.9", "2.0.1", "2.1", "10.0", *(() if form.is_extended else ("2", "2.0"))):
         _, faults = form.read(f"VERSION {version}\n{body}")
-        assert [found_by(fault) for fault in faults] == [f"version {version}, which is newer"]
+        assert [fault.reason.args["given"] for fault in faults] == [version]
         assert not faults[0].is_note
 
 

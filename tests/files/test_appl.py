@@ -1,7 +1,6 @@
 from dataclasses import replace
 
 import pytest
-from tests.sentences import expected_by, found_by
 
 from onika.files.appl import read, salvage, write
 from onika.model.application import AppFlow, Application, Branch, Hole, Icon
@@ -44,7 +43,7 @@ def flows(text: str) -> list[str]:
 
 def result(text: str) -> list[str]:
     _, faults = read(text, "work", "work.appl", SYNTAX)
-    return [f"{fault.place.line}: {expected_by(fault)} / {found_by(fault)}" for fault in faults]
+    return [f"{fault.place.line}: {fault.reason}" for fault in faults]
 
 
 def icon(name: str, kind: str, marks: str = "") -> str:
@@ -118,7 +117,7 @@ def test_the_marks_of_a_target_belong_to_its_job() -> None:
 def test_two_tags_on_one_action_are_a_fault() -> None:
     parts = [icon("move", "Joint job", "SYNCHTAG a\n"), icon("home", "Joint object", "SYNCHTAG b\n")]
     assert [fault.split(": ", 1)[1] for fault in result(application(*parts))] == [
-        "one synch tag for a job and its target / a and b"
+        "expected one synch tag for a job and its target, found a and b"
     ]
 
 
@@ -130,15 +129,19 @@ def test_an_older_file_may_lack_type_and_markers() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "expected"),
     [
-        ("parallel", "sideways", "3: parallel or conditional after APPLTYPE / 'APPLTYPE sideways'"),
-        ("FLOW\n", "\n", "7: FLOW / 'ROUTINE grip'"),
-        ("ENDFLOW\n", "\n", "126: ENDFLOW before the next FLOW / 'FLOW'"),
-        ("FLOW\n", "FLOW x\n", "5: FLOW alone on its line / 'FLOW x'"),
-        ("MARKER      no", "MARKER maybe", "8: yes or no after MARKER / 'MARKER maybe'"),
-        ("ROUTINE     grip", "ROUTINE a b", "7: the name of an icon after ROUTINE / 'ROUTINE a b'"),
-        ("WHILETEST   yes\n", "", "48: WHILETEST after WHILETAG / none"),
-        ("WHILETAG    again\n", "", "48: WHILETAG before WHILETEST / none"),
-        ("MARKER      no\n", "SYNCHTAG x\nMARKER no\n", "9: MARKER before SYNCHTAG / 'MARKER no' after it"),
+        ("parallel", "sideways", "3: expected parallel or conditional after APPLTYPE, found 'APPLTYPE sideways'"),
+        ("FLOW\n", "\n", "7: expected FLOW, found 'ROUTINE grip'"),
+        ("ENDFLOW\n", "\n", "126: expected ENDFLOW before the next FLOW, found 'FLOW'"),
+        ("FLOW\n", "FLOW x\n", "5: expected FLOW alone on its line, found 'FLOW x'"),
+        ("MARKER      no", "MARKER maybe", "8: expected yes or no after MARKER, found 'MARKER maybe'"),
+        ("ROUTINE     grip", "ROUTINE a b", "7: expected the name of an icon after ROUTINE, found 'ROUTINE a b'"),
+        ("WHILETEST   yes\n", "", "48: expected WHILETEST after WHILETAG, found none"),
+        ("WHILETAG    again\n", "", "48: expected WHILETAG before WHILETEST, found none"),
+        (
+            "MARKER      no\n",
+            "SYNCHTAG x\nMARKER no\n",
+            "9: expected MARKER before SYNCHTAG, found 'MARKER no' after it",
+        ),
     ],
 )
 def test_what_is_wrong_is_named_with_its_line(old: str, new: str, expected: str) -> None:
@@ -148,11 +151,14 @@ def test_what_is_wrong_is_named_with_its_line(old: str, new: str, expected: str)
 
 
 def test_an_application_without_flows_is_a_fault() -> None:
-    assert result("VERSION 1.3\nAPPLTYPE parallel\nEOF") == ["3: at least one FLOW / none"]
+    assert result("VERSION 1.3\nAPPLTYPE parallel\nEOF") == ["3: expected at least one FLOW, found none"]
 
 
 def test_the_last_flow_must_end() -> None:
-    assert "ENDFLOW / the end of the application" in result(application("ICONHOLE").replace("ENDFLOW\n", ""))[0]
+    assert (
+        "expected ENDFLOW, found the end of the application"
+        in result(application("ICONHOLE").replace("ENDFLOW\n", ""))[0]
+    )
 
 
 def test_a_file_is_of_version_2_0_only_where_1_3_has_no_words_for_it() -> None:

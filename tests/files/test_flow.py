@@ -1,5 +1,4 @@
 import pytest
-from tests.sentences import expected_by, found_by
 
 from onika.files.flow import DEEPEST, HEADS, depth, has_extensions, read_flows, write_flow
 from onika.files.line import TextReading, split
@@ -18,7 +17,7 @@ def read(text: str, version: str = "2.0") -> tuple[tuple[AppFlow, ...], list[str
     reading = TextReading("f", "it is left out")
     reading.open_versioned(f"VERSION {version}\n{text}EOF\n", extended=True)
     flows = read_flows(split(reading.lines, HEADS)[1:], SYNTAX, reading)
-    return flows, [f"{fault.place.line}: {expected_by(fault)} / {found_by(fault)}" for fault in reading.faults]
+    return flows, [f"{fault.place.line}: {fault.reason}" for fault in reading.faults]
 
 
 def words(*lines: str) -> str:
@@ -63,18 +62,21 @@ def test_a_step_knows_its_line() -> None:
 @pytest.mark.parametrize(
     ("lines", "expected"),
     [
-        (("FLOW", "BRANCH", "ENDBRANCH", "ENDFLOW"), ["4: at least one FLOW before ENDBRANCH / none"]),
-        (("FLOW", "BRANCH", "FLOW", "ENDFLOW", "ENDFLOW"), ["6: FLOW or ENDBRANCH / 'ENDFLOW'"]),
-        (("FLOW", "BRANCH", "FLOW", "ENDBRANCH", "ENDFLOW"), ["5: ENDFLOW before ENDBRANCH / 'ENDBRANCH'"]),
-        (("FLOW", "ENDBRANCH", "ENDFLOW"), ["3: BRANCH before ENDBRANCH / 'ENDBRANCH'"]),
-        (("FLOW", "BRANCH", "x", "ENDFLOW", "ENDBRANCH", "ENDFLOW"), ["4: FLOW / 'ICONHOLE'"]),
-        (("BRANCH", "FLOW", "ENDFLOW", "ENDBRANCH", "ENDFLOW"), ["2: FLOW / 'BRANCH'"]),
-        (("FLOW", "BRANCH", "FLOW", "ENDFLOW", "ENDBRANCH"), ["6: ENDFLOW / the end of the application"]),
-        (("FLOW", "BRANCH", "FLOW", "ENDFLOW"), ["5: ENDBRANCH / the end of the application"]),
+        (("FLOW", "BRANCH", "ENDBRANCH", "ENDFLOW"), ["4: expected at least one FLOW before ENDBRANCH, found none"]),
+        (("FLOW", "BRANCH", "FLOW", "ENDFLOW", "ENDFLOW"), ["6: expected FLOW or ENDBRANCH, found 'ENDFLOW'"]),
+        (("FLOW", "BRANCH", "FLOW", "ENDBRANCH", "ENDFLOW"),
+         ["5: expected ENDFLOW before ENDBRANCH, found 'ENDBRANCH'"]),
+        (("FLOW", "ENDBRANCH", "ENDFLOW"), ["3: expected BRANCH before ENDBRANCH, found 'ENDBRANCH'"]),
+        (("FLOW", "BRANCH", "x", "ENDFLOW", "ENDBRANCH", "ENDFLOW"), ["4: expected FLOW, found 'ICONHOLE'"]),
+        (("BRANCH", "FLOW", "ENDFLOW", "ENDBRANCH", "ENDFLOW"), ["2: expected FLOW, found 'BRANCH'"]),
+        (("FLOW", "BRANCH", "FLOW", "ENDFLOW", "ENDBRANCH"),
+         ["6: expected ENDFLOW, found the end of the application"]),
+        (("FLOW", "BRANCH", "FLOW", "ENDFLOW"), ["5: expected ENDBRANCH, found the end of the application"]),
         (("FLOW", "BRANCH", "FLOW", "FLOW", "ENDFLOW", "ENDBRANCH", "ENDFLOW"),
-         ["5: ENDFLOW before the next FLOW / 'FLOW'"]),
-        (("FLOW", "BRANCH x", "FLOW", "ENDFLOW", "ENDBRANCH", "ENDFLOW"), ["3: BRANCH alone on its line / 'BRANCH x'"]),
-        (("FLOW A == 1", "ENDFLOW"), ["2: FLOW alone on its line / 'FLOW A == 1'"]),
+         ["5: expected ENDFLOW before the next FLOW, found 'FLOW'"]),
+        (("FLOW", "BRANCH x", "FLOW", "ENDFLOW", "ENDBRANCH", "ENDFLOW"),
+         ["3: expected BRANCH alone on its line, found 'BRANCH x'"]),
+        (("FLOW A == 1", "ENDFLOW"), ["2: expected FLOW alone on its line, found 'FLOW A == 1'"]),
     ],
 )  # fmt: skip
 def test_what_does_not_close_is_named_with_its_line(lines: tuple[str, ...], expected: list[str]) -> None:
@@ -87,20 +89,20 @@ def test_what_does_not_close_is_named_with_its_line(lines: tuple[str, ...], expe
 def test_each_flow_of_a_branch_but_the_last_has_a_condition_or_none_has(heads: tuple[str, ...], line: int) -> None:
     inner = [text for head in heads for text in (f"FLOW {head}".strip(), "ENDFLOW")]
     _, result = read(words("FLOW", "BRANCH", *inner, "ENDBRANCH", "ENDFLOW"))
-    wanted = "a condition after each FLOW of a branch but the last, or after none"
-    assert result[0].startswith(f"{line}: {wanted} / ")
+    expected = "expected a condition after each FLOW of a branch but the last, or after none"
+    assert result[0].startswith(f"{line}: {expected}, found ")
 
 
 def test_a_wrong_condition_is_named() -> None:
     _, result = read(words("FLOW", "BRANCH", "FLOW lamp", "ENDFLOW", "FLOW", "ENDFLOW", "ENDBRANCH", "ENDFLOW"))
-    assert result == ["4: a condition such as LAMP == 1 after FLOW / 'FLOW lamp'"]
+    assert result == ["4: expected a condition such as LAMP == 1 after FLOW, found 'FLOW lamp'"]
 
 
 def test_an_older_file_has_no_branches() -> None:
     lines = words("FLOW", "BRANCH", "FLOW", "ENDFLOW", "ENDBRANCH", "ENDFLOW")  # R-B06
     assert read(lines, "1.3")[1] == [
-        "3: VERSION 2.0 for a line BRANCH / 'BRANCH'",
-        "6: VERSION 2.0 for a line ENDBRANCH / 'ENDBRANCH'",
+        "3: expected VERSION 2.0 for a line BRANCH, found 'BRANCH'",
+        "6: expected VERSION 2.0 for a line ENDBRANCH, found 'ENDBRANCH'",
     ]
 
 
@@ -112,7 +114,9 @@ def test_branches_stand_within_each_other_a_hundred_times_at_most() -> None:
     (flow,), result = read(nested(DEEPEST))
     assert result == []
     assert read(write_flow(flow)) == ((flow,), [])
-    assert read(nested(DEEPEST + 5000))[1] == [f"{2 * DEEPEST + 3}: at most 100 branches within each other / one more"]
+    assert read(nested(DEEPEST + 5000))[1] == [
+        f"{2 * DEEPEST + 3}: expected at most 100 branches within each other, found one more"
+    ]
 
 
 def test_marks_of_targets_in_branches_go_to_their_jobs() -> None:

@@ -1,5 +1,4 @@
 import pytest
-from tests.sentences import expected_by, found_by
 
 from onika.files.icon import SLOTS, read_icon, write_icon
 from onika.files.line import TextReading
@@ -24,7 +23,7 @@ def given(lines: str) -> tuple[Onikon | None, list[str], bool]:
     reading = TextReading("f", "")
     reading.open(lines + "EOF")
     onikon = read_icon("x", reading.arrange(reading.lines, SLOTS), SYNTAX, reading)
-    faults = [f"{fault.place.line}: {expected_by(fault)} / {found_by(fault)}" for fault in reading.faults]
+    faults = [f"{fault.place.line}: {fault.reason}" for fault in reading.faults]
     return onikon, faults, reading.broken
 
 
@@ -49,12 +48,12 @@ def test_a_line_value_may_stand_in_quotes() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "expected"),
     [
-        ("2.5", "", "3: 3 elements of type double for endpoint / 2 in 'UI 1 -3e-1'"),
-        ("2.5", "nan", "3: a finite number (double) / 'nan'"),
-        ("2.5", "x", "3: a number (double) / 'x'"),
-        ("UI turn  left\n", "", "4: 3 lines UI (endpoint, file, say) / 2"),
-        ("UI turn  left\n", "UI\n", "5: 1 elements of type line for say / 0 in 'UI'"),
-        ('"b c"', '"b c', "4: words, those with blanks in double quotes / '\"b c'"),
+        ("2.5", "", "3: expected 3 elements of type double for endpoint, found 2 in 'UI 1 -3e-1'"),
+        ("2.5", "nan", "3: expected a finite number (double), found 'nan'"),
+        ("2.5", "x", "3: expected a number (double), found 'x'"),
+        ("UI turn  left\n", "", "4: expected 3 lines UI (endpoint, file, say), found 2"),
+        ("UI turn  left\n", "UI\n", "5: expected 1 elements of type line for say, found 0 in 'UI'"),
+        ('"b c"', '"b c', "4: expected words, those with blanks in double quotes, found '\"b c'"),
     ],
 )
 def test_wrong_values_are_named_with_their_line(old: str, new: str, expected: str) -> None:
@@ -66,8 +65,8 @@ def test_wrong_values_are_named_with_their_line(old: str, new: str, expected: st
 def test_an_action_has_no_values() -> None:
     assert given(f"ONIKON Complete job\nDESC\nUI none\n{PICT}")[1] == []
     assert given(f"ONIKON Complete job\nDESC\nUI 1\nUI none\n{PICT}")[1] == [
-        "3: one line UI none for Complete job / 'UI 1'",
-        "4: one line UI none for Complete job / 'UI none'",
+        "3: expected one line UI none for Complete job, found 'UI 1'",
+        "4: expected one line UI none for Complete job, found 'UI none'",
     ]
 
 
@@ -75,7 +74,7 @@ def test_a_job_of_unknown_type_keeps_its_name_with_a_note() -> None:
     onikon, faults, broken = given(f"ONIKON Force job\nDESC\nUI none\n{PICT}")  # R-D16
     assert onikon
     assert onikon.type == "Force job"
-    assert faults == ["1: a type of icon that the syntax defines / 'ONIKON Force job'"]
+    assert faults == ["1: expected a type of icon that the syntax defines, found 'ONIKON Force job'"]
     assert not broken
 
 

@@ -1,5 +1,4 @@
 import pytest
-from tests.sentences import expected_by, found_by
 
 from onika.files.line import (
     FileLine,
@@ -32,7 +31,7 @@ def opened(text: str, versioned: bool = False) -> TextReading:
 
 
 def result(reading: TextReading) -> list[str]:
-    return [f"{fault.place.line}: {expected_by(fault)} / {found_by(fault)}" for fault in reading.faults]
+    return [f"{fault.place.line}: {fault.reason}" for fault in reading.faults]
 
 
 def arranged(text: str, is_old: bool = False) -> list[str]:
@@ -56,21 +55,24 @@ def test_a_sign_within_a_line_begins_no_comment() -> None:
 
 def test_a_file_without_eof_is_truncated() -> None:
     reading = opened("A 1\nB 2\n")  # R-B07
-    assert result(reading) == ["2: EOF as the last line / the end of the file after 'B 2'"]
+    assert result(reading) == ["2: expected EOF as the last line, found the end of the file after 'B 2'"]
     assert reading.broken
 
 
 def test_an_empty_file_is_a_fault() -> None:
-    assert result(opened("")) == ["0: lines with keywords and EOF / an empty file"]
-    assert result(opened("\n# only this\n")) == ["0: lines with keywords and EOF / an empty file"]
+    assert result(opened("")) == ["0: expected lines with keywords and EOF, found an empty file"]
+    assert result(opened("\n# only this\n")) == ["0: expected lines with keywords and EOF, found an empty file"]
 
 
 def test_nothing_may_follow_eof() -> None:
-    assert result(opened("EOF x\nA 1\n")) == ["1: EOF alone on its line / 'EOF x'", "2: nothing after EOF / 'A 1'"]
+    assert result(opened("EOF x\nA 1\n")) == [
+        "1: expected EOF alone on its line, found 'EOF x'",
+        "2: expected nothing after EOF, found 'A 1'",
+    ]
 
 
 def test_a_nul_byte_is_named_with_its_line() -> None:
-    assert result(opened("A 1\nB \x002\nEOF")) == ["2: printable text / 'B \\x002'"]  # R-B07
+    assert result(opened("A 1\nB \x002\nEOF")) == ["2: expected printable text, found 'B \\x002'"]  # R-B07
 
 
 def test_a_fault_prints_as_the_requirement_says() -> None:
@@ -109,16 +111,16 @@ def test_lines_in_order_are_right(text: str) -> None:
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
-        ("B\nA", ["2: A before B / 'A' after it"]),
-        ("A\nB\nD\nC", ["4: C before D / 'C' after it"]),
-        ("A\nA\nB", ["2: A once / 'A' again"]),
-        ("A\nX 1\nB", ["2: B / 'X 1'"]),
-        ("A\nB\nC\nX", ["4: C or D / 'X'"]),
-        ("A\nB\nD\nX", ["4: no more lines here / 'X'"]),
-        ("B\nD", ["1: a line A / none"]),
-        ("A", ["1: a line B / none"]),
-        ("X\nY", ["1: A / 'X'", "2: A / 'Y'", "2: a line B / none"]),
-        ("X 1\nB", ["1: A / 'X 1'"]),
+        ("B\nA", ["2: expected A before B, found 'A' after it"]),
+        ("A\nB\nD\nC", ["4: expected C before D, found 'C' after it"]),
+        ("A\nA\nB", ["2: expected A once, found 'A' again"]),
+        ("A\nX 1\nB", ["2: expected B, found 'X 1'"]),
+        ("A\nB\nC\nX", ["4: expected C or D, found 'X'"]),
+        ("A\nB\nD\nX", ["4: expected no more lines here, found 'X'"]),
+        ("B\nD", ["1: expected a line A, found none"]),
+        ("A", ["1: expected a line B, found none"]),
+        ("X\nY", ["1: expected A, found 'X'", "2: expected A, found 'Y'", "2: expected a line B, found none"]),
+        ("X 1\nB", ["1: expected A, found 'X 1'"]),
     ],
 )
 def test_every_line_out_of_order_is_named(text: str, expected: list[str]) -> None:
@@ -127,7 +129,7 @@ def test_every_line_out_of_order_is_named(text: str, expected: list[str]) -> Non
 
 def test_an_older_file_may_lack_lines() -> None:
     assert arranged("A", is_old=True) == []  # R-B06
-    assert arranged("B", is_old=True) == ["1: a line A / none"]
+    assert arranged("B", is_old=True) == ["1: expected a line A, found none"]
 
 
 @pytest.mark.parametrize(
@@ -142,7 +144,7 @@ def test_files_of_older_versions_are_known(version: str | None, is_old: bool) ->
 def test_a_newer_file_is_refused_with_one_fault(version: str) -> None:
     reading = opened(f"VERSION {version}\nNEW\x00 \n", versioned=True)  # R-B06
     assert reading.is_over
-    assert result(reading) == [f"1: a file of version 1.3 or older / version {version}, which is newer"]
+    assert result(reading) == [f"1: expected a file of version 1.3 or older, found version {version}, which is newer"]
 
 
 @pytest.mark.parametrize("version", ["", "new", "1.3x", "-1", "1..3", "1 3"])
@@ -164,12 +166,12 @@ def test_the_words_of_a_line_are_checked_and_a_default_stands_for_wrong_ones() -
     assert reading.yes(FileLine(7, "Y", "Yes"), default=False) is False
     assert reading.word(FileLine(8, "W", "one two"), "a tag", "d") == "d"
     assert result(reading) == [
-        "2: a whole number after N / 'N x'",
-        "3: a whole number of at least 0 after N / 'N -1'",
-        "4: 2 whole numbers after XY / 'XY 1 2 3'",
-        "5: 2 whole numbers after XY / 'XY 1 99999999999'",
-        "7: yes or no after Y / 'Y Yes'",
-        "8: a tag after W / 'W one two'",
+        "2: expected a whole number after N, found 'N x'",
+        "3: expected a whole number of at least 0 after N, found 'N -1'",
+        "4: expected 2 whole numbers after XY, found 'XY 1 2 3'",
+        "5: expected 2 whole numbers after XY, found 'XY 1 99999999999'",
+        "7: expected yes or no after Y, found 'Y Yes'",
+        "8: expected a tag after W, found 'W one two'",
     ]
 
 

@@ -1,7 +1,5 @@
 from dataclasses import replace
 
-from tests.sentences import expected_by
-
 from onika.files.onk import read, write
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
@@ -36,7 +34,7 @@ def test_a_start_icon_belongs_into_no_dictionary() -> None:
     text = TEXT.replace("Joint object", "Application start").replace("0.5 -1.0\nUI          2.0", "none")
     onikon, (fault,) = read(text, "home", "home.onk", SYNTAX)
     assert onikon is None
-    assert expected_by(fault) == "an action or a target"
+    assert str(fault.reason) == "expected an action or a target, found 'ONIKON Application start'"
 
 
 def test_an_older_file_may_lack_its_description() -> None:
@@ -64,16 +62,16 @@ def test_an_icon_with_further_targets_is_of_version_2_0() -> None:
 
 
 def test_what_is_wrong_with_further_targets_is_named() -> None:
-    def expected(text: str) -> set[str]:
-        return {expected_by(fault) for fault in read(text, "via", "f", MORE)[1] if not fault.is_note}
+    def keys(text: str) -> set[str]:
+        return {fault.reason.key for fault in read(text, "via", "f", MORE)[1] if not fault.is_note}
 
     text = write(VIA)
-    assert expected(text.replace("2.0", "1.3", 1)) == {"VERSION 2.0 for a line TARGET"}
-    assert expected(text.replace("Joint job", "Complete job")) == {"no line TARGET for Complete job"}
-    assert expected(text.replace("Joint object", "Force object")) == {"a type of target that the syntax defines"}
-    assert expected(text.replace("Joint object", "Joint job")) == {"a type of target that the syntax defines"}
-    assert expected(text.replace("Joint job", "Force job")) == set()
-    assert expected(text.replace("Joint job", "Force job").replace("Joint object", "Odd object")) == set()
+    assert keys(text.replace("2.0", "1.3", 1)) == {"files.version_for_line"}
+    assert keys(text.replace("Joint job", "Complete job")) == {"files.no_line_target"}
+    assert keys(text.replace("Joint object", "Force object")) == {"files.target_type_unknown"}
+    assert keys(text.replace("Joint object", "Joint job")) == {"files.target_type_unknown"}
+    assert keys(text.replace("Joint job", "Force job")) == set()
+    assert keys(text.replace("Joint job", "Force job").replace("Joint object", "Odd object")) == set()
 
 
 SPOKEN = Onikon(
@@ -92,12 +90,11 @@ def test_an_icon_says_what_it_is_in_several_languages_under_version_2_0() -> Non
 
 
 def test_what_is_wrong_with_a_description_in_another_language_is_named() -> None:
-    def expected(text: str) -> set[str]:
-        return {expected_by(fault) for fault in read(text, "hold", "f", MORE)[1]}
+    def keys(text: str) -> set[str]:
+        return {fault.reason.key for fault in read(text, "hold", "f", MORE)[1]}
 
     text = write(SPOKEN)  # R-B07
-    assert expected(text.replace("2.0", "1.3", 1)) == {"VERSION 2.0 for a line DESCIN"}
-    assert expected(text.replace("pt-BR", "es")) == {"DESCIN es once"}
-    meant = {"the code of a language and a description after DESCIN"}
-    assert expected(text.replace("pt-BR feche", "pt-BR")) == meant
-    assert expected(text.replace("es cierra", "Spanish cierra")) == meant
+    assert keys(text.replace("2.0", "1.3", 1)) == {"files.version_for_line"}
+    assert keys(text.replace("pt-BR", "es")) == {"files.descin_once"}
+    assert keys(text.replace("pt-BR feche", "pt-BR")) == {"files.descin_line"}
+    assert keys(text.replace("es cierra", "Spanish cierra")) == {"files.descin_line"}

@@ -1,5 +1,3 @@
-from tests.sentences import expected_by, found_by
-
 from onika.files.line import TextReading
 from onika.files.picture import read, read_rows, write
 from onika.model.picture import SIZE, blank
@@ -10,9 +8,7 @@ TEXT = write(blank())
 def result(text: str) -> list[str]:
     picture, faults = read(text, "start", "OnikaStart.dta")
     assert (picture is None) == any(not fault.is_note for fault in faults)
-    return [
-        f"{fault.place.line}: {expected_by(fault)} / {found_by(fault)} / {str(fault.instead)!s}" for fault in faults
-    ]
+    return [f"{fault.place.line}: {fault.reason} / {fault.instead}" for fault in faults]
 
 
 def test_a_picture_file_is_32_lines_of_32_digits() -> None:
@@ -23,21 +19,21 @@ def test_a_picture_file_is_32_lines_of_32_digits() -> None:
 
 def test_a_9_is_read_as_black_with_a_note() -> None:
     text = TEXT.replace("8777", "8977", 1)  # reading 38
-    assert result(text) == ["2: colours from 0 to 8 / a 9 / it is read as black"]
+    assert result(text) == ["2: expected colours from 0 to 8, found a 9 / it is read as black"]
     picture, _ = read(text, "start", "f")
     assert picture
     assert picture.rows[1].startswith("8877")
 
 
 def test_a_coloured_border_is_read_as_black_with_one_note() -> None:
-    expected = ["2: a black border / another colour on it / the border is read as black"]
+    expected = ["2: expected a black border, found another colour on it / the border is read as black"]
     assert result(TEXT.replace("\n87", "\n07")) == expected  # R-B11
 
 
 def test_missing_and_wrong_rows_are_faults() -> None:
     stands = "the shipped picture stands for start"
-    assert result("") == [f"0: 32 rows of a picture / 0 / {stands}"]
-    assert result(TEXT + TEXT) == [f"33: 32 rows of a picture / 64 / {stands}"]
+    assert result("") == [f"0: expected 32 rows of a picture, found 0 / {stands}"]
+    assert result(TEXT + TEXT) == [f"33: expected 32 rows of a picture, found 64 / {stands}"]
     assert len(result(TEXT.replace("8777", "x777", 3))) == 3
     assert read(TEXT.replace("8777", "x777", 3), "start", "f")[0] is None
 

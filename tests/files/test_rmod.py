@@ -2,10 +2,10 @@ from dataclasses import replace
 
 import pytest
 from hypothesis import given, settings, strategies as st
-from tests.sentences import expected_by, found_by
 
 from onika.files.rmod import RmodText, read, write
 from onika.model.task import LocalLine, Task, TaskType
+from onika.words.reason import Reason
 
 TEXT = """\
 ##### joint path
@@ -52,7 +52,7 @@ def result(text: str) -> list[str]:
     record, faults = read(text, "jmove", "jmove.rmod")
     assert (record is None) == bool(faults)
     assert all(str(fault.instead) == "the task is left out" for fault in faults)
-    return [f"{fault.place.line}: {expected_by(fault)} / {found_by(fault)}" for fault in faults]
+    return [f"{fault.place.line}: {fault.reason}" for fault in faults]
 
 
 def changed(old: str, new: str) -> list[str]:
@@ -93,44 +93,68 @@ def test_a_rate_is_rewritten_as_period_when_wanted() -> None:
 def test_every_fault_is_named_at_once() -> None:
     text = TEXT.replace("MODULE      ", "MODULE ./").replace("Q_MEZ", "q_mez").replace("FREQ        500", "FREQ -1")
     assert result(text.replace("EOF\n", "")) == [  # R-B07
-        "3: the name of a module after MODULE / 'MODULE ./quintic'",
-        "10: names of state variables or none after INVAR / 'INVAR q_mez'",
-        "14: a number above 0 (Hz) after FREQ / 'FREQ -1'",
-        "22: EOF as the last line / the end of the file after 'GAIN 1e3'",
+        "3: expected the name of a module after MODULE, found 'MODULE ./quintic'",
+        "10: expected names of state variables or none after INVAR, found 'INVAR q_mez'",
+        "14: expected a number above 0 (Hz) after FREQ, found 'FREQ -1'",
+        "22: expected EOF as the last line, found the end of the file after 'GAIN 1e3'",
     ]
 
 
 @pytest.mark.parametrize(
     ("old", "new", "expected"),
     [
-        ("Q_MEZ", "Q_MEZ Q_MEZ", "10: every name once / 'INVAR Q_MEZ Q_MEZ'"),
-        ("OUTCONST    none", "OUTCONST", "9: names of state variables or none after OUTCONST / 'OUTCONST'"),
+        ("Q_MEZ", "Q_MEZ Q_MEZ", "10: expected every name once, found 'INVAR Q_MEZ Q_MEZ'"),
+        (
+            "OUTCONST    none",
+            "OUTCONST",
+            "9: expected names of state variables or none after OUTCONST, found 'OUTCONST'",
+        ),
         (
             "OUTCONST    none",
             "OUTCONST X none",
-            "9: names of state variables or none after OUTCONST / 'OUTCONST X none'",
+            "9: expected names of state variables or none after OUTCONST, found 'OUTCONST X none'",
         ),
-        ("OUTCONST    none", "OUTCONST NONE", "9: names of state variables or none after OUTCONST / 'OUTCONST NONE'"),
-        ("OUT=Q_REF", "OUT", "7: SVARALIAS CODED = SVAR with names of state variables / 'SVARALIAS OUT'"),
-        ("OUT=Q_REF", "JOINTS=N", "7: one alias of JOINTS / 'SVARALIAS JOINTS=N'"),
-        ("OUT=Q_REF", "NOWHERE=X", "7: an alias of a port of this task / 'SVARALIAS NOWHERE=X'"),
-        ("OUT=Q_REF", "OUT=Q^_REF", "11: one output for each variable / OUT and Q^_REF as Q^_REF"),
-        ("periodic", "aperiodic", "14: no FREQ and no PERIOD for an aperiodic task / 'FREQ 500'"),
-        ("periodic", "often", "12: periodic, synchronous or aperiodic after TASKTYPE / 'TASKTYPE often'"),
-        ("FREQ        500", "", "12: FREQ or PERIOD for a periodic task / neither"),
-        ("FREQ        500", "FREQ 500\nPERIOD 0.002", "15: either FREQ or PERIOD / both"),
-        ("FREQ        500", "FREQ 0", "14: a number above 0 (Hz) after FREQ / 'FREQ 0'"),
-        ("FREQ        500", "FREQ inf", "14: a number above 0 (Hz) after FREQ / 'FREQ inf'"),
-        ("FREQ        500", "FREQ 1e999", "14: a number above 0 (Hz) after FREQ / 'FREQ 1e999'"),
-        ("FREQ        500", "PERIOD nan", "14: a number above 0 (s) after PERIOD / 'PERIOD nan'"),
-        ("FREQ        500", "PERIOD 1e-310", "14: a period that is no fraction of nothing / 'PERIOD 1e-310'"),
-        ("ONIKA\n", "\n", "17: ONIKA before OBJECT / none"),
-        ("OBJECT      Joint job\n", "\n", "16: OBJECT after ONIKA / none"),
-        ("Joint job", "Joint object", "17: a type of job such as Joint job after OBJECT / 'OBJECT Joint object'"),
-        ("GAIN ", "?? ", "22: the name of a parameter / '?? 1e3'"),
-        ("GAIN ", "OBJECT ", "22: OBJECT before LOCAL / 'OBJECT 1e3'"),
-        ("LOCAL\n", "LOCAL x\n", "19: LOCAL alone on its line / 'LOCAL x'"),
-        ("DESC ", "DESK ", "4: DESC / 'DESK path of fifth order'"),
+        (
+            "OUTCONST    none",
+            "OUTCONST NONE",
+            "9: expected names of state variables or none after OUTCONST, found 'OUTCONST NONE'",
+        ),
+        (
+            "OUT=Q_REF",
+            "OUT",
+            "7: expected SVARALIAS CODED = SVAR with names of state variables, found 'SVARALIAS OUT'",
+        ),
+        ("OUT=Q_REF", "JOINTS=N", "7: expected one alias of JOINTS, found 'SVARALIAS JOINTS=N'"),
+        ("OUT=Q_REF", "NOWHERE=X", "7: expected an alias of a port of this task, found 'SVARALIAS NOWHERE=X'"),
+        ("OUT=Q_REF", "OUT=Q^_REF", "11: expected one output for each variable, found OUT and Q^_REF as Q^_REF"),
+        ("periodic", "aperiodic", "14: expected no FREQ and no PERIOD for an aperiodic task, found 'FREQ 500'"),
+        (
+            "periodic",
+            "often",
+            "12: expected periodic, synchronous or aperiodic after TASKTYPE, found 'TASKTYPE often'",
+        ),
+        ("FREQ        500", "", "12: expected FREQ or PERIOD for a periodic task, found neither"),
+        ("FREQ        500", "FREQ 500\nPERIOD 0.002", "15: expected either FREQ or PERIOD, found both"),
+        ("FREQ        500", "FREQ 0", "14: expected a number above 0 (Hz) after FREQ, found 'FREQ 0'"),
+        ("FREQ        500", "FREQ inf", "14: expected a number above 0 (Hz) after FREQ, found 'FREQ inf'"),
+        ("FREQ        500", "FREQ 1e999", "14: expected a number above 0 (Hz) after FREQ, found 'FREQ 1e999'"),
+        ("FREQ        500", "PERIOD nan", "14: expected a number above 0 (s) after PERIOD, found 'PERIOD nan'"),
+        (
+            "FREQ        500",
+            "PERIOD 1e-310",
+            "14: expected a period that is no fraction of nothing, found 'PERIOD 1e-310'",
+        ),
+        ("ONIKA\n", "\n", "17: expected ONIKA before OBJECT, found none"),
+        ("OBJECT      Joint job\n", "\n", "16: expected OBJECT after ONIKA, found none"),
+        (
+            "Joint job",
+            "Joint object",
+            "17: expected a type of job such as Joint job after OBJECT, found 'OBJECT Joint object'",
+        ),
+        ("GAIN ", "?? ", "22: expected the name of a parameter, found '?? 1e3'"),
+        ("GAIN ", "OBJECT ", "22: expected OBJECT before LOCAL, found 'OBJECT 1e3'"),
+        ("LOCAL\n", "LOCAL x\n", "19: expected LOCAL alone on its line, found 'LOCAL x'"),
+        ("DESC ", "DESK ", "4: expected DESC, found 'DESK path of fifth order'"),
     ],
 )
 def test_what_is_wrong_is_named_with_its_line(old: str, new: str, expected: str) -> None:
@@ -141,7 +165,11 @@ def test_a_parameter_given_twice_is_noted_and_both_lines_stay() -> None:
     record, (note,) = read(TEXT.replace("# a comment", "GAIN 3"), "jmove", "f")  # R-B01
     assert record
     assert note.is_note
-    assert (note.place.line, expected_by(note), str(note.instead)) == (22, "GAIN once", "the last one counts")
+    assert (note.place.line, note.reason, str(note.instead)) == (
+        22,
+        Reason.of("files.keyword_once", keyword="GAIN", line="'GAIN 1e3'"),
+        "the last one counts",
+    )
     assert write(record, replace(record.task, frequency=1.0)) == TEXT.replace("# a comment", "GAIN 3").replace(
         "FREQ        500", "FREQ        1"
     )
@@ -149,7 +177,7 @@ def test_a_parameter_given_twice_is_noted_and_both_lines_stay() -> None:
 
 def test_the_order_of_lines_is_law() -> None:
     text = TEXT.replace("MODULE      quintic\n", "").replace("TASKTYPE", "MODULE quintic\nTASKTYPE")
-    assert result(text) == ["11: MODULE before OUTVAR / 'MODULE quintic' after it"]  # reading 41
+    assert result(text) == ["11: expected MODULE before OUTVAR, found 'MODULE quintic' after it"]  # reading 41
 
 
 def test_a_port_line_may_give_an_aliased_name() -> None:
@@ -167,7 +195,7 @@ def test_aliases_may_exchange_two_names() -> None:
 
 
 def test_a_file_with_nothing_but_eof_is_no_task() -> None:
-    assert result("EOF")[0] == "1: a line MODULE / none"
+    assert result("EOF")[0] == "1: expected a line MODULE, found none"
 
 
 def test_onika_and_local_blocks_may_be_absent() -> None:
@@ -207,9 +235,9 @@ def test_further_targets_stand_behind_the_type_of_the_job() -> None:
     again, _ = read(fresh, "t", "f")
     assert again
     assert again.task == record.task
-    for wrong, expected in (
-        (text.replace("OBJECT Joint job\n", ""), "OBJECT before TARGET"),
-        (text.replace("TARGET Joint object", "TARGET Joint job"), "a type of target such as Joint object after TARGET"),
-        (text.replace("TARGET Joint object", "TARGET object"), "a type of target such as Joint object after TARGET"),
+    for wrong, key in (
+        (text.replace("OBJECT Joint job\n", ""), "files.object_before_target"),
+        (text.replace("TARGET Joint object", "TARGET Joint job"), "files.type_of_target"),
+        (text.replace("TARGET Joint object", "TARGET object"), "files.type_of_target"),
     ):
-        assert expected in [expected_by(fault) for fault in read(wrong, "t", "f")[1]]
+        assert key in [fault.reason.key for fault in read(wrong, "t", "f")[1]]

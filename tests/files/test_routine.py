@@ -1,7 +1,6 @@
 from dataclasses import replace
 
 import pytest
-from tests.sentences import expected_by
 
 from onika.files.line import TextReading
 from onika.files.routine import is_extended, marked, read_condition, read_routine, write_routine
@@ -62,25 +61,29 @@ def test_conditions_stand_behind_their_marks() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "expected"),
     [
-        ("MARKERIF    flow0/Q[2] > 1.5", "MARKERIF    Q^", "a condition such as LAMP == 1 after MARKERIF"),
-        ("WHILEIF     LAMP == 1", "WHILEIF", "a condition such as LAMP == 1 after WHILEIF"),
-        ("WHILETAG    again\nWHILETEST   yes\n", "", "WHILETEST before WHILEIF"),
-        ("WHILETEST   yes\n", "", "WHILETEST after WHILETAG"),
+        (
+            "MARKERIF    flow0/Q[2] > 1.5",
+            "MARKERIF    Q^",
+            "expected a condition such as LAMP == 1 after MARKERIF, found 'MARKERIF Q^'",
+        ),
+        ("WHILEIF     LAMP == 1", "WHILEIF", "expected a condition such as LAMP == 1 after WHILEIF, found 'WHILEIF'"),
+        ("WHILETAG    again\nWHILETEST   yes\n", "", "expected WHILETEST before WHILEIF, found none"),
+        ("WHILETEST   yes\n", "", "expected WHILETEST after WHILETAG, found none"),
     ],
 )
 def test_a_wrong_condition_is_a_fault(old: str, new: str, expected: str) -> None:
     reading = opened(write_routine(CONDITIONAL).replace(old, new))  # R-B07
     read_routine(reading.lines, SYNTAX, reading)
-    assert expected in [expected_by(fault) for fault in reading.faults]
+    assert expected in [str(fault.reason) for fault in reading.faults]
     assert reading.broken
 
 
 def test_under_an_older_version_conditions_are_refused_line_by_line() -> None:
     reading = opened(write_routine(CONDITIONAL), "1.3")  # R-B06
     read_routine(reading.lines, SYNTAX, reading)
-    assert [(fault.place.line, expected_by(fault)) for fault in reading.faults] == [
-        (4, "VERSION 2.0 for a line MARKERIF"),
-        (7, "VERSION 2.0 for a line WHILEIF"),
+    assert [(fault.place.line, str(fault.reason)) for fault in reading.faults] == [
+        (4, "expected VERSION 2.0 for a line MARKERIF, found 'MARKERIF flow0/Q[2] > 1.5'"),
+        (7, "expected VERSION 2.0 for a line WHILEIF, found 'WHILEIF LAMP == 1'"),
     ]
 
 
@@ -112,17 +115,18 @@ def test_the_marks_of_a_target_go_to_its_job(
 
 
 @pytest.mark.parametrize(
-    ("job", "target", "expected"),
+    ("job", "target", "meaning"),
     [
-        ({"marker": True}, {"marker": True, "marker_if": "A == 1"}, "one breakpoint for a job and its target"),
-        ({"while_tag": "a", "while_if": "A == 1"}, {"while_tag": "a", "while_if": "B == 1"},
-         "one condition of a loop for a job and its target"),
-        ({"while_tag": "a"}, {"while_tag": "b"}, "one while tag for a job and its target"),
+        ({"marker": True}, {"marker": True, "marker_if": "A == 1"}, "breakpoint"),
+        ({"while_tag": "a", "while_if": "A == 1"}, {"while_tag": "a", "while_if": "B == 1"}, "condition of a loop"),
+        ({"while_tag": "a"}, {"while_tag": "b"}, "while tag"),
     ],
 )  # fmt: skip
 def test_two_different_marks_of_one_kind_are_a_fault(
-    job: dict[str, object], target: dict[str, object], expected: str
+    job: dict[str, object], target: dict[str, object], meaning: str
 ) -> None:
     reading = opened("")
     marked(replace(MOVE, **job), replace(HOME, line=8, **target), reading)  # type: ignore[arg-type]
-    assert [(fault.place.line, expected_by(fault)) for fault in reading.faults] == [(8, expected)]
+    (fault,) = reading.faults
+    assert (fault.place.line, fault.reason.key) == (8, "files.icons_disagree")
+    assert fault.reason.args["meaning"] == meaning

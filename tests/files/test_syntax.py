@@ -1,5 +1,4 @@
 import pytest
-from tests.sentences import expected_by, found_by
 
 from onika.files.syntax import read, write
 from onika.model.syntax import SPECIAL_TYPES, DataItem, Edge, IconType, Syntax
@@ -21,7 +20,7 @@ TEXT = write(SYNTAX)
 def result(text: str) -> list[str]:
     syntax, faults = read(text, "the syntax", "OnikaUpperSetUp.dta")
     assert (syntax is None) == bool(faults)
-    return [f"{expected_by(fault)} / {found_by(fault)}" for fault in faults]
+    return [f"{fault.reason}" for fault in faults]
 
 
 def test_a_syntax_is_read_and_written() -> None:
@@ -34,17 +33,17 @@ def test_a_syntax_is_read_and_written() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "expected"),
     [
-        ("Joint job", "joint OBJECT", "every type once / 'Joint object' again"),
-        ("RIGHTEDGE   7", "RIGHTEDGE   9", "edges that are defined by EDGENUM / edge 9 of 'Joint job'"),
-        ("Complete NOP", "Other NOP", "the type Complete NOP / none"),
-        ("EDGENUM     7", "EDGENUM     0", "every edge once / edge 0 again"),
-        ("255 0 10", "256 0 10", "three numbers from 0 to 255 after RGB / 'RGB 256 0 10'"),
-        ("-5 5 5 5", "-5 5 5", "2 pairs of numbers after VERTICES / 'VERTICES -5 5 5'"),
-        ("Joint object", "Joint thing", "VARNAME only for a type of object / 'VARNAME end point'"),
+        ("Joint job", "joint OBJECT", "expected every type once, found 'Joint object' again"),
+        ("RIGHTEDGE   7", "RIGHTEDGE   9", ("expected edges that are defined by EDGENUM, found edge 9 of 'Joint job'")),
+        ("Complete NOP", "Other NOP", "expected the type Complete NOP, found none"),
+        ("EDGENUM     7", "EDGENUM     0", "expected every edge once, found edge 0 again"),
+        ("255 0 10", "256 0 10", "expected three numbers from 0 to 255 after RGB, found 'RGB 256 0 10'"),
+        ("-5 5 5 5", "-5 5 5", "expected 2 pairs of numbers after VERTICES, found 'VERTICES -5 5 5'"),
+        ("Joint object", "Joint thing", "expected VARNAME only for a type of object, found 'VARNAME end point'"),
         ("DATATYPE    double", "DATATYPE    real", "'DATATYPE real'"),
-        ("NELEMS      6", "NELEMS      0", "a whole number of at least 1 after NELEMS / 'NELEMS 0'"),
-        ("NELEMS      6\n", "", "a line NELEMS / none"),
-        ("VARNAME     end point", "VARNAME", "the name of a data item after VARNAME / 'VARNAME'"),
+        ("NELEMS      6", "NELEMS      0", "expected a whole number of at least 1 after NELEMS, found 'NELEMS 0'"),
+        ("NELEMS      6\n", "", "expected a line NELEMS, found none"),
+        ("VARNAME     end point", "VARNAME", "expected the name of a data item after VARNAME, found 'VARNAME'"),
     ],
 )
 def test_what_is_wrong_is_named(old: str, new: str, expected: str) -> None:
@@ -53,7 +52,7 @@ def test_what_is_wrong_is_named(old: str, new: str, expected: str) -> None:
 
 def test_types_stand_before_edges() -> None:
     text = TEXT.replace("EOF", "ONIKON x\nLEFTEDGE 0\nRIGHTEDGE 0\nEOF")
-    assert result(text) == ["every ONIKON before the first EDGENUM / 'ONIKON x'"]
+    assert result(text) == ["expected every ONIKON before the first EDGENUM, found 'ONIKON x'"]
 
 
 def test_comments_of_the_former_text_are_kept() -> None:
@@ -70,6 +69,6 @@ def test_a_constant_may_say_how_many_values_there_are_and_a_1_3_file_stays_as_it
     assert faults == ()
     assert [existing.find("Joint object").items[0].takes(count) for count in (6, 4, 1, 0)] == [True, True, True, False]
     refused, faults = read(text.replace("2.0", "1.3"), "s", "f")
-    assert (refused, [expected_by(fault) for fault in faults]) == (None, ["VERSION 2.0 for a line DIMENSION"])
+    assert (refused, [fault.reason.key for fault in faults]) == (None, ["files.version_for_line"])
     plain = DataItem("endpoint", ValueType.DOUBLE, 6)
     assert [plain.takes(count) for count in (6, 4)] == [True, False]

@@ -2,8 +2,6 @@ import os
 import socket
 from pathlib import Path
 
-from tests.sentences import expected_by, found_by
-
 from onika.files.text import LARGEST, decode, load
 
 
@@ -20,10 +18,10 @@ def test_text_keeps_its_line_ends(tmp_path: Path) -> None:
 
 
 def test_a_file_that_cannot_be_read_is_a_fault(tmp_path: Path) -> None:
-    for path in (tmp_path, tmp_path / "missing"):
+    for path, key in ((tmp_path, "files.unreadable_why"), (tmp_path / "missing", "files.unreadable")):
         text, (fault,) = load(path, "here")  # R-B07
         assert text is None
-        assert (fault.place.file, expected_by(fault)) == ("here", "a file that can be read")
+        assert (fault.place.file, fault.reason.key) == ("here", key)
 
 
 def test_what_is_no_plain_file_is_a_fault_and_nothing_waits_for_it(tmp_path: Path) -> None:
@@ -31,11 +29,12 @@ def test_what_is_no_plain_file_is_a_fault_and_nothing_waits_for_it(tmp_path: Pat
     os.mkfifo(pipe)
     link.symlink_to("/dev/zero")
     loop.symlink_to(loop)
-    result = [found_by(load(path, "here")[1][0]) for path in (pipe, tmp_path, link, loop)]
-    assert result == ["a pipe", "a directory", "a device", "Too many levels of symbolic links"]
+    sentences = [str(load(path, "here")[1][0].reason) for path in (pipe, tmp_path, link, loop)]
+    kinds = ("a pipe", "a directory", "a device", "Too many levels of symbolic links")
+    assert sentences == [f"expected a file that can be read, found {kind}" for kind in kinds]
     with socket.socket(socket.AF_UNIX) as listener:
         listener.bind(str(tmp_path / "s"))
-        assert found_by(load(tmp_path / "s", "here")[1][0]) == "a socket"
+        assert str(load(tmp_path / "s", "here")[1][0].reason) == "expected a file that can be read, found a socket"
 
 
 def test_a_file_that_is_far_too_large_is_not_read(tmp_path: Path) -> None:
@@ -44,7 +43,7 @@ def test_a_file_that_is_far_too_large_is_not_read(tmp_path: Path) -> None:
         file.truncate(LARGEST + 1)
     text, (fault,) = load(path, "here")
     assert text is None
-    assert found_by(fault) == f"{LARGEST + 1} bytes, more than {LARGEST}"
+    assert str(fault.reason) == "expected a file that can be read, found 67108865 bytes, more than 67108864"
 
 
 def test_a_large_file_and_one_that_a_link_leads_to_are_read(tmp_path: Path) -> None:

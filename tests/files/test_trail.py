@@ -3,9 +3,9 @@ from pathlib import Path
 
 import pytest
 from hypothesis import given, settings, strategies as st
-from tests.sentences import expected_by
 
 from onika.files.trail import head_of, line, older, read, torn_hash, usual_path
+from onika.words.reason import Reason
 
 DEEDS = ("begins", "Take", "Stop", "Release", "gone")
 
@@ -84,7 +84,7 @@ def test_a_chain_goes_on_from_file_to_file(tmp_path):  # R-X12
     assert (len(trail.records), trail.faults, trail.begins) == (15, [], "")
     (tmp_path / "a.1").unlink()
     (fault,) = read(older(path)).faults
-    assert "goes on after" in expected_by(fault)
+    assert fault.reason == Reason.of("files.trail_file_order", head="bf1de8aa3add", before="14f5e8f02fc7")
     (tmp_path / "a.2").unlink()
     trail = read(older(path))
     assert (trail.faults, trail.begins) == ([], head)
@@ -93,7 +93,7 @@ def test_a_chain_goes_on_from_file_to_file(tmp_path):  # R-X12
 def test_a_file_without_its_beginning_says_so(tmp_path):  # R-X12
     written(tmp_path / "a")
     (tmp_path / "a").write_bytes(b"".join((tmp_path / "a").read_bytes().splitlines(keepends=True)[1:]))
-    assert "the beginning of a file" in [expected_by(fault) for fault in read([tmp_path / "a"]).faults]
+    assert "files.trail_begins_midst" in [fault.reason.key for fault in read([tmp_path / "a"]).faults]
 
 
 @pytest.mark.parametrize("left", [1, 40, 65, 70])

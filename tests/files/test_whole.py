@@ -6,7 +6,6 @@ import threading
 from pathlib import Path
 
 import pytest
-from tests.sentences import found_by
 
 from onika.files import whole
 from onika.files.whole import ABSENT, ANYTHING
@@ -33,7 +32,7 @@ def test_a_file_is_replaced_and_nothing_else_is_left(tmp_path: Path) -> None:
 
 def test_what_cannot_be_read_has_no_stamp(tmp_path: Path) -> None:
     result, (fault,) = whole.read(tmp_path / "a.conf")
-    assert (result, found_by(fault)) == (None, "No such file or directory")
+    assert (result, str(fault.reason)) == (None, "expected a file that can be read, found No such file or directory")
 
 
 def test_what_someone_else_changed_is_not_overwritten_and_it_is_said_whose_it_is(tmp_path: Path) -> None:

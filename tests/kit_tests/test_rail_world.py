@@ -1,5 +1,3 @@
-from tests.sentences import found_by
-
 from kit.plan_builder import action
 from kit.rail_world import YardLoading, rail_tasks
 from onika.host.loading.plan_preparation import prepare
@@ -18,4 +16,6 @@ def test_the_rail_has_an_end():
     plan = rail_tasks(rtpu="rt1", mass="yard:m1").plan([action("mass", "servo", arguments="1")])
     assert [task.rtpu for task in plan.flows[0].tasks] == ["unknown", "rt1"]
     prepared = prepare(plan, [TargetValues(0, 0, "joint object", (11.0,))], YardLoading())
-    assert [found_by(fault) for fault in prepared.faults] == ["there: 11 m is beyond the rail"]
+    assert [str(fault.reason) for fault in prepared.faults] == [
+        "expected a target within reach, found there: 11 m is beyond the rail"
+    ]

@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 from random import Random
 
 import pytest
-from tests.sentences import expected_by
 
 from kit.engine_sim import RUNTIME, EngineSim
 from kit.program_tree import Act, Loop, Pick, Side, engine_for, planned
@@ -258,10 +257,10 @@ SPAWNED = ["two flows that meet", "one in a loop"]
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_nothing_stands_still_that_was_not_foretold_and_the_other_way_round(name):  # R-X03
     explorer = Explorer(PROGRAMS[name], Budget()).explore()
-    found = [one for one in meetings.findings(explorer.plan) if expected_by(one).startswith("tags")]
+    deadlocks = [fault for fault in meetings.findings(explorer.plan) if fault.reason.key.startswith("rules.tag")]
     stand = [states for states in explorer.still if not {"paused", "stopped"} & set(states) and {"done"} != set(states)]
-    assert bool(stand) == bool(found)
-    if any(not one.is_note for one in found):
+    assert bool(stand) == bool(deadlocks)
+    if any(not fault.is_note for fault in deadlocks):
         assert not explorer.completed
 
 

@@ -1,7 +1,6 @@
 """How tasks meet in their variables."""
 
 import msgspec
-from tests.sentences import expected_by, found_by
 
 from kit.build import task
 from onika.module import InBoth, InConst, InVar, Module, OutBoth, OutConst, OutVar
@@ -60,10 +59,12 @@ def test_another_type_shape_or_unit_is_a_fault_that_names_both_tasks():  # law 7
     others = [wired("b", X=InVar("float[NDOF]", "m")), wired("c", X=InVar("double[6]", "m"))]
     others.append(wired("d", X=InVar("double[NDOF]", "mm")))
     faults = disagreements([first, *others])
-    assert [(one.place.file, found_by(one)) for one in faults] == [
-        ("b.rmod", "float[NDOF] in m"), ("c.rmod", "double[6] in m"), ("d.rmod", "double[NDOF] in mm"),
-    ]  # fmt: skip
-    assert {expected_by(one) for one in faults} == {"X double[NDOF] in m, as a declares"}
+    expected = "expected X double[NDOF] in m, as a declares"
+    assert [(fault.place.file, str(fault.reason)) for fault in faults] == [
+        ("b.rmod", f"{expected}, found float[NDOF] in m"),
+        ("c.rmod", f"{expected}, found double[6] in m"),
+        ("d.rmod", f"{expected}, found double[NDOF] in mm"),
+    ]
 
 
 def test_tasks_that_do_not_meet_cannot_disagree():
@@ -72,8 +73,8 @@ def test_tasks_that_do_not_meet_cannot_disagree():
 
 def test_a_constant_that_nobody_supplies_is_a_fault():  # law 10, reading 6
     tasks = [wired("a", N=InConst("int"), M=InConst("int")), wired("b", M=OutConst("int")), wired("c", N=OutVar("int"))]
-    assert [(one.place.file, expected_by(one)) for one in missing_constants(tasks)] == [
-        ("a.rmod", "a task that supplies the constant N")
+    assert [(fault.place.file, str(fault.reason)) for fault in missing_constants(tasks)] == [
+        ("a.rmod", "expected a task that supplies the constant N, found none")
     ]
 
 

@@ -2,7 +2,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from tests.sentences import found_by
 
 from onika.files import conf, onk, rmod
 from onika.files.rmod import RmodText
@@ -68,7 +67,7 @@ def test_a_faulty_file_is_left_out_with_its_path_and_line_and_the_next_is_read(b
 def test_a_missing_file_is_a_fault(base: BaseDirectory) -> None:
     record, (fault,) = base.configuration("nothing")
     assert record is None
-    assert found_by(fault) == "No such file or directory"
+    assert str(fault.reason) == "expected a file that can be read, found No such file or directory"
 
 
 def test_files_that_are_no_names_are_reported(base: BaseDirectory) -> None:
@@ -76,7 +75,10 @@ def test_files_that_are_no_names_are_reported(base: BaseDirectory) -> None:
     for name in ("1st.rmod", "two words.rmod", ".hidden.rmod", "other.txt"):
         (base.path / "module" / name).touch()
     assert base.tasks == ()
-    assert [found_by(fault) for fault in base.misnamed] == ["'1st'", "'two words'"]
+    assert [fault.reason for fault in base.misnamed] == [
+        Reason.of("store.name_form", stem="'1st'"),
+        Reason.of("store.name_form", stem="'two words'"),
+    ]
 
 
 @pytest.mark.parametrize("name", ["../secret", "/etc/passwd", "", "a/b", ".x", "a\n"])

@@ -3,7 +3,6 @@ import runpy
 from pathlib import Path
 
 import pytest
-from tests.sentences import expected_by, found_by
 
 from onika.files import rmod
 from onika.files.rmod import RmodText
@@ -26,7 +25,7 @@ def module(base: BaseDirectory, name: str) -> Path:
 
 
 def sentences(library: Library) -> list[str]:
-    return [f"{Path(fault.place.file).name}: {expected_by(fault)} / {found_by(fault)}" for fault in library.faults]
+    return [f"{Path(fault.place.file).name}: {fault.reason}" for fault in library.faults]
 
 
 @pytest.mark.parametrize("count", [1_000, pytest.param(10_000, marks=pytest.mark.slow)])
@@ -51,18 +50,18 @@ def test_a_task_that_an_earlier_library_has_is_noted_and_not_added(tmp_path: Pat
     assert first.tasks["pid"].task.module == "first"
     assert list(second.tasks) == ["other"]
     assert sentences(second) == [
-        f"pid.rmod: the name pid once on the search path / it again, first in {item.path / 'module'}"
+        f"pid.rmod: expected the name pid once on the search path, found it again, first in {item.path / 'module'}"
     ]
     assert second.faults[0].is_note
     assert second.left_out == ()
 
 
 ODD = {
-    "latin.rmod": (b"MODULE m\nDESC caf\xe9\n", "text in UTF-8 / the byte 0xe9"),
-    "nul.rmod": (TEXT.replace("DESC", "DESC a\x00b").encode(), "printable text / 'DESC a\\x00b'"),
-    "long.rmod": (b"MODULE " + b"x " * 5_000_000, "a line INCONST / none"),
-    "empty.rmod": (b"", "lines with keywords and EOF / an empty file"),
-    "9lives.rmod": (b"", "a name of letters, digits and _ . - that begins with a letter / '9lives'"),
+    "latin.rmod": (b"MODULE m\nDESC caf\xe9\n", "expected text in UTF-8, found the byte 0xe9"),
+    "nul.rmod": (TEXT.replace("DESC", "DESC a\x00b").encode(), "expected printable text, found 'DESC a\\x00b'"),
+    "long.rmod": (b"MODULE " + b"x " * 5_000_000, "expected a line INCONST, found none"),
+    "empty.rmod": (b"", "expected lines with keywords and EOF, found an empty file"),
+    "9lives.rmod": (b"", "expected a name of letters, digits and _ . - that begins with a letter, found '9lives'"),
 }
 
 
@@ -95,11 +94,11 @@ def test_what_is_no_file_is_told_and_nothing_waits_for_it(base: BaseDirectory) -
     library = open_library(base)
     assert library.tasks == {}
     assert sentences(library) == [
-        "folder.rmod: a file that can be read / a directory",
-        "gone.rmod: a file that can be read / No such file or directory",
-        "loop.rmod: a file that can be read / Too many levels of symbolic links",
-        "pipe.rmod: a file that can be read / a pipe",
-        "zero.rmod: a file that can be read / a device",
+        "folder.rmod: expected a file that can be read, found a directory",
+        "gone.rmod: expected a file that can be read, found No such file or directory",
+        "loop.rmod: expected a file that can be read, found Too many levels of symbolic links",
+        "pipe.rmod: expected a file that can be read, found a pipe",
+        "zero.rmod: expected a file that can be read, found a device",
     ]
 
 
@@ -107,16 +106,16 @@ def test_what_is_no_file_is_told_and_nothing_waits_for_it(base: BaseDirectory) -
 def test_a_file_that_may_not_be_read_is_told(base: BaseDirectory) -> None:
     module(base, "secret.rmod").write_text(TEXT)  # R-B07
     module(base, "secret.rmod").chmod(0)
-    assert sentences(open_library(base)) == ["secret.rmod: a file that can be read / Permission denied"]
+    assert sentences(open_library(base)) == ["secret.rmod: a file that can be read, found Permission denied"]
 
 
 def test_a_folder_that_is_none_is_told_and_an_absent_one_is_empty(tmp_path: Path) -> None:
     assert open_library(BaseDirectory(tmp_path)).faults == ()  # R-B07, R-B08
     (tmp_path / "module").write_text("")
     library = open_library(BaseDirectory(tmp_path))
-    assert sentences(library) == ["module: a folder that can be read / Not a directory"]
+    assert sentences(library) == ["module: expected a folder that can be read, found Not a directory"]
     nowhere = open_library(BaseDirectory(tmp_path / "nowhere"))
-    assert sentences(nowhere) == ["nowhere: a base directory / none"]
+    assert sentences(nowhere) == ["nowhere: expected a base directory, found none"]
 
 
 def test_names_that_differ_only_in_case_are_two_tasks_with_a_note(base: BaseDirectory) -> None:
@@ -124,7 +123,9 @@ def test_names_that_differ_only_in_case_are_two_tasks_with_a_note(base: BaseDire
         module(base, f"{name}.rmod").write_text(TEXT)
     library = open_library(base)
     assert sorted(library.tasks) == ["Pid", "pid"]
-    assert sentences(library) == ["pid.rmod: names that differ in more than small and large letters / pid beside Pid"]
+    assert sentences(library) == [
+        "pid.rmod: expected names that differ in more than small and large letters, found pid beside Pid"
+    ]
     assert library.left_out == ()
 
 
@@ -132,7 +133,7 @@ def test_a_parameter_given_twice_is_noted_and_the_task_is_there(base: BaseDirect
     module(base, "twice.rmod").write_text(TEXT.replace("EOF", "LOCAL\nGAIN 1\nGAIN 2\nEOF"))
     library = open_library(base)
     assert library.tasks["twice"].task.local == (LocalLine("GAIN", ("1",)), LocalLine("GAIN", ("2",)))
-    assert sentences(library) == ["twice.rmod: GAIN once / 'GAIN 2' again"]
+    assert sentences(library) == ["twice.rmod: expected GAIN once, found 'GAIN 2' again"]
     assert library.left_out == ()
 
 

@@ -1,7 +1,5 @@
 from pathlib import Path
 
-from tests.sentences import found_by
-
 from onika.store.opened_text import OpenedText, open_file, put, save
 from onika.words.fault import Fault, Place, Refusal
 from onika.words.reason import Reason
@@ -24,7 +22,7 @@ def test_what_is_opened_has_the_text_it_was_read_from(tmp_path: Path) -> None:
     path.write_text("bad")
     assert open_file(path, "a", read) == (None, (FAULT,))
     opened, (fault,) = open_file(tmp_path / "b", "b", read)
-    assert (opened, found_by(fault)) == (None, "No such file or directory")
+    assert (opened, str(fault.reason)) == (None, "expected a file that can be read, found No such file or directory")
 
 
 def test_what_is_saved_goes_over_what_was_opened_and_over_nothing_else(tmp_path: Path) -> None:

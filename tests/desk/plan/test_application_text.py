@@ -1,7 +1,6 @@
 from pathlib import Path
 
 import pytest
-from tests.sentences import found_by
 
 from onika.desk.plan.application_text import convert, is_text, keep, unfit
 from onika.files import appl, onk
@@ -54,7 +53,9 @@ def test_an_icon_that_is_nowhere_is_told(lab: Path, site: Site) -> None:
     conversion = convert(lab / "work.al", None, site)
     assert conversion.application is None
     assert conversion.content == ""
-    assert [found_by(fault) for fault in conversion.faults] == ["none"]
+    assert [str(fault.reason) for fault in conversion.faults] == [
+        "expected an icon `rest` in the dictionary or under WHERE, found none"
+    ]
 
 
 def test_an_icon_at_fault_in_the_dictionary_is_defined_in_the_text_and_told(lab: Path, site: Site) -> None:

@@ -1,7 +1,6 @@
 from hashlib import sha256
 
 import pytest
-from tests.sentences import expected_by
 
 from kit.laboratory import HOLE, Laboratory, job, joints
 from onika.desk.plan.compile import Compiler, rtpus_of
@@ -9,6 +8,7 @@ from onika.store.program import load
 from onika.store.site import open_site
 from onika.wire.plan import Plan
 from onika.words.fault import Place
+from onika.words.reason import Reason
 
 SOURCE = "from onika.module import Module\nclass Wink(Module):\n    trigger = True\n"
 
@@ -104,10 +104,7 @@ def test_a_module_without_code_is_a_fault_and_the_rest_is_compiled(laboratory): 
     (laboratory.path / "module" / "wink.py").unlink()
     compiler, plan = compiled(laboratory.application("twice", [job("winkC")]))
     (fault,) = compiler.faults
-    assert (str(fault.place), expected_by(fault)) == (
-        "/lab/wink.rmod",
-        "wink.py beside it or on the search path, as MODULE says",
-    )
+    assert (str(fault.place), fault.reason) == ("/lab/wink.rmod", Reason.of("desk.code_missing", module="wink"))
     assert [task.name for task in plan.flows[0].tasks] == ["blink"]
 
 

@@ -1,5 +1,4 @@
 import pytest
-from tests.sentences import expected_by, found_by
 
 from kit.laboratory import HOLE, Laboratory, job, joints
 from onika.desk.plan.preparation import fault_of, prepare, prepare_run
@@ -43,7 +42,7 @@ def test_a_name_that_is_none_tells_those_there_are(site):  # R-E01
     prepared = prepare_run("nothing_like_it", site)
     (fault,) = prepared.faults
     assert prepared.plan is None
-    assert "assemble" in expected_by(fault)
+    assert fault.reason.key == "desk.application_unknown"
     assert str(fault.instead) == "nothing is run"
 
 
@@ -51,7 +50,7 @@ def test_everything_wrong_is_there_at_once_and_the_rest_is_compiled(laboratory, 
     laboratory.configuration("lonelyC", "nobody 100")
     flow = [job("lonelyC"), job("nowhereC"), HOLE, job("jmoveC", "Joint job"), joints("home", *[0.0] * 6)]
     prepared = prepare_run(str(laboratory.application("wrong", flow)), site)
-    sentences = [f"{expected_by(fault)} | {found_by(fault)}" for fault in prepared.faults]
+    sentences = [str(fault.reason) for fault in prepared.faults]
     for words in ("the task nobody", "the configuration nowhereC", "without holes"):
         assert any(words in sentence for sentence in sentences)
     assert [action.job for action in prepared.plan.flows[0].actions] == ["lonelyC", "nowhereC", "jmoveC"]
@@ -89,9 +88,9 @@ def test_what_files_are_read_with_and_what_nobody_writes_are_notes(laboratory, s
     icon = job("bothC").replace("PICT        8888", "PICT        9888", 1)
     prepared = prepare_run(str(laboratory.application("mine", [icon])), site)
     assert prepared.faults == ()
-    assert [(expected_by(note), note.is_note) for note in prepared.notes] == [
-        ("colours from 0 to 8", True),
-        ("variables that `both` reads or writes", True),  # reading 9, Equation (5)
+    assert [(note.reason, note.is_note) for note in prepared.notes] == [
+        (Reason.of("files.picture_colours"), True),
+        (Reason.of("rules.self_fed", task="both", svar="X"), True),  # reading 9, Equation (5)
     ]
 
 

@@ -1,5 +1,4 @@
 import pytest
-from tests.sentences import expected_by, found_by
 
 from onika.desk.plan.preparation import prepare_run
 from onika.desk.plan.redirection import seats
@@ -15,16 +14,22 @@ def prepared(name, *redirects):
 
 
 def faults_of(name, *redirects):
-    return [f"{fault.place}: {expected_by(fault)} | {found_by(fault)}" for fault in prepared(name, *redirects).faults]
+    return [f"{fault.place}: {fault.reason}" for fault in prepared(name, *redirects).faults]
 
 
 @pytest.mark.parametrize(
     ("redirects", "expected"),
     [
-        (("puma=scara", "puma=puma_kin"), "redirect puma=puma_kin: one task in place of puma | puma=scara too"),
-        (("7:puma=scara",), "redirect 7:puma=scara: a flow by its number or its subsystem (flow0) | 7"),
-        (("puma=nobody",), "redirect puma=nobody: a task on the search path | no nobody"),
-        (("scara=puma",), "a task of go_home (diff, gravcomp, jtraj, led_monitor, pd, puma, torque_sum) | scara"),
+        (
+            ("puma=scara", "puma=puma_kin"),
+            ("redirect puma=puma_kin: expected one task in place of puma, found puma=scara too"),
+        ),
+        (("7:puma=scara",), ("redirect 7:puma=scara: expected a flow by its number or its subsystem (flow0), found 7")),
+        (("puma=nobody",), "redirect puma=nobody: expected a task on the search path, found no nobody"),
+        (
+            ("scara=puma",),
+            ("expected a task of go_home (diff, gravcomp, jtraj, led_monitor, pd, puma, torque_sum), found scara"),
+        ),
         (("0:scara=puma",), "a task of flow 0 (diff"),
         (("puma=gripper",), "`gripper` does not write BASE, DH, DYN"),
     ],

@@ -1,5 +1,4 @@
 import pytest
-from tests.sentences import expected_by, found_by
 
 from onika.desk.plan.flow_index import FlowIndex, IndexedFlow
 from onika.desk.run.flow_tracker import FlowTracker
@@ -67,4 +66,4 @@ def test_a_moment_that_does_not_come_is_a_fault_at_its_line(run, change, actual)
         setattr(run, name, value)
     assert pending_wait.is_over
     (fault,) = pending_wait.faults(HERE)
-    assert (fault.place, expected_by(fault), found_by(fault)) == (HERE, "action 2 of flow0 has begun", actual)
+    assert (fault.place, str(fault.reason)) == (HERE, f"expected action 2 of flow0 has begun, found {actual}")

@@ -2,7 +2,6 @@ import signal
 from typing import ClassVar, NamedTuple
 
 import pytest
-from tests.sentences import expected_by, found_by
 
 from onika.desk.run import run as room
 from onika.desk.run.run import run, start
@@ -110,7 +109,7 @@ class Watcher:
         self.seen.append(positions)
 
     def steered(self, line, faults, positions):
-        self.seen.append((line, [found_by(fault) for fault in faults], positions))
+        self.seen.append((line, [str(fault.reason) for fault in faults], positions))
 
 
 @pytest.fixture
@@ -152,7 +151,10 @@ def test_what_is_expected_is_watched_once_and_judged_at_the_end(runtime):  # R-X
 
 def test_an_expectation_of_a_variable_that_nobody_knows_refuses_the_run(runtime):  # R-E01
     outcome, watcher = go(expectations=(Condition.parse("NOBODY == 1"), Condition.parse("flow7/LAMP == 1")))
-    assert [found_by(fault) for fault in outcome.faults] == ["NOBODY", "flow7/LAMP"]
+    assert [fault.reason for fault in outcome.faults] == [
+        Reason.of("desk.variable_unknown", address="NOBODY"),
+        Reason.of("desk.variable_unknown", address="flow7/LAMP"),
+    ]
     assert (outcome.exit_code, watcher.seen) == (2, [])
 
 
@@ -223,10 +225,10 @@ def test_a_script_that_fails_aborts_the_run(runtime, tmp_path):  # R-E07
     runtime.refusals = {"Pass": Reason.plain("expected flow 0 to be waiting, found it running")}
     runtime.script = (event.Began(0, 0, 1, "jmoveC home", 0.1), event.Result(False, "x", 0, 1, 1.0, 1.0, {}, (), ""))
     outcome, watcher = go(script=path)
-    assert [found_by(fault) for fault in outcome.failed] == ["it running"]
+    assert [str(fault.reason) for fault in outcome.failed] == ["expected flow 0 to be waiting, found it running"]
     assert request.Abort(f"the script fails at {path}:1") in runtime.made.requests
     assert not any(isinstance(message, steer.Skip) for message in runtime.made.requests)
-    assert ("pass", ["it running"], ()) in watcher.seen
+    assert ("pass", ["expected flow 0 to be waiting, found it running"], ()) in watcher.seen
 
 
 def test_lines_that_are_left_at_a_good_end_are_a_failure(runtime, tmp_path):  # R-E07
@@ -234,7 +236,7 @@ def test_lines_that_are_left_at_a_good_end_are_a_failure(runtime, tmp_path):  # 
     path.write_text("wait began 1 within 5\npause\n")
     runtime.script = (GOOD,)
     outcome, _ = go(script=path)
-    assert found_by(outcome.failed[0]) == "the end of the run before"
+    assert str(outcome.failed[0].reason) == "expected action 1 of flow0 has begun, found the end of the run before"
     assert (outcome.state, outcome.exit_code) == ("completed", 1)
 
 
@@ -248,7 +250,8 @@ def test_what_keys_want_is_done_at_once_and_told(runtime):  # R-E07
     assert ("pause", [], ()) in watcher.seen
     assert ("who", [], runtime.positions) in watcher.seen
     assert runtime.positions in watcher.seen
-    assert ("dance", ["'dance'"], ()) in watcher.seen
+    ((sentence,),) = [entry[1] for entry in watcher.seen if isinstance(entry, tuple) and entry[0] == "dance"]
+    assert sentence.endswith(", found 'dance'")
 
 
 @pytest.mark.parametrize(("can_steer", "aborts"), [(False, 1), (True, 0)])
@@ -373,7 +376,7 @@ def test_scaled_time_and_other_subsystems_are_the_runtimes_business(runtime):  #
 def test_too_many_names_of_subsystems_are_refused_before_anything_runs(runtime):
     outcome, _ = go(subsystems=("left", "right"))
     assert outcome.exit_code == 2
-    assert "1 different names" in expected_by(outcome.faults[0])
+    assert outcome.faults[0].reason == Reason.of("desk.flows_by_name", count=1, names="left right")
 
 
 def test_the_seed_of_shaken_worlds_is_the_runtimes_business(runtime):  # R-X07
@@ -386,4 +389,6 @@ def test_a_runtime_that_will_not_take_the_plan_refuses_the_run(runtime):  # law 
     runtime.refuses = "code from another machine is not accepted"
     outcome, _ = go()
     assert outcome.exit_code == 2
-    assert found_by(outcome.faults[0]) == "code from another machine is not accepted"
+    assert str(outcome.faults[0].reason) == (
+        "expected a plan that it takes, found code from another machine is not accepted"
+    )

@@ -1,5 +1,4 @@
 import pytest
-from tests.sentences import expected_by, found_by
 
 from onika.desk.run.steering import SteeringOrder
 from onika.wire import event, live, request, steer
@@ -65,18 +64,20 @@ def test_in_wall_time_nothing_is_held(running):  # R-E07
 def test_a_wait_in_vain_is_a_fault_with_what_was_found(running):  # R-E07
     run, _ = running(BEGAN)
     (late,) = run.wait("began flow1 1", 0.5)
-    assert (expected_by(late), found_by(late)) == ("action 1 of flow1 has begun", "it not so within 0.5 s")
+    assert str(late.reason) == "expected action 1 of flow1 has begun, found it not so within 0.5 s"
     assert run.now_s == 0.5
     run, _ = running(BEGAN, GOOD)
     (ended,) = run.wait("began flow1 1")
-    assert found_by(ended) == "the end of the run before"
+    assert str(ended.reason) == "expected action 1 of flow1 has begun, found the end of the run before"
 
 
 def test_a_wait_while_a_task_asks_is_given_up(running):  # law 25
     question = event.Asked("flow0", "gauge", "", (), 0.5)
     run, runtime = running(question, BEGAN, GOOD, may_ask=True)
     (fault,) = run.wait("began flow0 1")
-    assert found_by(fault) == "a task that asks"
+    assert str(fault.reason) == (
+        "expected WaitCondition(kind='began', subsystem='flow0', action=0, seconds=0.0), found a task that asks"
+    )
     run.answer(question, "0.5")
     runtime.pending.append(event.TaskState("flow0", "gauge", "ON", 0.5))
     assert run.wait("began flow0 1") == ()
@@ -93,7 +94,7 @@ def test_a_variable_is_read_as_it_is_now(running):  # R-X07
     assert runtime.of(live.Read) == [live.Read("flow0", ("LAMP",))]
     assert run.steer("expect LAMP == 1") == ()
     (fault,) = run.steer("expect LAMP == 0")
-    assert (expected_by(fault), found_by(fault)) == ("LAMP == 0", "1")
+    assert str(fault.reason) == "expected LAMP == 0, found 1"
     with pytest.raises(ValueError, match="found NOBODY"):
         run.read("NOBODY")
     runtime.refusals["Read"] = "no"
@@ -104,10 +105,34 @@ def test_a_variable_is_read_as_it_is_now(running):  # R-X07
 def test_what_is_written_wrongly_or_refused_changes_nothing(running):  # R-E07
     run, runtime = running()
     (fault,) = run.steer("dance")
-    assert (fault.place, found_by(fault), str(fault.instead)) == (Place("line"), "'dance'", "the run goes on as it was")
+    assert (fault.place, fault.reason, str(fault.instead)) == (
+        Place("line"),
+        Reason.of(
+            "desk.steering_word",
+            words=(
+                "pause",
+                "continue",
+                "step",
+                "next",
+                "skip",
+                "pass",
+                "leave",
+                "break",
+                "unbreak",
+                "clear",
+                "abort",
+                "who",
+                "touch",
+                "wait",
+                "expect",
+            ),
+            name="dance",
+        ),
+        "the run goes on as it was",
+    )
     runtime.refusals["Pass"] = Reason.plain("expected flow 0 to be waiting, found it running")
     (fault,) = run.steer("pass flow0")
-    assert (expected_by(fault), found_by(fault)) == ("flow 0 to be waiting", "it running")
+    assert str(fault.reason) == "expected flow 0 to be waiting, found it running"
 
 
 def test_after_its_end_there_is_nothing_to_steer(running):  # R-E07
@@ -115,7 +140,7 @@ def test_after_its_end_there_is_nothing_to_steer(running):  # R-E07
     run.result()
     count = len(runtime.requests)
     (fault,) = run.do(SteeringOrder(steer.Pause("")), Place("s", 4))
-    assert (fault.place, found_by(fault)) == (Place("s", 4), "its end")
+    assert (fault.place, fault.reason) == (Place("s", 4), Reason.of("desk.run_over"))
     assert len(runtime.requests) == count
 
 

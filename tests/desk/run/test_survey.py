@@ -1,7 +1,6 @@
 from pathlib import Path
 
 import pytest
-from tests.sentences import expected_by, found_by
 
 from kit.laboratory import Laboratory, job, joints
 from onika.desk.run import survey as room
@@ -104,7 +103,7 @@ def test_a_task_without_code_is_a_fault(laboratory, site, runtime):  # R-B01
     laboratory.plain_task("ghost")
     _, faults = survey(laboratory.path, site)
     assert places(faults) == ["ghost.rmod"]
-    assert "ghost.py" in expected_by(faults[0])
+    assert faults[0].reason == Reason.of("desk.code_missing", module="ghost")
     assert runtime.messages == []
 
 
@@ -135,7 +134,7 @@ def test_one_file_is_surveyed_alone(laboratory, site, runtime):  # R-B07
 
 def test_nothing_there_is_a_fault(tmp_path, site, runtime):  # R-B07
     files, (fault,) = survey(tmp_path / "nowhere", site)
-    assert (files, found_by(fault)) == ([], "nothing there")
+    assert (files, fault.reason) == ([], Reason.of("desk.nothing_there"))
 
 
 def test_an_application_is_prepared_with_what_its_own_directory_holds(laboratory, site, runtime):  # reading 35
@@ -162,19 +161,22 @@ def test_notes_are_told_apart(laboratory, site, runtime, tmp_path, monkeypatch):
 def test_a_task_that_is_nowhere_is_a_fault_of_its_configuration(laboratory, site, runtime):  # R-B07, reading 11
     laboratory.configuration("winkC", "wink 100")
     _, faults = survey(laboratory.path, site)
-    assert [found_by(fault) for fault in faults] == ["no wink"]
+    assert [fault.reason for fault in faults] == [Reason.of("desk.tasks_not_on_path", name="wink")]
 
 
 def test_a_file_of_none_of_our_formats_is_a_fault(tmp_path, site, runtime):  # R-B07
     (tmp_path / "README.md").write_text("hello\n")
     _, (fault,) = survey(tmp_path / "README.md", site)
-    assert expected_by(fault) == "a file of one of Onika's formats"
+    assert fault.reason == Reason.of("desk.format_unknown")
 
 
 def test_a_folder_named_like_a_file_is_a_fault(tmp_path, site, runtime):  # R-B07
     (tmp_path / "module" / "x.rmod").mkdir(parents=True)
     _, (fault,) = survey(tmp_path, site)
-    assert (fault.place.file, found_by(fault)) == (str(tmp_path / "module" / "x.rmod"), "a directory")
+    assert (fault.place.file, str(fault.reason)) == (
+        str(tmp_path / "module" / "x.rmod"),
+        "expected a file that can be read, found a directory",
+    )
 
 
 def test_base_directories_in_a_folder_are_each_checked(tmp_path, site, runtime):  # R-B07
@@ -200,4 +202,4 @@ def test_a_folder_without_any_file_of_ours_is_a_fault(tmp_path, site, runtime): 
     (tmp_path / "notes").mkdir()
     files, faults = survey(tmp_path, site)
     assert files == []
-    assert found_by(faults[0]) == "no file to check"
+    assert faults[0].reason == Reason.of("desk.nothing_of_ours")

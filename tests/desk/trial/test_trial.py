@@ -1,7 +1,6 @@
 from pathlib import Path
 
 import pytest
-from tests.sentences import found_by
 
 from onika.desk.run.settings import RunSettings
 from onika.desk.trial import trial
@@ -12,6 +11,7 @@ from onika.model.kept import KeptAction, KeptFlow, KeptRun
 from onika.model.redirect import Redirect
 from onika.store.site import open_site
 from onika.words.condition import Condition
+from onika.words.reason import Reason
 
 SITE = open_site([], {}, None)
 
@@ -44,7 +44,7 @@ def test_tests_are_found_in_folders_and_by_a_word_of_their_names(folder):  # R-X
     assert [path.stem for path in find([folder, folder / "arm.test"], "A")[0]] == ["arm", "hand", "lamp"]
     assert [path.stem for path in find([folder], "am")[0]] == ["lamp"]
     paths, (fault,) = find([folder / "nowhere"])
-    assert (paths, found_by(fault)) == ([], "none")
+    assert (paths, fault.reason) == ([], Reason.of("desk.no_test_file", ending=".test"))
 
 
 def test_all_are_tried_and_told_in_order_each_also_shaken(folder):  # R-X07

@@ -1,5 +1,4 @@
 from hypothesis import given, settings, strategies as st
-from tests.sentences import expected_by
 
 from onika.files.al.logical_line import joined, sentences
 from onika.files.line import TextReading
@@ -9,9 +8,7 @@ def content(text: str) -> tuple[list[str], list[str]]:
     """The sentences and the faults of a text."""
     reading = TextReading("f", "nothing")
     result, _ = sentences(text, reading)
-    return [joined(item.tokens) for item in result], [
-        f"{item.place.line}: {expected_by(item)}" for item in reading.faults
-    ]
+    return [joined(item.tokens) for item in result], [f"{item.place.line}: {item.reason}" for item in reading.faults]
 
 
 def test_every_line_is_a_sentence_and_comments_and_blank_lines_are_none() -> None:
@@ -25,7 +22,7 @@ def test_within_parentheses_a_sentence_goes_on() -> None:
 def test_a_word_of_the_language_ends_an_open_parenthesis() -> None:
     assert content("TO x (1\nEND\nTO y (2") == (
         ["TO x (1", "END", "TO y (2"],
-        ["1: a ) for every (", "3: a ) for every ("],
+        ["1: expected a ) for every (, found 'TO x (1'", "3: expected a ) for every (, found 'TO y (2'"],
     )
 
 
@@ -43,10 +40,10 @@ def test_what_is_open_at_the_end_of_its_line_or_begins_nothing_is_reported() -> 
     assert content('A "b\nC }} }\nD\x01 \nE { f') == (
         ["A", "C", "D\x01", "E"],
         [
-            '1: a " that ends the text on its line',
-            "2: words, numbers, texts in quotes or comments in braces",
-            "3: printable text",
-            "4: a } that ends the comment",
+            "1: expected a \" that ends the text on its line, found '\"b'",
+            "2: expected words, numbers, texts in quotes or comments in braces, found '}} }'",
+            "3: expected printable text, found 'D\\x01 '",
+            "4: expected a } that ends the comment, found '{ f'",
         ],
     )
 

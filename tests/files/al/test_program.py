@@ -1,6 +1,5 @@
 import pytest
 from tests.files.models import TYPES
-from tests.sentences import expected_by, found_by
 
 from onika.files.al.logical_line import sentences
 from onika.files.al.program import TextProgram
@@ -21,7 +20,7 @@ def run(text: str) -> tuple[TextProgram, tuple[AppFlow, ...] | None, list[str]]:
     for item in result:
         program.take(item)
     flows = program.end()
-    return program, flows, [f"{fault.place.line}: {expected_by(fault)} / {found_by(fault)}" for fault in reading.faults]
+    return program, flows, [f"{fault.place.line}: {fault.reason}" for fault in reading.faults]
 
 
 def shown(step: Step) -> str:
@@ -89,48 +88,54 @@ def test_blocks_that_stand_outermost_are_the_flows(text: str, is_parallel: bool,
 @pytest.mark.parametrize(
     ("text", "complaints"),
     [
-        ("", ["1: BEGIN, COBEGIN or CASE OF / an empty text"]),
-        ("DO a", ["1: BEGIN, COBEGIN or CASE OF / 'DO a'"]),
-        ("BEGIN", ["1: END for 'BEGIN' of line 1 / the end of the program"]),
-        ("BEGIN / END / DO a / DO b", ["3: nothing behind the program but WHERE / 'DO a'"]),
-        ("COBEGIN / DO a / COEND", ["2: BEGIN / 'DO a'"]),
-        ("COBEGIN / COEND", ["2: BEGIN and END within COBEGIN / none"]),
-        ("BEGIN / BEGIN / END", ["2: BEGIN only at the begin or within COBEGIN or CASE OF / 'BEGIN'"]),
-        ("BEGIN / COBEGIN / END", ["2: COBEGIN only at the begin / 'COBEGIN'"]),
-        ("BEGIN / END IF / END", ["2: IF before END IF / none open"]),
-        ("BEGIN / IF L == 1 THEN / END", ["3: END IF for 'IF L == 1 THEN' of line 2 / 'END'"]),
-        ("BEGIN / IF L THEN / END IF / END", ["2: an address, a comparison and a number, as in 'LAMP == 1' / 'L'"]),
-        ("BEGIN / IF L == 1 THEN / ELSE / ELSE / END IF / END", ["4: END IF / 'ELSE'"]),
-        ("BEGIN / SYNCH m / HOLE / END", ["2: an action on the next line / none behind 'SYNCH m'"]),
-        ("BEGIN / TAG t / END", ["2: an action on the next line / none behind 'TAG t'"]),
-        ("BEGIN / SYNCH m / SYNCH n / DO a / END", ["3: one SYNCH before an action / 'SYNCH n'"]),
-        ("BEGIN / TAG m / TAG n / DO a / END", ["3: one TAG before an action / 'TAG n'"]),
-        ("BEGIN / BREAK / END", ["2: an action before BREAK / 'BREAK'"]),
-        ("BEGIN / DO a / BREAK / BREAK / END", ["4: an action before BREAK / 'BREAK'"]),
-        ("BEGIN / DO a / BREAK OFF / END", ["3: IF and a condition behind BREAK OFF / 'BREAK OFF'"]),
-        ("BEGIN / REPEAT / DO a / DO b / UNTIL DONE / END", ["2: a tag of one word / the end of the line"]),
+        ("", ["1: expected BEGIN, COBEGIN or CASE OF, found an empty text"]),
+        ("DO a", ["1: expected BEGIN, COBEGIN or CASE OF, found 'DO a'"]),
+        ("BEGIN", ["1: expected END for 'BEGIN' of line 1, found the end of the program"]),
+        ("BEGIN / END / DO a / DO b", ["3: expected nothing behind the program but WHERE, found 'DO a'"]),
+        ("COBEGIN / DO a / COEND", ["2: expected BEGIN, found 'DO a'"]),
+        ("COBEGIN / COEND", ["2: expected BEGIN and END within COBEGIN, found none"]),
+        ("BEGIN / BEGIN / END", ["2: expected BEGIN only at the begin or within COBEGIN or CASE OF, found 'BEGIN'"]),
+        ("BEGIN / COBEGIN / END", ["2: expected COBEGIN only at the begin, found 'COBEGIN'"]),
+        ("BEGIN / END IF / END", ["2: expected IF before END IF, found none open"]),
+        ("BEGIN / IF L == 1 THEN / END", ["3: expected END IF for 'IF L == 1 THEN' of line 2, found 'END'"]),
+        (
+            "BEGIN / IF L THEN / END IF / END",
+            ["2: expected an address, a comparison and a number, as in 'LAMP == 1', found 'L'"],
+        ),
+        ("BEGIN / IF L == 1 THEN / ELSE / ELSE / END IF / END", ["4: expected END IF, found 'ELSE'"]),
+        ("BEGIN / SYNCH m / HOLE / END", ["2: expected an action on the next line, found none behind 'SYNCH m'"]),
+        ("BEGIN / TAG t / END", ["2: expected an action on the next line, found none behind 'TAG t'"]),
+        ("BEGIN / SYNCH m / SYNCH n / DO a / END", ["3: expected one SYNCH before an action, found 'SYNCH n'"]),
+        ("BEGIN / TAG m / TAG n / DO a / END", ["3: expected one TAG before an action, found 'TAG n'"]),
+        ("BEGIN / BREAK / END", ["2: expected an action before BREAK, found 'BREAK'"]),
+        ("BEGIN / DO a / BREAK / BREAK / END", ["4: expected an action before BREAK, found 'BREAK'"]),
+        ("BEGIN / DO a / BREAK OFF / END", ["3: expected IF and a condition behind BREAK OFF, found 'BREAK OFF'"]),
+        (
+            "BEGIN / REPEAT / DO a / DO b / UNTIL DONE / END",
+            ["2: expected a tag of one word, found the end of the line"],
+        ),
         (
             "BEGIN / REPEAT t / DO a / UNTIL DONE / END",
-            ["2: two actions in the loop t, of which NOP may be one / 1 statements"],
+            ["2: expected two actions in the loop t, of which NOP may be one, found 1 statements"],
         ),
         (
             "BEGIN / REPEAT t / DO a / HOLE / UNTIL DONE / END",
-            ["2: an action without a tag as the last in the loop t / a hole"],
+            ["2: expected an action without a tag as the last in the loop t, found a hole"],
         ),
         (
             "BEGIN / REPEAT t / DO a / DO b / UNTIL / END",
-            ["5: DONE or NOT and a condition behind UNTIL / the end of the line"],
+            ["5: expected DONE or NOT and a condition behind UNTIL, found the end of the line"],
         ),
-        ("BEGIN / WHILE t / DO a / END WHILE / END", ["4: DO before END WHILE / 'END WHILE'"]),
+        ("BEGIN / WHILE t / DO a / END WHILE / END", ["4: expected DO before END WHILE, found 'END WHILE'"]),
         (
             "BEGIN / WHILE t / DO / DO a / END WHILE / END",
-            ["2: one action between WHILE and DO of the loop t / 0 statements"],
+            ["2: expected one action between WHILE and DO of the loop t, found 0 statements"],
         ),
         (
             "BEGIN / WHILE t / DO a / DO / END WHILE / END",
-            ["2: an action without a tag as the last behind the DO in the loop t / nothing"],
+            ["2: expected an action without a tag as the last behind the DO in the loop t, found nothing"],
         ),
-        ("BEGIN / DO h / BREAK / END", ["2: an icon `h` in the dictionary or under WHERE / none"]),
+        ("BEGIN / DO h / BREAK / END", ["2: expected an icon `h` in the dictionary or under WHERE, found none"]),
     ],
 )
 def test_each_wrong_sentence_is_told_once(text: str, complaints: list[str]) -> None:
@@ -139,8 +144,8 @@ def test_each_wrong_sentence_is_told_once(text: str, complaints: list[str]) -> N
 
 def test_an_unknown_word_is_told_with_the_known_ones() -> None:
     (complaint,) = run("BEGIN / go a / END")[2]
-    assert complaint.startswith("2: a word of the language (DRIVE MOVE ")
-    assert complaint.endswith("/ 'go a'")
+    assert complaint.startswith("2: expected a word of the language (DRIVE MOVE ")
+    assert complaint.endswith(", found 'go a'")
 
 
 def test_branches_nest_as_deep_as_a_file_may_have_them_and_no_deeper() -> None:
@@ -148,6 +153,6 @@ def test_branches_nest_as_deep_as_a_file_may_have_them_and_no_deeper() -> None:
         return " / ".join(["BEGIN", *["IF L == 1 THEN"] * depth, *["END IF"] * depth, "END"])
 
     assert run(nested(100))[2] == []
-    assert run(nested(3000))[2] == ["102: at most 100 branches within each other / one more"]
+    assert run(nested(3000))[2] == ["102: expected at most 100 branches within each other, found one more"]
     loops = [f"REPEAT t{at} / DO a" for at in range(300)] + ["DO a / UNTIL DONE"] * 300
     assert run(" / ".join(["BEGIN", *loops, "END"]))[2] == []

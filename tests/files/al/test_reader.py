@@ -4,7 +4,6 @@ from collections.abc import Callable
 
 from hypothesis import given, settings, strategies as st
 from tests.files.models import TYPES, applications, onikons
-from tests.sentences import expected_by, found_by
 
 from onika.files import appl
 from onika.files.al.reader import read
@@ -12,6 +11,7 @@ from onika.files.al.writer import write
 from onika.model.application import AppFlow, Application, Hole, Icon, every_flow
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
+from onika.words.reason import Reason
 
 JUNK = ["END", "COEND", "BEGIN", "COBEGIN", "UNTIL", "ELSE", "DO", "HOLE", "TO", "NOP", "BREAK", "WHERE", "x"]
 JUNK += ["}", "{", '"', "(", ")", ";", "=", "#1", "\x00"]
@@ -132,4 +132,4 @@ def test_marks_that_contradict_each_other_are_told() -> None:
     text = "BEGIN\nSYNCH one\nDRIVE go\nSYNCH two\nTO home\nEND\n"
     result, (fault,) = read(text, "a", "f", TYPES, {"go": job, "home": target}.get)
     assert result is None
-    assert (expected_by(fault), found_by(fault)) == ("one synch tag for a job and its target", "one and two")
+    assert fault.reason == Reason.of("files.icons_disagree", meaning="synch tag", first="one", second="two")

@@ -2,7 +2,6 @@ from dataclasses import replace
 
 import pytest
 from tests.files.models import TYPES
-from tests.sentences import expected_by, found_by
 
 from onika.files.al.where_section import WhereSection, read
 from onika.files.line import TextReading
@@ -19,7 +18,7 @@ def again(text: str, onikons: dict[str, Onikon] | None = None) -> tuple[WhereSec
     """The glossary of a section alone, and its faults."""
     reading = TextReading("f", "nothing")
     result = read("WHERE\n" + text, len("WHERE\n"), TYPES, (onikons or {}).get, reading)
-    return result, [f"{fault.place.line}: {expected_by(fault)} / {found_by(fault)}" for fault in reading.faults]
+    return result, [f"{fault.place.line}: {fault.reason}" for fault in reading.faults]
 
 
 def test_an_icon_the_dictionary_holds_alike_is_named_only() -> None:
@@ -71,22 +70,25 @@ LINES = ICON.write().removeprefix("WHERE\n").removesuffix("END WHERE\n")
 @pytest.mark.parametrize(
     ("text", "sentences"),
     [
-        ("", "1: END WHERE / the end of the text"),
-        ("x\nEND WHERE\n", "2: ICON or HOLE / 'x'"),
-        ("END WHERE\nx\n", "3: nothing after END WHERE / 'x'"),
-        (LINES, "39: END WHERE / the end of the text"),
-        (LINES + LINES + "END WHERE\n", "42: every icon once / 'ICON home' again"),
-        ("HOLE #1\nEND WHERE\n", "2: ROUTINE and the lines of a target behind it / none"),
+        ("", "1: expected END WHERE, found the end of the text"),
+        ("x\nEND WHERE\n", "2: expected ICON or HOLE, found 'x'"),
+        ("END WHERE\nx\n", "3: expected nothing after END WHERE, found 'x'"),
+        (LINES, "39: expected END WHERE, found the end of the text"),
+        (LINES + LINES + "END WHERE\n", "42: expected every icon once, found 'ICON home' again"),
+        ("HOLE #1\nEND WHERE\n", "2: expected ROUTINE and the lines of a target behind it, found none"),
         (
             "HOLE #1\nROUTINE x\nENDFLOW\nEND WHERE\n",
-            "2: ROUTINE and the lines of a target behind it / ROUTINE ENDFLOW",
+            "2: expected ROUTINE and the lines of a target behind it, found ROUTINE ENDFLOW",
         ),
-        ("HOLE x\nUI 1\nEND WHERE\n", "2: a number such as #1 after HOLE / 'HOLE x'"),
-        ("HOLE #1\nROUTINE x\nHOLE #1\nROUTINE x\nEND WHERE\n", "4: every hole once / 'HOLE #1' again"),
-        (LINES.replace("ICON        home", "ICON 2") + "END WHERE\n", "3: the name of an icon after ICON / 'ICON 2'"),
+        ("HOLE x\nUI 1\nEND WHERE\n", "2: expected a number such as #1 after HOLE, found 'HOLE x'"),
+        ("HOLE #1\nROUTINE x\nHOLE #1\nROUTINE x\nEND WHERE\n", ("4: expected every hole once, found 'HOLE #1' again")),
+        (
+            LINES.replace("ICON        home", "ICON 2") + "END WHERE\n",
+            "3: expected the name of an icon after ICON, found 'ICON 2'",
+        ),
         (
             LINES.replace("Joint object", "Application end") + "END WHERE\n",
-            "4: an action or a target / 'ONIKON Application end'",
+            "4: expected an action or a target, found 'ONIKON Application end'",
         ),
     ],
 )

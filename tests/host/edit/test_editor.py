@@ -1,11 +1,11 @@
 """What is asked of subsystems by hand gets one answer each, and what is accepted one outcome."""
 
 import pytest
-from tests.sentences import found_by
 
 from kit.live_edits import COUNTER, LiveEdits, live_edits_with_tasks
 from kit.rail_world import MASS, rail_tasks
 from onika.wire import event, live, request
+from onika.words.reason import Reason
 
 GIVER = """
 from onika.module import Module, ModuleError, OutVar
@@ -179,5 +179,5 @@ def test_a_task_runs_on_the_unit_it_names_else_on_the_first_that_lives(hand):  #
 def test_notes_travel_with_the_faults(hand):
     hand.task("counter", COUNTER, local={"NOBODY": "1"})
     answer = hand.asker.ask(hand.order(("counter", "counter")))
-    assert [found_by(one) for one in answer.faults] == ["counter twice"]
+    assert [one.reason for one in answer.faults] == [Reason.of("host.task_twice", name="counter")]
     assert "NOBODY" in " ".join(map(str, answer.notes))

@@ -1,13 +1,13 @@
 import select
 
 import pytest
-from tests.sentences import found_by
 
 from onika.host.loading import loader as room, loader_client as client_room
 from onika.host.loading.loader import Loader
 from onika.host.loading.loader_client import LoaderClient, NotYet
 from onika.wire.plan import Code
 from onika.wire.sheet import ModuleSheet
+from onika.words.reason import Reason
 
 pytestmark = pytest.mark.site
 
@@ -59,13 +59,13 @@ def test_a_process_of_its_own_answers_as_direct_loading_does(loader):  # law 21
     assert loader.constants(code(GOOD), ()) == {"N": 3}
     assert loader.resolve(code(GOOD), {}, [("joint object", [1.0])]) == ["too far"]
     assert loader.sheet(code("class (")).place.line == 1
-    assert "ZeroDivisionError" in found_by(loader.constants(code(GOOD.replace('{"N": 3}', "1 / 0")), ()))
-    assert "ZeroDivisionError" in found_by(loader.resolve(code(GOOD.replace('["too far"]', "1 / 0 and [0]")), {}, []))
+    assert "ZeroDivisionError" in str(loader.constants(code(GOOD.replace('{"N": 3}', "1 / 0")), ()).reason)
+    assert "ZeroDivisionError" in str(loader.resolve(code(GOOD.replace('["too far"]', "1 / 0 and [0]")), {}, []).reason)
 
 
 def test_code_that_ends_the_process_is_named_and_the_next_is_looked_at_all_the_same(loader):  # law 21
     fault = loader.sheet(code("import os\nos._exit(1)\n"))
-    assert (fault.place.file, found_by(fault)) == ("/lab/module/thing.py", "the loader died of it")
+    assert (fault.place.file, fault.reason.key) == ("/lab/module/thing.py", "host.loader_died")
     assert isinstance(loader.sheet(code(GOOD)), ModuleSheet)
 
 
@@ -74,13 +74,13 @@ def test_code_that_never_returns_is_named_and_the_next_is_looked_at_all_the_same
     for module in (room, client_room):
         monkeypatch.setattr(module, "PATIENCE_S", 0.2)
     fault = loader.sheet(code("while True: pass\n"))
-    assert found_by(fault) == "nothing within 0.2 s"
+    assert fault.reason == Reason.of("host.loader_silent", seconds=0.2)
     monkeypatch.undo()
     assert isinstance(loader.sheet(code(GOOD)), ModuleSheet)
 
 
 def test_code_that_closes_everything_is_named(loader):  # law 21
-    assert found_by(loader.sheet(code("import os\nos.closerange(3, 65536)\n"))) == "the loader died of it"
+    assert loader.sheet(code("import os\nos.closerange(3, 65536)\n")).reason.key == "host.loader_died"
 
 
 def test_code_that_prints_megabytes_is_looked_at(loader, capfd):  # law 30

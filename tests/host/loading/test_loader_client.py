@@ -1,9 +1,8 @@
 import pytest
-from tests.sentences import found_by
 
 from onika.host.loading import loader_client as room
-from onika.host.loading.loader import AskDevices, AskSheet, Devices, Sheet, UnusableModule
 from onika.host.loading.loader_client import LoaderClient, NotYet
+from onika.host.loading.loader_messages import AskDevices, AskSheet, Devices, Sheet, UnusableModule
 from onika.runtime.modules.code import load
 from onika.runtime.modules.sheet import sheet_of
 from onika.wire.plan import Code
@@ -82,9 +81,9 @@ def test_code_of_which_the_loader_dies_is_a_fault_and_the_next_question_goes_on(
     client.expect((code("a"), code("b")))
     loader.is_lost = True
     assert client.take() is True
-    found = client.sheet(code("a"))
-    assert isinstance(found, Fault)
-    assert found_by(found) == "the loader died of it"
+    fault = client.sheet(code("a"))
+    assert isinstance(fault, Fault)
+    assert str(fault.reason) == "expected a module, found the loader died of it"
     assert loader.asked[-1] == AskSheet(code("b"))
 
 

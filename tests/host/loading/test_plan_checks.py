@@ -1,5 +1,4 @@
 import pytest
-from tests.sentences import found_by
 
 from kit.live_edits import SOURCE
 from kit.plan_builder import PlanBuilder
@@ -16,6 +15,7 @@ from onika.module import InConst, InVar, Module, OutConst, OutVar
 from onika.runtime.modules.sheet import sheet_of
 from onika.runtime.wiring import wire
 from onika.words.fault import Place
+from onika.words.reason import Reason
 
 
 def wired(name, module="", hardware=False, device=None, **ports):
@@ -23,35 +23,39 @@ def wired(name, module="", hardware=False, device=None, **ports):
     return wire(planned, sheet_of(type(name, (Module,), {"hardware": hardware, **ports})))
 
 
-def found(faults):
-    return [found_by(one) for one in faults]
+def sentences(faults):
+    return [str(fault.reason) for fault in faults]
 
 
 def test_one_module_lives_once():  # law 9
-    assert found(conflicts([wired("a", "ramp"), wired("b", "ramp"), wired("c")])) == ["also in task a"]
+    assert sentences(conflicts([wired("a", "ramp"), wired("b", "ramp"), wired("c")])) == [
+        "expected module ramp once in a flow, found also in task a"
+    ]
 
 
 def test_one_constant_has_one_supplier():  # law 9
     tasks = [wired("a", N=OutConst("int")), wired("b", N=OutConst("int"))]
-    assert found(conflicts(tasks)) == ["also task a"]
+    assert sentences(conflicts(tasks)) == ["expected one supplier of the constant N, found also task a"]
 
 
 def test_what_is_written_at_every_cycle_is_no_constant():  # law 9
     tasks = [wired("a", N=OutVar("int")), wired("b", N=InConst("int"))]
-    assert found(conflicts(tasks)) == ["task a writes it at every cycle"]
+    assert sentences(conflicts(tasks)) == ["expected a constant N, found task a writes it at every cycle"]
     assert conflicts([wired("a", N=OutVar("int")), wired("b", N=InVar("int"))]) == []
 
 
 def test_constants_that_wait_for_each_other_are_named_as_a_ring():  # law 10
     tasks = [wired("a", N=OutConst("int"), M=InConst("int")), wired("b", M=OutConst("int"), N=InConst("int"))]
-    assert found(cycles(tasks)) == ["a → b"]
+    assert sentences(cycles(tasks)) == ["expected constants that do not wait for each other, found a → b"]
     assert cycles(tasks[:1]) == []
 
 
 def test_a_device_is_claimed_by_one_hardware_task():  # law 16
     one, two = (wired(name, hardware=True, device="yard:m0") for name in "ab")
     listener = wired("c", device="yard:m0")
-    assert found(shared_devices([one, two, listener])) == ["task a claims it too"]
+    assert sentences(shared_devices([one, two, listener])) == [
+        "expected device yard:m0 for one task, found task a claims it too"
+    ]
     assert shared_devices([one, listener]) == []
 
 
@@ -75,4 +79,7 @@ def test_a_rate_has_a_period(hz, is_wrong):  # R-A04
 def test_hardware_is_not_slower_than_its_drive_allows():  # law 17
     given = [(Place("x.conf", 3), " in JOB", "a", 39.0), (Place("x.conf", 4), " in JOB", "b", 39.0)]
     (fault,) = wrong_rates(given, {"a"}, "no")
-    assert (fault.place.line, found_by(fault)) == (3, "39 Hz")
+    assert (fault.place.line, fault.reason) == (
+        3,
+        Reason.of("host.hardware_too_slow_in", task="a", job=" in JOB", slowest=40.0, hz=39.0),
+    )

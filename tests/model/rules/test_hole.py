@@ -25,11 +25,11 @@ def test_holes_of_all_flows_and_branches_count_together_each_type_once() -> None
 def test_an_application_by_itself_may_have_no_hole_a_nested_one_those_for_targets() -> None:
     steps = flow(MOVE, HOLE, job(), HOLE)
     assert texts(faults(outline(steps), SYNTAX)) == [
-        "work.appl: an application without holes / a hole, step 1 of flow 0",
-        "work.appl: an application without holes / a hole, step 3 of flow 0",
+        "work.appl: expected an application without holes, found a hole, step 1 of flow 0",
+        "work.appl: expected an application without holes, found a hole, step 3 of flow 0",
     ]
     assert texts(faults(outline(steps, is_nested=True), SYNTAX)) == [
-        "work.appl: an action in place of a hole / a hole, step 3 of flow 0 of `work`"
+        "work.appl: expected an action in place of a hole, found a hole, step 3 of flow 0 of `work`"
     ]
 
 
@@ -44,15 +44,18 @@ def test_the_targets_of_a_nested_application_fill_the_holes_of_their_types() -> 
     assert filled(part("part", "Joint", "Cartesian object"), both) == []
     assert filled(part("part", "Cartesian", "Joint object"), both) == []
     assert filled(part("part", "Joint"), both) == [
-        "work.appl: a Cartesian object for the holes of `part` / none behind `part`, step 1 of flow 0"
+        "work.appl: expected a Cartesian object for the holes of `part`, found none behind `part`, step 1 of flow 0"
     ]
     assert len(filled(part(), both)) == 2
 
 
 def test_a_target_that_fills_nothing_is_noted() -> None:
     assert filled(part("part", "Joint"), flow(job())) == [
-        "*work.appl: only targets for the holes of `part` / a Joint object behind `part`, step 1 of flow 0"
+        (
+            "*work.appl: expected only targets for the holes of `part`"
+            ", found a Joint object behind `part`, step 1 of flow 0"
+        )
     ]
     assert filled(part("part", "Joint", "Joint object"), flow(MOVE, HOLE)) == [
-        "*work.appl: one Joint object for the holes of `part` / another behind `part`, step 1 of flow 0"
+        "*work.appl: expected one Joint object for the holes of `part`, found another behind `part`, step 1 of flow 0"
     ]

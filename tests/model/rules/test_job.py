@@ -19,12 +19,14 @@ def sentences(*icons: Icon, task: Task = TWO, unread: frozenset[str] = frozenset
 def test_a_job_has_the_type_and_the_further_targets_of_its_trigger() -> None:
     assert sentences(VIA, THERE, POSE) == []  # reading 36, R-D13
     assert sentences(MOVE, THERE) == [
-        "work.appl: a Joint job with Cartesian object, as its trigger `path` says"
-        " / Joint job for `move`, step 0 of flow 0"
+        (
+            "work.appl: expected a Joint job with Cartesian object, as its trigger `path` says"
+            ", found Joint job for `move`, step 0 of flow 0"
+        )
     ]
     assert sentences(VIA, THERE, POSE, task=ONE) == [
-        "work.appl: a Joint job, as its trigger `path` says"
-        " / Joint job with Cartesian object for `via`, step 0 of flow 0"
+        "work.appl: expected a Joint job, as its trigger `path` says"
+        ", found Joint job with Cartesian object for `via`, step 0 of flow 0"
     ]
 
 
@@ -32,14 +34,16 @@ def test_the_order_of_further_targets_counts() -> None:
     several = icon("via", "Joint job", "Cartesian object", "Joint object")
     task = replace(TWO, more_targets=("Joint object", "Cartesian object"))
     assert sentences(several, task=task) == [
-        "work.appl: a Joint job with Joint object and Cartesian object, as its trigger `path` says"
-        " / Joint job with Cartesian object and Joint object for `via`, step 0 of flow 0"
+        (
+            "work.appl: expected a Joint job with Joint object and Cartesian object, as its trigger `path` says"
+            ", found Joint job with Cartesian object and Joint object for `via`, step 0 of flow 0"
+        )
     ]
 
 
 def test_a_missing_configuration_is_named_unless_it_is_told_elsewhere() -> None:
     lost = job("lost", line=9)
-    assert sentences(lost) == ["work.appl:9: the configuration lost / none for `lost`, step 0 of flow 0"]
+    assert sentences(lost) == ["work.appl:9: expected the configuration lost, found none for `lost`, step 0 of flow 0"]
     assert sentences(lost, unread=frozenset({"lost"})) == []
 
 
@@ -53,8 +57,13 @@ def test_a_configuration_is_whole_or_every_fault_is_told_at_the_icon_that_uses_i
     use = (result, result.passages[0], 0)
     tasks = {name: Task(name, name, outvar=("Q",)) for name in "ab"}
     assert texts(whole(conf("x", "a", "b", "c"), tasks, frozenset(), use)) == [
-        "work.appl:3: the task c / none for `x`, step 0 of flow 0",
-        "work.appl:3: tasks that may stand together / `b` in `x`, step 0 of flow 0: writes Q, which `a` already writes",
+        "work.appl:3: expected the task c, found none for `x`, step 0 of flow 0",
+        (
+            "work.appl:3: expected tasks that may stand together"
+            ", found `b` in `x`, step 0 of flow 0: writes Q, which `a` already writes"
+        ),
     ]
-    assert texts(whole(conf("x"), tasks, frozenset(), use)) == ["work.appl:3: tasks / none in `x`, step 0 of flow 0"]
+    assert texts(whole(conf("x"), tasks, frozenset(), use)) == [
+        "work.appl:3: expected tasks, found none in `x`, step 0 of flow 0"
+    ]
     assert texts(whole(conf("x", "c"), tasks, frozenset("c"), use)) == []

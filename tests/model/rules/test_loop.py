@@ -1,7 +1,6 @@
 from dataclasses import replace
 
 import pytest
-from tests.sentences import expected_by, found_by
 
 from onika.model.application import AppFlow, Icon, actions
 from onika.model.onikon import Onikon
@@ -15,7 +14,7 @@ SYNTAX = Syntax(tuple(IconType(name, 0, 0) for name in ("Complete job", "Joint j
 
 
 X = "`x`, step"
-ONE = "exactly one test icon of the loop a in flow 0"
+ONE = "expected exactly one test icon of the loop a in flow 0"
 
 FLOW = Reason.of("rules.flow", number=0)
 
@@ -28,7 +27,7 @@ def icon(mark: str, kind: str = "Complete job") -> Icon:
 
 def result(marks: str) -> list[str]:
     flow = AppFlow(tuple(map(icon, marks.split())))
-    return [f"{expected_by(fault)}: {found_by(fault)}" for fault in faults(flow, SYNTAX, FLOW, Place("a.appl"))]
+    return [f"{fault.reason}" for fault in faults(flow, SYNTAX, FLOW, Place("a.appl"))]
 
 
 @pytest.mark.parametrize("marks", ["", "- -", "a a?", "a? a", "a - b b? - a?", "a a? b b?", "a b c? c b? a?"])
@@ -39,15 +38,21 @@ def test_loops_apart_or_within_each_other_are_well_formed(marks: str) -> None:
 @pytest.mark.parametrize(
     ("marks", "expected"),
     [
-        ("a -", [f"the loop tag a twice in flow 0: 1 times, last at {X} 0", f"{ONE}: 0, the last icon being {X} 0"]),
-        ("a a? a", [f"the loop tag a twice in flow 0: 3 times, last at {X} 2"]),
-        ("a a", [f"{ONE}: 0, the last icon being {X} 1"]),
-        ("a? a?", [f"{ONE}: 2, the last icon being {X} 1"]),
-        ("a b a? b?", ["loops that do not cross in flow 0: a (steps 0 to 2) and b (steps 1 to 3)"]),
+        (
+            "a -",
+            [
+                f"expected the loop tag a twice in flow 0, found 1 times, last at {X} 0",
+                f"{ONE}, found 0, the last icon being {X} 0",
+            ],
+        ),
+        ("a a? a", [f"expected the loop tag a twice in flow 0, found 3 times, last at {X} 2"]),
+        ("a a", [f"{ONE}, found 0, the last icon being {X} 1"]),
+        ("a? a?", [f"{ONE}, found 2, the last icon being {X} 1"]),
+        ("a b a? b?", ["expected loops that do not cross in flow 0, found a (steps 0 to 2) and b (steps 1 to 3)"]),
         (
             "a b c a? b? c?",
             [
-                f"loops that do not cross in flow 0: {item}"
+                f"expected loops that do not cross in flow 0, found {item}"
                 for item in (
                     "a (steps 0 to 3) and b (steps 1 to 4)",
                     "a (steps 0 to 3) and c (steps 2 to 5)",
@@ -63,8 +68,8 @@ def test_every_malformed_loop_is_named(marks: str, expected: list[str]) -> None:
 
 def test_both_tags_on_one_action_are_no_loop() -> None:
     flow = AppFlow((icon("a", "Joint job"), icon("a?", "Joint object")))  # decision 24
-    assert [found_by(fault) for fault in faults(flow, SYNTAX, FLOW, Place("a.appl"))] == [
-        "it twice at one, `x`, step 0"
+    assert [str(fault.reason) for fault in faults(flow, SYNTAX, FLOW, Place("a.appl"))] == [
+        "expected the loop tag a at two actions of flow 0, found it twice at one, `x`, step 0"
     ]
 
 
@@ -76,8 +81,8 @@ def test_a_tag_on_a_target_counts_for_its_job() -> None:
 def test_the_condition_of_a_loop_stands_at_its_test() -> None:
     wrong, right = (replace(icon(mark), while_if="LAMP == 1") for mark in ("a", "a?"))  # R-D13
     sentences = faults(AppFlow((wrong, right)), SYNTAX, FLOW, Place("a.appl"))
-    assert [(expected_by(fault), found_by(fault)) for fault in sentences] == [
-        ("the condition of the loop a at its test in flow 0", "it at `x`, step 0")
+    assert [str(fault.reason) for fault in sentences] == [
+        "expected the condition of the loop a at its test in flow 0, found it at `x`, step 0"
     ]
     assert faults(AppFlow((icon("a"), right)), SYNTAX, FLOW, Place("a.appl")) == ()
 

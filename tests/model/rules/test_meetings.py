@@ -1,11 +1,11 @@
 """Deadlocks of tags in words: who waits where for whom (R-X03)."""
 
 from hypothesis import given, settings, strategies as st
-from tests.sentences import expected_by, found_by
 
 from kit.program_tree import Act, Loop, Pick, Side, planned
 from onika.model.rules import meetings
 from onika.words.fault import Place
+from onika.words.reason import Reason
 
 NOOP = Act(tasks=(), is_noop=True)
 
@@ -33,17 +33,19 @@ def tags(text):
 def test_tags_in_the_wrong_order_name_the_circle_with_every_place_in_it():
     (fault,) = meetings.faults(plan_of(tags("- a b"), tags("b a")))
     assert fault.place == Place("x.appl", 2)
-    assert expected_by(fault) == "tags in an order in which the flows can meet"
-    assert found_by(fault) == (
-        "flow0 waits at a (x.appl:2, job2) for flow1, which waits at b (x.appl:101, job101) for flow0"
+    assert str(fault.reason) == (
+        "expected tags in an order in which the flows can meet"
+        ", found flow0 waits at a (x.appl:2, job2) for flow1, which waits at b (x.appl:101, job101) for flow0"
     )
     assert str(fault.instead) == "the application is not run"
 
 
 def test_a_flow_that_waits_for_an_ended_one_is_named():
     (fault,) = meetings.faults(plan_of(tags("a a"), tags("a")))
-    assert expected_by(fault) == "tags as often in each flow"
-    assert found_by(fault) == "flow0 waits at a (x.appl:2, job2) for flow1, which has ended by then"
+    assert str(fault.reason) == (
+        "expected tags as often in each flow"
+        ", found flow0 waits at a (x.appl:2, job2) for flow1, which has ended by then"
+    )
 
 
 def test_a_deadlock_that_depends_on_a_choice_is_a_note_with_the_choice():
@@ -51,26 +53,32 @@ def test_a_deadlock_that_depends_on_a_choice_is_a_note_with_the_choice():
     assert meetings.faults(plan) == ()
     (note,) = meetings.notes(plan)
     assert note.is_note
-    assert found_by(note) == (
-        "flow1 waits at a (x.appl:101, job101) for flow0, which has ended by then, when flow0 takes flow 1 of a branch"
+    assert str(note.reason) == (
+        "expected tags as often in each flow, whatever is chosen"
+        ", found flow1 waits at a (x.appl:101, job101) for flow0, which has ended by then"
+        ", when flow0 takes flow 1 of a branch"
     )
 
 
 def test_a_deadlock_in_a_nested_application_names_who_begins_whom():  # R-D13
     (fault,) = meetings.faults(plan_of((Side(((Act("n a"), Act("n a")), (Act("n a"),))),)))
-    assert found_by(fault) == "flow0 waits at a of n (x.appl:2, job2) for flow0.1, which is begun by flow0 only"
+    assert str(fault.reason) == (
+        "expected tags in an order in which the flows can meet"
+        ", found flow0 waits at a of n (x.appl:2, job2) for flow0.1, which is begun by flow0 only"
+    )
 
 
 def test_a_parent_that_waits_for_the_end_of_a_stuck_flow_is_not_told_as_another_deadlock():
     (fault,) = meetings.faults(plan_of((Side(((Act("n a"),), (Act("n a"), Act("n a")))), Act())))
-    assert found_by(fault) == (
-        "flow0 waits for the end of flow0.1, which waits at a of n (x.appl:102, job102) for flow0"
+    assert str(fault.reason) == (
+        "expected tags in an order in which the flows can meet"
+        ", found flow0 waits for the end of flow0.1, which waits at a of n (x.appl:102, job102) for flow0"
     )
 
 
 def test_a_wait_for_a_flow_that_never_leaves_its_loop_is_a_note():
     (note,) = meetings.notes(plan_of(tags("a"), (Loop("l", (Act(), NOOP)), Act("a"))))
-    assert found_by(note).endswith("for flow1, which goes round in a loop that ends only when the user lets it leave")
+    assert str(note.reason).endswith("for flow1, which goes round in a loop that ends only when the user lets it leave")
 
 
 def test_a_tag_that_one_flow_bears_alone_holds_nobody():  # model/rules/tag tells of it
@@ -81,7 +89,15 @@ def test_what_cannot_be_looked_at_as_a_whole_is_said():
     several = (Act(), Pick((tags("a b c"), tags("a b c"), tags("a b c"))))
     (note,) = meetings.findings(plan_of(several, several, several), limit=5)
     assert note.is_note
-    assert found_by(note) == "more in flow0, flow1, flow2"
+    assert note.reason == Reason.of(
+        "rules.tags_too_many",
+        states=5,
+        flows=(
+            "flow0",
+            "flow1",
+            "flow2",
+        ),
+    )
 
 
 def test_flows_that_can_always_meet_are_left_in_peace():
@@ -97,4 +113,4 @@ def test_every_finding_names_places_that_are_there(flows):
     lines = {action.line for flow in plan.flows for action in flow.actions}
     for fault in meetings.findings(plan):
         assert (fault.place.file, fault.place.line in lines) == ("x.appl", True)
-        assert found_by(fault).startswith("flow")
+        assert str(fault.reason).partition(", found ")[2].startswith("flow")

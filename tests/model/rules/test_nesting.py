@@ -2,10 +2,10 @@ from collections.abc import Mapping
 
 from hypothesis import given, settings, strategies as st
 from tests.model.rules.upper import SYNTAX, application, branch, flow, job, outline, part, texts
-from tests.sentences import expected_by
 
 from onika.model.application import Application
 from onika.model.rules.nesting import DEEPEST, Nest, missing, nest
+from onika.words.reason import Reason
 
 
 def made(runs: Mapping[str, tuple[str, ...]]) -> dict[str, Application]:
@@ -31,8 +31,11 @@ def test_every_application_is_reached_once_inner_ones_first() -> None:
 def test_a_circle_is_named_and_cut() -> None:
     result = nested({"a": ("b",), "b": ("c",), "c": ("a", "work")})  # R-E06
     assert texts(result.faults) == [
-        "c.appl: no application within itself / a in c in b in a, at `a`, step 0 of flow 0 of `c`",
-        "c.appl: no application within itself / work in c in b in a in work, at `work`, step 1 of flow 0 of `c`",
+        "c.appl: expected no application within itself, found a in c in b in a, at `a`, step 0 of flow 0 of `c`",
+        (
+            "c.appl: expected no application within itself"
+            ", found work in c in b in a in work, at `work`, step 1 of flow 0 of `c`"
+        ),
     ]
     assert result.cuts == {("c", "a"), ("c", "work")}
     passage, action = next(result.outlines["c"].actions())
@@ -44,21 +47,24 @@ def test_a_circle_through_a_branch_is_named() -> None:
     inner = application(flow(branch(flow(job()), flow(part("a")))), name="a")  # R-E06, R-D13
     result = nest(outline(flow(part("a"))), SYNTAX, {"a": inner}, {})
     assert texts(result.faults) == [
-        "a.appl: no application within itself / a in a, at `a`, step 0 of flow 0, step 0, branch 1 of `a`"
+        (
+            "a.appl: expected no application within itself"
+            ", found a in a, at `a`, step 0 of flow 0, step 0, branch 1 of `a`"
+        )
     ]
 
 
 def test_what_is_missing_is_named_at_every_icon() -> None:
     outer = outline(flow(part("a"), job(), part("lost", line=4)))
     assert texts(missing(outer, SYNTAX, frozenset({"a"}))) == [
-        "work.appl:4: the application lost / none for `lost`, step 2 of flow 0"
+        "work.appl:4: expected the application lost, found none for `lost`, step 2 of flow 0"
     ]
 
 
 def test_doubling_again_and_again_is_too_much() -> None:
     deep = {f"p{at}": (f"p{at + 1}",) * 2 for at in range(17)} | {"p17": ()}
     assert texts(nested(deep, ("p0",)).faults) == [
-        "work.appl: at most 100000 actions, nested ones counted each time / more"
+        "work.appl: expected at most 100000 actions, nested ones counted each time, found more"
     ]
     assert not nested(deep, ("p1",)).is_too_much
 
@@ -69,7 +75,7 @@ def test_nesting_ends_somewhere() -> None:
 
     assert not chain(DEEPEST - 2).is_too_much
     (fault,) = chain(5000).faults
-    assert expected_by(fault) == "at most 100 applications and branches within each other"
+    assert fault.reason == Reason.of("rules.nested_too_deep", most=100, depth=5002)
 
 
 NAMES = "abcd"

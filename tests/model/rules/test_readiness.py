@@ -1,7 +1,5 @@
 from collections.abc import Mapping
 
-from tests.sentences import expected_by, found_by
-
 from onika.model.application import AppFlow, Application, Hole, Icon
 from onika.model.configuration import Configuration, Placed
 from onika.model.onikon import Onikon
@@ -59,14 +57,17 @@ def result(
     assert all(str(fault.instead) == "the application is not run" for fault in wrong)
     files = {fault.place.file for fault in wrong}
     assert files <= {PLACE.file, *(f"{name}.appl" for name in applications or {})}
-    return [f"{expected_by(fault)}: {found_by(fault)}" for fault in given]
+    return [f"{fault.reason}" for fault in given]
 
 
 def test_what_is_there_and_at_fault_itself_is_not_missed():  # R-B07
     application = Application("work", False, (AppFlow((CLOSE, icon("move", "Complete job"))),))
     there = {"close": CONFIGURATIONS["close"]}
     missed = faults(application, SYNTAX, there, {}, PLACE)
-    assert [expected_by(fault) for fault in missed] == ["the configuration move", "the task grip"]
+    assert [str(fault.reason) for fault in missed] == [
+        "expected the configuration move, found none for `move`, step 1 of flow 0",
+        "expected the task grip, found none for `close`, step 0 of flow 0",
+    ]
     assert faults(application, SYNTAX, there, {}, PLACE, unread=frozenset({"move", "grip"})) == ()
 
 
@@ -75,53 +76,58 @@ def test_a_whole_application_is_ready() -> None:
 
 
 def test_an_application_needs_flows_and_flows_need_actions() -> None:
-    assert result() == ["at least one flow: none"]
-    assert result((CLOSE,), ()) == ["an action in flow 1: none"]
+    assert result() == ["expected at least one flow, found none"]
+    assert result((CLOSE,), ()) == ["expected an action in flow 1, found none"]
 
 
 def test_every_fault_is_named_at_once() -> None:
     strange = icon("there", "Strange object")  # R-E01
     lost = icon("lost", "Complete job")
     assert result((MOVE, Hole(), lost, strange), (THERE, CLOSE)) == [
-        "an application without holes: a hole, step 1 of flow 0",
-        "a type the syntax defines: Strange object of `there`, step 3 of flow 0",
-        "an action that takes this target: none before `there`, step 0 of flow 1",
-        "edges that fit: `there` (Joint object) behind Application start, at step 0 of flow 1",
-        "the configuration lost: none for `lost`, step 2 of flow 0",
+        "expected an application without holes, found a hole, step 1 of flow 0",
+        "expected a type the syntax defines, found Strange object of `there`, step 3 of flow 0",
+        "expected an action that takes this target, found none before `there`, step 0 of flow 1",
+        "expected edges that fit, found `there` (Joint object) behind Application start, at step 0 of flow 1",
+        "expected the configuration lost, found none for `lost`, step 2 of flow 0",
     ]
 
 
 def test_a_job_needs_its_target() -> None:
     assert result((MOVE, CLOSE)) == [
-        "a Joint object behind it: none behind `move`, step 0 of flow 0",
-        "edges that fit: `close` (Complete job) behind `move` (Joint job), at step 1 of flow 0",
+        "expected a Joint object behind it, found none behind `move`, step 0 of flow 0",
+        "expected edges that fit, found `close` (Complete job) behind `move` (Joint job), at step 1 of flow 0",
     ]
 
 
 def test_a_target_of_other_edges_does_not_fit() -> None:
     other = icon("pose", "Cartesian object")
     assert result((MOVE, other)) == [
-        "edges that fit: `pose` (Cartesian object) behind `move` (Joint job), at step 1 of flow 0"
+        "expected edges that fit, found `pose` (Cartesian object) behind `move` (Joint job), at step 1 of flow 0"
     ]
 
 
 def test_the_first_and_the_last_icon_must_fit_start_and_end() -> None:
-    assert "edges that fit: Application end behind `move` (Joint job), at step 1 of flow 0" in result((MOVE,))
+    assert "expected edges that fit, found Application end behind `move` (Joint job), at step 1 of flow 0" in result(
+        (MOVE,)
+    )
 
 
 def test_a_missing_task_is_named() -> None:
-    assert result((MOVE, THERE), tasks={}) == ["the task jmove: none for `move`, step 0 of flow 0"]
+    assert result((MOVE, THERE), tasks={}) == ["expected the task jmove, found none for `move`, step 0 of flow 0"]
 
 
 def test_a_configuration_without_tasks_is_named() -> None:
-    assert result((CLOSE,), configurations={"close": conf("close")}) == ["tasks: none in `close`, step 0 of flow 0"]
+    assert result((CLOSE,), configurations={"close": conf("close")}) == [
+        "expected tasks, found none in `close`, step 0 of flow 0"
+    ]
 
 
 def test_conflicts_within_a_configuration_are_named() -> None:
     tasks = {**TASKS, "hold": Task("hold", "hold", outvar=("GRIP",))}  # reading 1
     (fault,) = result((CLOSE,), configurations={"close": conf("close", "grip", "hold")}, tasks=tasks)
     assert fault == (
-        "tasks that may stand together: `hold` in `close`, step 0 of flow 0: writes GRIP, which `grip` already writes"
+        "expected tasks that may stand together"
+        ", found `hold` in `close`, step 0 of flow 0: writes GRIP, which `grip` already writes"
     )
 
 
@@ -130,7 +136,8 @@ def test_conflicts_in_the_union_of_a_flow_are_named_but_not_across_flows() -> No
     configurations = {**CONFIGURATIONS, "open": conf("open", "other")}
     opened = icon("open", "Complete job")
     expected = (
-        "every module once in a flow: grip in `grip` (in `close`, step 0) and `other` (in `open`, step 1) of flow 0"
+        "expected every module once in a flow"
+        ", found grip in `grip` (in `close`, step 0) and `other` (in `open`, step 1) of flow 0"
     )
     assert result((CLOSE, opened), configurations=configurations, tasks=tasks) == [expected]
     assert result((CLOSE,), (opened,), configurations=configurations, tasks=tasks) == []
@@ -138,11 +145,11 @@ def test_conflicts_in_the_union_of_a_flow_are_named_but_not_across_flows() -> No
 
 def test_a_trigger_changed_after_the_job_was_made_is_found() -> None:
     tasks = {"jmove": Task("jmove", "jmove", object_type="Cartesian job")}  # reading 36
-    expected = "a Cartesian job, as its trigger `jmove` says: Joint job for `move`, step 0 of flow 0"
+    expected = "expected a Cartesian job, as its trigger `jmove` says, found Joint job for `move`, step 0 of flow 0"
     assert result((MOVE, THERE), tasks=tasks) == [expected]
     without = {"jmove": Task("jmove", "jmove")}
     assert result((MOVE, THERE), tasks=without) == [
-        "a task with OBJECT Joint job in `move`: none at `move`, step 0 of flow 0"
+        "expected a task with OBJECT Joint job in `move`, found none at `move`, step 0 of flow 0"
     ]
 
 
@@ -153,7 +160,9 @@ def test_a_job_of_unknown_type_acts_as_a_complete_one() -> None:
 
 def test_malformed_loops_are_named() -> None:
     looped = Icon(CLOSE.onikon, while_tag="a", while_test=True)
-    assert result((looped, CLOSE)) == ["the loop tag a twice in flow 0: 1 times, last at `close`, step 0"]
+    assert result((looped, CLOSE)) == [
+        "expected the loop tag a twice in flow 0, found 1 times, last at `close`, step 0"
+    ]
 
 
 PART = icon("part", "Complete application")
@@ -161,10 +170,12 @@ PART = icon("part", "Complete application")
 
 def test_nested_applications_are_checked_with_their_contents() -> None:
     part = Application("part", False, (AppFlow((icon("lost", "Complete job"), Hole())),))  # R-E06
-    assert result((PART,), applications={}) == ["the application part: none for `part`, step 0 of flow 0"]
+    assert result((PART,), applications={}) == [
+        "expected the application part, found none for `part`, step 0 of flow 0"
+    ]
     assert result((PART,), applications={"part": part}) == [
-        "an action in place of a hole: a hole, step 1 of flow 0 of `part`",
-        "the configuration lost: none for `lost`, step 0 of flow 0 of `part`",
+        "expected an action in place of a hole, found a hole, step 1 of flow 0 of `part`",
+        "expected the configuration lost, found none for `lost`, step 0 of flow 0 of `part`",
     ]
 
 
@@ -176,4 +187,4 @@ def test_a_target_fills_the_holes_of_a_nested_application() -> None:
 def test_recursion_is_refused_naming_the_cycle() -> None:
     part = Application("part", False, (AppFlow((icon("work", "Complete application"),)),))  # R-E06
     (fault,) = result((PART,), applications={"part": part})
-    assert fault.startswith("no application within itself: work in part in work, at `work`")
+    assert fault.startswith("expected no application within itself, found work in part in work, at `work`")

@@ -15,36 +15,39 @@ def test_a_whole_application_has_no_faults() -> None:
 
 
 def test_an_application_needs_flows_and_flows_need_actions() -> None:
-    assert result() == ["at least one flow / none"]
-    assert result(flow(job()), flow()) == ["an action in flow 1 / none"]
+    assert result() == ["expected at least one flow, found none"]
+    assert result(flow(job()), flow()) == ["expected an action in flow 1, found none"]
 
 
 def test_a_fault_in_a_branch_is_named_with_its_path() -> None:
     assert result(flow(job(), branch(flow(job()), flow(MOVE, job(line=1))))) == [
-        "a Joint object behind it / none behind `move`, step 0 of flow 0, step 1, branch 1",
-        "edges that fit / `j` (Complete job) behind `move` (Joint job), at step 1 of flow 0, step 1, branch 1",
+        "expected a Joint object behind it, found none behind `move`, step 0 of flow 0, step 1, branch 1",
+        (
+            "expected edges that fit"
+            ", found `j` (Complete job) behind `move` (Joint job), at step 1 of flow 0, step 1, branch 1"
+        ),
     ]
 
 
 def test_every_target_that_lacks_is_named() -> None:
     assert [text for text in result(flow(VIA, HOLE, job())) if "behind it" in text] == []  # R-D13
     assert result(flow(VIA, THERE, job())) == [
-        "a Cartesian object behind it / none behind `via`, step 0 of flow 0",
-        "edges that fit / `j` (Complete job) behind `there` (Joint object), at step 2 of flow 0",
+        "expected a Cartesian object behind it, found none behind `via`, step 0 of flow 0",
+        "expected edges that fit, found `j` (Complete job) behind `there` (Joint object), at step 2 of flow 0",
     ]
     assert len(result(flow(VIA, job()))) == 3
 
 
 def test_targets_in_the_wrong_order_do_not_fit() -> None:
     assert result(flow(VIA, POSE, THERE)) == [
-        "edges that fit / `pose` (Cartesian object) behind `via` (Joint job), at step 1 of flow 0",
-        "edges that fit / `there` (Joint object) behind `pose` (Cartesian object), at step 2 of flow 0",
+        "expected edges that fit, found `pose` (Cartesian object) behind `via` (Joint job), at step 1 of flow 0",
+        "expected edges that fit, found `there` (Joint object) behind `pose` (Cartesian object), at step 2 of flow 0",
     ]
 
 
 def test_a_target_too_many_is_named() -> None:
     assert result(flow(VIA, THERE, POSE, POSE))[0] == (
-        "an action that takes this target / none before `pose`, step 3 of flow 0"
+        "expected an action that takes this target, found none before `pose`, step 3 of flow 0"
     )
 
 
@@ -52,11 +55,11 @@ def test_a_target_too_many_is_named() -> None:
 def test_a_branch_has_one_condition_fewer_than_flows(conditions: tuple[str, ...]) -> None:
     step = branch(flow(job()), flow(), conditions=conditions)
     assert result(flow(step)) == [
-        f"1 conditions of a branch, or none / {len(conditions)} at a branch of 2, step 0 of flow 0"
+        f"expected 1 conditions of a branch, or none, found {len(conditions)} at a branch of 2, step 0 of flow 0"
     ]
 
 
 def test_an_unknown_target_is_named() -> None:
     assert result(flow(job(), icon("x", "Odd object"))) == [
-        "a type the syntax defines / Odd object of `x`, step 1 of flow 0"
+        "expected a type the syntax defines, found Odd object of `x`, step 1 of flow 0"
     ]

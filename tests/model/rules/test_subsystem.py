@@ -46,8 +46,10 @@ def test_tasks_conflict_within_a_subsystem_only() -> None:
     apart = application(flow(job("b")), name="part")
     assert sentences(flow(job("a")), flow(job("b")), inner=apart) == []
     assert sentences(flow(job("a"), part()), inner=apart) == [
-        "part.appl: every module once in a flow / "
-        "m in `one` (in `a`, step 0) and `two` (in `b`, step 0 of flow 0 of `part`) of flow 0"
+        (
+            "part.appl: expected every module once in a flow"
+            ", found m in `one` (in `a`, step 0) and `two` (in `b`, step 0 of flow 0 of `part`) of flow 0"
+        )
     ]
     beside = application(flow(job("a")), flow(job("b")), name="part", is_parallel=True)
     assert sentences(flow(part()), inner=beside) == []
@@ -66,13 +68,17 @@ def test_a_condition_speaks_of_a_variable_that_a_task_of_its_flow_has() -> None:
     assert conditions("LAMP == 1") == []  # R-D13, R-E13
     assert conditions("flow1/Y[2] > 1") == []
     at = "at `a`, step 0 of flow 0"
-    assert conditions("Y == 1") == [f"work.appl:5: a condition on a variable that a task of flow0 has / `Y == 1` {at}"]
-    assert conditions("X == 1") == [f"work.appl:5: a condition on a variable that a task of flow0 has / `X == 1` {at}"]
+    assert conditions("Y == 1") == [
+        f"work.appl:5: expected a condition on a variable that a task of flow0 has, found `Y == 1` {at}"
+    ]
+    assert conditions("X == 1") == [
+        f"work.appl:5: expected a condition on a variable that a task of flow0 has, found `X == 1` {at}"
+    ]
     assert conditions("flow2/Y == 1") == [
-        f"work.appl:5: a condition on a variable of flow0, flow1 / `flow2/Y == 1` {at}"
+        f"work.appl:5: expected a condition on a variable of flow0, flow1, found `flow2/Y == 1` {at}"
     ]
     assert conditions("LAMP") == [
-        f"work.appl:5: an address, a comparison and a number, as in 'LAMP == 1' / `LAMP` {at}"
+        f"work.appl:5: expected an address, a comparison and a number, as in 'LAMP == 1', found `LAMP` {at}"
     ]
 
 
@@ -85,7 +91,7 @@ def test_conditions_of_branches_and_loops_are_looked_at_wherever_they_stand() ->
     choice = branch(flow(job("a", while_tag="l", while_test=True, while_if="NO == 1")), flow(), conditions=("NO == 2",))
     inner = application(flow(job("a"), choice), name="part")
     sentences = texts(faults(result(flow(part()), applications={"part": inner}), CONFIGURATIONS, TASKS))
-    assert [text.partition(" / ")[2] for text in sentences] == [
+    assert [text.partition(", found ")[2] for text in sentences] == [
         "`NO == 2` at a branch of 2, step 1 of flow 0 of `part`",
         "`NO == 1` at `a`, step 0 of flow 0, step 1, branch 0 of `part`",
     ]

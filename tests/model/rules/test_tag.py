@@ -10,7 +10,10 @@ def test_a_tag_stands_in_two_flows_or_more() -> None:
     assert texts(faults(two)) == []
     alone = outline(flow(job(), MEET, MEET), flow(job()), is_parallel=True)  # R-E04
     assert texts(faults(alone)) == [
-        "work.appl: the synchronisation tag meet in two flows of `work` or more / it only at `open`, step 1 of flow 0"
+        (
+            "work.appl: expected the synchronisation tag meet in two flows of `work` or more"
+            ", found it only at `open`, step 1 of flow 0"
+        )
     ]
 
 
@@ -23,6 +26,6 @@ def test_where_nothing_is_parallel_a_tag_is_noted_and_ignored() -> None:
     result = outline(flow(MEET), flow(MEET), is_nested=True)  # reading 27
     (note,) = faults(result)
     assert texts([note]) == [
-        "*work.appl: a parallel application for the tag meet / it at `open`, step 0 of flow 0 of `work`"
+        "*work.appl: expected a parallel application for the tag meet, found it at `open`, step 0 of flow 0 of `work`"
     ]
     assert str(note.instead) == "it is ignored"

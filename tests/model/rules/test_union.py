@@ -1,5 +1,4 @@
 import pytest
-from tests.sentences import expected_by, found_by
 
 from onika.model.configuration import Configuration, Placed
 from onika.model.rules.union import TaskOrigin, conflicts, tasks_of, variables
@@ -32,24 +31,28 @@ def device(name: str) -> tuple[LocalLine, ...]:
 @pytest.mark.parametrize(
     ("task", "other", "result"),
     [
-        (Task("a", "m"), Task("b", "m"), "m in `a` and `b` of flow 0"),
+        (Task("a", "m"), Task("b", "m"), "expected every module once in a flow, found m in `a` and `b` of flow 0"),
         (
             Task("a", "m", local=device("boxes:arm")),
             Task("b", "n", local=device("boxes:arm")),
-            "boxes:arm by `a` and `b` of flow 0",
+            "expected every device claimed once in a flow, found boxes:arm by `a` and `b` of flow 0",
         ),
-        (Task("a", "m", outconst=("X",)), Task("b", "n", outconst=("X",)), "X from `a` and `b` of flow 0"),
+        (
+            Task("a", "m", outconst=("X",)),
+            Task("b", "n", outconst=("X",)),
+            "expected one supplier of each constant in a flow, found X from `a` and `b` of flow 0",
+        ),
     ],
 )
 def test_what_may_not_live_side_by_side_is_named(task: Task, other: Task, result: str) -> None:
-    assert [found_by(fault) for fault in conflicts([task, other], FLOW, Place("a.appl"))] == [result]  # law 9
+    assert [str(fault.reason) for fault in conflicts([task, other], FLOW, Place("a.appl"))] == [result]  # law 9
 
 
 def test_a_constant_only_given_while_running_is_a_fault() -> None:
     writer, reader = Task("w", "w", outvar=("X",)), Task("r", "r", inconst=("X",))  # law 9
-    assert [expected_by(fault) for fault in conflicts([writer, reader], FLOW, Place("a.appl"))] == [
-        "constants that are given at initialisation",
-        "a task that gives the constant X",
+    assert [str(fault.reason) for fault in conflicts([writer, reader], FLOW, Place("a.appl"))] == [
+        "expected constants that are given at initialisation, found X between `w` and `r` of flow 0",
+        "expected a task that gives the constant X, found none for `r` of flow 0",
     ]
 
 
@@ -67,7 +70,11 @@ def test_a_task_is_beside_the_first_only_and_its_icon_is_named() -> None:
     tasks = [Task(name, "m") for name in "abc"]  # law 9, R-E01
     sources = {"a": TaskOrigin(Place("a.appl", 3), "open", 0, None), "c": TaskOrigin(Place("a.appl", 9), "x", 2, None)}
     sentences = conflicts(tasks, FLOW, Place("a.appl"), sources)
-    assert [(fault.place.line, found_by(fault)) for fault in sentences] == [
-        (0, "m in `a` (in `open`, step 0) and `b` of flow 0"),
-        (9, "m in `a` (in `open`, step 0) and `c` (in `x`, step 2) of flow 0"),
+    assert [(fault.place.line, str(fault.reason)) for fault in sentences] == [
+        (0, "expected every module once in a flow, found m in `a` (in `open`, step 0) and `b` of flow 0"),
+        (
+            9,
+            "expected every module once in a flow"
+            ", found m in `a` (in `open`, step 0) and `c` (in `x`, step 2) of flow 0",
+        ),
     ]

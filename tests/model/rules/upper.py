@@ -1,7 +1,5 @@
 """A small upper level for the tests of rules: a syntax, icons in one word each, and outlines of flows."""
 
-from tests.sentences import expected_by, found_by
-
 from onika.model.application import AppFlow, Application, Branch, Hole, Icon, Step
 from onika.model.configuration import Configuration, Placed
 from onika.model.onikon import Onikon
@@ -72,9 +70,9 @@ def conf(name: str, *tasks: str) -> Configuration:
 
 
 def texts(faults: object) -> list[str]:
-    """Faults as `LINE: expected / found`, notes with a star before them."""
+    """Faults as `PLACE: reason`, notes with a star before them."""
     return [
-        f"{'*' * fault.is_note}{fault.place}: {expected_by(fault)} / {found_by(fault)}"
+        f"{'*' * fault.is_note}{fault.place}: {fault.reason}"
         for fault in faults  # type: ignore[attr-defined]
         if isinstance(fault, Fault)
     ]

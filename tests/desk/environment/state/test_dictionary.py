@@ -1,5 +1,3 @@
-from tests.sentences import found_by
-
 from kit.dictionary_fixture import plain
 from onika.desk.environment.state.dictionary import find, has_dictionary, home_of, open_dictionaries
 from onika.store.base_directory import BaseDirectory
@@ -27,7 +25,7 @@ def test_a_later_icon_of_a_name_is_not_added_and_is_told(tmp_path):  # R-D15
     first, second = open_dictionaries([one, two], SYNTAX)
     assert (list(first.onikons), list(second.onikons)) == (["grip"], ["open"])
     (fault,) = second.faults
-    assert fault.is_note and fault.place.file == str(two.onikon_file("grip")) and str(one.path) in found_by(fault)
+    assert fault.is_note and fault.place.file == str(two.onikon_file("grip")) and str(one.path) in str(fault.reason)
     assert find((first, second), "grip").path == one.onikon_file("grip")
     assert home_of((first, second), "open") is second and home_of((first, second), "none") is None
 

@@ -4,7 +4,6 @@ from dataclasses import replace
 
 import pytest
 from hypothesis import given, settings, strategies as st
-from tests.sentences import found_by
 
 from onika.model.application import AppFlow, Hole, Icon
 from onika.model.rules import jigsaw, loop
@@ -119,11 +118,13 @@ def test_an_action_is_in_one_loop_whichever_of_its_icons_bears_the_mark() -> Non
     def sentences(tags: list[str | None], tests: list[bool]) -> list[str]:
         marks = zip(kinds, tags, tests, strict=True)
         steps = tuple(replace(icon(kind or ""), while_tag=tag, while_test=test) for kind, tag, test in marks)
-        return [found_by(fault) for fault in loop.faults(AppFlow(steps), syntax, FLOW, Place("x"))]
+        return [str(fault.reason) for fault in loop.faults(AppFlow(steps), syntax, FLOW, Place("x"))]
 
     assert sentences(["a", "a", "a", None], [True, True, False, False]) == []
     assert sentences(["a", "a", "a", None], [False, True, False, False]) == []
-    assert sentences(["a", "b", "b", "a"], [True, True, False, False]) == ["a and b at `it`, step 0"]
+    assert sentences(["a", "b", "b", "a"], [True, True, False, False]) == [
+        "expected one loop tag at an action of flow 0, found a and b at `it`, step 0"
+    ]
 
 
 @pytest.mark.slow
