@@ -1,10 +1,11 @@
 import pytest
 
 from onika.desk.console.command import Command, find
+from onika.words.reason import Reason
 
 
 def command(name, **given):
-    return Command(name, f"{name} …", "what it does\nand more", lambda session, words: (), **given)
+    return Command(name, f"{name} …", Reason.plain("what it does"), lambda session, words: (), **given)
 
 
 def test_a_unique_beginning_names_a_command_and_a_whole_name_always_does():  # R-A16
@@ -34,7 +35,3 @@ def test_words_are_taken_as_the_command_takes_them(given, rest, words):
 def test_too_few_too_many_and_open_quotes_are_told(given, rest):
     with pytest.raises(ValueError, match=r"x|quotes"):
         command("x", **given).words(rest)
-
-
-def test_the_first_line_sums_it_up():
-    assert command("x").summary == "what it does"

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from onika.desk.console.session import ConsoleSession, Faults
 from onika.words import argument
+from onika.words.reason import NOTHING, Reason
 
 Words = tuple[str, ...]
 
@@ -15,19 +16,16 @@ class Command:
 
     name: str
     usage: str
-    text: str
-    """What it does, in one line; further lines are shown by `help NAME` only."""
+    purpose: Reason
+    """What it does, in one line."""
     carry_out: Callable[[ConsoleSession, Words], Faults]
     takes: Words = ()
     """What stands at each place, for completion; the last holds for all further places."""
     least: int = 0
     most: int | None = None
     raw: int = -1
-
-    @property
-    def summary(self) -> str:
-        """Its first line."""
-        return self.text.partition("\n")[0]
+    more: Reason = NOTHING
+    """What `help NAME` says besides, in lines."""
 
     def words(self, rest: str) -> Words:
         """What follows its name, as it takes it; raises ValueError where that is not as it is written."""

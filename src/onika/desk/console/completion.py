@@ -95,7 +95,7 @@ _KINDS: dict[str, Callable[[ConsoleSession, Sequence[Command], str], list[str]]]
     "asking": _asking,
     "variable": _variables,
     "library": lambda session, commands, typed: ["all", *_library(session).tasks],
-    "spawn words": _spawn_words,
+    "spawn_word": _spawn_words,
     "configuration": lambda session, commands, typed: list(_library(session).configurations),
     "application": lambda session, commands, typed: list(_library(session).applications),
     "subsystem": lambda session, commands, typed: [subsystem.name for subsystem in session.standing().subsystems],
@@ -104,5 +104,5 @@ _KINDS: dict[str, Callable[[ConsoleSession, Sequence[Command], str], list[str]]]
     "state": lambda session, commands, typed: [state.value.lower() for state in State],
     "file": lambda session, commands, typed: _files(typed),
     "world": lambda session, commands, typed: list(session.standing().worlds),
-    "quit words": lambda session, commands, typed: ["runtime"],
+    "quit_word": lambda session, commands, typed: ["runtime"],
 }

@@ -1,6 +1,6 @@
 """The console itself: carries out lines, one command each, and runs scripts of them (requirement A16)."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 from onika.desk.console import commands
@@ -14,7 +14,7 @@ from onika.desk.console.variable_watch import VariableWatch
 from onika.desk.run import script_lines
 from onika.wire import request
 from onika.words.fault import Place
-from onika.words.reason import Reason
+from onika.words.reason import Reason, reason_of
 
 Words = tuple[str, ...]
 _DEEPEST = 16
@@ -41,7 +41,7 @@ class Console:
         try:
             return self._carry_out(script_lines.bare(line))
         except TimeoutError as late:
-            return session.no(Reason.of("console.no_answer", cause=str(late)), Reason.of("console.perhaps_done"))
+            return session.no(Reason.of("console.no_answer", cause=reason_of(late)), Reason.of("console.perhaps_done"))
         finally:
             session.place = former
 
@@ -101,64 +101,48 @@ class Console:
         try:
             words = matches[0].words(rest.strip())
         except ValueError as wrong:
-            return self.session.no(Reason.of("console.usage", usage=matches[0].usage, line=str(wrong)))
+            return self.session.no(Reason.of("console.usage", usage=matches[0].usage, line=reason_of(wrong)))
         return matches[0].carry_out(self.session, words)
 
     # -- lines about the console itself
 
-    def _vocabulary(self) -> list[tuple[str, tuple[Command, ...]]]:
-        def command(
-            name: str, usage: str, text: str, act: Callable[[ConsoleSession, Words], Faults], *takes: str
-        ) -> Command:
-            return Command(name, usage, text, act, takes, most=None if takes else 0)
-
-        watch = command(
+    def _vocabulary(self) -> list[tuple[Reason, tuple[Command, ...]]]:
+        watch = Command(
             "watch",
             "watch NAME… [HZ]  |  watch off  |  watch only",
-            "show variables whenever they change\n"
-            "`watch only`: this console changes nothing any more, whatever is typed; it may still stop everything.",
+            Reason.of("console.does_watch"),
             self._watch.command,
-            "variable",
+            ("variable",),
+            more=Reason.of("console.more_watch"),
         )
-        follow = command(
+        follow = Command(
             "follow",
             "follow TASK [FILE]  |  follow off [TASK…]",
-            "exchange its code whenever its file changes",
+            Reason.of("console.does_follow"),
             self._follow.command,
-            "task",
-            "file",
+            ("task", "file"),
         )
         own = (
-            Command(
-                "source",
-                "source FILE  |  <FILE",
-                "carry out a file of lines, to the first that fails",
-                self._source,
-                ("file",),
-                1,
-                1,
-            ),
-            Command(
-                "help", "help [COMMAND]", "what there is, or how a command is written", self._help, ("command",), 0, 1
-            ),
+            Command("source", "source FILE  |  <FILE", Reason.of("console.does_source"), self._source, ("file",), 1, 1),
+            Command("help", "help [COMMAND]", Reason.of("console.does_help"), self._help, ("command",), 0, 1),
             Command(
                 "quit",
                 "quit [runtime]",
-                "end this console, and with it the runtime that it started\n"
-                "`quit runtime` ends a runtime that others started, too.",
+                Reason.of("console.does_quit"),
                 self._quit,
-                ("quit words",),
+                ("quit_word",),
                 0,
                 1,
+                more=Reason.of("console.more_quit"),
             ),
         )
         return [
-            ("tasks", commands.TASKS),
-            ("a living task", (*commands.CHANGES, follow)),
-            ("looking", (*commands.LOOKS, watch)),
-            ("applications that run", commands.FLOWS),
-            ("the whole", commands.WHOLE),
-            ("this console", own),
+            (Reason.of("console.group_tasks"), commands.TASKS),
+            (Reason.of("console.group_changes"), (*commands.CHANGES, follow)),
+            (Reason.of("console.group_looks"), (*commands.LOOKS, watch)),
+            (Reason.of("console.group_flows"), commands.FLOWS),
+            (Reason.of("console.group_whole"), commands.WHOLE),
+            (Reason.of("console.group_own"), own),
         ]
 
     def _source(self, session: ConsoleSession, words: Words) -> Faults:
@@ -172,14 +156,15 @@ class Console:
                 return session.no(Reason.of("console.command_unknown", word=words[0]))
             for match in matches:
                 session.say(match.usage, Tone.HEAD)
-                for line in match.text.splitlines():
-                    session.say(f"  {line}")
+                for reason in (match.purpose, match.more):
+                    for line in session.in_words(reason).splitlines():
+                        session.say(f"  {line}")
             return ()
         width = max(len(command.name) for command in self._commands)
         for title, group in self._groups:
             session.say(title, Tone.HEAD)
             for command in group:
-                session.say(f"  {command.name:<{width}}  {command.summary}")
+                session.say(f"  {command.name:<{width}}  {session.in_words(command.purpose)}")
         session.say(Reason.of("console.help_hint"), Tone.DIM)
         return ()
 

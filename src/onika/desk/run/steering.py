@@ -53,7 +53,7 @@ class Verb:
     """One word of steering: how it is written, what it does, and who reads what follows it."""
 
     usage: str
-    text: str
+    purpose: Reason
     read: Callable[[list[str], FlowIndex], Act]
 
 
@@ -219,24 +219,24 @@ def _seconds(word: str) -> float:
 
 
 VERBS: dict[str, Verb] = {
-    "pause": Verb("pause [FLOW]", "pause after the current action", _to_all(steer.Pause)),
-    "continue": Verb("continue [FLOW]", "go on after a pause, or take it back", _to_all(steer.Resume)),
-    "step": Verb("step [FLOW]", "carry out one action and pause", _to_all(steer.Step)),
-    "next": Verb("next [FLOW]", "leave the current action at once for the next", _next),
-    "skip": Verb("skip [FLOW] N", "leave the current action at once for that one", _skip),
-    "pass": Verb("pass [FLOW]", "let a flow that waits go on alone", _to_one(steer.Pass)),
-    "leave": Verb("leave [FLOW]", "leave the innermost loop at its next test", _to_one(steer.Leave)),
-    "break": Verb("break [FLOW] N [if CONDITION]", "pause after that action whenever it has been done", _break),
-    "unbreak": Verb("unbreak [FLOW] N", "pause there no more", _unbreak),
-    "clear": Verb("clear [FLOW]", "clear the tasks in error and repeat the action", _to_all(steer.Recover)),
-    "abort": Verb("abort [CAUSE]", "end the run: tasks off, drives in hold", _abort),
-    "who": Verb("who", "where every flow is, and who waits for whom", _who),
-    "touch": Verb("touch WORLD PART VALUE", "touch a part of a simulated world, such as a panic button", _touch),
+    "pause": Verb("pause [FLOW]", Reason.of("desk.does_pause"), _to_all(steer.Pause)),
+    "continue": Verb("continue [FLOW]", Reason.of("desk.does_continue"), _to_all(steer.Resume)),
+    "step": Verb("step [FLOW]", Reason.of("desk.does_step"), _to_all(steer.Step)),
+    "next": Verb("next [FLOW]", Reason.of("desk.does_next"), _next),
+    "skip": Verb("skip [FLOW] N", Reason.of("desk.does_skip"), _skip),
+    "pass": Verb("pass [FLOW]", Reason.of("desk.does_pass"), _to_one(steer.Pass)),
+    "leave": Verb("leave [FLOW]", Reason.of("desk.does_leave"), _to_one(steer.Leave)),
+    "break": Verb("break [FLOW] N [if CONDITION]", Reason.of("desk.does_break"), _break),
+    "unbreak": Verb("unbreak [FLOW] N", Reason.of("desk.does_unbreak"), _unbreak),
+    "clear": Verb("clear [FLOW]", Reason.of("desk.does_clear"), _to_all(steer.Recover)),
+    "abort": Verb("abort [CAUSE]", Reason.of("desk.does_abort"), _abort),
+    "who": Verb("who", Reason.of("desk.does_who"), _who),
+    "touch": Verb("touch WORLD PART VALUE", Reason.of("desk.does_touch"), _touch),
     "wait": Verb(
-        "wait SECONDS | wait began|done [FLOW] N | wait paused|waiting|stopped|done [FLOW], each [within SECONDS]",
-        "go on at that moment, in the run's own time",
+        "wait (SECONDS | began|done [FLOW] N | paused|waiting|stopped|done [FLOW]) [within SECONDS]",
+        Reason.of("desk.does_wait"),
         _wait,
     ),
-    "expect": Verb("expect CONDITION", "end the run where a variable is not so now", _expect),
+    "expect": Verb("expect CONDITION", Reason.of("desk.does_expect"), _expect),
 }
 """All words of steering."""
