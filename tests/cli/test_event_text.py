@@ -1,12 +1,12 @@
 import pytest
 
-from onika.cli.event_text import item_text, lines as event_lines, sentence, summary
+from onika.cli.event_text import Tone, item_text, lines as event_lines, sentence, summary
 from onika.desk.run.outcome import Outcome
 from onika.wire import event
 from onika.wire.figures import TaskFigures
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 FIGURES = TaskFigures("flow0", "pd", "rt0", 500.0, 1000, 3, 4.5, 20.0)
 
@@ -17,6 +17,11 @@ def result(**changes):
         "tasks": (FIGURES,), "hash": "",
     }  # fmt: skip
     return event.Result(**(fields | changes))
+
+
+def said(outcome, drawn):
+    """The summary in English."""
+    return [str(line.reason) for line in summary(outcome, drawn)]
 
 
 @pytest.mark.parametrize(
@@ -64,13 +69,13 @@ def test_an_event_is_told_in_one_line_or_not_at_all(happening, line):  # R-E11
 
 def test_a_refused_run_lists_every_fault_and_says_that_nothing_moved():  # R-E01
     fault = Fault(Place("a.rmod", 3), Reason.plain("expected one, found two"), Reason.plain("left out"))
-    lines = list(summary(Outcome("go", [fault, fault], ["by the way"]), ""))
+    lines = said(Outcome("go", [fault, fault], ["by the way"]), NOTHING)
     assert lines == [str(fault), str(fault), "note: by the way", "go: refused, nothing moved (2 faults)"]
-    assert list(summary(Outcome("go", [fault]), ""))[-1] == "go: refused, nothing moved (1 fault)"
+    assert said(Outcome("go", [fault]), NOTHING)[-1] == "go: refused, nothing moved (1 fault)"
 
 
 def test_a_virtual_run_tells_its_pace_and_its_hash_and_no_misses():  # R-X08
-    lines = list(summary(Outcome("go", result=result(hash="abc")), "picture: out.png"))
+    lines = said(Outcome("go", result=result(hash="abc")), Reason.plain("picture: out.png"))
     assert lines == [
         "go: completed, 2 actions, 20.00 s, in 1.00 s of wall time (20x)",
         "hash: abc",
@@ -79,17 +84,17 @@ def test_a_virtual_run_tells_its_pace_and_its_hash_and_no_misses():  # R-X08
 
 
 def test_a_virtual_run_that_had_to_do_with_the_outside_says_so():  # law 15
-    lines = list(summary(Outcome("go", result=result(hash="abc", outside=("flow0/view",))), ""))
+    lines = said(Outcome("go", result=result(hash="abc", outside=("flow0/view",))), NOTHING)
     assert lines[1:] == ["hash: abc", "not reproducible: flow0/view had to do with the outside"]
 
 
 def test_a_run_in_wall_time_tells_its_cycles_and_misses():  # R-A17
-    assert list(summary(Outcome("go", result=result()), ""))[1:] == ["cycles: 1000, missed 3"]
+    assert said(Outcome("go", result=result()), NOTHING)[1:] == ["cycles: 1000, missed 3"]
 
 
 def test_an_aborted_run_tells_its_cause_and_what_was_printed_last():  # R-E14, R-E10
     printed = "\n".join(f"line {number}" for number in range(30))
-    lines = list(summary(Outcome("go", result=result(completed=False, cause="it fell"), printed=printed), ""))
+    lines = said(Outcome("go", result=result(completed=False, cause="it fell"), printed=printed), NOTHING)
     assert lines[0].startswith("go: aborted, 2 of 3 actions")
     assert lines[1:4] == ["cause: it fell", "the runtime printed:", "  line 10"]
     assert lines[-2] == "  line 29"
@@ -99,7 +104,7 @@ def test_each_expectation_is_told_with_what_was_found():  # R-X07
     expectations = [
         (Condition.parse("LAMP == 1"), value, holds) for value, holds in ((1, True), (0, False), (None, False))
     ]
-    lines = list(summary(Outcome("go", result=result(wall_s=0.0), expectations=expectations), ""))
+    lines = said(Outcome("go", result=result(wall_s=0.0), expectations=expectations), NOTHING)
     assert lines[2:] == [
         "expect LAMP == 1: yes",
         "expect LAMP == 1: NO, found 0",
@@ -107,10 +112,17 @@ def test_each_expectation_is_told_with_what_was_found():  # R-X07
     ]
 
 
+@pytest.mark.parametrize(("holds", "tones"), [(True, [Tone.WELL, Tone.PLAIN]), (False, [Tone.FAILED, Tone.WRONG])])
+def test_a_line_of_the_summary_says_how_it_is_meant(holds, tones):  # R-E14
+    expectations = [(Condition.parse("LAMP == 1"), 1, holds)]
+    outcome = Outcome("go", result=result(hash="abc"), expectations=expectations)
+    assert [line.tone for line in summary(outcome, NOTHING)][:2] == tones
+
+
 def test_a_question_says_bounds_and_default():  # R-A10
     item = event.Item("duration", "double", 1, "s", "how long", (2.0,), (0.1,), (600.0,))
-    assert item_text(item) == "duration, how long, in s, from 0.1 to 600, else 2.0"
-    assert item_text(event.Item("n", "int", 1, "-", "", None, (1.0,), None)) == "n, at least 1"
+    assert str(item_text(item)) == "duration, how long, in s, from 0.1 to 600, else 2.0"
+    assert str(item_text(event.Item("n", "int", 1, "-", "", None, (1.0,), None))) == "n, at least 1"
 
 
 def test_where_there_are_several_flows_each_action_says_whose_it_is():  # R-E11
@@ -134,4 +146,4 @@ def test_a_script_that_failed_after_the_end_is_told():  # R-E07
         failed=(Fault(Place("s", 3), Reason.plain("expected one, found two"), Reason.plain("no")),),
     )
     assert outcome.exit_code == 1
-    assert "script: s:3: expected one, found two; instead: no" in list(summary(outcome, ""))
+    assert "script: s:3: expected one, found two; instead: no" in said(outcome, NOTHING)

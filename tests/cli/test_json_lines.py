@@ -38,7 +38,7 @@ def test_every_event_is_one_object_on_one_line(capsys):  # R-E11
 def test_the_result_comes_last_with_everything(capsys):  # R-E14, R-X07, R-X08, R-A17
     expectation = Condition.parse("Q[0] > 1")
     outcome = Outcome("go", [], ["by the way"], RESULT, [(expectation, 1.5, True)], printed="it printed")
-    JsonLines().ended(outcome, "picture: out.png")
+    JsonLines().ended(outcome, Reason.plain("picture: out.png"))
     (line,) = lines(capsys)
     assert line == {
         "event": "result",

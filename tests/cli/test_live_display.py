@@ -86,7 +86,7 @@ def test_the_summary_comes_last(screen):  # R-E14
     live = LiveDisplay()
     with live:
         live.begins(PREPARED, 4711)
-    live.ended(Outcome("two_arms", result=RESULT), "picture: out.png")
+    live.ended(Outcome("two_arms", result=RESULT), Reason.plain("picture: out.png"))
     verdict, drawn = screen.getvalue().rstrip().splitlines()[-2:]
     assert verdict.endswith("two_arms: completed, 4 of 4 actions, 5.00 s, in 5.00 s of wall time")
     assert drawn == "picture: out.png"

@@ -3,6 +3,7 @@ import pytest
 from onika.cli import main, run as room
 from onika.desk.run.outcome import Outcome
 from onika.wire import event
+from onika.words.reason import Reason
 
 RESULT = event.Result(True, "", 1, 1, 2.0, 0.1, {}, (), "")
 
@@ -152,14 +153,14 @@ def test_a_good_run_is_kept_as_a_test(runs, monkeypatch, tmp_path, capsys):  # R
 
     def keep_in(path, settings, site, **more):
         kept.append((path, settings.name, more["seen"]))
-        return len(kept) == 1, ("25 actions",)
+        return len(kept) == 1, (Reason.plain("25 actions"),)
 
     monkeypatch.setattr(room, "keep_in", keep_in)
     words = ["run", "go_home", "--virtual", "--keep-test", str(tmp_path / "a.test")]
     assert main(words) == 0
     assert kept == [(tmp_path / "a.test", "go_home", "")]
     assert main(words) == 1
-    assert capsys.readouterr().err.splitlines() == ["test: 25 actions", "no test: 25 actions"]
+    assert capsys.readouterr().err.splitlines() == [f"test: {tmp_path / 'a.test'}: 25 actions", "no test: 25 actions"]
 
 
 @pytest.mark.parametrize(

@@ -1,13 +1,28 @@
 """The commands by name, and the parser that knows them."""
 
 import argparse
+import os
 import sys
 
 from onika import __version__
-from onika.cli import audit, check, console, doctor, icon, new, page, recording, run, runtime, test, text
+from onika.cli import (
+    argument_words,
+    audit,
+    check,
+    console,
+    doctor,
+    icon,
+    new,
+    page,
+    recording,
+    run,
+    runtime,
+    test,
+    text,
+)
 from onika.cli.language import say, speaking
 from onika.link.lost import LinkLost
-from onika.words.reason import Reason
+from onika.words.reason import Reason, reason_of
 from onika.words.sentence import LANGUAGES
 
 COMMANDS = {
@@ -28,23 +43,55 @@ COMMANDS = {
 
 def carry_out(words: list[str] | None) -> int:
     """Carry out a command line; the exit code."""
+    argument_words.translate()
     wanted, rest = _language_first(sys.argv[1:] if words is None else words)
     with speaking(wanted):
-        given = _parser().parse_args(_whole(rest))
         try:
+            given = _parser().parse_args(_whole(rest))
             code: int = COMMANDS[given.command].carry_out(given)
+            if sys.stdout is not None:
+                sys.stdout.flush()
             return code
-        except LinkLost as lost:
-            print(say(lost.reason), file=sys.stderr)
+        except (KeyboardInterrupt, OSError, UnicodeError, LinkLost) as ending:
+            return _ended(ending)
+
+
+def _ended(ending: BaseException) -> int:
+    """Say why a command ended otherwise than by itself; its exit code."""
+    match ending:
+        case KeyboardInterrupt():
+            return _say_last(Reason.of("cli.stopped"), 130)
+        case BrokenPipeError():
+            _drop_output()  # whoever read our output has seen enough; what was to be done was not done
             return 1
-        except TimeoutError as late:
-            print(late, file=sys.stderr)
-            return 1
+        case LinkLost() | TimeoutError():
+            return _say_last(reason_of(ending), 1)
+        case OSError():
+            _drop_output()
+            return _say_last(Reason.of("cli.system_error", why=Reason.plain(str(ending))), 1)
+        case _:
+            return _say_last(Reason.of("cli.letters_lack", why=Reason.plain(str(ending))), 1)
+
+
+def _say_last(reason: Reason, code: int) -> int:
+    """Say it on the error output, whatever its letters are."""
+    if sys.stderr is not None:
+        letters = sys.stderr.encoding or "ascii"
+        sys.stderr.write(say(reason).encode(letters, "backslashreplace").decode(letters) + "\n")
+    return code
+
+
+def _drop_output() -> None:
+    """So that the interpreter does not complain once more when it ends."""
+    if sys.stdout is not None:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
 
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="onika", description=say(Reason.of("cli.description")))
-    parser.add_argument("--version", action="version", version=f"onika {__version__}")
+    parser.add_argument(
+        "--version", action="version", version=f"onika {__version__}", help=say(Reason.of("cli.version_option"))
+    )
     _add_language(parser)
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
     for name, command in COMMANDS.items():

@@ -9,7 +9,7 @@ from onika.cli.runtime import add_base, script_file
 from onika.cli.search_path import site_here
 from onika.desk.run.runtime import connect
 from onika.link.token import read_token
-from onika.words.reason import Reason
+from onika.words.reason import Reason, reason_of
 
 
 def purpose() -> Reason:
@@ -36,6 +36,6 @@ def carry_out(given: argparse.Namespace) -> int:
         token = "" if given.token_file is None else read_token(given.token_file)
         reached = connect(given.url, token, given.ca)
     except ValueError as wrong:
-        given.complain(str(wrong))
+        given.complain(say(reason_of(wrong)))
     with reached as runtime:
         return sit_down(runtime, site_here(given.base), given.script, has_console=not given.no_console)

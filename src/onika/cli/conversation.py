@@ -126,8 +126,12 @@ def _interrupted(session: ConsoleSession, desk: LineDesk) -> None:
 def _prompt(session: ConsoleSession) -> str:
     if session.questions:
         subsystem, name = next(iter(session.questions))
-        return f"{name if subsystem == session.subsystem else f'{subsystem}/{name}'}? "
-    return f"{session.subsystem}{' (stopped)' if session.is_stopped else ''}> "
+        if subsystem == session.subsystem:
+            return f"{name}? "
+        return f"{subsystem}/{name}? "
+    if session.is_stopped:
+        return f"{say(Reason.of('console.prompt_stopped', subsystem=session.subsystem))}> "
+    return f"{session.subsystem}> "
 
 
 def _show(desk: ConsoleDisplay, faults: Faults, typed: bool) -> None:

@@ -26,9 +26,15 @@ def carry_out(given: argparse.Namespace) -> int:
     console, missing = Console(highlight=False), 0
     for offer in features():
         missing += not offer.is_there
-        mark = Text("ok  ", style="green") if offer.is_there else Text("no  ", style="red")
+        mark = (
+            _mark(Reason.of("cli.doctor_ok"), "green") if offer.is_there else _mark(Reason.of("cli.doctor_no"), "red")
+        )
         console.print(mark, Text(f"{say(offer.name):<12}"), Text(say(offer.actual)), sep="")
         if not offer.is_there:
             cost = say(Reason.of("cli.doctor_cost", cost=offer.cost))
             console.print(Text(f"    {'':<12}{cost}", style="yellow"))
     return 1 if missing else 0
+
+
+def _mark(word: Reason, style: str) -> Text:
+    return Text(f"{say(word):<4}", style=style)

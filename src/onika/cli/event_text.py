@@ -1,15 +1,35 @@
 """The text of a run for people: one sentence per event and the summary at the end, for terminals and plain text."""
 
 from collections.abc import Iterator, Sequence
+from enum import Enum
+from typing import NamedTuple
 
 from onika.cli.language import say
 from onika.desk.run import explanation_text, transfer_text
 from onika.desk.run.outcome import Outcome
 from onika.desk.run.positions import waits
 from onika.wire import event
-from onika.words.reason import NOTHING, Reason
+from onika.words.reason import NOTHING, Reason, Text
 
 _PRINTED = 20
+
+
+class Tone(Enum):
+    """How a line of the summary is meant."""
+
+    PLAIN = "plain"
+    WELL = "well"
+    """The outcome of a run as it should be."""
+    FAILED = "failed"
+    WRONG = "wrong"
+    """What is not as it was expected."""
+
+
+class SummaryLine(NamedTuple):
+    """A line of the summary."""
+
+    reason: Reason
+    tone: Tone = Tone.PLAIN
 
 
 def lines(happening: event.Event, total: int, flows: Sequence[str] = (), width: int = 80) -> Iterator[str]:
@@ -31,7 +51,7 @@ def sentence(happening: event.Event, total: int, flows: Sequence[str] = ()) -> s
         case event.Began():
             return f"{happening.at_s:8.2f} s  {_began(happening, total, flows)}"
         case event.Moved():
-            text = _moved(happening)
+            text = say(_moved(happening))
             if text:
                 return f"{happening.at_s:8.2f} s  {happening.subsystem} {text}"
             return ""
@@ -60,8 +80,10 @@ def _reason(happening: event.Met | event.Stepped | event.Warned | event.Failed |
         case event.Stepped():
             return Reason.of("cli.note", text=transfer_text.sentence_with_subsystem(happening))
         case event.Warned():
-            who = f"{happening.task}: " if happening.task else ""
-            return Reason.of("cli.note", text=f"{who}{say(happening.text)}")
+            text = happening.text
+            if happening.task:
+                text = Reason.of("cli.warned", task=happening.task, text=text)
+            return Reason.of("cli.note", text=text)
         case event.Failed():
             where = f" ({happening.path}:{happening.line})" if happening.line else ""
             task = f"{happening.subsystem}/{happening.task}"
@@ -74,24 +96,25 @@ def _reason(happening: event.Met | event.Stepped | event.Warned | event.Failed |
             return NOTHING
 
 
-def _moved(moved: event.Moved) -> str:
+def _moved(moved: event.Moved) -> Text:
     """What is worth a word of a flow's new state; actions that begin, errors and the end have their own."""
     match moved.state:
         case "waiting" | "joining":
-            text = say(waits(moved.tag, moved.waits_for))
+            text = waits(moved.tag, moved.waits_for)
+        case "paused" if moved.action >= 0:
+            text = Reason.of("cli.paused_after", action=moved.action + 1)
         case "paused":
-            after = Reason.of("cli.paused_after", action=moved.action + 1)
-            text = say(after if moved.action >= 0 else Reason.of("cli.paused_first"))
+            text = Reason.of("cli.paused_first")
         case "stopped":
-            return ""  # the error and its explanation stand beside it
+            return NOTHING  # the error and its explanation stand beside it
         case _:
-            return say(moved.text)
+            return moved.text
     if moved.text:
-        return f"{text} ({say(moved.text)})"
+        return Reason.of("cli.moved_because", text=text, because=moved.text)
     return text
 
 
-def item_text(item: event.Item) -> str:
+def item_text(item: event.Item) -> Reason:
     """What is asked for: name, how many, meaning, unit, bounds and default."""
     name = Reason.plain(item.name)
     if item.count != 1:
@@ -103,52 +126,76 @@ def item_text(item: event.Item) -> str:
     if item.default is not None:
         default = Reason.of("cli.item_default", values=" ".join(map(str, item.default)))
     parts = [name, Reason.plain(item.meaning), unit, _bounds(item), default]
-    return ", ".join(say(part) for part in parts if part)
+    return Reason.of("cli.item_parts", parts=tuple(part for part in parts if part))
 
 
 def _bounds(item: event.Item) -> Reason:
-    low = None if item.low is None else " ".join(f"{x:g}" for x in item.low)
-    high = None if item.high is None else " ".join(f"{x:g}" for x in item.high)
-    if low is not None and high is not None:
-        return Reason.of("cli.item_range", low=low, high=high)
-    if low is not None:
-        return Reason.of("cli.item_least", low=low)
-    if high is not None:
-        return Reason.of("cli.item_most", high=high)
+    if item.low is not None and item.high is not None:
+        return Reason.of("cli.item_range", low=_numbers(item.low), high=_numbers(item.high))
+    if item.low is not None:
+        return Reason.of("cli.item_least", low=_numbers(item.low))
+    if item.high is not None:
+        return Reason.of("cli.item_most", high=_numbers(item.high))
     return NOTHING
 
 
-def summary(outcome: Outcome, drawn: str) -> Iterator[str]:
+def _numbers(values: Sequence[float]) -> str:
+    return " ".join(f"{number:g}" for number in values)
+
+
+def summary(outcome: Outcome, drawn: Reason) -> Iterator[SummaryLine]:
     """The lines at the end."""
     for fault in outcome.faults:
-        yield say(fault.sentence)
+        yield SummaryLine(fault.sentence)
     for note in outcome.notes:
-        yield say(Reason.of("cli.note", text=note))
-    result = outcome.result
-    if result is None:
-        yield say(Reason.of("cli.refused", name=outcome.name, faults=len(outcome.faults)))
+        yield SummaryLine(Reason.of("cli.note", text=note))
+    if outcome.result is None:
+        refused = Reason.of("cli.refused", name=outcome.name, faults=len(outcome.faults))
+        yield SummaryLine(refused, Tone.FAILED)
         return
-    yield f"{outcome.name}: {outcome.state}, {say(_done(result))}, {say(_took(result))}"
+    yield from _ending(outcome, outcome.result)
+    yield from _figures(outcome.result)
+    for condition, value, holds in outcome.expectations:
+        yield SummaryLine(_expectation(condition.text, value, holds), Tone.PLAIN if holds else Tone.WRONG)
+    yield from _repeatability(outcome.result)
+    if drawn:
+        yield SummaryLine(drawn)
+
+
+def _ending(outcome: Outcome, result: event.Result) -> Iterator[SummaryLine]:
+    """How it ended and why, and what was printed then."""
+    yield SummaryLine(_verdict(outcome.name, result), Tone.FAILED if outcome.exit_code else Tone.WELL)
     if result.cause:
-        yield say(Reason.of("cli.cause", cause=result.cause))
+        yield SummaryLine(Reason.of("cli.cause", cause=result.cause))
     if result.completed:  # else the cause says it, and the fault stands above
-        yield from (f"script: {say(fault.sentence)}" for fault in outcome.failed)
-    if outcome.printed.strip():
-        yield say(Reason.of("cli.runtime_printed"))
-        yield from (f"  {line}" for line in outcome.printed.strip().splitlines()[-_PRINTED:])
+        for fault in outcome.failed:
+            yield SummaryLine(Reason.of("cli.script_failed", fault=fault.sentence))
+    printed = outcome.printed.strip()
+    if printed:
+        yield SummaryLine(Reason.of("cli.runtime_printed"))
+        yield from (SummaryLine(Reason.plain(f"  {line}")) for line in printed.splitlines()[-_PRINTED:])
+
+
+def _figures(result: event.Result) -> Iterator[SummaryLine]:
+    """What was missed in wall time, and how inputs of hardware stepped."""
     missed = sum(task.missed for task in result.tasks)
     cycles = sum(task.cycles for task in result.tasks)
     if cycles and not result.hash:
-        yield say(Reason.of("cli.cycles", cycles=cycles, missed=missed))
-    yield from map(say, transfer_text.summary(result.steps))
-    for condition, value, holds in outcome.expectations:
-        yield say(_expectation(condition.text, value, holds))
+        yield SummaryLine(Reason.of("cli.cycles", cycles=cycles, missed=missed))
+    yield from map(SummaryLine, transfer_text.summary(result.steps))
+
+
+def _repeatability(result: event.Result) -> Iterator[SummaryLine]:
     if result.hash:
-        yield f"hash: {result.hash}"
+        yield SummaryLine(Reason.of("cli.hash", hash=result.hash))
     if result.outside:
-        yield say(Reason.of("cli.not_reproducible", names=result.outside))
-    if drawn:
-        yield drawn
+        yield SummaryLine(Reason.of("cli.not_reproducible", names=result.outside))
+
+
+def _verdict(name: str, result: event.Result) -> Reason:
+    if result.completed:
+        return Reason.of("cli.completed", name=name, done=_done(result), took=_took(result))
+    return Reason.of("cli.aborted", name=name, done=_done(result), took=_took(result))
 
 
 def _done(result: event.Result) -> Reason:

@@ -41,5 +41,9 @@ def carry_out(given: argparse.Namespace) -> int:
         return 1
     for note in made.notes:
         print(say(Reason.of("cli.note", text=note.sentence)))
-    print(f"{made.path}: {' with '.join((made.onikon.type, *made.onikon.more_targets))}")
+    path, kind, targets = str(made.path), made.onikon.type, made.onikon.more_targets
+    if targets:
+        print(say(Reason.of("cli.icon_made_with", path=path, kind=kind, targets=targets)))
+    else:
+        print(say(Reason.of("cli.icon_made", path=path, kind=kind)))
     return 0

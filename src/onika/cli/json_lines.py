@@ -12,6 +12,7 @@ from onika.desk.run.outcome import Outcome
 from onika.wire import event
 from onika.wire.steer import Position
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 
 class JsonLines:
@@ -62,11 +63,11 @@ class JsonLines:
             fields["flows"] = msgspec.to_builtins(positions)
         self._write(fields)
 
-    def ended(self, outcome: Outcome, drawn: str) -> None:
+    def ended(self, outcome: Outcome, drawn: Reason) -> None:
         """The result."""
         fields: dict[str, Any] = {"event": "result", "application": outcome.name, "state": outcome.state}
         fields["faults"] = _plain(outcome.faults)
-        fields["notes"] = outcome.notes
+        fields["notes"] = list(map(str, outcome.notes))
         if outcome.result is not None:
             result = outcome.result
             fields |= {
@@ -91,7 +92,7 @@ class JsonLines:
                 "printed": outcome.printed,
             }
         if drawn:
-            fields["picture"] = drawn
+            fields["picture"] = str(drawn)
         fields["exit"] = outcome.exit_code
         self._write(fields)
 

@@ -2,21 +2,31 @@
 
 from dataclasses import dataclass, field
 
+from onika.words.reason import Reason
+
 KEYS = {
-    "p": ("pause", "pause"),
-    "c": ("continue", "continue"),
-    "s": ("step", "step"),
-    "n": ("next", "next action"),
-    "r": ("pass", "release who waits"),
-    "l": ("leave", "leave the loop"),
-    "e": ("clear", "clear and continue"),
-    "a": ("abort", "abort"),
-    "w": ("who", "who waits"),
+    "p": ("pause", Reason.of("cli.key_pause")),
+    "c": ("continue", Reason.of("cli.key_continue")),
+    "s": ("step", Reason.of("cli.key_step")),
+    "n": ("next", Reason.of("cli.key_next")),
+    "r": ("pass", Reason.of("cli.key_pass")),
+    "l": ("leave", Reason.of("cli.key_leave")),
+    "e": ("clear", Reason.of("cli.key_clear")),
+    "a": ("abort", Reason.of("cli.key_abort")),
+    "w": ("who", Reason.of("cli.key_who")),
 }
 """Key, word of steering, what it says on the panel."""
 
-_TYPED = {"b": "break ", ":": ""}
-"""Keys after which the rest of the line is typed."""
+SHORT = {
+    "p": Reason.of("cli.key_pause"),
+    "c": Reason.of("cli.key_continue"),
+    "s": Reason.of("cli.key_step"),
+    "n": Reason.of("cli.key_next_short"),
+    "e": Reason.of("cli.key_clear_short"),
+    "a": Reason.of("cli.key_abort"),
+    "?": Reason.of("cli.key_more"),
+}
+"""The keys that the panel always names, in short."""
 
 
 @dataclass(slots=True)
@@ -37,8 +47,10 @@ class KeyBindings:
             self._type(key)
         elif key in KEYS:
             self._want(KEYS[key][0])
-        elif key in _TYPED:
-            self.typed = f"{_TYPED[key]}{self._flow}{' ' * bool(self._flow and _TYPED[key])}" if key == "b" else ""
+        elif key == "b":
+            self.typed = f"break {self._flow}".strip() + " "
+        elif key == ":":
+            self.typed = ""
         elif key == "?":
             self.has_help = not self.has_help
         elif key.isdigit() and int(key) < len(self.flows) and len(self.flows) > 1:

@@ -7,11 +7,12 @@ from rich.console import Console
 from rich.live import Live as Screen
 from rich.text import Text
 
-from onika.cli.event_text import item_text, lines, summary
+from onika.cli.event_text import Tone, item_text, lines, summary
 from onika.cli.keyboard import Keyboard
 from onika.cli.language import say
 from onika.cli.panel import Panel
 from onika.cli.typed import typed_line
+from onika.desk.console.session import typed_fault
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.preparation import PreparedRun
 from onika.desk.run import positions as places
@@ -20,10 +21,12 @@ from onika.desk.run.running_application import LINE
 from onika.wire import event
 from onika.wire.steer import Position
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 _LOOK_S = 0.2
 """How often the runtime is asked at most where its flows are."""
 _STYLES = {event.Failed: "red", event.Explained: "red", event.Warned: "yellow", event.Moved: "bright_black"}
+_TONES = {Tone.PLAIN: "", Tone.WELL: "bold green", Tone.FAILED: "bold red", Tone.WRONG: "red"}
 
 
 class LiveDisplay:
@@ -110,23 +113,21 @@ class LiveDisplay:
         for text in places.lines(positions, self._panel.flow_index, say) if positions else ():
             self._console.print(Text(text))
         for fault in faults:
-            text = str(fault)
-            self._console.print(Text(text.partition(": ")[2] if fault.place == LINE else text, style="red"))
+            sentence = typed_fault(fault) if fault.place == LINE else fault.sentence
+            self._console.print(Text(say(sentence), style="red"))
 
-    def ended(self, outcome: Outcome, drawn: str) -> None:
+    def ended(self, outcome: Outcome, drawn: Reason) -> None:
         """The summary."""
-        good = outcome.exit_code == 0
         for line in summary(outcome, drawn):
-            is_verdict = line.startswith(f"{outcome.name}: ")
-            style = ("bold green" if good else "bold red") if is_verdict else "red" if ": NO" in line else ""
-            self._console.print(Text(line, style=style))
+            self._console.print(Text(say(line.reason), style=_TONES[line.tone]))
 
     def _answers(self, question: event.Asked) -> str | None:
         if question.reason:
             self._console.print(Text(say(question.reason), style="magenta"))
         words: list[str] = []
         for item in question.items:
-            self._console.print(Text(f"{question.task} asks for {item_text(item)}: "), end="")
+            asks = Reason.of("cli.asks_for", task=question.task, wanted=item_text(item))
+            self._console.print(Text(f"{say(asks)}: "), end="")
             line = typed_line()
             if line is None:
                 return None

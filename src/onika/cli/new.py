@@ -6,7 +6,7 @@ from pathlib import Path
 
 from onika.cli.language import say
 from onika.desk.plan.module_template import create_module
-from onika.words.reason import Reason
+from onika.words.reason import Reason, reason_of
 
 
 def purpose() -> Reason:
@@ -28,7 +28,7 @@ def carry_out(given: argparse.Namespace) -> int:
     try:
         paths = create_module(given.name, given.base)
     except (ValueError, OSError) as wrong:
-        print(wrong, file=sys.stderr)
+        print(say(reason_of(wrong)), file=sys.stderr)
         return 1
     for path in paths:
         print(path)

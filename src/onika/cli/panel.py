@@ -9,7 +9,7 @@ from rich.progress_bar import ProgressBar
 from rich.table import Table
 from rich.text import Text
 
-from onika.cli.key_bindings import KEYS, KeyBindings
+from onika.cli.key_bindings import KEYS, SHORT, KeyBindings
 from onika.cli.language import say
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.run.flow_status import FlowStatus
@@ -29,19 +29,19 @@ MARKS = {
 """How a task's state is shown."""
 
 FLOWS = {
-    "ready": ("○", "bright_black"),
-    "spawning": ("○", "bright_black"),
-    "running": ("▶", "cyan"),
-    "waiting": ("⧗", "yellow"),
-    "joining": ("⧗", "yellow"),
-    "paused": ("‖", "bold yellow"),
-    "stopped": ("✕", "bold red"),
-    "clearing": ("↻", "magenta"),
-    "done": ("✓", "green"),
-    "killing": ("○", "bright_black"),
-    "ended": ("✓", "bright_black"),
+    "ready": ("○", "bright_black", Reason.of("cli.flow_ready")),
+    "spawning": ("○", "bright_black", Reason.of("cli.flow_spawning")),
+    "running": ("▶", "cyan", Reason.of("cli.flow_running")),
+    "waiting": ("⧗", "yellow", Reason.of("cli.flow_waiting")),
+    "joining": ("⧗", "yellow", Reason.of("cli.flow_joining")),
+    "paused": ("‖", "bold yellow", Reason.of("cli.flow_paused")),
+    "stopped": ("✕", "bold red", Reason.of("cli.flow_stopped")),
+    "clearing": ("↻", "magenta", Reason.of("cli.flow_clearing")),
+    "done": ("✓", "green", Reason.of("cli.flow_done")),
+    "killing": ("○", "bright_black", Reason.of("cli.flow_killing")),
+    "ended": ("✓", "bright_black", Reason.of("cli.flow_ended")),
 }
-"""How a flow's state is shown."""
+"""How a flow's state is shown: its mark, its style and its word."""
 
 _BAR = 16
 
@@ -79,7 +79,7 @@ class Panel:
     def draw(self) -> RenderableType:
         """As it is now."""
         if not self.flow_index.parts:
-            return Text("preparing …", style="bright_black")
+            return Text(say(Reason.of("cli.preparing")), style="bright_black")
         rows: list[RenderableType] = [Text(), self._head(), self._flows(), self._tasks()]
         if self.bindings.typed is not None:
             rows.append(Text(f": {self.bindings.typed}▏", style="bold"))
@@ -99,7 +99,7 @@ class Panel:
 
     def _flow(self, number: int, subsystem: str, several: bool) -> tuple[RenderableType, ...]:
         spot, count = self.where.statuses[subsystem], max(self.flow_index.count(subsystem), 1)
-        mark, style = FLOWS.get(spot.state, ("·", ""))
+        mark, style, word = FLOWS.get(spot.state, ("·", "", Reason.plain(spot.state)))
         is_chosen = self.bindings.chosen == number
         label = f"{'›' if is_chosen else ' '}{number} {subsystem}" if several else " "
         position = self._positions.get(subsystem)
@@ -107,7 +107,7 @@ class Panel:
             Text(label, style="bold" if is_chosen else "", no_wrap=True),
             ProgressBar(total=count, completed=max(spot.action, 0) + (spot.state in ("done", "ended")), width=_BAR),
             Text(f"{max(spot.action + 1, 0):>3}/{count}", no_wrap=True),
-            Text(f"{mark} {_state(spot, position)}", style=style, no_wrap=True),
+            Text(f"{mark} {say(_state(spot, position, word))}", style=style, no_wrap=True),
             Text(
                 _doing(self.flow_index, subsystem, spot, position),
                 style="bold cyan" if spot.state == "running" else "",
@@ -133,19 +133,21 @@ class Panel:
 
     def _keys(self) -> Text:
         if not self.bindings.has_help:
-            short = "p pause  c continue  s step  n next  e clear  a abort  ? more"
-            return Text(short, style="bright_black")
-        words = [f"{key} {text}" for key, (_, text) in KEYS.items()]
-        words += ["b N break after action N", ": any line, as in `skip 3`"]
-        words += ["0-9 choose a flow, again: all"] * (len(self.flow_index.parts) > 1)
-        return Text("   ".join([*words, "? less"]), style="bright_black")
+            short = (f"{key} {say(meaning)}" for key, meaning in SHORT.items())
+            return Text("  ".join(short), style="bright_black")
+        words = [f"{key} {say(meaning)}" for key, (_, meaning) in KEYS.items()]
+        words += [say(Reason.of("cli.key_break")), say(Reason.of("cli.key_line"))]
+        if len(self.flow_index.parts) > 1:
+            words.append(say(Reason.of("cli.key_flow")))
+        words.append(f"? {say(Reason.of('cli.key_less'))}")
+        return Text("   ".join(words), style="bright_black")
 
 
-def _state(spot: FlowStatus, position: Position | None) -> str:
+def _state(spot: FlowStatus, position: Position | None, word: Reason) -> Reason:
     is_pausing = position is not None and position.is_pausing and spot.state == "running"
     if is_pausing:
-        return say(Reason.of("cli.will_pause"))
-    return spot.state
+        return Reason.of("cli.will_pause")
+    return word
 
 
 def _doing(flow_index: FlowIndex, subsystem: str, spot: FlowStatus, position: Position | None) -> str:

@@ -12,6 +12,7 @@ from onika.desk.run.outcome import Outcome
 from onika.wire import event
 from onika.wire.steer import Position
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 
 class PlainDisplay:
@@ -35,7 +36,8 @@ class PlainDisplay:
         if prepared.plan is not None:
             self._cast = FlowIndex.of(prepared.plan)
             self._total = max(len(flow.actions) for flow in prepared.plan.flows)
-            self._write(f"{prepared.name}: {sum(len(flow.actions) for flow in prepared.plan.flows)} actions")
+            count = sum(len(flow.actions) for flow in prepared.plan.flows)
+            self._write(say(Reason.of("cli.run_begins", name=prepared.name, count=count)))
 
     def happens(self, happening: event.Event) -> None:
         """Its lines, if there are any."""
@@ -61,20 +63,25 @@ class PlainDisplay:
     def steered(self, line: str, faults: tuple[Fault, ...], positions: tuple[Position, ...]) -> None:
         """The line of a script, and what came of it."""
         self._write(f"> {line}")
-        for each in (*faults, *(places.lines(positions, self._cast) if positions else ())):
-            self._write(str(each))
+        for fault in faults:
+            self._write(say(fault.sentence))
+        if positions:
+            for row in places.lines(positions, self._cast, say):
+                self._write(row)
 
     def answer(self, question: event.Asked) -> str | None:
         """Ask on the terminal that input comes from; None at the end of the input."""
-        wanted = "; ".join(item_text(item) for item in question.items)
-        reason = f" ({say(question.reason)})" if question.reason else ""
-        self._write(f"{question.task} asks for {wanted}{reason}:")
+        wanted = Reason.of("cli.items", items=tuple(map(item_text, question.items)))
+        asks = Reason.of("cli.asks_for", task=question.task, wanted=wanted)
+        if question.reason:
+            asks = Reason.of("cli.asks_because", task=question.task, wanted=wanted, reason=question.reason)
+        self._write(f"{say(asks)}:")
         return typed_line()
 
-    def ended(self, outcome: Outcome, drawn: str) -> None:
+    def ended(self, outcome: Outcome, drawn: Reason) -> None:
         """The summary."""
         for line in summary(outcome, drawn):
-            self._write(line)
+            self._write(say(line.reason))
 
     def _write(self, line: str) -> None:
         print(line, flush=True)

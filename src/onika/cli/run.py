@@ -26,7 +26,7 @@ from onika.link.token import read_token
 from onika.model.redirect import Redirect
 from onika.store.site import Site
 from onika.words.condition import Condition
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason, reason_of
 
 
 def purpose() -> Reason:
@@ -101,12 +101,12 @@ def carry_out(given: argparse.Namespace) -> int:
         given.complain(say(Reason.of("cli.at_alone")))
     watcher = _watcher(given)
     settings = _settings(given, watcher.can_steer)
-    objection = "" if given.keep_test is None else unkeepable(settings, given.keep_test)
+    objection = NOTHING if given.keep_test is None else unkeepable(settings, given.keep_test)
     if objection:
-        given.complain(f"--keep-test: {objection}")
+        given.complain(say(Reason.of("cli.not_kept", objection=objection)))
     with in_order(), watcher:
         outcome = run(settings, site_here(given.local), watcher)
-    drawn = _draw(outcome, given.picture) if given.picture is not None else ""
+    drawn = _draw(outcome, given.picture) if given.picture is not None else NOTHING
     watcher.ended(outcome, drawn)
     if given.keep_test is not None and outcome.exit_code == 0:
         return _keep(given.keep_test, settings, site_here(given.local), outcome)
@@ -149,11 +149,15 @@ def _keep(path: Path, settings: RunSettings, site: Site, outcome: Outcome) -> in
     """Keep the run as a test; told on the error output, as JSON lines may go to the other one."""
     seen = outcome.result.hash if outcome.result is not None else ""
     with in_order():
-        is_kept, report = keep_in(path, settings, site, workers=os.cpu_count() or 1, seen=seen)
-    for line in report:
-        note = Reason.of("cli.test_kept", line=line) if is_kept else Reason.of("cli.test_not_kept", line=line)
-        sys.stderr.write(f"{say(note)}\n")
-    return 0 if is_kept else 1
+        is_kept, report = keep_in(path, settings, site, workers=os.cpu_count() or 1, seen=seen, say=say)
+    if not is_kept:
+        for reason in report:
+            sys.stderr.write(f"{say(Reason.of('cli.test_not_kept', line=reason))}\n")
+        return 1
+    content, *notes = report
+    for line in (Reason.of("cli.test_in", path=str(path), content=content), *notes):
+        sys.stderr.write(f"{say(Reason.of('cli.test_kept', line=line))}\n")
+    return 0
 
 
 def _is_terminal(stream: TextIO | None) -> bool:
@@ -161,13 +165,13 @@ def _is_terminal(stream: TextIO | None) -> bool:
     return stream is not None and stream.isatty()
 
 
-def _draw(outcome: Outcome, path: Path) -> str:
+def _draw(outcome: Outcome, path: Path) -> Reason:
     """Draw the first world; what to say of it."""
     if outcome.result is None:
-        return ""
+        return NOTHING
     for snapshot in outcome.snapshots.values():
-        return world_picture.draw(snapshot, path) or say(Reason.of("cli.picture", path=str(path)))
-    return say(Reason.of("cli.no_picture"))
+        return world_picture.draw(snapshot, path) or Reason.of("cli.picture", path=str(path))
+    return Reason.of("cli.no_picture")
 
 
 def _joined(answers: list[tuple[str, str, str]]) -> tuple[tuple[str, str, str], ...]:
@@ -182,30 +186,28 @@ def _expectation(text: str) -> Condition:
     try:
         return Condition.parse(text)
     except ValueError as wrong:
-        raise argparse.ArgumentTypeError(str(wrong)) from None
+        raise argparse.ArgumentTypeError(say(reason_of(wrong))) from None
 
 
 def _redirect(text: str) -> Redirect:
     try:
         return Redirect.parse(text)
     except ValueError as wrong:
-        raise argparse.ArgumentTypeError(str(wrong)) from None
+        raise argparse.ArgumentTypeError(say(reason_of(wrong))) from None
 
 
 def _address(text: str) -> str:
     try:
         return str(Address.parse(text))
     except ValueError as wrong:
-        raise argparse.ArgumentTypeError(str(wrong)) from None
+        raise argparse.ArgumentTypeError(say(reason_of(wrong))) from None
 
 
 def _token(text: str) -> str:
     try:
         return read_token(Path(text))
     except (OSError, ValueError) as wrong:
-        raise argparse.ArgumentTypeError(
-            say(Reason.of("cli.token_expected", reason=Reason.plain(str(wrong))))
-        ) from None
+        raise argparse.ArgumentTypeError(say(Reason.of("cli.token_expected", reason=reason_of(wrong)))) from None
 
 
 def _new_file(text: str) -> Path:

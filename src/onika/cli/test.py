@@ -63,9 +63,9 @@ def carry_out(given: argparse.Namespace) -> int:
 def _tell(trial: Trial) -> None:
     outcome = Reason.of("cli.test_passed") if trial.verdict.is_passed else Reason.of("cli.test_failed")
     took = Reason.of("cli.test_took", seconds=trial.verdict.lasted_s, wall=trial.wall_s)
-    print(f"{say(outcome)}  {trial.name}  {say(took)}", flush=True)
-    for text in trial.verdict.failures:
-        print(f"    {text}")
+    print(f"{say(outcome)}  {say(trial.name)}  {say(took)}", flush=True)
+    for failure in trial.verdict.failures:
+        print(f"    {say(failure)}")
     for text in trial.verdict.notes:
         print(f"    {say(Reason.of('cli.note', text=text))}")
 

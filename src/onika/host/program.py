@@ -24,7 +24,7 @@ from onika.host.units.process_socket import ProcessSocket
 from onika.link.caller import Role
 from onika.runtime.subsystem import RunningSubsystem
 from onika.wire import event, holding, live, request, steer
-from onika.words.reason import NOTHING, Reason
+from onika.words.reason import NOTHING, Reason, Text
 
 
 class RuntimeProgram:
@@ -297,7 +297,7 @@ class RuntimeProgram:
         meant = [run for run in self.subsystems.runs if message.subsystem in ("", *run.names)]
         own = [performance for performance in meant if performance.session in (session, "")]
         for run in own:
-            run.runner.abort(message.cause, self._driver.now)
+            run.runner.abort(str(message.cause), self._driver.now)
         if meant and not own:
             other = meant[0]
             return request.Refused(Reason.of("host.begun_by", application=other.application, session=other.session))
@@ -305,12 +305,12 @@ class RuntimeProgram:
 
     def _stop(self, session: str, message: request.Stop | live.Reset) -> request.Response:
         """Straight to the devices and every unit; left by a deliberate reset only (law 27)."""
-        cause = ""
+        cause: Text = NOTHING
         if isinstance(message, request.Stop):
             self._driver.stop()
             cause = message.cause
             for run in self.subsystems.runs:
-                run.runner.abort(cause, self._driver.now)
+                run.runner.abort(str(cause), self._driver.now)
             for one in self.subsystems.live.values():
                 one.desired.turn_everything_off()
         else:

@@ -38,9 +38,9 @@ class LinkLost(Exception):
     """The connection is no more; `cause` says which kind, `reason` says it to people."""
 
     def __init__(self, cause: LossCause, text: Text) -> None:
-        super().__init__(str(text))
         self.cause = cause
         self.reason = text if isinstance(text, Reason) else Reason.plain(text)
+        super().__init__(self.reason)
 
     @property
     def is_final(self) -> bool:

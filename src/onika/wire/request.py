@@ -106,7 +106,7 @@ class Reply(Struct, frozen=True, tag=True):
 class Abort(Struct, frozen=True, tag=True):
     """End the run: tasks off, devices in hold."""
 
-    cause: str
+    cause: Text
     subsystem: str = ""
     """Of the application that runs there; empty: all that this session may end."""
 
@@ -114,7 +114,7 @@ class Abort(Struct, frozen=True, tag=True):
 class Stop(Struct, frozen=True, tag=True):
     """Stop everything: every drive in hold, latched; the run ends with this cause (law 27)."""
 
-    cause: str
+    cause: Text
 
 
 class Snapshot(Struct, frozen=True, tag=True):

@@ -58,7 +58,7 @@ def main(words: list[str]) -> int:
 
 
 def _probe() -> int:
-    """Say whether this machine can draw, by drawing nothing."""
+    """Say in which way this machine can draw, by drawing nothing."""
     if _WAY not in os.environ:
         return _in_a_child("--probe", b"")
     try:
@@ -66,7 +66,7 @@ def _probe() -> int:
     # whatever a graphics driver or its loader raises means the same here
     except Exception as fault:
         return _say(f"{MISSING} ({os.environ[_WAY]}: {fault})", 3)
-    return _say(f"drawn with {os.environ[_WAY]}", 0)
+    return _say(os.environ[_WAY], 0)
 
 
 def draw(snapshot: WorldSnapshot, size: tuple[int, int] = SIZE) -> Pixels:

@@ -25,7 +25,7 @@ def test_an_empty_line_is_nothing(sit, line):
 
 def test_a_line_that_is_not_as_it_should_be_is_answered_with_how(sit):
     fault = sit().fails("rate puma")
-    assert fault.reason == Reason.of("console.usage", usage="rate TASK HZ", line="`rate puma`")
+    assert str(fault.reason) == "expected `rate TASK HZ`, found `rate puma`"
     assert str(sit().fails('spawn "puma').reason) == (
         "expected `spawn TASK… [on RTPU] [as NAME] [at HZ]  |  spawn all of CONFIGURATION`"
         ", found expected words, those with blanks in double quotes, found '\"puma'"

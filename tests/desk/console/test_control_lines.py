@@ -9,7 +9,7 @@ def test_a_stop_is_for_all_and_lasts_until_it_is_reset(sit):  # law 27
     assert str(sitting.fails("on puma").reason) == "expected the change to be done, found everything is stopped"
     assert any("motion is allowed again" in line for line in sitting.does("reset"))
     sitting.does("on puma")
-    assert sitting.requests_of(request.Stop) == [request.Stop("smoke")]
+    assert sitting.requests_of(request.Stop) == [request.Stop(Reason.plain("smoke"))]
 
 
 def test_a_subsystem_is_taken_and_released(sit):  # R-X12

@@ -62,7 +62,7 @@ def test_a_run_is_aborted(sit):
     sitting = sit()
     sitting.console.carry_out("run go_home")
     sitting.does("abort it is late")
-    assert sitting.requests_of(request.Abort) == [request.Abort("it is late")]
+    assert sitting.requests_of(request.Abort) == [request.Abort(Reason.plain("it is late"))]
     assert any("run aborted, 0 of 1 actions: it is late" in line for line in sitting.lines)
     assert sitting.fails("abort").reason == Reason.of("console.no_application_runs")
     assert str(sitting.fails("wait run").reason) == "expected the run completed, found it was aborted: it is late"

@@ -1,6 +1,7 @@
 import pytest
 
 from onika.desk.console import status
+from onika.desk.run import text_table
 from onika.model.preferences import STATUS_COLUMNS
 from onika.wire.live import TaskFigure
 
@@ -61,9 +62,14 @@ def test_a_column_says_its_figure(column, text):  # R-A11
     assert status.cell(FIGURE, column) == text
 
 
+def overview(figures, columns):
+    """The table in English."""
+    return text_table.lines(*status.overview(figures, columns))
+
+
 def test_every_column_of_statinfo_can_be_shown():  # R-A11
     assert [line.split()[0] for line in status.whole(FIGURE)[1:]] == list(STATUS_COLUMNS)
-    assert len(status.overview([FIGURE], STATUS_COLUMNS)[1].split()) == 1 + len(STATUS_COLUMNS)
+    assert len(status.overview([FIGURE], STATUS_COLUMNS)[0]) == 1 + len(STATUS_COLUMNS)
 
 
 def test_a_task_without_a_rate_has_no_period():
@@ -76,6 +82,6 @@ def test_a_task_without_a_rate_has_no_period():
 def test_subsystems_are_named_where_there_are_several():
     from msgspec.structs import replace
 
-    assert status.overview([FIGURE], ("warn",)) == ["task  warn", "pd       1"]
-    both = status.overview([FIGURE, replace(FIGURE, subsystem="left")], ("warn",))
+    assert overview([FIGURE], ("warn",)) == ["task  warn", "pd       1"]
+    both = overview([FIGURE, replace(FIGURE, subsystem="left")], ("warn",))
     assert both == ["subsystem  task  warn", "main       pd       1", "left       pd       1"]

@@ -87,7 +87,7 @@ def test_tasks_held_by_hand_are_cleared_as_ever(steered):  # R-A05
 
 def test_a_run_that_somebody_left_alone_is_aborted(steered):  # R-E07
     steered.does("abort it is nobody's")
-    assert steered.requests_of(request.Abort) == [request.Abort("it is nobody's")]
+    assert steered.requests_of(request.Abort) == [request.Abort(Reason.plain("it is nobody's"))]
 
 
 def test_a_script_begins_an_application_and_goes_on(sit):  # R-E07

@@ -41,8 +41,9 @@ def test_real_time_is_what_the_operating_system_grants_a_child(monkeypatch, code
 @pytest.mark.parametrize(
     ("done", "there", "actual"),
     [
-        ((0, "egl\n", ""), True, "egl"),
-        ((3, "", "one\nInstall libegl1\n"), False, "Install libegl1"),
+        ((0, "egl\n", ""), True, "drawn with egl"),
+        ((3, "", "one\n"), False, str(Reason.of("desk.no_opengl"))),
+        ((2, "", "one\nno snapshot\n"), False, "no snapshot"),
         ((1, "", ""), False, "no answer"),
     ],
 )

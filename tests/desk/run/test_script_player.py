@@ -1,6 +1,7 @@
 from onika.desk.run.script_player import ScriptPlayer
 from onika.desk.run.steering_script import read
 from onika.wire import event, request, steer
+from onika.words.reason import Reason
 
 BEGAN = event.Began(0, 0, 2, "jmoveC aside", 1.0)
 GOOD = event.Result(True, "", 4, 4, 9.0, 0.1, {}, (), "abc")
@@ -66,7 +67,7 @@ def test_the_first_line_that_fails_ends_the_script_and_the_run(running):  # R-E0
     player, output = player_of(run, "# a comment\nexpect LAMP == 0\npause\n")
     to_the_end(run, player)
     assert [line for line, _, _ in output] == ["expect LAMP == 0"]
-    assert runtime.of(request.Abort) == [request.Abort("the script fails at s:2")]
+    assert runtime.of(request.Abort) == [request.Abort(Reason.of("desk.script_fails", place="s:2"))]
     assert [str(run.place) for run in run.outcome.failed] == ["s:2"]
     assert runtime.of(steer.Pause) == []
 

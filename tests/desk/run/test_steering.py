@@ -4,6 +4,7 @@ from onika.desk.plan.flow_index import FlowIndex, IndexedFlow
 from onika.desk.run.steering import VERBS, Expectation, PositionQuery, SteeringOrder, SteeringWait, act
 from onika.desk.run.wait_condition import WaitCondition
 from onika.wire import live, request, steer
+from onika.words.reason import Reason
 
 ONE = FlowIndex((IndexedFlow("flow0", ("lift", "turn home"), frozenset({"LAMP"})),))
 TWO = FlowIndex((*ONE.parts, IndexedFlow("flow1", ("wait", "lift"), frozenset({"X"}))))
@@ -26,8 +27,8 @@ TWO = FlowIndex((*ONE.parts, IndexedFlow("flow1", ("wait", "lift"), frozenset({"
         ("break turn home IF flow0/LAMP == 1", steer.Mark("flow0", 1, True, "flow0/LAMP == 1")),
         ("unbreak 1", steer.Mark("flow0", 0, False)),
         ("clear", steer.Recover("flow0")),
-        ("abort", request.Abort("aborted by the user")),
-        ("abort too slow", request.Abort("too slow")),
+        ("abort", request.Abort(Reason.of("desk.aborted_by_user"))),
+        ("abort too slow", request.Abort(Reason.plain("too slow"))),
         ("touch boxes panic_left 1", live.Touch("boxes", "panic_left", 1.0)),
     ],
 )

@@ -7,6 +7,7 @@ from onika.desk.run.settings import RunSettings
 from onika.desk.trial.account import digest_of, give_account, timed_events
 from onika.store.site import open_site
 from onika.wire import event
+from onika.words.reason import NOTHING
 
 SITE = open_site([], {}, None)
 BEGAN = event.Began(0, 0, 2, "jmoveC aside", 1.0)
@@ -23,7 +24,7 @@ def test_what_happens_is_told_with_the_clock_standing(running):  # R-X07, law 15
 def test_a_run_that_does_not_end_is_ended(running):  # R-X07
     run, _ = running(BEGAN)
     *_, last = timed_events(run, 5.0)
-    assert last.cause == "it has not come to its end after 5 s"
+    assert str(last.cause) == "it has not come to its end after 5 s"
 
 
 def test_the_digest_is_that_of_the_content_wherever_it_lies():  # R-X07
@@ -42,7 +43,7 @@ def test_an_account_tells_what_was_done_and_how_long_it_took(tmp_path):  # R-X07
     short = target("short", "Pause object", "0.3")
     path = lab.application("rest", [job("pauseC", "Pause job"), short, job("pauseC", "Pause job"), short])
     account = give_account(RunSettings(str(path), is_virtual=True), SITE)
-    assert (account.refusals, account.cause) == ((), "")
+    assert (account.refusals, account.cause) == ((), NOTHING)
     (part,) = account.parts
     assert [passed.name for passed in part.passed] == ["pauseC short", "pauseC short"]
     assert [round(passed.ended_s - passed.began_s, 1) for passed in part.passed] == [0.3, 0.3]
@@ -52,4 +53,4 @@ def test_an_account_tells_what_was_done_and_how_long_it_took(tmp_path):  # R-X07
 def test_what_is_refused_has_its_reasons(tmp_path):  # R-X07, R-B07
     account = give_account(RunSettings(str(tmp_path / "none.appl"), is_virtual=True), SITE)
     assert len(account.refusals) >= 1
-    assert account.cause == "it is refused"
+    assert account.cause.key == "trial.is_refused"

@@ -75,15 +75,17 @@ def test_what_varies_in_shaken_runs_is_asked_for_less_exactly(workshop):  # R-X0
 
 def test_runs_that_went_another_way_say_nothing_and_that_is_told(workshop):  # R-X07
     result = workshop.kept(workshop.run(("open",)), workshop.run(cause="aborted"), workshop.run())
-    assert result.notes == ("2 of 3 shaken runs went another way, so that they say nothing",)
+    assert tuple(map(str, result.notes)) == ("2 of 3 shaken runs went another way, so that they say nothing",)
     assert result.kept is not None
 
 
 def test_only_a_good_run_can_be_kept(workshop):  # R-X07
-    assert workshop.kept(cause="stopped").refusal == "only a run that comes to its end can be kept; this one: stopped"
-    assert "LAMP == 1 does not hold" in workshop.kept(expectations=[("LAMP == 1", 0, False)]).refusal
+    assert (
+        str(workshop.kept(cause="stopped").refusal) == "only a run that comes to its end can be kept; this one: stopped"
+    )
+    assert "LAMP == 1 does not hold" in str(workshop.kept(expectations=[("LAMP == 1", 0, False)]).refusal)
     fault = Fault(Place("a.appl", 3), Reason.plain("expected one, found two"), Reason.plain("it is not run"))
-    assert workshop.kept(refusals=(fault,), cause="x").refusal == str(fault)
+    assert str(workshop.kept(refusals=(fault,), cause="x").refusal) == str(fault)
 
 
 @pytest.mark.parametrize(
@@ -97,7 +99,7 @@ def test_only_a_good_run_can_be_kept(workshop):  # R-X07
 def test_what_no_test_could_do_again_is_refused_with_a_remedy(more, remedy):  # R-X07
     result = keep(replace(SETTINGS, **more), SITE)
     assert result.kept is None
-    assert remedy in result.refusal
+    assert remedy in str(result.refusal)
 
 
 def test_a_run_is_kept_with_others_of_other_seeds_in_shaken_worlds(repeated):  # R-X07
@@ -115,14 +117,14 @@ def test_one_run_after_the_other_is_told_how_far_it_is(repeated):  # R-X07
 def test_others_of_a_run_that_cannot_be_kept_are_not_done(workshop, monkeypatch):  # R-X07
     done = []
     monkeypatch.setattr(keeping, "give_account", lambda *_: done.append(1) or workshop.run(cause="it fell"))
-    assert "it fell" in keep(SETTINGS, SITE).refusal
+    assert "it fell" in str(keep(SETTINGS, SITE).refusal)
     assert len(done) == 1
 
 
 def test_a_test_file_is_written_and_its_comments_stay(repeated, tmp_path):  # R-X07, R-B01
     path = tmp_path / "a.test"
     is_kept, messages = keep_in(path, SETTINGS, SITE, seen="h")
-    assert (is_kept, messages) == (True, (f"{path}: 9 actions, 23 values",))
+    assert (is_kept, tuple(map(str, messages))) == (True, ("9 actions, 23 values",))
     path.write_text(path.read_text().replace("END\n", "# the lamp\nEND\n"))
     assert keep_in(path, SETTINGS, SITE)[0]
     assert "# the lamp\nEND\n" in path.read_text()
@@ -131,7 +133,7 @@ def test_a_test_file_is_written_and_its_comments_stay(repeated, tmp_path):  # R-
 
 
 def test_a_run_that_does_not_repeat_itself_is_told(repeated, tmp_path):  # R-X07
-    assert "does not repeat itself" in keep_in(tmp_path / "a.test", SETTINGS, SITE, seen="another")[1][1]
+    assert "does not repeat itself" in str(keep_in(tmp_path / "a.test", SETTINGS, SITE, seen="another")[1][1])
 
 
 def test_a_test_that_would_find_another_application_is_told(repeated, tmp_path):  # R-X07
@@ -141,13 +143,12 @@ def test_a_test_that_would_find_another_application_is_told(repeated, tmp_path):
     (tmp_path / "lab" / "tests").mkdir()
     settings = replace(SETTINGS, name=str(own))
     assert len(keep_in(tmp_path / "lab" / "tests" / "mine.test", settings, SITE)[1]) == 1
-    assert f"--local {tmp_path / 'lab'}" in keep_in(tmp_path / "mine.test", settings, SITE)[1][1]
+    assert f"--local {tmp_path / 'lab'}" in str(keep_in(tmp_path / "mine.test", settings, SITE)[1][1])
 
 
 def test_what_cannot_be_written_is_told(repeated, tmp_path):  # R-B07
-    assert keep_in(tmp_path / "a.txt", SETTINGS, SITE) == (
-        False, ("a test is a file that ends with .test",)
-    )  # fmt: skip
+    is_kept, (reason,) = keep_in(tmp_path / "a.txt", SETTINGS, SITE)
+    assert (is_kept, str(reason)) == (False, "a test is a file that ends with .test")
     assert keep_in(tmp_path / "nowhere" / "a.test", SETTINGS, SITE)[0] is False
     assert not keep_in(tmp_path / "a.test", replace(SETTINGS, is_virtual=False), SITE)[0]
 

@@ -5,14 +5,15 @@ from collections.abc import Iterator
 from onika.desk.console.display import Tone
 from onika.desk.console.session import ConsoleSession, Faults
 from onika.wire import holding, live, request
-from onika.words.reason import Reason
+from onika.words.reason import Reason, Text
 
 Words = tuple[str, ...]
 
 
 def stop(session: ConsoleSession, words: Words) -> Faults:
     """Every drive holds, at once, until `reset`."""
-    faults = session.order(request.Stop(" ".join(words) or "stopped at the console"))
+    cause = Reason.plain(" ".join(words)) or Reason.of("console.stopped_here")
+    faults = session.order(request.Stop(cause))
     session.hear()
     return faults
 
@@ -59,7 +60,7 @@ def sessions(session: ConsoleSession, words: Words) -> Faults:
     del words
     answer = session.ask(holding.Sessions())
     if not isinstance(answer, holding.Company):
-        return session.no(Reason.of("console.sessions_refused", reason=str(getattr(answer, "reason", answer))))
+        return session.no(Reason.of("console.sessions_refused", reason=_refusal(answer)))
     held: dict[str, list[str]] = {}
     for subsystem in session.look_again().subsystems:
         held.setdefault(subsystem.holder, []).append(subsystem.name)
@@ -68,6 +69,12 @@ def sessions(session: ConsoleSession, words: Words) -> Faults:
         name = f"{other.name:<16} {other.role:<11}"
         session.say(Reason.of("console.session", name=name, marks=marks) if marks else name.rstrip())
     return ()
+
+
+def _refusal(answer: request.Response) -> Text:
+    if isinstance(answer, request.Refused):
+        return answer.reason
+    return str(answer)
 
 
 def _marks(other: holding.SessionStanding, held: list[str], *, is_own: bool) -> Iterator[Reason]:

@@ -1,7 +1,7 @@
 """Console commands that only look: status, tasks, library, vars, read, check (requirements A06, A11, A12)."""
 
+import fnmatch
 import re
-from fnmatch import fnmatchcase
 from typing import Any
 
 from onika.desk.console import status as columns
@@ -9,13 +9,25 @@ from onika.desk.console.display import Tone
 from onika.desk.console.session import ConsoleSession, Faults
 from onika.desk.console.site_library import SiteLibrary
 from onika.desk.console.task_lines import missing
-from onika.desk.console.value import shown, type_of
-from onika.desk.run import text_table
+from onika.desk.console.value import in_a_line, shown, type_of
 from onika.wire import live, request
 from onika.words.name import TASK_NAME
-from onika.words.reason import Reason
+from onika.words.reason import Reason, Text
 
 Words = tuple[str, ...]
+_TASK_HEAD = (Reason.of("console.head_task"), Reason.of("console.head_state"), Reason.of("console.head_rtpu"), "Hz", "")
+_SUBSYSTEM_HEAD = (
+    "",
+    Reason.of("console.head_subsystem"),
+    Reason.of("console.head_tasks"),
+    Reason.of("console.head_holder"),
+    Reason.of("console.head_moved"),
+)
+_VARIABLE_HEAD = (
+    Reason.of("console.head_variable"),
+    Reason.of("console.head_type"),
+    Reason.of("console.head_value"),
+)
 _ELEMENT = re.compile(r"([^\[\]]+)\[(\d+(?:,\d+)*)\]\Z")
 
 
@@ -26,7 +38,7 @@ def status(session: ConsoleSession, words: Words) -> Faults:
         return refused(session, Reason.of("console.figures"), figures)
     if not words:
         preferences, _ = session.site.preferences()
-        session.show(columns.overview(list(figures.tasks), preferences.status_columns))
+        session.show_table(*columns.overview(list(figures.tasks), preferences.status_columns))
     for word in words:
         subsystem, name = session.address(word)
         figures_of_task = [figure for figure in figures.tasks if (figure.subsystem, figure.task) == (subsystem, name)]
@@ -43,14 +55,14 @@ def status(session: ConsoleSession, words: Words) -> Faults:
 
 def tasks(session: ConsoleSession, words: Words) -> Faults:
     """The living tasks of every subsystem, or of one."""
-    rows = [
-        (f"{subsystem.name}/{task.task.name}", task.state, task.rtpu, _hz(task.frequency), str(task.reason))
+    rows: list[tuple[Text, ...]] = [
+        (f"{subsystem.name}/{task.task.name}", task.state, task.rtpu, _hz(task.frequency), task.reason)
         for subsystem in session.look_again().subsystems
         for task in subsystem.tasks
         if (not words or subsystem.name == words[0]) and task.state != "KILLED"
     ]
     if rows:
-        session.show(text_table.lines(("task", "state", "rtpu", "Hz", ""), rows))
+        session.show_table(_TASK_HEAD, rows)
     else:
         session.say(Reason.of("console.no_task_lives"), Tone.DIM)
     return ()
@@ -60,23 +72,30 @@ def library(session: ConsoleSession, words: Words) -> Faults:
     """What the search path offers: tasks with what they do, configurations, applications."""
     offered = SiteLibrary(session.site, session.place)
     pattern = words[0] if words else "*"
-    rows = []
-    for name in offered.tasks:
-        if fnmatchcase(name, pattern):
-            task, _ = offered.task(name)
-            rows.append((name, "task", task.description if task is not None else "its file has faults"))
-    rows += [(name, "configuration", "") for name in offered.configurations if fnmatchcase(name, pattern)]
-    rows += [(name, "application", "") for name in offered.applications if fnmatchcase(name, pattern)]
-    session.show(text_table.lines(("name", "", ""), rows) if rows else ["nothing is called so"])
+    configuration, application = Reason.of("console.kind_configuration"), Reason.of("console.kind_application")
+    rows: list[tuple[Text, ...]] = [_task_row(offered, name) for name in fnmatch.filter(offered.tasks, pattern)]
+    rows += [(name, configuration, "") for name in fnmatch.filter(offered.configurations, pattern)]
+    rows += [(name, application, "") for name in fnmatch.filter(offered.applications, pattern)]
+    if rows:
+        session.show_table((Reason.of("console.head_name"), "", ""), rows)
+    else:
+        session.say(Reason.of("console.nothing_called_so"))
     return ()
+
+
+def _task_row(offered: SiteLibrary, name: str) -> tuple[Text, ...]:
+    task, _ = offered.task(name)
+    does = Reason.of("console.file_faulty") if task is None else task.description
+    return name, Reason.of("console.kind_task"), does
 
 
 def rtpus(session: ConsoleSession, words: Words) -> Faults:
     """The processing units, whether they live, and their loads."""
     del words
     units = session.look_again().rtpus
-    rows = [(unit.name, "LOST" if unit.is_lost else "alive", f"{unit.load:.1%}") for unit in units]
-    session.show(text_table.lines(("rtpu", "", "load"), rows))
+    lost, alive = Reason.of("console.unit_lost"), Reason.of("console.unit_alive")
+    rows = [(unit.name, lost if unit.is_lost else alive, f"{unit.load:.1%}") for unit in units]
+    session.show_table((Reason.of("console.head_rtpu"), "", Reason.of("console.head_load")), rows)
     return ()
 
 
@@ -86,15 +105,17 @@ def subsystems(session: ConsoleSession, words: Words) -> Faults:
     present = session.look_again().subsystems
     rows = [_subsystem_row(subsystem, session.subsystem) for subsystem in present]
     if session.subsystem not in {subsystem.name for subsystem in present}:
-        rows.append(("*", session.subsystem, "0", "nobody", "comes into being with its first task"))
-    session.show(text_table.lines(("", "subsystem", "tasks", "holder", "moved"), rows))
+        moved = Reason.of("console.comes_with_task")
+        rows.append(("*", session.subsystem, "0", Reason.of("console.nobody"), moved))
+    session.show_table(_SUBSYSTEM_HEAD, rows)
     return ()
 
 
-def _subsystem_row(subsystem: live.SubsystemStanding, chosen: str) -> tuple[str, ...]:
+def _subsystem_row(subsystem: live.SubsystemStanding, chosen: str) -> tuple[Text, ...]:
     mark = "*" if subsystem.name == chosen else ""
-    moved = subsystem.application or "by hand"
-    return mark, subsystem.name, str(len(subsystem.tasks)), subsystem.holder or "nobody", moved
+    holder = subsystem.holder or Reason.of("console.nobody")
+    moved = subsystem.application or Reason.of("console.by_hand")
+    return mark, subsystem.name, str(len(subsystem.tasks)), holder, moved
 
 
 def choose(session: ConsoleSession, words: Words) -> Faults:
@@ -115,11 +136,12 @@ def variables(session: ConsoleSession, words: Words) -> Faults:
     if not isinstance(answer, live.Values):
         return refused(session, Reason.of("console.variables_of", subsystem=subsystem), answer)
     types = types_of(answer)
-    names = [name for name in sorted(answer.values) if fnmatchcase(name, pattern)]
-    rows = [(name, types[name], " ".join(_one_line(name, answer.values[name]))) for name in names]
-    session.show(
-        text_table.lines(("variable", "type", "value"), rows) if rows else [f"{subsystem} has no such variable"]
-    )
+    names = fnmatch.filter(sorted(answer.values), pattern)
+    rows = [(name, types[name], in_a_line(answer.values[name])) for name in names]
+    if rows:
+        session.show_table(_VARIABLE_HEAD, rows)
+    else:
+        session.say(Reason.of("console.no_such_variable", subsystem=subsystem))
     return ()
 
 
@@ -171,7 +193,7 @@ def check(session: ConsoleSession, words: Words) -> Faults:
 
 def refused(session: ConsoleSession, expected: Reason, answer: request.Response) -> Faults:
     """The fault of an answer that is not what was asked for."""
-    reason = answer.reason if isinstance(answer, request.Refused) else str(answer)
+    reason = answer.reason if isinstance(answer, request.Refused) else Reason.plain(str(answer))
     return session.no(Reason.of("console.refused", expected=expected, reason=reason))
 
 
@@ -186,11 +208,6 @@ def _element(session: ConsoleSession, name: str, whole: Any, index: str) -> tupl
             return None, session.no(Reason.of("console.no_element", name=name))
         whole = whole[place]
     return whole, ()
-
-
-def _one_line(name: str, current: Any) -> list[str]:
-    lines = [line.partition(" = ")[2] for line in shown(name, current)]
-    return lines[:1] + ["…"] * (len(lines) > 1)
 
 
 def _hz(frequency: float | None) -> str:

@@ -59,7 +59,7 @@ def abort(session: ConsoleSession, words: Words) -> Faults:
     is_there = session.running or any(subsystem.application for subsystem in session.look_again().subsystems)
     if not is_there:
         return session.no(Reason.of("console.no_application_runs"))
-    cause = " ".join(words) or "aborted by the user"
+    cause = Reason.plain(" ".join(words)) or Reason.of("desk.aborted_by_user")
     faults = session.order(request.Abort(cause))
     if not session.running:  # one that somebody left alone
         session.hear()

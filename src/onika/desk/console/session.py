@@ -144,7 +144,7 @@ class ConsoleSession:
         if self._standing is None:
             answer = self.ask(live.Survey())
             if not isinstance(answer, live.Standing):
-                raise ValueError(f"expected a runtime that says what there is, found {answer}")
+                raise ValueError(Reason.of("console.no_standing", given=str(answer)))
             self._standing = answer
             self._applied = frozenset(subsystem.name for subsystem in answer.subsystems if subsystem.application)
         return self._standing
@@ -194,7 +194,7 @@ class ConsoleSession:
 
     def interrupt(self) -> Faults:
         """Ctrl-C: every drive holds (decision 11)."""
-        self.ask(request.Stop("stopped by the user (Ctrl-C)"))
+        self.ask(request.Stop(Reason.of("desk.stopped_by_user")))
         self.hear()
         return self.no(Reason.of("console.ctrl_c"), Reason.of("console.everything_stopped"))
 

@@ -2,9 +2,9 @@
 
 from collections.abc import Callable
 
-from onika.desk.run import text_table
 from onika.model.preferences import STATUS_COLUMNS
 from onika.wire.live import TaskFigure
+from onika.words.reason import Reason, Text
 
 UNITS = {
     "ref-F": "Hz", "mez-F": "Hz", "ref-T": "ms", "mez-T": "ms", "ptime": "s", "tot-C": "ms", "tick": "ms",
@@ -13,15 +13,22 @@ UNITS = {
 """The unit of each column that has one."""
 
 
-def overview(figures: list[TaskFigure], columns: tuple[str, ...]) -> list[str]:
-    """One row for each task, the chosen columns; the subsystem only where there are several."""
+def overview(figures: list[TaskFigure], columns: tuple[str, ...]) -> tuple[list[Text], list[list[str]]]:
+    """The head, and one row for each task with the chosen columns; the subsystem only where there are several."""
     several = len({figure.subsystem for figure in figures}) > 1
-    names = ("subsystem",) * several + ("task", *columns)
-    heads = [f"{name}/{UNITS[name]}" if name in UNITS else name for name in names]
+    head: list[Text] = [Reason.of("console.head_subsystem")] * several
+    head += [Reason.of("console.head_task"), *map(_head, columns)]
     rows = [
         [figure.subsystem] * several + [figure.task, *(cell(figure, name) for name in columns)] for figure in figures
     ]
-    return text_table.lines(heads, rows)
+    return head, rows
+
+
+def _head(column: str) -> str:
+    """The name of a column, as STATINFO has it, with its unit."""
+    if column in UNITS:
+        return f"{column}/{UNITS[column]}"
+    return column
 
 
 def whole(figure: TaskFigure) -> list[str]:

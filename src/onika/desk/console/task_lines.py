@@ -151,7 +151,7 @@ def _several(session: ConsoleSession, words: Words, change: Callable[[str, Words
 
 def _spawn_all(session: ConsoleSession, words: Words) -> Faults:
     if len(words) != 1:
-        return session.no(Reason.of("console.spawn_all_usage", line=" ".join(("spawn all of", *words))))
+        return session.no(Reason.of("console.spawn_all_usage", line=" ".join(("spawn", ALL, "of", *words))))
     configuration, faults = SiteLibrary(session.site, session.place).configuration(words[0])
     if configuration is None or faults:
         return faults

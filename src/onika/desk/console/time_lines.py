@@ -10,7 +10,7 @@ from onika.desk.console.task_lines import missing, positive
 from onika.model.lifecycle import State
 from onika.wire import live, request
 from onika.words.condition import Condition
-from onika.words.reason import Reason
+from onika.words.reason import Reason, Text
 
 Words = tuple[str, ...]
 _WITHIN = re.compile(r"(.*?)\s+within\s+(\S+)\s*\Z")
@@ -96,11 +96,12 @@ def _state(session: ConsoleSession, address: str, state: str, limit: float) -> F
 
 def _flow(session: ConsoleSession, name: str, state: str, limit: float) -> Faults:
     def now() -> str:
-        return next((position.state for position in where(session) if position.subsystem == name), "gone")
+        return next((position.state for position in where(session) if position.subsystem == name), "")
 
-    if now() == "gone":
+    if not now():
         return session.no(Reason.of("console.no_flow", name=name))
-    return _until(session, lambda: now() == state, limit, f"{name} {state}", now)
+    gone = Reason.of("console.flow_gone")
+    return _until(session, lambda: now() == state, limit, f"{name} {state}", lambda: now() or gone)
 
 
 def _variable(session: ConsoleSession, expectation: Condition, limit: float) -> Faults:
@@ -118,7 +119,7 @@ def _variable(session: ConsoleSession, expectation: Condition, limit: float) -> 
 
 
 def _until(
-    session: ConsoleSession, reached: Callable[[], bool], limit: float, expected: str, reality: Callable[[], str]
+    session: ConsoleSession, reached: Callable[[], bool], limit: float, expected: str, reality: Callable[[], Text]
 ) -> Faults:
     """Let time pass, the runtime's own, until something is so."""
     virtual = session.standing().is_virtual

@@ -2,12 +2,20 @@
 
 from onika.desk.console.display import Tone
 from onika.desk.console.session import ConsoleSession, Faults
-from onika.desk.run import text_table
 from onika.wire import event
 from onika.wire.figures import VariableSteps
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason, Text
 
 Words = tuple[str, ...]
+_HEAD = (
+    Reason.of("console.head_variable"),
+    Reason.of("console.head_step"),
+    Reason.of("console.head_of"),
+    Reason.of("console.head_share"),
+    Reason.of("console.head_unit"),
+    Reason.of("console.head_at"),
+    Reason.of("console.head_became"),
+)
 
 
 def jumps(session: ConsoleSession, words: Words) -> Faults:
@@ -16,24 +24,27 @@ def jumps(session: ConsoleSession, words: Words) -> Faults:
     if not steps:
         session.say(Reason.of("console.no_step"), Tone.DIM)
         return ()
-    session.show(text_table.lines(("variable", "step", "of", "share/%", "unit", "at/s", "became"), map(_row, steps)))
+    session.show_table(_HEAD, map(_row, steps))
     return ()
 
 
-def _row(step: event.Stepped | VariableSteps) -> tuple[str, ...]:
+def _row(step: event.Stepped | VariableSteps) -> tuple[Text, ...]:
     share = f"{step.step / step.limit * 100:.0f}" if step.limit else "-"
     limit = f"{step.limit:.4g}" if step.limit else "-"
     name = f"{step.subsystem}/{step.variable}[{step.index}]"
     return name, f"{step.step:.4g}", limit, share, step.unit, f"{step.at_s:.2f}", _became(step)
 
 
-def _became(step: event.Stepped | VariableSteps) -> str:
+def _became(step: event.Stepped | VariableSteps) -> Reason:
     if isinstance(step, event.Stepped):
         if not step.is_too_far:
-            return "passed on"
+            return Reason.of("console.passed_on")
         if step.cycles:
-            return f"blended over {step.cycles} cycles"
-        return "refused"
-    words = [f"blended {step.blended} of {step.count} times"] * bool(step.blended)
-    words += [f"refused {step.refused} of {step.count} times"] * bool(step.refused)
-    return ", ".join(words) or f"passed on, the largest of {step.count}"
+            return Reason.of("console.blended_over", cycles=step.cycles)
+        return Reason.of("console.step_refused")
+    blended = Reason.of("console.blended_times", blended=step.blended, count=step.count) if step.blended else NOTHING
+    refused = Reason.of("console.refused_times", refused=step.refused, count=step.count) if step.refused else NOTHING
+    parts = tuple(part for part in (blended, refused) if part)
+    if parts:
+        return Reason.of("console.several", parts=parts)
+    return Reason.of("console.passed_on_largest", count=step.count)

@@ -30,12 +30,31 @@ def words(value: Any) -> str:
 
 def shown(name: str, value: Any) -> list[str]:
     """The lines that show a variable to people: one for a scalar or a vector, one for each row of a matrix."""
-    if not isinstance(value, list) or not value or not isinstance(value[0], list):
-        return [f"{name} = {'  '.join(_texts(value)).strip()}"]
-    texts = _texts(value)
-    width = len(texts) // len(value)
-    rows = ("  ".join(texts[start : start + width]) for start in range(0, len(texts), width))
+    rows = _rows(value)
+    if not _is_matrix(value):
+        return [f"{name} = {rows[0]}"]
     return [f"{name}[{index}] = {row}" for index, row in enumerate(rows)]
+
+
+def in_a_line(value: Any) -> str:
+    """The value as a table shows it: of a matrix its first row."""
+    first, *more = _rows(value)
+    if more:
+        return f"{first} …"
+    return first
+
+
+def _is_matrix(value: Any) -> bool:
+    return isinstance(value, list) and bool(value) and isinstance(value[0], list)
+
+
+def _rows(value: Any) -> list[str]:
+    """The elements as texts, a line for each row."""
+    texts = _texts(value)
+    if not _is_matrix(value):
+        return ["  ".join(texts).strip()]
+    width = len(texts) // len(value)
+    return ["  ".join(texts[start : start + width]) for start in range(0, len(texts), width)]
 
 
 def _texts(value: Any) -> list[str]:

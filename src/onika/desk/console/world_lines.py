@@ -1,7 +1,6 @@
 """The console command `touch`: touches a part of a simulated world, such as a panic button (§4.5.2)."""
 
 from onika.desk.console.session import ConsoleSession, Faults
-from onika.desk.run import text_table
 from onika.wire import live, request
 from onika.words.reason import Reason
 
@@ -29,5 +28,9 @@ def _list(session: ConsoleSession, world: str) -> Faults:
     if isinstance(answer, request.Refused):
         return session.no(Reason.of("console.world_refused", world=world, reason=answer.reason))
     parts = answer.scene.get("parts", {}) if isinstance(answer, live.Scenery) else {}
-    session.show(text_table.lines(("part", "values"), sorted(parts.items())) if parts else ["it has no parts to touch"])
+    if parts:
+        head = (Reason.of("console.head_part"), Reason.of("console.head_values"))
+        session.show_table(head, sorted(parts.items()))
+    else:
+        session.say(Reason.of("console.no_parts"))
     return ()

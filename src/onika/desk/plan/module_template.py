@@ -6,6 +6,7 @@ from pathlib import Path
 from onika.files import whole
 from onika.words.fault import Refusal
 from onika.words.name import TASK_NAME
+from onika.words.reason import Reason
 
 LONGEST = 64
 
@@ -71,8 +72,7 @@ def test_{identifier}_multiplies_by_its_gain():
 def create_module(name: str, base: Path) -> tuple[Path, ...]:
     """Write the three files; raises ValueError with a sentence where the name is none or a file is there already."""
     if not TASK_NAME.match(name) or not name.isidentifier() or keyword.iskeyword(name) or len(name) > LONGEST:
-        wanted = f"a name of at most {LONGEST} letters, digits and _, a letter first, no word of Python"
-        raise ValueError(f"expected {wanted}, found {name!r}")
+        raise ValueError(Reason.of("desk.module_name", longest=LONGEST, name=name))
     identifier = name
     title = "".join(part.capitalize() for part in identifier.split("_"))
     files = {
@@ -82,7 +82,7 @@ def create_module(name: str, base: Path) -> tuple[Path, ...]:
     }
     for path in files:
         if path.exists():
-            raise ValueError(f"{path} is there already: nothing was written")
+            raise ValueError(Reason.of("desk.file_there", path=str(path)))
     for path, text in files.items():
         path.parent.mkdir(parents=True, exist_ok=True)
         written = whole.write(path, text.format(name=name, title=title, identifier=identifier), whole.ABSENT)

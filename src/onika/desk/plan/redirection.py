@@ -52,7 +52,9 @@ def faults(redirects: Sequence[Redirect], plan: Plan, program: ApplicationProgra
         if redirect.new not in program.tasks:
             yield Fault(place, Reason.of("desk.task_unknown", new=redirect.new), NOT_RUN)
         if redirect.old not in used:
-            where = f"flow {redirect.flow}" if redirect.flow else plan.application
+            where = (
+                Reason.of("desk.flow_named", flow=redirect.flow) if redirect.flow else Reason.plain(plan.application)
+            )
             yield Fault(
                 place,
                 Reason.of("desk.task_not_of_flow", where=where, used=tuple(sorted(used)), old=redirect.old),

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib import metadata
 
-from onika.desk.run.world_picture import DRAWER
+from onika.desk.run.world_picture import DRAWER, NO_OPENGL
 from onika.words.reason import Reason, Text
 
 
@@ -87,7 +87,17 @@ def _library(name: str, cost: Reason) -> Feature:
 
 def _graphics() -> Feature:
     tried = subprocess.run([*DRAWER, "--probe"], capture_output=True, text=True, check=False)  # noqa: S603 - our own
-    lines = (tried.stdout or tried.stderr).strip().splitlines()
-    answer = lines[-1] if lines else Reason.of("desk.machine_no_answer")
     name, cost = Reason.of("desk.machine_graphics"), Reason.of("desk.cost_graphics")
-    return Feature(name, tried.returncode == 0, answer, cost)
+    return Feature(name, tried.returncode == 0, _drawn(tried), cost)
+
+
+def _drawn(tried: "subprocess.CompletedProcess[str]") -> Reason:
+    """What the drawing program says of itself: the way in which it draws, or why not."""
+    lines = (tried.stdout or tried.stderr).strip().splitlines()
+    if tried.returncode == 0 and lines:
+        return Reason.of("desk.machine_drawn_with", way=lines[-1])
+    if tried.returncode == NO_OPENGL:
+        return Reason.of("desk.no_opengl")
+    if lines:
+        return Reason.plain(lines[-1])
+    return Reason.of("desk.machine_no_answer")

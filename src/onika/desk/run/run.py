@@ -27,7 +27,7 @@ from onika.wire.plan import Plan
 from onika.wire.steer import Position
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
-from onika.words.reason import Reason
+from onika.words.reason import Reason, reason_of
 
 _RECORD = Place("--record")
 _LOOK_S = 0.05
@@ -109,7 +109,7 @@ def run(settings: RunSettings, site: Site, watcher: RunWatcher) -> Outcome:
                 _follow(running, ScriptPlayer(running, script_lines, watcher.steered), watcher)
                 running.close()
     except (LinkLost, TimeoutError) as lost:
-        outcome.result = event.Result(False, str(lost), 0, outcome.actions, 0.0, 0.0, {}, (), "")
+        outcome.result = event.Result(False, reason_of(lost), 0, outcome.actions, 0.0, 0.0, {}, (), "")
     return outcome
 
 
@@ -122,7 +122,7 @@ def _open(
     recorded = recorded_run(source) if source is not None else None
     if isinstance(recorded, RecordedRun):
         prepared = recorded.prepared
-        outcome.notes += map(str, recorded.notes)
+        outcome.notes += recorded.notes
     elif recorded is not None:
         outcome.name = source.path.name if source is not None else ""
         outcome.faults += recorded
@@ -132,7 +132,7 @@ def _open(
         prepared = prepare_run(settings.name, site, _by_number(settings))
     outcome.name = prepared.name
     outcome.faults += prepared.faults
-    outcome.notes += [str(note) for note in prepared.notes]
+    outcome.notes += [note.sentence for note in prepared.notes]
     if prepared.plan is None:
         yield None
         return
@@ -168,12 +168,12 @@ def _follow(running: Running, player: ScriptPlayer, watcher: RunWatcher) -> None
             while player.go_on():
                 pass
     except (LinkLost, TimeoutError) as lost:
-        running.lose(str(lost))
+        running.lose(reason_of(lost))
 
 
 def _turn(running: Running, player: ScriptPlayer, watcher: RunWatcher, interruption: Interruption) -> None:
     if interruption.is_new():
-        running.stop("stopped by the user (Ctrl-C)")
+        running.stop(Reason.of("desk.stopped_by_user"))
     _hear(running, watcher, interruption, _LOOK_S)
     while player.go_on():
         _hear(running, watcher, interruption, 0.0)
@@ -247,11 +247,11 @@ def _prepare(prepared: PreparedRun, plan: Plan, runtime: RuntimeConversation, ou
     answer = runtime.ask(request.Prepare(plan, prepared.targets))
     if isinstance(answer, request.Prepared):
         outcome.faults += [fault for fault in map(fault_of, answer.faults) if fault not in outcome.faults]
-        outcome.notes += map(str, answer.notes)
+        outcome.notes += answer.notes
     elif isinstance(answer, request.Refused):
         outcome.faults.append(
             Fault(
-                Place("the runtime"),
+                Place("runtime"),
                 Reason.of("desk.plan_refused", reason=answer.reason),
                 Reason.of("words.nothing_run"),
             )

@@ -21,6 +21,7 @@ from onika.record.reader import Reader
 from onika.record.run import END, RunRecord
 from onika.record.series import Series
 from onika.wire import event, request
+from onika.words.reason import Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -217,7 +218,8 @@ class Review:
     def _flow(self, subsystem: str) -> ReviewedFlow:
         flow = next((flow for flow in self.flows if flow.subsystem == subsystem), None)
         if flow is None:
-            raise ValueError(f"{self.path}: expected news of the flows of its plan, found {subsystem or 'none'}")
+            given = subsystem or Reason.of("desk.none")
+            raise ValueError(Reason.of("desk.strange_flow", path=str(self.path), subsystem=given))
         return flow
 
 

@@ -128,7 +128,7 @@ class Running:
         subsystem, name = self.flow_index.home(address)
         answer = self._runtime.ask(live.Read(subsystem, (name,)))
         if not isinstance(answer, live.Values):
-            raise ValueError(f"expected a value of {address}, found {answer}")
+            raise ValueError(Reason.of("desk.no_value_of", address=address, given=str(answer)))
         return answer.values[name]
 
     def sheets(self) -> dict[str, ModuleSheet]:
@@ -146,7 +146,7 @@ class Running:
         message = self._settings.begin(is_held=self.is_held)
         answer = self._runtime.ask(message if self._recorded is None else self._recorded.begin(message))
         if isinstance(answer, request.Refused):
-            self.lose(str(answer.reason))
+            self.lose(answer.reason)
         elif self.is_held:
             self._onward(0.0)
 
@@ -201,7 +201,7 @@ class Running:
         while not (self.stands or self.is_over or self.flow_tracker.is_asking):
             self._listen(_LOOK_S)
             if self._clock() > until:
-                raise TimeoutError(f"the runtime does not stand still within {_PATIENCE_S:g} s")
+                raise TimeoutError(Reason.of("desk.restless", seconds=_PATIENCE_S))
 
     # -- what may be done
 
@@ -240,18 +240,18 @@ class Running:
         if self._recorded is not None and self._recorded.is_before(question.at_s):
             return
         self.flow_tracker.is_asking = False
-        cause = f"task {question.task} asks for input and nobody answers"
+        cause = Reason.of("desk.nobody_answers", task=question.task)
         self._runtime.ask(
             request.Abort(cause) if line is None else request.Reply(question.subsystem, question.task, line)
         )
 
-    def stop(self, cause: str) -> None:
+    def stop(self, cause: Text) -> None:
         """Every drive holds, and the run ends (law 27)."""
         self._runtime.ask(request.Stop(cause))
 
     def abort(self, cause: Text) -> None:
         """End the run: tasks off, drives in hold."""
-        self._runtime.ask(request.Abort(str(cause)))
+        self._runtime.ask(request.Abort(cause))
 
     def result(self) -> event.Result:
         """Let it go on to its end, or end it where only somebody who steers could help; its result.
@@ -265,7 +265,7 @@ class Running:
                 self.abort(Reason.of("desk.nobody_goes_on", flows=self.flow_tracker.standing()))
             self.go_on()
         if self.outcome.result is None:
-            raise ValueError("expected a run that has come to its end, found one without a result")
+            raise ValueError(Reason.of("desk.no_result"))
         return self.outcome.result
 
     def _order(self, order: SteeringOrder, place: Place) -> Faults:
@@ -311,7 +311,7 @@ class Running:
         """A wait that begins now."""
         return PendingWait(self, act)
 
-    def lose(self, cause: str) -> None:
+    def lose(self, cause: Text) -> None:
         """What the environment knows of a run whose runtime can say nothing any more (E10)."""
         actions = sum(len(flow.actions) for flow in self.plan.flows)
         lasted = (self.now_s, self._clock() - self._began)
@@ -330,7 +330,7 @@ class Running:
             self._judge()
         except (LinkLost, TimeoutError) as lost:
             if not self.is_over:
-                self.lose(str(lost))
+                self.lose(reason_of(lost))
 
     def _judge(self) -> None:
         result = self.outcome.result

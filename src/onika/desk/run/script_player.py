@@ -9,6 +9,7 @@ from onika.desk.run.steering import PositionQuery, SteeringWait
 from onika.desk.run.steering_script import ScriptLine
 from onika.wire.steer import Position
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 LineListener = Callable[[str, tuple[Fault, ...], tuple[Position, ...]], None]
 """A line that is carried out, what is wrong with it, and the positions where it asked for them."""
@@ -73,4 +74,4 @@ class ScriptPlayer:
         self._script_lines.clear()
         self._running.outcome.failed += faults
         if not self._running.is_over:
-            self._running.abort(f"the script fails at {faults[0].place}")
+            self._running.abort(Reason.of("desk.script_fails", place=str(faults[0].place)))

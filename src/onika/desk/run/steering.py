@@ -158,7 +158,7 @@ def _unbreak(words: list[str], flow_index: FlowIndex) -> Act:
 
 def _abort(words: list[str], flow_index: FlowIndex) -> Act:
     del flow_index
-    return SteeringOrder(request.Abort(" ".join(words) or "aborted by the user"))
+    return SteeringOrder(request.Abort(Reason.plain(" ".join(words)) or Reason.of("desk.aborted_by_user")))
 
 
 def _who(words: list[str], flow_index: FlowIndex) -> Act:

@@ -18,7 +18,7 @@ from onika.store.site import Site
 from onika.wire import event
 from onika.wire.plan import Plan
 from onika.words.fault import Fault
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason, Text, reason_of
 
 LONGEST_S = 86_400.0
 """How much virtual time a run may take where nothing else is said."""
@@ -59,8 +59,8 @@ class RunAccount:
     parts: list[FlowAccount] = field(default_factory=list)
     meetings: list[KeptMeeting] = field(default_factory=list)
     expectations: list[tuple[str, Any, bool]] = field(default_factory=list)
-    warnings: list[str] = field(default_factory=list)
-    cause: str = ""
+    warnings: list[Reason] = field(default_factory=list)
+    cause: Text = NOTHING
     refusals: tuple[Fault, ...] = ()
     lasted_s: float = 0.0
     hash: str = ""
@@ -75,9 +75,9 @@ def give_account(settings: RunSettings, site: Site, limit_s: float = LONGEST_S) 
             running.close()
             account.expectations = [(condition.text, *rest) for condition, *rest in running.outcome.expectations]
     except NotRun as refused:
-        account.refusals, account.cause = refused.faults, "it is refused"
+        account.refusals, account.cause = refused.faults, Reason.of("trial.is_refused")
     except (LinkLost, TimeoutError) as lost:
-        account.cause = account.cause or str(lost)
+        account.cause = account.cause or reason_of(lost)
     return account
 
 
@@ -120,25 +120,36 @@ def _watch(running: Running, account: RunAccount, limit_s: float) -> None:
     for message in timed_events(running, limit_s):
         match message:
             case event.Began() if not plan.flows[message.flow].actions[message.index].is_noop:
-                action = plan.flows[message.flow].actions[message.index]
-                if (message.flow, message.index) not in kept:
-                    kept[message.flow, message.index] = kept_after(plan.flows[message.flow], action, sheets)
-                began = CompletedAction(action.name, message.at_s, message.at_s, kept[message.flow, message.index])
+                flow, place = plan.flows[message.flow], (message.flow, message.index)
+                if place not in kept:
+                    kept[place] = kept_after(flow, flow.actions[message.index], sheets)
+                began = CompletedAction(message.action, message.at_s, message.at_s, kept[place])
                 account.parts[message.flow].current = began
             case event.Done():
                 _done(running, account.parts[message.flow], message.at_s)
-            case event.Met():
-                account.meetings.append(KeptMeeting(message.tag.rpartition(" ")[2], message.subsystems))
-            case event.Failed() | event.Warned() if message.task:
-                account.warnings.append(f"{message.subsystem}, {message.task}: {message.text}")
-            case event.Result():
-                account.cause = "" if message.completed else str(message.cause) or "it did not come to its end"
-                account.lasted_s, account.hash = message.runtime_s, message.hash
+            case _:
+                _note(account, message)
     for part in account.parts:
-        seen = {
-            variable.name: variable for passed in part.passed for variable in passed.variables if variable.is_measured
-        }
-        part.at_end = _read(running, part, tuple(seen.values()))
+        part.at_end = _read(running, part, measured(part))
+
+
+def _note(account: RunAccount, message: event.Event) -> None:
+    """What is noted of the run as a whole."""
+    match message:
+        case event.Met():
+            account.meetings.append(KeptMeeting(message.tag.rpartition(" ")[2], message.subsystems))
+        case event.Failed() | event.Warned() if message.task:
+            flow, task, text = message.subsystem, message.task, message.text
+            account.warnings.append(Reason.of("trial.warning", flow=flow, task=task, text=text))
+        case event.Result():
+            account.cause = NOTHING if message.completed else message.cause or Reason.of("trial.no_end")
+            account.lasted_s, account.hash = message.runtime_s, message.hash
+
+
+def measured(part: FlowAccount) -> tuple[KeptVariable, ...]:
+    """The variables that were measured after any of the actions of a flow."""
+    seen = {variable.name: variable for passed in part.passed for variable in passed.variables}
+    return tuple(variable for variable in seen.values() if variable.is_measured)
 
 
 def _done(running: Running, part: FlowAccount, at_s: float) -> None:

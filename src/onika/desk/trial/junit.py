@@ -17,13 +17,13 @@ def document(trials: Sequence[Trial]) -> bytes:
     root = ElementTree.Element("testsuites", count)
     suite = ElementTree.SubElement(root, "testsuite", {"name": "onika", **count})
     for trial in trials:
-        name = {"name": _clean(trial.name), "classname": "onika", "time": f"{trial.wall_s:.3f}"}
+        name = {"name": _clean(str(trial.name)), "classname": "onika", "time": f"{trial.wall_s:.3f}"}
         case = ElementTree.SubElement(suite, "testcase", name)
         if not trial.verdict.is_passed:
-            failure = ElementTree.SubElement(case, "failure", {"message": _clean(trial.verdict.failures[0])})
-            failure.text = _clean("\n".join(trial.verdict.failures))
+            failure = ElementTree.SubElement(case, "failure", {"message": _clean(str(trial.verdict.failures[0]))})
+            failure.text = _clean("\n".join(map(str, trial.verdict.failures)))
         if trial.verdict.notes:
-            ElementTree.SubElement(case, "system-out").text = _clean("\n".join(trial.verdict.notes))
+            ElementTree.SubElement(case, "system-out").text = _clean("\n".join(map(str, trial.verdict.notes)))
     ElementTree.indent(root)
     text: bytes = ElementTree.tostring(root, "utf-8", xml_declaration=True)
     return text + b"\n"

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from onika.desk.run.settings import RunSettings
-from onika.desk.trial.account import CompletedAction, Elements, FlowAccount, RunAccount, give_account
+from onika.desk.trial.account import CompletedAction, Elements, FlowAccount, RunAccount, give_account, measured
 from onika.desk.trial.home import home_of
 from onika.desk.trial.tolerance import LASTS_S, demand, readable, tolerance
 from onika.desk.trial.variables import FLOORS, KeptVariable
@@ -14,14 +14,7 @@ from onika.files import kept, text, whole
 from onika.model.kept import Demand, KeptAction, KeptFlow, KeptRun
 from onika.store.site import Site
 from onika.words.fault import Refusal
-
-HINT = """\
-# A run of {name}, kept as a test: `onika test` does it again and compares. Change what you like.
-# LASTS is how long an action takes, AFTER what holds when it has ended; +- how exactly.
-# ONTHEWAY yes: the test also passes without this action, as long as all that follows holds.
-
-"""
-"""What stands at the head of a new test."""
+from onika.words.reason import NOTHING, Reason, Text
 
 SHAKES = 4
 """How many runs with shaken worlds and other seeds are looked at beside the one that is kept."""
@@ -32,8 +25,8 @@ class KeepResult:
     """A run that was kept, and what is worth knowing of it; without one, why not."""
 
     kept: KeptRun | None
-    notes: tuple[str, ...] = ()
-    refusal: str = ""
+    notes: tuple[Reason, ...] = ()
+    refusal: Reason = NOTHING
     hash: str = ""
     """Of the run, to be compared with another."""
 
@@ -84,10 +77,12 @@ def keep_in(
     workers: int = 1,
     seen: str = "",
     progress: Progress | None = None,
-) -> tuple[bool, tuple[str, ...]]:
+    say: Callable[[Text], str] = str,
+) -> tuple[bool, tuple[Reason, ...]]:
     """Keep a run in a test file: whether that could be done, and what is to be said of it, for a command or a page.
 
     seen    the hash of the run that the user has seen; empty: he has seen none
+    say     makes the words of the comment at the head of a new file
     """
     refusal = unkeepable(settings, path)
     if refusal:
@@ -97,20 +92,18 @@ def keep_in(
         return False, (result.refusal,)
     notes = list(result.notes)
     if seen and result.hash != seen:
-        notes.append("this run does not repeat itself bit for bit: something outside takes part in it")
+        notes.append(Reason.of("trial.not_the_same"))
     file = site.application_file(settings.name)
     named = replace(result.kept, application=file.stem if file is not None else settings.name)
     source = home_of(path, site).application_file(named.application)
     if file is not None and (source is None or not source.samefile(file)):
-        notes.append(
-            f"in that folder {named.application} is another application, or none: run the test with "
-            f"--local {file.absolute().parent.parent}"
-        )
-    unwritten = store(named, path)
+        folder = str(file.absolute().parent.parent)
+        notes.append(Reason.of("trial.other_application", name=named.application, folder=folder))
+    unwritten = store(named, path, say)
     if unwritten is not None:
-        return False, (str(unwritten),)
+        return False, (unwritten.sentence,)
     actions, demands = _count(named)
-    return True, (f"{path}: {actions} actions, {demands} values", *notes)
+    return True, (Reason.of("trial.kept", actions=actions, values=demands), *notes)
 
 
 def _count(kept_run: KeptRun) -> tuple[int, int]:
@@ -119,12 +112,13 @@ def _count(kept_run: KeptRun) -> tuple[int, int]:
     return len(actions), sum(map(len, demands))
 
 
-def store(kept_run: KeptRun, path: Path) -> Refusal | None:
+def store(kept_run: KeptRun, path: Path, say: Callable[[Text], str] = str) -> Refusal | None:
     """Write a test; the comments of one that stood there stay."""
     former, faults = ("", ()) if not path.exists() else text.load(path, str(path))
     if former is None:
         return Refusal(faults[0].sentence)
-    written = kept.write(kept_run, former) if former else HINT.format(name=kept_run.application) + kept.write(kept_run)
+    head = "" if former else say(Reason.of("trial.file_head", name=kept_run.application))
+    written = head + kept.write(kept_run, former)
     done = whole.write(path, written, whole.ANYTHING if path.exists() else whole.ABSENT)
     return done if isinstance(done, Refusal) else None
 
@@ -132,15 +126,19 @@ def store(kept_run: KeptRun, path: Path) -> Refusal | None:
 def kept_of(settings: RunSettings, first: RunAccount, others: Sequence[RunAccount]) -> KeepResult:
     """What is kept of a run, by the accounts of it and of others that are as good."""
     if first.refusals:
-        return KeepResult(None, refusal="; ".join(map(str, first.refusals)))
+        return KeepResult(
+            None, refusal=Reason.of("trial.reasons", reasons=tuple(fault.sentence for fault in first.refusals))
+        )
     if first.cause:
-        return KeepResult(None, refusal=f"only a run that comes to its end can be kept; this one: {first.cause}")
+        return KeepResult(None, refusal=Reason.of("trial.only_ended", cause=first.cause))
     failed = [text for text, _, holds in first.expectations if not holds]
     if failed:
-        return KeepResult(None, refusal=f"only a good run can be kept; in this one {failed[0]} does not hold")
+        return KeepResult(None, refusal=Reason.of("trial.only_good", text=failed[0]))
     alike = [account for account in others if not account.cause and _way(account) == _way(first)]
-    notes = [f"{len(others) - len(alike)} of {len(others)} shaken runs went another way, so that they say nothing"]
-    notes = notes if len(alike) < len(others) else []
+    notes: list[Reason] = []
+    if len(alike) < len(others):
+        count = len(others) - len(alike)
+        notes.append(Reason.of("trial.went_another_way", count=count, number=len(others)))
     flows = [_flow(number, first, alike) for number, part in enumerate(first.parts) if part.passed]
     return KeepResult(
         KeptRun(
@@ -159,17 +157,21 @@ def kept_of(settings: RunSettings, first: RunAccount, others: Sequence[RunAccoun
     )
 
 
-def unkeepable(settings: RunSettings, path: Path | None = None) -> str:
-    """Why a run like this cannot be kept, in such a file; empty: it can."""
-    wrong = {
-        f"a test is a file that ends with {kept.ENDING}": path is not None and path.suffix != kept.ENDING,
-        "a test runs in virtual time: give --virtual": not settings.is_virtual or settings.scale is not None,
-        "a test runs on a runtime of its own: leave out --runtime": settings.elsewhere is not None,
-        "a test is not steered: leave out --script": settings.script is not None,
-        "a test begins at the beginning: keep a run that is not continued": settings.source is not None,
-        "a test names flows as its application does: leave out --subsystem": bool(settings.subsystems),
+def unkeepable(settings: RunSettings, path: Path | None = None) -> Reason:
+    """Why a run like this cannot be kept, in such a file; nothing where it can."""
+    file_ending = Reason.of("trial.file_ending", ending=kept.ENDING)
+    objections = {
+        file_ending: path is not None and path.suffix != kept.ENDING,
+        Reason.of("trial.in_virtual_time"): not settings.is_virtual or settings.scale is not None,
+        Reason.of("trial.own_runtime"): settings.elsewhere is not None,
+        Reason.of("trial.not_steered"): settings.script is not None,
+        Reason.of("trial.from_beginning"): settings.source is not None,
+        Reason.of("trial.flows_by_own_names"): bool(settings.subsystems),
     }
-    return "; ".join(reason for reason, is_so in wrong.items() if is_so)
+    wrong = tuple(reason for reason, is_so in objections.items() if is_so)
+    if wrong:
+        return Reason.of("trial.reasons", reasons=wrong)
+    return NOTHING
 
 
 def _plain(settings: RunSettings) -> RunSettings:
@@ -195,8 +197,8 @@ def _flow(number: int, first: RunAccount, alike: Sequence[RunAccount]) -> KeptFl
     for at, passed in enumerate(part.passed):
         following = part.passed[at + 1] if at + 1 < len(part.passed) else None
         actions.append(_action(passed, following, [account.passed[at] for account in others]))
-    measured = {variable.name for passed in part.passed for variable in passed.variables if variable.is_measured}
-    notices = tuple(only_news(tuple(on_the_way(actions, measured))))
+    names = {variable.name for variable in measured(part)}
+    notices = tuple(only_news(tuple(on_the_way(actions, names))))
     return KeptFlow(part.subsystem, part.robots, notices, tuple(_at_end(part, others)))
 
 
@@ -232,8 +234,7 @@ def _lasts(reference: KeptVariable, passed: CompletedAction, following: Complete
 
 
 def _at_end(part: FlowAccount, others: Sequence[FlowAccount]) -> Iterable[Demand]:
-    seen = {variable.name: variable for passed in part.passed for variable in passed.variables if variable.is_measured}
-    return _demands(seen.values(), part.at_end, [account.at_end for account in others])
+    return _demands(measured(part), part.at_end, [account.at_end for account in others])
 
 
 def _demands(variables: Iterable[KeptVariable], values: Elements, others: Sequence[Elements]) -> Iterable[Demand]:

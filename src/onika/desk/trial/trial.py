@@ -29,11 +29,11 @@ class Trial:
     shake: int | None = None
 
     @property
-    def name(self) -> str:
+    def name(self) -> Reason:
         """What it is called in summaries."""
         if self.shake is None:
-            return self.file
-        return f"{self.file} shaken {self.shake}"
+            return Reason.plain(self.file)
+        return Reason.of("trial.shaken", file=self.file, seed=self.shake)
 
 
 def find(paths: Sequence[Path], word: str = "") -> tuple[list[Path], list[Fault]]:
@@ -82,7 +82,7 @@ def try_out(path: Path, site: Site, shake: int | None = None) -> Trial:
     began = monotonic()
     kept_run, faults = read(path)
     if kept_run is None:
-        verdict = Verdict(tuple(map(str, faults)))
+        verdict = Verdict(tuple(fault.sentence for fault in faults))
     else:
         verdict = judge(kept_run, give_account(settings_of(kept_run, shake), home_of(path, site), limit_of(kept_run)))
     return Trial(str(path), verdict, monotonic() - began, shake)

@@ -13,6 +13,7 @@ from onika.desk.environment.state.open_application import Judgement
 from onika.model.redirect import Redirect
 from onika.wire import act
 from onika.wire.view import FaultView
+from onika.words.reason import Reason
 
 
 class Keeper:
@@ -20,14 +21,13 @@ class Keeper:
 
     def __init__(self):
         self.asked = []
-        self.result = True, ("{path}: 1 actions, 2 values",)
+        self.result = True, (Reason.plain("1 actions, 2 values"),)
 
     def __call__(self, path, settings, site, *, progress):
         self.asked.append((path, settings, site))
         self.priority = os.getpriority(os.PRIO_PROCESS, 0)
         progress(2, 5)
-        is_kept, told = self.result
-        return is_kept, tuple(one.format(path=path) for one in told)
+        return self.result
 
 
 @pytest.fixture

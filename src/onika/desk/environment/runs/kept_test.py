@@ -134,8 +134,7 @@ def _keep(aside: BackgroundWorker, opened: OpenApplication, path: Path, settings
 
     _stand_back()
     is_kept, lines = keep_in(path, settings, site, progress=progress)
-    first, *notes = map(in_short, lines)
-    text = "; ".join((str(first).removeprefix(f"{path}: "), *map(str, notes)))
+    text = Reason.of("trial.reasons", reasons=tuple(map(in_short, lines)))
     shown = KeepingView(opened.id, str(path), "kept" if is_kept else "failed", text)
     if is_kept:
         say = page.Say("success", Reason.of("run.is_kept", name=path.name, text=text), opened.id)
