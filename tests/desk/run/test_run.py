@@ -225,7 +225,7 @@ def test_a_script_that_fails_aborts_the_run(runtime, tmp_path):  # R-E07
     runtime.refusals = {"Pass": Reason.plain("expected flow 0 to be waiting, found it running")}
     runtime.script = (event.Began(0, 0, 1, "jmoveC home", 0.1), event.Result(False, "x", 0, 1, 1.0, 1.0, {}, (), ""))
     outcome, watcher = go(script=path)
-    assert [found_by(fault) for fault in outcome.failed] == ["it running"]
+    assert [str(fault.reason) for fault in outcome.failed] == ["expected flow 0 to be waiting, found it running"]
     assert request.Abort(Reason.of("desk.script_fails", place=f"{path}:1")) in runtime.made.requests
     assert not any(isinstance(message, steer.Skip) for message in runtime.made.requests)
     assert ("pass", ["expected flow 0 to be waiting, found it running"], ()) in watcher.seen
