@@ -11,21 +11,21 @@ from onika.store.opened_text import OpenedText
 from onika.wire import act, page
 from onika.wire.view import ButtonView, Remedy
 from onika.words.fault import Refusal
-from onika.words.reason import Reason
+from onika.words.reason import Reason, Text
 
 
 def press(model: Model, command: act.Press, outside: Services) -> Done | No:
     """Run the command of a button; what it prints is shown while it runs."""
     button = _find(model, command.name)
     if button is None:
-        return No(f"there is no button {command.name}")
+        return No(Reason.of("run.no_button", name=command.name))
     if _is_running(model, command.name):
-        return No(f"{command.name} is running", (Remedy(f"Halt {command.name}", act.Halt(command.name)),))
+        return _running(command.name)
     if outside.commands is None:
-        return No("commands cannot be run here")
+        return No(Reason.of("run.no_commands"))
     started = outside.commands.start(button)
     if isinstance(started, Refusal):
-        return No(f"{command.name} cannot be run: {started.reason}")
+        return No(Reason.of("run.command_not_run", name=command.name, why=started.reason))
     running = ButtonView("", 0, is_running=True)
     says = (page.Say("info", started),) if started else ()
     return Done(replace(model, runs={**model.runs, command.name: running}), says=says)
@@ -34,7 +34,7 @@ def press(model: Model, command: act.Press, outside: Services) -> Done | No:
 def halt(model: Model, command: act.Halt, outside: Services) -> Done | No:
     """End a command with everything it has begun; that it has ended is a fact that comes later."""
     if outside.commands is None or not outside.commands.halt(command.name):
-        return No(f"{command.name} is not running")
+        return No(Reason.of("run.command_not_running", name=command.name))
     return Done(model)
 
 
@@ -44,9 +44,9 @@ def set_button(model: Model, command: act.SetButton, outside: Services) -> Done 
     button = Button(name, command.command.strip(" \t"), command.spawns_terminal)
     wrong = _wrong(button)
     if wrong:
-        return No("; ".join(wrong.values()), fields=wrong)
+        return No(Reason.of("run.together", parts=tuple(wrong.values())), fields=wrong)
     if not button.command and _is_running(model, name):
-        return No(f"{name} is running", (Remedy(f"Halt {name}", act.Halt(name)),))
+        return _running(name)
     opened, faults = outside.site.open_buttons()
     if opened is None and faults:
         return No(Reason.of("run.buttons_left", faults=tuple(fault.sentence for fault in faults)))
@@ -61,18 +61,24 @@ def _is_running(model: Model, name: str) -> bool:
     return name in model.runs and model.runs[name].is_running
 
 
-def _wrong(button: Button) -> dict[str, str]:
+def _running(name: str) -> No:
+    """A command that runs has to end first."""
+    halt = Remedy(Reason.of("run.halt_command", name=name), act.Halt(name))
+    return No(Reason.of("run.command_running", name=name), (halt,))
+
+
+def _wrong(button: Button) -> dict[str, Text]:
     """What is wrong with a button, by field: the file must say the same of it again."""
     if not button.name:
-        return {"name": "expected a name, found none"}
+        return {"name": Reason.of("run.button_unnamed")}
     if not button.command:
         return {}
     read, _ = file.read(file.write((button,)), file.NAME, file.NAME)
     if read == (button,):
         return {}
     if read and read[0].name == button.name:
-        return {"command": "expected a command in one line, without signs that steer a terminal"}
-    return {"name": "expected a name in one line, without signs that steer a terminal"}
+        return {"command": Reason.of("run.button_command")}
+    return {"name": Reason.of("run.button_name")}
 
 
 def _changed(buttons: tuple[Button, ...], button: Button) -> tuple[Button, ...]:

@@ -14,6 +14,7 @@ from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.wire import act, page
+from onika.words.reason import NOTHING, Reason
 
 
 def note(model: Model, _asked: act.Note, _outside: Services) -> Done:
@@ -42,7 +43,8 @@ class Diary:
         self._clock = clock
         self._names = ApplicationNames()
         self._lines: SimpleQueue[str | None] = SimpleQueue()
-        self._wrong = ""
+        self._wrong = NOTHING
+        """Why nothing can be written any more."""
         self._is_told = False
         self.path = folder / time.strftime(f"%Y-%m-%dT%H-%M-%S-{os.getpid()}.log", time.localtime(clock()))
         self._thread = threading.Thread(target=self._write, daemon=True)
@@ -53,7 +55,7 @@ class Diary:
         """An act has been answered."""
         if self._wrong and not self._is_told:
             self._is_told = True
-            self._say(page.Say("warning", f"the diary cannot be written: {self._wrong}"))
+            self._say(page.Say("warning", self._wrong))
         model = self._model()
         self._names.known |= {document.id: document.name for document in model.documents.values()}
         opened = answer.value if isinstance(answer.value, str) else ""
@@ -86,4 +88,5 @@ class Diary:
                     file.flush()
                     line = self._lines.get()
         except OSError as error:
-            self._wrong = f"{self.path}: {error.strerror or type(error).__name__}"
+            why = error.strerror or type(error).__name__
+            self._wrong = Reason.of("run.diary_unwritten", path=str(self.path), why=why)

@@ -13,7 +13,7 @@ from onika.desk.environment.state.settings import Settings
 from onika.model.preferences import STATUS_COLUMNS
 from onika.wire import act, page
 from onika.words.fault import Refusal
-from onika.words.reason import Reason
+from onika.words.reason import Reason, Text, reason_of
 
 _LONGEST = 10_000
 """Pixels or characters: what is longer is found on no screen."""
@@ -22,21 +22,22 @@ _SETTINGS = {field.name for field in fields(Settings)}
 
 
 class _Wrong(ValueError):
-    """A value that a preference cannot have; its text says what was expected."""
+    """A value that a preference cannot have; its reason says what was expected."""
 
 
 def prefer(model: Model, command: act.Prefer, outside: Services) -> Done | No:
     """Change preferences, all that are named or none; each that cannot be so is in `fields`."""
     now = preference_values(model)
     taken: dict[str, Any] = {}
-    wrong: dict[str, str] = {}
+    wrong: dict[str, Text] = {}
     for name, value in command.values.items():
         try:
             taken[name] = _taken(name, value, now)
         except _Wrong as why:
-            wrong[name] = str(why)
+            wrong[name] = reason_of(why)
     if wrong:
-        return No("; ".join(f"{name}: {why}" for name, why in wrong.items()), fields=wrong)
+        reasons = tuple(Reason.of("run.what_why", what=name, why=why) for name, why in wrong.items())
+        return No(Reason.of("run.together", parts=reasons), fields=wrong)
     of_file = {name: value for name, value in taken.items() if name not in _SETTINGS}
     of_settings = {name: value for name, value in taken.items() if name in _SETTINGS}
     preferred = replace(model.preferences, **of_file)
@@ -80,7 +81,7 @@ def _filed(values: Mapping[str, Any], outside: Services) -> Refusal | None:
 def _taken(name: str, value: Any, now: Mapping[str, Any]) -> Any:
     """A value as the preference of that name has it; raises _Wrong."""
     if name not in now:
-        raise _Wrong("expected the name of a preference")
+        raise _Wrong(Reason.of("run.no_preference"))
     before = now[name]
     if isinstance(before, bool):
         return _flag(value)
@@ -91,23 +92,24 @@ def _taken(name: str, value: Any, now: Mapping[str, Any]) -> Any:
 
 def _flag(value: Any) -> bool:
     if not isinstance(value, bool):
-        raise _Wrong("expected yes or no")
+        raise _Wrong(Reason.of("run.yes_or_no"))
     return value
 
 
 def _length(value: Any) -> int:
     is_whole = isinstance(value, int) or (isinstance(value, float) and value.is_integer())
     if isinstance(value, bool) or not is_whole:
-        raise _Wrong("expected a whole number")
+        raise _Wrong(Reason.of("run.whole_number"))
     if not 1 <= value <= _LONGEST:
-        raise _Wrong(f"expected a number from 1 to {_LONGEST}, found {int(value)}")
+        raise _Wrong(Reason.of("run.number_range", most=_LONGEST, given=int(value)))
     return int(value)
 
 
 def _columns(value: Any) -> tuple[str, ...]:
     if not isinstance(value, list | tuple) or len({*map(str, value)}) != len(value):
-        raise _Wrong("expected names of columns, each once")
+        raise _Wrong(Reason.of("run.columns_once"))
     unknown = [str(name) for name in value if name not in STATUS_COLUMNS]
     if unknown:
-        raise _Wrong(f"expected names out of {' '.join(STATUS_COLUMNS)}, found {' '.join(unknown)}")
+        columns = " ".join(STATUS_COLUMNS)
+        raise _Wrong(Reason.of("run.columns_unknown", columns=columns, unknown=" ".join(unknown)))
     return tuple(value)

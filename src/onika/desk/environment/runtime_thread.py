@@ -19,6 +19,7 @@ from onika.desk.environment.reconcile.watches import Watch
 from onika.desk.run.runtime import RuntimeConversation, in_short
 from onika.link.lost import LinkLost
 from onika.wire import event, page, request
+from onika.words.reason import NOTHING, Reason, reason_of
 
 Post = Callable[[Callable[[], None]], None]
 """Has something done in the environment's own thread, after what was posted before."""
@@ -149,7 +150,7 @@ class RuntimeThread:
                     self._reply([(order, request.Refused(refused))])
                     continue
             if self._multiplexer is None:
-                self._reply([(order, request.Refused("no runtime is connected"))])
+                self._reply([(order, request.Refused(Reason.of("run.not_linked")))])
             else:
                 self._multiplexer.ask(order)
 
@@ -161,10 +162,10 @@ class RuntimeThread:
             multiplexer.attend(self._watching.attend(environment.model))
             came = multiplexer.hear()
         except LinkLost as lost:
-            self._lose(multiplexer, str(lost))
+            self._lose(multiplexer, lost.reason)
             return
         except ValueError as wrong:  # another version's words, or garbage
-            self._lose(multiplexer, f"the runtime cannot be understood: {wrong}")
+            self._lose(multiplexer, Reason.of("run.not_understood", why=reason_of(wrong)))
             return
         if came:
             self._post(lambda: _tell(environment, came))
@@ -173,27 +174,30 @@ class RuntimeThread:
             loads = multiplexer.figures.loads
             self._post(lambda: environment.become(lambda model: runtime_loss.with_loads(model, loads)))
 
-    def _reach(self, reach: RequiredRuntime) -> str:
-        """Have the runtime there; why it is not, else empty."""
+    def _reach(self, reach: RequiredRuntime) -> Reason:
+        """Have the runtime there; why it is not, else nothing."""
         if self._multiplexer is not None and not reach.is_anew and (not reach.url or reach.url == self._url):
-            return ""
-        orphans = self._multiplexer.orphans("the runtime was started anew") if self._multiplexer is not None else []
+            return NOTHING
+        orphans = self._multiplexer.orphans(Reason.of("run.started_anew")) if self._multiplexer is not None else []
         self._leave()
         self._reply(orphans)
         token = reach.token or self._tokens.get(reach.url, "")
         try:
             self._entered = self._opening(reach.url, token, reach.simulator)
             self._runtime = self._entered.__enter__()
-        except (LinkLost, ValueError, OSError) as wrong:
+        except LinkLost as lost:
             self._entered = self._runtime = None
-            return str(wrong)
+            return lost.reason
+        except (ValueError, OSError) as wrong:
+            self._entered = self._runtime = None
+            return reason_of(wrong)
         self._url = reach.url
         self._tokens[reach.url] = token
         self._multiplexer = Multiplexer(self._runtime, monotonic)
         self._frames.clear()
-        return ""
+        return NOTHING
 
-    def _lose(self, multiplexer: Multiplexer, reason: str) -> None:
+    def _lose(self, multiplexer: Multiplexer, reason: Reason) -> None:
         environment = self._environment
         orphans = multiplexer.orphans(in_short(reason))
         self._leave()

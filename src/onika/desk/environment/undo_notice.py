@@ -2,6 +2,7 @@
 
 from onika.desk.environment.state.model import Model
 from onika.wire import act, page
+from onika.words.reason import Reason
 
 
 def others(before: Model, command: act.AnyAct, by: str) -> tuple[page.Say, ...]:
@@ -15,5 +16,8 @@ def others(before: Model, command: act.AnyAct, by: str) -> tuple[page.Say, ...]:
     step = opened.history.last if is_undo else opened.history.next
     if step is None or step.by in ("", by):
         return ()
-    how = "taken back here; Redo does it again" if is_undo else "done again here"
-    return (page.Say("warning", f"“{step.label}” in {opened.name} was done on another page, and is {how}", opened.id),)
+    if is_undo:
+        reason = Reason.of("run.undone_elsewhere", label=step.label, name=opened.name)
+    else:
+        reason = Reason.of("run.redone_elsewhere", label=step.label, name=opened.name)
+    return (page.Say("warning", reason, opened.id),)
