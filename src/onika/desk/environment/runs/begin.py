@@ -39,6 +39,7 @@ from onika.desk.environment.runs import flow_placement, recording, unsaved
 from onika.desk.environment.runs.obstacles import Obstacle, left, obstacles
 from onika.desk.environment.runs.preflight_result import looked, worth_noting
 from onika.desk.environment.runs.readiness_refusal import refused, refused_by_runtime
+from onika.desk.environment.runs.unsaved import Changed
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.environment.state.open_file import DocumentKind
@@ -109,14 +110,10 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, _S
     unread = not_run(opened)
     if unread is not None:
         return unread
-    prepared = ready(opened, outside.site, syntax, passes_breakpoints=command.passes_breakpoints)
-    changed = unsaved.used(unsaved.dirty(model), prepared.program)
-    if changed and command.saves_unsaved:
-        saved = unsaved.saved(model, changed, outside)
-        if isinstance(saved, No):
-            return saved
-        model, changed = saved.model, ()
-        prepared = ready(opened, outside.site, syntax, passes_breakpoints=command.passes_breakpoints)
+    prepared_here = _prepared_here(model, opened, command, outside, syntax)
+    if isinstance(prepared_here, No):
+        return prepared_here
+    model, prepared, changed = prepared_here
     troubles = FaultViews.of(opened, syntax, prepared, outside.site)
     complaint = refused(opened, tuple(troubles.views(prepared))) or unsaved.refused(opened, changed, command)
     if complaint is not None:
@@ -139,6 +136,21 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, _S
         began_at_s=outside.calendar(),
         record="" if file is None else str(file),
     )
+
+
+def _prepared_here(
+    model: Model, opened: OpenApplication, command: act.Run, outside: Services, syntax: Syntax
+) -> tuple[Model, PreparedRun, tuple[Changed, ...]] | No:
+    """The application as it runs, and what it uses that is not saved; where that is wanted, with all of it saved."""
+    prepared = ready(opened, outside.site, syntax, passes_breakpoints=command.passes_breakpoints)
+    changed = unsaved.used(unsaved.dirty(model), prepared.program)
+    if not changed or not command.saves_unsaved:
+        return model, prepared, changed
+    saved = unsaved.saved(model, changed, outside)
+    if isinstance(saved, No):
+        return saved
+    again = ready(opened, outside.site, syntax, passes_breakpoints=command.passes_breakpoints)
+    return saved.model, again, ()
 
 
 def _busy(model: Model) -> No | None:

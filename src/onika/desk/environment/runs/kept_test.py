@@ -41,10 +41,14 @@ def keep_test(model: Model, opened: OpenApplication, command: act.KeepTest, outs
     if model.keeping is not None and model.keeping.state == "running":
         return No(Reason.of("run.keep_other", name=Path(model.keeping.path).name))
     expectations = _expectations(command.expects)
+    if isinstance(expectations, No):
+        return expectations
     path = _path(opened, command.path, outside)
-    wrong = [part for part in (expectations, path, _unrunnable(opened)) if isinstance(part, No)]
-    if isinstance(expectations, No) or isinstance(path, No) or wrong:
-        return wrong[0]
+    if isinstance(path, No):
+        return path
+    unrunnable = _unrunnable(opened)
+    if unrunnable is not None:
+        return unrunnable
     if path.exists() and not command.confirmed:
         again = msgspec.structs.replace(command, confirmed=True)
         return No(Reason.of("run.keep_there", path=str(path)), (Remedy(Reason.of("run.keep_replace"), again),))
@@ -52,16 +56,21 @@ def keep_test(model: Model, opened: OpenApplication, command: act.KeepTest, outs
     if isinstance(saved, No):
         return saved
     opened = saved.applications[opened.id]
-    settings = RunSettings(
+    home = outside.site if opened.base is None else outside.site.at(opened.base)
+    settings = _settings(opened, expectations)
+    outside.keeping.do(partial(_keep, outside.keeping, opened, path, settings, home))
+    shown = KeepingView(opened.id, str(path))
+    return Done(replace(saved, keeping=shown), value=str(path))
+
+
+def _settings(opened: OpenApplication, expectations: tuple[Condition, ...]) -> RunSettings:
+    """How the run that is kept is done."""
+    return RunSettings(
         name=str(opened.opened.path) if opened.opened is not None else opened.name,
         is_virtual=True,
         expectations=expectations,
         redirects=opened.redirects,
     )
-    home = outside.site if opened.base is None else outside.site.at(opened.base)
-    outside.keeping.do(partial(_keep, outside.keeping, opened, path, settings, home))
-    shown = KeepingView(opened.id, str(path))
-    return Done(replace(saved, keeping=shown), value=str(path))
 
 
 def _expectations(texts: Sequence[str]) -> tuple[Condition, ...] | No:

@@ -34,29 +34,44 @@ class Obstacle:
         return self.document or Reason.of("run.subsystem", name=self.subsystem)
 
 
+@dataclass(frozen=True, slots=True)
+class _Wanted:
+    """What the tasks of a plan need for themselves: their names, modules and devices."""
+
+    names: frozenset[str]
+    modules: frozenset[str]
+    devices: frozenset[str]
+
+    @classmethod
+    def by(cls, plan: Plan) -> "_Wanted":
+        """What a plan needs."""
+        tasks = [task_of(task) for flow in plan.flows for task in flow.tasks]
+        names, modules = (task.name for task in tasks), (task.module for task in tasks)
+        return cls(frozenset(names), frozenset(modules), frozenset(_devices(tasks)))
+
+    def is_had_by(self, task: Task) -> bool:
+        """Whether a task has something of it."""
+        is_same = task.name in self.names or task.module in self.modules
+        return is_same or not self.devices.isdisjoint(_devices([task]))
+
+
 def obstacles(model: Model, standing: live.Standing, plan: Plan) -> tuple[Obstacle, ...]:
     """All that lives in the way of a plan, by subsystem; what does not share anything with it lives on."""
-    planned = [task_of(task) for flow in plan.flows for task in flow.tasks]
-    names, modules = {task.name for task in planned}, {task.module for task in planned}
-    claimed = set(_devices(planned))
-    documents = {
-        document.live.subsystem: document.name for document in model.documents.values() if document.live is not None
-    }
+    wanted = _Wanted.by(plan)
+    documents = {document.live.subsystem: document.name for document in model.documents.values() if document.live}
     obstacles_met = []
     for subsystem in standing.subsystems:
-        living = (
-            [task_of(task.task) for task in subsystem.tasks if task.state != "KILLED"]
-            if not subsystem.application
-            else []
-        )
-        shared = tuple(
-            task.name
-            for task in living
-            if task.name in names or task.module in modules or not claimed.isdisjoint(_devices([task]))
-        )
+        shared = tuple(task.name for task in _living(subsystem) if wanted.is_had_by(task))
         if shared:
             obstacles_met.append(Obstacle(subsystem.name, shared, documents.get(subsystem.name, "")))
     return tuple(obstacles_met)
+
+
+def _living(subsystem: live.SubsystemStanding) -> list[Task]:
+    """The living tasks of a subsystem; those of an application are not looked at."""
+    if subsystem.application:
+        return []
+    return [task_of(task.task) for task in subsystem.tasks if task.state != "KILLED"]
 
 
 def left(model: Model, subsystems: Iterable[str]) -> Model:

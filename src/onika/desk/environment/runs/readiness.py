@@ -4,9 +4,10 @@ It reads files, and may take a while where an application is long; therefore it 
 comes of it is of the application as it was when it was looked at.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from operator import is_
+from pathlib import Path
 from typing import Any
 
 from onika.desk.environment.outcome.fault_view import FaultViews
@@ -107,21 +108,25 @@ class ReadinessJudge:
     def _stamps(self, opened: OpenApplication, program: ApplicationProgram | None) -> tuple[Stamp, ...]:
         """Of all files that count, also of those that are not there."""
         home = self._site if opened.base is None else self._site.at(opened.base)
-        applications = (opened.application, *(program.applications.values() if program else ()))
-        names = dict.fromkeys(icon.onikon.name for application in applications for icon in icons(application))
-        tasks = dict.fromkeys(
-            placed.task
-            for configuration in (program.configurations.values() if program else ())
-            for placed in configuration.placed
-        )
-        bases = {name: home.home_of_task(name) for name in tasks}
-        files = (
-            *(home.configuration_file(name) for name in names),
-            *(home.application_file(name) for name in names),
-            *(base.task_file(name) if base else None for name, base in bases.items()),
-            *(program.code.values() if program else ()),
-        )
+        if program is None:
+            return self._site.stamps(_files_of(home, [opened.application]))
+        applications = [opened.application, *program.applications.values()]
+        files = (*_files_of(home, applications), *_files_of_tasks(home, program), *program.code.values())
         return self._site.stamps(files)
+
+
+def _files_of(home: Site, applications: Iterable[Application]) -> list[Path | None]:
+    """The files behind the icons of applications; what an icon stands for may be of either kind."""
+    names = dict.fromkeys(icon.onikon.name for application in applications for icon in icons(application))
+    return [*(home.configuration_file(name) for name in names), *(home.application_file(name) for name in names)]
+
+
+def _files_of_tasks(home: Site, program: ApplicationProgram) -> list[Path | None]:
+    """The files of the tasks of all configurations of a program."""
+    configurations = program.configurations.values()
+    tasks = dict.fromkeys(placed.task for configuration in configurations for placed in configuration.placed)
+    bases = [(name, home.home_of_task(name)) for name in tasks]
+    return [base.task_file(name) if base else None for name, base in bases]
 
 
 def judged(model: Model, doc: str, judgement: Judgement) -> Done:
