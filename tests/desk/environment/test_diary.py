@@ -65,4 +65,4 @@ def test_where_it_cannot_be_written_that_is_said_once_and_acts_go_on(sitting, tm
     diary.close()
     (said,) = sitting.says
     assert said.level == "warning"
-    assert str(diary.path) in said.text
+    assert said.text.key == "run.diary_unwritten" and said.text.args["path"] == str(diary.path)
