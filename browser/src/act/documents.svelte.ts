@@ -74,18 +74,19 @@ export function step(by: 1 | -1): void {
 /** Where a session begins: where there is something. */
 export function begin(): void {
   const isBlank = inOrder('tasks').every(
-    ([, one]) => !one.path && !one.is_dirty && !('tasks' in one && Object.keys(one.tasks ?? {}).length),
+    ([, document]) =>
+      !document.path && !document.is_dirty && !('tasks' in document && Object.keys(document.tasks ?? {}).length),
   )
   if (isBlank && inOrder('applications').length) goTo('applications')
 }
 
 /** Keep something on show at both levels: what vanished gives way to its neighbour, what one opened oneself comes to the front. */
-export function settle(known: ReadonlySet<string>): Set<string> {
-  return new Set([...settled('tasks', known), ...settled('applications', known)])
+export function settle(former: ReadonlySet<string>): Set<string> {
+  return new Set([...settled('tasks', former), ...settled('applications', former)])
 }
 
-function settled(level: Level, known: ReadonlySet<string>): string[] {
+function settled(level: Level, former: ReadonlySet<string>): string[] {
   const ids = inOrder(level).map(([id]) => id)
-  if (!ids.includes(shownAt(level))) front(level, ids.find((id) => !known.has(id)) ?? ids.at(-1) ?? '')
+  if (!ids.includes(shownAt(level))) front(level, ids.find((id) => !former.has(id)) ?? ids.at(-1) ?? '')
   return ids
 }

@@ -47,7 +47,8 @@ function opened(answer: unknown, ids: ReadonlySet<string>): string | undefined {
   return typeof answer === 'string' && answer in all() ? answer : Object.keys(all()).find((id) => !ids.has(id))
 }
 
-const byPath = (path: string): string | undefined => Object.entries(all()).find(([, one]) => one.path === path)?.[0]
+const byPath = (path: string): string | undefined =>
+  Object.entries(all()).find(([, document]) => document.path === path)?.[0]
 
 /** Reconfigure what is shown into another; false where it was refused, or waits for a yes. */
 export async function openInPlace(path: string): Promise<boolean> {

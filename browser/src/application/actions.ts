@@ -80,20 +80,20 @@ export function loopsOf(app: ApplicationView): Loop[] {
       loops.push({ tag, flow, test, anchor, condition: app.steps?.[test]?.loop_if ?? '', depth: 0, from: a, to: b })
     }
   }
-  const deep = (one: (typeof loops)[number]): number =>
+  const deep = (loop: (typeof loops)[number]): number =>
     Math.max(
       0,
       ...loops
-        .filter((other) => other !== one && other.flow === one.flow && other.from >= one.from && other.to <= one.to)
+        .filter((other) => other !== loop && other.flow === loop.flow && other.from >= loop.from && other.to <= loop.to)
         .map((other) => 1 + deep(other)),
     )
-  return loops.map((one) => ({
-    tag: one.tag,
-    flow: one.flow,
-    test: one.test,
-    anchor: one.anchor,
-    condition: one.condition,
-    depth: deep(one),
+  return loops.map((loop) => ({
+    tag: loop.tag,
+    flow: loop.flow,
+    test: loop.test,
+    anchor: loop.anchor,
+    condition: loop.condition,
+    depth: deep(loop),
   }))
 }
 

@@ -2,7 +2,7 @@
 import type { ApplicationView, FaultView } from '../api.gen'
 import { inReadingOrder } from './actions'
 
-export const isFault = (one: FaultView): boolean => (one.level ?? 'fault') === 'fault'
+export const isFault = (fault: FaultView): boolean => (fault.level ?? 'fault') === 'fault'
 
 /** All of an application as their steps are read; holes first, as what they lack makes others wrong. */
 export function faultsOf(app: ApplicationView): FaultView[] {
@@ -33,16 +33,16 @@ export function faultsByStep(app: ApplicationView): ReadonlyMap<number, FaultVie
 
 function sought(app: ApplicationView): ReadonlyMap<number, FaultView[]> {
   const faultsOfSteps = new Map<number, FaultView[]>()
-  for (const one of ordered(Object.values(app.faults ?? {}))) {
-    if (!one.step) continue
-    const faults = faultsOfSteps.get(one.step)
-    if (faults) faults.push(one)
-    else faultsOfSteps.set(one.step, [one])
+  for (const fault of ordered(Object.values(app.faults ?? {}))) {
+    if (!fault.step) continue
+    const faults = faultsOfSteps.get(fault.step)
+    if (faults) faults.push(fault)
+    else faultsOfSteps.set(fault.step, [fault])
   }
   return faultsOfSteps
 }
 
 const ordered = (faults: FaultView[]): FaultView[] => [
   ...faults.filter(isFault),
-  ...faults.filter((one) => !isFault(one)),
+  ...faults.filter((fault) => !isFault(fault)),
 ]

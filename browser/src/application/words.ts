@@ -30,7 +30,7 @@ export function readOut(app: ApplicationView, actions: Actions, number: number):
   if (step.kind === 'branch') return t('upper.readBranch', { n: step.flows?.length ?? 0 })
   const action = actions.of.get(number)
   const isFirst = action?.steps[0] === number
-  const names = isFirst ? action.steps.map((one) => nameOf(app.steps?.[one])) : [nameOf(step)]
+  const names = isFirst ? action.steps.map((number) => nameOf(app.steps?.[number])) : [nameOf(step)]
   const parts = [names.join(', ')]
   if (isFirst) parts.push(t('upper.readIndex', { index: action.index, of: actions.counts.get(action.flow) ?? 0 }))
   else if (action) parts.push(t('upper.readOf', { name: nameOf(app.steps?.[action.steps[0]!]) }))
@@ -46,8 +46,8 @@ function marksOf(step: StepView): string[] {
 }
 
 function troublesOf(app: ApplicationView, number: number): string[] {
-  const sentences = faultsAt(app, number).map((one) =>
-    t(isFault(one) ? 'redirect.readFault' : 'redirect.readWarning', { text: heard(one.text) }),
+  const sentences = faultsAt(app, number).map((fault) =>
+    t(isFault(fault) ? 'redirect.readFault' : 'redirect.readWarning', { text: heard(fault.text) }),
   )
   return app.steps?.[number]?.note ? [...sentences, t('redirect.readNote')] : sentences
 }

@@ -33,8 +33,8 @@ export class DragBoxes implements Gesture {
     event: { clientX: number; clientY: number },
   ) {
     this.grabbed = this.scene.boxes.get(name)!
-    for (const one of names) {
-      const box = this.scene.boxes.get(one)
+    for (const name of names) {
+      const box = this.scene.boxes.get(name)
       if (!box) continue
       this.from.set(box, { x: box.x, y: box.y })
       box.isHeld = true

@@ -15,9 +15,9 @@ export function listen(ground: HTMLElement, svg: SVGSVGElement, measure: () => v
   const on = <K extends keyof HTMLElementEventMap>(
     target: EventTarget,
     name: K,
-    heard: (event: HTMLElementEventMap[K]) => void,
+    listener: (event: HTMLElementEventMap[K]) => void,
     options: AddEventListenerOptions = {},
-  ): void => target.addEventListener(name, heard as EventListener, { signal: ending.signal, ...options })
+  ): void => target.addEventListener(name, listener as EventListener, { signal: ending.signal, ...options })
 
   on(svg, 'pointerdown', (event) => {
     measure()

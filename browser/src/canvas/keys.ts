@@ -56,7 +56,7 @@ function walk(way: Direction): boolean {
     ? neighbour(
         from,
         way,
-        all.filter((one) => one.id !== canvasState.focus),
+        all.filter((place) => place.id !== canvasState.focus),
       )
     : (all[0]?.id ?? null)
   if (to === null) return all.length > 0

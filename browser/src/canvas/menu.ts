@@ -107,7 +107,7 @@ function groupItems(tasks: string[]): Item[] {
 }
 
 function liveItems(tasks: string[], name: string, at: Point): Item[] {
-  const states = tasks.map((one) => canvasState.document?.tasks?.[one]?.state)
+  const states = tasks.map((task) => canvasState.document?.tasks?.[task]?.state)
   if (canvasState.document?.tasks?.[name]?.state === 'ERROR')
     return [
       { label: t('canvas.clear'), run: () => clear(name, true, at) },

@@ -29,7 +29,7 @@ export class Pinch implements Gesture {
   private readonly at = new Map<number, { x: number; y: number }>()
 
   constructor(first: PointerEvent, second: PointerEvent) {
-    for (const one of [first, second]) this.at.set(one.pointerId, { x: one.clientX, y: one.clientY })
+    for (const finger of [first, second]) this.at.set(finger.pointerId, { x: finger.clientX, y: finger.clientY })
   }
 
   move(event: PointerEvent): void {

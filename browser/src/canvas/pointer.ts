@@ -106,7 +106,7 @@ export class PointerGestures {
     const isOne = event.altKey && all.length > 1
     const meant = isOne ? [name] : all
     if (event.ctrlKey || event.metaKey) return new Press(event, () => selectAlsoAll(meant, focus))
-    const wasPicked = !isOne && all.every((one) => canvas.picked.has(one))
+    const wasPicked = !isOne && all.every((task) => canvas.picked.has(task))
     if (!wasPicked) selectAs(meant, focus)
     canvasState.focus = focus
     return new Press(
@@ -120,10 +120,10 @@ export class PointerGestures {
     if (event.shiftKey) return new Press(event, () => toggleGroup(group, at(event)))
     const all = membersOf(canvasState.document, group)
     if (event.ctrlKey || event.metaKey) return new Press(event, () => selectAlsoAll(all, `group:${group}`))
-    const wasPicked = all.every((one) => canvas.picked.has(one))
+    const wasPicked = all.every((task) => canvas.picked.has(task))
     if (!wasPicked) selectGroup(group)
     canvasState.focus = `group:${group}`
-    const grabbed = all.find((one) => canvasState.scene.boxes.has(one)) ?? ''
+    const grabbed = all.find((task) => canvasState.scene.boxes.has(task)) ?? ''
     return new Press(
       event,
       () => wasPicked && selectGroup(group),

@@ -50,8 +50,8 @@ add('edit', 'dictionary.editIt', { when: () => selected() !== undefined, run: ()
 add('picture', 'dictionary.drawIt', { when: () => selected() !== undefined, run: () => editPicture(workspace.onikon) })
 add('expand', 'dictionary.expandIt', {
   when: () => {
-    const one = selected()
-    return one !== undefined && isAction(one) && !!one.source
+    const onikon = selected()
+    return onikon !== undefined && isAction(onikon) && !!onikon.source
   },
   run: () => expand(selected()!),
 })

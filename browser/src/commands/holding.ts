@@ -7,7 +7,7 @@ import { everything, onlyWatches } from '../holding/standing.svelte'
 import { t } from '../texts/index.svelte'
 
 const isThere = (): boolean => desk.live.runtime.state === 'linked'
-const offer = () => everything().find((one) => one.isOfferedHere)
+const offer = () => everything().find((held) => held.isOfferedHere)
 
 command({
   id: 'run.holding',

@@ -44,7 +44,7 @@ const hasAction = (): boolean => isHere() && meantHeads().length > 0
 const isLetterFree = (): boolean => isPicked() || workspaceState.isRunning
 const isNoText = (): boolean => window.getSelection()?.isCollapsed ?? true
 const head = (): number => meantHeads()[0] ?? 0
-const one = (): number => meant()[0] ?? 0
+const firstMeant = (): number => meant()[0] ?? 0
 
 function nextSize(by: 1 | -1): void {
   const at = SIZES.findIndex((size) => size === workspaceState.size) + by
@@ -66,12 +66,12 @@ function registerUpper(): void {
     when: () => isFree() && isLetterFree(),
     run: () => (workspaceState.opened = { kind: 'branch', step: 0 }),
   })
-  add('edit', 'upper.edit', { keys: ['F2'], when: isMeant, run: () => edit(one()) })
-  add('picture', 'upper.picture', { keys: ['Shift+F2'], when: isMeant, run: () => editPicture(one()) })
+  add('edit', 'upper.edit', { keys: ['F2'], when: isMeant, run: () => edit(firstMeant()) })
+  add('picture', 'upper.picture', { keys: ['Shift+F2'], when: isMeant, run: () => editPicture(firstMeant()) })
   add('expand', 'upper.expand', {
     keys: ['Shift+Enter'],
-    when: () => isMeant() && !whyNotExpand(one()),
-    run: () => expand(one()),
+    when: () => isMeant() && !whyNotExpand(firstMeant()),
+    run: () => expand(firstMeant()),
   })
   add('cut', 'upper.cutPicked', {
     group: 'edit',

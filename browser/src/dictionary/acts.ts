@@ -16,7 +16,8 @@ export const application = () => desk.tree.applications[workspace.app]
 /** The gap where the next icon goes. */
 export const gapHere = (): Gap | undefined => gapAt(application(), workspace.place)
 
-export const isAction = (one: Pick<OnikonView, 'role'>): boolean => one.role === 'job' || one.role === 'application'
+export const isAction = (onikon: Pick<OnikonView, 'role'>): boolean =>
+  onikon.role === 'job' || onikon.role === 'application'
 
 export function select(name: string): void {
   if (workspace.onikon !== name) note('select_icon', name, name, 'dict')

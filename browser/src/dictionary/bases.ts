@@ -2,5 +2,5 @@
 import type { DictionaryView } from '../api.gen'
 
 export function basesOf(dictionaries: readonly DictionaryView[]): DictionaryView[] {
-  return [...dictionaries].filter((one) => !one.is_shipped).sort((a, b) => a.order - b.order)
+  return [...dictionaries].filter((dictionary) => !dictionary.is_shipped).sort((a, b) => a.order - b.order)
 }

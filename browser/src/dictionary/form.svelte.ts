@@ -5,7 +5,7 @@ import { reveal } from '../act/reveal.svelte'
 import { send } from '../link/link'
 import { Refusal } from '../link/refusal'
 import { complaint, type Field } from '../question/question'
-import { asked, begun, lacking, nested, rowsOf, taken, type Nested } from './values'
+import { askOf, begun, lacking, nested, rowsOf, taken, type Nested } from './values'
 
 /** The values of one type. */
 export class ValuesDraft {
@@ -14,11 +14,11 @@ export class ValuesDraft {
   isAsked = $state(false)
   present: Record<string, number[]> | undefined = $state.raw()
   private readonly items: readonly ItemView[]
-  readonly rows: readonly Field[] = $derived.by(() => rowsOf(asked(this.items, this.present)))
+  readonly rows: readonly Field[] = $derived.by(() => rowsOf(askOf(this.items, this.present)))
 
   constructor(items: readonly ItemView[], values?: Nested, words?: string[]) {
     this.items = items
-    this.words = words ?? begun(rowsOf(asked(items)), values)
+    this.words = words ?? begun(rowsOf(askOf(items)), values)
   }
 
   get values(): string[][] {

@@ -10,12 +10,12 @@ import { edit, editPicture, expand, expandInPlace, insert, newTarget, remove, ta
 import { heard } from '../texts/heard'
 
 export function menuOf(name: string, at: Point): Item[] {
-  const one = desk.tree.onikons[name]
-  if (!one) return []
-  const isTarget = one.role === 'target'
+  const onikon = desk.tree.onikons[name]
+  if (!onikon) return []
+  const isTarget = onikon.role === 'target'
   return [
     { label: t('dictionary.insert'), keys: 'Enter', run: () => insert(name, at) },
-    ...behind(one),
+    ...behind(onikon),
     {
       label: t(isTarget ? 'dictionary.values' : 'dictionary.editWords'),
       keys: 'E',
@@ -24,7 +24,7 @@ export function menuOf(name: string, at: Point): Item[] {
     },
     { label: t('dictionary.picture'), keys: 'P', run: () => editPicture(name) },
     ...(isTarget
-      ? [{ label: t('dictionary.like'), run: () => newTarget({ type: one.type, like: name }), begins: true }]
+      ? [{ label: t('dictionary.like'), run: () => newTarget({ type: onikon.type, like: name }), begins: true }]
       : []),
     ...(isTarget ? [{ label: t('dictionary.teach'), run: takePresent }] : []),
     { label: t('dictionary.remove'), run: () => remove(name, at), begins: true },
@@ -32,33 +32,33 @@ export function menuOf(name: string, at: Point): Item[] {
 }
 
 /** What stands behind an action. */
-function behind(one: OnikonView): Item[] {
-  const source = one.source ?? ''
-  const note = source || heard(one.trouble ?? '') || undefined
-  if (one.role === 'application')
+function behind(onikon: OnikonView): Item[] {
+  const source = onikon.source ?? ''
+  const note = source || heard(onikon.trouble ?? '') || undefined
+  if (onikon.role === 'application')
     return [
       {
         label: t('dictionary.openApplication'),
         keys: t('dictionary.shiftClick'),
-        run: () => expand(one),
+        run: () => expand(onikon),
         isOff: !source,
         note,
         begins: true,
       },
     ]
-  if (one.role !== 'job' || look.isUpperOnly) return []
+  if (onikon.role !== 'job' || look.isUpperOnly) return []
   return [
     {
       label: t('dictionary.openConfiguration'),
       keys: t('dictionary.shiftClick'),
-      run: () => expand(one),
+      run: () => expand(onikon),
       isOff: !source,
       note,
       begins: true,
     },
     {
       label: t('dictionary.openInPlace'),
-      run: () => expandInPlace(one),
+      run: () => expandInPlace(onikon),
       isOff: !source || !desk.tree.documents[canvas.doc],
       note: t('dictionary.inPlaceHint'),
     },

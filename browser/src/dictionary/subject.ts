@@ -15,8 +15,8 @@ export interface Subject {
 /** Undefined where it is not there, or not any more. */
 export function subjectOf({ step, onikon, doc }: Record<string, string>): Subject | undefined {
   if (step !== undefined) return stepOf(doc || workspace.app, step)
-  const one = desk.tree.onikons[onikon ?? '']
-  return one && onikon ? { name: onikon, one, application: '', isRunning: false } : undefined
+  const view = desk.tree.onikons[onikon ?? '']
+  return view && onikon ? { name: onikon, one: view, application: '', isRunning: false } : undefined
 }
 
 /** What tells it from others, for what is begun of it and not saved. */
@@ -29,9 +29,9 @@ export const contentOf = ({ description, words, values, picture }: Subject['one'
 
 function stepOf(doc: string, number: string): Subject | undefined {
   const app = desk.tree.applications[doc]
-  const one = app?.steps?.[number]
-  if (!app || !one || (one.kind ?? 'icon') !== 'icon') return undefined
-  return { name: one.name ?? '', one, application: app.name, isRunning: app.is_running === true }
+  const view = app?.steps?.[number]
+  if (!app || !view || (view.kind ?? 'icon') !== 'icon') return undefined
+  return { name: view.name ?? '', one: view, application: app.name, isRunning: app.is_running === true }
 }
 
 export interface Changes {

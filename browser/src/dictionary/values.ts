@@ -5,7 +5,7 @@ import { fields, first, type Field } from '../question/question'
 export type Nested = readonly (readonly string[])[]
 
 /** The items as a question's; what is known of the present goes with it. */
-export function asked(items: readonly ItemView[] | undefined, present?: AskView['present']): AskView {
+export function askOf(items: readonly ItemView[] | undefined, present?: AskView['present']): AskView {
   return {
     items: (items ?? []).map((item) => ({ ...item, unit: item.unit ?? '', meaning: item.meaning ?? '' })),
     present,
@@ -33,8 +33,8 @@ export function labelOf({ item, index }: Field): string {
   const names = (item.meaning ?? '')
     .replace(/^.*:/, '')
     .split(/[,;]/)
-    .map((one) => one.trim())
-  return names.length === item.count && names.every((one) => one.length > 0 && one.length <= 12)
+    .map((name) => name.trim())
+  return names.length === item.count && names.every((name) => name.length > 0 && name.length <= 12)
     ? names[index]!
     : `[${index}]`
 }

@@ -20,7 +20,7 @@ export async function takeFile(file: File): Promise<void> {
   const isApplication = /\.appl$/.test(file.name)
   const name = file.name.replace(/\.(conf|appl)$/, '')
   const listed = Object.values(isApplication ? desk.tree.application_files : desk.tree.files).find(
-    (one) => one.name === name,
+    (file) => file.name === name,
   )
   if (listed) await open(listed.path)
   else if (isApplication) showRefusal(new Refusal(t('drop.unknown', { name: file.name })))

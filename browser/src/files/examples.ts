@@ -25,5 +25,5 @@ export function examples(files: Readonly<Record<string, ConfigurationFile>>, mos
 
 /** The application that shows most: the assembly of the boxes; where it is not there, none. */
 export function application(files: Readonly<Record<string, ApplicationFile>>): ApplicationFile | undefined {
-  return Object.values(files).find((one) => one.name === 'assemble')
+  return Object.values(files).find((file) => file.name === 'assemble')
 }

@@ -4,6 +4,6 @@ import type { OnikonView } from '../api.gen'
 /** The words, else the name, of the job whose configuration lies there; empty: no open dictionary has one. */
 export function jobOf(path: string | undefined, onikons: Readonly<Record<string, OnikonView>>): string {
   if (!path) return ''
-  const entry = Object.entries(onikons).find(([, one]) => one.role === 'job' && one.source === path)
+  const entry = Object.entries(onikons).find(([, onikon]) => onikon.role === 'job' && onikon.source === path)
   return entry ? entry[1].description || entry[0] : ''
 }

@@ -9,7 +9,7 @@ interface Bases {
 /** `own` is where the file lies already, wherever that is; it comes first. */
 export function placesOf({ libraries, dictionaries }: Bases, own: string): string[] {
   const open = [...Object.values(libraries), ...Object.values(dictionaries)]
-    .filter((one) => !one.is_shipped)
-    .map((one) => one.path)
+    .filter((library) => !library.is_shipped)
+    .map((library) => library.path)
   return [...new Set([...(own ? [own] : []), ...open])]
 }

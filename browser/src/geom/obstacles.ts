@@ -135,5 +135,5 @@ export function cleared(wide: Area, core: Area, p: Pt): Area {
   if (inside || x >= core.x1) losses.push([wide.x1 - x, { ...wide, x1: x }])
   if (inside || y <= core.y0) losses.push([y - wide.y0, { ...wide, y0: y }])
   if (inside || y >= core.y1) losses.push([wide.y1 - y, { ...wide, y1: y }])
-  return losses.reduce((least, one) => (one[0] < least[0] ? one : least))[1]
+  return losses.reduce((least, loss) => (loss[0] < least[0] ? loss : least))[1]
 }

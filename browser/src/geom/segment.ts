@@ -102,15 +102,15 @@ export class Bands {
 
   /** The segments within `reach` of a segment's line that run beside it. */
   beside(segment: Segment, reach: number): Segment[] {
-    const found: Segment[] = []
+    const neighbours: Segment[] = []
     const last = Math.floor((segment.line + reach) / BAND)
     for (let key = Math.floor((segment.line - reach) / BAND); key <= last; key++) {
       for (const other of this.bands.get(key) ?? []) {
         if (other === segment || Math.abs(other.line - segment.line) > reach) continue
-        if (sideBySide(segment, other)) found.push(other)
+        if (sideBySide(segment, other)) neighbours.push(other)
       }
     }
-    return found
+    return neighbours
   }
 }
 

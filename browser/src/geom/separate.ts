@@ -116,8 +116,8 @@ function loosen(lanes: readonly Lane[]): void {
       const other = lanes[i]
       if (!lane.held || !other.held || other.svar === lane.svar || !sideBySide(lane, other)) continue
       const shorter = lane.hi - lane.lo < other.hi - other.lo ? lane : other
-      const one = lane.fixed ? other : other.fixed ? lane : shorter
-      one.held = one.fixed
+      const yielding = lane.fixed ? other : other.fixed ? lane : shorter
+      yielding.held = yielding.fixed
     }
   }
 }

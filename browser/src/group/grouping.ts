@@ -26,10 +26,10 @@ export const selectGroup = (group: string): void => selectAs(membersOf(canvasSta
 
 /** Add these tasks to what is picked, or take them out where all of them are in it. */
 export function selectAlsoAll(tasks: string[], focus: string): void {
-  const isIn = tasks.every((one) => canvas.picked.has(one))
-  for (const one of tasks)
-    if (isIn) canvas.picked.delete(one)
-    else canvas.picked.add(one)
+  const isIn = tasks.every((task) => canvas.picked.has(task))
+  for (const task of tasks)
+    if (isIn) canvas.picked.delete(task)
+    else canvas.picked.add(task)
   canvasState.focus = focus
 }
 
@@ -77,7 +77,7 @@ export async function insert(path: string, x: number, y: number): Promise<boolea
   const before = new Set(Object.keys(canvasState.document?.groups ?? {}))
   if ((await act({ t: 'Insert', doc: canvas.doc, path, x, y })) === undefined) return false
   canvasState.begin()
-  const name = Object.keys(canvasState.document?.groups ?? {}).find((one) => !before.has(one))
+  const name = Object.keys(canvasState.document?.groups ?? {}).find((group) => !before.has(group))
   if (name) {
     selectGroup(name)
     announce(t('canvas.placed', { name }))

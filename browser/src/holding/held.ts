@@ -36,7 +36,7 @@ export interface Held {
 type Documents = Record<string, DocumentView>
 
 export const meIn = (runtime: RuntimeView): string =>
-  Object.entries(runtime.sessions ?? {}).find(([, one]) => one.is_you)?.[0] ?? ''
+  Object.entries(runtime.sessions ?? {}).find(([, session]) => session.is_you)?.[0] ?? ''
 
 /** Everything that lives on a runtime; `own` are the flows of the run of this environment. */
 export function heldIn(runtime: RuntimeView, documents: Documents, own: readonly string[]): Held[] {
@@ -51,12 +51,12 @@ export function heldIn(runtime: RuntimeView, documents: Documents, own: readonly
       row.subsystems.push(subsystem)
       Object.assign(row.asks, asksIn(subsystem, hold))
       if (hold.state && !row.states.includes(hold.state)) row.states.push(hold.state)
-    } else rows.set(key, one(subsystem, hold, documents, own, me))
+    } else rows.set(key, heldOf(subsystem, hold, documents, own, me))
   }
   return [...rows.values()]
 }
 
-function one(subsystem: string, hold: HoldView, documents: Documents, own: readonly string[], me: string): Held {
+function heldOf(subsystem: string, hold: HoldView, documents: Documents, own: readonly string[], me: string): Held {
   const home = Object.entries(documents).find(([, doc]) => doc.connection === 'live' && doc.subsystem === subsystem)
   const holder = hold.holder ?? ''
   return {
@@ -85,11 +85,11 @@ const asksIn = (subsystem: string, hold: HoldView): Record<string, AskView> =>
 
 /** What runs that others began and that are held here ask. */
 export const takenAsks = (all: readonly Held[]): Record<string, AskView> =>
-  Object.assign({}, ...all.filter((one) => one.isRun && one.isMine && !one.isOwnRun).map((one) => one.asks))
+  Object.assign({}, ...all.filter((held) => held.isRun && held.isMine && !held.isOwnRun).map((held) => held.asks))
 
 /** What one holds, by name. */
 export const heldBy = (all: readonly Held[], session: string): string[] =>
-  all.filter((one) => one.holder === session).map((one) => one.name)
+  all.filter((held) => held.holder === session).map((held) => held.name)
 
 /** Why nothing can be handed over to a session; empty: it can. */
 export function cannotTake(session: SessionView): '' | 'away' | 'watches' | 'viewer' {

@@ -8,9 +8,9 @@ const own = (): string[] =>
 export const everything = (): Held[] => heldIn(desk.live.runtime, desk.live.documents, own())
 export const me = (): string => meIn(desk.live.runtime)
 export const onlyWatches = (): boolean =>
-  Object.values(desk.live.runtime.sessions ?? {}).some((one) => one.is_you && one.only_watches)
+  Object.values(desk.live.runtime.sessions ?? {}).some((session) => session.is_you && session.only_watches)
 export const isViewer = (): boolean =>
-  Object.values(desk.live.runtime.sessions ?? {}).some((one) => one.is_you && one.role === 'viewer')
+  Object.values(desk.live.runtime.sessions ?? {}).some((session) => session.is_you && session.role === 'viewer')
 
 /** Seconds since 1970, once a second while somebody looks at it. */
 export const now: { s: number } = $state({ s: Date.now() / 1000 })
@@ -23,4 +23,4 @@ export function tick(): () => void {
 
 /** Losses that were put aside, by subsystem and time. */
 export const putAside: { keys: string[] } = $state({ keys: [] })
-export const keyOf = (one: Held): string => `${one.subsystems[0]}@${one.since}`
+export const keyOf = (held: Held): string => `${held.subsystems[0]}@${held.since}`

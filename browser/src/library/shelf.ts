@@ -103,9 +103,9 @@ export function choose(
   const first = (task: TaskView): number =>
     task.name.toLowerCase().startsWith(words[0]!) ? 0 : task.name.toLowerCase().includes(words[0]!) ? 1 : 2
   return libraries
-    .map(([key, one]): [string, TaskView[]] => [
-      one.name,
+    .map(([key, library]): [string, TaskView[]] => [
+      library.name,
       all.filter((task) => task.library === key && fits(task)).sort((a, b) => first(a) - first(b) || byOrder(a, b)),
     ])
-    .filter(([, found]) => found.length > 0)
+    .filter(([, tasks]) => tasks.length > 0)
 }

@@ -195,7 +195,7 @@ export function sampleTree(): Tree {
       '/lab/puma': { name: 'puma', path: '/lab/puma', order: 2, tasks: 1 },
       '/lab/boxes': { name: 'boxes', path: '/lab/boxes', order: 3, tasks: 1 },
     },
-    tasks: Object.fromEntries(TASKS.map((one) => [one.name, one])),
+    tasks: Object.fromEntries(TASKS.map((task) => [task.name, task])),
     documents: {
       d1: {
         name: 'joint_move',
@@ -286,7 +286,7 @@ export function carrier(): Carrier {
         .slice(0, 1 + (k % 3))
         .join(' '),
     )
-  const one: Carrier = {
+  const carrier: Carrier = {
     onopen: null,
     onclose: null,
     onmessage: null,
@@ -295,11 +295,11 @@ export function carrier(): Carrier {
         const { cid, act } = JSON.parse(text) as { cid: number; act: AnyAct }
         answer(act, cid, say)
       }),
-    close: () => one.onclose?.(undefined as never),
+    close: () => carrier.onclose?.(undefined as never),
   }
   const say = (message: AnyMessage): void => {
-    one.onmessage?.({ data: JSON.stringify(message) })
+    carrier.onmessage?.({ data: JSON.stringify(message) })
   }
   setTimeout(() => say({ t: 'Snapshot', rev: 0, tree, version: 'sample', you: 'You' }))
-  return one
+  return carrier
 }

@@ -28,7 +28,9 @@ export function withParts<T extends object>(tree: T): T {
   for (const [name, depth] of Object.entries(DEPTHS)) {
     const there = (all[name] ?? {}) as Branch
     all[name] =
-      depth === 1 ? asPart(there) : Object.fromEntries(Object.entries(there).map(([key, one]) => [key, asPart(one)]))
+      depth === 1
+        ? asPart(there)
+        : Object.fromEntries(Object.entries(there).map(([key, content]) => [key, asPart(content)]))
   }
   return all as T
 }

@@ -242,8 +242,8 @@ export class Chart {
       k,
       v: (data[k + 1] as ArrayLike<number>)[at ?? this.last()],
     }))
-    const lines = shown.filter((one) => one.element < this.width && Number.isFinite(one.v))
-    const wished = lines.map((one) => this.plot.valToPos(one.v, 'y', true))
+    const lines = shown.filter((line) => line.element < this.width && Number.isFinite(line.v))
+    const wished = lines.map((line) => this.plot.valToPos(line.v, 'y', true))
     const gap = Math.min(NAME_GAP * ratio, bbox.height / Math.max(1, lines.length))
     const places = spread(wished, gap, bbox.top + 4 * ratio, bbox.top + bbox.height - 2 * ratio)
     ctx.save()

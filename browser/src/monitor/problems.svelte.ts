@@ -17,6 +17,7 @@ export function problemsOf(doc: DocumentView | undefined, hasWarnings: boolean):
   return Object.entries(doc?.problems ?? {})
     .filter(([, problem]) => hasWarnings || problem.level !== 'warning')
     .sort(
-      ([a, one], [b, other]) => RANK[one.level] - RANK[other.level] || a.localeCompare(b, undefined, { numeric: true }),
+      ([a, problem], [b, other]) =>
+        RANK[problem.level] - RANK[other.level] || a.localeCompare(b, undefined, { numeric: true }),
     )
 }

@@ -39,20 +39,23 @@ export function inOrder(
   dictionaries: Readonly<Record<string, DictionaryView>>,
   language: string,
 ): Entry[] {
-  const places = new Map(Object.values(dictionaries).map((one) => [one.path, one.order]))
-  const rank = (one: OnikonView): number[] => [
-    types[one.type]?.order ?? Infinity,
-    places.get(one.dictionary) ?? Infinity,
-    one.order,
+  const places = new Map(Object.values(dictionaries).map((dictionary) => [dictionary.path, dictionary.order]))
+  const rank = (onikon: OnikonView): number[] => [
+    types[onikon.type]?.order ?? Infinity,
+    places.get(onikon.dictionary) ?? Infinity,
+    onikon.order,
   ]
-  const rows = Object.entries(onikons).map(([name, one]) => ({ rank: rank(one), entry: entryOf(name, one, language) }))
+  const rows = Object.entries(onikons).map(([name, onikon]) => ({
+    rank: rank(onikon),
+    entry: entryOf(name, onikon, language),
+  }))
   return rows.sort((a, b) => compared(a.rank, b.rank)).map(({ entry }) => entry)
 }
 
-function entryOf(name: string, one: OnikonView, language: string): Entry {
-  const { type, dictionary, left } = one
-  const caption = wordsOf(one, name, language)
-  const text = [name, type, one.description ?? '', ...Object.values(one.words ?? {})].join('\n').toLowerCase()
+function entryOf(name: string, onikon: OnikonView, language: string): Entry {
+  const { type, dictionary, left } = onikon
+  const caption = wordsOf(onikon, name, language)
+  const text = [name, type, onikon.description ?? '', ...Object.values(onikon.words ?? {})].join('\n').toLowerCase()
   return { name, type, dictionary, left, caption, text }
 }
 
@@ -64,15 +67,16 @@ function compared(a: readonly number[], b: readonly number[]): number {
 /** What is wished for, in groups of one type each. */
 export function choose(entries: readonly Entry[], { dictionary, wanted, left }: Wish): Group[] {
   const words = wanted.trim().toLowerCase().split(/\s+/).filter(Boolean)
-  const isChosen = (one: Entry): boolean =>
-    (words.length > 0 || !dictionary || one.dictionary === dictionary) &&
-    words.every((word) => one.text.includes(word)) &&
-    (left === undefined || one.left === left)
+  const isChosen = (entry: Entry): boolean =>
+    (words.length > 0 || !dictionary || entry.dictionary === dictionary) &&
+    words.every((word) => entry.text.includes(word)) &&
+    (left === undefined || entry.left === left)
   const groups = new Map<string, Entry[]>()
-  for (const one of entries) if (isChosen(one)) groups.get(one.type)?.push(one) ?? groups.set(one.type, [one])
+  for (const entry of entries)
+    if (isChosen(entry)) groups.get(entry.type)?.push(entry) ?? groups.set(entry.type, [entry])
   return [...groups].map(([type, some]) => ({
     type,
-    names: sorted(some, words[0]).map((one) => one.name),
+    names: sorted(some, words[0]).map((entry) => entry.name),
     left: some[0]!.left,
   }))
 }
@@ -80,8 +84,8 @@ export function choose(entries: readonly Entry[], { dictionary, wanted, left }: 
 /** Names and words that begin with what was typed come first. */
 function sorted(some: readonly Entry[], word: string | undefined): readonly Entry[] {
   if (!word) return some
-  const begins = (one: Entry): number =>
-    one.name.toLowerCase().startsWith(word) || one.caption.toLowerCase().startsWith(word) ? 0 : 1
+  const begins = (entry: Entry): number =>
+    entry.name.toLowerCase().startsWith(word) || entry.caption.toLowerCase().startsWith(word) ? 0 : 1
   return [...some].sort((a, b) => begins(a) - begins(b))
 }
 

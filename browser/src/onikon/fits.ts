@@ -31,4 +31,4 @@ export function gapAt(app: ApplicationView | undefined, { flow, after }: Place):
 
 type Edges = Pick<OnikonView, 'left'>
 
-export const fits = (one: Edges, gap: Gap | undefined): boolean => gap !== undefined && one.left === gap.left
+export const fits = (edges: Edges, gap: Gap | undefined): boolean => gap !== undefined && edges.left === gap.left

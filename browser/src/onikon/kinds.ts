@@ -4,6 +4,6 @@ import type { TypeView } from '../api.gen'
 export function kindsOf(types: Readonly<Record<string, TypeView>>): [string, TypeView][] {
   const rank = ({ role, order }: TypeView): number => (role === 'nop' ? 1e6 : 0) + order
   return Object.entries(types)
-    .filter(([, one]) => one.role === 'target' || one.role === 'nop')
+    .filter(([, type]) => type.role === 'target' || type.role === 'nop')
     .sort(([, a], [, b]) => rank(a) - rank(b))
 }

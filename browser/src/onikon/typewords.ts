@@ -7,7 +7,7 @@ type Kind = (typeof KINDS)[number]
 
 /** `Joint object` as the title of a group: Joint targets. */
 export function groupTitle(type: string, role: TypeView['role'] | undefined): string {
-  const kind = KINDS.find((one) => one === role)
+  const kind = KINDS.find((name) => name === role)
   const stem = type.replace(/\s*\S+$/, '')
   if (!kind || !stem) return type
   if (isComplete(stem)) return t(`dictionary.group.complete.${kind}`)
@@ -16,7 +16,7 @@ export function groupTitle(type: string, role: TypeView['role'] | undefined): st
 
 /** `Joint object` as one thing: Joint target. */
 export function typeTitle(type: string, role: TypeView['role'] | undefined): string {
-  const kind: Kind | undefined = KINDS.find((one) => one === role)
+  const kind: Kind | undefined = KINDS.find((name) => name === role)
   const stem = type.replace(/\s*\S+$/, '')
   if (!kind || !stem) return type
   if (isComplete(stem)) return t(`dictionary.type.complete.${kind}`)

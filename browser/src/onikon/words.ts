@@ -6,6 +6,6 @@ interface Described {
   readonly words?: Record<string, string>
 }
 
-export function wordsOf(one: Described, name: string, language: string = look.language): string {
-  return one.words?.[language] || one.description || name
+export function wordsOf(onikon: Described, name: string, language: string = look.language): string {
+  return onikon.words?.[language] || onikon.description || name
 }

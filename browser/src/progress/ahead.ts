@@ -52,7 +52,7 @@ export function placeOf(app: ApplicationView | undefined, flow: FlowRunView, sta
   const step = flow.step ?? 0
   if (state !== 'waiting' || !flow.tag || !app) return step
   const numbers =
-    Object.values(app.flows ?? {}).find((one) => one.steps?.includes(step))?.steps ??
+    Object.values(app.flows ?? {}).find((flow) => flow.steps?.includes(step))?.steps ??
     app.flows?.[String(flow.order)]?.steps ??
     []
   const later = [...numbers.slice(numbers.indexOf(step) + 1), ...numbers]

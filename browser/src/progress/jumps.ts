@@ -12,41 +12,41 @@ export interface JumpLine {
 }
 
 export function jumpLines(jumps: readonly JumpView[]): JumpLine[] {
-  const notes = jumps.filter((one) => one.blended || one.refused).flatMap(noteLines)
+  const notes = jumps.filter((jump) => jump.blended || jump.refused).flatMap(noteLines)
   if (notes.length) return notes
-  const limited = jumps.filter((one) => one.limit > 0).sort((a, b) => b.jump / b.limit - a.jump / a.limit)
+  const limited = jumps.filter((jump) => jump.limit > 0).sort((a, b) => b.jump / b.limit - a.jump / a.limit)
   const worst = limited[0]
   const lines = worst ? [smoothLine(worst)] : []
-  return [...lines, ...jumps.filter((one) => one.limit === 0 && one.jump > 0).map(unknownLine)]
+  return [...lines, ...jumps.filter((jump) => jump.limit === 0 && jump.jump > 0).map(unknownLine)]
 }
 
-function noteLines(one: JumpView): JumpLine[] {
+function noteLines(jump: JumpView): JumpLine[] {
   const params = {
-    name: one.variable,
-    step: measure(one.jump, one.unit),
-    limit: measure(one.limit, one.unit),
-    at: seconds(one.at_s),
-    n: one.cycles ?? 0,
+    name: jump.variable,
+    step: measure(jump.jump, jump.unit),
+    limit: measure(jump.limit, jump.unit),
+    at: seconds(jump.at_s),
+    n: jump.cycles ?? 0,
   }
-  const text = t(one.refused ? 'continuity.refused' : 'continuity.blended', params)
-  const blended = one.blended ?? 0
-  const isMore = one.refused ? blended > 0 : blended > 1
+  const text = t(jump.refused ? 'continuity.refused' : 'continuity.blended', params)
+  const blended = jump.blended ?? 0
+  const isMore = jump.refused ? blended > 0 : blended > 1
   return [{ text: isMore ? `${text} ${t('continuity.more', { n: blended })}` : text, isNote: true }]
 }
 
-function smoothLine(one: JumpView): JumpLine {
-  const share = Math.max(1, Math.ceil((100 * one.jump) / one.limit))
+function smoothLine(jump: JumpView): JumpLine {
+  const share = Math.max(1, Math.ceil((100 * jump.jump) / jump.limit))
   const hint = t('continuity.smoothHint', {
-    step: measure(one.jump, one.unit),
-    limit: measure(one.limit, one.unit),
-    at: seconds(one.at_s),
+    step: measure(jump.jump, jump.unit),
+    limit: measure(jump.limit, jump.unit),
+    at: seconds(jump.at_s),
   })
-  return { text: t('continuity.smooth', { name: one.variable, n: share }), hint, isNote: false }
+  return { text: t('continuity.smooth', { name: jump.variable, n: share }), hint, isNote: false }
 }
 
-function unknownLine(one: JumpView): JumpLine {
+function unknownLine(jump: JumpView): JumpLine {
   return {
-    text: t('continuity.unknown', { name: one.variable, step: measure(one.jump, one.unit), task: one.task }),
+    text: t('continuity.unknown', { name: jump.variable, step: measure(jump.jump, jump.unit), task: jump.task }),
     isNote: false,
   }
 }

@@ -30,7 +30,7 @@ export class Past {
     const byKey = new Map(before.blocks.map((block) => [block.key, block]))
     takeActions(byKey, run, homes)
     takeWaits(byKey, run)
-    const blocks = [...byKey.values()].sort((one, other) => one.from_s - other.from_s)
+    const blocks = [...byKey.values()].sort((block, other) => block.from_s - other.from_s)
     return new Past(run.number, blocks.slice(-MOST), homes)
   }
 }
@@ -49,7 +49,7 @@ function takeActions(byKey: Map<string, Block>, run: RunView, homes: ReadonlyMap
     [...byKey.values()].filter((block) => block.kind === 'action' && isOpen(block)).map((block) => [block.step, block]),
   )
   const stops = Object.values(run.stops ?? {}).filter(
-    (one) => one.subsystem && run.flows?.[one.subsystem]?.state === 'stopped',
+    (stop) => stop.subsystem && run.flows?.[stop.subsystem]?.state === 'stopped',
   )
   for (const [number, at] of Object.entries(run.steps ?? {})) {
     const step = Number(number)
@@ -59,7 +59,7 @@ function takeActions(byKey: Map<string, Block>, run: RunView, homes: ReadonlyMap
     const former = open.get(step)
     if (former && former.key !== key)
       byKey.set(former.key, { ...former, to_s: Math.min(from_s, former.from_s + took_s) })
-    const stop = stops.find((one) => one.step === step && one.at_s >= from_s)
+    const stop = stops.find((stop) => stop.step === step && stop.at_s >= from_s)
     const wasRunning = (at.state ?? 'running') === 'running'
     const end_s = wasRunning ? Math.max(from_s, run.took_s ?? from_s) : from_s + took_s
     const before = byKey.get(key)

@@ -19,7 +19,7 @@ export function standstills(run: RunView | null | undefined): Standstill[] {
   }))
   return stops
     .filter(({ at, stop }) => stop.kind !== 'user' && !(stop.kind === 'deserted' && isComing(run, at)))
-    .sort((one, other) => one.stop.at_s - other.stop.at_s)
+    .sort((stop, other) => stop.stop.at_s - other.stop.at_s)
 }
 
 /** Whether all that a flow waits for go on meanwhile: then it is deserted no more. */

@@ -16,11 +16,11 @@ export interface StopVariable {
 
 /** The variables, as they matter; those in which nothing happens come last. */
 export function stopVariables(courses: readonly CourseView[], stop_s: number): StopVariable[] {
-  const all = courses.flatMap((course) => one(course, stop_s) ?? [])
+  const all = courses.flatMap((course) => variableOf(course, stop_s) ?? [])
   return [...all.filter((course) => course.moves), ...all.filter((course) => !course.moves)]
 }
 
-function one(course: CourseView, stop_s: number): StopVariable | undefined {
+function variableOf(course: CourseView, stop_s: number): StopVariable | undefined {
   const rows = course.values.map((value) => numbers(value))
   const width = rows[0]?.length ?? 0
   if (!width || !rows.every((row) => row?.length === width)) return undefined

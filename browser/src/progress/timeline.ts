@@ -54,7 +54,7 @@ export function scale([from_s, to_s]: Window, width: number): (at_s: number) => 
 
 /** Round moments to write beneath. */
 export function ticks([from_s, to_s]: Window): number[] {
-  const step = TICKS.find((one) => (to_s - from_s) / one <= MOST_TICKS) ?? TICKS.at(-1)!
+  const step = TICKS.find((tick) => (to_s - from_s) / tick <= MOST_TICKS) ?? TICKS.at(-1)!
   const first = Math.ceil(from_s / step)
   return Array.from({ length: Math.max(0, Math.floor(to_s / step) - first + 1) }, (_, k) => (first + k) * step)
 }

@@ -28,8 +28,8 @@ export class Asks {
     const names = new Set(Object.keys(all))
     for (const [name, ask] of Object.entries(all)) if (this.aside.get(name) !== ask) this.aside.delete(name)
     for (const name of [...this.aside.keys()]) if (!names.has(name)) this.aside.delete(name)
-    const known = this.order.filter((name) => names.has(name))
-    this.order = [...known, ...[...names].filter((name) => !known.includes(name))]
+    const former = this.order.filter((name) => names.has(name))
+    this.order = [...former, ...[...names].filter((name) => !former.includes(name))]
     if (!names.has(this.shown) || this.aside.has(this.shown)) this.shown = this.next()
   }
 

@@ -48,8 +48,8 @@ export class Courses {
 
   /** The whole run, roughly; undefined until it has come, and where it is not recorded. */
   of(variable: string): Course | undefined {
-    const known = this.whole.get(variable)
-    if (known !== undefined) return known ?? undefined
+    const kept = this.whole.get(variable)
+    if (kept !== undefined) return kept ?? undefined
     if (this.whole.size >= MOST) this.whole.delete(this.whole.keys().next().value!)
     this.whole.set(variable, null)
     void this.fetch(variable, this.begin_s, this.end_s).then((course) => {
@@ -141,14 +141,14 @@ export function before(t: Float64Array, at_s: number): number {
 }
 
 /** Two runs on one line of time: the columns of the one, then those of the other; between its samples a line stays a line. */
-export function together(one: Stretch, other: Stretch): Stretch {
-  const t = Float64Array.from(new Set([...one.t, ...other.t])).sort()
-  return { t, y: [...one.y.map((row) => along(t, one.t, row)), ...other.y.map((row) => along(t, other.t, row))] }
+export function together(first: Stretch, other: Stretch): Stretch {
+  const t = Float64Array.from(new Set([...first.t, ...other.t])).sort()
+  return { t, y: [...first.y.map((row) => along(t, first.t, row)), ...other.y.map((row) => along(t, other.t, row))] }
 }
 
 /** NaN before its first sample and after its last. */
 function along(t: Float64Array, at: Float64Array, row: Float64Array): Float64Array {
-  const found = new Float64Array(t.length)
+  const values = new Float64Array(t.length)
   let k = 0
   t.forEach((at_s, n) => {
     while (k + 1 < at.length && at[k + 1]! <= at_s) k += 1
@@ -158,8 +158,8 @@ function along(t: Float64Array, at: Float64Array, row: Float64Array): Float64Arr
       number,
       number | undefined,
     ]
-    if (t0 === undefined || at_s < t0 || (at[k + 1] === undefined && at_s > t0)) found[n] = NaN
-    else found[n] = at_s === t0 || t1 === t0 ? v0 : v0 + ((v1 - v0) * (at_s - t0)) / (t1 - t0)
+    if (t0 === undefined || at_s < t0 || (at[k + 1] === undefined && at_s > t0)) values[n] = NaN
+    else values[n] = at_s === t0 || t1 === t0 ? v0 : v0 + ((v1 - v0) * (at_s - t0)) / (t1 - t0)
   })
-  return found
+  return values
 }

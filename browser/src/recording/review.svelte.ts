@@ -69,7 +69,7 @@ class Review implements Source {
   )
   private readonly moments = $derived(this.recording ? beginnings(this.recording) : [])
   private readonly marks = $derived(
-    (this.recording?.marks ?? []).map((mark) => mark.at_s).sort((one, other) => one - other),
+    (this.recording?.marks ?? []).map((mark) => mark.at_s).sort((moment, other) => moment - other),
   )
 
   /** The actions up to the instant that is shown. */
@@ -184,7 +184,7 @@ class Review implements Source {
 
   /** All is asked for anew: another run lies beside it, or the line is back. */
   renew(): void {
-    for (const one of this.courses) one?.end()
+    for (const course of this.courses) course?.end()
     this.courses = [this.coursesOf(this.recording, false), this.coursesOf(this.other, true)]
     this.beside = undefined
     if (this.isOpen) this.go(this.at_s)
@@ -201,11 +201,11 @@ class Review implements Source {
   private async ask(at_s: number): Promise<[InstantView, InstantView | undefined]> {
     const glance = (of_other: boolean, recording: RecordingView): Promise<unknown> =>
       send({ t: 'Glance', at_s: Math.min(Math.max(at_s, recording.begin_s ?? 0), endOf(recording)), of_other })
-    const [one, other] = await Promise.all([
+    const [instant, other] = await Promise.all([
       this.recording && glance(false, this.recording),
       this.other && glance(true, this.other),
     ])
-    return [one as InstantView, other as InstantView | undefined]
+    return [instant as InstantView, other as InstantView | undefined]
   }
 
   private take(instant: InstantView, beside: InstantView | undefined): void {

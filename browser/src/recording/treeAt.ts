@@ -31,13 +31,14 @@ export function treeAt(then: () => Then): (live: FullTree) => FullTree {
     const before = kept.get(thing)
     if (before) return before as T
     const made = new Proxy(thing, {
-      get: (one, name) => (typeof name === 'string' ? exchanged(name, Reflect.get(one, name)) : Reflect.get(one, name)),
+      get: (original, name) =>
+        typeof name === 'string' ? exchanged(name, Reflect.get(original, name)) : Reflect.get(original, name),
     })
     kept.set(thing, made)
     return made
   }
 
-  const each = <T extends object>(all: Record<string, T>, seen: (one: T, name: string) => T): Record<string, T> =>
+  const each = <T extends object>(all: Record<string, T>, seen: (thing: T, name: string) => T): Record<string, T> =>
     over(all, (name, value) => (value && typeof value === 'object' ? seen(value as T, name) : value))
 
   const homeOf = (doc: string): string => then().instant?.homes?.[doc] ?? ''
@@ -47,22 +48,22 @@ export function treeAt(then: () => Then): (live: FullTree) => FullTree {
     return (state in MARK ? state : '') as PlacedView['state'] // in any other it did not live
   }
 
-  const placed = (one: PlacedView, doc: string, task: string): PlacedView =>
-    over(one, (name, value) => {
+  const placed = (view: PlacedView, doc: string, task: string): PlacedView =>
+    over(view, (name, value) => {
       if (name === 'state') return stateIn(doc, task)
       return ['error', 'ask', 'note'].includes(name) ? undefined : value
     })
 
   /** Who supplies a variable then, by the states of those who write it. */
-  const locus = (one: LocusView, doc: string): LocusView =>
-    over(one, (name, value) => {
+  const locus = (view: LocusView, doc: string): LocusView =>
+    over(view, (name, value) => {
       if (name !== 'line') return value
-      const states = (one.writers ?? []).map((task) => stateIn(doc, task))
+      const states = (view.writers ?? []).map((task) => stateIn(doc, task))
       return states.includes('ON') ? 'live' : states.includes('ERROR') ? 'stale' : 'idle'
     })
 
-  const document = (one: DocumentView, doc: string): DocumentView =>
-    over(one, (name, value) => {
+  const document = (view: DocumentView, doc: string): DocumentView =>
+    over(view, (name, value) => {
       if (name === 'connection') return homeOf(doc) ? 'live' : 'none'
       if (name === 'subsystem') return homeOf(doc)
       if (name === 'tasks' && value)
@@ -72,16 +73,16 @@ export function treeAt(then: () => Then): (live: FullTree) => FullTree {
     })
 
   /** What was found when it was looked at since, and who stands for whom now, is no part of that run. */
-  const step = (one: StepView): StepView => over(one, (name, value) => (name === 'note' ? '' : value))
-  const application = (one: ApplicationView, doc: string): ApplicationView =>
-    over(one, (name, value) => {
+  const step = (view: StepView): StepView => over(view, (name, value) => (name === 'note' ? '' : value))
+  const application = (view: ApplicationView, doc: string): ApplicationView =>
+    over(view, (name, value) => {
       if (doc !== then().doc) return value
       if (name === 'redirects') return then().redirects ?? []
       return name === 'steps' && value ? each(value as Record<string, StepView>, step) : value
     })
 
-  const runtime = (one: RuntimeView): RuntimeView =>
-    over(one, (name, value) =>
+  const runtime = (view: RuntimeView): RuntimeView =>
+    over(view, (name, value) =>
       name === 'worlds'
         ? Object.fromEntries(then().worlds.map((world) => [world, true]))
         : name === 'units'

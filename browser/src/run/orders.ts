@@ -9,7 +9,7 @@ export const isGoing = (): boolean => !desk.live.review && desk.live.run != null
 export const flowsOf = (run: RunView | null | undefined): string[] =>
   Object.entries(run?.flows ?? {})
     .filter(([, flow]) => !flow.is_nested)
-    .sort(([, one], [, other]) => one.order - other.order)
+    .sort(([, flow], [, other]) => flow.order - other.order)
     .map(([name]) => name)
 
 /** Whether some flow goes on, so that a pause would do something. */

@@ -23,7 +23,7 @@ export function whole(doc: Doc | undefined, tasks: Iterable<string>): string[] {
   const all = new Set<string>()
   for (const task of tasks) {
     const group = groupOf(doc, task)
-    for (const one of group ? membersOf(doc, group) : [task]) all.add(one)
+    for (const member of group ? membersOf(doc, group) : [task]) all.add(member)
   }
   return [...all]
 }
@@ -33,7 +33,7 @@ export function groupsIn(doc: Doc | undefined, tasks: Iterable<string>): string[
   const among = new Set(tasks)
   const groups = Object.entries(doc?.groups ?? {})
   return groups
-    .filter(([, { tasks: members }]) => members.length > 0 && members.every((one) => among.has(one)))
+    .filter(([, { tasks: members }]) => members.length > 0 && members.every((member) => among.has(member)))
     .map(([name]) => name)
 }
 
@@ -41,7 +41,7 @@ export function groupsIn(doc: Doc | undefined, tasks: Iterable<string>): string[
 export function ownLoci(doc: Doc | undefined, group: string): string[] {
   const members = new Set(membersOf(doc, group))
   const isOwn = ({ writers = [], readers = [] }: LocusView): boolean =>
-    writers.length + readers.length > 0 && [...writers, ...readers].every((one) => members.has(one))
+    writers.length + readers.length > 0 && [...writers, ...readers].every((end) => members.has(end))
   return Object.entries(doc?.loci ?? {})
     .filter(([, locus]) => isOwn(locus))
     .map(([svar]) => svar)
@@ -59,7 +59,7 @@ export interface Summary {
 }
 
 export function summary(doc: Doc | undefined, group: string): Summary {
-  const states = membersOf(doc, group).map((one) => stateOf(doc?.tasks?.[one]))
+  const states = membersOf(doc, group).map((member) => stateOf(doc?.tasks?.[member]))
   const on = states.filter((state) => state === 'ON').length
   const urgent = (['ERROR', 'ASKING', 'WAITING'] as const).find((state) => states.includes(state))
   const look =

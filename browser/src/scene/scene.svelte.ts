@@ -203,10 +203,15 @@ export class Scene {
         this.reading.delete(name)
         this.wires.removeBox(name)
       }
-    for (const [name, one] of tasks) {
+    for (const [name, boxOfTask] of tasks) {
       const box = this.boxes.get(name) ?? new Box(name)
-      if (!box.isHeld) Object.assign(box, { x: one.x, y: one.y })
-      Object.assign(box, { inLeft: one.inLeft, width: one.width, height: one.height, pins: one.pins })
+      if (!box.isHeld) Object.assign(box, { x: boxOfTask.x, y: boxOfTask.y })
+      Object.assign(box, {
+        inLeft: boxOfTask.inLeft,
+        width: boxOfTask.width,
+        height: boxOfTask.height,
+        pins: boxOfTask.pins,
+      })
       this.boxes.set(name, box)
       this.tell(box, (pin) => isDrawn(pin, loci.get(pin.svar), shown))
     }
@@ -286,13 +291,20 @@ interface Read {
 }
 
 function read(document: DocumentView, tasks: Readonly<Record<string, TaskView>>): Read {
-  const placed = Object.entries(document.tasks ?? {}).map(([name, one]) => {
+  const placed = Object.entries(document.tasks ?? {}).map(([name, position]) => {
     const task = tasks[name]
     const width = task?.width || MISSING.width
     const height = task?.height || MISSING.height
     return [
       name,
-      { x: one.x, y: one.y, inLeft: one.in_left ?? true, width, height, pins: task ? plain(task.pins) : NO_PINS },
+      {
+        x: position.x,
+        y: position.y,
+        inLeft: position.in_left ?? true,
+        width,
+        height,
+        pins: task ? plain(task.pins) : NO_PINS,
+      },
     ] as const
   })
   const loci = Object.entries(document.loci ?? {}).map(

@@ -41,9 +41,9 @@ function meeting(a: Pt, b: Pt, drawn: readonly Stretch[]): Pt | undefined {
   const axis = own.isUpright ? 1 : 0
   const [start, end] = [a[axis], b[axis]]
   let reach = end
-  for (const one of drawn)
-    if (one.isUpright === own.isUpright && one.at === own.at && one.from <= end && end <= one.to) {
-      const far = start < end ? Math.max(start, one.from) : Math.min(start, one.to)
+  for (const path of drawn)
+    if (path.isUpright === own.isUpright && path.at === own.at && path.from <= end && end <= path.to) {
+      const far = start < end ? Math.max(start, path.from) : Math.min(start, path.to)
       if (Math.abs(far - end) > Math.abs(reach - end)) reach = far
     }
   if (reach === end) return undefined
@@ -54,7 +54,8 @@ function meeting(a: Pt, b: Pt, drawn: readonly Stretch[]): Pt | undefined {
 
 function isCovered(own: Stretch, drawn: readonly Stretch[]): boolean {
   return drawn.some(
-    (one) => one.isUpright === own.isUpright && one.at === own.at && one.from <= own.from && own.to <= one.to,
+    (segment) =>
+      segment.isUpright === own.isUpright && segment.at === own.at && segment.from <= own.from && own.to <= segment.to,
   )
 }
 

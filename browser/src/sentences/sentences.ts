@@ -68,7 +68,8 @@ export function asText(tales: readonly Tale[]): string {
   return tales
     .map(({ title, note, sentences }) => {
       const lines = sentences.map(
-        (one) => `${'  '.repeat(one.depth)}${one.number ? `${one.number}. ` : ''}${textOf(one)}`,
+        (sentence) =>
+          `${'  '.repeat(sentence.depth)}${sentence.number ? `${sentence.number}. ` : ''}${textOf(sentence)}`,
       )
       return [tales.length > 1 ? `${title}${note ? ` – ${note}` : ''}` : '', ...lines].filter(Boolean).join('\n')
     })
@@ -83,7 +84,7 @@ export function tell(
 ): Tale[] {
   const tops = Object.keys(app.flows ?? {})
     .filter((path) => !path.includes('/'))
-    .sort((one, other) => Number(one) - Number(other))
+    .sort((path, other) => Number(path) - Number(other))
   return tops.map((path) => {
     const teller = new Teller(app, types, connectives, tops)
     const sentences = teller.flow(path, 0)
@@ -171,7 +172,7 @@ class Teller {
     return new Map(
       groups.flatMap(({ step, view, rest }) => {
         const text = view.kind === 'branch' ? '' : plain(this.core(view, rest, false))
-        return [step, ...rest].map((one) => [one, text] as const)
+        return [step, ...rest].map((number) => [number, text] as const)
       }),
     )
   }
@@ -198,7 +199,7 @@ class Teller {
         number: 0,
         parts: this.ended(compose(this.connectives.say('say.stray'), { target: [this.name(view)] })),
       }
-    const has = rest.some((one) => this.app.steps?.[one]?.kind === 'hole')
+    const has = rest.some((number) => this.app.steps?.[number]?.kind === 'hole')
     return {
       ...common,
       kind: has ? 'hole' : 'action',
@@ -223,8 +224,8 @@ class Teller {
   private core(view: StepView, rest: readonly number[], isTimed = true): Part[] {
     const job = this.words(view)
     const targets = rest
-      .flatMap((one) => this.app.steps?.[one] ?? [])
-      .map((one) => (one.kind === 'hole' ? [this.hole(one, true)] : isTimed ? this.target(one) : [this.name(one)]))
+      .flatMap((number) => this.app.steps?.[number] ?? [])
+      .map((view) => (view.kind === 'hole' ? [this.hole(view, true)] : isTimed ? this.target(view) : [this.name(view)]))
     if (!targets.length) return glue(job)
     const joined = targets.flatMap((target, k) => (k ? [{ text: this.connectives.say('say.and') }, ...target] : target))
     const isOpen =
@@ -237,9 +238,9 @@ class Teller {
     const items = this.types[view.type ?? '']?.items ?? []
     const at = items.findIndex((item) => item.name === 'duration')
     const seconds = Number(view.values?.[at]?.[0])
-    const isTold = items.length === 1 && !!this.description(view) // it speaks of nothing else
+    const isWhole = items.length === 1 && !!this.description(view) // it speaks of nothing else
     const name = this.name(view)
-    if (at < 0 || isTold || !Number.isFinite(seconds)) return [name]
+    if (at < 0 || isWhole || !Number.isFinite(seconds)) return [name]
     return compose(this.connectives.say(isLong(name.text) ? 'say.takesComma' : 'say.takes'), {
       target: [name],
       seconds: glue(this.number(seconds)),

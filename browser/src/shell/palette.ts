@@ -27,14 +27,14 @@ export function entries(): Entry[] {
 
 const commands = (): Entry[] =>
   allCommands()
-    .filter((one) => one.id !== 'view.palette' && isAvailable(one))
-    .map((one) => ({
-      id: `c ${one.id}`,
+    .filter((command) => command.id !== 'view.palette' && isAvailable(command))
+    .map((command) => ({
+      id: `c ${command.id}`,
       kind: t('palette.command'),
-      label: one.title(),
-      run: one.run,
-      ...(one.also ? { also: one.also() } : {}),
-      ...(one.keys?.[0] ? { keys: one.keys[0] } : {}),
+      label: command.title(),
+      run: command.run,
+      ...(command.also ? { also: command.also() } : {}),
+      ...(command.keys?.[0] ? { keys: command.keys[0] } : {}),
     }))
 
 const placed = (): Entry[] =>
@@ -60,10 +60,10 @@ const tasks = (): Entry[] =>
   }))
 
 const onikons = (): Entry[] =>
-  Object.entries(desk.tree.onikons).map(([name, one]) => ({
+  Object.entries(desk.tree.onikons).map(([name, onikon]) => ({
     id: `o ${name}`,
     kind: t('palette.onikon'),
-    label: one.words?.[look.language] ?? (one.description || name),
+    label: onikon.words?.[look.language] ?? (onikon.description || name),
     note: name,
     run: () => reveal({ t: 'ShowOnikon', onikon: name }),
   }))

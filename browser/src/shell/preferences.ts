@@ -17,8 +17,8 @@ const GROUPS: [TextKey, string[]][] = [
 ]
 
 export function grouped(preferences: Readonly<Record<string, unknown>>): [TextKey, Field[]][] {
-  const known = new Set(GROUPS.flatMap(([, names]) => names))
-  const others = Object.keys(preferences).filter((name) => !known.has(name))
+  const grouped = new Set(GROUPS.flatMap(([, names]) => names))
+  const others = Object.keys(preferences).filter((name) => !grouped.has(name))
   return [...GROUPS, ['prefer.others', others] as [TextKey, string[]]]
     .map(([title, names]): [TextKey, Field[]] => [title, names.flatMap((name) => field(name, preferences[name]))])
     .filter(([, fields]) => fields.length > 0)
@@ -30,7 +30,7 @@ function field(name: string, value: unknown): Field[] {
 
 function isValue(value: unknown): value is Value {
   if (['boolean', 'number', 'string'].includes(typeof value)) return true
-  return Array.isArray(value) && value.every((one) => typeof one === 'string')
+  return Array.isArray(value) && value.every((item) => typeof item === 'string')
 }
 
 /** What was typed, as a value of the same kind as before; undefined where it is none. */

@@ -24,29 +24,29 @@ export interface Command {
 const commands = new Map<string, Command>()
 
 /** Add a command; a later one of the same id takes its place. */
-export function command(one: Command): void {
-  commands.set(one.id, one)
+export function command(entry: Command): void {
+  commands.set(entry.id, entry)
 }
 
 export const allCommands = (): Command[] => [...commands.values()]
-export const isAvailable = (one: Command): boolean =>
-  (one.level === undefined || one.level === look.level) && (one.when?.() ?? true)
+export const isAvailable = (entry: Command): boolean =>
+  (entry.level === undefined || entry.level === look.level) && (entry.when?.() ?? true)
 export const findCommand = (id: string): Command | undefined => commands.get(id)
 
 export function run(id: string): void {
-  const one = commands.get(id)
-  if (one && isAvailable(one)) one.run()
+  const entry = commands.get(id)
+  if (entry && isAvailable(entry)) entry.run()
 }
 
 /** Run what the pressed keys stand for; true where they stood for something. */
 export function press(event: KeyboardEvent): boolean {
   if (event.isComposing || event.defaultPrevented) return false
   const typing = isTyping(event.target)
-  for (const one of commands.values()) {
-    if (typing && !one.whileTyping) continue
-    if (!one.keys?.some((keys) => matches(keys, event)) || !isAvailable(one)) continue
+  for (const entry of commands.values()) {
+    if (typing && !entry.whileTyping) continue
+    if (!entry.keys?.some((keys) => matches(keys, event)) || !isAvailable(entry)) continue
     event.preventDefault()
-    one.run()
+    entry.run()
     return true
   }
   return false

@@ -22,12 +22,14 @@ export function compact(value: unknown, most = MOST): string {
 }
 
 /** Measured numbers read best where all have a point, and dust beside large ones is nothing. */
-function element(all: readonly unknown[], most: number): (one: unknown) => string {
-  const sizes = all.map((one) => (typeof one === 'number' ? Math.abs(one) : NaN))
+function element(all: readonly unknown[], most: number): (value: unknown) => string {
+  const sizes = all.map((value) => (typeof value === 'number' ? Math.abs(value) : NaN))
   const isReal = sizes.some((size) => !Number.isInteger(size) && !Number.isNaN(size))
   const isLarge = Math.max(...sizes) >= 0.01
-  return (one) =>
-    isReal && typeof one === 'number' && (one === 0 || (isLarge && Math.abs(one) < 5e-4)) ? '0.000' : compact(one, most)
+  return (value) =>
+    isReal && typeof value === 'number' && (value === 0 || (isLarge && Math.abs(value) < 5e-4))
+      ? '0.000'
+      : compact(value, most)
 }
 
 function minus(text: string): string {

@@ -5,12 +5,12 @@ export function inks<Name extends string>(place: Element, names: readonly Name[]
   const probe = document.createElement('i')
   probe.hidden = true
   place.append(probe)
-  const found = names.map((name) => {
+  const inks = names.map((name) => {
     probe.style.color = `var(${name})`
     return [name, getComputedStyle(probe).color]
   })
   probe.remove()
-  return Object.fromEntries(found) as Record<Name, string>
+  return Object.fromEntries(inks) as Record<Name, string>
 }
 
 /** Calls when the ground changes from light to dark or back; the result ends it. */

@@ -45,7 +45,7 @@ export class ValueBuffer {
   private readonly places = new Map<string, unknown>()
   private readonly listeners = new Set<() => void>()
   private isDue = false
-  private isToldSoon = false
+  private isReportDue = false
   private lastWish = ''
 
   /** `tell` sends what is wanted; `soon` runs something with the next picture of the screen. */
@@ -141,10 +141,10 @@ export class ValueBuffer {
 
   /** One message for all that changes in one turn, and none where it comes to the same. */
   private tellSoon(): void {
-    if (this.isToldSoon) return
-    this.isToldSoon = true
+    if (this.isReportDue) return
+    this.isReportDue = true
     queueMicrotask(() => {
-      this.isToldSoon = false
+      this.isReportDue = false
       const wish: Watch = {
         t: 'Watch',
         variables: this.variables.names,

@@ -49,7 +49,7 @@ export function selectTo(step: number): void {
   const flow = flowOf(workspaceState.app, step)
   const steps = workspaceState.app?.flows?.[flow]?.steps ?? []
   const [from, to] = [Math.max(0, steps.indexOf(workspace.place.after)), steps.indexOf(step)]
-  for (const one of steps.slice(Math.min(from, to), Math.max(from, to) + 1)) workspace.steps.add(one)
+  for (const number of steps.slice(Math.min(from, to), Math.max(from, to) + 1)) workspace.steps.add(number)
 }
 
 export function selectAll(): void {
@@ -119,7 +119,7 @@ export async function remove(steps = meant()): Promise<void> {
 function placeWithout(steps: readonly number[]): Place {
   const flow = flowOf(workspaceState.app, steps[0]!)
   const all = workspaceState.app?.flows?.[flow]?.steps ?? []
-  const before = all.slice(0, all.indexOf(steps[0]!)).filter((one) => workspaceState.step(one)?.kind !== 'hole')
+  const before = all.slice(0, all.indexOf(steps[0]!)).filter((number) => workspaceState.step(number)?.kind !== 'hole')
   return { flow, after: before.at(-1) ?? 0 }
 }
 
@@ -179,10 +179,10 @@ export function turnBreakpoint(steps = meantHeads()): void {
 }
 
 export function edit(step: number): void {
-  const one = workspaceState.step(step)
-  if (!one) return
-  if (one.kind === 'hole') quickAt(step)
-  else if (one.kind === 'branch') workspaceState.opened = { kind: 'branch', step }
+  const view = workspaceState.step(step)
+  if (!view) return
+  if (view.kind === 'hole') quickAt(step)
+  else if (view.kind === 'branch') workspaceState.opened = { kind: 'branch', step }
   else openDialog('icon', { step: String(step) })
 }
 
@@ -196,12 +196,12 @@ export function quickAt(hole: number): void {
 
 /** Show what stands behind an icon (D12): an application in its tab; a configuration at the lower level, in the place of a live one. */
 export async function expand(step: number): Promise<void> {
-  const one = workspaceState.step(step)
-  const name = one?.name ?? ''
-  if (!one || !name) return
+  const view = workspaceState.step(step)
+  const name = view?.name ?? ''
+  if (!view || !name) return
   const path = desk.tree.onikons[name]?.source || name
-  if (one.role === 'application') await open(path)
-  else if (one.role === 'job') await goInto(path)
+  if (view.role === 'application') await open(path)
+  else if (view.role === 'job') await goInto(path)
 }
 
 /** Why a step cannot be expanded; empty: it can. */

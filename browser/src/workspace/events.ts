@@ -18,9 +18,9 @@ export function listen(ground: HTMLElement, paper: SVGSVGElement): () => void {
   const on = <K extends keyof HTMLElementEventMap>(
     target: EventTarget,
     name: K,
-    heard: (event: HTMLElementEventMap[K]) => void,
+    listener: (event: HTMLElementEventMap[K]) => void,
     options: AddEventListenerOptions = {},
-  ): void => target.addEventListener(name, heard as EventListener, { signal: ending.signal, ...options })
+  ): void => target.addEventListener(name, listener as EventListener, { signal: ending.signal, ...options })
 
   /** What the pointer rests on is told of. */
   const hover = (event: PointerEvent): void => {

@@ -62,7 +62,7 @@ function type(event: KeyboardEvent): boolean {
 /** With the keyboard nowhere in particular, a letter that is a command stays one. */
 const isCommand = (event: KeyboardEvent): boolean =>
   !workspaceState.hasKeys &&
-  allCommands().some((one) => one.keys?.some((keys) => matches(keys, event)) && isAvailable(one))
+  allCommands().some((command) => command.keys?.some((keys) => matches(keys, event)) && isAvailable(command))
 
 /** V pastes what is in the buffer, wherever it is pressed (table B.4). */
 const isPasting = (key: string): boolean => key.toLowerCase() === 'v'

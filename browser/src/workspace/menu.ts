@@ -42,9 +42,9 @@ function locked(item: Item): Item {
 }
 
 function stepItems(step: number, at: Point): Item[] {
-  const one = workspaceState.step(step)
-  if (one?.kind === 'hole') return [...placeItems(at), ...holeItems(step)]
-  const isBranch = one?.kind === 'branch'
+  const view = workspaceState.step(step)
+  if (view?.kind === 'hole') return [...placeItems(at), ...holeItems(step)]
+  const isBranch = view?.kind === 'branch'
   return [
     ...(workspaceState.isRunning
       ? [
@@ -55,7 +55,7 @@ function stepItems(step: number, at: Point): Item[] {
         ]
       : []),
     {
-      label: t(isBranch ? 'upper.conditions' : one?.role === 'target' ? 'upper.values' : 'upper.words'),
+      label: t(isBranch ? 'upper.conditions' : view?.role === 'target' ? 'upper.values' : 'upper.words'),
       keys: 'F2',
       run: () => edit(step),
     },
@@ -74,13 +74,13 @@ function holeItems(hole: number): Item[] {
 }
 
 function iconItems(step: number, at: Point): Item[] {
-  const one = workspaceState.step(step)
+  const view = workspaceState.step(step)
   const why = whyNotExpand(step)
   const onikon = desk.tree.onikons[workspace.onikon]
   return [
     { label: t('upper.picture'), run: () => editPicture(step) },
     {
-      label: t(one?.role === 'application' ? 'upper.openApplication' : 'upper.openConfiguration'),
+      label: t(view?.role === 'application' ? 'upper.openApplication' : 'upper.openConfiguration'),
       run: () => expand(step),
       isOff: why !== '',
       note: why || undefined,
@@ -101,13 +101,13 @@ function iconItems(step: number, at: Point): Item[] {
 function markItems(): Item[] {
   const heads = meantHeads()
   const [head] = heads
-  const one = head === undefined ? undefined : workspaceState.step(head)
-  const noAction = one?.role === 'target' ? t('upper.noAction') : undefined
-  if (head === undefined || !one) return []
+  const view = head === undefined ? undefined : workspaceState.step(head)
+  const noAction = view?.role === 'target' ? t('upper.noAction') : undefined
+  if (head === undefined || !view) return []
   const off = { isOff: noAction !== undefined, note: noAction }
   return [
     {
-      label: t(one.breaks ? 'upper.unbreak' : 'upper.break'),
+      label: t(view.breaks ? 'upper.unbreak' : 'upper.break'),
       keys: 'M',
       run: () => turnBreakpoint(),
       begins: true,
@@ -121,12 +121,12 @@ function markItems(): Item[] {
       ...off,
     }),
     locked({
-      label: t(one.loop ? 'upper.changeLoop' : 'upper.loop'),
+      label: t(view.loop ? 'upper.changeLoop' : 'upper.loop'),
       keys: 'W',
       run: () => (workspaceState.opened = { kind: 'loop', step: head, other: 0 }),
       ...off,
     }),
-    ...(one.loop
+    ...(view.loop
       ? [locked({ label: t('upper.removeLoop'), run: () => act({ t: 'RemoveLoop', doc: workspace.app, step: head }) })]
       : []),
   ]

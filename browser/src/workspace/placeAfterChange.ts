@@ -15,7 +15,9 @@ export function placeAfterChange(
   if (there && (!after || there.includes(after))) return { flow, after }
   if (there) {
     const stood = before[flow] ?? []
-    const left = stood.slice(0, Math.max(0, stood.indexOf(after))).filter((one) => there.includes(one) && !isHole(one))
+    const left = stood
+      .slice(0, Math.max(0, stood.indexOf(after)))
+      .filter((step) => there.includes(step) && !isHole(step))
     return { flow, after: left.at(-1) ?? 0 }
   }
   const parts = flow.split('/')

@@ -143,7 +143,11 @@ export class PointerGestures {
 /** What goes along when a step is dragged: all that is picked, and with each job its targets. */
 function liftedWith(step: number): number[] {
   const steps = workspace.steps.has(step) ? pickedSteps() : [step]
-  return [...new Set(steps.flatMap((one) => (headOf(workspaceState.actions, one) === one ? whole(one) : [one])))]
+  return [
+    ...new Set(
+      steps.flatMap((number) => (headOf(workspaceState.actions, number) === number ? whole(number) : [number])),
+    ),
+  ]
 }
 
 /** While a loop looks for its other end, a click on an action is it. */

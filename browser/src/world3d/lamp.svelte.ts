@@ -6,7 +6,7 @@ import { hasLamp, isLit, worldOf } from '../values/world'
 
 /** Watch the workcells while whoever calls it is shown; call it where effects may be made. */
 export function lamp(): { readonly isLit: boolean | undefined } {
-  let found: boolean | undefined = $state()
+  let lit: boolean | undefined = $state()
   const worlds = $derived(Object.keys(desk.tree.runtime.worlds ?? {}).join('\n'))
   $effect(() => {
     const names = worlds ? worlds.split('\n') : []
@@ -15,8 +15,8 @@ export function lamp(): { readonly isLit: boolean | undefined } {
       const answers = names
         .filter((name) => lamps.has(name))
         .map((name) => isLit(poses(name)))
-        .filter((one) => one !== undefined)
-      found = answers.length ? answers.some(Boolean) : undefined
+        .filter((answer) => answer !== undefined)
+      lit = answers.length ? answers.some(Boolean) : undefined
     }
     const ends = [...names.map((name) => watchWorld(name)), onFrame(look)]
     // A workcell without a lamp says nothing of one.
@@ -28,7 +28,7 @@ export function lamp(): { readonly isLit: boolean | undefined } {
   })
   return {
     get isLit() {
-      return found
+      return lit
     },
   }
 }

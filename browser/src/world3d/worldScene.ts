@@ -166,10 +166,10 @@ export class WorldScene {
 
   destroy(): void {
     this.controls.dispose()
-    this.scene.traverse((one) => {
-      if (!(one instanceof Mesh)) return
-      ;(one.geometry as BufferGeometry).dispose()
-      for (const material of [one.material as Material | Material[]].flat()) material.dispose()
+    this.scene.traverse((part) => {
+      if (!(part instanceof Mesh)) return
+      ;(part.geometry as BufferGeometry).dispose()
+      for (const material of [part.material as Material | Material[]].flat()) material.dispose()
     })
     this.renderer.dispose()
     this.renderer.forceContextLoss()
@@ -250,7 +250,7 @@ export class WorldScene {
 /** Whether every body has a direction: rows that nobody has filled yet are all zero. */
 function isWhole(rows: Float32Array): boolean {
   for (let k = 0; k < rows.length; k += ROW)
-    if (!rows.subarray(k + 3, k + ROW).some((one) => Math.abs(one) > SEEN)) return false
+    if (!rows.subarray(k + 3, k + ROW).some((value) => Math.abs(value) > SEEN)) return false
   return true
 }
 

@@ -2,7 +2,7 @@
 import { describe, expect, test } from 'vitest'
 import type { ItemView } from '../../src/api.gen'
 import { ValuesDraft } from '../../src/dictionary/form.svelte'
-import { asked, begun, degrees, inUnit, labelOf, lacking, nested, rowsOf, taken } from '../../src/dictionary/values'
+import { askOf, begun, degrees, inUnit, labelOf, lacking, nested, rowsOf, taken } from '../../src/dictionary/values'
 
 const endpoint: ItemView = {
   name: 'endpoint',
@@ -13,7 +13,7 @@ const endpoint: ItemView = {
   high: [1, 2, 3],
 }
 const duration: ItemView = { name: 'duration', type: 'double', count: 1, unit: 's', low: [0.1], default: [2] }
-const rows = rowsOf(asked([endpoint, duration]))
+const rows = rowsOf(askOf([endpoint, duration]))
 
 describe('the form of a target (D08)', () => {
   test('has a word for each element: what is there, else what the item begins with', () => {
@@ -36,8 +36,8 @@ describe('the form of a target (D08)', () => {
 
   test('calls elements by their place, or by what the meaning names', () => {
     expect(rows.map(labelOf)).toEqual(['[0]', '[1]', '[2]', 'duration'])
-    expect(rowsOf(asked([{ ...endpoint, meaning: 'position: x, y, z' }])).map(labelOf)).toEqual(['x', 'y', 'z'])
-    expect(rowsOf(asked([{ ...endpoint, meaning: 'where, in the end' }])).map(labelOf)).toEqual(['[0]', '[1]', '[2]'])
+    expect(rowsOf(askOf([{ ...endpoint, meaning: 'position: x, y, z' }])).map(labelOf)).toEqual(['x', 'y', 'z'])
+    expect(rowsOf(askOf([{ ...endpoint, meaning: 'where, in the end' }])).map(labelOf)).toEqual(['[0]', '[1]', '[2]'])
   })
 })
 
