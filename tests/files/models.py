@@ -178,11 +178,9 @@ def _without_twin_holes(steps: list[Any]) -> AppFlow:
 
 @st.composite
 def branches(draw: st.DrawFn, inner: st.SearchStrategy[AppFlow]) -> Branch:
-    result = draw(st.lists(inner, min_size=1, max_size=3))
-    chosen = (
-        draw(st.lists(conditions, min_size=len(result) - 1, max_size=len(result) - 1)) if draw(st.booleans()) else []
-    )
-    return Branch(tuple(result), tuple(chosen))
+    chosen = draw(st.just([]) | st.lists(conditions, max_size=2))
+    flows = [draw(inner) for _ in chosen] + draw(st.lists(inner, min_size=1, max_size=1 if chosen else 3))
+    return Branch(tuple(flows), tuple(chosen))
 
 
 def _flows(steps: st.SearchStrategy[Any]) -> st.SearchStrategy[AppFlow]:
