@@ -3,8 +3,8 @@
 outsider = FakePartner(tmp_path)
 partner = Partner(outsider.address)
 partner.ask("path")
-call = outsider.accept()
-call.answer(call.read(), via=[])
+connection = outsider.accept()
+connection.answer(connection.read(), via=[])
 """
 
 import json
@@ -29,12 +29,12 @@ class PartnerConnection:
 
     def read(self) -> dict[str, Any]:
         """The next question."""
-        asked: dict[str, Any] = json.loads(self._lines.readline())
-        return asked
+        question: dict[str, Any] = json.loads(self._lines.readline())
+        return question
 
-    def answer(self, asked: dict[str, Any], **fields: Any) -> Self:
+    def answer(self, question: dict[str, Any], **fields: Any) -> Self:
         """Answer it as one should."""
-        return self.say(json.dumps({"id": asked["id"], **fields}).encode() + b"\n")
+        return self.say(json.dumps({"id": question["id"], **fields}).encode() + b"\n")
 
     def say(self, data: bytes) -> Self:
         """Say anything."""
@@ -63,7 +63,7 @@ class FakePartner:
         self._path = folder / "partner"
         self.address = f"unix:{self._path}"
         self._server: socket.socket | None = None
-        self._entry_points: list[PartnerConnection] = []
+        self._connections: list[PartnerConnection] = []
         if listens:
             self.open()
 
@@ -78,14 +78,14 @@ class FakePartner:
         """The next call; raises TimeoutError where nobody calls."""
         if self._server is None:
             raise RuntimeError("expected an outsider that listens: open it first")
-        self._entry_points.append(PartnerConnection(self._server.accept()[0]))
-        return self._entry_points[-1]
+        self._connections.append(PartnerConnection(self._server.accept()[0]))
+        return self._connections[-1]
 
     def close(self) -> None:
         """Hang up everywhere, and listen no more."""
-        for call in self._entry_points:
-            call.close()
-        self._entry_points.clear()
+        for connection in self._connections:
+            connection.close()
+        self._connections.clear()
         if self._server is not None:
             self._server.close()
             self._path.unlink()
