@@ -1,11 +1,14 @@
 import io
 import os
+import struct
+import tracemalloc
 
 import pytest
+import zstandard
 from hypothesis import HealthCheck, given, settings, strategies as st
 
 from onika.record.reader import UNREADABLE, Reader, complaint
-from onika.record.writer import Writer
+from onika.record.writer import MAGIC, Writer
 
 SCHEMA = b'{"type":"object"}'
 STEP = 10
@@ -121,6 +124,42 @@ def test_a_bit_that_has_fallen_over_is_never_taken_for_what_was_said(path, at, b
         return
     assert plan in (None, b"the plan")
     assert {*messages.values()} <= {b'{"a":%d}' % k for k in range(60)}
+
+
+def chunk(size, packed):
+    return (
+        struct.pack("<BQQQQII", 6, 44 + len(packed), 0, 10, size, 0, 4)
+        + b"zstd"
+        + struct.pack("<Q", len(packed))
+        + packed
+    )
+
+
+def zeros(size):
+    return zstandard.ZstdCompressor().compress(bytes(size))
+
+
+@pytest.mark.parametrize(
+    "records",
+    [
+        chunk(2**31, zeros(2**25)),
+        chunk(2**10, zeros(2**25)),
+        chunk(2**23, zeros(2**23)) * 40,
+        struct.pack("<BQ", 200, 0) * 200_000,
+        chunk(2**20, zeros(2**20)),
+        struct.pack("<BQ", 9, 30) + struct.pack("<QQI", 0, 0, 2**32 - 1) + bytes(10),
+    ],
+    ids=["a huge chunk", "a chunk that lies", "many chunks", "empty records", "messages of no length", "a huge name"],
+)
+def test_a_file_that_would_unfold_is_refused_before_it_does(path, records):  # R-B07, R-X05
+    path.write_bytes(MAGIC + records + struct.pack("<BQ", 15, 4) + bytes(4) + MAGIC)
+    tracemalloc.start()
+    with pytest.raises(UNREADABLE) as wrong:
+        list(Reader(path).messages("a"))
+    _, most = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert most < 200e6
+    assert str(complaint(path, wrong.value)).startswith(f"{path}: ")
 
 
 def test_why_it_cannot_be_read_is_said_in_words_with_its_name(path, tmp_path):  # R-E01

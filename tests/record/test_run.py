@@ -53,3 +53,21 @@ def test_a_file_that_was_cut_before_its_run_began_says_so(tmp_path, part):  # R-
     tape.path.write_bytes(data[: max(9, int(part * data.index(b"class Servo(Module)")))])
     with pytest.raises(ValueError, match="cut short before anything was run"):
         RunRecord.read(Reader(tape.path))
+
+
+@pytest.mark.parametrize(
+    "options", ["--audit /tmp/x", "--listen 0.0.0.0:1", "--shake", "--shake 3 --audit x", "--shake -1"]
+)
+def test_a_recording_gives_no_orders_to_the_runtime_that_repeats_it(tmp_path, options):  # R-X05, R-X12
+    reader = RecordingBuilder(tmp_path / "run.mcap", run(options=tuple(options.split()))).end()
+    with pytest.raises(ValueError) as refused:
+        RunRecord.read(reader)
+    assert refused.value.args[0].args["why"].key == "record.options"
+
+
+@pytest.mark.parametrize("units", [("--listen",), ("a\x1b[2J",), ("u",) * 100])
+def test_a_recording_names_units_and_nothing_else(tmp_path, units):  # R-X05
+    reader = RecordingBuilder(tmp_path / "run.mcap", structs.replace(run(), rtpus=units)).end()
+    with pytest.raises(ValueError) as refused:
+        RunRecord.read(reader)
+    assert refused.value.args[0].args["why"].key == "record.units"

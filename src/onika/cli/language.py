@@ -7,6 +7,7 @@ import os
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 
+from onika.cli.safe_text import safe
 from onika.store.base_directory import BaseDirectory
 from onika.store.module_catalogue import translations_of
 from onika.words.reason import Text, in_language
@@ -44,5 +45,5 @@ def learn(bases: Iterable[BaseDirectory]) -> None:
 
 
 def say(reason: Text) -> str:
-    """The sentence of a reason in the language of this process."""
-    return in_language(reason, language(), _of_modules)
+    """The sentence of a reason in the language of this process; what it quotes brings no control sequences along."""
+    return safe(in_language(reason, language(), _of_modules))

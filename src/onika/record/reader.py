@@ -28,8 +28,18 @@ _RECORD = Struct("<BQ")
 _CHUNK = Struct("<QQQII")
 _INDEX = Struct("<HI")
 _MESSAGE = Struct("<BQHIQQ")
+_LEAST = 4
+"""Bytes of the shortest record that says something."""
 _KEPT = 48
 """Unpacked chunks that are kept: whoever looks at an instant mostly looks beside it next."""
+_KEPT_BYTES = 64 * 2**20
+"""What unpacked chunks may hold together; fewer are kept where they are large."""
+_LARGEST_CHUNK = 16 * 2**20
+"""Bytes of an unpacked chunk; ours hold a quarter of a megabyte, those of other writers about one."""
+_MOST_WITHOUT_INDEX = 128 * 2**20
+"""Bytes that are unpacked together to find what stands in chunks without an index."""
+_MOST_EMPTY = 10_000
+"""Records that say nothing; a file of nothing else is no recording."""
 
 
 def complaint(path: Path, wrong: Exception) -> Reason:
@@ -58,7 +68,7 @@ def content(wrong: Exception) -> Reason:
 
 
 UNREADABLE = (
-    *(OSError, ValueError, LookupError, TypeError, OverflowError, MemoryError),
+    *(OSError, ValueError, LookupError, TypeError, OverflowError, MemoryError, RecursionError),
     *(struct.error, zstandard.ZstdError, MsgspecError, McapError),
 )
 """What reading a file raises that somebody else has written, or spoilt."""
@@ -93,16 +103,21 @@ class Reader:
         """Bytes at the end of a file cut short that make no whole chunk."""
         self._chunks: list[_Chunk] = []
         self._attachments: dict[str, tuple[int, int]] = {}
+        self._empty_records = 0
         self._stored = StoredFile(path)
         if self._stored.size < len(MAGIC) or self._stored.read(0, len(MAGIC)) != MAGIC:
             raise unfit(path, Reason.of("record.no_mcap", given=Reason.of("record.something_else")))
         self._scan()
+        unindexed = sum(chunk.size for chunk in self._chunks if not chunk.index)
+        if unindexed > _MOST_WITHOUT_INDEX:
+            raise self._too_large(unindexed, _MOST_WITHOUT_INDEX)
         self._of: dict[int, list[int]] = {}
         """By channel, the chunks in which it speaks."""
         for number, chunk in enumerate(self._chunks):
             for channel in chunk.index or self._entries(number):
                 self._of.setdefault(channel, []).append(number)
-        self._unpack = lru_cache(_KEPT)(self._unpacked)
+        largest = max((chunk.size for chunk in self._chunks), default=1)
+        self._unpack = lru_cache(min(_KEPT, max(2, _KEPT_BYTES // max(largest, 1))))(self._unpacked)
 
     @property
     def span(self) -> tuple[int, int]:
@@ -211,10 +226,16 @@ class Reader:
             case Opcode.CHUNK:
                 first, last, whole, check, name = _CHUNK.unpack(self._stored.read(at, _CHUNK.size))
                 data = at + _CHUNK.size + name + 8
+                if whole > _LARGEST_CHUNK:
+                    raise self._too_large(whole, _LARGEST_CHUNK)
                 self._chunks.append(_Chunk(first, last, data, at + length - data, whole, check, {}))
-            case Opcode.MESSAGE_INDEX if self._chunks:
+            case Opcode.MESSAGE_INDEX if self._chunks and length >= _INDEX.size:
                 channel_id, _ = _INDEX.unpack(self._stored.read(at, _INDEX.size))
                 self._chunks[-1].index[channel_id] = at
+            case _ if length < _LEAST:
+                self._empty_records += 1
+                if self._empty_records > _MOST_EMPTY:
+                    raise unfit(self.path, Reason.of("record.empty_records", most=_MOST_EMPTY))
 
     def _index(self, number: int, channel: int) -> list[tuple[int, int]]:
         """The times of a channel's messages in a chunk, and where they begin in it."""
@@ -231,6 +252,8 @@ class Reader:
         index: dict[int, list[tuple[int, int]]] = {}
         while at + _MESSAGE.size <= len(data):
             _, length, channel, _, time, _ = _MESSAGE.unpack_from(data, at)
+            if length < _MESSAGE.size - _RECORD.size:
+                raise unfit(self.path, Reason.of("record.no_mcap", given=Reason.of("record.spoilt")))
             index.setdefault(channel, []).append((time, at))
             at += _RECORD.size + length
         return {channel: sorted(entries, key=lambda entry: entry[0]) for channel, entries in index.items()}
@@ -248,10 +271,16 @@ class Reader:
     def _unpacked(self, number: int) -> bytes:
         chunk = self._chunks[number]
         packed = self._stored.read(chunk.at, chunk.packed)
+        told = zstandard.frame_content_size(packed)
+        if told > chunk.size:  # the frame's word would count, not ours
+            raise self._too_large(told, chunk.size)
         data: bytes = zstandard.ZstdDecompressor().decompress(packed, max_output_size=chunk.size)
         if chunk.sum and crc32(data) != chunk.sum:
             raise ValueError(f"{self.path}: it is spoilt: the part at byte {chunk.at} is not what was written")
         return data
+
+    def _too_large(self, size: int, most: int) -> ValueError:
+        return unfit(self.path, Reason.of("record.too_large", most=most, size=size))
 
     def _stream(self, at: int, size: int) -> ReadDataStream:
         return ReadDataStream(BytesIO(self._stored.read(at, size)))

@@ -1,6 +1,7 @@
 """The run that a recording holds, described as a whole: enough to begin the same run again (law 29)."""
 
 import hashlib
+import re
 from typing import Any
 
 import msgspec
@@ -13,10 +14,14 @@ from onika.record.writer import Writer
 from onika.wire.event import Result
 from onika.wire.plan import Code
 from onika.wire.request import Begin, Prepare
+from onika.words.name import TASK_NAME
 from onika.words.reason import Reason
 
 NOTE, END = "onika", "end"
 _TOO_SHORT = Reason.of("record.cut_short")
+_MOST_UNITS = 64
+_OPTIONS = re.compile(r"--shake [0-9]{1,18}", re.ASCII)
+"""How a runtime is started that shakes its world; nothing else changes what happens in virtual time."""
 _PLAN, _BEGIN, _CODE = "plan.json", "begin.json", "code.json"
 
 
@@ -89,12 +94,12 @@ class RunRecord(Struct, frozen=True):
         return cls(
             prepare,
             begin_request,
-            tuple(note.get("units", "").split()),
+            _units(reader, note.get("units", "")),
             note.get("time") == "virtual",
             note.get("fresh") == "yes",
             note.get("began", ""),
             note.get("software", ""),
-            tuple(note.get("options", "").split()),
+            _options(reader, note.get("options", "")),
         )
 
 
@@ -107,6 +112,23 @@ def ending(result: Result) -> dict[str, str]:
         "seconds": f"{result.runtime_s:.9g}",
         "outside": " ".join(result.outside),
     }
+
+
+def _units(reader: Reader, text: str) -> tuple[str, ...]:
+    """The processing units; raises ValueError for what is no name of one: they become words of a command line."""
+    units = tuple(text.split())
+    wrong = [unit for unit in units if not TASK_NAME.match(unit)]
+    if wrong or len(units) > _MOST_UNITS:
+        raise unfit(reader.path, Reason.of("record.units", most=_MOST_UNITS, units=units[:_MOST_UNITS]))
+    return units
+
+
+def _options(reader: Reader, text: str) -> tuple[str, ...]:
+    """The options of a runtime that recordings may name, and no others: a file gives no orders."""
+    words = tuple(text.split())
+    if not words or _OPTIONS.fullmatch(text):
+        return words
+    raise unfit(reader.path, Reason.of("record.options", text=text))
 
 
 def _code(reader: Reader, digest: str, module: str, path: str) -> Code:
