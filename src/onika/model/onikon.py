@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from onika.model.picture import Picture
 from onika.model.syntax import DataItem, Syntax
 from onika.words import argument
+from onika.words.reason import Reason
 from onika.words.value import Value
 
 
@@ -40,8 +41,11 @@ class Onikon:
         kind = syntax.find(self.type)
         items = kind.items if kind else ()
         if kind is None or not fits(self.values, items):
-            expected = ", ".join(f"{item.count} {item.type.value}" for item in items) or "no values"
-            raise ValueError(f"expected {expected} for `{self.name}` of type {self.type!r}, found {self.values!r}")
+            expected = tuple(f"{item.count} {item.type.value}" for item in items) or Reason.of("rules.no_values")
+            given = repr(self.values)
+            raise ValueError(
+                Reason.of("rules.values_of_type", items=expected, name=self.name, type=self.type, given=given)
+            )
         return argument.join(
             item.type.show(value) for item, values in zip(items, self.values, strict=True) for value in values
         )

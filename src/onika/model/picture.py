@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from onika.words.reason import Reason
+
 SIZE = 32
 """Rows of a picture, and cells of a row."""
 
@@ -23,9 +25,9 @@ class Picture:
 
     def __post_init__(self) -> None:
         if len(self.rows) != SIZE or not is_digits(self.rows, _DIGITS):
-            raise ValueError(f"expected {SIZE} rows of {SIZE} digits from 0 to 8, found {self.rows!r}")
+            raise ValueError(Reason.of("rules.picture_digits", size=SIZE, given=repr(self.rows)))
         if _framed(self.rows) != self.rows:
-            raise ValueError("expected a black border, found other colours on it (see `framed`)")
+            raise ValueError(Reason.of("rules.picture_border"))
 
 
 def is_digits(rows: Sequence[str], digits: str) -> bool:
@@ -36,7 +38,7 @@ def is_digits(rows: Sequence[str], digits: str) -> bool:
 def framed(rows: Sequence[str]) -> Picture:
     """The picture of these rows with its border made black; raises ValueError where they are not 32 × 32 digits."""
     if len(rows) != SIZE or any(len(row) != SIZE for row in rows):
-        raise ValueError(f"expected {SIZE} rows of {SIZE} digits, found {rows!r}")
+        raise ValueError(Reason.of("rules.picture_size", size=SIZE, given=repr(rows)))
     return Picture(_framed(rows))
 
 

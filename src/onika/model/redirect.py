@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from onika.words.name import TASK_NAME
+from onika.words.reason import Reason
 
 _FORM = re.compile(r"(?:(?P<flow>[^:=\s]+):)?(?P<old>[^:=\s]+)=(?P<new>[^:=\s]+)\Z")
 _NUMBER = re.compile(r"[0-9]{1,6}\Z")
@@ -24,7 +25,7 @@ class Redirect:
         """Read `puma=scara` or `0:puma=scara`; raises ValueError that says what was expected."""
         match = _FORM.match(text.strip())
         if not match or not (TASK_NAME.match(match["old"]) and TASK_NAME.match(match["new"])):
-            raise ValueError(f"expected [FLOW:]TASK=TASK, found {text!r}")
+            raise ValueError(Reason.of("rules.redirect_form", text=text))
         return cls(match["old"], match["new"], match["flow"] or "")
 
     @property

@@ -6,6 +6,7 @@ from kit import build
 from kit.program_tree import Act, Loop, Pick, Side, planned
 from onika.model.rules.stretch import ENDLESS, IDLE, FlowOutcome, FlowStop, ReturnValue, program_of, ways
 from onika.wire.plan import Do, Halt, Meet, Rest
+from onika.words.reason import Reason
 
 MEET = Act("a")
 NOOP = Act(tasks=(), is_noop=True)
@@ -42,12 +43,16 @@ def test_a_test_goes_by_the_value_before_it(value, result):
     assert stops(Loop("l", (MEET, Act("b"))), Act("c"), at=4, value=value) == result
 
 
+def takes(number):
+    return Reason.of("rules.takes_flow", number=number, branch=Reason.of("rules.branch"))
+
+
 def test_the_flows_that_are_begun_on_the_way_are_told_with_their_choices():  # R-D13
     flow = planned((Act(), Pick(((Side(((), (MEET,))),), ())))).flows[0]
     result = ways(flow, flow.program, 0, ReturnValue.NONE)
     assert result == (
-        FlowOutcome(FlowStop(3, ReturnValue.ANY), ((1, 0),), ("takes flow 0 of a branch",)),
-        FlowOutcome(IDLE, (), ("takes flow 1 of a branch",)),
+        FlowOutcome(FlowStop(3, ReturnValue.ANY), ((1, 0),), (takes(0),)),
+        FlowOutcome(IDLE, (), (takes(1),)),
     )
 
 

@@ -48,19 +48,29 @@ def _passage(
         if position in starts:
             takes.append(False)
         if isinstance(step, Branch):
-            inner = [flows[f"{passage.path}, step {position}, branch {at}"] for at in range(len(step.flows))]
-            takes[-1] |= bool(inner) and all(inner)
+            takes[-1] |= _branch_takes(passage, position, step, flows)
         elif action := by_position.get(position):
             takes[-1] |= _takes(outline, action, nest, syntax, endless)
         if loop := ends.get(position):
             round_it = takes.pop()
             slack += [] if round_it else [loop]
             test = by_position.get(loop.test)
-            if test and loop.is_top and (not _is_noop(test, syntax) or test.icon.while_if):
+            if test and loop.is_top and _may_leave(test, syntax):
                 takes[-1] |= _takes(outline, test, nest, syntax, endless)  # the rest of the loop may be passed by
             else:
                 takes[-1] |= round_it
     return takes[0], slack
+
+
+def _may_leave(test: Action, syntax: Syntax) -> bool:
+    """Whether the test of a loop can end it: a no-op only by a condition."""
+    return not _is_noop(test, syntax) or bool(test.icon.while_if)
+
+
+def _branch_takes(passage: Passage, position: int, branch: Branch, flows: Mapping[str, bool]) -> bool:
+    """Whether every way through a branch takes time."""
+    inner = [flows[f"{passage.path}, step {position}, branch {at}"] for at in range(len(branch.flows))]
+    return bool(inner) and all(inner)
 
 
 def _takes(outline: Outline, action: Action, nest: Nest, syntax: Syntax, endless: Mapping[str, bool]) -> bool:

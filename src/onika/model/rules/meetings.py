@@ -74,15 +74,22 @@ class _Finder:
         return Fault(self._place(deadlock.waits[0]), reason, NOT_RUN)
 
     def _possible(self, deadlock: Deadlock) -> Fault:
-        choices = [f"{self._flow(flow)} {choice}" for flow, choice in deadlock.choices]
-        shown = choices if len(choices) <= EXAMPLES else ["…", *choices[-EXAMPLES:]]
-        when = Reason.of("rules.when_chosen", choices=tuple(shown)) if shown else Reason.of("rules.in_some_runs")
+        when = self._when(deadlock)
         wait = self._deadlock(deadlock)
         if deadlock.is_circle:
             reason = Reason.of("rules.tags_in_order_always", wait=wait, when=when)
         else:
             reason = Reason.of("rules.tags_as_often_always", wait=wait, when=when)
         return Fault(self._place(deadlock.waits[0]), reason, Reason.of("rules.flow_may_pass"), is_note=True)
+
+    def _when(self, deadlock: Deadlock) -> Reason:
+        """By which choices it comes to that; of many the last ones."""
+        shown: list[Reason | str] = ["…"] if len(deadlock.choices) > EXAMPLES else []
+        for flow, choice in deadlock.choices[-EXAMPLES:]:
+            shown.append(Reason.of("rules.chooses", flow=self._flow(flow), choice=choice))
+        if shown:
+            return Reason.of("rules.when_chosen", choices=tuple(shown))
+        return Reason.of("rules.in_some_runs")
 
     def _deadlock(self, deadlock: Deadlock) -> Reason:
         wait = self._waiting(deadlock.waits[0])

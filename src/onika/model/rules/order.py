@@ -98,8 +98,7 @@ def _ordered(tasks: Sequence[Ports], suppliers: Mapping[str, Sequence[str]]) -> 
     """Groups of tasks, suppliers first; a group is a single task or those that supply each other in a loop."""
     position = {task.name: place for place, task in enumerate(tasks)}
     groups = [sorted(group, key=position.__getitem__) for group in _loops(position, suppliers)]
-    home = {name: number for number, group in enumerate(groups) for name in group}
-    waits_for = [{home[s] for name in group for s in suppliers[name]} - {n} for n, group in enumerate(groups)]
+    waits_for = _waiting(groups, suppliers)
     frees: list[list[int]] = [[] for _ in groups]
     for number, waiting in enumerate(waits_for):
         for supplier in waiting:
@@ -115,6 +114,13 @@ def _ordered(tasks: Sequence[Ports], suppliers: Mapping[str, Sequence[str]]) -> 
             if not waits_for[freed]:
                 heapq.heappush(ready, (position[groups[freed][0]], freed))
     return ordered
+
+
+def _waiting(groups: Sequence[Sequence[str]], suppliers: Mapping[str, Sequence[str]]) -> list[set[int]]:
+    """For each group the others that supply it."""
+    home = {name: number for number, group in enumerate(groups) for name in group}
+    every = ({home[supplier] for name in group for supplier in suppliers[name]} for group in groups)
+    return [supplying - {number} for number, supplying in enumerate(every)]
 
 
 def _loops(names: Iterable[str], suppliers: Mapping[str, Sequence[str]]) -> list[list[str]]:

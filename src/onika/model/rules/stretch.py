@@ -4,6 +4,7 @@ from collections import deque
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
+from functools import cache
 from typing import NamedTuple
 
 from onika.wire.plan import (
@@ -21,6 +22,7 @@ from onika.wire.plan import (
     Rest,
     Unless,
 )
+from onika.words.reason import NOTHING, Reason
 
 
 class ReturnValue(IntEnum):
@@ -45,7 +47,7 @@ IDLE = FlowStop(-1, ReturnValue.NONE)
 ENDLESS = FlowStop(-2, ReturnValue.NONE)
 """It goes round in a loop that waits for nobody and is never left."""
 
-Said = tuple[str, "Said"] | None
+Said = tuple[Reason, "Said"] | None
 """The choices made, the latest first."""
 
 
@@ -55,7 +57,7 @@ class FlowOutcome:
 
     stop: FlowStop
     forks: tuple[tuple[int, int], ...]
-    choices: tuple[str, ...]
+    choices: tuple[Reason, ...]
 
 
 def program_of(flow: PlannedFlow) -> tuple[Instruction, ...]:
@@ -82,18 +84,33 @@ def ways(flow: PlannedFlow, program: Sequence[Instruction], at: int, value: Retu
             continue
         seen.add((at, value, forks))
         here = program[at] if at < len(program) else Halt()
-        if isinstance(here, Meet | Join | Halt):
-            stop = IDLE if isinstance(here, Halt) else FlowStop(at, _kept(program, at, value))
+        stop = _stop(here, program, at, value)
+        if stop is not None:
             outcomes.setdefault((stop, forks), FlowOutcome(stop, forks, _in_order(choices)))
             continue
         if isinstance(here, Do):
-            value = ReturnValue.NOOP if flow.actions[here.action].is_noop else ReturnValue.ANY
+            value = _returned(flow, here)
         elif isinstance(here, Fork):
             forks += tuple(flow for flow in here.flows if flow not in forks)
         ahead.extend(
             (to, value, forks, (choice, choices) if choice else choices) for to, choice in _onward(here, at, value)
         )
     return tuple(outcomes.values()) or (FlowOutcome(ENDLESS, (), ()),)
+
+
+def _stop(here: Instruction, program: Sequence[Instruction], at: int, value: ReturnValue) -> FlowStop | None:
+    """Where a flow stands still at an instruction; None: it goes on."""
+    if isinstance(here, Halt):
+        return IDLE
+    if isinstance(here, Meet | Join):
+        return FlowStop(at, _kept(program, at, value))
+    return None
+
+
+def _returned(flow: PlannedFlow, here: Do) -> ReturnValue:
+    if flow.actions[here.action].is_noop:
+        return ReturnValue.NOOP
+    return ReturnValue.ANY
 
 
 def _plain(index: int, action: PlannedAction) -> Iterator[Instruction]:
@@ -111,34 +128,46 @@ def _straight_on(
     while at < len(program):
         here = program[at]
         if type(here) is Do:
-            value = ReturnValue.NOOP if flow.actions[here.action].is_noop else ReturnValue.ANY
+            value = _returned(flow, here)
         elif type(here) is not Rest:
             break
         at += 1
     return at, value
 
 
-def _onward(here: Instruction, at: int, value: ReturnValue) -> list[tuple[int, str]]:
-    """The places that can follow, each with the choice that leads there, in words; empty where there is none."""
+def _onward(here: Instruction, at: int, value: ReturnValue) -> list[tuple[int, Reason]]:
+    """The places that can follow, each with the choice that leads there; nothing where there is none."""
     match here:
         case Choose():
             if here.conditions or value is ReturnValue.ANY:
-                return [(to, f"takes flow {way} of {here.name or 'a branch'}") for way, to in enumerate(here.to)]
-            return [(here.to[0], "")]
+                return [(to, _taking(way, here.name)) for way, to in enumerate(here.to)]
+            return [(here.to[0], NOTHING)]
         case Again():
             return _either(here.loop, here.condition, value, stay=here.to, leave=at + 1)
         case Unless():
             return _either(here.loop, here.condition, value, stay=at + 1, leave=here.to)
         case Jump():
-            return [(here.to, "")]
+            return [(here.to, NOTHING)]
         case _:
-            return [(at + 1, "")]
+            return [(at + 1, NOTHING)]
 
 
-def _either(loop: str, condition: str, value: ReturnValue, stay: int, leave: int) -> list[tuple[int, str]]:
+def _either(loop: str, condition: str, value: ReturnValue, stay: int, leave: int) -> list[tuple[int, Reason]]:
     if condition or value is ReturnValue.ANY:
-        return [(leave, f"leaves loop {loop}"), (stay, f"stays in loop {loop}")]
-    return [(stay if value is ReturnValue.NOOP else leave, "")]
+        leaving, staying = _of_loop(loop)
+        return [(leave, leaving), (stay, staying)]
+    return [(stay if value is ReturnValue.NOOP else leave, NOTHING)]
+
+
+@cache
+def _taking(way: int, name: str) -> Reason:
+    """The same choice is met in state after state."""
+    return Reason.of("rules.takes_flow", number=way, branch=name or Reason.of("rules.branch"))
+
+
+@cache
+def _of_loop(loop: str) -> tuple[Reason, Reason]:
+    return Reason.of("rules.leaves_loop", loop=loop), Reason.of("rules.stays_in_loop", loop=loop)
 
 
 def _kept(program: Sequence[Instruction], at: int, value: ReturnValue) -> ReturnValue:
@@ -149,7 +178,7 @@ def _kept(program: Sequence[Instruction], at: int, value: ReturnValue) -> Return
     return value
 
 
-def _in_order(unordered: Said) -> tuple[str, ...]:
+def _in_order(unordered: Said) -> tuple[Reason, ...]:
     choices = []
     while unordered is not None:
         choice, unordered = unordered

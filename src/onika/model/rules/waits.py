@@ -13,6 +13,7 @@ from itertools import product
 
 from onika.model.rules.stretch import ENDLESS, IDLE, FlowOutcome, FlowStop, ReturnValue, program_of, ways
 from onika.wire.plan import Join, Meet, PlannedFlow
+from onika.words.reason import Reason
 
 State = tuple[FlowStop, ...]
 """Where each flow of the plan stops; flows that are not looked at are idle."""
@@ -33,7 +34,7 @@ class Deadlock:
 
     waits: tuple[FlowWait, ...]
     is_circle: bool
-    choices: tuple[tuple[int, str], ...]
+    choices: tuple[tuple[int, Reason], ...]
     """An example of how they come there: who chooses what."""
 
 
@@ -79,7 +80,7 @@ class Waits:
         """Every state that these flows can come to, at most so many."""
         return _Exploration(self, limit).explore(self._first(family))
 
-    def steps(self, state: State, released: Sequence[int]) -> Iterator[tuple[State, tuple[tuple[int, str], ...]]]:
+    def steps(self, state: State, released: Sequence[int]) -> Iterator[tuple[State, tuple[tuple[int, Reason], ...]]]:
         """The states that can follow when these flows go on, each with the choices that lead there."""
         return self._starts(state, [(number, state[number].at + 1, state[number].value) for number in released])
 
@@ -115,14 +116,14 @@ class Waits:
         """Whether a flow has come to its last end."""
         return state[number] == IDLE and self._flows[number].parent is None
 
-    def _first(self, family: Sequence[int]) -> Iterator[tuple[State, tuple[tuple[int, str], ...]]]:
+    def _first(self, family: Sequence[int]) -> Iterator[tuple[State, tuple[tuple[int, Reason], ...]]]:
         nowhere = (IDLE,) * len(self._flows)
         roots = [number for number in family if self._flows[number].parent is None]
         return self._starts(nowhere, [(number, 0, ReturnValue.NONE) for number in roots])
 
     def _starts(
         self, state: State, starts: Sequence[tuple[int, int, ReturnValue]]
-    ) -> Iterator[tuple[State, tuple[tuple[int, str], ...]]]:
+    ) -> Iterator[tuple[State, tuple[tuple[int, Reason], ...]]]:
         """Let flows go on, each from a place of its program, and those that they begin as well."""
         for each in product(*(self._ways_of(*start) for start in starts)):
             new = list(state)
@@ -155,14 +156,14 @@ class _Exploration:
     def __init__(self, waits: Waits, limit: int) -> None:
         self._waits = waits
         self._limit = limit
-        self._came: dict[State, tuple[State | None, tuple[tuple[int, str], ...]]] = {}
+        self._came: dict[State, tuple[State | None, tuple[tuple[int, Reason], ...]]] = {}
         self._steps: dict[State, list[State]] = {}
         self._knots: dict[tuple[FlowWait, ...], Deadlock] = {}
         self._idling: dict[FlowWait, None] = {}
         self._has_good_end = False
         self._ahead: deque[State] = deque()
 
-    def explore(self, first: Iterator[tuple[State, tuple[tuple[int, str], ...]]]) -> Exploration:
+    def explore(self, first: Iterator[tuple[State, tuple[tuple[int, Reason], ...]]]) -> Exploration:
         is_whole = self._reach(None, first)
         while is_whole and self._ahead:
             is_whole = self._look_at(self._ahead.popleft())
@@ -182,7 +183,7 @@ class _Exploration:
             return True
         return self._reach(state, self._waits.steps(state, released))
 
-    def _reach(self, state: State | None, steps: Iterator[tuple[State, tuple[tuple[int, str], ...]]]) -> bool:
+    def _reach(self, state: State | None, steps: Iterator[tuple[State, tuple[tuple[int, Reason], ...]]]) -> bool:
         for new, choices in steps:
             if state is not None:
                 self._steps.setdefault(state, []).append(new)
@@ -238,7 +239,7 @@ class _Exploration:
                 if state[other] == ENDLESS:
                     self._idling[FlowWait(number, stop.at, other)] = None
 
-    def _example(self, state: State) -> tuple[tuple[int, str], ...]:
+    def _example(self, state: State) -> tuple[tuple[int, Reason], ...]:
         parts, at = [], state
         while True:
             before, choices = self._came[at]

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from string import ascii_uppercase
 
-from onika.desk.environment.icons.action_of_step import action_of, exchanged, unmarked
+from onika.desk.environment.icons.action_of_step import StepAction, action_of, exchanged, unmarked
 from onika.desk.environment.icons.alteration import reflowed
 from onika.desk.environment.icons.marks import condition_of, tag_refused
 from onika.desk.environment.outcome.on_file import on_resting_application, syntax_of
@@ -28,15 +28,10 @@ def set_loop(model: Model, opened: OpenApplication, command: act.SetLoop, _outsi
     refused = condition if isinstance(condition, No) else tag_refused(command.tag)
     if isinstance(condition, No) or refused:
         return refused or No(Reason.of("desk.no_condition"))
-    test, anchor = action_of(model, opened, command.test), action_of(model, opened, command.anchor)
-    if isinstance(test, No):
-        return test
-    if isinstance(anchor, No):
-        return anchor
-    if test.path != anchor.path:
-        return No(Reason.of("desk.loop_over_flows"))
-    if test.action.position == anchor.action.position:
-        return No(Reason.of("desk.loop_of_one_action"))
+    ends = _ends(model, opened, command)
+    if isinstance(ends, No):
+        return ends
+    test, anchor = ends
     syntax = syntax_of(model)
     freed = _without(test.flow, {test.action.icon.while_tag, anchor.action.icon.while_tag})
     tag = command.tag or _free(with_flows(opened.application, {test.path: freed}))
@@ -64,6 +59,20 @@ def set_loop(model: Model, opened: OpenApplication, command: act.SetLoop, _outsi
         return No(Reason.of("desk.loop_crosses", loops=tuple(crossed)), tuple(remove))
     label = Reason.of("desk.looping", test=named(job.onikon), anchor=named(back.onikon))
     return reflowed(model, opened, {test.path: flow}, label, tag)
+
+
+def _ends(model: Model, opened: OpenApplication, command: act.SetLoop) -> tuple[StepAction, StepAction] | No:
+    """The two actions of a loop, in one flow."""
+    test, anchor = action_of(model, opened, command.test), action_of(model, opened, command.anchor)
+    if isinstance(test, No):
+        return test
+    if isinstance(anchor, No):
+        return anchor
+    if test.path != anchor.path:
+        return No(Reason.of("desk.loop_over_flows"))
+    if test.action.position == anchor.action.position:
+        return No(Reason.of("desk.loop_of_one_action"))
+    return test, anchor
 
 
 @on_resting_application

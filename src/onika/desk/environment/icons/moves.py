@@ -1,6 +1,6 @@
 """Moving steps within and between flows: taken out and put in again as one step, or not at all (requirement D05)."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from onika.desk.environment.icons.alteration import altered, flow_at, place_behind, spots_of
@@ -42,6 +42,20 @@ def move_icons(model: Model, opened: OpenApplication, command: act.MoveIcons, _o
     place = place_behind(left, place[0], after)
     if isinstance(place, No):
         return place
+    application = _inserted(model, opened, left, place, steps)
+    if isinstance(application, No):
+        return application
+    if is_too_deep(application):
+        return too_deep()
+    if application == opened.application:
+        return Done(model)
+    return altered(model, opened, application, Reason.of("desk.moving", icons=several(steps)))
+
+
+def _inserted(
+    model: Model, opened: OpenApplication, left: Application, place: tuple[str, int], steps: Sequence[Step]
+) -> Application | No:
+    """What is left of an application with steps of it at another place."""
     path, position = place
     flow = flow_at(left, path) or AppFlow(())
     first = next((step for step in steps if not isinstance(step, Hole)), None)
@@ -49,16 +63,9 @@ def move_icons(model: Model, opened: OpenApplication, command: act.MoveIcons, _o
         return No(Reason.of("desk.hole_no_icon"))
     refused = misfit(model, replace(opened, application=left), flow, position, first, path=path)
     if refused:
-        shown = tuple(
-            remedy for remedy in refused.remedies if remedy.show
-        )  # the others would insert, and nothing is moved
-        return replace(refused, remedies=shown)
-    application = with_flows(left, {path: jigsaw.insert_all(flow, position, steps, syntax)})
-    if is_too_deep(application):
-        return too_deep()
-    if application == opened.application:
-        return Done(model)
-    return altered(model, opened, application, Reason.of("desk.moving", icons=several(steps)))
+        shown = (remedy for remedy in refused.remedies if remedy.show)  # the others would insert, and nothing is moved
+        return replace(refused, remedies=tuple(shown))
+    return with_flows(left, {path: jigsaw.insert_all(flow, position, steps, syntax_of(model))})
 
 
 def taken(application: Application, numbers: set[int], syntax: Syntax) -> Iterable[Step]:

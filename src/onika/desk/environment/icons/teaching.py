@@ -10,9 +10,10 @@ from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.desk.plan.icon_names import a_kind, kind_named
 from onika.model.planned import task_of
+from onika.model.syntax import IconType
 from onika.wire import act, live
 from onika.wire.view import TaughtView
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 Writers = Mapping[str, str]
 """By variable: the task that writes it now."""
@@ -35,20 +36,26 @@ def teach(model: Model, command: act.Teach, _outside: Services) -> Procedure:
     if not isinstance(standing, live.Standing):
         return No(refusal(standing))
     places = {home.name: writers for home in standing.subsystems if (writers := _writers(home, measures))}
-    if command.subsystem and command.subsystem not in places:
-        return No(
-            Reason.of("desk.not_measured_in", subsystem=command.subsystem, kind=a_kind(kind.name)),
-            ways_to_measure(model, measures),
-        )
-    if not places:
-        names = tuple(dict.fromkeys(measure.variable for measure in measures))
-        return No(Reason.of("desk.not_measured", names=names), ways_to_measure(model, measures))
+    why = _unmeasured(places, measures, command.subsystem, kind)
+    if why:
+        return No(why, ways_to_measure(model, measures))
     subsystem = command.subsystem or _nearest(model, places)
     others = tuple(name for name in places if name != subsystem)
     model, response = yield Ask(model, live.Read(subsystem, tuple(places[subsystem])))
     if not isinstance(response, live.Values):
         return No(refusal(response))
     return _taught(model, response, measures, places[subsystem], subsystem, others)
+
+
+def _unmeasured(
+    places: Mapping[str, Writers], measures: Sequence[MeasuredVariable], subsystem: str, kind: IconType
+) -> Reason:
+    """Why nothing is measured, there or anywhere; nothing: it is."""
+    if subsystem and subsystem not in places:
+        return Reason.of("desk.not_measured_in", subsystem=subsystem, kind=a_kind(kind.name))
+    if places:
+        return NOTHING
+    return Reason.of("desk.not_measured", names=tuple(dict.fromkeys(measure.variable for measure in measures)))
 
 
 def _taught(

@@ -3,8 +3,11 @@
 from collections.abc import Mapping
 from typing import TypeVar
 
+from msgspec import structs
+
 from onika.desk.environment.show.wiring import MadeDocument, group_views, locus_views, placed_views
 from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.task import Task
 from onika.store.module_catalogue import merged
@@ -110,8 +113,7 @@ def document_view(
     """A document; parts that look as they did are the same objects."""
     old = seen.view if seen else DocumentView("", 0)
     last, following = document.history.last, document.history.next
-    live = document.live
-    return DocumentView(
+    view = DocumentView(
         name=document.name,
         order=order,
         path=str(document.opened.path) if document.opened else "",
@@ -127,14 +129,21 @@ def document_view(
         greyed=greyed,
         objections=_kept({name: why for name, why in objected.items() if name not in greyed}, old.objections),
         problems=_kept(troubles, old.problems),
-        connection=live.state if live else "none",
-        subsystem=live.subsystem if live else "",
-        holder=live.holder if live else "",
-        is_held_here=live.is_held_here if live else False,
-        offered_by=live.offer.holder if live and live.offer else "",
-        offered_to=live.offer.to if live and live.offer else "",
-        is_offered_here=live.offer.is_here if live and live.offer else False,
     )
+    return _with_subsystem(view, document.live)
+
+
+def _with_subsystem(view: DocumentView, live: SubsystemFacts | None) -> DocumentView:
+    """With the subsystem that the document is connected with, who holds it, and to whom it is offered."""
+    if live is None:
+        return view
+    held = structs.replace(
+        view, connection=live.state, subsystem=live.subsystem, holder=live.holder, is_held_here=live.is_held_here
+    )
+    if live.offer is None:
+        return held
+    offer = live.offer
+    return structs.replace(held, offered_by=offer.holder, offered_to=offer.to, is_offered_here=offer.is_here)
 
 
 def _kept(new: dict[str, _V], old: dict[str, _V]) -> dict[str, _V]:
