@@ -148,6 +148,15 @@ def test_without_the_device_server_hardware_tasks_fail_within_a_tenth_of_a_secon
     assert ("was killed by signal 9" if blow == "SIGKILL" else "puma is in error") in cause
 
 
+@pytest.mark.parametrize("time", [(), ("--virtual", "--scale", "1")], ids=["wall", "scaled"])
+def test_a_frozen_runtime_is_told_and_ended_by_the_first_control_c(tmp_path, time):  # R-E07, R-E10, law 27
+    with CliProcess("run", program(tmp_path), "--json", *time) as console:
+        console.until(event="warned", text="it begins")
+        os.kill(console.process("onika.host --link-fd"), signal.SIGSTOP)
+        console.interrupt()
+        assert "it was frozen, and has been ended" in aborted(console)["cause"]
+
+
 def test_a_killed_runtime_is_told_and_takes_its_processes_with_it(tmp_path):  # R-E10, R-A15
     with CliProcess("run", program(tmp_path), "--json") as console:
         console.until(event="warned", text="it begins")

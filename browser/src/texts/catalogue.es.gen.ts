@@ -1326,6 +1326,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "link.ended_here": "este lado terminó la conexión: {why}",
   "link.ended_there": "el otro lado terminó la conexión: {why}",
   "link.ended_with_code": "; terminó con el código {code}",
+  "link.frozen": "el runtime no contestó a Stop durante {seconds:g} s: estaba congelado y se ha terminado",
   "link.garbage": "se recibió algo ininteligible: {detail}",
   "link.it_does_not_answer": "no responde",
   "link.killed_by_signal": "; lo terminó la señal {signal}",

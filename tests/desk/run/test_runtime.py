@@ -12,6 +12,7 @@ from onika.desk.run.runtime import LaunchedRuntime, NumberedResponse
 from onika.link.launcher import launch
 from onika.link.lost import LinkLost
 from onika.wire import event, live, request
+from onika.words.reason import Reason
 
 pytestmark = pytest.mark.site
 
@@ -50,6 +51,13 @@ def events_of(runtime):
             yield message
             if isinstance(message, event.Result):
                 return
+
+
+def test_a_runtime_that_does_not_answer_stop_is_ended():  # R-E10, law 27
+    with pytest.raises(LinkLost) as lost, LaunchedRuntime(("rt0",), is_virtual=True) as runtime:
+        os.kill(runtime.pid, signal.SIGSTOP)
+        runtime.ask(request.Stop(Reason.plain("enough")))
+    assert lost.value.reason.key == "link.frozen"
 
 
 def test_a_runtime_is_asked_and_listened_to_until_the_block_ends():  # R-F01, reading 1

@@ -30,6 +30,8 @@ from onika.wire import event, live, request
 from onika.words.reason import NOTHING, Reason, Text
 
 _PATIENCE_S = 60.0
+_STOP_PATIENCE_S = 1.5
+"""How long a runtime that was launched here may leave Stop or Abort without an answer before it is ended."""
 _PRINTED = "; it printed last: "
 _AWAY_NS = 10 * 1_000_000_000
 """How long a link to another machine may be cut before it is given up."""
@@ -63,6 +65,7 @@ class RuntimeConversation:
 
     def __init__(self, connection: Connection) -> None:
         self._connection = connection
+        self._stop_patience_s = _PATIENCE_S
         self._news: deque[LinkNotice] = deque()
         self._readings: dict[str, bytes] = {}
         self._epoch = ""
@@ -83,7 +86,8 @@ class RuntimeConversation:
         once = not isinstance(message, _AGAIN)
         urgent = isinstance(message, request.Stop | request.Abort)
         try:
-            body = self._connection.request(request.encode(message), _PATIENCE_S, once=once, urgent=urgent or once)
+            patience_s = self._stop_patience_s if urgent else _PATIENCE_S
+            body = self._connection.request(request.encode(message), patience_s, once=once, urgent=urgent or once)
         except LinkLost as lost:
             raise self._explained(lost) from None
         response: request.Response = request.decode_response(body)
@@ -175,6 +179,18 @@ class LaunchedRuntime(RuntimeConversation):
             words.append("--no-fifo")
         self._child: RuntimeProcess = launch([*words, *options])
         super().__init__(Connection(self._child.carrier, monotonic_ns, CHILD))
+        self._stop_patience_s = _STOP_PATIENCE_S
+
+    def ask(self, message: request.Request) -> request.Response:
+        """Ask and wait for the response; a runtime that does not answer Stop or Abort soon is frozen, and is ended."""
+        try:
+            return super().ask(message)
+        except TimeoutError:
+            if not isinstance(message, request.Stop | request.Abort):
+                raise
+            self._child.kill()
+            frozen = Reason.of("link.frozen", seconds=_STOP_PATIENCE_S)
+            raise LinkLost(LossCause.SILENT, frozen) from None
 
     def __enter__(self) -> "LaunchedRuntime":
         try:
