@@ -4,7 +4,7 @@ import signal
 import pytest
 
 from kit.live_runtime import LiveRuntime
-from onika.cli.conversation import converse, run_batch, serve
+from onika.cli.conversation import converse, next_line, run_batch, serve
 from onika.desk.console.console import Console
 from onika.desk.console.display import Tone
 from onika.desk.console.session import ConsoleSession
@@ -48,6 +48,14 @@ def seat(desk, **given):
 
 def ctrl_c():
     os.kill(os.getpid(), signal.SIGINT)
+
+
+def test_a_line_is_waited_for_in_turns_so_that_a_ctrl_c_before_one_is_not_missed():  # R-A10, R-E07
+    desk = Played(None, None, "0.5 0.75", "")
+    assert next_line(desk, "gauge? ") == "0.5 0.75"
+    assert next_line(desk, "gauge? ") == ""
+    assert next_line(desk, "gauge? ") is None
+    assert desk.prompts == ["gauge? "] * 5
 
 
 def test_lines_are_carried_out_until_the_end_of_the_input(tmp_path):  # R-A16

@@ -1,4 +1,5 @@
 import pytest
+from prompt_toolkit.keys import Keys
 
 from onika.cli.key_bindings import KEYS, KeyBindings
 from onika.desk.plan.flow_index import FlowIndex, IndexedFlow
@@ -38,20 +39,20 @@ def test_a_line_is_typed_to_its_end():  # R-E13
     bindings = KeyBindings(TWO)
     assert press(bindings, [":", *"skip 1 5"]) == []
     assert bindings.typed == "skip 1 5"
-    assert press(bindings, ["backspace", "4", "up", "enter"]) == ["skip 1 4"]
+    assert press(bindings, [Keys.Backspace, "4", Keys.Up, Keys.ControlM]) == ["skip 1 4"]
     assert bindings.typed is None
 
 
 def test_a_breakpoint_begins_with_its_word_and_the_chosen_flow():  # R-E07
     bindings = KeyBindings(TWO)
-    assert press(bindings, ["b", *"0 3", "enter"]) == ["break 0 3"]
-    assert press(bindings, ["1", "b", *"3 if LAMP == 1", "enter"]) == ["break flow1 3 if LAMP == 1"]
+    assert press(bindings, ["b", *"0 3", Keys.ControlM]) == ["break 0 3"]
+    assert press(bindings, ["1", "b", *"3 if LAMP == 1", Keys.ControlM]) == ["break flow1 3 if LAMP == 1"]
 
 
 def test_what_is_typed_can_be_let_be():  # R-E07
     bindings = KeyBindings(TWO)
-    assert press(bindings, [":", "a", "b", "cut to start", "backspace", "p"]) == ["pause"]
-    assert press(bindings, [":", "enter", "p"]) == ["pause"]
+    assert press(bindings, [":", "a", "b", Keys.ControlU, Keys.Backspace, "p"]) == ["pause"]
+    assert press(bindings, [":", Keys.ControlM, "p"]) == ["pause"]
 
 
 def test_help_comes_and_goes():

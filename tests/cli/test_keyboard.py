@@ -1,11 +1,13 @@
 import os
 import pty
+import select
 import termios
 from types import SimpleNamespace
 
 import pytest
+from prompt_toolkit.keys import Keys
 
-from onika.cli import keyboard as room
+from onika.cli import keyboard as room, terminal_input
 from onika.cli.keyboard import Keyboard
 
 
@@ -13,10 +15,14 @@ from onika.cli.keyboard import Keyboard
 def terminal(monkeypatch):
     """A terminal that is ours: the other end of it, and its settings."""
     far, near = pty.openpty()
-    monkeypatch.setattr(room.os, "tcgetpgrp", lambda _: os.getpgrp())
+    monkeypatch.setattr(terminal_input.os, "tcgetpgrp", lambda _: os.getpgrp())
     with os.fdopen(near) as stdin:
         monkeypatch.setattr(room, "sys", SimpleNamespace(stdin=stdin))
-        yield SimpleNamespace(type=lambda text: os.write(far, text.encode()), mode=lambda: termios.tcgetattr(near))
+        yield SimpleNamespace(
+            type=lambda text: os.write(far, text.encode()),
+            is_typed=lambda: select.select([near], [], [], 10.0)[0] == [near],
+            mode=lambda: termios.tcgetattr(near),
+        )
     os.close(far)
 
 
@@ -41,7 +47,7 @@ def test_keys_are_heard_at_once_and_the_terminal_is_as_it_was(terminal):  # R-E0
         assert terminal.mode()[3] & termios.ISIG
         assert keyboard.pressed() == []
         terminal.type("p1\r")
-        assert pressed(keyboard, 3) == ["p", "1", "enter"]
+        assert pressed(keyboard, 3) == ["p", "1", Keys.ControlM]
     assert terminal.mode() == usual
 
 
@@ -52,25 +58,42 @@ def test_the_terminal_is_restored_whatever_happens(terminal):  # R-E07
     assert terminal.mode() == usual
 
 
-def test_while_it_is_lent_lines_are_typed_as_usual(terminal):  # law 25
-    usual = terminal.mode()
+def test_a_key_with_alt_is_another_key(terminal):  # R-E07
     with Keyboard() as keyboard:
-        with keyboard.lent():
-            assert terminal.mode() == usual
-        assert is_raw(terminal)
+        terminal.type("\x1bcp")
+        assert pressed(keyboard, 1) == ["p"]
+
+
+def test_after_escape_alone_the_next_key_counts(terminal):  # R-E07
+    with Keyboard() as keyboard:
+        terminal.type("\x1b")
+        assert terminal.is_typed()
+        assert keyboard.pressed() == keyboard.pressed() == []
+        terminal.type("a")
+        assert pressed(keyboard, 1) == ["a"]
+
+
+def test_the_end_of_the_input_takes_the_keyboard_away():
+    far, near = pty.openpty()
+    with os.fdopen(near) as stdin, pytest.MonkeyPatch.context() as patch:
+        patch.setattr(room, "sys", SimpleNamespace(stdin=stdin))
+        with Keyboard() as keyboard:
+            os.close(far)
+            assert select.select([near], [], [], 10.0)[0]
+            assert keyboard.pressed() == []
+            assert not keyboard.is_there
+            assert keyboard.pressed() == []
 
 
 def test_in_the_background_the_terminal_is_not_touched(terminal, monkeypatch):  # R-E07
     usual = terminal.mode()
-    monkeypatch.setattr(room.os, "tcgetpgrp", lambda _: os.getpgrp() + 1)
+    monkeypatch.setattr(terminal_input.os, "tcgetpgrp", lambda _: os.getpgrp() + 1)
     with Keyboard() as keyboard:
         terminal.type("p")
         assert keyboard.pressed() == []
         assert terminal.mode() == usual
-        with keyboard.lent():
-            pass
-        assert terminal.mode() == usual
-        monkeypatch.setattr(room.os, "tcgetpgrp", lambda _: os.getpgrp())
+        assert keyboard.is_in_background
+        monkeypatch.setattr(terminal_input.os, "tcgetpgrp", lambda _: os.getpgrp())
         keyboard.pressed()
         assert is_raw(terminal)
     assert terminal.mode() == usual

@@ -1,4 +1,6 @@
+import contextlib
 import io
+from typing import ClassVar
 
 import pytest
 from rich.console import Console
@@ -19,6 +21,22 @@ ITEMS = (
     event.Item("name", "string", 1, "-", "of whom", None, None, None),
 )
 RESULT = event.Result(True, "", 4, 4, 5.0, 5.0, {}, (), "")
+
+
+class Answers:
+    """A terminal at which these lines are typed; None is a turn without one."""
+
+    prompts: ClassVar = []
+
+    def __init__(self, *answers):
+        self._answers = list(answers)
+        self.prompts.clear()
+
+    def line(self, prompt, timeout_s):
+        self.prompts.append(prompt)
+        if not self._answers:
+            raise EOFError
+        return self._answers.pop(0)
 
 
 @pytest.fixture
@@ -60,18 +78,19 @@ def test_before_the_run_it_says_that_it_prepares(screen):
 
 
 def test_each_value_is_asked_for_with_what_it_means_and_the_answers_are_joined(screen, monkeypatch):  # R-A10
-    answers = iter(["0.5 0.75", "me"])
-    monkeypatch.setattr(room, "typed_line", lambda: next(answers))
+    monkeypatch.setattr(room, "Terminal", lambda complete: contextlib.nullcontext(Answers("0.5 0.75", None, "me")))
     with LiveDisplay() as live:
         assert live.answer(event.Asked("flow0", "gauge", "too low", ITEMS, 0.0)) == "0.5 0.75 me"
-    text = screen.getvalue()
-    assert "too low" in text
-    assert "gauge asks for level (2 values), how high, in m: " in text
-    assert "gauge asks for name, of whom: " in text
+    assert "too low" in screen.getvalue()
+    assert Answers.prompts == [
+        "gauge asks for level (2 values), how high, in m: ",
+        "gauge asks for name, of whom: ",
+        "gauge asks for name, of whom: ",
+    ]
 
 
 def test_at_the_end_of_the_input_nobody_answers(screen, monkeypatch):  # R-A10
-    monkeypatch.setattr(room, "typed_line", lambda: None)
+    monkeypatch.setattr(room, "Terminal", lambda complete: contextlib.nullcontext(Answers()))
     with LiveDisplay() as live:
         assert live.answer(event.Asked("flow0", "gauge", "", ITEMS, 0.0)) is None
 
@@ -144,3 +163,13 @@ def test_it_looks_where_the_flows_are_when_they_have_moved(screen, monkeypatch):
         live.placed((Position("flow0", "running", 0, loops=("outer",)),))
         live._screen.refresh()
     assert "↺ outer" in screen.getvalue()
+
+
+def test_a_question_waits_until_the_program_has_the_terminal_again(screen, monkeypatch):  # R-E07
+    turns = iter([True, True, False])
+    monkeypatch.setattr(room, "Terminal", lambda complete: contextlib.nullcontext(Answers("1", "me")))
+    monkeypatch.setattr(room, "sleep", lambda s: None)
+    monkeypatch.setattr(room.Keyboard, "is_in_background", property(lambda _: next(turns)))
+    with LiveDisplay() as live:
+        assert live.answer(event.Asked("flow0", "gauge", "", ITEMS, 0.0)) == "1 me"
+    assert next(turns, None) is None

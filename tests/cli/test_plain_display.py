@@ -1,6 +1,7 @@
+import os
+
 import pytest
 
-from onika.cli import plain_display as room
 from onika.cli.plain_display import PlainDisplay
 from onika.desk.plan.preparation import prepare_run
 from onika.desk.run.outcome import Outcome
@@ -12,6 +13,20 @@ from onika.words.reason import Reason
 
 PREPARED = prepare_run("two_arms", open_site([], {}, None))
 ITEM = event.Item("level", "double", 2, "m", "how high", None, None, None)
+
+
+@pytest.fixture
+def keys(monkeypatch):
+    """What a user types, and then nothing any more."""
+    read, write = os.pipe()
+    with os.fdopen(read) as stdin:
+        monkeypatch.setattr("sys.stdin", stdin)
+
+        def give(line):
+            os.write(write, line)
+            os.close(write)
+
+        yield give
 
 
 def test_a_run_is_told_line_by_line(capsys):  # R-E11
@@ -34,14 +49,14 @@ def test_a_run_is_told_line_by_line(capsys):  # R-E11
         ("too low", "gauge asks for level (2 values), how high, in m (too low):"),
     ],
 )
-def test_a_question_is_asked_and_one_line_read(capsys, monkeypatch, reason, line):  # R-A10
-    monkeypatch.setattr(room, "typed_line", lambda: "0.5 0.75")
+def test_a_question_is_asked_and_one_line_read(capsys, keys, reason, line):  # R-A10
+    keys(b"0.5 0.75\n")
     assert PlainDisplay().answer(event.Asked("flow0", "gauge", reason, (ITEM,), 0.0)) == "0.5 0.75"
     assert capsys.readouterr().out == line + "\n"
 
 
-def test_at_the_end_of_the_input_nobody_answers(monkeypatch):  # R-A10
-    monkeypatch.setattr(room, "typed_line", lambda: None)
+def test_at_the_end_of_the_input_nobody_answers(keys):  # R-A10
+    keys(b"")
     assert PlainDisplay().answer(event.Asked("flow0", "gauge", "", (ITEM,), 0.0)) is None
 
 

@@ -180,16 +180,16 @@ def test_at_a_terminal_a_question_is_answered_at_the_prompt_and_ctrl_c_stops(tmp
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
     screen = Screen("--no-fifo")
     try:
-        screen.until("main> ")
+        screen.until("main>")
         screen.type("config jmo\t")
         screen.until("jmove")
         screen.type("C\r")
-        screen.until("jtraj? ")
+        screen.until("jtraj?")
         screen.type("0 -1 1 0 0 0 600\r")
         screen.until("main/jtraj ON")
         screen.type("\x03")
         screen.until("drive boxes:arm_left HELD")
-        screen.until("main (stopped)> ", since=0)  # some of what stops may be told after the prompt
+        screen.until("main (stopped)>", since=0)  # some of what stops may be told after the prompt
     finally:
         screen.close()
 
@@ -205,7 +205,7 @@ def test_a_saved_file_is_new_code_while_the_others_keep_cycling(tmp_path, monkey
     (module / "other.rmod").write_text(WAVE_TASK.replace("WAVE", "OTHER").replace("wave", "other"))
     screen = Screen("--no-fifo", "--base", str(tmp_path))
     try:
-        screen.until("main> ")
+        screen.until("main>")
         screen.type("spawn wave other\ron all\rfollow wave\r")
         screen.until("follows")
         screen.type("wait WAVE == 0.25\rread WAVE\r")

@@ -4,17 +4,20 @@ import os
 import sys
 import time
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from onika.cli.conversation import LineDesk, converse, run_batch, serve
 from onika.cli.language import say
 from onika.cli.orderly_exit import in_order
 from onika.cli.plain_console import PlainConsole
-from onika.cli.terminal import Terminal
 from onika.desk.console.console import Console
 from onika.desk.console.display import ConsoleDisplay, Tone
 from onika.desk.console.session import ConsoleSession, Runtime
 from onika.store.site import Site
 from onika.words.reason import Reason, Text
+
+if TYPE_CHECKING:
+    from onika.cli.terminal import Terminal
 
 
 class _RemoteRuntime:
@@ -63,9 +66,11 @@ def _welcome(session: ConsoleSession, desk: LineDesk) -> None:
         desk.say(say(Reason.of("cli.reached_at", address=address)), Tone.DIM)
 
 
-def _desk(console: Console) -> Terminal | PlainConsole:
+def _desk(console: Console) -> "Terminal | PlainConsole":
     is_terminal = sys.stdin is not None and sys.stdin.isatty() and sys.stdout.isatty()
     if is_terminal and os.environ.get("TERM", "dumb") != "dumb":
+        from onika.cli.terminal import Terminal  # within: its library takes long to load
+
         return Terminal(console.completion.candidates, _history())
     return PlainConsole()
 

@@ -15,6 +15,7 @@ from onika.words.reason import Reason
 
 _LOOK_S = 0.05
 _SERVED_S = 0.5
+_TURN_S = 0.1
 
 
 class LineDesk(ConsoleDisplay, Protocol):
@@ -29,6 +30,19 @@ class LineDesk(ConsoleDisplay, Protocol):
     def drop(self) -> None:
         """Forget what was typed of this line."""
         ...
+
+
+def next_line(desk: LineDesk, prompt: str) -> str | None:
+    """The next line of a desk; None at the end of the input.
+
+    It is waited for in short turns, so that a Ctrl-C just before a wait is not missed.
+    """
+    try:
+        while (line := desk.line(prompt, _TURN_S)) is None:
+            pass
+    except EOFError:
+        return None
+    return line
 
 
 def converse(console: Console, desk: LineDesk, script: Path | None) -> int:

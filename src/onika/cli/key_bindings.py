@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass, field
 
+from prompt_toolkit.keys import Keys
+
 from onika.words.reason import Reason
 
 KEYS = {
@@ -74,12 +76,12 @@ class KeyBindings:
     def _type(self, key: str) -> None:
         text = self.typed or ""
         match key:
-            case "enter":
+            case Keys.ControlM | Keys.ControlJ:  # Enter
                 self.lines += [text.strip()] if text.strip() else []
                 self.typed = None
-            case "backspace":
+            case Keys.Backspace:
                 self.typed = text[:-1] if text else None
-            case "cut to start":
+            case Keys.ControlU:
                 self.typed = ""
             case _ if len(key) == 1:
                 self.typed = text + key

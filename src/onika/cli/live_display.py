@@ -1,17 +1,18 @@
 """The live display of a run on a terminal: finished actions above, the present state below, keys to steer (E07)."""
 
-from time import monotonic
+from time import monotonic, sleep
 from types import TracebackType
 
 from rich.console import Console
 from rich.live import Live as Screen
 from rich.text import Text
 
+from onika.cli.conversation import next_line
 from onika.cli.event_text import Tone, item_text, lines, summary
 from onika.cli.keyboard import Keyboard
 from onika.cli.language import say
 from onika.cli.panel import Panel
-from onika.cli.typed import typed_line
+from onika.cli.terminal import Terminal
 from onika.desk.console.session import typed_fault
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.preparation import PreparedRun
@@ -25,6 +26,8 @@ from onika.words.reason import Reason
 
 _LOOK_S = 0.2
 """How often the runtime is asked at most where its flows are."""
+_ABSENT_S = 0.1
+"""How long it takes at most until a question notices that the program is back in the foreground."""
 _STYLES = {event.Failed: "red", event.Explained: "red", event.Warned: "yellow", event.Moved: "bright_black"}
 _TONES = {Tone.PLAIN: "", Tone.WELL: "bold green", Tone.FAILED: "bold red", Tone.WRONG: "red"}
 
@@ -83,8 +86,7 @@ class LiveDisplay:
     def answer(self, question: event.Asked) -> str | None:
         """Ask for it in the terminal, value by value; None at the end of the input."""
         self._screen.stop()
-        with self._keyboard.lent():
-            line = self._answers(question)
+        line = self._answers(question)
         if line is not None:
             self._screen.start()
         return line
@@ -124,12 +126,14 @@ class LiveDisplay:
     def _answers(self, question: event.Asked) -> str | None:
         if question.reason:
             self._console.print(Text(say(question.reason), style="magenta"))
+        while self._keyboard.is_in_background:
+            sleep(_ABSENT_S)
         words: list[str] = []
-        for item in question.items:
-            asks = Reason.of("cli.asks_for", task=question.task, wanted=item_text(item))
-            self._console.print(Text(f"{say(asks)}: "), end="")
-            line = typed_line()
-            if line is None:
-                return None
-            words.append(line)
+        with Terminal(lambda before: []) as terminal:
+            for item in question.items:
+                asks = Reason.of("cli.asks_for", task=question.task, wanted=item_text(item))
+                line = next_line(terminal, f"{say(asks)}: ")
+                if line is None:
+                    return None
+                words.append(line)
         return " ".join(words)

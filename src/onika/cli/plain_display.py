@@ -2,9 +2,10 @@
 
 from types import TracebackType
 
+from onika.cli.conversation import next_line
 from onika.cli.event_text import item_text, lines, summary
 from onika.cli.language import say
-from onika.cli.typed import typed_line
+from onika.cli.plain_console import PlainConsole
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.preparation import PreparedRun
 from onika.desk.run import positions as places
@@ -21,6 +22,7 @@ class PlainDisplay:
     def __init__(self) -> None:
         self._total = 0
         self._cast = FlowIndex(())
+        self._input = PlainConsole()
 
     def __enter__(self) -> "PlainDisplay":
         return self
@@ -76,7 +78,7 @@ class PlainDisplay:
         if question.reason:
             asks = Reason.of("cli.asks_because", task=question.task, wanted=wanted, reason=question.reason)
         self._write(f"{say(asks)}:")
-        return typed_line()
+        return next_line(self._input, "")
 
     def ended(self, outcome: Outcome, drawn: Reason) -> None:
         """The summary."""

@@ -5,11 +5,10 @@ import os
 import re
 import sys
 from pathlib import Path
-from typing import TextIO
+from typing import TYPE_CHECKING, TextIO
 
 from onika.cli.json_lines import JsonLines
 from onika.cli.language import say
-from onika.cli.live_display import LiveDisplay
 from onika.cli.orderly_exit import in_order
 from onika.cli.plain_display import PlainDisplay
 from onika.cli.runtime import script_file
@@ -27,6 +26,9 @@ from onika.model.redirect import Redirect
 from onika.store.site import Site
 from onika.words.condition import Condition
 from onika.words.reason import NOTHING, Reason, reason_of
+
+if TYPE_CHECKING:
+    from onika.cli.live_display import LiveDisplay
 
 
 def purpose() -> Reason:
@@ -113,11 +115,13 @@ def carry_out(given: argparse.Namespace) -> int:
     return outcome.exit_code
 
 
-def _watcher(given: argparse.Namespace) -> JsonLines | LiveDisplay | PlainDisplay:
+def _watcher(given: argparse.Namespace) -> "JsonLines | LiveDisplay | PlainDisplay":
     """What shows the run: JSON for programs, a live display on a terminal that can do it, else plain lines."""
     if given.json:
         return JsonLines()
     if _is_terminal(sys.stdout) and os.environ.get("TERM") != "dumb":
+        from onika.cli.live_display import LiveDisplay  # within: its libraries take long to load
+
         return LiveDisplay()
     return PlainDisplay()
 

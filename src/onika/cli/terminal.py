@@ -1,21 +1,28 @@
 """A console on a terminal: a line is typed at the bottom while what is told goes by above it (requirement A16)."""
 
+import asyncio
 import os
-import select
+import signal
 import sys
-import termios
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from contextlib import ExitStack
 from pathlib import Path
-from shutil import get_terminal_size
 from types import TracebackType
+from typing import Any, cast
 
+from prompt_toolkit import PromptSession
+from prompt_toolkit.application import Application
+from prompt_toolkit.completion import Completion, get_common_complete_suffix
+from prompt_toolkit.input.typeahead import clear_typeahead
+from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
+from prompt_toolkit.output.vt100 import Vt100_Output
 from rich.cells import cell_len
 
-from onika.cli.editor import Editor
-from onika.cli.keys import Keys
 from onika.cli.language import say
+from onika.cli.line_history import LineHistory
 from onika.cli.safe_text import safe
+from onika.cli.terminal_input import TerminalInput
 from onika.desk.console.display import Tone
 from onika.words.reason import Text
 
@@ -27,11 +34,23 @@ _COLOURS = {
     Tone.FAULT: "31",
     Tone.ASK: "35",
 }
-_CLEAR = "\r\x1b[K"
+
+
+class _Output(Vt100_Output):
+    """Writes in one piece what takes the line away, what is told, and what brings it back, so that nothing flickers."""
+
+    is_held = False
+
+    def flush(self) -> None:
+        """Write what there is, unless more is to come."""
+        if not self.is_held:
+            super().flush()
 
 
 class Terminal:
     """The line at the bottom is taken away before something is said, and comes back after it; nothing typed is lost.
+
+    The line is edited by prompt_toolkit, whose event loop runs only within `line`: all else is done by who calls.
 
     `history` is the file of the lines of former consoles; none is kept where it is None or cannot be written.
     """
@@ -39,134 +58,137 @@ class Terminal:
     is_person = True
 
     def __init__(self, complete: Callable[[str], list[str]], history: Path | None = None) -> None:
-        self._history = history
-        self._editor = Editor(complete, _former(history))
-        self._keys = Keys()
-        self._typed: deque[str] = deque()
+        self._complete = complete
+        self._input = TerminalInput(sys.stdin)
+        self._output = cast("_Output", _Output.from_pty(sys.stdout, term=os.environ.get("TERM")))
+        self._output.enable_cpr = False  # the answer of the terminal would come among the keys
+        self._history = LineHistory(history)
+        self._session: PromptSession[str] = PromptSession(
+            lambda: self._prompt,
+            input=self._input,
+            output=self._output,
+            history=self._history,
+            enable_history_search=True,
+            complete_while_typing=False,
+            key_bindings=self._bindings(),
+        )
+        self._session.app.before_render += self._is_drawn
         self._prompt = ""
-        self._is_shown = False
-        self._input = sys.stdin.fileno()
-        self._usual = termios.tcgetattr(self._input)
+        self._typing: asyncio.Task[str] | None = None
+        self._failure: BaseException | None = None
+        self._lines: deque[str] = deque()
+        """Typed, or pasted several at once, and not handed out yet."""
         self._has_colour = not os.environ.get("NO_COLOR")
+        self._open = ExitStack()
 
     def __enter__(self) -> "Terminal":
-        mode = termios.tcgetattr(self._input)
-        mode[3] &= ~(termios.ICANON | termios.ECHO)  # Ctrl-C stays a signal
-        mode[6][termios.VSUSP] = b"\0"  # a console that is put aside watches over nothing
-        mode[6][termios.VMIN], mode[6][termios.VTIME] = 1, 0
-        termios.tcsetattr(self._input, termios.TCSADRAIN, mode)
+        with ExitStack() as stack:
+            stack.callback(self._history.keep)
+            stack.enter_context(self._input.single_keys())
+            self._runner = stack.enter_context(asyncio.Runner())
+            self._runner.get_loop().set_exception_handler(self._fails)
+            self._open = stack.pop_all()
         return self
 
     def __exit__(
         self, kind: type[BaseException] | None, fault: BaseException | None, trace: TracebackType | None
     ) -> None:
-        self._hide()
-        termios.tcsetattr(self._input, termios.TCSADRAIN, self._usual)
-        _keep(self._history, self._editor.history)
+        self._session.app.erase_when_done = True
+        self._open.close()
 
     def say(self, line: Text, tone: Tone = Tone.PLAIN) -> None:
         """Show a line above the one that is typed."""
-        was_shown = self._is_shown
-        self._hide()
+        if self._is_shown:
+            self._output.is_held = True
+            self._hide()
         colour = _COLOURS.get(tone, "") if self._has_colour else ""
         text = safe(say(line))
-        sys.stdout.write((f"\x1b[{colour}m{text}\x1b[0m" if colour else text) + "\n")
-        if was_shown:
-            self._show()
-        sys.stdout.flush()
+        self._output.write_raw((f"\x1b[{colour}m{text}\x1b[0m" if colour else text) + "\n")
+        self._output.flush()
 
     def line(self, prompt: str, timeout_s: float) -> str | None:
         """The next line, None while there is none yet; raises EOFError at the end of the input."""
-        if prompt != self._prompt or not self._is_shown:
+        if self._lines:
+            return self._lines.popleft()
+        if prompt != self._prompt:
             self._prompt = prompt
-            self._show()
-        if not self._typed and select.select([self._input], [], [], timeout_s)[0]:
-            data = os.read(self._input, 4096)
-            if not data:
-                raise EOFError
-            self._typed += self._keys.read(data)
-        has_keys = bool(self._typed)
-        while self._typed:
-            line = self._press(self._typed.popleft())
-            if line is not None:
-                return line
-        if has_keys:
-            self._show()
-        return None
+            self._session.app.invalidate()
+        line = self._runner.run(self._typed(timeout_s))
+        if self._failure is not None:
+            failure, self._failure = self._failure, None
+            raise failure
+        if line is None:
+            return None
+        self._lines.extend(line.removesuffix("\n").split("\n"))
+        return self._lines.popleft()
 
     def drop(self) -> None:
         """Forget what was typed of this line."""
-        self._typed.clear()
-        self._editor.drop()
+        self._lines.clear()
+        clear_typeahead(self._input)
+        self._session.default_buffer.reset()
         if self._is_shown:
-            self._show()
+            self._hide()
+        self._output.is_held = False  # what is said of a stop does not wait for the line
+        self._output.flush()
 
-    def _press(self, key: str) -> str | None:
-        if key == "clear":
-            sys.stdout.write("\x1b[H\x1b[2J")
-        line = self._editor.press(key)
-        if self._editor.is_over:
-            raise EOFError
-        if line is None:
-            for row in _rows(self._editor.offered, get_terminal_size().columns):
-                self.say(row, Tone.DIM)
+    async def _typed(self, timeout_s: float) -> str | None:
+        """What was typed up to Enter; None where that takes longer."""
+        if self._typing is None:
+            edited = self._session.prompt_async(set_exception_handler=False, handle_sigint=False)
+            self._typing = asyncio.create_task(edited)
+        await asyncio.wait({self._typing}, timeout=timeout_s)
+        if not self._typing.done():
             return None
-        sys.stdout.write(_CLEAR + self._prompt + safe(say(line)) + "\n")  # as it was typed stays above
-        self._is_shown = False
-        sys.stdout.flush()
-        return line
+        typing, self._typing = self._typing, None
+        return typing.result()
+
+    @property
+    def _is_shown(self) -> bool:
+        app = self._session.app
+        return app.is_running and app.renderer.last_rendered_screen is not None
 
     def _hide(self) -> None:
-        if self._is_shown:
-            sys.stdout.write(_CLEAR)
-            self._is_shown = False
+        """Take the line away; it comes back at the next turn of the event loop."""
+        self._session.app.renderer.erase()
+        self._session.app.invalidate()
 
-    def _show(self) -> None:
-        room = max(get_terminal_size().columns - cell_len(self._prompt) - 1, 1)
-        text, column = _window(self._editor.text, self._editor.cursor, room)
-        column += cell_len(self._prompt)
-        sys.stdout.write(f"{_CLEAR}{self._prompt}{text}\r" + (f"\x1b[{column}C" if column else ""))
-        sys.stdout.flush()
-        self._is_shown = True
+    def _is_drawn(self, _app: Application[str]) -> None:
+        self._output.is_held = False
 
+    def _fails(self, _loop: asyncio.AbstractEventLoop, context: Mapping[str, Any]) -> None:
+        """Keep what a key raised: the link may be lost while it completes a word."""
+        self._failure = context.get("exception")
 
-def _window(text: str, cursor: int, room: int) -> tuple[str, int]:
-    """The part of a line around its cursor that has room, and the column of the cursor in it."""
-    start = 0
-    while cell_len(text[start:cursor]) > room:
-        start += 1
-    end = len(text)
-    while cell_len(text[start:end]) > room:
-        end -= 1
-    return text[start:end], cell_len(text[start:cursor])
+    def _bindings(self) -> KeyBindings:
+        bindings = KeyBindings()
+        bindings.add("tab")(self._tab)
+        bindings.add("c-z")(lambda _event: None)  # who is put aside watches over nothing
+        bindings.add("c-c")(lambda _event: signal.raise_signal(signal.SIGINT))  # a terminal with another key for it
+        return bindings
+
+    def _tab(self, event: KeyPressEvent) -> None:
+        """Complete the word before the cursor as far as that goes; where it does not, show what it may become."""
+        document = event.current_buffer.document
+        before = document.text_before_cursor
+        words = self._complete(before)
+        if not words:
+            return
+        begun = "" if not before or before[-1].isspace() else before.split()[-1]
+        rest = get_common_complete_suffix(document, [Completion(word, -len(begun)) for word in words])
+        if len(words) == 1 and not words[0].endswith("/"):
+            rest += " "
+        event.current_buffer.insert_text(rest)
+        if not rest:
+            for row in _rows(words, self._output.get_size().columns):
+                self.say(row, Tone.DIM)
 
 
 def _rows(words: list[str], columns: int) -> list[str]:
     """Words side by side, as many as have room."""
-    width = max((cell_len(word) for word in words), default=0) + 2
+    width = max(map(cell_len, words)) + 2
     count = max(columns // width, 1)
     return [
         "".join(word + " " * (width - cell_len(word)) for word in words[start : start + count]).rstrip()
         for start in range(0, len(words), count)
     ]
-
-
-def _former(path: Path | None) -> list[str]:
-    try:
-        if path is None:
-            return []
-        return path.read_text(encoding="utf-8").splitlines()
-    except (OSError, UnicodeDecodeError):
-        return []
-
-
-def _keep(path: Path | None, lines: list[str]) -> None:
-    """For the next console; a history that cannot be kept is no reason to complain."""
-    if path is None:
-        return
-    try:
-        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-        path.touch(mode=0o600)
-        path.write_text("".join(line + "\n" for line in lines), encoding="utf-8")
-    except OSError:
-        pass

@@ -1,0 +1,45 @@
+"""The lines that were typed at a console, kept in a file for the next one (requirement A16)."""
+
+from pathlib import Path
+
+from prompt_toolkit.history import InMemoryHistory
+
+_KEPT = 1000
+
+
+class LineHistory(InMemoryHistory):
+    """Blank lines are left out, and a line that is typed twice in a row is there once.
+
+    `path` is the file; nothing is kept where it is None or cannot be written.
+    """
+
+    def __init__(self, path: Path | None) -> None:
+        super().__init__(_former(path))
+        self._path = path
+
+    def append_string(self, string: str) -> None:
+        """Take up the lines of a text."""
+        for line in string.splitlines():
+            if line.strip() and self.get_strings()[-1:] != [line]:
+                super().append_string(line)
+
+    def keep(self) -> None:
+        """Write the last lines for the next console; that they cannot be kept is no reason to complain."""
+        if self._path is None:
+            return
+        lines = list(self.load_history_strings())[:_KEPT]
+        try:
+            self._path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+            self._path.touch(mode=0o600)
+            self._path.write_text("".join(line + "\n" for line in reversed(lines)), encoding="utf-8")
+        except OSError:
+            pass
+
+
+def _former(path: Path | None) -> list[str]:
+    try:
+        if path is None:
+            return []
+        return path.read_text(encoding="utf-8").splitlines()
+    except (OSError, UnicodeDecodeError):
+        return []
