@@ -27,18 +27,18 @@ _NAMED_FIRST = {"rules.task_placed": "task", "rules.constant_while_running": "re
 
 @on_document
 def copy(model: Model, document: Document, command: act.Copy, _outside: Services) -> Done | No:
-    """Take tasks into the buffer; the value is their text."""
+    """Take tasks into the clipboard; the value is their text."""
     refused = _nothing(command.tasks) or absent(document, command.tasks)
     if refused:
         return refused
     boxes = model.libraries.boxes(command.tasks).values()
     svars = (pin.svar for box in boxes for pin in box.pins)
     taken = copied(document.content.configuration, command.tasks, svars)
-    return Done(replace(model, buffer=taken), value=write(taken))
+    return Done(replace(model, clipboard=taken), value=write(taken))
 
 
 def cut(model: Model, command: act.Cut, outside: Services) -> Done | No:
-    """Take tasks into the buffer and remove them, as one step."""
+    """Take tasks into the clipboard and remove them, as one step."""
     taken = copy(model, act.Copy(command.doc, command.tasks), outside)
     if isinstance(taken, No):
         return taken
@@ -50,8 +50,8 @@ def cut(model: Model, command: act.Cut, outside: Services) -> Done | No:
 
 @on_document
 def paste(model: Model, document: Document, command: act.Paste, _outside: Services) -> Done | No:
-    """Place what is in the buffer or in a text, as one step; the value is the names of the tasks."""
-    taken = read(command.text) if command.text else model.buffer
+    """Place what is in the clipboard or in a text, as one step; the value is the names of the tasks."""
+    taken = read(command.text) if command.text else model.clipboard
     if isinstance(taken, Reason):
         return No(taken)
     if not taken.placed:

@@ -36,7 +36,7 @@ _NAME = "copied"
 
 @on_application
 def copy_icons(model: Model, opened: OpenApplication, command: act.CopyIcons, _outside: Services) -> Done | No:
-    """Take steps into the buffer; the value is their text."""
+    """Take steps into the clipboard of icons; the value is their text."""
     spots = spots_of(opened.application, command.steps)
     if isinstance(spots, No):
         return spots
@@ -44,12 +44,12 @@ def copy_icons(model: Model, opened: OpenApplication, command: act.CopyIcons, _o
     steps = unnumbered(spot.step for spot in spots if not is_within(spot.path, numbers))
     if all(isinstance(step, Hole) for step in steps):
         return No(Reason.of("desk.hole_not_copied"))
-    return Done(replace(model, icons=steps), value=_written(steps))
+    return Done(replace(model, icon_clipboard=steps), value=_written(steps))
 
 
 @on_application
 def cut_icons(model: Model, opened: OpenApplication, command: act.CutIcons, outside: Services) -> Done | No:
-    """Take steps into the buffer and delete them, as one step; the value is their text."""
+    """Take steps into the clipboard of icons and delete them, as one step; the value is their text."""
     if is_running(model, opened.id):
         return running(opened)
     copied = copy_icons(model, act.CopyIcons(command.doc, command.steps), outside)
@@ -58,14 +58,16 @@ def cut_icons(model: Model, opened: OpenApplication, command: act.CutIcons, outs
     done = remove_icons(copied.model, act.RemoveIcons(command.doc, command.steps), outside)
     if isinstance(done, No):
         return done
-    return replace(done, label=Reason.of("desk.cutting", icons=several(copied.model.icons)), value=copied.value)
+    return replace(
+        done, label=Reason.of("desk.cutting", icons=several(copied.model.icon_clipboard)), value=copied.value
+    )
 
 
 @on_resting_application
 def paste_icons(model: Model, opened: OpenApplication, command: act.PasteIcons, _outside: Services) -> Done | No:
     """Insert what was copied behind a step; the value is the numbers of the new steps."""
     syntax = syntax_of(model)
-    steps = _read(command.text, syntax) if command.text else model.icons
+    steps = _read(command.text, syntax) if command.text else model.icon_clipboard
     if isinstance(steps, No):
         return steps
     first = next((step for step in steps if not isinstance(step, Hole)), None)

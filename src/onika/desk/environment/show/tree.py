@@ -50,7 +50,7 @@ class Projector:
             documents=documents,
             files=dict(model.files),
             application_files=dict(model.application_files),
-            clipboard=" ".join(placed.task for placed in model.buffer.placed),
+            clipboard=" ".join(placed.task for placed in model.clipboard.placed),
             runtime=model.runtime,
             preferences=self._once(
                 "preferences", (model.preferences, model.settings), lambda: preference_values(model)
@@ -59,7 +59,7 @@ class Projector:
             job_types=model.job_types,
             edges=dict(model.edges),
             applications=self._applications(model),
-            icon_clipboard=several(model.icons) if model.icons else "",
+            icon_clipboard=several(model.icon_clipboard) if model.icon_clipboard else "",
             **self._dictionaries(model),
             run=model.run.view if model.run is not None else None,
             review=model.review_session.view(model.applications) if model.review_session is not None else None,

@@ -1,4 +1,4 @@
-"""What was cut or copied, and its text, which travels by mail (requirements C10, C22)."""
+"""What was cut or copied on the canvas, and its text, which travels by mail (requirements C10, C22)."""
 
 import math
 from collections import Counter
@@ -22,7 +22,7 @@ _Pixels = Annotated[int, Meta(ge=-_FAR, le=_FAR)]
 
 @dataclass(frozen=True, slots=True)
 class Clipboard:
-    """Tasks with their places, and the loci of the variables that they use."""
+    """Tasks with their places, their supermodules and the loci of the variables that they use."""
 
     placed: tuple[Placed, ...] = ()
     loci: tuple[Locus, ...] = ()

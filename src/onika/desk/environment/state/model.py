@@ -33,8 +33,8 @@ class Model:
     """By their ids, in the order in which they were opened."""
     opened: int = 0
     """How many documents were ever opened: ids are never used again."""
-    buffer: Clipboard = field(default_factory=Clipboard)
-    """What was cut or copied last (C22)."""
+    clipboard: Clipboard = field(default_factory=Clipboard)
+    """The tasks that were cut or copied last (C22)."""
     preferences: Preferences = field(default_factory=Preferences)
     settings: Settings = field(default_factory=Settings)
     buttons: tuple[Button, ...] = ()
@@ -57,7 +57,7 @@ class Model:
     """The search path, as far as names are looked for by it here."""
     limits: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
     """Constants that bound the values of targets, as far as a runtime has told them."""
-    icons: tuple[Step, ...] = ()
+    icon_clipboard: tuple[Step, ...] = ()
     """The steps that were cut or copied last."""
     flow_pictures: tuple[str, str] = ("", "")
     """Those of the start and end icons, 1024 digits each."""
