@@ -1,6 +1,6 @@
 import pytest
 
-from onika.cli.event_text import Tone, item_text, lines as event_lines, sentence, summary
+from onika.cli.event_text import SummaryTone, item_text, lines as event_lines, sentence, summary
 from onika.desk.run.outcome import Outcome
 from onika.wire import event
 from onika.wire.figures import TaskFigures
@@ -112,7 +112,10 @@ def test_each_expectation_is_told_with_what_was_found():  # R-X07
     ]
 
 
-@pytest.mark.parametrize(("holds", "tones"), [(True, [Tone.WELL, Tone.PLAIN]), (False, [Tone.FAILED, Tone.WRONG])])
+@pytest.mark.parametrize(
+    ("holds", "tones"),
+    [(True, [SummaryTone.WELL, SummaryTone.PLAIN]), (False, [SummaryTone.FAILED, SummaryTone.WRONG])],
+)
 def test_a_line_of_the_summary_says_how_it_is_meant(holds, tones):  # R-E14
     expectations = [(Condition.parse("LAMP == 1"), 1, holds)]
     outcome = Outcome("go", result=result(hash="abc"), expectations=expectations)

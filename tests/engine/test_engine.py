@@ -6,7 +6,7 @@ from kit import build
 from kit.play import Play
 from onika.engine.engine import Engine
 from onika.engine.news import Abort, Finished, Killed, Run, Settled, Spawned, TurnedOn
-from onika.engine.orders import Began, Done, End, Moved, RunNote, Settle, Spawn, Start, Switch
+from onika.engine.orders import Began, Done, End, Launch, Moved, RunNote, Settle, Spawn, Switch
 
 REACH = build.job("move", trigger="move", arguments="1 2")
 
@@ -54,7 +54,7 @@ def test_the_end_waits_for_all_flows():  # R-E14
         Play(build.engine([], [REACH]))
         >> Run() << Spawn(1, "move")
         >> Spawned(1, "move") << Moved(0, "done", -1)
-        << Switch(1, (), (Start("move", "1 2", 100.0),)) << Began(1, 0)
+        << Switch(1, (), (Launch("move", "1 2", 100.0),)) << Began(1, 0)
         >> TurnedOn(1, "move")
         >> Finished(1, "move") << Done(1, 0) << Moved(1, "done", 0) << Settle()
     )  # fmt: skip

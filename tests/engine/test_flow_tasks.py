@@ -1,6 +1,6 @@
 from kit import build
 from onika.engine.flow_tasks import FlowTasks
-from onika.engine.orders import Kill, Off, Spawn, Start, Switch
+from onika.engine.orders import Kill, Launch, Off, Spawn, Switch
 from onika.engine.step import steps
 
 REACH = build.job("move", "puma", trigger="move", arguments="1 2")
@@ -27,7 +27,7 @@ def switch(made, step):
 
 
 def on(*tasks, ranks="1 2"):
-    return tuple(Start(task, ranks if task == "move" else "", 100.0) for task in tasks)
+    return tuple(Launch(task, ranks if task == "move" else "", 100.0) for task in tasks)
 
 
 def test_spawning_orders_the_union_of_the_tasks_once_each():  # R-E02
@@ -76,7 +76,7 @@ def test_a_trigger_that_is_still_on_is_turned_off_and_on_again():
     switch(made, first)
     made.switched_off("a")
     change = made.change(second)
-    assert change == Switch(0, ("b",), (Start("b", "7", 100.0),))
+    assert change == Switch(0, ("b",), (Launch("b", "7", 100.0),))
     made.carry_out(second, change)
     assert not made.switched_off("b")
 

@@ -13,5 +13,5 @@ def test_every_order_is_a_frozen_value_that_says_what_it_is_for():
 
 
 def test_orders_with_the_same_content_are_equal():
-    assert orders.Switch(0, ("a",), (orders.Start("b", "1"),)) == orders.Switch(0, ("a",), (orders.Start("b", "1"),))
+    assert orders.Switch(0, ("a",), (orders.Launch("b", "1"),)) == orders.Switch(0, ("a",), (orders.Launch("b", "1"),))
     assert orders.Switch(0, (), ()) != orders.Switch(1, (), ())

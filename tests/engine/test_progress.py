@@ -3,7 +3,7 @@ import pytest
 from kit import build
 from kit.flow_program import bottom, program, top
 from onika.engine.flow import FlowEvent, FlowState
-from onika.engine.orders import Began, Done, Moved, RunNote, Start, Switch
+from onika.engine.orders import Began, Done, Launch, Moved, RunNote, Switch
 from onika.engine.program import FlowProgram
 from onika.engine.progress import Progress
 from onika.engine.step import steps
@@ -46,7 +46,7 @@ def test_beginning_switches_and_tells():
     flow = progress(REACH)
     flow.enter(FlowEvent.SPAWN)
     flow.flow_tasks.spawn()
-    assert flow.begin() == [Switch(0, (), (Start("move", "1 2", 100.0), Start("puma", "", 100.0))), Began(0, 0)]
+    assert flow.begin() == [Switch(0, (), (Launch("move", "1 2", 100.0), Launch("puma", "", 100.0))), Began(0, 0)]
     assert (flow.state, flow.current, flow.next) == (FlowState.RUNNING, 0, Halt())
 
 
@@ -161,8 +161,8 @@ def test_the_cases_are_those_of_all_ways_the_action_may_end():
     flow = running(REACH, GRASP, script=program(bottom("round", Do(0)), Do(1)))
     cases = [(case.task, case.choice, case.loop, case.switch.on) for case in flow.cases()]
     assert cases == [
-        ("move", None, False, (Start("grip", "", 100.0),)),
-        ("move", None, True, (Start("move", "1 2", 100.0),)),
+        ("move", None, False, (Launch("grip", "", 100.0),)),
+        ("move", None, True, (Launch("move", "1 2", 100.0),)),
     ]
 
 
@@ -171,4 +171,4 @@ def test_asking_for_cases_changes_nothing():
     before = (flow.revision, flow.place, flow.current)
     assert flow.cases() == flow.cases()
     assert (flow.revision, flow.place, flow.current) == before
-    assert flow.begin()[0] == Switch(0, ("move",), (Start("grip", "", 100.0),))
+    assert flow.begin()[0] == Switch(0, ("move",), (Launch("grip", "", 100.0),))

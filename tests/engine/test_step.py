@@ -1,7 +1,7 @@
 import pytest
 
 from kit import build
-from onika.engine.orders import Start
+from onika.engine.orders import Launch
 from onika.engine.step import steps
 
 
@@ -24,9 +24,9 @@ def test_a_rate_of_the_action_overrides_that_of_the_task():  # reading 13
 def test_the_argument_line_goes_to_the_first_trigger_only():  # R-E15
     step = made(build.job("move", "count", "puma", arguments="1 2"), trigger="move", others=["count"])
     assert [step.start(task) for task in step.tasks] == [
-        Start("move", "1 2", 100.0),
-        Start("count", "", 100.0),
-        Start("puma", "", 100.0),
+        Launch("move", "1 2", 100.0),
+        Launch("count", "", 100.0),
+        Launch("puma", "", 100.0),
     ]
 
 

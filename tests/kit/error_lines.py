@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 from kit import build
 from kit.play import Play
 from onika.engine.news import Finished, News, Run, Spawned, TurnedOn
-from onika.engine.orders import Began, Moved, Order, Start, Switch, Together
+from onika.engine.orders import Began, Launch, Moved, Order, Switch, Together
 
 REACH = build.job("move", "puma", trigger="move", arguments="1 2")
 AGAIN = build.job("move", "puma", trigger="move", arguments="3 4")
@@ -20,9 +20,9 @@ def where(flow: int, index: int) -> str:
     return f"test.appl flow {flow} action {index}"
 
 
-def on(*tasks: str, told: str = "1 2") -> tuple[Start, ...]:
+def on(*tasks: str, told: str = "1 2") -> tuple[Launch, ...]:
     """The starts of tasks; `move` is told its target."""
-    return tuple(Start(task, told if task == "move" else "", 100.0) for task in tasks)
+    return tuple(Launch(task, told if task == "move" else "", 100.0) for task in tasks)
 
 
 def started(

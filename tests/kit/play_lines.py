@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from kit import build
 from kit.play import Play
 from onika.engine.news import Finished, News, Run, Spawned, TurnedOn
-from onika.engine.orders import Began, Done, Moved, Order, Start, Switch
+from onika.engine.orders import Began, Done, Launch, Moved, Order, Switch
 
 JOB = build.job("move", trigger="move")
 NOOP = build.noop()
@@ -39,7 +39,7 @@ def started(
 
 def begins(flow: int, index: int, off: Sequence[str] = (), number: int = 0) -> list[Order]:
     """An action follows another: one switch, and it is told."""
-    return [Switch(flow, tuple(off), (Start("move", "", 100.0),), number=number), Began(flow, index)]
+    return [Switch(flow, tuple(off), (Launch("move", "", 100.0),), number=number), Began(flow, index)]
 
 
 def goes_on(flow: int, index: int) -> list[Order]:

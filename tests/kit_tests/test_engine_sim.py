@@ -6,7 +6,7 @@ from kit.engine_sim import EngineSim
 from kit.program_tree import Act, engine_for, planned
 from onika.engine import news
 from onika.engine.engine import Engine
-from onika.engine.orders import Began, Case, Done, Off, RunNote, Start, Switch
+from onika.engine.orders import Began, Case, Done, Launch, Off, RunNote, Switch
 from onika.wire import steer
 
 MOVE = (0, "move")
@@ -51,7 +51,7 @@ def test_what_was_taken_can_be_put_back(theatre):
         ([RunNote(0, "lost")], "are ON in flow 0, expected"),
         ([Began(0, 1)], "but 0 is open"),
         ([Done(0, 1)], "but 0 is open"),
-        ([Done(0, 0), Switch(0, (), (Start("arm"),)), Began(0, 1)], "is turned on and is on"),
+        ([Done(0, 0), Switch(0, (), (Launch("arm"),)), Began(0, 1)], "is turned on and is on"),
         ([Done(0, 0), Off(0, "move")], "is turned off and is off"),
         ([Done(0, 0), Switch(0, (), ()), Began(0, 1)], "not told to come on anew"),
     ],
@@ -73,7 +73,7 @@ def test_a_prepared_switch_that_was_done_has_to_be_ordered(theatre):
 
 
 def test_another_switch_than_the_prepared_one_is_told(theatre):
-    wrong = Case("move", None, None, Switch(0, (), (Start("move", "", 50.0),)))
+    wrong = Case("move", None, None, Switch(0, (), (Launch("move", "", 50.0),)))
     theatre.finish_ready(wrong, 0, 0, False)
     with pytest.raises(AssertionError, match="was carried out"):
         theatre.hear(MOVE)

@@ -1,6 +1,6 @@
 from kit.error_lines import AGAIN, REACH, clearing, finish, on, paused, running, started, stopped, where
 from onika.engine.news import Cleared, Failed, Finished, TurnedOn
-from onika.engine.orders import Began, Clear, Moved, Off, RunNote, Start, Switch
+from onika.engine.orders import Began, Clear, Launch, Moved, Off, RunNote, Switch
 from onika.wire.steer import Recover
 
 
@@ -21,7 +21,7 @@ def test_passive_tasks_and_further_triggers_are_as_they_are_given():
 
 
 def test_the_lines_are_what_they_say():
-    assert on("move", "puma", told="5") == (Start("move", "5", 100.0), Start("puma", "", 100.0))
+    assert on("move", "puma", told="5") == (Launch("move", "5", 100.0), Launch("puma", "", 100.0))
     assert stopped(1, "pd", "x", flow=2) == Moved(2, "stopped", 1, text="test.appl flow 2 action 1: pd is in error: x")
     assert (clearing(1, 2), paused(1, 2)) == (Moved(2, "clearing", 1), Moved(2, "paused", 1))
     assert running(1, 2) == [Began(2, 1), Moved(2, "running", 1)]

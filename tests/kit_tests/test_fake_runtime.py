@@ -3,7 +3,7 @@ import pytest
 from kit import build
 from kit.fake_runtime import Activation, FakeRuntime, Fault
 from onika.engine.news import Run
-from onika.engine.orders import Began, Done, End, Kill, Moved, RunNote, Settle, Spawn, Start, Switch
+from onika.engine.orders import Began, Done, End, Kill, Launch, Moved, RunNote, Settle, Spawn, Switch
 
 REACH = build.job("move", "puma", trigger="move", arguments="1 2")
 MOVE = frozenset({(0, "move")})
@@ -73,7 +73,7 @@ class Listener:
         return self._engine.feed(news)
 
 
-ON = Switch(0, (), (Start("move"),))
+ON = Switch(0, (), (Launch("move"),))
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,7 @@ import pytest
 from kit import build
 from kit.play import Play
 from onika.engine.news import Run, Spawned, TurnedOn
-from onika.engine.orders import Began, Spawn, Start, Switch
+from onika.engine.orders import Began, Launch, Spawn, Switch
 from onika.wire.steer import Pass, Pause
 
 
@@ -15,7 +15,7 @@ def test_a_story_that_is_true_is_true():
     story = (
         play()
         >> Run() << Spawn(0, "move")
-        >> Spawned(0, "move") << [Switch(0, (), (Start("move", "", 100.0),)), Began(0, 0)]
+        >> Spawned(0, "move") << [Switch(0, (), (Launch("move", "", 100.0),)), Began(0, 0)]
     )  # fmt: skip
     assert story
 
@@ -45,7 +45,7 @@ def test_an_order_that_is_not_told_is_named_at_the_end():
 
 def begun():
     job = build.job("move", trigger="move")
-    switch = Switch(0, (), (Start("move", "", 100.0),))
+    switch = Switch(0, (), (Launch("move", "", 100.0),))
     return (
         Play(build.engine([job, job]))
         >> Run() << Spawn(0, "move")

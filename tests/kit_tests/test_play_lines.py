@@ -2,10 +2,10 @@ from kit import build
 from kit.flow_program import bottom, program
 from kit.play_lines import JOB, NOOP, begins, ends, goes_on, opened, passes, started
 from onika.engine.news import Failed, Finished, TurnedOn
-from onika.engine.orders import Began, Done, Moved, Start, Switch, Together
+from onika.engine.orders import Began, Done, Launch, Moved, Switch, Together
 from onika.wire.plan import Do
 
-MOVE = Start("move", "", 100.0)
+MOVE = Launch("move", "", 100.0)
 
 
 def test_a_run_that_has_begun_is_in_its_first_action():

@@ -5,7 +5,7 @@ import pytest
 from kit import build
 from kit.play import Play
 from onika.engine.news import Abort, Failed, Finished, Illegal, Killed, Refused, Run, Settled, Spawned, TurnedOn
-from onika.engine.orders import Began, Done, End, Kill, Moved, Settle, Start, Switch, Together
+from onika.engine.orders import Began, Done, End, Kill, Launch, Moved, Settle, Switch, Together
 
 REACH = build.job("move", "puma", trigger="move")
 WHERE = "test.appl flow 0 action 0"
@@ -18,7 +18,7 @@ def started():
         Play(build.engine([REACH]))
         >> Run() << build.spawns([REACH])
         >> [Spawned(0, "move"), Spawned(0, "puma")]
-        << Switch(0, (), (Start("move", "", 100.0), Start("puma", "", 100.0))) << Began(0, 0)
+        << Switch(0, (), (Launch("move", "", 100.0), Launch("puma", "", 100.0))) << Began(0, 0)
         >> [TurnedOn(0, "move"), TurnedOn(0, "puma")]
     )  # fmt: skip
 
@@ -104,7 +104,7 @@ def test_an_abort_after_everything_settled_comes_too_late():  # R-E14
 
 def test_an_abort_ends_all_flows():  # reading 28
     job = build.job("move", trigger="move")
-    start = (Start("move", "", 100.0),)
+    start = (Launch("move", "", 100.0),)
     assert (
         Play(build.engine([job], [job]))
         >> Run() << build.spawns([job], [job])

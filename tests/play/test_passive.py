@@ -3,12 +3,12 @@
 from kit import build
 from kit.play import Play
 from onika.engine.news import Failed, Finished, Refused, Run, Spawned, SwitchedOff, TurnedOn
-from onika.engine.orders import Began, Done, Moved, RunNote, Settle, Start, Switch
+from onika.engine.orders import Began, Done, Launch, Moved, RunNote, Settle, Switch
 
 SHOW = build.job("move", "view", trigger="move")
 WHERE = "test.appl flow 0 action"
-BOTH = (Start("move", "", 100.0), Start("view", "", 100.0))
-MOVE = (Start("move", "", 100.0),)
+BOTH = (Launch("move", "", 100.0), Launch("view", "", 100.0))
+MOVE = (Launch("move", "", 100.0),)
 
 
 def started(*jobs):

@@ -7,16 +7,16 @@ from kit.flow_program import bottom, branch, nested, program, top
 from kit.play import Play
 from kit.play_lines import JOB, NOOP, ends, opened, passes, started
 from onika.engine.news import Asked, Failed, Finished, Refused, Run, Spawned, SwitchedOff, TurnedOn
-from onika.engine.orders import Began, Case, Done, Moved, Settle, Start, Switch
+from onika.engine.orders import Began, Case, Done, Launch, Moved, Settle, Switch
 from onika.wire.plan import Do, Rest
 from onika.wire.steer import Leave, Mark, Pause, Resume, Skip
 
-NEXT = Switch(0, (), (Start("move", "", 100.0),))
+NEXT = Switch(0, (), (Launch("move", "", 100.0),))
 
 
 def case(choice, loop, told):
     """The case in which the action follows that is told this."""
-    return Case("move", choice, loop, Switch(0, (), (Start("move", told, 100.0),)))
+    return Case("move", choice, loop, Switch(0, (), (Launch("move", told, 100.0),)))
 
 
 def jobs(*told):
@@ -26,7 +26,7 @@ def jobs(*told):
 def begun(flow, **given):
     """A run in its first action, all ON, whatever its trigger is told."""
     first = flow.jobs[0] if isinstance(flow, build.Flow) else flow[0]
-    switch = Switch(0, (), (Start("move", first.arguments, 100.0),))
+    switch = Switch(0, (), (Launch("move", first.arguments, 100.0),))
     return opened(flow, **given) >> Spawned(0, "move") << switch << Began(0, 0) >> TurnedOn(0, "move")
 
 
@@ -47,7 +47,7 @@ def test_a_loop_at_the_end_of_a_flow_has_a_case_for_going_on_only():
 def test_a_top_test_has_a_case_for_each_answer_and_its_body_one():  # R-E05
     play = begun(build.flow(jobs("1", "2", "3"), program(top("round", Do(0), Do(1)), Do(2))))
     assert play.cases(0) == [case(None, False, "3"), case(None, True, "2")]
-    play = play >> ends(0, loop=True) << Done(0, 0) << Switch(0, (), (Start("move", "2", 100.0),)) << Began(0, 1)
+    play = play >> ends(0, loop=True) << Done(0, 0) << Switch(0, (), (Launch("move", "2", 100.0),)) << Began(0, 1)
     assert (play >> TurnedOn(0, "move")).cases(0) == [case(None, None, "1")]
 
 
@@ -66,7 +66,7 @@ def test_of_very_many_ways_only_the_first_are_prepared_and_the_others_are_taken_
     ways = [[Do(index)] for index in range(1, 10)]
     play = begun(build.flow(jobs(*"1234567890"), program(Do(0), branch(*ways))))
     assert [each.choice for each in play.cases(0)] == [0, 1, 2, 3]
-    assert play >> ends(0, 8) << Done(0, 0) << Switch(0, (), (Start("move", "0", 100.0),)) << Began(0, 9)
+    assert play >> ends(0, 8) << Done(0, 0) << Switch(0, (), (Launch("move", "0", 100.0),)) << Began(0, 9)
 
 
 def test_loop_and_choice_together_make_a_case_for_each_pair_that_matters():  # reading 19
@@ -84,7 +84,7 @@ def test_a_loop_that_is_to_be_left_has_one_case():  # R-E07
 def test_behind_no_ops_the_case_is_that_of_the_next_job():  # R-D11
     play = begun([*jobs("1"), NOOP, *jobs("2")])
     assert play.cases(0) == [case(None, None, "2")]
-    told = [Done(0, 0), *passes(0, 1), Switch(0, (), (Start("move", "2", 100.0),), number=1), Began(0, 2)]
+    told = [Done(0, 0), *passes(0, 1), Switch(0, (), (Launch("move", "2", 100.0),), number=1), Began(0, 2)]
     assert play >> ends(0, switched=1) << told
 
 
@@ -130,7 +130,7 @@ def test_a_flow_that_does_not_run_has_no_case():
 def test_nothing_is_prepared_before_everybody_is_on():
     job = build.job("move", "puma", trigger="move")
     play = Play(build.engine([job, job])) >> Run() << build.spawns([job]) >> Spawned(0, "move")
-    switch = Switch(0, (), (Start("move", "", 100.0), Start("puma", "", 100.0)))
+    switch = Switch(0, (), (Launch("move", "", 100.0), Launch("puma", "", 100.0)))
     play = play >> Spawned(0, "puma") << switch << Began(0, 0) >> TurnedOn(0, "puma")
     before = play.cases(0)
     assert (before, (play >> TurnedOn(0, "move")).cases(0)) == ([], [Case("move", None, None, NEXT)])
@@ -158,7 +158,7 @@ def test_a_case_takes_the_trigger_for_off_and_leaves_the_others_alone():  # law 
     spawned = (Spawned(0, task) for task in ("move", "puma", "pd", "grip"))
     for news in (Run(), *spawned, *(TurnedOn(0, task) for task in ("move", "puma", "pd"))):
         engine.feed(news)
-    switch = Switch(0, ("pd",), (Start("grip", "", 100.0),), (("puma", 50.0),))
+    switch = Switch(0, ("pd",), (Launch("grip", "", 100.0),), (("puma", 50.0),))
     assert engine.cases(0) == [Case("move", None, None, switch)]
     done, carried_out, began = engine.feed(Finished(0, "move", switched=3))
     assert (done, began) == (Done(0, 0), Began(0, 1))
@@ -167,7 +167,7 @@ def test_a_case_takes_the_trigger_for_off_and_leaves_the_others_alone():  # law 
 
 def test_a_case_that_was_carried_out_is_told_by_its_number_and_counts_as_the_switch():
     play = begun(jobs("1", "2", "3"))
-    second, third = Start("move", "2", 100.0), Start("move", "3", 100.0)
+    second, third = Launch("move", "2", 100.0), Launch("move", "3", 100.0)
     assert (
         play
         >> ends(0, switched=1) << Done(0, 0) << Switch(0, (), (second,), number=1) << Began(0, 1)

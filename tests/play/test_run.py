@@ -3,7 +3,7 @@
 from kit import build
 from kit.play import Play
 from onika.engine.news import Asked, Finished, Killed, Run, Settled, Spawned, TurnedOn
-from onika.engine.orders import Began, Done, End, Kill, Moved, RunNote, Settle, Spawn, Start, Switch, Together
+from onika.engine.orders import Began, Done, End, Kill, Launch, Moved, RunNote, Settle, Spawn, Switch, Together
 
 REACH = build.job("move", "pd", "puma", trigger="move", arguments="1 2")
 AGAIN = build.job("move", "pd", "puma", trigger="move", arguments="3 4")
@@ -12,7 +12,7 @@ GRASP = build.job("grip", "pd", "puma", trigger="grip")
 
 def on(*names, told="", frequency=100.0):
     """The starts of tasks, of which the first is the trigger."""
-    return tuple(Start(name, told if place == 0 else "", frequency) for place, name in enumerate(names))
+    return tuple(Launch(name, told if place == 0 else "", frequency) for place, name in enumerate(names))
 
 
 def spawned(*names):
@@ -63,7 +63,7 @@ def test_tasks_that_are_not_wanted_any_more_go_off_at_the_switch_and_not_before(
 
 def test_tasks_come_on_in_the_order_of_their_ranks():  # law 1
     engine = build.engine([REACH], ranks={"puma": 0, "move": 1, "pd": 2})
-    starts = (Start("puma", "", 100.0), Start("move", "1 2", 100.0), Start("pd", "", 100.0))
+    starts = (Launch("puma", "", 100.0), Launch("move", "1 2", 100.0), Launch("pd", "", 100.0))
     assert (
         Play(engine)
         >> Run() << build.spawns([REACH])

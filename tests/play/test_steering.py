@@ -7,7 +7,7 @@ from kit.flow_program import bottom, program
 from kit.play import Play
 from kit.play_lines import JOB, NOOP, begins, ends, goes_on, opened, passes, started
 from onika.engine.news import Abort, Killed, Run, Spawned, TurnedOn
-from onika.engine.orders import Done, End, Kill, Moved, Off, RunNote, Settle, Start, Switch, Together
+from onika.engine.orders import Done, End, Kill, Launch, Moved, Off, RunNote, Settle, Switch, Together
 from onika.wire.plan import Do
 from onika.wire.steer import Leave, Mark, Pass, Pause, Recover, Resume, Skip, Step
 
@@ -219,7 +219,7 @@ def test_a_skip_ends_an_action_without_a_trigger():  # R-E07
     play = (
         Play(build.engine([hold, hold]))
         >> Run() << build.spawns([hold])
-        >> Spawned(0, "puma") << Switch(0, (), (Start("puma", "", 100.0),)) << begins(0, 0)[1:]
+        >> Spawned(0, "puma") << Switch(0, (), (Launch("puma", "", 100.0),)) << begins(0, 0)[1:]
         << RunNote(0, "test.appl flow 0 action 0: action 0 has no trigger: it goes on until you skip it")
     )  # fmt: skip
     assert (

@@ -3,7 +3,7 @@
 from kit import build, flow_program, play_lines
 from kit.play import Play
 from onika.engine.news import Abort, Finished, Killed, Run, Settled, Spawned, TurnedOn
-from onika.engine.orders import Began, Done, End, Kill, Moved, Settle, Start, Switch, Together
+from onika.engine.orders import Began, Done, End, Kill, Launch, Moved, Settle, Switch, Together
 from onika.wire.plan import Do, Halt, Meet
 from onika.wire.steer import Pass
 
@@ -24,7 +24,7 @@ def started(*flows):
 
 
 def begins(flow, index):
-    return [Switch(flow, (), (Start("move", "", 100.0),)), Began(flow, index)]
+    return [Switch(flow, (), (Launch("move", "", 100.0),)), Began(flow, index)]
 
 
 def together(index, *flows):

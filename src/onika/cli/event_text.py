@@ -14,7 +14,7 @@ from onika.words.reason import NOTHING, Reason, Text
 _PRINTED = 20
 
 
-class Tone(Enum):
+class SummaryTone(Enum):
     """How a line of the summary is meant."""
 
     PLAIN = "plain"
@@ -29,7 +29,7 @@ class SummaryLine(NamedTuple):
     """A line of the summary."""
 
     reason: Reason
-    tone: Tone = Tone.PLAIN
+    tone: SummaryTone = SummaryTone.PLAIN
 
 
 def lines(happening: event.Event, total: int, flows: Sequence[str] = (), width: int = 80) -> Iterator[str]:
@@ -151,12 +151,12 @@ def summary(outcome: Outcome, drawn: Reason) -> Iterator[SummaryLine]:
         yield SummaryLine(Reason.of("cli.note", text=note))
     if outcome.result is None:
         refused = Reason.of("cli.refused", name=outcome.name, faults=len(outcome.faults))
-        yield SummaryLine(refused, Tone.FAILED)
+        yield SummaryLine(refused, SummaryTone.FAILED)
         return
     yield from _ending(outcome, outcome.result)
     yield from _figures(outcome.result)
     for condition, value, holds in outcome.expectations:
-        yield SummaryLine(_expectation(condition.text, value, holds), Tone.PLAIN if holds else Tone.WRONG)
+        yield SummaryLine(_expectation(condition.text, value, holds), SummaryTone.PLAIN if holds else SummaryTone.WRONG)
     yield from _repeatability(outcome.result)
     if drawn:
         yield SummaryLine(drawn)
@@ -164,7 +164,7 @@ def summary(outcome: Outcome, drawn: Reason) -> Iterator[SummaryLine]:
 
 def _ending(outcome: Outcome, result: event.Result) -> Iterator[SummaryLine]:
     """How it ended and why, and what was printed then."""
-    yield SummaryLine(_verdict(outcome.name, result), Tone.FAILED if outcome.exit_code else Tone.WELL)
+    yield SummaryLine(_verdict(outcome.name, result), SummaryTone.FAILED if outcome.exit_code else SummaryTone.WELL)
     if result.cause:
         yield SummaryLine(Reason.of("cli.cause", cause=result.cause))
     if result.completed:  # else the cause says it, and the fault stands above

@@ -8,7 +8,7 @@ from rich.live import Live as Screen
 from rich.text import Text
 
 from onika.cli.conversation import next_line
-from onika.cli.event_text import Tone, item_text, lines, summary
+from onika.cli.event_text import SummaryTone, item_text, lines, summary
 from onika.cli.keyboard import Keyboard
 from onika.cli.language import say
 from onika.cli.panel import Panel
@@ -29,7 +29,12 @@ _LOOK_S = 0.2
 _ABSENT_S = 0.1
 """How long it takes at most until a question notices that the program is back in the foreground."""
 _STYLES = {event.Failed: "red", event.Explained: "red", event.Warned: "yellow", event.Moved: "bright_black"}
-_TONES = {Tone.PLAIN: "", Tone.WELL: "bold green", Tone.FAILED: "bold red", Tone.WRONG: "red"}
+_TONES = {
+    SummaryTone.PLAIN: "",
+    SummaryTone.WELL: "bold green",
+    SummaryTone.FAILED: "bold red",
+    SummaryTone.WRONG: "red",
+}
 
 
 class LiveDisplay:

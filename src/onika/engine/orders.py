@@ -12,7 +12,7 @@ class Spawn:
 
 
 @dataclass(frozen=True, slots=True)
-class Start:
+class Launch:
     """One task to turn ON, with its argument line (empty for all but a trigger with a target) and its rate."""
 
     task: str
@@ -30,7 +30,7 @@ class Switch:
 
     flow: int
     off: tuple[str, ...]
-    on: tuple[Start, ...]
+    on: tuple[Launch, ...]
     kept_rates: tuple[tuple[str, float], ...] = ()
     number: int = 0
 

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Set
 from dataclasses import dataclass
 
-from onika.engine.orders import Start
+from onika.engine.orders import Launch
 from onika.wire.plan import PlannedAction, PlannedFlow
 from onika.words.fault import Place
 
@@ -22,10 +22,10 @@ class ActionStep:
     """Whoever finishes first ends the action (reading 16); the first one takes the argument line."""
     arguments: str
 
-    def start(self, task: str) -> Start:
+    def start(self, task: str) -> Launch:
         """The order to turn one of its tasks ON."""
         takes_target = self.triggers[:1] == (task,)
-        return Start(task, self.arguments if takes_target else "", self.rates[task])
+        return Launch(task, self.arguments if takes_target else "", self.rates[task])
 
 
 def steps(

@@ -1,4 +1,4 @@
-"""An outside partner that a test leads by the hand, in the same thread: it does only what it is told, when it is told.
+"""An outside partner that a test steps through, in the same thread: it does only what the test says, when it says so.
 
 outsider = FakePartner(tmp_path)
 partner = Partner(outsider.address)
@@ -16,7 +16,7 @@ from typing import Any, Self
 
 from onika.runtime.partner.partner import Partner
 
-_PATIENCE_S = 5.0
+_TIMEOUT_S = 5.0
 
 
 class PartnerConnection:
@@ -24,7 +24,7 @@ class PartnerConnection:
 
     def __init__(self, line: socket.socket) -> None:
         self._line = line
-        line.settimeout(_PATIENCE_S)
+        line.settimeout(_TIMEOUT_S)
         self._lines = line.makefile("rb")
 
     def read(self) -> dict[str, Any]:
@@ -72,10 +72,10 @@ class FakePartner:
         self._server = socket.socket(socket.AF_UNIX)
         self._server.bind(str(self._path))
         self._server.listen()
-        self._server.settimeout(_PATIENCE_S)
+        self._server.settimeout(_TIMEOUT_S)
 
     def accept(self) -> PartnerConnection:
-        """The next call; raises TimeoutError where nobody calls."""
+        """The next connection; raises TimeoutError where no task connects."""
         if self._server is None:
             raise RuntimeError("expected an outsider that listens: open it first")
         self._connections.append(PartnerConnection(self._server.accept()[0]))
@@ -98,7 +98,7 @@ class FakePartner:
         self.close()
 
 
-def wait(partner: Partner, most_s: float = _PATIENCE_S) -> bool:
+def wait(partner: Partner, most_s: float = _TIMEOUT_S) -> bool:
     """Wait until something has come of the partner's question, as an executive does; gives what `has_answered` says."""
     until = monotonic() + most_s
     while monotonic() < until:

@@ -89,15 +89,15 @@ class EnvironmentProgram:
             self._site, time.monotonic, self._state, commands, reading=reading, comparing=comparing, keeping=keeping
         )
         launching = RuntimeLauncher(self._options.rtpus, with_fifo=self._options.with_fifo)
-        station = RuntimeThread(launching, post)
+        runtime_thread = RuntimeThread(launching, post)
         disk = DiskWatch(self._site)  # before the files are read: what is written meanwhile is seen at the first look
         model, says = initial_model.opened(self._site, self._state, self._settings())
-        environment = Environment(model, HANDLERS, surroundings, station)
-        hub = Hub(environment, station)
+        environment = Environment(model, HANDLERS, surroundings, runtime_thread)
+        hub = Hub(environment, runtime_thread)
         hub.remember(says)
         login = Login(addresses(listening), lambda key: on_ready(_address(listening, key)))
         kept, autosave = self._recovery(environment), Autosave()
-        station.begin(environment)
+        runtime_thread.begin(environment)
         self._open(environment)
         diary = self._diary(environment)
         beside = (
@@ -110,7 +110,7 @@ class EnvironmentProgram:
             await serve(application(login, hub), listening, beside, lambda: on_ready(_address(listening, login.key)))
         finally:
             listening.close()
-            station.end()
+            runtime_thread.end()
             commands.close()
             reading.close()
             comparing.close()

@@ -31,11 +31,9 @@ _TILES = (
 
 def paints() -> WorldPart:
     """All colours as materials, by name."""
-    return WorldPart(
-        assets=_TILES
-        + "".join(
-            f'<material name="{name}" rgba="{" ".join(map(str, rgba))}" specular="{specular}" shininess="{shine}"'
-            f"{_EXTRA.get(name, '')}/>"
-            for name, (rgba, specular, shine) in _PAINTS.items()
-        )
+    materials = "".join(
+        f'<material name="{name}" rgba="{" ".join(map(str, rgba))}" specular="{specular}" shininess="{shine}"'
+        f"{_EXTRA.get(name, '')}/>"
+        for name, (rgba, specular, shine) in _PAINTS.items()
     )
+    return WorldPart(assets=_TILES + materials)

@@ -133,7 +133,7 @@ def test_what_a_task_asks_is_a_question_until_it_is_answered(scene):  # R-A10
 
 
 def switch(*on, off=()):
-    return orders.Switch(0, off, tuple(orders.Start(task) for task in on))
+    return orders.Switch(0, off, tuple(orders.Launch(task) for task in on))
 
 
 def test_after_a_failure_the_client_decides_before_the_rest_of_the_switch_goes_out(scene):  # law 3, R-E08

@@ -3,7 +3,7 @@ from itertools import count
 import pytest
 
 from kit.plan_builder import PlanBuilder, action
-from onika.engine.orders import Start, Switch
+from onika.engine.orders import Launch, Switch
 from onika.host.execution.switch_dispatch import SwitchDispatch
 from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare
@@ -44,7 +44,7 @@ def board(units):
 
 
 def switch(*on, off=(), rates=()):
-    return Switch(0, tuple(off), tuple(Start(name) for name in on), tuple(rates))
+    return Switch(0, tuple(off), tuple(Launch(name) for name in on), tuple(rates))
 
 
 def test_neighbours_on_one_unit_come_on_together(board, units):  # law 6

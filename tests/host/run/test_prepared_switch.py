@@ -84,8 +84,8 @@ def test_what_was_carried_out_is_not_ordered_again():
 
 def test_what_was_missing_in_it_is_still_to_be_done():
     view = View()
-    order = orders.Switch(0, ("go",), (orders.Start("ring"), orders.Start("bell")), (), 1)
-    assert view.prepared.switched(order) == orders.Switch(0, ("go",), (orders.Start("bell"),))
+    order = orders.Switch(0, ("go",), (orders.Launch("ring"), orders.Launch("bell")), (), 1)
+    assert view.prepared.switched(order) == orders.Switch(0, ("go",), (orders.Launch("bell"),))
 
 
 def test_the_user_waits_until_nothing_is_prepared():  # R-E07

@@ -61,7 +61,7 @@ def switcher():
 
 
 def start(flow, task, *off, number=0):
-    return orders.Switch(flow, off, (orders.Start(task, "", None),), number=number)
+    return orders.Switch(flow, off, (orders.Launch(task, "", None),), number=number)
 
 
 def test_a_switch_goes_out_at_once(switcher):  # R-A07

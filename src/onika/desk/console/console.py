@@ -7,7 +7,7 @@ from onika.desk.console import commands
 from onika.desk.console.command import Command, find
 from onika.desk.console.completion import Completion
 from onika.desk.console.display import Tone
-from onika.desk.console.file_follower import Follow
+from onika.desk.console.file_follower import FileFollower
 from onika.desk.console.session import TYPED, ConsoleSession, Faults
 from onika.desk.console.time_lines import ended
 from onika.desk.console.variable_watch import VariableWatch
@@ -28,7 +28,7 @@ class Console:
         self.is_over = False
         self._depth = 0
         self._watch = VariableWatch()
-        self._follow = Follow()
+        self._follow = FileFollower()
         session.ticks += [lambda: self._watch.tick(session), lambda: self._follow.tick(session)]
         self._groups = self._vocabulary()
         self._commands = [command for _, group in self._groups for command in group]

@@ -27,8 +27,8 @@ class _FileStamp:
     """How often this content was refused by the runtime, without anything being wrong with it."""
 
 
-class Follow:
-    """What is followed; files are looked at once a second: first at their times, then at their content."""
+class FileFollower:
+    """The code files that are followed; each is looked at once a second: first at its time, then at its content."""
 
     def __init__(self) -> None:
         self._files: dict[tuple[str, str], _FileStamp] = {}

@@ -69,15 +69,15 @@ class Environment:
     """Carries acts out one after the other, and tells its listeners what has changed.
 
     handlers    what each act does
-    station     where orders go
+    channel     where orders go
     """
 
     def __init__(
-        self, model: Model, handlers: Mapping[type, Handler], surroundings: Services, station: RuntimeChannel
+        self, model: Model, handlers: Mapping[type, Handler], surroundings: Services, channel: RuntimeChannel
     ) -> None:
         self._handlers = handlers
         self._surroundings = surroundings
-        self._station = station
+        self._channel = channel
         self._projector = Projector()
         self._waiting: dict[Hashable, list[_Act]] = {}
         """Acts by what they wait for: a response, work that is done aside, a change of a running system."""
@@ -190,7 +190,7 @@ class Environment:
         for message in done.says:
             self.say(message)
         for order in done.orders:
-            self._station.send(order)
+            self._channel.send(order)
         for what, news in done.news:
             self._come(what, news)
 

@@ -59,7 +59,7 @@ def switch(live: LiveSubsystem, off: Sequence[str], on: Sequence[Turn], rates: R
 def _order(live: LiveSubsystem, off: Sequence[str], on: Sequence[Turn], rates: Rates) -> orders.Switch:
     """The order for the executor; a rate of a task that comes on goes with its start."""
     kept_rates = dict(rates)
-    starts = tuple(orders.Start(turn.task, turn.arguments, kept_rates.pop(turn.task, None)) for turn in on)
+    starts = tuple(orders.Launch(turn.task, turn.arguments, kept_rates.pop(turn.task, None)) for turn in on)
     living = tuple(task for task in off if live.state(task) not in (State.KILLED, State.WAITING))
     return orders.Switch(0, living, starts, tuple(kept_rates.items()))
 

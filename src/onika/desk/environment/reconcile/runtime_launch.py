@@ -1,4 +1,4 @@
-"""How the station gets hold of a runtime: started here as a child process, or reached at an address."""
+"""How the environment gets hold of a runtime: started here as a child process, or reached at an address."""
 
 from collections.abc import Sequence
 from contextlib import AbstractContextManager
@@ -7,7 +7,7 @@ from onika.desk.environment.outcome.outcome import Simulator
 from onika.desk.run.runtime import LaunchedRuntime, RuntimeConversation, connect
 
 _AS_WALL_TIME = ("--scale", "1")
-"""A person looks on."""
+"""A simulator is looked at by a person, so its time passes as on the wall."""
 
 
 class RuntimeLauncher:
