@@ -96,7 +96,7 @@ def test_the_users_file_is_written_at_once_where_there_is_one(sitting):  # R-B12
 def test_without_a_file_it_is_written_at_the_end(sitting):  # R-B12
     sitting.do(act.Prefer({"pin_length": 20}))
     assert not (sitting.home / file.NAME).exists()
-    assert leave(sitting.environment.model, sitting.surroundings) == ""
+    assert leave(sitting.environment.model, sitting.surroundings) is None
     kept, _ = file.read((sitting.home / file.NAME).read_text(), "p", "p")
     assert kept.pin_length == 20
 
@@ -118,7 +118,7 @@ def test_where_nothing_can_be_written_it_is_said(sitting):  # R-B12
     sitting.surroundings.state.write_text("no directory")
     sitting.do(act.Prefer({"keeps_diary": False}))
     assert ["holds for this session" in str(said.text) for said in sitting.says] == [True]
-    assert "cannot be saved" in leave(sitting.environment.model, sitting.surroundings)
+    assert leave(sitting.environment.model, sitting.surroundings).reason.key == "files.not_savable"
 
 
 def test_every_column_may_be_shown(sitting):  # R-G01

@@ -44,8 +44,7 @@ def things(command: act.AnyAct, value: object, names: Mapping[str, str]) -> Thin
             doc = str(value or "")
             return names.get(doc, ""), doc, "", ""
         case act.InsertIcon() | act.InsertBranch():
-            name = command.onikon if isinstance(command, act.InsertIcon) else "branch"
-            return name, _id(command.doc, value) if value else name, *_of(command.doc, command.after, names)
+            return *_inserted(command, value), *_of(command.doc, command.after, names)
         case act.ExchangeIcon():
             return command.onikon, _id(command.doc, command.step), names.get(command.doc, ""), command.doc
         case act.MoveIcons():
@@ -61,6 +60,12 @@ def things(command: act.AnyAct, value: object, names: Mapping[str, str]) -> Thin
         case act.SkipTo():
             return "", str(command.step), "", ""
     return None
+
+
+def _inserted(command: act.InsertIcon | act.InsertBranch, value: object) -> tuple[str, str]:
+    """What was inserted; where that was refused, it has its name as its id."""
+    name = command.onikon if isinstance(command, act.InsertIcon) else "branch"
+    return name, _id(command.doc, value) if value else name
 
 
 def _id(doc: str, number: object) -> str:

@@ -148,18 +148,24 @@ def entry(command: act.AnyAct, answer: ActAnswer, names: Mapping[str, str]) -> D
         )
     if type(command) not in _EVENTS:
         return None
-    event, window = _EVENTS[type(command)]
-    if isinstance(command, _BOTH) and _is_of_application(command, answer):
-        event, window = event.replace("conf", "appl").replace("job", "appl_icon"), window.replace("conf", "appl")
-    match command:
-        case act.Turn():
-            event = "turn_on_task" if command.is_on else "turn_off_task"
-        case act.TurnGroup():
-            event = "turn_on_group" if command.is_on else "turn_off_group"
-        case act.Show():
-            event = "show_locus" if command.is_shown else "hide_locus"
+    event, window = _event_of(command, answer)
     name = event if answer.no is None or event.startswith("try_") else f"try_{event}"
     return DiaryEntry(name, *_things(command, answer, names), window)
+
+
+def _event_of(command: act.AnyAct, answer: ActAnswer) -> tuple[str, str]:
+    """What an act is called, and the window in which it is done."""
+    event, window = _EVENTS[type(command)]
+    if isinstance(command, _BOTH) and _is_of_application(command, answer):
+        return event.replace("conf", "appl").replace("job", "appl_icon"), window.replace("conf", "appl")
+    match command:
+        case act.Turn():
+            return "turn_on_task" if command.is_on else "turn_off_task", window
+        case act.TurnGroup():
+            return "turn_on_group" if command.is_on else "turn_off_group", window
+        case act.Show():
+            return "show_locus" if command.is_shown else "hide_locus", window
+    return event, window
 
 
 def _things(command: act.AnyAct, answer: ActAnswer, names: Mapping[str, str]) -> tuple[str, str, str, str]:

@@ -50,10 +50,9 @@ def prefer(model: Model, command: act.Prefer, outside: Services) -> Done | No:
     return Done(changed, says=tuple(_kept(of_file, of_settings, outside)))
 
 
-def leave(model: Model, outside: Services) -> str:
+def leave(model: Model, outside: Services) -> Refusal | None:
     """At the end of a session: write the preferences where there is no file of them yet; why not, if so (B12)."""
-    refused = outside.site.keep_preferences(model.preferences)
-    return str(refused.reason) if refused else ""
+    return outside.site.keep_preferences(model.preferences)
 
 
 def _kept(of_file: Mapping[str, Any], of_settings: Mapping[str, bool], outside: Services) -> Iterator[page.Say]:
