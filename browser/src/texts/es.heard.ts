@@ -1,6 +1,5 @@
 // Español: frases que dice el entorno. Cada una por lo que es en inglés; lo que no está aquí queda en inglés.
 // `{0}` es lo primero que varía; `{=0}`, si a su vez es una frase de estas, se traduce también.
-import { esHeardHolding } from './es.heard.holding'
 
 export const esHeard: readonly (readonly [RegExp, string])[] = [
   // qué le falta a una aplicación
@@ -48,5 +47,4 @@ export const esHeard: readonly (readonly [RegExp, string])[] = [
     /^only a run that comes to its end can be kept; this one: ([^]+)$/,
     'solo se guarda una ejecución que llega a su fin; esta: {=0}',
   ],
-  ...esHeardHolding,
 ]

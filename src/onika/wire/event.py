@@ -144,7 +144,7 @@ class Offered(Struct, frozen=True, tag=True):
     subsystem: str
     holder: str
     to: str
-    outcome: str = ""
+    outcome: Text = ""
 
 
 class Company(Struct, frozen=True, tag=True):

@@ -156,7 +156,7 @@ def there(hand, *sessions):
 
 
 def offers(hand):
-    return [(one.holder, one.to, one.outcome) for one in hand.asker.of(event.Offered)]
+    return [(one.holder, one.to, str(one.outcome)) for one in hand.asker.of(event.Offered)]
 
 
 def test_a_subsystem_is_handed_over_while_it_moves(hand):  # R-X12

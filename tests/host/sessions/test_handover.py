@@ -1,11 +1,18 @@
 import pytest
 
 from onika.host.sessions.handover import LASTS_NS, Offers
+from onika.words.reason import Reason
+
+ACCEPTED = Reason.of("host.offer_accepted")
+
+
+def key_of(outcome):
+    return outcome and outcome.key
 
 
 class Told(list):
     def __call__(self, one, subsystem, session):
-        self.append((one.subsystem, one.holder, one.to, one.outcome, session))
+        self.append((one.subsystem, one.holder, one.to, key_of(one.outcome), session))
         assert one.subsystem == subsystem
 
 
@@ -18,8 +25,8 @@ def test_the_one_it_is_for_is_told_and_the_holder_of_the_end(told):  # R-X12
     offers = Offers(told)
     offers.put("s0", "one", "two", 0)
     assert offers.find("s0").to == "two"
-    offers.end("s0", "accepted")
-    assert told == [("s0", "one", "two", "", "two"), ("s0", "one", "two", "accepted", "one")]
+    offers.end("s0", ACCEPTED)
+    assert told == [("s0", "one", "two", "", "two"), ("s0", "one", "two", "host.offer_accepted", "one")]
     assert offers.find("s0") is None
 
 
@@ -27,7 +34,7 @@ def test_a_second_offer_takes_the_place_of_the_first(told):  # R-X12
     offers = Offers(told)
     offers.put("s0", "one", "two", 0)
     offers.put("s0", "one", "three", 1)
-    assert [one[2:4] for one in told] == [("two", ""), ("two", "withdrawn"), ("three", "")]
+    assert [one[2:4] for one in told] == [("two", ""), ("two", "host.offer_withdrawn"), ("three", "")]
     assert offers.find("s0").to == "three"
 
 
@@ -38,7 +45,7 @@ def test_nobody_is_waited_for_for_ever(told):  # R-X12
     assert offers.find("s0") is not None
     offers.expire(5 + LASTS_NS)
     assert offers.find("s0") is None
-    assert told[-1][3] == "no answer within 60 s"
+    assert told[-1][3] == "host.offer_unanswered"
 
 
 def test_who_is_gone_neither_offers_nor_takes(told):  # R-X12
@@ -51,5 +58,5 @@ def test_who_is_gone_neither_offers_nor_takes(told):  # R-X12
 
 
 def test_the_end_of_what_is_not_offered_is_no_news(told):
-    Offers(told).end("s0", "accepted")
+    Offers(told).end("s0", ACCEPTED)
     assert told == []

@@ -85,7 +85,7 @@ class AuditLog:
                     on=message.subsystem,
                     who=message.holder,
                     about=f"to {message.to}",
-                    result=message.outcome,
+                    result=str(message.outcome),
                 )
             case event.Stopped():
                 self._note("stopped" if message.is_stopped else "may move again", True, result=str(message.cause))

@@ -122,7 +122,7 @@ class ControlAuthority:
         if not message.to:
             if self._offer(name) is None:
                 return request.Refused(Reason.of("host.offered_nobody", subsystem=name))
-            self._offers.end(name, "withdrawn")
+            self._offers.end(name, Reason.of("host.offer_withdrawn"))
             return request.Done()
         to, why = self._meant(session, message.to)
         if why:
@@ -135,7 +135,7 @@ class ControlAuthority:
         offer = self._offer(message.subsystem)
         if offer is None or offer.to != session:
             return request.Refused(Reason.of("host.offers_nobody", subsystem=message.subsystem))
-        self._offers.end(message.subsystem, f"{session} declines")
+        self._offers.end(message.subsystem, Reason.of("host.offer_declined", session=session))
         return request.Done()
 
     def only_watch(self, session: str) -> request.Response:
@@ -195,7 +195,7 @@ class ControlAuthority:
         holder, application = self._holder(name)
         offer = self._offer(name)
         if offer is not None and offer.to == session:
-            self._offers.end(name, "accepted")
+            self._offers.end(name, Reason.of("host.offer_accepted"))
             return self._pass_on(name, session, Reason.of("host.handed_over", holder=holder))
         if application and not holder:
             return self._pass_on(name, session, Reason.of("host.run_of_nobody"))
@@ -214,7 +214,7 @@ class ControlAuthority:
         self._subsystems.hold.release(run.session)
         run.session = session
         for subsystem in run.names:
-            self._offers.end(subsystem, "its run was passed on")
+            self._offers.end(subsystem, Reason.of("host.offer_passed_on"))
             self._tell(event.Held(subsystem, session, cause), subsystem, session)
         return NOTHING
 
@@ -222,7 +222,7 @@ class ControlAuthority:
         """What its present holder offers of it."""
         offer = self._offers.find(subsystem)
         if offer is not None and offer.holder != self._holder(subsystem)[0]:
-            self._offers.end(subsystem, "it is held by another")
+            self._offers.end(subsystem, Reason.of("host.offer_overtaken"))
             return None
         return offer
 
@@ -268,5 +268,5 @@ class ControlAuthority:
         one = self._subsystems.live[subsystem]
         if one.holder != session:
             former, one.holder = one.holder, session
-            self._offers.end(subsystem, "it is released")
+            self._offers.end(subsystem, Reason.of("host.offer_released"))
             self._tell(event.Held(subsystem, session, cause), subsystem, session or former)

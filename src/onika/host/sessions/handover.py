@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from onika.host.subsystems.subsystem_registry import Tell
 from onika.wire import event
+from onika.words.reason import Reason
 
 LASTS_NS = 60_000_000_000
 """How long an offer stands."""
@@ -28,7 +29,7 @@ class Offers:
 
     def put(self, subsystem: str, holder: str, to: str, now_ns: int) -> None:
         """Offer it, in place of what was offered before."""
-        self.end(subsystem, "withdrawn")
+        self.end(subsystem, Reason.of("host.offer_withdrawn"))
         self._offers[subsystem] = Offer(subsystem, holder, to, now_ns + LASTS_NS)
         self._tell(event.Offered(subsystem, holder, to), subsystem, to)
 
@@ -36,7 +37,7 @@ class Offers:
         """What is offered of it."""
         return self._offers.get(subsystem)
 
-    def end(self, subsystem: str, outcome: str) -> None:
+    def end(self, subsystem: str, outcome: Reason) -> None:
         """It is offered no more."""
         offer = self._offers.pop(subsystem, None)
         if offer is not None:
@@ -46,10 +47,10 @@ class Offers:
         """A session is gone: it offers nothing and takes nothing."""
         for offer in list(self._offers.values()):
             if session in (offer.holder, offer.to):
-                self.end(offer.subsystem, f"{session} is gone")
+                self.end(offer.subsystem, Reason.of("host.offer_deserted", session=session))
 
     def expire(self, now_ns: int) -> None:
         """Let time pass."""
         for offer in list(self._offers.values()):
             if now_ns >= offer.until_ns:
-                self.end(offer.subsystem, f"no answer within {LASTS_NS * 1e-9:g} s")
+                self.end(offer.subsystem, Reason.of("host.offer_unanswered", seconds=LASTS_NS * 1e-9))

@@ -4,6 +4,7 @@ from kit.fake_runtime_env import FakeRuntimeEnv
 from onika.desk.environment.reconcile.presence import you
 from onika.model.task import Task
 from onika.wire import act, event, holding
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -63,3 +64,12 @@ def test_who_offered_it_is_told_that_it_was_declined_and_is_offered_no_longer(du
     duet.tell(event.Offered("Untitled-1", "you", "bob#3"))
     duet.tell(event.Offered("Untitled-1", "you", "bob#3", "bob#3 declines"))
     assert str(duet.says[-1].text) == "Untitled-1 is no longer offered to bob#3: bob#3 declines"
+
+
+def test_who_takes_what_was_offered_is_told_and_so_is_who_offered_it(duet):  # R-X12
+    duet.connected("a")
+    accepted = Reason.of("host.offer_accepted")
+    duet.tell(event.Offered("Untitled-1", "anna#2", "you", accepted))
+    assert str(duet.says[-1].text) == "Untitled-1 is held here now: anna#2 has handed it over"
+    duet.tell(event.Offered("Untitled-1", "you", "bob#3", accepted))
+    assert str(duet.says[-1].text) == "bob#3 has taken Untitled-1"

@@ -102,9 +102,13 @@ def _with_sessions(model: Model, sessions: Sequence[holding.SessionStanding], me
     return replace(model, runtime=msgspec.structs.replace(model.runtime, sessions=views))
 
 
+def _is_accepted(message: event.Offered) -> bool:
+    return isinstance(message.outcome, Reason) and message.outcome.key == "host.offer_accepted"
+
+
 def _words_of_offer_here(message: event.Offered) -> Reason:
     subsystem, holder = message.subsystem, message.holder
-    if message.outcome == "accepted":
+    if _is_accepted(message):
         return Reason.of("run.handed_over", subsystem=subsystem, holder=holder)
     if message.outcome:
         return Reason.of("run.offer_ended", holder=holder, subsystem=subsystem, outcome=message.outcome)
@@ -113,7 +117,7 @@ def _words_of_offer_here(message: event.Offered) -> Reason:
 
 def _words_of_own_offer(message: event.Offered) -> Reason:
     subsystem, to = message.subsystem, message.to
-    if message.outcome == "accepted":
+    if _is_accepted(message):
         return Reason.of("run.has_taken", to=to, subsystem=subsystem)
     if message.outcome:
         return Reason.of("run.offered_no_more", subsystem=subsystem, to=to, outcome=message.outcome)
