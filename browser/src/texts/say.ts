@@ -49,3 +49,16 @@ function ofModule(key: string, language: string): string | undefined {
 function entry(catalogue: Catalogue | undefined, key: string): string | undefined {
   return catalogue && Object.hasOwn(catalogue, key) ? catalogue[key] : undefined
 }
+
+/** A reason, then those that fill its gaps, and theirs; a bare text has none. */
+export function every(text: Reason | string): Reason[] {
+  if (typeof text === 'string') return []
+  const values = Object.values(text.args ?? {}).flat() as Value<Reason>[]
+  return [text, ...values.flatMap((value) => (typeof value === 'object' ? every(value as Reason) : []))]
+}
+
+/** Whether a reason is another one, or has it within. */
+export const contains = (text: Reason | string, part: Reason | string): boolean =>
+  typeof part === 'string'
+    ? text === part
+    : every(text).some(({ key, text: english }) => key === part.key && english === part.text)

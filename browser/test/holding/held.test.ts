@@ -2,6 +2,7 @@
 import { describe, expect, it } from 'vitest'
 import type { DocumentView, RuntimeView } from '../../src/api.gen'
 import { cannotTake, heldBy, heldIn, left, silence, takenAsks } from '../../src/holding/held'
+import type { Reason } from '../../src/texts/say'
 
 const sessions: RuntimeView['sessions'] = { 'ann#1': { role: 'owner', is_you: true }, 'bob#2': { role: 'viewer' } }
 const doc = (more: Partial<DocumentView>): DocumentView => ({ name: 'x', order: 0, connection: 'live', ...more })
@@ -54,8 +55,9 @@ it('the time that is left is told in minutes and seconds, and never below nothin
 })
 
 it('a loss says for how long nothing was heard, if that was the reason', () => {
-  expect([silence('its holder ann#1 has been silent for 1.2 s'), silence('its holder ann#1 is gone')]).toEqual([
-    '1.2',
+  const cause = (key: string, args = {}): Reason => ({ key, text: 'it is lost', args: { session: 'ann#1', ...args } })
+  expect([silence(cause('host.holder_silent', { seconds: 1.2 })), silence(cause('host.holder_gone'))]).toEqual([
+    '1.20',
     '',
   ])
 })

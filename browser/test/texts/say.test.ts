@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 import { applyPatch, desk } from '../../src/link/desk.svelte'
-import { say, type Reason } from '../../src/texts/say'
+import { contains, every, say, type Reason } from '../../src/texts/say'
 
 const option: Reason = {
   key: 'cli.language_option',
@@ -61,4 +61,21 @@ test('names stand without the marks of terminals', () => {
   }
   expect(say(written, 'en')).toBe('writes X, which cubic already writes')
   expect(say(written, 'es')).toBe('escribe X, que cubic ya escribe')
+})
+
+test('the reasons within a reason are at hand', () => {
+  const inner: Reason = { key: 'test.inner', text: 'too hot' }
+  const outer: Reason = {
+    key: 'test.outer',
+    text: 'cycle: too hot',
+    args: { n: 2, why: { ...option, args: { all: ['a', inner] } } },
+  }
+  expect(every(outer).map(({ key }) => key)).toEqual(['test.outer', option.key, 'test.inner'])
+  expect(every('too hot')).toEqual([])
+  expect([contains(outer, { ...inner }), contains(inner, outer), contains(outer, 'too hot')]).toEqual([
+    true,
+    false,
+    false,
+  ])
+  expect([contains('too hot', 'too hot'), contains(inner, inner)]).toEqual([true, true])
 })

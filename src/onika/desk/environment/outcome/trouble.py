@@ -21,7 +21,7 @@ from onika.wire.view import (
     ShowTask,
 )
 from onika.words.fault import Fault, Place, Refusal
-from onika.words.reason import Reason
+from onika.words.reason import Reason, Text
 
 
 def error_view(document: Document, name: str, facts: TaskFacts) -> ErrorView | None:
@@ -38,7 +38,7 @@ def error_view(document: Document, name: str, facts: TaskFacts) -> ErrorView | N
     if failed is None:
         return ErrorView(facts.note or Reason.of("run.task_failed_unsaid"), remedies=remedies)
     return ErrorView(
-        text=str(failed.text).removeprefix(f"{failed.entry}: "),
+        text=_without_entry(failed.text),
         entry=failed.entry,
         path=failed.path,
         line=failed.line,
@@ -47,6 +47,13 @@ def error_view(document: Document, name: str, facts: TaskFacts) -> ErrorView | N
         values=failed.values,
         remedies=remedies,
     )
+
+
+def _without_entry(text: Text) -> Text:
+    """Why a task failed, without the entry in which it did: that is shown beside it."""
+    if isinstance(text, Reason) and text.key == "host.entry_failed" and isinstance(text.args["why"], Reason):
+        return text.args["why"]
+    return text
 
 
 def problems(
