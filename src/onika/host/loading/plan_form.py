@@ -113,6 +113,10 @@ def _flow(number: int, flow: PlannedFlow, plan: Plan) -> Iterator[Reason]:
         yield Reason.of("host.actions_many", most=_MOST_ACTIONS, count=len(flow.actions))
     for action in flow.actions:
         yield from _action(action, {*names})
+    yield from _program(flow)
+
+
+def _program(flow: PlannedFlow) -> Iterator[Reason]:
     for instruction in flow.program:
         if isinstance(instruction, Rest) and not -1 <= instruction.action < len(flow.actions):
             yield _outside("action", instruction.action, len(flow.actions))

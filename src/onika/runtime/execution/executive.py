@@ -18,6 +18,7 @@ from onika.runtime.execution.task_lifecycle import TaskLifecycle
 from onika.runtime.execution.unit import Address, ProcessingUnit
 from onika.runtime.modules.binding import Views
 from onika.runtime.modules.binding_guard import BindingChanged
+from onika.runtime.scheduler import TaskSlot
 
 _NOTHING: Sequence[news.News] = ()
 
@@ -95,15 +96,25 @@ class Executive:
                 self._after_cycle(task, signal, now)
             most -= 1
             goes_on = slot.epoch == epoch
-            if goes_on and not task.is_periodic and (task.is_owed or not task.asks):
-                scheduler.leave(slot)
-                goes_on = False
+            if goes_on and not task.is_periodic:
+                goes_on = self._goes_on(task, slot)
             if unit.news or not most:
-                if goes_on:
-                    scheduler.done(slot)
-                return unit.take_news() if unit.news else _NOTHING
+                return self._interrupted(slot, goes_on)
             slot = scheduler.after(slot, now) if goes_on else scheduler.next_due(now)
         return None
+
+    def _goes_on(self, task: RunningTask, slot: TaskSlot) -> bool:
+        """Whether a synchronous task cycles on: it does while it asks its partner and has the answer."""
+        if task.asks and not task.is_owed:
+            return True
+        self._unit.scheduler.leave(slot)
+        return False
+
+    def _interrupted(self, slot: TaskSlot, goes_on: bool) -> Sequence[news.News]:
+        """The news for which what is due stands back, or that there is none."""
+        if goes_on:
+            self._unit.scheduler.done(slot)
+        return self._unit.take_news() if self._unit.news else _NOTHING
 
     def events(self) -> dict[int, Address]:
         """The descriptors that synchronous tasks which are ON wait for; their owner waits for them with its own."""

@@ -1,5 +1,6 @@
 """The sheet of a module's class, read off the class and compared with `.rmod` files (law 24)."""
 
+from collections.abc import Iterator
 from math import inf
 from typing import Any
 
@@ -67,82 +68,56 @@ def sheet_of(cls: type[Module]) -> ModuleSheet:
 
 def differences(task: Task, sheet: ModuleSheet, place: Place) -> list[Fault]:
     """Everything in which a `.rmod` and its module's class differ: ports and their kinds, needed LOCAL lines."""
+    reasons = [*_unlike_ports(task, sheet), *_unlike_parameters(task, sheet), *_unlike_device(task, sheet)]
     instead = Reason.of("runtime.task_left_out", task=task.name)
+    return [Fault(place, reason, instead) for reason in reasons]
+
+
+def _unlike_ports(task: Task, sheet: ModuleSheet) -> Iterator[Reason]:
     declared = {port.name: port.kind for port in sheet.ports}
     written = {name: kind.value for name, kind in task.kinds().items()}
-    faults = [
-        Fault(
-            place,
-            Reason.of(
-                "runtime.port_unlike", kind=kind, name=name, module=task.module, given=_declared_as(written.get(name))
-            ),
-            instead,
-        )
-        for name, kind in declared.items()
-        if written.get(name) != kind
-    ]
-    faults += [
-        Fault(place, Reason.of("runtime.port_undeclared", module=task.module, kind=kind, name=name), instead)
-        for name, kind in written.items()
-        if name not in declared
-    ]
+    for name, kind in declared.items():
+        if written.get(name) != kind:
+            given = _declared_as(written.get(name))
+            yield Reason.of("runtime.port_unlike", kind=kind, name=name, module=task.module, given=given)
+    for name, kind in written.items():
+        if name not in declared:
+            yield Reason.of("runtime.port_undeclared", module=task.module, kind=kind, name=name)
+
+
+def _unlike_parameters(task: Task, sheet: ModuleSheet) -> Iterator[Reason]:
+    """The needed LOCAL lines that are missing, then those whose values do not fit."""
     given = {line.key for line in task.local}
-    faults += [
-        Fault(
-            place,
-            Reason.of("runtime.local_missing", name=local.name, shape=local.shape, meaning=local.meaning),
-            instead,
-        )
-        for local in sheet.locals
-        if local.default is None and local.name not in given
-    ]
-    faults += _bad_parameters(task, sheet, place, instead)
-    if sheet.hardware and "DEVICE" not in given:
-        faults.append(Fault(place, Reason.of("runtime.device_missing"), instead))
-    faults += [
-        Fault(
-            place,
-            _device_words(line.words),
-            instead,
-        )
-        for line in task.local
-        if line.key == "DEVICE" and len(line.words) != 1
-    ]
+    for local in sheet.locals:
+        if local.default is None and local.name not in given:
+            yield Reason.of("runtime.local_missing", name=local.name, shape=local.shape, meaning=local.meaning)
+    by_name = {local.name: local for local in sheet.locals}
+    for line in task.local:
+        declared = by_name.get(line.key)
+        if declared is None:
+            continue
+        try:
+            _within(declared, parameter.parse(line.key, Shape.parse(declared.shape), line.words))
+        except ValueError as wrong:
+            yield Reason.of("runtime.local_unfit", key=line.key, shape=declared.shape, why=reason_of(wrong))
+
+
+def _unlike_device(task: Task, sheet: ModuleSheet) -> Iterator[Reason]:
+    devices = [line for line in task.local if line.key == "DEVICE"]
+    if sheet.hardware and not devices:
+        yield Reason.of("runtime.device_missing")
+    for line in devices:
+        if len(line.words) != 1:
+            yield _device_words(line.words)
     if sheet.hardware and task.frequency is not None and task.frequency < SLOWEST_HARDWARE_HZ:
-        faults.append(
-            Fault(
-                place,
-                Reason.of(
-                    "runtime.hardware_too_slow", slowest_hardware_hz=SLOWEST_HARDWARE_HZ, frequency=task.frequency
-                ),
-                instead,
-            )
-        )
-    return faults
+        slowest = SLOWEST_HARDWARE_HZ
+        yield Reason.of("runtime.hardware_too_slow", slowest_hardware_hz=slowest, frequency=task.frequency)
 
 
 def strangers(task: Task, sheet: ModuleSheet) -> list[str]:
     """LOCAL lines that the module does not declare: kept in the file, but perhaps a typing mistake."""
     names = {local.name for local in sheet.locals} | {"DEVICE"}
     return [line.key for line in task.local if line.key not in names]
-
-
-def _bad_parameters(task: Task, sheet: ModuleSheet, place: Place, instead: Reason) -> list[Fault]:
-    by_name = {local.name: local for local in sheet.locals}
-    faults = []
-    for line in task.local:
-        if (local := by_name.get(line.key)) is not None:
-            try:
-                _within(local, parameter.parse(line.key, Shape.parse(local.shape), line.words))
-            except ValueError as wrong:
-                faults.append(
-                    Fault(
-                        place,
-                        Reason.of("runtime.local_unfit", key=line.key, shape=local.shape, why=reason_of(wrong)),
-                        instead,
-                    )
-                )
-    return faults
 
 
 def _within(local: LocalSheet, value: Any) -> None:

@@ -26,17 +26,9 @@ class PartnerAnswer:
     ) -> "NDArray[np.float64]":
         """Finite real numbers of this shape (None: any count) within the bounds, which may be vectors too."""
         value = self._field(name)
-        wanted = "×".join("any" if count is None else str(count) for count in shape) or "one"
-        try:
-            if not _is_plain(value, len(shape)):
-                raise ValueError
-            array = np.array(value, dtype=np.float64)
-        except (ValueError, TypeError, OverflowError):
-            raise ModuleError(f"expected {name}, {wanted} finite numbers, found {_short(value)}") from None
-        if array.size == 0 and None in shape:
-            array = array.reshape([count or 0 for count in shape])
-        fits = array.ndim == len(shape) and all(n in (m, None) for m, n in zip(array.shape, shape, strict=True))
-        if not fits or not np.isfinite(array).all():
+        array = _array(value, shape)
+        if array is None:
+            wanted = "×".join("any" if count is None else str(count) for count in shape) or "one"
             raise ModuleError(f"expected {name}, {wanted} finite numbers, found {_short(value)}")
         if ((array < low) | (array > high)).any():
             raise ModuleError(f"expected {name} within {low} to {high}, found {_short(value)}")
@@ -59,6 +51,25 @@ class PartnerAnswer:
                 f"expected {name} in the answer, found {', '.join(map(_short, self.fields)) or 'nothing'}"
             )
         return self.fields[name]
+
+
+def _array(value: Any, shape: tuple[int | None, ...]) -> "NDArray[np.float64] | None":
+    """An array of this shape; None where the value is none, or not of finite numbers."""
+    if not _is_plain(value, len(shape)):
+        return None
+    try:
+        array = np.array(value, dtype=np.float64)
+    except (ValueError, TypeError, OverflowError):
+        return None
+    if array.size == 0 and None in shape:
+        array = array.reshape([count or 0 for count in shape])
+    return array if _has_shape(array, shape) and np.isfinite(array).all() else None
+
+
+def _has_shape(array: "NDArray[np.float64]", shape: tuple[int | None, ...]) -> bool:
+    if array.ndim != len(shape):
+        return False
+    return all(wanted in (None, count) for count, wanted in zip(array.shape, shape, strict=True))
 
 
 def _is_plain(value: Any, depth: int) -> bool:

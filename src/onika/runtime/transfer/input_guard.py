@@ -58,14 +58,10 @@ class InputGuard:
         for read in self._reads:
             read()
         self._module.now = now * 1e-9
-        device = self._module.device
-        if device.silent_ns(now) > SILENCE_NS:
-            raise LawBroken(f"device {device.sheet.name} has published nothing for {SILENCE_NS // 1_000_000} ms")
+        self._check_device(now)
         if was_waiting and not is_fresh:
             return False
-        bad = self._binding.not_finite()
-        if bad:
-            raise LawBroken(f"expected finite inputs, found NaN or infinity in {', '.join(bad)}")
+        self._check_values()
         if was_waiting and not self._begins(now):
             return False
         if is_watched or was_waiting or transfer.is_open:
@@ -76,6 +72,16 @@ class InputGuard:
         """The task holds: what was watched is over."""
         if self.transfer.is_open:
             self.transfer.close()
+
+    def _check_device(self, now: int) -> None:
+        device = self._module.device
+        if device.silent_ns(now) > SILENCE_NS:
+            raise LawBroken(f"device {device.sheet.name} has published nothing for {SILENCE_NS // 1_000_000} ms")
+
+    def _check_values(self) -> None:
+        bad = self._binding.not_finite()
+        if bad:
+            raise LawBroken(f"expected finite inputs, found NaN or infinity in {', '.join(bad)}")
 
     def _are_fresh(self) -> bool:
         """Before the inputs are copied in: a value written meanwhile may only be newer than what is counted here."""
