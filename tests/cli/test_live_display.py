@@ -89,6 +89,17 @@ def test_each_value_is_asked_for_with_what_it_means_and_the_answers_are_joined(s
     ]
 
 
+def test_what_was_asked_and_answered_stays_above_the_panel(screen, monkeypatch):  # R-A10
+    monkeypatch.setattr(room, "Terminal", lambda complete: contextlib.nullcontext(Answers("0.5 0.75", "me")))
+    with LiveDisplay() as live:
+        live.begins(PREPARED, 4711)
+        live._screen.refresh()
+        live.answer(event.Asked("flow0", "gauge", "", ITEMS, 0.0))
+        asked = screen.tell()
+        live._screen.refresh()
+        assert "\x1b[1A" not in screen.getvalue()[asked:]  # no row above is touched
+
+
 def test_at_the_end_of_the_input_nobody_answers(screen, monkeypatch):  # R-A10
     monkeypatch.setattr(room, "Terminal", lambda complete: contextlib.nullcontext(Answers()))
     with LiveDisplay() as live:

@@ -50,10 +50,7 @@ class LiveDisplay:
         self._total = 0
         self._has_moved = False
         self._looked = 0.0
-        # last, because it draws at once
-        self._screen = Screen(
-            console=self._console, refresh_per_second=12, get_renderable=self._panel.draw, transient=True
-        )
+        self._screen = self._new_screen()  # last, because it draws at once
 
     def __enter__(self) -> "LiveDisplay":
         self._keyboard.__enter__()
@@ -93,6 +90,7 @@ class LiveDisplay:
         self._screen.stop()
         line = self._answers(question)
         if line is not None:
+            self._screen = self._new_screen()  # the former would wipe out as many rows as it had before the question
             self._screen.start()
         return line
 
@@ -127,6 +125,9 @@ class LiveDisplay:
         """The summary."""
         for line in summary(outcome, drawn):
             self._console.print(Text(say(line.reason), style=_TONES[line.tone]))
+
+    def _new_screen(self) -> Screen:
+        return Screen(console=self._console, refresh_per_second=12, get_renderable=self._panel.draw, transient=True)
 
     def _answers(self, question: event.Asked) -> str | None:
         if question.reason:
