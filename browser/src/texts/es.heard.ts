@@ -17,34 +17,10 @@ export const esHeard: readonly (readonly [RegExp, string])[] = [
     /^expected (\S+) as a vector of length 1, found length (.+)$/,
     'se esperaba {0} como vector de longitud 1; tiene {1}',
   ],
-  [/^module (\S+) has no port (.+)$/, 'el módulo {0} no tiene ningún puerto {1}'],
   [
     /^(\S+): (\S+) is the hand at the (left|right), and the arm that moves is (.+)$/,
     '{0}: {1} no es la mano del brazo que se mueve, {3}',
   ],
-  [/^(.+) cannot be checked: ([^]+)$/, '{0} no se puede comprobar: {=1}'],
-  // qué se puede hacer
-  [/^Open (\S+)$/, 'Abrir {0}'],
-  [/^Save as…$/, 'Guardar como…'],
-  [/^Save (.+)$/, 'Guardar {0}'],
-  [/^Abort it$/, 'Interrumpirla'],
   // cómo va
-  [/^(\S+) runs$/, '{0} se ejecuta'],
   [/^aborted by the user$/, 'interrumpida por el usuario'],
-  [/^the runtime is lost: ([^]+)$/, 'se perdió el entorno de ejecución: {=0}'],
-  // grabaciones, simulador y pruebas
-  [
-    /^(\d+) values of variables were written over before they could be recorded$/,
-    '{0} valores de variables se sobrescribieron antes de poder grabarlos',
-  ],
-  [/^(\d+) actions, (\d+) values?$/, '{0} acciones, {1} valores'],
-  [/^(.+) is there already$/, '{0} ya existe'],
-  [
-    /^only a good run can be kept; in this one (.+) does not hold$/,
-    'solo se guarda una ejecución buena; en esta no se cumple {0}',
-  ],
-  [
-    /^only a run that comes to its end can be kept; this one: ([^]+)$/,
-    'solo se guarda una ejecución que llega a su fin; esta: {=0}',
-  ],
 ]
