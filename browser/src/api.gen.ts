@@ -1340,7 +1340,8 @@ export interface StopView {
   waiting?: ([string, string])[];
   courses?: (CourseView)[];
   choices?: (Remedy)[];
-  meanings?: (string)[];
+  meanings?: (Text)[];
+  short?: Text;
 }
 
 /** Who may change a subsystem that lives (law 27, X12). */

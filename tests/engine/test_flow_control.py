@@ -10,6 +10,7 @@ from onika.engine.news import Abort, Cleared, Failed, Run, Spawned, TurnedOn
 from onika.engine.orders import Moved
 from onika.wire.plan import Do, Meet
 from onika.wire.steer import Leave, Mark, Pass, Pause, Recover, Resume, Skip, Steering, Step
+from onika.words.reason import Reason
 
 MEET = build.job("move", trigger="move", synch_tag="meet")
 ALLOWED = {
@@ -90,7 +91,7 @@ def test_a_loop_that_is_left_is_told_and_the_place_too():
     for news in (Run(), Spawned(0, "move")):
         engine.feed(news)
     assert engine.positions()[0].loops == ("round",)
-    assert engine.feed(Leave("0")) == [Moved(0, "running", 0, text="leaves the loop round at its next test")]
+    assert engine.feed(Leave("0")) == [Moved(0, "running", 0, text=Reason.of("engine.leaves_loop", name="round"))]
 
 
 def test_who_is_sent_elsewhere_while_his_task_is_cleared_hears_to_wait():

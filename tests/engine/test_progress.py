@@ -68,7 +68,7 @@ def test_a_job_without_a_trigger_is_noted():
     flow.flow_tasks.spawn()
     note = flow.begin()[-1]
     assert isinstance(note, RunNote)
-    assert "no trigger" in note.text
+    assert note.text.key == "engine.no_trigger"
 
 
 def test_a_task_that_is_on_but_no_trigger_of_the_action_does_not_end_it():  # reading 16
@@ -100,11 +100,11 @@ def test_a_flow_that_is_killed_begins_nothing():
 
 def test_messages_say_the_parameter_file_before_the_first_action_and_the_action_then():
     flow = progress(REACH)
-    assert flow.where("puma") == "puma.rmod: puma"
+    assert str(flow.where("puma")) == "puma.rmod: puma"
     flow.enter(FlowEvent.SPAWN)
     flow.flow_tasks.spawn()
     flow.begin()
-    assert flow.where("puma") == "test.appl flow 0 action 0: puma"
+    assert str(flow.where("puma")) == "test.appl flow 0 action 0: puma"
 
 
 def test_the_value_of_an_action_leads_the_next_walk():

@@ -9,6 +9,7 @@ from kit import build
 from kit.play import Play
 from onika.engine.news import Finished, News, Run, Spawned, TurnedOn
 from onika.engine.orders import Began, Launch, Moved, Order, Switch, Together
+from onika.words.reason import Reason
 
 REACH = build.job("move", "puma", trigger="move", arguments="1 2")
 AGAIN = build.job("move", "puma", trigger="move", arguments="3 4")
@@ -41,7 +42,8 @@ def started(
 
 def stopped(index: int = 0, task: str = "puma", text: str = "joint limit", flow: int = 0) -> Moved:
     """A task has failed."""
-    return Moved(flow, "stopped", index, text=f"{where(flow, index)}: {task} is in error: {text}")
+    place = Reason.of("engine.name_at", place=where(flow, index), name=task)
+    return Moved(flow, "stopped", index, text=Reason.of("engine.in_error", where=place, why=text))
 
 
 def clearing(index: int = 0, flow: int = 0) -> Moved:

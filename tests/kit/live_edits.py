@@ -13,6 +13,7 @@ from onika.runtime.execution.running_task import RunningTask
 from onika.wire import event, live
 from onika.wire.plan import Code, PlannedTask
 from onika.wire.request import Response
+from onika.words.reason import Text
 
 SOURCE = """
 from onika.module import Local, Module, OutConst, OutVar
@@ -156,7 +157,7 @@ class LossyDriver(VirtualDriver):
             if self.fatal is None:
                 self.lose(unit)
 
-    def lost(self, rtpu: str, reason: str, now: int) -> None:
+    def lost(self, rtpu: str, reason: Text, now: int) -> None:
         """Pass it on."""
         self._program.subsystems.lost(rtpu, reason, now)
 

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import HealthCheck, Phase, settings
 from hypothesis.stateful import run_state_machine_as_test
 
-from onika.engine import progress, walk
+from onika.engine import walk
 from onika.engine.engine import Engine
 from onika.engine.flow_control import FlowControl
 from onika.engine.flow_router import FlowRouter
@@ -76,16 +76,16 @@ MISTAKES = {
         "value is None or value.loop",
     ),
     "a loop that was left is left again": (
-        progress,
-        "walk",
-        "leaving -= {instruction.loop} if not goes_on else frozenset()",
+        walk._Walker,
+        "_test",
+        "self._leaving -= {test.loop}",
         "pass",
     ),
     "a value beyond the flows takes the last one": (
         walk,
         "_choice",
-        'return 0, f"{flows}',
-        'return len(choose.to) - 1, f"{flows}',
+        'return 0, Reason.of("engine.no_such_flow_of"',
+        'return len(choose.to) - 1, Reason.of("engine.no_such_flow_of"',
     ),
     "conditions are taken the wrong way round": (walk, "_choice", "if judge(condition)", "if not judge(condition)"),
 }

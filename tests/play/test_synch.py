@@ -6,6 +6,7 @@ from onika.engine.news import Abort, Finished, Killed, Run, Settled, Spawned, Tu
 from onika.engine.orders import Began, Done, End, Kill, Launch, Moved, Settle, Switch, Together
 from onika.wire.plan import Do, Halt, Meet
 from onika.wire.steer import Pass
+from onika.words.reason import Reason
 
 FREE = build.job("move", trigger="move")
 MEET = build.job("move", trigger="move", synch_tag="meet")
@@ -179,7 +180,7 @@ def test_flows_that_meet_for_ever_without_taking_time_are_aborted():
     orders = [order for news in (Run(), Spawned(0, "move"), Spawned(1, "move")) for order in engine.feed(news)]
     assert orders[-2:] == [Kill(0, "move"), Kill(1, "move")]
     orders = engine.feed(Killed(0, "move")) + engine.feed(Killed(1, "move"))
-    assert orders == [End(False, "flows meet for ever without taking any time")]
+    assert orders == [End(False, Reason.of("engine.meet_for_ever"))]
 
 
 def met(*flows):

@@ -31,11 +31,11 @@ def test_a_unit_is_used_by_what_is_on():  # R-X13
 def test_what_one_more_task_would_do_is_foretold_with_the_number(mean_us, use, sentence):  # R-X13
     foretold = predict("rt0", [], load("c", mean_us, 2000.0))
     assert foretold.use == pytest.approx(use)
-    assert sentence in foretold.warning
+    assert sentence in str(foretold.warning)
     assert bool(foretold.warning) == (use > MARGIN)
     if sentence:
-        assert f"task c ({mean_us:g} us a cycle at 2000 Hz)" in foretold.warning
-        assert f"{use:.2f}" in foretold.warning
+        assert f"task c ({mean_us:g} us a cycle at 2000 Hz)" in str(foretold.warning)
+        assert f"{use:.2f}" in str(foretold.warning)
 
 
 def test_a_task_that_is_measured_already_is_not_counted_twice():  # R-X13

@@ -1,6 +1,5 @@
 // A stop in words: what it is called, and what its choices are called and do.
-import type { Remedy, RunView, StopView, Text } from '../api.gen'
-import { look } from '../state/look.svelte'
+import type { Remedy, RunView, StopView } from '../api.gen'
 import { t, type TextKey } from '../texts/index.svelte'
 import { isSeveral, nameOf } from '../sentences/words'
 import { heard } from '../texts/heard'
@@ -27,13 +26,6 @@ const TITLES: Record<string, TextKey> = {
   leave: 'stopped.leave',
   abort: 'stopped.abort',
 }
-const WORDS: Record<string, TextKey> = {
-  clear: 'stopped.clearWords',
-  next: 'stopped.nextWords',
-  skip: 'stopped.skipWords',
-  pass: 'stopped.passWords',
-  abort: 'stopped.abortWords',
-}
 
 export interface Choice {
   /** Its word of steering. */
@@ -50,13 +42,16 @@ export function titleOf(run: RunView, at: string, stop: StopView): string {
   return t(`stopped.title.${kind}` as TextKey, { flow, task: stop.task || t('stopped.aTask') })
 }
 
-/** What was said, without where in the module it was said: a module's own error is a sentence for people. */
-export function inShort(text: Text): string {
-  const sentence = heard(text).replace(/^\w+: (?:ModuleError|LawBroken): /, '')
+/** What was said, without where in the module it was said, as the beginning of a sentence. */
+export function inShort(stop: StopView): string {
+  return capital(heard(stop.short || stop.text))
+}
+
+function capital(sentence: string): string {
   return sentence.charAt(0).toUpperCase() + sentence.slice(1)
 }
 
-/** The choices in order. What each does is told by whoever knows the run; in other languages by us, more shortly. */
+/** The choices in order. What each does is told by whoever knows the run. */
 export function choicesOf(run: RunView, stop: StopView): Choice[] {
   return (stop.choices ?? []).map((remedy, k) => {
     const [verb = '', whom = ''] = (remedy.act?.t === 'Steer' ? remedy.act.line : heard(remedy.label)).split(/\s+/)
@@ -65,15 +60,12 @@ export function choicesOf(run: RunView, stop: StopView): Choice[] {
     return {
       verb,
       title: isOther ? t('stopped.ofFlow', { what: title, flow: nameOf(run, whom) }) : title,
-      words: wordsOf(verb, stop, k),
+      words: wordsOf(heard(stop.meanings?.[k] ?? '')),
       remedy,
     }
   })
 }
 
-function wordsOf(verb: string, stop: StopView, k: number): string {
-  const meaning = stop.meanings?.[k] ?? ''
-  const key = WORDS[verb]
-  if (key && (look.language !== 'en' || !meaning)) return t(key, { task: stop.task || t('stopped.aTask') })
-  return meaning && `${meaning.charAt(0).toUpperCase()}${meaning.slice(1)}${/[.!?]$/.test(meaning) ? '' : '.'}`
+function wordsOf(meaning: string): string {
+  return meaning && `${capital(meaning)}${/[.!?]$/.test(meaning) ? '' : '.'}`
 }

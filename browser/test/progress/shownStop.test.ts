@@ -92,8 +92,10 @@ describe('its title', () => {
 
 describe('what was said', () => {
   it('is a sentence, where the module made it one', () => {
-    expect(inShort('cycle: ModuleError: panic button pressed')).toBe('Panic button pressed')
-    expect(inShort('cycle: ZeroDivisionError: division by zero')).toBe('Cycle: ZeroDivisionError: division by zero')
+    const said = { text: 'cycle: ModuleError: panic button pressed', short: 'panic button pressed' }
+    expect(inShort(stop(said))).toBe('Panic button pressed')
+    const other = 'cycle: ZeroDivisionError: division by zero'
+    expect(inShort(stop({ text: other }))).toBe('Cycle: ZeroDivisionError: division by zero')
   })
 })
 
@@ -119,7 +121,10 @@ describe('its choices', () => {
 
   it('are said in the language of the page', () => {
     look.language = 'es'
-    expect(choicesOf(run({}), one)[0]!.words).toBe('Borra el error de invkin y repite la misma acción.')
+    const clears = { key: 'host.clears', text: 'clears invkin', args: { tasks: ['invkin'] } }
+    const text = 'clears invkin and goes on'
+    const meanings = [{ key: 'host.and_goes_on', text, args: { what: clears } }]
+    expect(choicesOf(run({}), { ...one, meanings })[0]!.words).toBe('Borra el error de invkin y sigue.')
     look.language = 'en'
   })
 

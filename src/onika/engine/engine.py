@@ -36,7 +36,7 @@ from onika.engine.step import steps
 from onika.engine.walk import FinishValue
 from onika.wire.plan import Plan
 from onika.wire.steer import Position, Steering
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason, Text
 
 _OVER = (FlowState.KILLING, FlowState.ENDED)
 _AT_REST = {FlowState.WAITING, FlowState.JOINING, FlowState.PAUSED, FlowState.STOPPED, FlowState.DONE}
@@ -66,7 +66,7 @@ class Engine:
         if not plan.flows:
             raise ValueError(f"expected a plan with at least one flow, found none in {plan.application}")
         self._passive = frozenset(passive)
-        self._cause: str | None = None
+        self._cause: Text | None = None
         self._flows: list[Progress] = []
         for flow, planned in enumerate(plan.flows):
             own_ranks = {task.name: ranks[flow, task.name] for task in planned.tasks}
@@ -149,7 +149,7 @@ class Engine:
             is_late = flow.state in (FlowState.READY, *_OVER)
             if is_late:
                 return []
-            return [RunNote(flow.flow, f"{news.task} is no task of this flow: ignored")]
+            return [RunNote(flow.flow, Reason.of("engine.strange_task", task=news.task))]
         if flow.state in _OVER:
             return self._hear_while_killing(flow, news)
         return self._hear_under_way(flow, news)
@@ -167,18 +167,17 @@ class Engine:
             case SwitchedOff():
                 return self._switched_off(flow, news.task)
             case Asked():
-                reason = f": {news.reason}" if news.reason else ""
-                return [RunNote(flow.flow, f"{flow.where(news.task)} asks{reason}")]
+                return [RunNote(flow.flow, _question(flow, news))]
             case Failed():
                 return self._failed(flow, news)
             case Cleared():
                 return self._recovery.cleared(flow, news.task)
             case Illegal():
-                return self._abort(f"{flow.where(news.task)} may not go on: {news.text}")
+                return self._abort(Reason.of("engine.may_not_go_on", where=flow.where(news.task), why=news.text))
             case Refused():
                 return self._refused(flow, news)
             case Killed():
-                cause = f"{flow.where(news.task)} is gone"
+                cause = Reason.of("engine.task_gone", where=flow.where(news.task))
                 flow.flow_tasks.gone(news.task)
                 return self._abort(cause)
 
@@ -209,7 +208,7 @@ class Engine:
 
     def _finished(self, flow: Progress, news: Finished) -> list[Order]:
         if not flow.finished(news.task):
-            return [RunNote(flow.flow, f"{flow.where(news.task)} has finished, which ends no action now: ignored")]
+            return [RunNote(flow.flow, Reason.of("engine.ends_no_action", where=flow.where(news.task)))]
         done = flow.ends_with(FinishValue(news.choice, news.loop))
         if not news.switched and flow.rests_after(flow.current):
             return [done, *self._router.rest(flow)]
@@ -218,47 +217,51 @@ class Engine:
     def _switched_off(self, flow: Progress, task: str) -> list[Order]:
         flow.flow_tasks.switched_off(task)
         flow.revision += 1
-        harm = "the job goes on" if (flow.flow, task) in self._passive else "ignored, though it is not passive"
-        return [RunNote(flow.flow, f"{flow.where(task)} has switched itself off: {harm}")]
+        where = flow.where(task)
+        if (flow.flow, task) in self._passive:
+            return [RunNote(flow.flow, Reason.of("engine.switched_itself_off", where=where))]
+        return [RunNote(flow.flow, Reason.of("engine.switched_off_not_passive", where=where))]
 
     def _failed(self, flow: Progress, news: Failed) -> list[Order]:
+        where = flow.where(news.task)
         if (flow.flow, news.task) not in self._passive:
+            cause = Reason.of("engine.in_error", where=where, why=news.text)
             if flow.state is FlowState.SPAWNING or not self._recovery.stands_still:
-                return self._abort(f"{flow.where(news.task)} is in error: {news.text}")
-            return self._recovery.failed(flow, news.task, f"{flow.where(news.task)} is in error: {news.text}")
+                return self._abort(cause)
+            return self._recovery.failed(flow, news.task, cause)
         flow.flow_tasks.given_up(news.task)
         flow.revision += 1
-        note = RunNote(flow.flow, f"{flow.where(news.task)} is in error and stays off, the job goes on: {news.text}")
+        note = RunNote(flow.flow, Reason.of("engine.passive_in_error", where=where, why=news.text))
         return [note, *self._begin_when_spawned()]
 
     def _refused(self, flow: Progress, news: Refused) -> list[Order]:
         """A passive task that cannot come on is as harmless as one in error; one that cannot be spawned is not."""
+        where = flow.where(news.task)
         if flow.flow_tasks.is_unborn(news.task):
-            cause = f"{flow.where(news.task)} cannot be spawned: {news.reason}"
             flow.flow_tasks.gone(news.task)
-            return self._abort(cause)
+            return self._abort(Reason.of("engine.not_spawned", where=where, why=news.reason))
         if news.task in flow.flow_tasks.failed:
             return self._not_cleared(flow, news)
         if (flow.flow, news.task) not in self._passive:
-            cause = f"{flow.where(news.task)} cannot be turned on: {news.reason}"
+            cause = Reason.of("engine.not_turned_on", where=where, why=news.reason)
             if flow.state is FlowState.SPAWNING or not self._recovery.stands_still:
                 return self._abort(cause)
             return self._recovery.refused(flow, news.task, cause)
         flow.flow_tasks.given_up(news.task)
         flow.revision += 1
-        return [RunNote(flow.flow, f"{flow.where(news.task)} stays off, the job goes on: {news.reason}")]
+        return [RunNote(flow.flow, Reason.of("engine.passive_stays_off", where=where, why=news.reason))]
 
     def _not_cleared(self, flow: Progress, news: Refused) -> list[Order]:
         """A task that was cleared twice is refused the second time, which is no harm."""
         if news.task not in flow.flow_tasks.in_error:
             return []
-        text = f"{flow.where(news.task)} is not cleared: {news.reason}"
+        reason = Reason.of("engine.not_cleared", where=flow.where(news.task), why=news.reason)
         is_clearing = flow.state is FlowState.CLEARING
         if is_clearing:
-            return self._recovery.not_cleared(flow, text)
-        return [RunNote(flow.flow, text)]
+            return self._recovery.not_cleared(flow, reason)
+        return [RunNote(flow.flow, reason)]
 
-    def _abort(self, cause: str) -> list[Order]:
+    def _abort(self, cause: Text) -> list[Order]:
         if any(flow.state in _OVER for flow in self._flows):
             return []
         self._cause = cause
@@ -282,7 +285,14 @@ class Engine:
     def _end_if_over(self) -> list[Order]:
         if not all(flow.state is FlowState.ENDED for flow in self._flows):
             return []
-        return [End(completed=self._cause is None, cause=self._cause or "")]
+        return [End(completed=self._cause is None, cause=self._cause or NOTHING)]
+
+
+def _question(flow: Progress, news: Asked) -> Reason:
+    where = flow.where(news.task)
+    if news.reason:
+        return Reason.of("engine.asks_again", where=where, why=news.reason)
+    return Reason.of("engine.asks", where=where)
 
 
 def _judge_of(judge: Callable[[int, str], bool], flow: int) -> Callable[[str], bool]:

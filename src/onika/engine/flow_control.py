@@ -67,7 +67,7 @@ class FlowControl:
                 name = self._innermost(flow)
                 flow.leaving |= {name}
                 flow.revision += 1
-                return [flow.moved(text=f"leaves the loop {name} at its next test")]
+                return [flow.moved(text=Reason.of("engine.leaves_loop", name=name))]
             case Mark():
                 return _mark(flow, command)
             case Recover():
@@ -86,15 +86,16 @@ class FlowControl:
     def _will_pause(self, flow: Progress) -> list[Order]:
         flow.is_pausing = True
         flow.revision += 1
-        before = "before its first action" if flow.state is FlowState.SPAWNING else "after its current action"
-        return [flow.moved(text=f"pauses {before}")]
+        if flow.state is FlowState.SPAWNING:
+            return [flow.moved(text=Reason.of("engine.pauses_first"))]
+        return [flow.moved(text=Reason.of("engine.pauses_next"))]
 
     def _resume(self, flow: Progress) -> list[Order]:
         flow.is_pausing = False
         if flow.state is FlowState.PAUSED:
             return self._router.go_on([flow.flow])
         flow.revision += 1
-        return [flow.moved(text="does not pause")]
+        return [flow.moved(text=Reason.of("engine.does_not_pause"))]
 
     def _step(self, flow: Progress) -> list[Order]:
         if flow.state is not FlowState.PAUSED:
@@ -132,7 +133,8 @@ class FlowControl:
         orders: list[Order] = []
         step = flow.step
         if flow.state is FlowState.RUNNING and step is not None:
-            orders = [RunNote(flow.flow, f"{step.place}: left by the user"), *flow.flow_tasks.rest(step.triggers)]
+            note = RunNote(flow.flow, Reason.of("engine.left_by_user", place=step.place))
+            orders = [note, *flow.flow_tasks.rest(step.triggers)]
         elif flow.state is FlowState.WAITING:
             self._router.meetings.withdraw(flow.flow)
         flow.go(action)

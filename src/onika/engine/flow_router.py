@@ -9,6 +9,7 @@ from onika.engine.orders import Moved, Order, Settle, Switch, Together
 from onika.engine.progress import Progress
 from onika.wire.plan import Do, Fork, Halt, Join, Meet, Rest
 from onika.wire.steer import Position
+from onika.words.reason import NOTHING, Reason
 
 _MOST_STEPS = 100_000
 """Steps without time at one instant; flows that make more go round together for ever."""
@@ -21,7 +22,7 @@ class FlowRouter:
         self._flows = flows
         self._names = names
         self.meetings = Meetings([flow.program for flow in flows])
-        self.astray = ""
+        self.astray = NOTHING
         """Why the application cannot go on; empty: it can."""
         self._going: deque[int] = deque()
         """The flows that are still to be moved on; none of them has ended, whatever its state says."""
@@ -44,7 +45,7 @@ class FlowRouter:
             orders += on_the_way
             instruction = flow.next
             if way.is_endless:
-                self.astray = f"flow {flow.flow} goes round for ever without taking any time"
+                self.astray = Reason.of("engine.goes_round", flow=flow.flow)
                 return orders
             if way.rests:
                 orders += self.rest(flow)
@@ -55,7 +56,7 @@ class FlowRouter:
             else:
                 orders += self._pass_by(flow)
         else:
-            self.astray = "flows meet for ever without taking any time"
+            self.astray = Reason.of("engine.meet_for_ever")
             return orders
         together = tuple(order.flow for order in begun if isinstance(order, Switch))
         return orders + ([Together(self._met, together)] if len(together) > 1 else []) + begun + self._settle()
@@ -138,9 +139,9 @@ class FlowRouter:
         """For the watcher: where a flow waits, and for whom."""
         absent = self.waits_for(flow)
         ended = [number for number in absent if self._has_ended(number)]
-        text = ""
+        text = NOTHING
         if ended and flow.state is FlowState.WAITING:
-            text = f"flow {', '.join(map(str, ended))} has ended and will not come"
+            text = Reason.of("engine.will_not_come", flows=tuple(ended))
         return flow.moved(self.meetings.waits_at(flow.flow), tuple(absent), text)
 
     def waits_for(self, flow: Progress) -> list[int]:

@@ -6,6 +6,7 @@ What users want of a flow comes as they sent it (`wire.steer`); it names the flo
 from dataclasses import dataclass
 
 from onika.wire.steer import Steering
+from onika.words.reason import Text
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +28,7 @@ class Refused:
 
     flow: int
     task: str
-    reason: str
+    reason: Text
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +67,7 @@ class Failed:
 
     flow: int
     task: str
-    text: str
+    text: Text
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +76,7 @@ class Asked:
 
     flow: int
     task: str
-    reason: str
+    reason: Text
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,7 +85,7 @@ class Illegal:
 
     flow: int
     task: str
-    text: str
+    text: Text
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,7 +113,7 @@ class Settled:
 class Abort:
     """End the application now; the cause is said to the user."""
 
-    cause: str
+    cause: Text
 
 
 TaskNews = Spawned | Refused | TurnedOn | Finished | SwitchedOff | Failed | Cleared | Asked | Illegal | Killed

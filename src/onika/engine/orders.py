@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from onika.words.reason import NOTHING, Reason, Text
+
 
 @dataclass(frozen=True, slots=True)
 class Spawn:
@@ -86,7 +88,7 @@ class Moved:
     index: int
     tag: str = ""
     waits_for: tuple[int, ...] = ()
-    text: str = ""
+    text: Reason = NOTHING
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +112,7 @@ class RunNote:
     """For the watcher: something worth knowing that changes nothing."""
 
     flow: int
-    text: str
+    text: Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,7 +125,7 @@ class End:
     """The application is over and every task is gone."""
 
     completed: bool
-    cause: str = ""
+    cause: Text = NOTHING
 
 
 Order = Spawn | Switch | Off | Clear | Together | Kill | Began | Done | Moved | RunNote | Settle | End

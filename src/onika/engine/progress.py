@@ -10,6 +10,7 @@ from onika.engine.program import FlowProgram
 from onika.engine.step import ActionStep
 from onika.engine.walk import FinishValue, WalkResult, walk
 from onika.wire.plan import Do, Instruction, PlannedFlow
+from onika.words.reason import NOTHING, Reason
 
 
 class Progress:
@@ -59,17 +60,17 @@ class Progress:
             return self._pc - 1
         return self._pc
 
-    def where(self, task: str) -> str:
+    def where(self, task: str) -> Reason:
         """A task and where the run stands, for messages."""
         place = self._steps[self.current].place if self.current >= 0 else self.flow_tasks.place(task)
-        return f"{place}: {task}"
+        return Reason.of("engine.name_at", place=place, name=task)
 
     def enter(self, event: FlowEvent) -> None:
         """Into the state that an event leads to."""
         self.state = after(self.state, event)
         self.revision += 1
 
-    def moved(self, tag: str = "", waits_for: tuple[int, ...] = (), text: str = "") -> Moved:
+    def moved(self, tag: str = "", waits_for: tuple[int, ...] = (), text: Reason = NOTHING) -> Moved:
         """For the watcher: where the flow is now."""
         return Moved(self.flow, self.state.value, self.current, tag, waits_for, text)
 
@@ -100,12 +101,17 @@ class Progress:
         """To the next instruction that takes time or needs others; what is to be told of the way."""
         way = walk(self.program, self._pc, self._value, self.leaving, self._judge, self.rests_after)
         self._pc, self._value, self.leaving = way.pc, way.value, way.left
-        behind = "" if self.step is None else f"{self.step.place}: "
-        orders: list[Order] = [RunNote(self.flow, f"{behind}{note}") for note in way.notes]
+        orders: list[Order] = [RunNote(self.flow, self._behind_step(note)) for note in way.notes]
         for action in way.passed:
             self.current = action
             orders += [Began(self.flow, action), Done(self.flow, action)]
         return way, orders
+
+    def _behind_step(self, note: Reason) -> Reason:
+        """A note of the way, with the step that it leads away from."""
+        if self.step is None:
+            return note
+        return Reason.of("engine.note_at", place=self.step.place, note=note)
 
     def rests_after(self, action: int) -> bool:
         """Whether the flow pauses after this action: the user wants it, or there is a breakpoint."""
@@ -135,7 +141,8 @@ class Progress:
         if was not in (FlowState.RUNNING, FlowState.SPAWNING):
             orders.append(self.moved())
         if not step.triggers:
-            orders.append(RunNote(self.flow, f"{step.place}: {step.name} has no trigger: it goes on until you skip it"))
+            where = Reason.of("engine.name_at", place=step.place, name=step.name)
+            orders.append(RunNote(self.flow, Reason.of("engine.no_trigger", where=where)))
         return orders
 
     def finished(self, task: str) -> bool:

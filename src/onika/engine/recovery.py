@@ -4,6 +4,7 @@ from onika.engine.flow import FlowEvent, FlowState
 from onika.engine.flow_router import FlowRouter
 from onika.engine.orders import Clear, Order
 from onika.engine.progress import Progress
+from onika.words.reason import Reason
 
 
 class ErrorRecovery:
@@ -14,17 +15,17 @@ class ErrorRecovery:
         self.stands_still = stands_still
         self._elsewhere: set[int] = set()
 
-    def failed(self, flow: Progress, task: str, text: str) -> list[Order]:
+    def failed(self, flow: Progress, task: str, cause: Reason) -> list[Order]:
         """A task is in ERROR; its trigger goes off at once, lest the job go on without it."""
         flow.flow_tasks.has_failed(task)
-        return self._stop(flow, text)
+        return self._stop(flow, cause)
 
-    def refused(self, flow: Progress, task: str, text: str) -> list[Order]:
+    def refused(self, flow: Progress, task: str, cause: Reason) -> list[Order]:
         """A task would not come on; there is nothing to clear, but the step can be repeated."""
         flow.flow_tasks.would_not(task)
-        return self._stop(flow, text)
+        return self._stop(flow, cause)
 
-    def _stop(self, flow: Progress, text: str) -> list[Order]:
+    def _stop(self, flow: Progress, cause: Reason) -> list[Order]:
         orders: list[Order] = []
         if flow.state not in (FlowState.STOPPED, FlowState.CLEARING):
             flow.interrupted = flow.state
@@ -33,7 +34,7 @@ class ErrorRecovery:
         if flow.step is not None and flow.interrupted is FlowState.RUNNING:
             orders += flow.flow_tasks.rest(flow.step.triggers)
         flow.enter(FlowEvent.FAIL)
-        return [*orders, flow.moved(text=text)]
+        return [*orders, flow.moved(text=cause)]
 
     def recover(self, flow: Progress) -> list[Order]:
         """The user wants it: clear what is in ERROR, then repeat the step."""
@@ -53,9 +54,9 @@ class ErrorRecovery:
             return self._when_cleared(flow)
         return []
 
-    def not_cleared(self, flow: Progress, text: str) -> list[Order]:
+    def not_cleared(self, flow: Progress, cause: Reason) -> list[Order]:
         """A task would not be cleared: the flow stands still as before."""
-        return self._stop(flow, text)
+        return self._stop(flow, cause)
 
     def _when_cleared(self, flow: Progress) -> list[Order]:
         if flow.flow_tasks.in_error:

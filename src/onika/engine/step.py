@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from onika.engine.orders import Launch
 from onika.wire.plan import PlannedAction, PlannedFlow
-from onika.words.fault import Place
+from onika.words.reason import Reason, Text
 
 
 @dataclass(frozen=True, slots=True)
@@ -13,7 +13,8 @@ class ActionStep:
     """What a flow switches to."""
 
     name: str
-    place: str
+    place: Text
+    """The file, its line and the name of the action there."""
     tasks: tuple[str, ...]
     """To be ON, in the order in which they come on."""
     rates: Mapping[str, float | None]
@@ -53,9 +54,15 @@ def _step(
     others = (task for task in action.tasks if task in other_triggers and task != trigger)
     return ActionStep(
         name=action.name,
-        place=f"{Place(action.place, action.line)} ({action.name})" if action.line else action.place,
+        place=_place(action),
         tasks=tuple(sorted(action.tasks, key=ranks.__getitem__)),
         rates={task: usual[task] for task in action.tasks} | dict(action.rates),
         triggers=() if trigger is None else (trigger, *others),
         arguments=action.arguments,
     )
+
+
+def _place(action: PlannedAction) -> Text:
+    if not action.line:
+        return action.place
+    return Reason.of("engine.action_at", file=action.place, line=str(action.line), action=action.name)

@@ -14,7 +14,7 @@ from onika.runtime.integrity import Accessor, check
 from onika.runtime.subsystem import Member
 from onika.runtime.table import plain
 from onika.wire import live, reading, request
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 _FASTEST_HZ = 60.0
 _SLOWEST_HZ = 0.1
@@ -179,7 +179,7 @@ class Inspection:
         by_hand = self._subsystems.live.get(name)
         members = self._subsystems.members(name)
         if run is not None:
-            tasks = tuple(_task(member, member.state is State.ON, None, "") for member in members.values())
+            tasks = tuple(_task(member, member.state is State.ON, None, NOTHING) for member in members.values())
             asks, on_loss = run.runner.questions(name), run.on_loss
             return live.SubsystemStanding(name, run.session, run.application, tasks, asks, on_loss)
         if by_hand is None:
@@ -191,7 +191,7 @@ class Inspection:
         return live.SubsystemStanding(name, by_hand.holder, "", tasks, by_hand.executor.questions)
 
 
-def _task(member: Member, is_wanted_on: bool, rate: float | None, reason: str) -> live.TaskStanding:
+def _task(member: Member, is_wanted_on: bool, rate: float | None, reason: Reason) -> live.TaskStanding:
     task = member.wired.task
     return live.TaskStanding(
         task, member.state.value, is_wanted_on, member.rtpu, task.frequency if rate is None else rate, reason

@@ -24,7 +24,7 @@ from onika.host.units.process_socket import ProcessSocket
 from onika.link.caller import Role
 from onika.runtime.subsystem import RunningSubsystem
 from onika.wire import event, holding, live, request, steer
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason, Text, reason_of
 
 
 class RuntimeProgram:
@@ -282,7 +282,7 @@ class RuntimeProgram:
         try:
             self._driver.touch(message.world, message.part, message.value)
         except ValueError as wrong:
-            return request.Refused(str(wrong))
+            return request.Refused(reason_of(wrong))
         return request.Done()
 
     def _answer(self, message: request.Reply) -> request.Response:

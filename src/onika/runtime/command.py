@@ -3,6 +3,8 @@
 import msgspec
 from msgspec import Struct
 
+from onika.words.reason import Text
+
 
 class BoundPort(Struct, frozen=True):
     """A port of a task and the entry it is bound to; the shape is resolved."""
@@ -189,7 +191,7 @@ class Reset(Struct, frozen=True, tag=True):
 class Fail(Struct, frozen=True, tag=True):
     """Devices are gone for this reason: every task that has one and is ON goes to ERROR (law 17)."""
 
-    cause: str
+    cause: Text
 
 
 class Quit(Struct, frozen=True, tag=True):

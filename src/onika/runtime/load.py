@@ -5,6 +5,8 @@ from dataclasses import dataclass
 
 from msgspec import Struct
 
+from onika.words.reason import NOTHING, Reason
+
 MARGIN = 0.9
 """Above this share the unit's own work, which is no task's, begins to make cycles late."""
 
@@ -34,7 +36,7 @@ class Prediction:
     """The predicted utilisation of a unit, and the sentence that says why it is too much; empty where it is not."""
 
     use: float
-    warning: str
+    warning: Reason
 
 
 def use_of(tasks: Iterable[TaskLoad]) -> float:
@@ -48,9 +50,17 @@ def predict(rtpu: str, tasks: Iterable[TaskLoad], more: TaskLoad, margin: float 
     before = use_of(others)
     use = before + more.use
     if use <= margin:
-        return Prediction(use, "")
-    adds = f"task {more.task} ({more.mean_us:.3g} us a cycle at {more.hz:g} Hz) adds {more.use:.2f} to the {before:.2f}"
-    there = f"{adds} of unit {rtpu}: {use:.2f}"
+        return Prediction(use, NOTHING)
+    adds = Reason.of(
+        "runtime.adds_load",
+        task=more.task,
+        mean_us=more.mean_us,
+        hz=more.hz,
+        more=more.use,
+        before=before,
+        rtpu=rtpu,
+        use=use,
+    )
     if use > 1.0:
-        return Prediction(use, f"{there}, more than all its time; cycles would be missed")
-    return Prediction(use, f"{there}, above the margin of {margin:g}; cycles may come late")
+        return Prediction(use, Reason.of("runtime.more_than_all", adds=adds))
+    return Prediction(use, Reason.of("runtime.above_margin", adds=adds, margin=margin))

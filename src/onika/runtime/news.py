@@ -203,7 +203,7 @@ class Refused(Struct, frozen=True, tag=True):
     subsystem: str
     task: str
     command: str
-    reason: str
+    reason: Text
 
 
 class Got(Struct, frozen=True, tag=True):
@@ -266,6 +266,6 @@ def in_english(word: News) -> News:
     match word:
         case Failed() | Warned() | Signalled():
             return structs.replace(word, text=str(word.text))
-        case Asked():
+        case Asked() | Refused():
             return structs.replace(word, reason=str(word.reason))
     return word

@@ -7,6 +7,7 @@ from onika.model.rules.order import rank
 from onika.runtime.command import BoundPort, DeviceGrant, Spawn
 from onika.runtime.table import Table
 from onika.runtime.wiring import WiredTask, upstream
+from onika.words.reason import Reason
 
 _BIRTH_NS = 800_000
 """What it takes to make an instance and bind its ports, generously."""
@@ -118,10 +119,10 @@ class RunningSubsystem:
             if name in self.table.entries:
                 self.table.ring(name).forget()
 
-    def clashes(self, off: Collection[str], on: Collection[str]) -> list[tuple[str, str]]:
+    def clashes(self, off: Collection[str], on: Collection[str]) -> list[tuple[str, Reason]]:
         """Who would come on as a second writer of a variable, and why that is refused (law 9)."""
         writers = {
-            svar: (name, f"is {member.state.value}")
+            svar: (name, member.state.value)
             for name, member in self.members.items()
             if member.state in (State.ON, State.ASKING) and name not in off and name not in on
             for svar in member.wired.outvar
@@ -129,9 +130,9 @@ class RunningSubsystem:
         clashes = []
         for name in dict.fromkeys(on):
             for svar in self.members[name].wired.outvar:
-                other, state = writers.setdefault(svar, (name, "comes on too"))
+                other, state = writers.setdefault(svar, (name, ""))
                 if other != name:
-                    clashes.append((name, f"{svar} is written by task {other}, which {state}"))
+                    clashes.append((name, _second_writer(svar, other, state)))
         return clashes
 
     def dimension(self, name: str) -> int:
@@ -144,3 +145,10 @@ class RunningSubsystem:
 
     def _is_written(self, svar: str) -> bool:
         return svar in self.table.entries and self.table.ring(svar).count > 0
+
+
+def _second_writer(svar: str, other: str, state: str) -> Reason:
+    """Why a task may not come on; `state` is that of the task which writes already, empty: it comes on too."""
+    if state:
+        return Reason.of("runtime.written_by", svar=svar, task=other, state=state)
+    return Reason.of("runtime.written_too", svar=svar, task=other)

@@ -240,7 +240,7 @@ class Explained(Struct, frozen=True, tag=True):
     waiting: tuple[tuple[str, str], ...]
     """The flows that wait for this one, each with its tag."""
     courses: tuple[Course, ...]
-    choices: tuple[tuple[str, str], ...]
+    choices: tuple[tuple[str, Text], ...]
     """What can be done safely: the command, and what it does."""
     at_s: float
     kind: str = ""

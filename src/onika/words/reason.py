@@ -4,7 +4,7 @@
 gaps; `str()` of a reason is its English. Programs look at `key` and `args`, never at the sentence (decision 34).
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import Self
 
@@ -81,6 +81,17 @@ def _shown(value: object, language: str, of_modules: Mapping[str, str]) -> str:
     if isinstance(value, Reason):
         return in_language(value, language, of_modules)
     return str(value)
+
+
+def every(text: Text) -> Iterator[Reason]:
+    """A reason, then those that fill its gaps, and theirs; a bare text has none."""
+    if isinstance(text, str):
+        return
+    yield text
+    for value in text.args.values():
+        for item in value if isinstance(value, tuple) else (value,):
+            if isinstance(item, Reason):
+                yield from every(item)
 
 
 def reason_of(error: Exception) -> Reason:

@@ -17,6 +17,7 @@ from onika.runtime import news
 from onika.runtime.table import Table
 from onika.runtime.user_input import AskedItem
 from onika.wire import steer
+from onika.words.reason import Reason
 from onika.words.shape import Shape
 
 MS = 1_000_000
@@ -109,7 +110,7 @@ def test_a_task_in_error_is_named_with_its_job_its_flow_and_who_waits():  # R-X0
     one = run.explained
     assert (one.kind, one.subsystem, one.task, one.suspect) == ("error", "flow0", "arm", "")
     assert (one.action, one.index, one.place) == ("action 0", 0, "test.appl:1")
-    assert (one.text, one.path, one.line) == ("cycle: ValueError: no", "arm.py", 7)
+    assert (str(one.text), one.path, one.line) == ("cycle: ValueError: no", "arm.py", 7)
     assert one.waiting == (("flow1", "meet"),)
     assert [command for command, _ in one.choices] == [
         "clear flow0", "next flow0", "skip flow0 N", "pass flow1", "abort",
@@ -129,17 +130,21 @@ def test_the_writer_upstream_of_what_is_no_number_is_suspected():  # R-X06, law 
     run = Run([None]).write("TAU", float("nan")).write("Q", 1.0)
     one = run.fails("arm", "LawBroken: NaN or infinity in TAU", values={"TAU": float("nan")}).explained
     assert (one.task, one.suspect) == ("arm", "go")
-    assert one.text.endswith("; TAU is no number: made by go, of proper numbers")
+    assert str(one.text).endswith("; TAU is no number: made by go, of proper numbers")
+
+
+def first_written(reason, task, variable):
+    return Reason.of("runtime.first_written", reason=reason, task=task, variable=variable)
 
 
 def test_whom_the_processing_unit_saw_write_it_first_is_suspected():  # R-X06, law 5
     run = Run([None]).write("TAU", float("nan")).write("Q", float("nan"))
-    one = run.fails("arm", "NaN or infinity in TAU; first written by task show, in Q").explained
-    assert (one.suspect, one.text) == ("show", "cycle: NaN or infinity in TAU; first written by task show, in Q")
+    one = run.fails("arm", first_written("NaN or infinity in TAU", "show", "Q")).explained
+    assert (one.suspect, str(one.text)) == ("show", "cycle: NaN or infinity in TAU; first written by task show, in Q")
     run = Run([None]).write("TAU", float("nan")).write("Q", 1.0)
-    one = run.fails("arm", "NaN in TAU; first written by task go, in TAU").explained
-    assert (one.suspect, "made by" in one.text) == ("go", False)
-    assert Run([None]).fails("arm", "first written by task nobody, in Q").explained.suspect == ""
+    one = run.fails("arm", first_written("NaN in TAU", "go", "TAU")).explained
+    assert (one.suspect, one.text.key) == ("go", "host.entry_failed")
+    assert Run([None]).fails("arm", first_written("NaN", "nobody", "Q")).explained.suspect == ""
 
 
 def test_what_a_task_read_counts_even_if_the_table_says_something_else_by_now():  # R-X06
@@ -161,23 +166,24 @@ def test_the_last_seconds_of_its_variables_are_told_with_their_units():  # R-X06
 
 
 @pytest.mark.parametrize(
-    ("text", "kind", "first"),
+    ("key", "kind", "first"),
     [
-        ("ModuleError: panic button pressed; the drive holds", "pressed", "once the panic button is let go"),
-        ("ModuleError: the drive has tripped", "tripped", "once the way is free"),
+        ("runtime.button_pressed", "pressed", "host.once_let_go"),
+        ("runtime.drive_tripped", "tripped", "host.once_free"),
     ],
 )
-def test_a_drive_that_holds_is_told_with_what_must_be_done_first(text, kind, first):  # R-X06, R-K06
-    one = Run([None]).fails("arm", text).explained
+def test_a_drive_that_holds_is_told_with_what_must_be_done_first(key, kind, first):  # R-X06, R-K06
+    raised = Reason.of("runtime.raised", kind="ModuleError", why=Reason.of(key))
+    one = Run([None]).fails("arm", raised).explained
     assert (one.kind, one.task) == (kind, "arm")
-    assert dict(one.choices)["clear"].startswith(first)
+    assert dict(one.choices)["clear"].key == first
 
 
 @pytest.mark.parametrize("kind", ["ILLEGAL", "SHUTDOWN"])
 def test_a_task_that_may_not_go_on_ends_the_run(kind):  # R-A08, R-X06
     heard = news.Signalled("flow0", "arm", kind, 0, "too hot", 0)
     one = Run([None]).ends(heard, said.Illegal(0, "arm", "too hot")).explained
-    assert (one.kind, one.task, one.text, one.choices) == (kind.lower(), "arm", f"{kind}: too hot", ())
+    assert (one.kind, one.task, str(one.text), one.choices) == (kind.lower(), "arm", f"{kind}: too hot", ())
 
 
 def test_a_question_that_nobody_answers_ends_the_run():  # R-X06, law 25
@@ -185,11 +191,12 @@ def test_a_question_that_nobody_answers_ends_the_run():  # R-X06, law 25
     heard = news.Asked("flow0", "go", "7 is beyond 2.6", items, 0)
     one = Run([None]).ends(heard, said.Abort("nobody")).explained
     assert (one.kind, one.task) == ("asking", "go")
-    assert "asks for goal (7 is beyond 2.6)" in one.text
+    assert "asks for goal (7 is beyond 2.6)" in str(one.text)
 
 
 def test_a_lost_process_names_the_task_in_whose_call_it_was():  # R-A16, R-X06
-    reason = "processing unit rt0 ended with code 3 in a call of task flow0/go"
+    during = Reason.of("host.in_call", task="flow0/go")
+    reason = Reason.of("host.process_ended", name="rt0", code=3, during=during)
     one = Run([None]).ends(Cause(CauseKind.LOST, reason), said.Abort(reason)).explained
     assert (one.kind, one.subsystem, one.task, one.action) == ("lost", "flow0", "go", "action 0")
 
@@ -218,7 +225,7 @@ def test_flows_that_wait_in_a_circle_are_told_once():  # R-X03, R-X06
     assert run.told == []
     run.finish(1)
     assert (run.explained.kind, run.explained.subsystem) == ("deadlock", "flow0")
-    assert run.explained.text.startswith("flow0 waits at a for flow1, flow1 waits at b for flow0")
+    assert str(run.explained.text).startswith("flow0 waits at a for flow1, flow1 waits at b for flow0")
     assert [command for command, _ in run.explained.choices] == ["pass flow0", "pass flow1", "abort"]
     run.feed(said.TurnedOn(0, "show"))
     assert len(run.told) == 1
@@ -230,7 +237,7 @@ def test_a_flow_that_waits_for_one_that_has_ended_is_told():  # R-X03, R-X06
     run.finish(1)
     one = run.explained
     assert (one.kind, one.subsystem) == ("deserted", "flow1")
-    assert one.text == "flow1 waits at a for flow0, which has ended"
+    assert str(one.text) == "flow1 waits at a for flow0, which has ended"
     assert [command for command, _ in one.choices] == ["pass flow1", "abort"]
 
 
@@ -240,7 +247,7 @@ def test_whoever_comes_to_wait_for_a_flow_that_stands_is_told_then():  # R-X06
     stop, waits = run.told
     assert (stop.kind, stop.waiting) == ("error", ())
     assert (waits.kind, waits.subsystem) == ("deserted", "flow1")
-    assert waits.text == "flow1 waits at a for flow0, which stands still at an error"
+    assert str(waits.text) == "flow1 waits at a for flow0, which stands still at an error"
     assert [command for command, _ in waits.choices] == [
         "clear flow0", "next flow0", "skip flow0 N", "pass flow1", "abort",
     ]  # fmt: skip
@@ -254,9 +261,9 @@ def test_whoever_waited_before_is_told_with_the_stop_only():  # R-X06
 def test_a_flow_that_would_not_be_cleared_is_explained_anew():  # R-E08, R-X06
     run = Run([None]).fails("arm")
     run.feed(steer.Recover("flow0"))
-    heard = news.Refused("flow0", "arm", "clear", "ModuleError: panic button pressed")
-    run.ends(heard, said.Refused(0, "arm", "clear: ModuleError: panic button pressed"))
+    why = Reason.of("runtime.button_still_pressed")
+    run.ends(news.Refused("flow0", "arm", "clear", why), said.Refused(0, "arm", why))
     _, again = run.told
     assert (again.kind, again.task) == ("refused", "arm")
-    assert again.text == "clear is refused: ModuleError: panic button pressed"
-    assert dict(again.choices)["clear"].startswith("once the panic button is let go: clears arm and repeats")
+    assert (again.text.key, again.text.args["why"]) == ("host.command_refused", why)
+    assert str(dict(again.choices)["clear"]).startswith("once the panic button is let go: clears arm and repeats")

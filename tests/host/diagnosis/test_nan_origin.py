@@ -31,24 +31,24 @@ def suspected(*wrong, failed=ROBOT):
 def test_who_made_what_is_no_number_out_of_proper_numbers_is_suspected():  # R-X06, law 5
     found = suspected("TAU")
     assert (found.task, found.is_made_there) == ("sum", True)
-    assert str(found) == "TAU is no number: made by sum, of proper numbers"
+    assert str(found.reason) == "TAU is no number: made by sum, of proper numbers"
 
 
 def test_what_is_no_number_is_followed_upstream():  # R-X06
     found = suspected("TAU", "TAU_G")
     assert (found.task, found.trail) == ("gravity", (("TAU", "sum"), ("TAU_G", "gravity")))
-    assert str(found) == "TAU is no number: made by sum, out of TAU_G by gravity, of proper numbers"
+    assert str(found.reason) == "TAU is no number: made by sum, out of TAU_G by gravity, of proper numbers"
 
 
 def test_a_circle_ends_where_it_closes():  # R-X06
     found = suspected("TAU", "TAU_PD", "Q")
     assert (found.task, found.is_made_there) == ("pd", False)
-    assert str(found) == "TAU is no number: made by sum, out of TAU_PD by pd"
+    assert str(found.reason) == "TAU is no number: made by sum, out of TAU_PD by pd"
 
 
 def test_nobody_is_suspected_where_the_task_read_proper_numbers():  # R-X06
     assert suspected("GOAL") == Suspicion()
-    assert str(suspected()) == suspected().task == ""
+    assert str(suspected().reason) == suspected().task == ""
 
 
 def test_what_nobody_writes_accuses_nobody():  # R-X06

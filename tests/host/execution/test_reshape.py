@@ -23,7 +23,7 @@ def test_a_supplier_that_comes_after_the_old_one_has_gone_shapes_who_lived_on(ha
 def test_a_task_shaped_by_a_constant_that_it_does_not_read_waits_for_it_too(hand):  # law 10
     hand.task("free", READER.replace('    N = InConst("int", "-", "how many")\n', ""))
     assert hand.change(spawn=["free"]) == ""
-    assert hand.standing()["free"].reason == "waits for N"
+    assert str(hand.standing()["free"].reason) == "waits for N"
     assert hand.change(spawn=["source"], on=["free"]) == ""
     hand.change(kill=["source"])
     assert hand.reinit("free") == ""

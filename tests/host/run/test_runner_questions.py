@@ -25,14 +25,16 @@ def test_a_given_answer_is_used_once():  # law 25
     rig.hear(news.Asked("flow0", "bell", "too low", (ITEM,), rig.now))
     assert answers(rig) == []
     rig.hear(news.Changed("flow0", "bell", "KILLED", rig.now))
-    assert rig.runner.statistics.cause.endswith("task bell asks for bell.level (too low) and nobody is there to answer")
+    assert str(rig.runner.statistics.cause).endswith(
+        "task bell asks for bell.level (too low) and nobody is there to answer"
+    )
 
 
 def test_an_answer_under_a_name_that_is_not_asked_for_ends_the_run():  # law 25
     rig = asking(Begin(answers=(("bell", "lvl", "0.5"),)))
     assert answers(rig) == []
     rig.hear(news.Changed("flow0", "bell", "KILLED", rig.now))
-    assert "task bell asks for level, and an answer is given for lvl" in rig.runner.statistics.cause
+    assert "task bell asks for level, and an answer is given for lvl" in str(rig.runner.statistics.cause)
 
 
 def test_whoever_is_there_is_asked_and_answers():  # law 25, R-E15

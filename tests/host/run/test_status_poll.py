@@ -1,5 +1,6 @@
 from onika.host.run.status_poll import StatusPoll
 from onika.runtime import command, news
+from onika.words.reason import Reason
 
 
 class Sent:
@@ -96,6 +97,6 @@ def test_a_question_to_a_unit_that_is_lost_is_refused():  # R-E10
     alive.remove("rt1")
     status_poll.lost()
     status_poll.lost()
-    assert came == [news.Refused("s0", "two", "get or set", "rt1 is gone")]
+    assert came == [news.Refused("s0", "two", "get or set", Reason.of("host.unit_is_gone", name="rt1"))]
     status_poll.answered(news.Got("s0", "one", "a", 1))
     assert came[1:] == [news.Got("s0", "one", "a", 1)]

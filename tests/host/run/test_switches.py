@@ -88,7 +88,7 @@ def test_a_second_writer_does_not_come_on_and_the_others_do(switcher):  # law 9
     switcher.switches.switch(start(1, "two"))
     (refused,) = switcher.refused
     assert (refused.subsystem, refused.task, refused.command) == ("flow0", "two", "on")
-    assert refused.reason == "A is written by task one, which is ON"
+    assert str(refused.reason) == "A is written by task one, which is ON"
     assert [one.subsystem for one in switcher.sent] == ["flow1"]
 
 

@@ -53,7 +53,7 @@ def test_a_run_ends_with_the_session_that_began_it(hand):  # R-X12, R-E10
     leave(hand, "one")
     result = hand.asker.to_the_end()
     assert not result.completed
-    assert "session one" in result.cause
+    assert "session one" in str(result.cause)
     assert perform(hand, "two") == request.Done()
 
 

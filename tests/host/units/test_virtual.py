@@ -193,7 +193,7 @@ def test_a_task_that_fails_ends_the_run_at_once():  # R-A09
     shop.task("sick", head + "    def cycle(self):\n        1 / 0\n")
     run = Run(shop, [action("sick")]).to_the_end()
     assert run.runner.is_over
-    assert "ZeroDivisionError" in run.result.cause
+    assert "ZeroDivisionError" in str(run.result.cause)
     assert run.of(event.Failed)[0].line == 5
 
 

@@ -3,7 +3,6 @@
 It decides nothing and changes nothing; `host.diagnosis.explainer` says when there is something to explain.
 """
 
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -21,8 +20,8 @@ from onika.wire import event
 from onika.wire.plan import PlannedAction
 from onika.wire.steer import Position
 from onika.words.fault import Place
+from onika.words.reason import Reason, every
 
-_FIRST = re.compile(r"first written by task ([^\s,]+)")
 MOST_COURSES = 8
 """Variables that are shown: more than anybody reads would hide the ones that matter."""
 MOST_NUMBERS = 6000
@@ -41,13 +40,16 @@ def explain(
     seen = _seen_first(scene, cause)
     is_known = not seen or any(writer == seen for _, writer in suspected.trail)  # then the trail goes as far, or on
     suspect = suspected.task if is_known else seen
+    text = cause.text
+    if suspect not in ("", seen):
+        text = Reason.of("host.cause_suspected", cause=cause.text, suspicion=suspected.reason)
     return event.Explained(
         subsystem=cause.subsystem,
         task=cause.task,
         action="" if scene.action is None else scene.action.name,
         index=scene.index,
         place=_place(scene),
-        text=cause.text if suspect in ("", seen) else f"{cause.text}; {suspected}",
+        text=text,
         path=cause.path,
         line=cause.line,
         waiting=waiting_for(cause.subsystem, positions) if cause.subsystem else (),
@@ -108,10 +110,8 @@ def _suspicion(scene: _Scene, cause: Cause, history: VariableHistory) -> Suspici
 
 def _seen_first(scene: _Scene, cause: Cause) -> str:
     """Who was first to write what was no number at that instant, among the tasks of its own unit (law 5)."""
-    mention = _FIRST.search(cause.text)
-    if mention and any(wired_task.name == mention[1] for wired_task in scene.beside):
-        return mention[1]
-    return ""
+    writers = {reason.args["task"] for reason in every(cause.text) if reason.key == "runtime.first_written"}
+    return next((wired_task.name for wired_task in scene.beside if wired_task.name in writers), "")
 
 
 def _as_failed(task: WiredTask, cause: Cause) -> dict[str, Any]:

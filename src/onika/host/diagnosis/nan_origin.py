@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from onika.runtime.wiring import WiredTask
+from onika.words.reason import NOTHING, Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,12 +23,17 @@ class Suspicion:
         """Who is suspected; empty: nobody."""
         return self.trail[-1][1] if self.trail else ""
 
-    def __str__(self) -> str:
+    @property
+    def reason(self) -> Reason:
+        """The same in words."""
         if not self.trail:
-            return ""
+            return NOTHING
         (svar, writer), *before = self.trail
-        way = "".join(f", out of {name} by {other}" for name, other in before)
-        return f"{svar} is no number: made by {writer}{way}" + (", of proper numbers" if self.is_made_there else "")
+        way = [Reason.of("host.made_by", task=writer)]
+        way += [Reason.of("host.made_out_of", variable=name, task=other) for name, other in before]
+        if self.is_made_there:
+            way.append(Reason.of("host.of_proper_numbers"))
+        return Reason.of("host.no_number", variable=svar, way=tuple(way))
 
 
 def suspicion(failed: WiredTask, beside: Sequence[WiredTask], is_wrong: Callable[[str], bool]) -> Suspicion:

@@ -9,11 +9,12 @@ from itertools import pairwise
 
 from onika.host.diagnosis.stop_cause import Cause, CauseKind
 from onika.wire.steer import Position
+from onika.words.reason import Reason
 
 _WAITING = ("waiting", "joining")
 _OVER = ("killing", "ended")
-_STANDING = {"done": "has ended", "stopped": "stands still at an error"}
-"""Flows that come nowhere, and how that is said."""
+_STANDING = ("done", "stopped")
+"""Flows that come nowhere."""
 
 
 def causes(positions: Sequence[Position]) -> tuple[Cause, ...]:
@@ -92,19 +93,33 @@ def _turned(circle: list[str], flows: Mapping[str, Position]) -> list[str]:
     return circle[first:] + circle[:first]
 
 
-def _circle(circle: Sequence[str], flows: Mapping[str, Position]) -> str:
+def _circle(circle: Sequence[str], flows: Mapping[str, Position]) -> Reason:
     followers = [*circle[1:], circle[0]]
-    waits = (f"{name} {_waits(flows[name], other)}" for name, other in zip(circle, followers, strict=True))
-    return f"{', '.join(waits)}: none of them can go on"
+    pairs = zip(circle, followers, strict=True)
+    waits = [Reason.of("host.flow_does", flow=name, what=_waits(flows[name], other)) for name, other in pairs]
+    return Reason.of("host.none_goes_on", waits=tuple(waits))
 
 
-def _chain(way: Sequence[str], flows: Mapping[str, Position]) -> str:
-    waits = [_waits(flows[name], other) for name, other in pairwise(way)]
-    last = flows.get(way[-1])
-    stands = _STANDING.get(last.state, "is gone") if last is not None else "is gone"
-    return f"{way[0]} {', which '.join([*waits, stands])}"
+def _chain(way: Sequence[str], flows: Mapping[str, Position]) -> Reason:
+    what = _stands(flows.get(way[-1]))
+    for name, other in reversed(list(pairwise(way))):
+        what = Reason.of("host.which", waits=_waits(flows[name], other), what=what)
+    return Reason.of("host.flow_does", flow=way[0], what=what)
 
 
-def _waits(position: Position, other: str) -> str:
+def _stands(last: Position | None) -> Reason:
+    """What the flow does to which a chain leads."""
+    match last.state if last is not None else "":
+        case "done":
+            return Reason.of("host.has_ended")
+        case "stopped":
+            return Reason.of("host.stands_at_error")
+        case _:
+            return Reason.of("host.is_gone")
+
+
+def _waits(position: Position, other: str) -> Reason:
     tag = tag_of(position)
-    return f"waits {f'at {tag} ' if tag else ''}for {other}"
+    if tag:
+        return Reason.of("host.waits_at", tag=tag, flow=other)
+    return Reason.of("host.waits_for", flow=other)

@@ -10,6 +10,9 @@ from enum import Enum
 from typing import Any
 
 from onika.runtime import news
+from onika.words.reason import Reason, Text, every
+
+_PRESSED = ("runtime.button_pressed", "runtime.button_still_pressed")
 
 
 class CauseKind(Enum):
@@ -44,7 +47,7 @@ class Cause:
     """One cause. `text` is what was said, without the place; `subsystem` is empty where no flow is meant."""
 
     kind: CauseKind
-    text: str
+    text: Text
     subsystem: str = ""
     task: str = ""
     path: str = ""
@@ -59,8 +62,10 @@ class Cause:
 
 def of_failure(message: news.Failed, is_hardware: bool = False) -> Cause:
     """A task is in ERROR; of a hardware task what its module says tells whether its drive is the reason."""
-    text = f"{message.entry}: {message.text}" if message.entry else str(message.text)
-    kind = _of_drive(str(message.text)) if is_hardware else CauseKind.ERROR
+    text = message.text
+    if message.entry:
+        text = Reason.of("host.entry_failed", entry=message.entry, why=message.text)
+    kind = _of_drive(message.text) if is_hardware else CauseKind.ERROR
     return Cause(kind, text, message.subsystem, message.task, message.path, message.line, message.entry, message.values)
 
 
@@ -68,31 +73,41 @@ def of_signal(message: news.Signalled) -> Cause:
     """A task has signalled ILLEGAL or SHUTDOWN; raises ValueError for another signal."""
     if message.kind not in ("ILLEGAL", "SHUTDOWN"):
         raise ValueError(f"expected the signal ILLEGAL or SHUTDOWN, found {message.kind}")
-    text = f"{message.kind}: {message.text}" if message.text else message.kind
+    text: Text = message.kind
+    if message.text:
+        text = Reason.of("host.signal_said", signal=message.kind, text=message.text)
     return Cause(CauseKind(message.kind.lower()), text, message.subsystem, message.task)
 
 
 def of_refusal(message: news.Refused) -> Cause:
     """A command for a task was not carried out."""
-    return Cause(CauseKind.REFUSED, f"{message.command} is refused: {message.reason}", message.subsystem, message.task)
+    text = Reason.of("host.command_refused", command=message.command, why=message.reason)
+    return Cause(CauseKind.REFUSED, text, message.subsystem, message.task)
 
 
 def of_question(message: news.Asked) -> Cause:
     """A task asks, and what it was given does not answer it."""
-    names = ", ".join(item.name for item in message.items)
-    reason = f" ({message.reason})" if message.reason else ""
-    text = f"asks for {names}{reason}, and there is no answer that fits"
+    names = tuple(item.name for item in message.items)
+    text = Reason.of("host.no_answer_fits", names=names)
+    if message.reason:
+        text = Reason.of("host.no_answer_fits_why", names=names, why=message.reason)
     return Cause(CauseKind.ASKING, text, message.subsystem, message.task)
 
 
-def of_loss(reason: str, tasks: Iterable[tuple[str, str]]) -> Cause:
+def of_loss(text: Text, tasks: Iterable[tuple[str, str]]) -> Cause:
     """A process is gone; the (subsystem, task) of the run in whose call it was is named, if the reason names it."""
-    words = reason.replace(",", " ").split()
-    subsystem, task = next(((home, name) for home, name in tasks if f"{home}/{name}" in words), ("", ""))
-    return Cause(CauseKind.LOST, reason, subsystem, task)
+    calls = {reason.args["task"] for reason in every(text) if "task" in reason.args}
+    subsystem, task = next(((home, name) for home, name in tasks if f"{home}/{name}" in calls), ("", ""))
+    return Cause(CauseKind.LOST, text, subsystem, task)
 
 
-def _of_drive(text: str) -> CauseKind:
-    if "panic button" in text:
+def is_of_pressed_button(text: Text) -> bool:
+    """Whether a panic button is what it is about."""
+    return any(reason.key in _PRESSED for reason in every(text))
+
+
+def _of_drive(text: Text) -> CauseKind:
+    if is_of_pressed_button(text):
         return CauseKind.PRESSED
-    return CauseKind.TRIPPED if "tripped" in text else CauseKind.ERROR
+    has_tripped = any(reason.key == "runtime.drive_tripped" for reason in every(text))
+    return CauseKind.TRIPPED if has_tripped else CauseKind.ERROR

@@ -6,18 +6,13 @@ Only what the engine would not refuse is offered. Where the run ends there is no
 from collections.abc import Sequence
 
 from onika.host.diagnosis.stall import last_of, waiting_for
-from onika.host.diagnosis.stop_cause import Cause, CauseKind
+from onika.host.diagnosis.stop_cause import Cause, CauseKind, is_of_pressed_button
 from onika.wire.plan import PlannedFlow
 from onika.wire.steer import Position
+from onika.words.reason import Reason
 
-Choice = tuple[str, str]
+Choice = tuple[str, Reason]
 """A command as it is typed, and what it does."""
-
-_ABORT = ("abort", "ends the run: all tasks are killed, every drive holds")
-_BEFORE = {
-    CauseKind.PRESSED: "once the panic button is let go: ",
-    CauseKind.TRIPPED: "once the way is free, for the arm may stand elsewhere now: ",
-}
 
 
 def choices(cause: Cause, flows: Sequence[PlannedFlow], positions: Sequence[Position]) -> tuple[Choice, ...]:
@@ -35,7 +30,7 @@ def choices(cause: Cause, flows: Sequence[PlannedFlow], positions: Sequence[Posi
     for name in dict.fromkeys((*_stuck(cause, positions), *waiting)):
         if name in places:
             choices += _of_waiting(places[name])
-    return (*choices, _ABORT)
+    return (*choices, ("abort", Reason.of("host.ends_the_run")))
 
 
 def _standing(cause: Cause, positions: Sequence[Position]) -> list[str]:
@@ -59,24 +54,31 @@ def _stuck(cause: Cause, positions: Sequence[Position]) -> list[str]:
 def _of_stopped(flow: PlannedFlow, at: Position, cause: Cause, is_one_of_several: bool) -> list[Choice]:
     whom = f" {flow.subsystem}" if is_one_of_several else ""
     failed = at.failed or ((cause.task,) if cause.kind is not CauseKind.REFUSED and cause.task else ())
-    clears = f"clears {' and '.join(failed)}" if failed else "tries again"
-    is_pressed = cause.kind is CauseKind.REFUSED and "panic button" in cause.text
-    before = _BEFORE.get(CauseKind.PRESSED if is_pressed else cause.kind, "")
-    if not 0 <= at.action < len(flow.actions):
-        return [(f"clear{whom}", f"{before}{clears} and goes on")]
+    clears = Reason.of("host.clears", tasks=tuple(failed)) if failed else Reason.of("host.tries_again")
+    count = len(flow.actions)
+    if not 0 <= at.action < count:
+        return [(f"clear{whom}", _once_possible(cause, Reason.of("host.and_goes_on", what=clears)))]
     name = flow.actions[at.action].name
-    found = [
-        (f"clear{whom}", f"{before}{clears} and repeats {name} with the same target"),
-        (f"next{whom}", f"{before}the same, but leaves {name} and goes on with what follows it"),
+    meanings = [
+        (f"clear{whom}", Reason.of("host.and_repeats", what=clears, action=name)),
+        (f"next{whom}", Reason.of("host.but_leaves", action=name)),
     ]
-    if len(flow.actions) > 1:
-        found.append((f"skip{whom} N", f"{before}the same, but goes on with action N of 1 to {len(flow.actions)}"))
-    return found
+    if count > 1:
+        meanings.append((f"skip{whom} N", Reason.of("host.but_goes_on_with", count=count)))
+    return [(command, _once_possible(cause, meaning)) for command, meaning in meanings]
+
+
+def _once_possible(cause: Cause, meaning: Reason) -> Reason:
+    """What a choice does, behind what has to be done before it at the drive."""
+    if cause.kind is CauseKind.PRESSED or (cause.kind is CauseKind.REFUSED and is_of_pressed_button(cause.text)):
+        return Reason.of("host.once_let_go", meaning=meaning)
+    if cause.kind is CauseKind.TRIPPED:
+        return Reason.of("host.once_free", meaning=meaning)
+    return meaning
 
 
 def _of_waiting(at: Position) -> list[Choice]:
     """A flow that waits for nested ones is not offered: whether it may pass depends on where they are."""
     if at.state != "waiting":
         return []
-    others = " and ".join(at.waits_for)
-    return [(f"pass {at.subsystem}", f"lets it go on alone; safe only if it needs nothing of {others}")]
+    return [(f"pass {at.subsystem}", Reason.of("host.goes_on_alone", flows=at.waits_for))]

@@ -13,6 +13,7 @@ from onika.model.lifecycle import State
 from onika.runtime import command
 from onika.runtime.wiring import WiredTask
 from onika.wire.live import Turn
+from onika.words.reason import Reason
 
 Step = Generator[Wait, None, None]
 Newcomer = tuple[WiredTask, str]
@@ -72,18 +73,23 @@ def _is_switched(live: LiveSubsystem, going: Sequence[str], coming: Sequence[str
 
 def _objections(
     live: LiveSubsystem, off: Collection[str], on: Sequence[str], rates: Sequence[str]
-) -> Mapping[str, str]:
+) -> Mapping[str, Reason]:
     """What can be seen to be wrong with a switch before it is sent out, by task."""
-    objections = {task: f"on: {reason}" for task, reason in live.executor.subsystem.clashes(off, on)}
+    objections = {task: _of_entry("on", why) for task, why in live.executor.subsystem.clashes(off, on)}
     for task in (*rates, *on):
         entry = "on" if task in on else "rate"
         if live.state(task) is State.KILLED:
-            objections[task] = f"{entry}: it is gone"
+            objections[task] = _of_entry(entry, Reason.of("host.it_is_gone"))
         elif not live.members[task].is_sent:
-            objections[task] = f"{entry}: it {live.reason(task) or 'is not born yet'}"
+            what = live.reason(task) or Reason.of("host.is_not_born_yet")
+            objections[task] = _of_entry(entry, Reason.of("host.it_does", what=what))
         elif task in on and task not in off and live.is_on(task):
-            objections[task] = f"on: it is {live.state(task).value} already"
+            objections[task] = _of_entry("on", Reason.of("host.it_is_already", state=live.state(task).value))
     return objections
+
+
+def _of_entry(entry: str, why: Reason) -> Reason:
+    return Reason.of("host.entry_failed", entry=entry, why=why)
 
 
 def reinit(live: LiveSubsystem, task: str, local: Lines | None = None) -> Step:
@@ -124,7 +130,7 @@ def _rebind(live: LiveSubsystem, task: str, local: Lines | None) -> Step:
     try:
         ports = live.reshaping.ports(live.executor.subsystem, task)
     except (KeyError, ValueError) as error:
-        live.outcomes.fail(task, f"reinit: {shape_fault(error)}")
+        live.outcomes.fail(task, _of_entry("reinit", shape_fault(error)))
         return
     if ports or local is not None:
         yield from tell(live, task, command.Rebind(live.name, task, ports, local))

@@ -69,7 +69,7 @@ class LiveEditor:
         """A change when its turn has come; one that had to wait is checked then."""
         faults = [] if is_checked else self._faults(order, new, False)
         if faults:
-            return "; ".join(str(fault.reason) for fault in faults)
+            return Reason.of("host.several", reasons=tuple(fault.reason for fault in faults))
         kept = [wired_task for wired_task in live.wired if wired_task.name not in order.kill]
         for task, text in self._overloads(order, [*kept, *new])[1]:
             live.warn(task, text)
@@ -221,7 +221,9 @@ class LiveEditor:
         ]
         return [edit_objections.of_change(fault) for fault in faults + shared_devices([*others, *everyone])]
 
-    def _overloads(self, order: asked.Change, tasks: Sequence[WiredTask]) -> tuple[list[Fault], list[tuple[str, str]]]:
+    def _overloads(
+        self, order: asked.Change, tasks: Sequence[WiredTask]
+    ) -> tuple[list[Fault], list[tuple[str, Reason]]]:
         """Tasks for which a unit has no time, and those for which it hardly has (X13)."""
         by_name = {task.name: task for task in tasks}
         rates = dict(order.rates)
@@ -278,5 +280,5 @@ def _still(live: LiveSubsystem, wired: WiredTask, transaction: Transaction) -> T
     """A transaction about a task as it was checked, if it still is when its turn comes."""
     member = live.members.get(wired.name)
     if member is None or member.wired is not wired:
-        return f"{wired.name}: it was changed or ended meanwhile"
+        return Reason.of("host.of_task", task=wired.name, why=Reason.of("host.changed_meanwhile"))
     return (yield from transaction)

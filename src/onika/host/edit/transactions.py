@@ -16,6 +16,7 @@ from onika.runtime import command
 from onika.runtime.table import TableEntry
 from onika.runtime.wiring import WiredTask
 from onika.wire.live import Turn
+from onika.words.reason import NOTHING, Reason
 
 StatedConstants = Mapping[str, int]
 """The constants that a robot module states before it lives."""
@@ -82,7 +83,7 @@ def change(live: LiveSubsystem, edit: Edit) -> Transaction:
     if not cause:
         yield from kill(live, old)
         _remember(live, edit)
-        return ""
+        return NOTHING
     yield from _take_back(live, edit, before, is_committed)
     return cause
 
@@ -96,7 +97,7 @@ def reinitialise(
     new constants the old parameters count again; without any, it is in ERROR and the others go on as they were.
     """
     if wired is None and live.state(task) is State.ERROR:
-        return f"{task}: it is in ERROR, clear it first"
+        return Reason.of("host.of_task", task=task, why=Reason.of("host.clear_it_first"))
     before = _Before(live, ())
     former = live.members[task].wired
     chain = _chain(live, task)
@@ -132,7 +133,7 @@ def swap(live: LiveSubsystem, task: str, wired: WiredTask) -> Transaction:
     member = live.members[task]
     before, member.wired = member.wired, wired
     if not member.is_sent:
-        return ""  # it is born with the new code
+        return NOTHING  # it is born with the new code
     order = live.executor.spawner.order(live.executor.subsystem, task)
     yield from tell(live, task, command.Swap(order))
     if not live.outcomes.has_answered(task):
@@ -151,14 +152,14 @@ def close(live: LiveSubsystem) -> Transaction:
     yield from switch(live, tasks_on(live), ())
     yield from kill(live, list(live.members))
     live.close()
-    return ""
+    return NOTHING
 
 
 def rest(live: LiveSubsystem) -> Transaction:
     """Everything off: whoever held the subsystem is gone (X12)."""
     yield from switch(live, tasks_on(live), ())
     live.desired.turn_everything_off()
-    return ""
+    return NOTHING
 
 
 # Parts of them
@@ -190,7 +191,7 @@ def _to_return(live: LiveSubsystem, turns: Sequence[Turn]) -> list[Turn]:
     for turn in turns:
         if live.members[turn.task].wired.sheet.hardware:
             live.desired.turn_off(turn.task)
-            live.warn(turn.task, "shapes have changed: it stays OFF until it is turned on")
+            live.warn(turn.task, Reason.of("host.shapes_changed"))
     return [turn for turn in turns if not live.members[turn.task].wired.sheet.hardware]
 
 
@@ -200,7 +201,7 @@ def _initialise(live: LiveSubsystem, chain: Sequence[str], local: Mapping[str, L
         yield from reinit(live, name, local.get(name))
         if live.outcomes.has_trouble(name):
             return live.outcomes.trouble([name])
-    return ""
+    return NOTHING
 
 
 def _take_back(live: LiveSubsystem, edit: Edit, before: _Before, is_committed: bool) -> Step:

@@ -8,6 +8,7 @@ from onika.runtime import command
 from onika.runtime.subsystem import Member, RunningSubsystem
 from onika.runtime.wiring import WiredTask
 from onika.wire.plan import Code
+from onika.words.reason import NOTHING, Reason, Text, reason_of
 
 
 class Spawner:
@@ -18,7 +19,7 @@ class Spawner:
     """
 
     def __init__(
-        self, units: Units, lost: Mapping[str, str], seed: int = 0, reshaping: Reshaping | None = None
+        self, units: Units, lost: Mapping[str, Text], seed: int = 0, reshaping: Reshaping | None = None
     ) -> None:
         self._units = units
         self._lost = lost
@@ -47,7 +48,7 @@ class Spawner:
 
     # Tasks
 
-    def spawn(self, subsystem: RunningSubsystem, task: str) -> str:
+    def spawn(self, subsystem: RunningSubsystem, task: str) -> Reason:
         """Send a task to its unit with its device; why that cannot be, empty if it is done."""
         member = subsystem.members[task]
         device = member.wired.device
@@ -60,7 +61,7 @@ class Spawner:
         except (KeyError, ValueError) as error:
             self.release(task, member)
             return shape_fault(error)
-        return ""
+        return NOTHING
 
     def order(self, subsystem: RunningSubsystem, task: str) -> command.Spawn:
         """The command that brings a task to life, or exchanges the code of one that lives.
@@ -80,8 +81,8 @@ class Spawner:
             self._units.release(device)
 
 
-def shape_fault(error: KeyError | ValueError) -> str:
+def shape_fault(error: KeyError | ValueError) -> Reason:
     """What stands in the way of a task's shapes, in words."""
     if isinstance(error, KeyError):
-        return f"the constant {error.args[0]} has no value"
-    return str(error)
+        return Reason.of("host.constant_without_value", constant=str(error.args[0]))
+    return reason_of(error)

@@ -19,6 +19,7 @@ from onika.runtime import command, news
 from onika.runtime.subsystem import Member, RunningSubsystem
 from onika.runtime.wiring import WiredTask
 from onika.wire import event
+from onika.words.reason import Reason, Text
 
 Client = Callable[[news.TaskNews, State], None]
 """Decides what follows a piece of news; the state is that of the task before it."""
@@ -40,7 +41,7 @@ class SubsystemExecutor:
         client: Client,
         tell: Tell,
         task_event: TaskEvent,
-        lost: Mapping[str, str],
+        lost: Mapping[str, Text],
         activations: Iterator[int] | None = None,
     ) -> None:
         self.subsystem = subsystem
@@ -242,7 +243,7 @@ class SubsystemExecutor:
         self._turn(task, State.KILLED, now)
         self._client(news.Changed(self.name, task, State.KILLED.value, now), before)
 
-    def _refuse(self, task: str, entry: str, reason: str) -> None:
+    def _refuse(self, task: str, entry: str, reason: Reason) -> None:
         self._client(news.Refused(self.name, task, entry, reason), self.state(task))
 
     def _turn(self, task: str, state: State, at_ns: int) -> None:
@@ -263,7 +264,7 @@ class SubsystemExecutor:
         question = self.open_questions[message.task] = question_of(message, self.seconds(message.now_ns))
         self._tell(question)
 
-    def warn(self, task: str, text: str, now: int) -> None:
+    def warn(self, task: str, text: Text, now: int) -> None:
         """Tell sessions something worth knowing that changes nothing."""
         self._tell(event.Warned(self.name, task, text, self.seconds(now)))
 

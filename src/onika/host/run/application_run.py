@@ -30,7 +30,7 @@ class ApplicationRun:
         subsystems: Mapping[int, RunningSubsystem],
         units: Units,
         tell: Callable[[event.Event, str, str], None],
-        lost: Mapping[str, str],
+        lost: Mapping[str, Text],
     ) -> None:
         self.session = session
         self.on_loss = begin.on_loss
@@ -54,7 +54,7 @@ class ApplicationRun:
     def abandon(self, cause: Text, now: int) -> None:
         """The session that began it is gone: it ends, finishes its actions and pauses, or runs on, as it was begun."""
         if self.on_loss == "stop":
-            self.runner.abort(str(cause), now)
+            self.runner.abort(cause, now)
         elif self.on_loss == "finish":
             for name in self.names:
                 self.runner.steer(Pause(name), now, lambda _refusal: None)
@@ -78,7 +78,7 @@ class ApplicationRun:
         """Tell the result."""
         self._tell(result)
 
-    def warn(self, text: str, at_s: float) -> None:
+    def warn(self, text: Text, at_s: float) -> None:
         """Tell whoever watches what is worth knowing of the run as a whole."""
         self._tell(event.Warned(self.names[0], "", text, at_s))
 

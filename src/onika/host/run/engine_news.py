@@ -3,6 +3,7 @@
 from onika.engine import news as engine_news
 from onika.model.lifecycle import State
 from onika.runtime import news
+from onika.words.reason import Reason
 
 _REFUSALS = ("on", "spawn", "clear")
 """The commands of the engine that a task may refuse."""
@@ -22,15 +23,24 @@ def of_task(flow: int, message: news.TaskNews, before: State) -> engine_news.New
         case news.Changed():
             return _changed(flow, message, before)
         case news.Failed():
-            line = f" ({message.path}:{message.line})" if message.line else ""
-            return engine_news.Failed(flow, task, f"{message.entry}: {message.text}{line}")
+            return engine_news.Failed(flow, task, _failure(message))
         case news.Asked():
-            return engine_news.Asked(flow, task, str(message.reason))
+            return engine_news.Asked(flow, task, message.reason)
         case news.Signalled() if message.kind in _ENDS_WORK:
-            return engine_news.Illegal(flow, task, f"{message.kind}: {message.text}")
+            said = Reason.of("host.signal_said", signal=message.kind, text=message.text)
+            return engine_news.Illegal(flow, task, said)
         case news.Refused() if message.command in _REFUSALS:
-            return engine_news.Refused(flow, task, f"{message.command}: {message.reason}")
+            refusal = Reason.of("host.entry_failed", entry=message.command, why=message.reason)
+            return engine_news.Refused(flow, task, refusal)
     return None
+
+
+def _failure(message: news.Failed) -> Reason:
+    """What has failed, and where in the module's code."""
+    if not message.line:
+        return Reason.of("host.entry_failed", entry=message.entry, why=message.text)
+    line = str(message.line)
+    return Reason.of("host.entry_failed_at", entry=message.entry, why=message.text, path=message.path, line=line)
 
 
 def _changed(flow: int, message: news.Changed, before: State) -> engine_news.News | None:

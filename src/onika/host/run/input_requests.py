@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 from onika.runtime import news
 from onika.wire.request import Begin
+from onika.words.reason import Reason
 
 
 class InputRequests:
@@ -14,7 +15,7 @@ class InputRequests:
         begin: Begin,
         answer: Callable[[str, str, str], None],
         ask_user: Callable[[news.Asked], None],
-        abort: Callable[[str], None],
+        abort: Callable[[Reason], None],
     ) -> None:
         self._begin = begin
         self._answer = answer
@@ -26,16 +27,20 @@ class InputRequests:
         """A task asks."""
         task = question.task
         given = {name: values for name_of_task, name, values in self._begin.answers if name_of_task == task}
-        names = [item.name for item in question.items]
-        strangers = sorted(given.keys() - set(names))
+        names = tuple(item.name for item in question.items)
+        strangers = tuple(sorted(given.keys() - set(names)))
         if strangers:
-            self._abort(f"task {task} asks for {', '.join(names)}, and an answer is given for {', '.join(strangers)}")
+            self._abort(Reason.of("host.answer_for_others", task=task, names=names, others=strangers))
         elif given and set(names) == given.keys() and task not in self._answered:
             self._answered.add(task)
             self._answer(question.subsystem, task, " ".join(given[name] for name in names))
         elif self._begin.may_ask:
             self._ask_user(question)
         else:
-            wanted = ", ".join(f"{task}.{name}" for name in names)
-            objection = f" ({question.reason})" if question.reason else ""
-            self._abort(f"task {task} asks for {wanted}{objection} and nobody is there to answer")
+            self._abort(_nobody_answers(question, tuple(f"{task}.{name}" for name in names)))
+
+
+def _nobody_answers(question: news.Asked, names: tuple[str, ...]) -> Reason:
+    if question.reason:
+        return Reason.of("host.nobody_answers_why", task=question.task, names=names, why=question.reason)
+    return Reason.of("host.nobody_answers", task=question.task, names=names)

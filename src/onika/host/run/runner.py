@@ -49,7 +49,7 @@ class Runner:
         subsystems: Mapping[int, RunningSubsystem],
         units: Units,
         tell: Tell,
-        lost: Mapping[str, str] | None = None,
+        lost: Mapping[str, Text] | None = None,
     ) -> None:
         self._prepared = prepared
         self._begin = begin
@@ -82,7 +82,7 @@ class Runner:
         self.is_over = False
         self._stands_still = False
 
-    def _spawner(self, units: Units, lost: Mapping[str, str]) -> Spawner:
+    def _spawner(self, units: Units, lost: Mapping[str, Text]) -> Spawner:
         spawner = Spawner(units, lost, self._begin.seed)
         for code in self._prepared.code.values():
             spawner.add_code(code)
@@ -107,7 +107,7 @@ class Runner:
         for executor in self._executors.values():
             executor.spawn_ready()
 
-    def abort(self, cause: str, now: int, kind: CauseKind = CauseKind.USER) -> None:
+    def abort(self, cause: Text, now: int, kind: CauseKind = CauseKind.USER) -> None:
         """End the run: tasks killed, devices in hold; harmless when it is over."""
         self._now = now
         self._settling.give_up()
@@ -115,7 +115,7 @@ class Runner:
             self._feed(engine_news.Abort(cause))
         self._prepared_switches.free_all()
 
-    def lost(self, rtpu: str, reason: str, now: int) -> None:
+    def lost(self, rtpu: str, reason: Text, now: int) -> None:
         """A process is gone, and so are the tasks of a unit; the run ends where it needs it."""
         self._now = now
         self._settling.lost(rtpu)
@@ -167,7 +167,7 @@ class Runner:
     def _ask_user(self, question: news.Asked) -> None:
         self._executors[self._flows[question.subsystem]].ask_user(question)
 
-    def _abort_now(self, cause: str) -> None:
+    def _abort_now(self, cause: Reason) -> None:
         self._feed(engine_news.Abort(cause))
 
     # Time
@@ -249,8 +249,8 @@ class Runner:
         meaning = of_task(flow, message, before)
         if meaning is None:
             if isinstance(message, news.Refused):
-                text = f"{message.command} is refused: {message.reason}"
-                self._executors[flow].warn(message.task, text, self._now)
+                refusal = Reason.of("host.command_refused", command=message.command, why=message.reason)
+                self._executors[flow].warn(message.task, refusal, self._now)
         elif isinstance(message, _MAY_STOP):
             with self._explainer.watch(message, happened_at(message, self._now)):
                 self._feed(meaning)

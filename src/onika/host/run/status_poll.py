@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterable
 
 from onika.host.units.unit_registry import Units
 from onika.runtime import command, news
+from onika.words.reason import Reason
 
 Then = Callable[[dict[str, news.Statuses]], None]
 Answered = Callable[[news.Got | news.Refused], None]
@@ -50,7 +51,7 @@ class StatusPoll:
         for (subsystem, task), waiting in self._questions.items():
             for rtpu, then in [question for question in waiting if question[0] not in alive]:
                 waiting.remove((rtpu, then))
-                then(news.Refused(subsystem, task, "get or set", f"{rtpu} is gone"))
+                then(news.Refused(subsystem, task, "get or set", Reason.of("host.unit_is_gone", name=rtpu)))
 
     def ask(self, rtpu: str, order: command.Get | command.Set, then: Answered) -> None:
         """Ask a module; answers of one task come in the order of questions."""

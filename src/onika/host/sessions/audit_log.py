@@ -12,6 +12,7 @@ from onika.host.sessions.request_server import SessionRequest
 from onika.link.sessions import Introduction
 from onika.wire import event, holding, live, request, steer
 from onika.wire.plan import Code, Plan, PlannedTask
+from onika.words.reason import Reason
 
 _PASSING = (steer.Onward, live.Advance)
 _MOST = 12
@@ -126,7 +127,7 @@ def _piece(value: Any) -> str:
     match value:
         case bool():
             return "yes" if value else ""
-        case str() | int() | float():
+        case str() | int() | float() | Reason():
             return str(value)
         case live.Turn():
             return f"{value.task}({value.arguments})"

@@ -21,9 +21,10 @@ from onika.runtime.subsystem import Member, RunningSubsystem
 from onika.runtime.table import Table
 from onika.runtime.wiring import WiredTask
 from onika.wire import event
+from onika.words.reason import NOTHING, Reason, Text
 
 Wait = Callable[[], bool]
-Transaction = Generator[Wait, None, str]
+Transaction = Generator[Wait, None, Reason]
 """Yields what it waits for; returns why it came to nothing, or nothing."""
 
 Tell = Callable[[event.Event], None]
@@ -42,7 +43,7 @@ class LiveSubsystem:
         units: Units,
         tell: Tell,
         clock: Callable[[], int],
-        lost: Mapping[str, str] | None = None,
+        lost: Mapping[str, Text] | None = None,
         end: Callable[[], None] = lambda: None,
     ) -> None:
         self.name = name
@@ -61,7 +62,7 @@ class LiveSubsystem:
             task_events.by_hand,
             units_lost,
         )
-        self._reasons: dict[str, str] = {}
+        self._reasons: dict[str, Reason] = {}
         self._is_closing = False
         self._end = end
         self._tell = tell
@@ -114,13 +115,13 @@ class LiveSubsystem:
         is_initialising = self.members[task].is_sent and self.state(task) is State.WAITING
         return is_initialising and not self.outcomes.has_trouble(task)
 
-    def reason(self, task: str) -> str:
+    def reason(self, task: str) -> Reason:
         """Why a task waits, asks or has failed."""
-        reason = self._reasons.get(task, "")
+        reason = self._reasons.get(task, NOTHING)
         if reason or self.members[task].is_sent:
             return reason
         lacking = self.executor.subsystem.lacking(task)
-        return f"waits for {', '.join(lacking)}" if lacking else ""
+        return Reason.of("host.waits_for_constants", names=tuple(lacking)) if lacking else NOTHING
 
     # Transactions
 
@@ -146,7 +147,7 @@ class LiveSubsystem:
                 self._transactions.popleft()
                 self.reshaping.end()
                 self._clear_away()
-                self._tell(event.Edited(self.name, number, end.value or "", self.executor.seconds(self._clock())))
+                self._tell(event.Edited(self.name, number, end.value or NOTHING, self.executor.seconds(self._clock())))
         if self._is_closing and self.is_empty:
             self._end()
 
@@ -194,7 +195,7 @@ class LiveSubsystem:
         self.desired.turn_on(task, line)
         self.executor.send(task, command.Answer(self.name, task, line))
 
-    def warn(self, task: str, text: str) -> None:
+    def warn(self, task: str, text: Text) -> None:
         """Something worth knowing that changes nothing."""
         self.executor.warn(task, text, self._clock())
 
@@ -208,7 +209,7 @@ class LiveSubsystem:
             self.executor.hear(message, now)
             self._go_on()
 
-    def lost(self, rtpu: str, reason: str, now: int) -> None:
+    def lost(self, rtpu: str, reason: Text, now: int) -> None:
         """A unit is gone with its tasks."""
         for task, member in self.members.items():
             if member.rtpu == rtpu and member.is_sent:
@@ -226,10 +227,10 @@ class LiveSubsystem:
             case news.Reinitialised() | news.Rebound() | news.Swapped():
                 self.outcomes.answer(task)
             case news.Failed():
-                self._reasons[task] = f"{message.entry}: {message.text}"
+                self._reasons[task] = Reason.of("host.entry_failed", entry=message.entry, why=message.text)
                 self.outcomes.fail(task, self._reasons[task])
             case news.Asked():
-                self._reasons[task] = f"asks for {', '.join(item.name for item in message.items)}"
+                self._reasons[task] = Reason.of("host.asks_for", names=tuple(item.name for item in message.items))
                 self.executor.ask_user(message)
             case news.Refused():
                 self._refused(message)
@@ -243,13 +244,13 @@ class LiveSubsystem:
 
     def _turned(self, task: str, state: State) -> None:
         if state in (State.ON, State.OFF, State.KILLED):
-            self._reasons[task] = ""
+            self._reasons[task] = NOTHING
         self.outcomes.turn(task, state)
 
     def _refused(self, message: news.Refused) -> None:
-        reason = f"{message.command}: {message.reason}"
+        reason = Reason.of("host.entry_failed", entry=message.command, why=message.reason)
         self.outcomes.fail(message.task, reason)
         if message.command == "spawn":  # it may be tried again
             self._reasons[message.task] = reason
         if not self.is_busy:
-            self.executor.warn(message.task, f"refused, {reason}", self._now)
+            self.executor.warn(message.task, Reason.of("host.refused", reason=reason), self._now)

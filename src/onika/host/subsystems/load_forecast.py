@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from msgspec import structs
 
 from onika.runtime.load import TaskLoad, predict
+from onika.words.reason import Reason
 
 _ENOUGH_CYCLES = 10
 """Fewer say nothing: the first cycles of a module are its slowest."""
@@ -39,7 +40,7 @@ class LoadForecast:
 
     def warnings(
         self, off: Iterable[tuple[str, str]], coming: Iterable[ComingTask]
-    ) -> list[tuple[ComingTask, float, str]]:
+    ) -> list[tuple[ComingTask, float, Reason]]:
         """Who would take a unit beyond its margin, to what use, and the sentence; what was never measured is free."""
         units = {rtpu: dict(tasks) for rtpu, tasks in self._units.items()}
         for address in off:

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Mapping
 
 from onika.model.lifecycle import State
+from onika.words.reason import NOTHING, Reason, Text
 
 
 class Outcomes:
@@ -13,7 +14,7 @@ class Outcomes:
     """
 
     def __init__(self) -> None:
-        self._troubles: dict[str, str] = {}
+        self._troubles: dict[str, Text] = {}
         self._answered: set[str] = set()
         self._came: set[str] = set()
         self._went: set[str] = set()
@@ -48,11 +49,11 @@ class Outcomes:
         """A task has done what it was told."""
         self._answered.add(task)
 
-    def fail(self, task: str, reason: str) -> None:
+    def fail(self, task: str, reason: Text) -> None:
         """A task has failed, or refuses a command."""
         self._troubles[task] = reason
 
-    def fail_all(self, reasons: Mapping[str, str]) -> None:
+    def fail_all(self, reasons: Mapping[str, Text]) -> None:
         """Several have, each for its reason."""
         self._troubles.update(reasons)
 
@@ -74,7 +75,8 @@ class Outcomes:
         """Whether it has failed or refused something."""
         return task in self._troubles
 
-    def trouble(self, tasks: Iterable[str]) -> str:
+    def trouble(self, tasks: Iterable[str]) -> Reason:
         """What went wrong with these, as one sentence; empty if nothing did."""
         wrong = [task for task in dict.fromkeys(tasks) if task in self._troubles]
-        return "; ".join(f"{task}: {self._troubles[task]}" for task in wrong)
+        reasons = [Reason.of("host.of_task", task=task, why=self._troubles[task]) for task in wrong]
+        return Reason.of("host.several", reasons=tuple(reasons)) if len(reasons) > 1 else next(iter(reasons), NOTHING)

@@ -15,6 +15,7 @@ from onika.runtime import command, news
 from onika.runtime.subsystem import Member
 from onika.runtime.table import SIZE, Table
 from onika.wire import event
+from onika.words.reason import NOTHING, Text
 
 _LOADS_EVERY_NS = 1_000_000_000
 
@@ -56,7 +57,7 @@ class Subsystems:
         self.live: dict[str, LiveSubsystem] = {}
         self.tables: dict[str, Table] = {}
         self.runs: list[ApplicationRun] = []
-        self.lost_units: dict[str, str] = {}
+        self.lost_units: dict[str, Text] = {}
         self.status_poll = StatusPoll(units, self._alive)
         self.forecast = LoadForecast()
         self.hold = ClockGate(tell)
@@ -111,9 +112,9 @@ class Subsystems:
             return wanted
         return next(iter(self._alive()), self._rtpus[0])
 
-    def gone(self, wanted: str) -> str:
+    def gone(self, wanted: str) -> Text:
         """Why no task can run on the unit it would be on; empty: it can."""
-        return self.lost_units.get(self.unit(wanted), "")
+        return self.lost_units.get(self.unit(wanted), NOTHING)
 
     def run_in(self, subsystem: str) -> ApplicationRun | None:
         """The application that runs in a subsystem."""
@@ -208,7 +209,7 @@ class Subsystems:
         elif message.subsystem in self.live:
             self.live[message.subsystem].hear(rtpu, message, now)
 
-    def lost(self, rtpu: str, reason: str, now: int) -> None:
+    def lost(self, rtpu: str, reason: Text, now: int) -> None:
         """A process is gone, and with a unit its tasks."""
         if rtpu:
             self.lost_units[rtpu] = reason

@@ -4,6 +4,7 @@ import signal
 from types import FrameType
 
 from onika.runtime.error import ModuleError
+from onika.words.reason import Reason
 
 PATIENCE_S = 5.0
 
@@ -29,5 +30,6 @@ class CallWatchdog:
 
     def _look(self, _signal: int, _frame: FrameType | None) -> None:
         if self._task and self._calls == self._seen:
-            raise ModuleError(f"a call of task {self._task} has not returned for {self._patience_s:g} s")
+            reason = Reason.of("host.call_has_not_returned", task=self._task, seconds=self._patience_s)
+            raise ModuleError(reason)
         self._seen = self._calls

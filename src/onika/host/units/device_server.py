@@ -22,6 +22,7 @@ from onika.ring.device import DriveEvent
 from onika.ring.segment import Segment
 from onika.runtime.bus import Bus
 from onika.runtime.command import DeviceGrant
+from onika.words.reason import Reason, Text, reason_of
 
 _LONGEST_SLEEP_S = 0.02
 _MOST_BEHIND_NS = 50_000_000
@@ -95,7 +96,7 @@ class Granted(Struct, frozen=True, tag=True):
 class Denied(Struct, frozen=True, tag=True):
     """The answer to an Open, a Claim or a Touch that cannot be."""
 
-    reason: str
+    reason: Text
 
 
 class WorldOpened(Struct, frozen=True, tag=True):
@@ -236,7 +237,7 @@ class DeviceServer:
                 try:
                     return Granted(self._buses[world].grant(device, order.epoch))
                 except ValueError as wrong:
-                    return Denied(str(wrong))
+                    return Denied(reason_of(wrong))
             case ReleaseDevice():
                 world, device = split(order.device)
                 self._buses[world].release(device, order.epoch)
@@ -246,12 +247,12 @@ class DeviceServer:
                 try:
                     self._buses[order.world].touch(order.part, order.value)
                 except ValueError as wrong:
-                    return Denied(str(wrong))
+                    return Denied(reason_of(wrong))
                 return PartTouched()
             case DescribeWorld():
                 if order.world in self._buses:
                     return WorldDescribed(self._buses[order.world].scene())
-                return Denied("not open")
+                return Denied(Reason.of("host.not_open"))
             case StreamPoses():
                 post = ProcessSocket(socket.socket(fileno=descriptors[0])) if descriptors else self._post
                 self._posing.setdefault(order.world, PoseStream(order.world)).add(post)
@@ -276,7 +277,7 @@ class DeviceServer:
         try:
             world = open_world(name)
         except ValueError as wrong:
-            return Denied(str(wrong))
+            return Denied(reason_of(wrong))
         if self._is_stopped:
             world.stop()
         self._buses[name] = Bus(name, world, segment)

@@ -9,6 +9,7 @@ from onika.host.units.child_process import start
 from onika.host.units.heartbeat import SIZE, Heartbeat
 from onika.host.units.process_socket import ProcessSocket
 from onika.ring.segment import Segment
+from onika.words.reason import NOTHING, Reason, Text
 
 SILENT_NS = 1_000_000_000
 """A process without a heartbeat for so long is stopped or caught in code that never returns."""
@@ -25,24 +26,31 @@ class Supervised:
     post: ProcessSocket
     heartbeat: Heartbeat
     process: "subprocess.Popen[bytes]"
+    title: Text
+    """What it is called where it is named to people."""
     is_up: bool = False
     is_lost: bool = False
 
-    def trouble(self, now_ns: int) -> str:
+    def trouble(self, now_ns: int) -> Reason:
         """Why this process has to be given up; empty if it is well."""
         code = self.process.poll()
         if code is not None:
-            how = f"was killed by signal {-code}" if code < 0 else f"ended with code {code}"
-            task = self.heartbeat.task
-            return f"{self.name} {how}" + (f" in a call of task {task}" if task else "")
-        if not self.is_up:
-            return ""
+            return self._ended(code)
         silent = now_ns - self.heartbeat.last_ns
-        if silent > (SLOW_NS if self.heartbeat.takes_long else SILENT_NS):
-            task = "" if _is_stopped(self.process.pid) else self.heartbeat.task
-            what = f"a call of task {task} has not returned" if task else "stopped"
-            return f"{self.name} has not answered for {silent / 1e9:.1f} s: {what}"
-        return ""
+        patience = SLOW_NS if self.heartbeat.takes_long else SILENT_NS
+        if not self.is_up or silent <= patience:
+            return NOTHING
+        task = "" if _is_stopped(self.process.pid) else self.heartbeat.task
+        if task:
+            return Reason.of("host.call_silent", name=self.title, seconds=silent / 1e9, task=task)
+        return Reason.of("host.process_silent", name=self.title, seconds=silent / 1e9)
+
+    def _ended(self, code: int) -> Reason:
+        task = self.heartbeat.task
+        during = Reason.of("host.in_call", task=task) if task else NOTHING
+        if code < 0:
+            return Reason.of("host.process_killed", name=self.title, signal=-code, during=during)
+        return Reason.of("host.process_ended", name=self.title, code=code, during=during)
 
     def end(self) -> None:
         """End it now; no zombie is left."""
@@ -59,21 +67,21 @@ class Supervisor:
         self._with_fifo = with_fifo
         self.processes: dict[str, Supervised] = {}
 
-    def launch(self, name: str, module: str, arguments: tuple[str, ...] = ()) -> Supervised:
-        """Start one; it says when it is up."""
+    def launch(self, name: str, title: Text, module: str, arguments: tuple[str, ...] = ()) -> Supervised:
+        """Start one; it says when it is up. People are told of it as of `title`."""
         segment = Segment.create(f"beat-{name}", SIZE)
         ours, theirs = ProcessSocket.pair()
         words = ("--beat-fd", str(segment.fd), "--zero", str(self._zero), *arguments)
         fifo = ("--fifo",) if self._with_fifo else ()
         process = start(module, theirs, words + fifo, (segment.fd,))
-        self.processes[name] = Supervised(name, ours, Heartbeat(segment), process)
+        self.processes[name] = Supervised(name, ours, Heartbeat(segment), process, title)
         return self.processes[name]
 
-    def troubles(self) -> list[tuple[Supervised, str]]:
+    def troubles(self) -> list[tuple[Supervised, Reason]]:
         """Every process that has failed since the last call, with the reason; it is ended."""
         now, found = monotonic_ns(), []
         for process in self.processes.values():
-            reason = "" if process.is_lost else process.trouble(now)
+            reason = NOTHING if process.is_lost else process.trouble(now)
             if reason:
                 process.is_lost = True
                 process.end()

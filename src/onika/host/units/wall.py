@@ -15,6 +15,7 @@ from onika.ring.segment import Segment
 from onika.runtime import command, news
 from onika.runtime.bus import SEGMENT_SIZE, Poses
 from onika.wire import event
+from onika.words.reason import Reason
 
 DEVICES = "device server"
 _PATIENCE_S = 15.0
@@ -41,12 +42,15 @@ class WallDriver:
         self._heard: deque[tuple[str, news.News]] = deque()
         self._drives: dict[str, int] = {}
         self.granted: dict[str, dict[str, bool]] = {}
-        self._devices = self._supervisor.launch(DEVICES, "onika.host.units.device_server")
+        the_server = Reason.of("host.the_device_server")
+        self._devices = self._supervisor.launch(DEVICES, the_server, "onika.host.units.device_server")
         self._rtpus = {
-            name: self._supervisor.launch(name, "onika.host.units.rtpu", ("--name", name)) for name in sorted(rtpus)
+            name: self._supervisor.launch(name, _title(name), "onika.host.units.rtpu", ("--name", name))
+            for name in sorted(rtpus)
         }
+        processes = self._supervisor.processes
         self._await(
-            lambda: all(process.is_up for process in self._supervisor.processes.values()), "the processes to start"
+            lambda: all(process.is_up for process in processes.values()), Reason.of("host.the_processes_to_start")
         )
 
     @property
@@ -84,7 +88,7 @@ class WallDriver:
         if isinstance(answer, device_server.Denied):
             raise ValueError(answer.reason)
         if not isinstance(answer, device_server.Granted):
-            raise ValueError(f"the device server does not grant {device}")
+            raise ValueError(Reason.of("host.does_not_grant", device=device))
         self._claims[device] = (self._epoch, name)
         return answer.grant
 
@@ -252,20 +256,18 @@ class WallDriver:
         times = word.at_ns, word.previous_step_ns, word.last_command_ns
         return event.Drive(device, DriveState(word.state).name, *times, word.cause, at_s)
 
-    def _lost(self, supervised: Supervised, reason: str) -> None:
+    def _lost(self, supervised: Supervised, reason: Reason) -> None:
         """A process is gone: fence its claims, let hardware tasks know, name the cause."""
         if supervised is self._devices:
             for name in self._rtpus:
-                self.send(name, command.Fail(f"the {reason}"))
+                self.send(name, command.Fail(reason))
         else:
             for epoch, holder in self._claims.values():
                 if holder == supervised.name:
                     self._devices.post.send(device_server.encode(device_server.FenceWriter(epoch)))
         if self._listener is not None:
-            if supervised is self._devices:
-                self._listener.lost("", f"the {reason}", self.now)
-            else:
-                self._listener.lost(supervised.name, f"processing unit {reason}", self.now)
+            unit = "" if supervised is self._devices else supervised.name
+            self._listener.lost(unit, reason, self.now)
 
     def _open(self, world: str) -> None:
         segment = Segment.create(f"bus-{world}", SEGMENT_SIZE)
@@ -283,21 +285,25 @@ class WallDriver:
         return self._answer_of_devices()
 
     def _answer_of_devices(self) -> device_server.Word:
-        self._await(lambda: bool(self._answers), "the device server to answer")
+        self._await(lambda: bool(self._answers), Reason.of("host.the_device_server_to_answer"))
         return self._answers.popleft()
 
-    def _await(self, is_done: Callable[[], bool], what: str) -> None:
+    def _await(self, is_done: Callable[[], bool], what: Reason) -> None:
         """Serve the posts until something is there; raises ValueError when it does not come."""
         until = monotonic_ns() + round(_PATIENCE_S * 1e9)
         while not is_done():
             if self._devices.is_lost:
-                raise ValueError(f"the {DEVICES} is gone, waiting for {what} is in vain")
+                raise ValueError(Reason.of("host.waits_in_vain", what=what))
             if monotonic_ns() > until:
-                raise ValueError(f"waited {_PATIENCE_S:g} s for {what}")
+                raise ValueError(Reason.of("host.waited", seconds=_PATIENCE_S, what=what))
             select.select([post.post for post in self.posts()], [], [], 0.02)
             self._receive()
             failed = next(
                 (process for process in self._supervisor.processes.values() if process.process.poll() is not None), None
             )
             if failed is not None:
-                raise ValueError(f"{failed.name} ended while waiting for {what}")
+                raise ValueError(Reason.of("host.ended_meanwhile", name=failed.name, what=what))
+
+
+def _title(name: str) -> Reason:
+    return Reason.of("host.processing_unit", name=name)

@@ -27,12 +27,13 @@ def open_world(name: str, shake: int | None = None) -> World:
 def refuse_unknown(world: str, opened: Collection[str]) -> None:
     """Raises ValueError where this world is not open."""
     if world not in opened:
-        raise ValueError(f"expected an open world ({', '.join(sorted(opened)) or 'none is open'}), found {world!r}")
+        worlds = tuple(sorted(opened)) or Reason.of("host.none_is_open")
+        raise ValueError(Reason.of("host.world_not_open", worlds=worlds, world=world))
 
 
 def split(device: str) -> tuple[str, str]:
     """`world:device` in two; raises ValueError where it is not of this form."""
     world, colon, name = device.partition(":")
     if not (colon and world and name):
-        raise ValueError(f"expected WORLD:DEVICE, found {device!r}")
+        raise ValueError(Reason.of("host.device_form", device=device))
     return world, name

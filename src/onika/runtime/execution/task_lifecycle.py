@@ -90,7 +90,7 @@ class TaskLifecycle:
         for address in list(self._unit.tasks):
             self._off(address, now)
 
-    def fail_devices(self, cause: str, now: int) -> None:
+    def fail_devices(self, cause: Text, now: int) -> None:
         """Every task that has a device and is ON goes to ERROR."""
         self._unit.prepared.drop_all()
         for task in self._unit.tasks.values():

@@ -88,8 +88,10 @@ class StopView(View, frozen=True):
     courses: tuple[CourseView, ...] = ()
     choices: tuple[Remedy, ...] = ()
     """What can be done safely; the label is a word of steering."""
-    meanings: tuple[str, ...] = ()
+    meanings: tuple[Text, ...] = ()
     """What each choice does."""
+    short: Text = ""
+    """The text without where in a module it was said."""
 
 
 class JumpView(View, frozen=True):

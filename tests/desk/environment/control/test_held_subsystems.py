@@ -5,6 +5,7 @@ from onika.desk.environment.control import held_subsystems
 from onika.model.task import Task
 from onika.wire import act, event, holding, live, request, steer
 from onika.wire.view import HoldView
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -66,7 +67,7 @@ def test_a_run_is_steered_only_by_who_has_taken_it(duet):  # R-X12
     [
         ("resume", steer.Resume()),
         ("clear", steer.Recover()),
-        ("abort", request.Abort("ended by the user who took it over", "flow0")),
+        ("abort", request.Abort(Reason.of("run.ended_by_taker"), "flow0")),
     ],
 )
 def test_what_moves_or_ends_a_run_that_was_taken_is_asked_back_first(duet, wish, asked):  # R-X12

@@ -3,6 +3,7 @@ import pytest
 from kit.laboratory import job
 from kit.run_fixture import RunFixture
 from onika.wire import event
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -124,9 +125,11 @@ def test_a_run_that_is_ended_where_it_stood_keeps_why_it_stood(play):  # R-X06, 
     play.run(play.open([job("aC")]))
     play.began(0)
     play.moved("stopped")
-    why = ("a", "", 0, "", "cycle: ModuleError: out of reach", "", 0, (), (), (("clear", "again"),), 2.0, "error")
+    raised = Reason.of("runtime.raised", kind="ModuleError", why="out of reach")
+    failed = Reason.of("host.entry_failed", entry="cycle", why=raised)
+    why = ("a", "", 0, "", failed, "", 0, (), (), (("clear", "again"),), 2.0, "error")
     play.tell(event.Explained("flow0", *why))
     play.moved("killing")
     assert "flow0" not in play.view.stops
-    play.end("aborted by the user")
+    play.end(Reason.of("desk.aborted_by_user"))
     assert str(play.view.cause) == "ended by you, after: out of reach"

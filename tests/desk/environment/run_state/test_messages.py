@@ -2,6 +2,7 @@ import pytest
 
 from kit.laboratory import job, joints
 from kit.run_fixture import RunFixture
+from onika.words.reason import Reason
 
 TRIGGER = (
     "MODULE a\nDESC a\nINCONST none\nOUTCONST none\nINVAR none\nOUTVAR A\nTASKTYPE periodic\nFREQ 10\n\n"
@@ -63,11 +64,13 @@ def test_a_text_names_no_file_and_no_line(play):  # R-E11, R-X06
 
 def test_choices_are_told_by_what_they_do_with_what_is_shown(play):  # R-E08
     play.run(play.open([showing(job("bC"), "hold still")]))
-    meaning = speech(play).meaning
-    assert meaning("clears b and repeats bC with the same target") == (
-        "clears b and repeats “hold still” with the same target"
+    with_icons = speech(play).with_icons
+    clears = Reason.of("host.clears", tasks=("b",))
+    repeats = Reason.of("host.and_repeats", what=clears, action="bC")
+    assert str(with_icons(repeats)) == "clears b and repeats “hold still” with the same target"
+    leaves = Reason.of("host.once_let_go", meaning=Reason.of("host.but_leaves", action="bC"))
+    assert str(with_icons(leaves)) == (
+        "once the panic button is let go: the same, but leaves “hold still” and goes on with what follows it"
     )
-    assert meaning("the same, but leaves bC and goes on with what follows it") == (
-        "the same, but leaves “hold still” and goes on with what follows it"
-    )
-    assert meaning("ends the run: all tasks are killed") == "ends the run: all tasks are killed"
+    ends = Reason.of("host.ends_the_run")
+    assert with_icons(ends) is ends

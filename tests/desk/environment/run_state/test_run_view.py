@@ -4,6 +4,7 @@ from kit.laboratory import job
 from kit.run_fixture import RunFixture
 from onika.desk.environment.run_state.run_view import is_question, left_for, loops, stop_view, tag
 from onika.wire import act, event
+from onika.words.reason import Reason
 
 WHERE = ("flow0", "b", "bC", 1, "play.appl:2", "cycle: no glass", "b.py", 7)
 
@@ -55,14 +56,18 @@ def test_a_choice_of_one_other_action_needs_no_choosing(run):  # R-E13
 
 def test_a_stop_is_told_in_the_words_of_the_icons(play):  # R-X06
     play.run(play.open([job("bC").replace("a job", "hold still")]))
-    choices = (("clear", "clears b and repeats bC with the same target"),)
+    clears = Reason.of("host.clears", tasks=("b",))
+    choices = (("clear", Reason.of("host.and_repeats", what=clears, action="bC")),)
     shown = stop_view(play.environment.model.run, event.Explained(*WHERE[:3], 0, *WHERE[4:], (), (), choices, 2.0))
-    assert (shown.action, shown.meanings) == ("hold still", ("clears b and repeats “hold still” with the same target",))
+    (meaning,) = shown.meanings
+    assert (shown.action, str(meaning)) == ("hold still", "clears b and repeats “hold still” with the same target")
 
 
 def test_that_a_task_asks_is_no_news_of_its_own():  # R-E15
-    assert is_question("play.appl:2 (bC): b asks") and is_question("x: b asks: too far")
-    assert not is_question("b: it asks a lot of the arm")
+    assert is_question(Reason.of("engine.asks", where="x: b"))
+    assert is_question(Reason.of("engine.asks_again", where="x: b", why="too far"))
+    assert not is_question(Reason.of("engine.in_error", where="x: b", why="it asks a lot of the arm"))
+    assert not is_question("x: b asks")
 
 
 def test_who_waits_for_ever_for_whom(play):  # R-X03

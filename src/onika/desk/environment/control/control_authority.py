@@ -13,12 +13,10 @@ from onika.wire import act, holding, live, request
 from onika.wire.view import Remedy
 from onika.words.reason import Reason
 
-_CAUSE = "Stop was pressed in the page"
-
 
 def stop(model: Model, _asked: act.Stop, _outside: Services) -> Procedure:
     """Every drive holds, at once, whoever holds what; where there is no runtime, the answer says so."""
-    model, response = yield Ask(model, request.Stop(_CAUSE))
+    model, response = yield Ask(model, request.Stop(Reason.of("run.stop_pressed")))
     if isinstance(response, request.Done):
         return Done(model)
     return Done(model, value=Reason.of("run.nothing_to_stop", why=refusal(response)))

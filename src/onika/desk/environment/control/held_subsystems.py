@@ -16,8 +16,6 @@ from onika.wire import act, request, steer
 from onika.wire.view import HoldView, Remedy
 from onika.words.reason import Reason
 
-_BY_THE_USER = "ended by the user who took it over"
-
 
 def home(model: Model, subsystem: str) -> Document | None:
     """The document that is connected with a subsystem."""
@@ -188,4 +186,4 @@ def _wish(command: act.SteerTaken) -> request.Request:
             return steer.Resume()
         case "clear":
             return steer.Recover()
-    return request.Abort(_BY_THE_USER, command.subsystem)
+    return request.Abort(Reason.of("run.ended_by_taker"), command.subsystem)

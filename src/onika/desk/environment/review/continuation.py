@@ -41,7 +41,6 @@ from onika.wire.view import Remedy
 from onika.words.reason import NOTHING, Reason
 
 _ABORT = Remedy(Reason.of("run.abort_it"), act.Steer("abort"))
-_BY_USER = "aborted by the user"
 _ENDING = (request.Abort, request.Stop, live.Reset)
 
 
@@ -181,7 +180,7 @@ def _goes_on(model: Model) -> Done:
         return Done(model)
     run = model.run if model.run.is_over else model.run.shown(state="running")
     described = describe(replace(model, run=run, performed=model.performed + 1))
-    end = (Order(request.Abort(_BY_USER)),) if run.is_given_up else ()
+    end = (Order(request.Abort(Reason.of("desk.aborted_by_user"))),) if run.is_given_up else ()
     until_s = run.view.repeats_until_s
     if until_s > 0:
         reason = Reason.of("run.repeated_to", name=run.view.name, until_s=until_s)

@@ -1,13 +1,12 @@
 """How a run gets on: what is told of it becomes what is shown of its flows and steps (requirements E07, E11, E14)."""
 
-import re
 from dataclasses import replace
 
 from msgspec import structs
 
 from onika.desk.environment.run_state.question import ask_view
 from onika.desk.environment.run_state.run import Run
-from onika.desk.environment.run_state.run_view import is_question, left_for, stop_view, tag
+from onika.desk.environment.run_state.run_view import in_short, is_question, left_for, stop_view, tag
 from onika.desk.environment.run_state.transfer_view import jump_view
 from onika.desk.run import transfer_text
 from onika.desk.run.flow_status import WAITS
@@ -15,9 +14,8 @@ from onika.wire import event
 from onika.wire.view import MeetView, StepRunView
 from onika.words.reason import Reason, Text
 
-ABORTED = "aborted by the user"
-_WHERE = re.compile(r"^\w+: (?:ModuleError|LawBroken): ")
-"""Where in a module it was said: a module's own error is a sentence for people."""
+ABORTED = "desk.aborted_by_user"
+"""Why a run ends that its user wants to end, as a key."""
 _MOST_MEETS = 60
 _BEFORE = ("ready", "spawning")
 _ENDS = ("killing", "ended")
@@ -58,7 +56,7 @@ def _warned(run: Run, message: event.Warned) -> Run:
     """A warning, with the task that it is of; a question that nobody answered is shown as a question anyway."""
     if message.task:
         return run.noted(Reason.of("run.what_why", what=message.task, why=message.text))
-    if is_question(str(message.text)):
+    if is_question(message.text):
         return run
     return run.noted(message.text)
 
@@ -89,9 +87,10 @@ def _cause(run: Run, text: Text) -> Text:
     """Why it ended; where somebody ended it because it stood, also why it stood."""
     standing = sorted((stop for key, stop in run.view.stops.items() if key), key=lambda stop: stop.at_s)
     reason = standing[0].text if standing else run.reason
-    if not reason or str(text) != ABORTED:
+    is_wanted = isinstance(text, Reason) and text.key == ABORTED
+    if not (reason and is_wanted):
         return text
-    return Reason.of("run.ended_by_you", why=_WHERE.sub("", str(reason)))
+    return Reason.of("run.ended_by_you", why=in_short(reason))
 
 
 def _began(run: Run, began: event.Began) -> Run:

@@ -14,13 +14,14 @@ from onika.model.syntax import Syntax
 from onika.store.program import ApplicationProgram
 from onika.wire.plan import Plan, PlannedAction
 from onika.words.fault import Place
-from onika.words.reason import PLAIN, Argument, Reason, Text
+from onika.words.reason import Argument, Reason, Text
 
 _T = TypeVar("_T")
 
 _Icons = Mapping[str, str]
 """What icons show, by their names."""
-_CHOSEN = re.compile(r"\b(repeats|leaves) (.+?)(?= with the same target| and goes on)")
+_CHOICES = ("host.and_repeats", "host.but_leaves")
+"""What a choice does with an action, which it names as its file does."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,17 +87,30 @@ class IconWording:
         """A text of the runtime: of a reason, what fills its gaps."""
         if isinstance(reason, str):
             return self._shown(reason)
-        if reason.key in ("host.note_at", "host.note_in"):
-            file, note = str(reason.args["file"]), self._argument(reason.args["note"])
-            return Reason.of("run.what_why", what=self.files.get(file, file), why=note)
-        if not reason.args:
-            if reason.key == PLAIN:
+        match reason.key:
+            case "plain":
                 return Reason.plain(self._shown(reason.text))
-            return reason
-        args = {name: self._argument(value) for name, value in reason.args.items()}
+            case "host.note_at" | "host.note_in":
+                file, note = str(reason.args["file"]), self._argument(reason.args["note"])
+                return Reason.of("run.what_why", what=self.files.get(file, file), why=note)
+            case "engine.action_at":
+                return _quoted(self.actions.get(str(reason), str(reason.args["action"])))
+            case "engine.name_at" if (place := _own_place(reason)) is not None:
+                return self.with_icons(place)
+            case key if key in _CHOICES:
+                action = str(reason.args["action"])
+                return self._with_gaps(reason, action=_quoted(self.actions.get(action, action)))
+        return self._with_gaps(reason)
+
+    def _with_gaps(self, reason: Reason, **instead: Argument) -> Reason:
+        """The same sentence, with icons in what fills its gaps; one that is not known here stays as it is."""
+        args = {name: self._argument(value) for name, value in reason.args.items()} | instead
         if args == reason.args:
             return reason
-        return Reason.of(reason.key, **args)
+        try:
+            return Reason.of(reason.key, **args)
+        except KeyError:
+            return reason
 
     def _argument(self, value: Argument) -> Argument:
         if isinstance(value, tuple):
@@ -117,12 +131,20 @@ class IconWording:
                 text = name.join(re.split(rf"{here}(?::\d+)?", text))
         return text
 
-    def meaning(self, text: str) -> str:
-        """What a choice does, in the words of the runtime."""
-        return _CHOSEN.sub(lambda match: f"{match[1]} “{self.actions.get(match[2], match[2])}”", text)
-
     def _at_place(self, match: re.Match[str]) -> str:
         return f"“{self.actions.get(match[1], match[2])}”"
+
+
+def _quoted(shown: str) -> Reason:
+    return Reason.of("run.quoted", text=shown)
+
+
+def _own_place(reason: Reason) -> Reason | None:
+    """Where a thing stands that bears the name of the action there: then the place says it all."""
+    place = reason.args["place"]
+    if isinstance(place, Reason) and place.args.get("action") == reason.args["name"]:
+        return place
+    return None
 
 
 def _by_line(application: Application, syntax: Syntax) -> Iterator[tuple[int, _Icons]]:

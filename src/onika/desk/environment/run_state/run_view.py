@@ -1,14 +1,13 @@
 """What a runtime tells of a run, as a page shows it: questions, standstills, the last seconds (requirement X06)."""
 
-import re
-
 from onika.desk.environment.run_state.run import Run
 from onika.wire import act, event
 from onika.wire.view import CourseView, Remedy, StopView
-from onika.words.reason import Reason
+from onika.words.reason import Argument, Reason, Text
 
 _DESERTED = "deserted"
-_ASKS = re.compile(r": \S+ asks(: .*)?$")
+_OWN = ("ModuleError", "LawBroken")
+"""The errors that a module raises for people to read."""
 _MOST_SAMPLES = 120
 """Of a variable's last seconds: more than that are not told apart on a screen."""
 
@@ -16,8 +15,10 @@ _MOST_SAMPLES = 120
 def stop_view(run: Run, explained: event.Explained) -> StopView:
     """Why a flow stands still, or the run ends."""
     failed = run.failures.get(f"{explained.subsystem}/{explained.task}")
+    text = run.speech.with_icons(explained.text)
     return StopView(
-        text=run.speech.with_icons(explained.text),
+        text=text,
+        short=in_short(text),
         kind=explained.kind,
         at_s=explained.at_s,
         subsystem=explained.subsystem,
@@ -32,7 +33,7 @@ def stop_view(run: Run, explained: event.Explained) -> StopView:
         waiting=explained.waiting,
         courses=tuple(map(_course, explained.courses)),
         choices=tuple(_choice(words, run, explained) for words, _ in explained.choices),
-        meanings=tuple(run.speech.meaning(meaning) for _, meaning in explained.choices),
+        meanings=tuple(run.speech.with_icons(meaning) for _, meaning in explained.choices),
     )
 
 
@@ -68,9 +69,38 @@ def standing(run: Run, whom: str) -> list[tuple[Reason, Remedy]]:
     return ways
 
 
-def is_question(text: str) -> bool:
+def is_question(text: Text) -> bool:
     """Whether it says only that a task asks, which is shown as a question anyway."""
-    return _ASKS.search(text) is not None
+    return isinstance(text, Reason) and text.key in ("engine.asks", "engine.asks_again")
+
+
+def in_short(text: Text) -> Text:
+    """What was said, without where in a module: a module's own error is a sentence for people."""
+    if isinstance(text, str):
+        return text
+    match text.key:
+        case "host.cause_suspected":
+            cause = text.args["cause"]
+            shown = in_short(cause) if isinstance(cause, Reason) else str(cause)
+            return Reason.of("host.cause_suspected", cause=shown, suspicion=text.args["suspicion"])
+        case "host.entry_failed":
+            return _own_words(text.args["why"]) or text
+    return text
+
+
+def _own_words(why: Argument) -> Text:
+    """What a module has raised for people to read; nothing where it is an error of another kind."""
+    if not isinstance(why, Reason):
+        return ""
+    match why.key:
+        case "runtime.raised" if why.args["kind"] in _OWN:
+            inner = why.args["why"]
+            return inner if isinstance(inner, Reason) else str(inner)
+        case "runtime.first_written":
+            reason = _own_words(why.args["reason"])
+            if reason:
+                return Reason.of("runtime.first_written", **{**why.args, "reason": reason})
+    return ""
 
 
 def loops(names: tuple[str, ...]) -> tuple[str, ...]:

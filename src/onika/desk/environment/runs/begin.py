@@ -92,7 +92,7 @@ def run(model: Model, command: act.Run, outside: Services) -> Procedure:
     run = model.run if model.run.is_over else model.run.shown(state="running")
     says = (page.Say("info", Reason.of("run.runs", name=start.name), command.doc),)
     described = describe(replace(model, run=run, performed=model.performed + 1))  # what tasks ask can be prefilled then
-    end = (Order(request.Abort("aborted by the user")),) if _is_given_up(model) else ()
+    end = (Order(request.Abort(Reason.of("desk.aborted_by_user"))),) if _is_given_up(model) else ()
     return Done(described.model, value=run.view.number, says=says, orders=(*end, run_reducer.look(), *described.orders))
 
 
