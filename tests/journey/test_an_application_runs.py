@@ -75,7 +75,7 @@ def test_an_application_runs(tmp_path, site):  # R-E01, R-E02, R-E03, R-E11, R-E
     assert journey.ask(request.Prepare(journey.prepared.plan, journey.prepared.targets)) == request.Prepared(())
     assert journey.ask(request.Begin(watch=("Q_MEZ",))) == request.Done()
     *told, result = journey.events()
-    assert (result.completed, result.done, result.of, result.cause) == (True, 2, 2, "")
+    assert (result.completed, result.done, result.of, str(result.cause)) == (True, 2, 2, "")
     assert result.values["Q_MEZ"][0] == pytest.approx(0.4, abs=1e-3)
     lives = {}
     for one in told:

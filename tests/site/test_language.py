@@ -108,7 +108,7 @@ def test_an_endless_loop_goes_on_until_somebody_leaves_it():  # R-D11, R-E05, R-
         pass
     assert server.replies[1] == request.Done()
     result = server.told[-1]
-    assert (result.completed, result.cause) == (True, "")
+    assert (result.completed, str(result.cause)) == (True, "")
     assert [one.action for one in server.told if isinstance(one, event.Began)] == [
         "jmoveC aside",
         "jmoveC home",

@@ -58,7 +58,7 @@ class Bench:
         answer = self.runtime.ask(asked)
         assert isinstance(answer, live.Accepted), answer
         (edited,) = self.until(event.Edited, lambda one: one.number == answer.number)
-        return edited.cause
+        return str(edited.cause)
 
     def until(self, kind, is_it):
         """All events of a kind that are meant, as soon as there is one."""

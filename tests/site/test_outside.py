@@ -150,7 +150,7 @@ def test_a_planner_that_fails_ends_the_run_with_the_cause_and_moves_nothing(plac
     recorder = f"{sys.executable} {_recorder(tmp_path)} {log}"
     place.partner("planner", STARTS=f"{sys.executable} {bad}").partner("logger", STARTS=recorder)
     told = place.run("my_logger 100", "my_planner 250", mode=mode, expect=1)
-    assert cause in told[-1]["cause"]
+    assert cause in told[-1]["cause"]["text"]
     rows = [json.loads(line)["row"] for line in log.read_text().splitlines()]
     assert all(row[:6] == pytest.approx(rows[0][:6], abs=1e-9) for row in rows)
     assert rows or mode  # in virtual time the planner's answer may come before the first row

@@ -65,7 +65,7 @@ def test_several_answers_for_one_task_are_joined_in_their_order(capsys, path):  
 def test_without_an_answer_the_run_ends_and_names_what_is_asked_for(capsys, path):  # law 25
     result = result_of(capsys, path)
     assert (result["exit"], result["state"]) == (1, "aborted")
-    assert "gauge.level" in result["cause"]
+    assert "gauge.level" in result["cause"]["text"]
 
 
 @pytest.mark.parametrize(
@@ -82,8 +82,8 @@ def test_without_an_answer_the_run_ends_and_names_what_is_asked_for(capsys, path
 def test_an_answer_that_cannot_be_used_ends_the_run_with_the_reason(capsys, path, answer, reason):  # R-A10, R-E03
     result = result_of(capsys, path, "--answer", f"gauge.level={answer}")
     assert (result["exit"], result["state"]) == (1, "aborted")
-    assert reason in result["cause"]
-    assert "gauge.level" in result["cause"]
+    assert reason in result["cause"]["text"]
+    assert "gauge.level" in result["cause"]["text"]
 
 
 class Terminal:
