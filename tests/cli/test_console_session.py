@@ -30,8 +30,8 @@ def lines(monkeypatch):
 
 def test_a_console_says_where_it_is_and_carries_out_lines(lines, capsys):  # R-A16
     lines("spawn puma\n")
-    runtime = LiveRuntime()
-    assert sit_down(runtime, SITE, None, addresses=("ws://127.0.0.1:7994",)) == 0
+    runtime = LiveRuntime(addresses=("ws://127.0.0.1:7994",))
+    assert sit_down(runtime, SITE, None) == 0
     printed = capsys.readouterr().out.splitlines()
     assert printed[:2] == [
         "runtime with rt0, rt1 in virtual time; `help` names the commands",

@@ -6,7 +6,8 @@ import pytest
 
 from onika.cli import main
 from onika.cli.commands import COMMANDS
-from onika.cli.language import language, say, speaking
+from onika.cli.language import say, speaking
+from onika.words.own_language import own_language
 from onika.words.reason import Reason
 
 
@@ -15,18 +16,12 @@ def silent(monkeypatch):
     monkeypatch.delenv("ONIKA_LANG", raising=False)
 
 
-@pytest.mark.parametrize(("variable", "expected"), [("es", "es"), ("en", "en"), ("tlh", "en"), ("", "en")])
-def test_the_variable_names_the_language(monkeypatch, variable, expected):
-    monkeypatch.setenv("ONIKA_LANG", variable)
-    assert language() == expected
-
-
 def test_a_language_is_spoken_for_a_while():
     with speaking("es"):
         assert os.environ["ONIKA_LANG"] == "es"
         assert say(Reason.of("cli.language_option", languages=(), default="en")).startswith("el idioma")
         with speaking(None):
-            assert language() == "es"
+            assert own_language() == "es"
     assert "ONIKA_LANG" not in os.environ
 
 

@@ -27,6 +27,7 @@ class OpenGate:
         self.shown: list[tuple[str, str, reading.Reading]] = []
         self.gone: list[str] = []
         self.known: dict[str, Role] = {}
+        self.addresses: tuple[str, ...] = ()
         self.silent: dict[str, int] = {}
         """By session: for how long it has not been heard, in ns."""
         self.overhear(None)

@@ -41,6 +41,7 @@ class LiveRuntime:
         is_virtual: bool = True,
         asks: Mapping[str, tuple[event.Item, ...]] | None = None,
         as_time_passes: Callable[["LiveRuntime"], None] = lambda runtime: None,
+        addresses: tuple[str, ...] = (),
     ) -> None:
         self._rtpus = rtpus
         self._is_virtual = is_virtual
@@ -51,6 +52,7 @@ class LiveRuntime:
         self._prepared = ""
         self._holders: dict[str, str] = {}
         self.asked: list[request.Request] = []
+        self.addresses = addresses
         self.now_s = 0.0
         self.is_stopped = False
         self.is_over = False
@@ -128,7 +130,7 @@ class LiveRuntime:
         )
         subsystems += tuple(live.SubsystemStanding(one.subsystem, "", "played", ()) for one in self.positions)
         rtpus = tuple(live.RtpuStanding(name, False, 0.25) for name in self._rtpus)
-        return live.Standing(subsystems, rtpus, (), self._is_virtual, self.is_stopped, self.now_s)
+        return live.Standing(subsystems, rtpus, (), self._is_virtual, self.is_stopped, self.now_s, self.addresses)
 
     def _task(self, one: _Life) -> live.TaskStanding:
         return live.TaskStanding(one.task, one.state.value, one.state is State.ON, one.rtpu, one.frequency)

@@ -2,8 +2,8 @@
 
 import argparse
 
-from onika.cli.language import language
 from onika.words.catalogue import sentence
+from onika.words.own_language import own_language
 from onika.words.sentence import LANGUAGES
 
 _KEYS = (
@@ -37,11 +37,11 @@ def translate() -> None:
 
 
 def _translation(message: str) -> str:
-    if language() == LANGUAGES[0]:
+    if own_language() == LANGUAGES[0]:
         return message
     keys = {sentence(LANGUAGES[0], key): key for key in _KEYS}
     if message in keys:
-        return sentence(language(), keys[message])
+        return sentence(own_language(), keys[message])
     return message
 
 

@@ -32,12 +32,10 @@ class _RemoteRuntime:
             self.face.say(line, tone)
 
 
-def sit_down(
-    runtime: Runtime, site: Site, script: Path | None, *, has_console: bool = True, addresses: tuple[str, ...] = ()
-) -> int:
+def sit_down(runtime: Runtime, site: Site, script: Path | None, *, has_console: bool = True) -> int:
     """Hold the conversation, or carry out the script alone, or only serve; the exit code."""
     wire = _RemoteRuntime()
-    session = ConsoleSession(runtime, site, wire, time.monotonic, addresses=addresses, in_words=say)
+    session = ConsoleSession(runtime, site, wire, time.monotonic, in_words=say)
     console = Console(session)
     with in_order(), _desk(console) if has_console else PlainConsole() as desk:
         wire.face = desk
@@ -62,7 +60,7 @@ def _welcome(session: ConsoleSession, desk: LineDesk) -> None:
     else:
         welcome = Reason.of("cli.welcome", units=units)
     desk.say(say(welcome), Tone.DIM)
-    for address in session.addresses:
+    for address in standing.addresses:
         desk.say(say(Reason.of("cli.reached_at", address=address)), Tone.DIM)
 
 

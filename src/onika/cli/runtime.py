@@ -1,7 +1,6 @@
 """`onika runtime`: start a runtime and operate it by hand, by lines or by a script."""
 
 import argparse
-import re
 import sys
 from contextlib import ExitStack
 from pathlib import Path
@@ -17,7 +16,6 @@ from onika.words.reason import Reason
 
 SHORTEST_S, LONGEST_S = 0.2, 3.0
 """Three beats; and after three seconds a session is lost altogether."""
-_LISTENING = re.compile(r"^onika runtime: listening on ([^\s,]+)", re.MULTILINE)
 
 
 def purpose() -> Reason:
@@ -72,10 +70,12 @@ def carry_out(given: argparse.Namespace) -> int:
             runtime = stack.enter_context(launched)
         except LinkLost as lost:
             # who asked to listen is told by the runtime itself what is missing for that
-            print(launched.printed().strip() if listen else lost, file=sys.stderr)
-            return 2 if listen else 1
-        addresses = tuple(_LISTENING.findall(runtime.printed())) if listen else ()
-        return sit_down(runtime, site, given.script, has_console=not given.no_console, addresses=addresses)
+            if not listen:
+                print(say(lost.reason), file=sys.stderr)
+                return 1
+            print(launched.printed().strip(), file=sys.stderr)
+            return 2
+        return sit_down(runtime, site, given.script, has_console=not given.no_console)
 
 
 def add_base(parser: argparse.ArgumentParser) -> None:

@@ -28,6 +28,8 @@ from onika.host.units.world_registry import open_world
 from onika.link.launcher import die_with_parent, inherit
 from onika.link.sessions import Sessions
 from onika.wire import event
+from onika.words.own_language import own_language
+from onika.words.reason import Reason, in_language
 
 _SLICE_NS = 20_000_000
 _REST_NS = 300_000_000
@@ -46,6 +48,8 @@ def main(words: list[str]) -> None:
     loader = Loader()
     loader_client = LoaderClient(loader)
     server = RequestServer(Sessions(secrets.token_hex(16)), monotonic_ns, listener, given.accept_code)
+    if listener is not None:
+        server.addresses = (listener.address,)
     if audit is not None:
         _watch(server, audit)
     if given.link_fd is not None:
@@ -98,7 +102,7 @@ def _given(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--accept-code", action="store_true")
     given = parser.parse_args(words)
     if (given.link_fd is None) != (given.parent is None) or (given.link_fd is None and not given.listen):
-        parser.error("expected --link-fd N --parent PID, or --listen HOST:PORT, or both")
+        parser.error(in_language(Reason.of("host.no_way_in"), own_language()))
     return given
 
 
@@ -109,7 +113,7 @@ def _audit(given: argparse.Namespace) -> AuditTrail | None:
     try:
         return open_for(given.audit)
     except OSError as wrong:
-        sys.stderr.write(f"there is no audit trail: {wrong}\n")
+        _print(Reason.of("host.no_audit_trail", why=Reason.plain(str(wrong))))
         if given.audit:
             raise SystemExit(2) from None
     return None
@@ -130,19 +134,26 @@ def _listener(given: argparse.Namespace) -> ListenerProcess | None:
     wanted = ListenOptions(given.listen, given.cert, given.key, given.users, tuple(given.name))
     listening, faults, token_at = judge(wanted)
     if listening is None:
-        sys.stderr.write("".join(f"{fault}\n" for fault in faults))
+        for fault in faults:
+            _print(fault.sentence)
         raise SystemExit(2)
     listener = ListenerProcess(listening)
     try:
-        address = listener.open()
+        listener.open()
     except OSError as wrong:
         listener.close()
         sys.stderr.write(f"{wrong}\n")
         raise SystemExit(2) from None
     # one line and one write, so that whoever waits for it reads it whole
-    sys.stdout.write(f"onika runtime: listening on {address}" + (f", token in {token_at}\n" if token_at else "\n"))
+    token = f", token in {token_at}" if token_at else ""
+    sys.stdout.write(f"onika runtime: listening on {listener.address}{token}\n")
     sys.stdout.flush()
     return listener
+
+
+def _print(reason: Reason) -> None:
+    """Say it to whoever started this program, in the language of that one."""
+    sys.stderr.write(f"{in_language(reason, own_language())}\n")
 
 
 def _virtual(program: RuntimeProgram, server: RequestServer, driver: VirtualDriver, ending: ShutdownSignals) -> None:

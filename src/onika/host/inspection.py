@@ -172,7 +172,8 @@ class Inspection:
         lost, loads = self._subsystems.lost_units, self._subsystems.status_poll.loads
         rtpus = tuple(live.RtpuStanding(name, name in lost, loads.get(name, 0.0)) for name in self._rtpus)
         seen = self._seen
-        return live.Standing(subsystems, rtpus, seen.worlds, seen.is_virtual, is_stopped, seen.now * 1e-9)
+        now_s, addresses = seen.now * 1e-9, self._server.addresses
+        return live.Standing(subsystems, rtpus, seen.worlds, seen.is_virtual, is_stopped, now_s, addresses)
 
     def _subsystem(self, name: str) -> live.SubsystemStanding:
         run = self._subsystems.run_in(name)

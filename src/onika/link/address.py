@@ -4,6 +4,8 @@ import ipaddress
 from dataclasses import dataclass
 from urllib.parse import urlsplit
 
+from onika.words.reason import Reason
+
 PORT = 7994
 """Where a runtime listens unless told otherwise."""
 
@@ -33,11 +35,11 @@ class Address:
         except ValueError:
             port = -1
         if parts.scheme not in ("ws", "wss") or not parts.hostname or port == -1:
-            raise ValueError(f"expected ws://HOST:PORT or wss://HOST:PORT, found {text}")
+            raise ValueError(Reason.of("link.address_form", text=text))
         if parts.path not in ("", "/") or parts.query or parts.fragment or parts.username is not None:
-            raise ValueError(f"expected nothing but host and port in the address, found {text}")
+            raise ValueError(Reason.of("link.address_bare", text=text))
         if parts.scheme == "ws" and not is_near(parts.hostname):
-            raise ValueError(f"expected wss:// for another machine, found {text}: a token would be readable on the way")
+            raise ValueError(Reason.of("link.address_readable", text=text))
         return cls(parts.hostname, PORT if port is None else port, parts.scheme == "wss")
 
 
@@ -62,5 +64,5 @@ def split_host(text: str) -> tuple[str, int | None]:
     """Host and port of `HOST`, `HOST:PORT` or `[HOST]:PORT`; raises ValueError."""
     parts = urlsplit(f"//{text}")
     if not parts.hostname or parts.path or parts.username is not None:
-        raise ValueError(f"expected HOST:PORT, found {text}")
+        raise ValueError(Reason.of("link.host_port", text=text))
     return parts.hostname, parts.port

@@ -7,6 +7,8 @@ import secrets
 from collections.abc import Mapping
 from pathlib import Path
 
+from onika.words.reason import Reason
+
 
 def new_token() -> str:
     """A new one, as 43 letters."""
@@ -29,7 +31,7 @@ def read_token(path: Path) -> str:
     """The token in a file; raises OSError, or ValueError where none stands there."""
     text = path.read_text(encoding="ascii", errors="replace").strip()
     if not text or not text.isprintable() or " " in text:
-        raise ValueError(f"expected one token in {path}, found none")
+        raise ValueError(Reason.of("link.token_none", path=str(path)))
     return text
 
 
@@ -39,7 +41,7 @@ def own_token(path: Path) -> str:
     if not path.exists():
         _make(path)
     if path.stat().st_mode & 0o077:
-        raise ValueError(f"expected {path} to be readable by its user only; chmod 600 it or remove it")
+        raise ValueError(Reason.of("link.token_open", path=str(path)))
     return read_token(path)
 
 

@@ -14,12 +14,12 @@ from starlette.websockets import WebSocket, WebSocketDisconnect
 from onika.web.headers import StrictHeaders
 from onika.web.hub import Hub
 from onika.web.login import COOKIE, Login
+from onika.words.reason import Reason, in_language
+from onika.words.sentence import LANGUAGES
 
 STATIC = Path(__file__).parent / "static"
 """The page as it was built."""
 
-_NO_KEY = "This page needs the address that Onika printed when it started; it works once for each browser.\n"
-_NOT_BUILT = "The page is not built: `make page`, or install Onika anew.\n"
 _WRONG_MESSAGE = 1007
 _NOT_ALLOWED = 1008
 
@@ -29,21 +29,21 @@ def application(login: Login, hub: Hub, static: Path = STATIC) -> Starlette:
 
     async def page(request: Request) -> Response:
         if not login.is_ours(request.headers):
-            return PlainTextResponse("no such host\n", 421)
+            return _text(request, Reason.of("desk.no_such_host"), 421)
         key = request.query_params.get("key")
         if key is not None and not login.knows(request.cookies):
             cookie = login.enter(key)
             if cookie is None:
-                return PlainTextResponse(_NO_KEY, 403)
+                return _text(request, Reason.of("desk.page_without_key"), 403)
             return _with_cookie(RedirectResponse("/", 303), cookie)
         if key is not None:
             return RedirectResponse("/", 303)
         if not login.knows(request.cookies):
-            return PlainTextResponse(_NO_KEY, 403)
+            return _text(request, Reason.of("desk.page_without_key"), 403)
         index = static / "index.html"
         if index.is_file():
             return FileResponse(index)
-        return PlainTextResponse(_NOT_BUILT, 503)
+        return _text(request, Reason.of("desk.page_not_built"), 503)
 
     async def talk(socket: WebSocket) -> None:
         if not (login.is_own_page(socket.headers) and login.knows(socket.cookies)):
@@ -80,6 +80,13 @@ async def _converse(socket: WebSocket, hub: Hub) -> None:
     finally:
         sending.cancel()
         hub.leave(client)
+
+
+def _text(request: Request, reason: Reason, code: int) -> Response:
+    """A sentence in the language that the browser likes best of ours."""
+    wanted = (word.strip()[:2].lower() for word in request.headers.get("accept-language", "").split(","))
+    language = next((word for word in wanted if word in LANGUAGES), LANGUAGES[0])
+    return PlainTextResponse(f"{in_language(reason, language)}\n", code)
 
 
 def _with_cookie(response: Response, cookie: str) -> Response:

@@ -31,6 +31,7 @@ from onika.web.hub import Hub
 from onika.web.login import Login
 from onika.web.server import addresses, serve
 from onika.wire import act, page
+from onika.words.reason import Reason
 
 _LOOK_S = 1.0
 """Between two looks at the files."""
@@ -147,7 +148,7 @@ class EnvironmentProgram:
             kept = Recovery(self._state)
             rescued = kept.recovered()
         except OSError as wrong:
-            environment.say(page.Say("warning", f"nothing is kept for a recovery: {wrong}"))
+            environment.say(page.Say("warning", Reason.of("desk.no_recovery", why=Reason.plain(str(wrong)))))
             return None
         if rescued:
             environment.become(lambda model: reopened(model, rescued))
@@ -208,7 +209,7 @@ class EnvironmentProgram:
             wrong = await asyncio.to_thread(kept.carry_out, changes) if changes else ""
             if wrong and not is_reported:
                 is_reported = True
-                environment.say(page.Say("warning", f"nothing is kept for a recovery: {wrong}"))
+                environment.say(page.Say("warning", Reason.of("desk.no_recovery", why=Reason.plain(str(wrong)))))
             await asyncio.sleep(_KEEP_S)
 
 

@@ -252,6 +252,8 @@ class Standing(Struct, frozen=True, tag=True):
     is_virtual: bool
     is_stopped: bool
     now_s: float
+    addresses: tuple[str, ...] = ()
+    """Where it listens for others; none where it was started for its launcher alone."""
 
 
 class TaskFigure(Struct, frozen=True):

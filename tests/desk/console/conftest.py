@@ -61,10 +61,10 @@ class ConsoleFixture:
 
 @pytest.fixture
 def sit(tmp_path):
-    """Begin a sitting; what is given goes to the runtime that is played, `addresses` to the session."""
+    """Begin a sitting; what is given goes to the runtime that is played."""
 
-    def begin(addresses=(), **given):
-        return ConsoleFixture(tmp_path, LiveRuntime(**given), addresses=addresses)
+    def begin(**given):
+        return ConsoleFixture(tmp_path, LiveRuntime(**given))
 
     return begin
 

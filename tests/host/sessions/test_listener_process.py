@@ -26,7 +26,8 @@ def listening(port=0):
 @pytest.mark.site
 def test_whom_it_lets_in_the_program_is_given_with_an_end_of_the_connection():  # R-F01
     listener = ListenerProcess(listening())
-    address = Address.parse(listener.open())
+    listener.open()
+    address = Address.parse(listener.address)
     outside = WebSocketOpening(address, "anns")(Channel.STREAM)
     outside.send(HELLO)
     select.select([listener.post], [], [], 10.0)

@@ -93,13 +93,14 @@ def _marks(other: holding.SessionStanding, held: list[str], *, is_own: bool) -> 
 
 def open_channel(session: ConsoleSession, words: Words) -> Faults:
     """Say where others reach this runtime; it listens from its start or never."""
-    if session.addresses and (not words or words[0] in session.addresses):
-        for address in session.addresses:
+    addresses = session.standing().addresses
+    if addresses and (not words or words[0] in addresses):
+        for address in addresses:
             session.say(Reason.of("console.reached_at", address=address), Tone.GOOD)
         return ()
     wanted = words[0] if words else "127.0.0.1:7994"
-    if session.addresses:
-        reason = Reason.of("console.listens_elsewhere", addresses=" ".join(session.addresses))
+    if addresses:
+        reason = Reason.of("console.listens_elsewhere", addresses=" ".join(addresses))
     else:
         reason = Reason.of("console.listens_to_nobody")
     return session.no(reason, Reason.of("console.start_listening", address=wanted))

@@ -29,7 +29,7 @@ def log(session: ConsoleSession, words: Words) -> Faults:
             return refused(session, Reason.of("console.variables_of", subsystem=subsystem), answer)
         lines += rows(subsystem, answer)
     moment = datetime.now().astimezone().isoformat(timespec="seconds")
-    head = f"# readings at {moment}\n# TIME SUBSYSTEM NAME TYPE VALUES\n"
+    head = f"# {session.in_words(Reason.of('console.readings_at', moment=moment))}\n# TIME SUBSYSTEM NAME TYPE VALUES\n"
     written = whole.write(path, head + "".join(line + "\n" for line in lines), whole.ANYTHING)
     if isinstance(written, Refusal):
         return session.no(Reason.of("console.unwritable", reason=written.sentence), Reason.of("desk.nothing_written"))

@@ -44,7 +44,6 @@ class Runtime(Protocol):
 class ConsoleSession:
     """Asks the runtime, hears what it tells and shows it; names without a subsystem mean the chosen one.
 
-    `addresses` are those the runtime listens on for others, none where it was started for this console alone;
     `is_interrupted` says whether there was a Ctrl-C since it was last asked;
     `in_words` makes the words of a reason in the language of whoever reads them.
     """
@@ -56,7 +55,6 @@ class ConsoleSession:
         face: ConsoleDisplay,
         clock: Clock,
         *,
-        addresses: tuple[str, ...] = (),
         is_interrupted: Callable[[], bool] = lambda: False,
         in_words: Callable[[Text], str] = str,
     ) -> None:
@@ -64,7 +62,6 @@ class ConsoleSession:
         self._face = face
         self.site = site
         self.clock = clock
-        self.addresses = addresses
         self.is_interrupted = is_interrupted
         self.in_words = in_words
         self.place = TYPED

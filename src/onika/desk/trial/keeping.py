@@ -117,8 +117,10 @@ def store(kept_run: KeptRun, path: Path, say: Callable[[Text], str] = str) -> Re
     former, faults = ("", ()) if not path.exists() else text.load(path, str(path))
     if former is None:
         return Refusal(faults[0].sentence)
-    head = "" if former else say(Reason.of("trial.file_head", name=kept_run.application))
-    written = head + kept.write(kept_run, former)
+    written = kept.write(kept_run, former)
+    if not former:
+        head = say(Reason.of("trial.file_head", name=kept_run.application))
+        written = f"{head}\n\n{written}"
     done = whole.write(path, written, whole.ANYTHING if path.exists() else whole.ABSENT)
     return done if isinstance(done, Refusal) else None
 

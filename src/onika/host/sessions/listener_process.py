@@ -63,21 +63,24 @@ class ListenerProcess:
         self._process: subprocess.Popen[bytes] = start("onika.host.sessions.listener_main", theirs)
         self._post.send(encode(listening))
         self._awake_ns = 0
+        self.address = ""
+        """Where it listens, once it does."""
 
     @property
     def post(self) -> ProcessSocket:
         """Readable when somebody has come, or at its end."""
         return self._post
 
-    def open(self) -> str:
-        """Wait until it listens; the address. Raises OSError with the reason why it cannot."""
+    def open(self) -> None:
+        """Wait until it listens. Raises OSError with the reason why it cannot."""
         until = monotonic() + _START_S
         while not self._post.is_closed and (left := until - monotonic()) > 0:
             select.select([self._post], [], [], left)
             came = self._post.receive()
             match _decode(came[0]) if came else None:
                 case ListenerReady(port):
-                    return self._listening.address(port)
+                    self.address = self._listening.address(port)
+                    return
                 case ListenFailed(reason):
                     raise OSError(reason)
         raise OSError("the porter did not start")

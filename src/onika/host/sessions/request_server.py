@@ -105,6 +105,8 @@ class RequestServer:
         self._listener = listener
         self._clock = clock
         self._accepts_code = accepts_code
+        self.addresses: tuple[str, ...] = ()
+        """Where others reach this runtime."""
         self._parent: EnvironmentSession | None = None
         self._told: list[tuple[event.Event, str, str]] = []
         self._event_observer: Callable[[event.Event, str], None] | None = None
