@@ -31,7 +31,7 @@ from onika.web.hub import Hub
 from onika.web.login import Login
 from onika.web.server import addresses, serve
 from onika.wire import act, page
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 _LOOK_S = 1.0
 """Between two looks at the files."""
@@ -206,10 +206,10 @@ class EnvironmentProgram:
             now = time.monotonic()
             autosave.look(environment.model, now)
             changes = autosave.take(now)
-            wrong = await asyncio.to_thread(kept.carry_out, changes) if changes else ""
-            if wrong and not is_reported:
+            why = await asyncio.to_thread(kept.carry_out, changes) if changes else NOTHING
+            if why and not is_reported:
                 is_reported = True
-                environment.say(page.Say("warning", Reason.of("desk.no_recovery", why=Reason.plain(str(wrong)))))
+                environment.say(page.Say("warning", Reason.of("desk.no_recovery", why=why)))
             await asyncio.sleep(_KEEP_S)
 
 

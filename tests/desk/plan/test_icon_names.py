@@ -1,6 +1,7 @@
 from kit.app_fixture import onikon
-from onika.desk.plan.icon_names import a, in_words, kind_named, listed, named, quoted, several, step_named
+from onika.desk.plan.icon_names import a_kind, kind_named, named, quoted, several, step_named
 from onika.model.application import Branch, Hole, Icon
+from onika.words.reason import in_language
 
 THERE, BARE = onikon("there", "Joint object", "above triangle"), onikon("grip", "Complete job")
 
@@ -17,15 +18,14 @@ def test_several_icons_are_counted_and_holes_are_none():
     assert str(several([Icon(BARE), Hole(), Icon(THERE)])) == "2 icons"
 
 
-def test_objects_are_targets_in_words():
-    assert kind_named("Joint object") == "Joint target"
-    assert (a("Joint target"), a("Open job")) == ("a Joint target", "an Open job")
+def test_an_object_is_a_target_in_every_language():
+    assert str(kind_named("Joint object")) == "Joint target"
+    assert in_language(a_kind("Joint object"), "es") == "un objetivo Joint"
 
 
-def test_names_stand_in_a_sentence():
-    assert (listed(["a"]), listed(["a", "b"]), listed(["a", "b", "c"])) == ("a", "a and b", "a, b and c")
-
-
-def test_types_within_a_sentence_are_in_words_and_things_stay_things():
-    text = "expected a joint object or two Pause objects, found the object of an Object store"
-    assert in_words(text) == "expected a joint target or two Pause targets, found the object of an Object store"
+def test_another_type_is_called_as_it_is():
+    assert [str(a_kind(kind)) for kind in ("Complete job", "Arm job", "object")] == [
+        "a Complete job",
+        "an Arm job",
+        "an object",
+    ]

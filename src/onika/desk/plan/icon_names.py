@@ -1,13 +1,11 @@
 """Names of icons, of their types and of steps, as sentences use them: what a user sees, never what files say."""
 
-import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 from onika.model.application import Branch, Hole, Icon, Step
 from onika.model.onikon import Onikon
 from onika.words.reason import Reason, Text
 
-_OBJECT = re.compile(r"(?<=\w )(?<!\bthe )(?<!\ban )(?<!\bthis )object(?=s?\b)", re.IGNORECASE)
 _TARGET_WORD = "object"
 """The last word of a type of target, as files have it."""
 
@@ -39,39 +37,29 @@ def several(steps: Sequence[Step]) -> Text:
     return Reason.of("desk.icon_count", count=len(solid))
 
 
-def kind_named(type_: str) -> str:
+def kind_named(type_: str) -> Reason:
     """A type in words: what files call objects, people call targets."""
-    return in_words(" ".join(type_.split()))
-
-
-def in_words(text: str) -> str:
-    """A sentence in which types are named, with these in words: `a Joint object` is a Joint target."""
-    return _OBJECT.sub("target", text)
-
-
-def a(noun: str) -> str:
-    """A noun with its article."""
-    if noun[:1].lower() in "aeiou":
-        return f"an {noun}"
-    return f"a {noun}"
+    kind, is_target = _kind(type_)
+    if is_target:
+        return Reason.of("run.target_kind", kind=kind)
+    return Reason.plain(kind)
 
 
 def a_kind(type_: str) -> Reason:
     """A type in words, with its article."""
-    *words, last = type_.split() or [""]
-    has_vowel = type_.lstrip()[:1].lower() in "aeiou"
-    if words and last.lower() == _TARGET_WORD:
-        kind = " ".join(words)
+    kind, is_target = _kind(type_)
+    has_vowel = kind[:1].lower() in tuple("aeiou")
+    if is_target:
         if has_vowel:
             return Reason.of("desk.an_target_kind", kind=kind)
         return Reason.of("desk.a_target_kind", kind=kind)
-    kind = kind_named(type_)
     if has_vowel:
         return Reason.of("desk.an_kind", kind=kind)
     return Reason.of("desk.a_kind", kind=kind)
 
 
-def listed(names: Iterable[str]) -> str:
-    """Names in a sentence: `one`, `one and other`, `one, other and third`."""
-    *most, last = names
-    return f"{', '.join(most)} and {last}" if most else last
+def _kind(type_: str) -> tuple[str, bool]:
+    """The words of a type without that which says that it is one of targets, and whether it is."""
+    words = type_.split()
+    is_target = len(words) > 1 and words[-1].lower() == _TARGET_WORD
+    return " ".join(words[:-1] if is_target else words), is_target

@@ -16,6 +16,7 @@ from onika.desk.environment.state.model import Model
 from onika.model.configuration import Configuration, Placed
 from onika.model.task import Task
 from onika.wire import act
+from onika.words.reason import NOTHING
 
 
 def document(doc="c1", name="move"):
@@ -23,7 +24,7 @@ def document(doc="c1", name="move"):
 
 
 def kept(recovery, *documents):
-    assert recovery.carry_out([UnsavedChange(one.id, one) for one in documents]) == ""
+    assert recovery.carry_out([UnsavedChange(one.id, one) for one in documents]) == NOTHING
 
 
 @pytest.fixture
@@ -90,7 +91,7 @@ def test_of_two_that_come_one_takes_over(dead):
 def test_what_is_saved_is_kept_no_longer_and_a_clean_end_leaves_nothing(tmp_path):
     recovery = Recovery(tmp_path)
     kept(recovery, document(), document("c2"))
-    assert recovery.carry_out([UnsavedChange("c1", None), UnsavedChange("c9", None)]) == ""
+    assert recovery.carry_out([UnsavedChange("c1", None), UnsavedChange("c9", None)]) == NOTHING
     assert [path.stem for path in recovery.folder.glob("*.json")] == ["c2"]
     recovery.leave()
     assert not recovery.folder.exists()
@@ -125,7 +126,7 @@ def test_what_cannot_be_read_is_put_aside(dead):
 def test_where_nothing_can_be_written_the_reason_is_given(tmp_path):
     recovery = Recovery(tmp_path)
     os.rename(recovery.folder, tmp_path / "away")  # noqa: PTH104 - the folder is another's from now on
-    assert "cannot be saved" in recovery.carry_out([UnsavedChange("c1", document())])
+    assert recovery.carry_out([UnsavedChange("c1", document())]).key == "files.not_savable"
     (tmp_path / "state").write_text("no directory")
     with pytest.raises(OSError, match="state"):
         Recovery(tmp_path / "state")

@@ -4,6 +4,7 @@ from kit.fake_runtime_env import FakeRuntimeEnv
 from onika.model.task import Task
 from onika.wire import act, event, live
 from onika.wire.view import ShowTask
+from onika.words.reason import Reason
 
 TASKS = tuple(Task(name, name, outvar=(name.upper(),), frequency=10.0) for name in ("a", "b"))
 ITEM = event.Item("x", "double", 1, "m", "where to go", None, (0.0,), (1.0,))
@@ -38,7 +39,8 @@ def test_a_question_pops_up_and_goes_with_its_answer(duet, doc):  # R-C13
 
 
 def test_an_error_is_shown_with_what_its_code_said_until_it_is_cleared(duet, doc):  # R-C25, R-C28
-    failed = event.Failed("Untitled-1", "a", "cycle: no sensor", "/m/a.py", 12, "Traceback…", 3.0, "cycle", {"A": 1.0})
+    why = Reason.of("host.entry_failed", entry="cycle", why="no sensor")
+    failed = event.Failed("Untitled-1", "a", why, "/m/a.py", 12, "Traceback…", 3.0, "cycle", {"A": 1.0})
     duet.do(act.Toggle(doc, "a"))
     duet.tell(failed)
     state(duet, "ERROR")

@@ -24,7 +24,7 @@ from onika.desk.environment.state.open_file import DocumentKind
 from onika.files import appl, text, whole
 from onika.wire import page
 from onika.words.fault import Refusal
-from onika.words.reason import Reason, reason_of
+from onika.words.reason import NOTHING, Reason, reason_of
 
 _LOCK = ".lock"
 _ENDING = ".json"
@@ -50,7 +50,7 @@ class Recovery:
                     self._taken[folder] = lock
         return tuple(record for folder in self._taken for record in _read(folder))
 
-    def carry_out(self, changes: Sequence[UnsavedChange]) -> str:
+    def carry_out(self, changes: Sequence[UnsavedChange]) -> Reason:
         """Write and remove files; why not, if so. May take as long as a disk does."""
         for change in changes:
             path = self.folder / f"{change.doc}{_ENDING}"
@@ -59,10 +59,10 @@ class Recovery:
                 continue
             done = whole.write(path, records.write(rescue_of(change.document)), whole.ANYTHING)
             if isinstance(done, Refusal):
-                return str(done.reason)
+                return done.reason
         if changes:
             self._let_go()
-        return ""
+        return NOTHING
 
     def leave(self, *, keeps: bool = False) -> None:
         """At the end: nothing is kept, or `keeps` what is not saved for the next time."""

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from onika.desk.environment.outcome.kind_text import kind_text
+from onika.desk.plan.icon_names import kind_named
 from onika.words.catalogue import sentence
 from onika.words.fault import Fault
 from onika.words.reason import Argument, Reason
@@ -185,5 +185,5 @@ def _argument(name: str, value: Argument) -> Argument:
             return value.args["tag"]
         return simple(value)
     if isinstance(value, str) and name in _KINDS:
-        return kind_text(value)
+        return kind_named(value)
     return value

@@ -6,10 +6,9 @@ from pathlib import Path
 from typing import Literal
 
 from onika.desk.environment.outcome.fault_text import arguments, said, together
-from onika.desk.environment.outcome.kind_text import kind_or_kinds, kind_text, with_article
 from onika.desk.environment.run_state.membership import StepMembership, icons
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.plan.icon_names import quoted
+from onika.desk.plan.icon_names import a_kind, kind_named, quoted
 from onika.desk.plan.preparation import PreparedRun
 from onika.desk.plan.substitutes import with_substitutes
 from onika.files import appl, rmod
@@ -205,14 +204,18 @@ class FaultViews:
 
 
 def _new_target(kind: str) -> Remedy:
-    return Remedy(Reason.of("run.new_target", kind=kind_text(kind)), show=ShowTarget(kind))
+    return Remedy(Reason.of("run.new_target", kind=kind_named(kind)), show=ShowTarget(kind))
 
 
 def _missing(types: Sequence[str]) -> Reason:
     """What is missing at a hole: a target of these types, or an action."""
     if not types:
         return Reason.of("run.action_missing_here")
-    return Reason.of("run.kind_missing_here", kind=with_article(kind_or_kinds(types)))
+    first, *more = types
+    if more:
+        kinds = (a_kind(first), *map(kind_named, more))
+        return Reason.of("run.kind_missing_here", kind=Reason.of("run.of_either", kinds=kinds))
+    return Reason.of("run.kind_missing_here", kind=a_kind(first))
 
 
 def _is_of_reach(fault: Fault) -> bool:

@@ -4,10 +4,10 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from onika.desk.environment.outcome.fault_text import simple
-from onika.desk.environment.outcome.kind_text import kind_text, with_article
 from onika.desk.environment.state.dictionary import Dictionary
 from onika.desk.environment.state.icon_types import role_of
 from onika.desk.environment.state.model import Model
+from onika.desk.plan.icon_names import a_kind
 from onika.files import appl, conf
 from onika.model.configuration import Configuration
 from onika.model.onikon import Onikon
@@ -61,7 +61,7 @@ class Sources:
         if _is_alike((onikon.type, *onikon.more_targets), (kind.type, *kind.more_targets)):
             return ""
         key = "run.its_configuration_makes" if is_job else "run.its_application_makes"
-        return Reason.of(key, kind=with_article(_said(kind)), given=with_article(_said(onikon)))
+        return Reason.of(key, kind=_with_targets(kind), given=_with_targets(onikon))
 
     def _kind(self, path: str) -> ActionType | tuple[Refusal, ...] | None:
         source = self._sources.get(path)
@@ -75,9 +75,8 @@ def _is_alike(one: Iterable[str], other: Iterable[str]) -> bool:
     return len(first) == len(second) and all(map(same_type, first, second))
 
 
-def _said(kind: ActionType | Onikon) -> Reason:
-    more = tuple(with_article(kind_text(target)) for target in kind.more_targets)
-    named = kind_text(kind.type)
-    if more:
-        return Reason.of("run.kind_with", kind=named, more=more)
-    return named
+def _with_targets(kind: ActionType | Onikon) -> Reason:
+    """A type in words, with the targets that it takes beyond the one that it names."""
+    if kind.more_targets:
+        return Reason.of("run.kind_with", kind=a_kind(kind.type), more=tuple(map(a_kind, kind.more_targets)))
+    return a_kind(kind.type)

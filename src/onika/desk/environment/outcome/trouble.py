@@ -50,10 +50,11 @@ def error_view(document: Document, name: str, facts: TaskFacts) -> ErrorView | N
 
 
 def _without_entry(text: Text) -> Text:
-    """Why a task failed, without the entry in which it did: that is shown beside it."""
-    if isinstance(text, Reason) and text.key == "host.entry_failed" and isinstance(text.args["why"], Reason):
-        return text.args["why"]
-    return text
+    """What a task failed by; in which of its entry points is told beside it."""
+    if isinstance(text, str) or text.key != "host.entry_failed":
+        return text
+    why = text.args["why"]
+    return why if isinstance(why, Reason) else Reason.plain(str(why))
 
 
 def problems(
