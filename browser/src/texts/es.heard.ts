@@ -21,6 +21,4 @@ export const esHeard: readonly (readonly [RegExp, string])[] = [
     /^(\S+): (\S+) is the hand at the (left|right), and the arm that moves is (.+)$/,
     '{0}: {1} no es la mano del brazo que se mueve, {3}',
   ],
-  // cómo va
-  [/^aborted by the user$/, 'interrumpida por el usuario'],
 ]
