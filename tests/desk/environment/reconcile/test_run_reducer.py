@@ -4,6 +4,7 @@ from kit.laboratory import job, joints
 from kit.run_fixture import RunFixture
 from onika.wire import act, event, live, request, steer
 from onika.wire.view import ShowStep
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -54,10 +55,12 @@ def test_warnings_are_noted_and_old_ones_forgotten(play):  # R-E11
 
 def test_that_a_task_asks_is_shown_as_its_question_only(play):  # R-E15
     play.run(play.open([job("aC")]))
-    place = play.environment.model.run.plan.flows[0].actions[0].place
-    play.tell(event.Warned("flow0", "", f"{place}:1 (aC): a asks", 1.0))
-    play.tell(event.Warned("flow0", "", f"{place}:1 (aC): left by the user", 1.0))
-    assert play.view.notes == ("“a job”: left by the user",)
+    file = play.environment.model.run.plan.flows[0].actions[0].place
+    place = Reason.of("engine.action_at", file=file, line="1", action="aC")
+    where = Reason.of("engine.name_at", place=place, name="a")
+    play.tell(event.Warned("flow0", "", Reason.of("engine.asks", where=where), 1.0))
+    play.tell(event.Warned("flow0", "", Reason.of("engine.left_by_user", place=place), 1.0))
+    assert [str(note) for note in play.view.notes] == ["“a job”: left by the user"]
 
 
 def test_a_question_offers_where_things_stand(play):  # R-C13, R-E15
