@@ -87,7 +87,7 @@ def test_control_c_stops_the_run(tmp_path):  # R-E07, law 27
     with CliProcess("run", program(tmp_path), "--json") as console:
         console.until(event="warned", text="it begins")
         console.interrupt()
-        assert aborted(console)["cause"] == "stopped by the user (Ctrl-C)"
+        assert aborted(console)["cause"]["key"] == "desk.stopped_by_user"
     assert_held_in_time(console)
 
 
@@ -280,5 +280,5 @@ def test_in_virtual_time_control_c_stops_the_run(tmp_path):  # R-E07
     with CliProcess("run", program(tmp_path, "self._count = 9; time.sleep(0.01)"), "--virtual", "--json") as console:
         console.until(event="warned", text="it begins")
         console.interrupt()
-        assert aborted(console)["cause"] == "stopped by the user (Ctrl-C)"
+        assert aborted(console)["cause"]["key"] == "desk.stopped_by_user"
     assert_held_in_time(console)

@@ -297,7 +297,7 @@ class RuntimeProgram:
         meant = [run for run in self.subsystems.runs if message.subsystem in ("", *run.names)]
         own = [performance for performance in meant if performance.session in (session, "")]
         for run in own:
-            run.runner.abort(str(message.cause), self._driver.now)
+            run.runner.abort(message.cause, self._driver.now)
         if meant and not own:
             other = meant[0]
             return request.Refused(Reason.of("host.begun_by", application=other.application, session=other.session))
@@ -310,7 +310,7 @@ class RuntimeProgram:
             self._driver.stop()
             cause = message.cause
             for run in self.subsystems.runs:
-                run.runner.abort(str(cause), self._driver.now)
+                run.runner.abort(cause, self._driver.now)
             for one in self.subsystems.live.values():
                 one.desired.turn_everything_off()
         else:

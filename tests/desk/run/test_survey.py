@@ -155,7 +155,7 @@ def test_notes_are_told_apart(laboratory, site, runtime, tmp_path, monkeypatch):
     assert faults == []
     assert [str(file) for file in files] == [f"{tmp_path.name}/dict/nine.onk"]
     (note,) = notes
-    assert note.startswith(f"{tmp_path.name}/dict/nine.onk:5: expected colours from 0 to 8")
+    assert str(note).startswith(f"{tmp_path.name}/dict/nine.onk:5: expected colours from 0 to 8")
 
 
 def test_a_task_that_is_nowhere_is_a_fault_of_its_configuration(laboratory, site, runtime):  # R-B07, reading 11

@@ -1,6 +1,6 @@
 """Console commands for the life of tasks: spawn, on, off, kill, clear, config (requirements A05, A13, A14)."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from onika.desk.console.session import ConsoleSession, Faults
@@ -99,25 +99,36 @@ def configure(session: ConsoleSession, words: Words) -> Faults:
     living = session.tasks()
     names = tuple(placed.task for placed in configuration.placed)
     planned, code, faults = _placed(session, configuration, set(living))
-    starts = []
-    for name in names:
-        task, wrong = library.task(name)
-        faults += wrong
-        if task is not None and (name not in living or living[name].state != "ON"):
-            starts.append(live.Turn(name, line if task.object_type else ""))
+    resting = [name for name in names if name not in living or living[name].state != "ON"]
+    starts, wrong = _starts(library, resting, line)
     change = live.Change(
         session.subsystem,
         kill=tuple(name for name in living if name not in names),
         spawn=planned,
         code=code,
-        on=tuple(starts),
-        rates=tuple(
-            (placed.task, placed.frequency)
-            for placed in configuration.placed
-            if placed.frequency and placed.task in living and living[placed.task].frequency is not None
-        ),
+        on=starts,
+        rates=tuple(_rates(configuration, living)),
     )
-    return tuple(dict.fromkeys(faults)) or session.order(change)
+    return tuple(dict.fromkeys((*faults, *wrong))) or session.order(change)
+
+
+def _starts(library: SiteLibrary, names: Iterable[str], line: str) -> tuple[tuple[live.Turn, ...], Faults]:
+    """What is to be turned ON; the argument line goes to the task that takes a target."""
+    starts: list[live.Turn] = []
+    faults: Faults = ()
+    for name in names:
+        task, wrong = library.task(name)
+        faults += wrong
+        if task is not None:
+            starts.append(live.Turn(name, line if task.object_type else ""))
+    return tuple(starts), faults
+
+
+def _rates(configuration: Configuration, living: Mapping[str, live.TaskStanding]) -> Iterator[tuple[str, float]]:
+    """The rates that a configuration gives to tasks that live already and keep time."""
+    for placed in configuration.placed:
+        if placed.frequency and placed.task in living and living[placed.task].frequency is not None:
+            yield placed.task, placed.frequency
 
 
 def missing(session: ConsoleSession, subsystem: str, names: Words) -> Faults:

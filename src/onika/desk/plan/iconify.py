@@ -61,25 +61,33 @@ def iconify(
     source = _source(path, site)
     if not isinstance(source, _Source):
         return source
-    former, faults = _former(source)
-    if isinstance(former, Refusal) or (former is None and faults):
-        if not replaces:
-            return (former,) if isinstance(former, Refusal) else faults
-        former, faults = None, ()
+    present, faults = _former(source)
+    former = None if isinstance(present, Refusal) else present
+    objections = (present,) if isinstance(present, Refusal) else faults
+    if former is None and objections and not replaces:
+        return objections
+    notes = faults if former else ()
     kind = _type(source)
     if not isinstance(kind, ActionType):
         return kind
     lent = _lent(picture, source.syntax)
     if not isinstance(lent, Picture | None):
         return lent
-    wording = description if description is not None else former.value.description if former else ""
-    shown = lent or (former.value.picture if former else drawn(source.name))
-    words = former.value.words if former and former.value.description == wording else ()
-    onikon = Onikon(source.name, kind.type, " ".join(wording.split()), (), shown, kind.more_targets, words)
+    onikon = _onikon(source.name, kind, former.value if former else None, description, lent)
     saved = source.home.save_onikon(onikon, former, overwrites=replaces)
     if isinstance(saved, Refusal):
         return (saved,)
-    return IconifiedFile(saved.path, onikon, faults)
+    return IconifiedFile(saved.path, onikon, notes)
+
+
+def _onikon(
+    name: str, kind: ActionType, former: Onikon | None, description: str | None, lent: Picture | None
+) -> Onikon:
+    """The icon; what is not given it takes from the one that was there before."""
+    usual = former or Onikon(name, kind.type, "", (), drawn(name))
+    wording = usual.description if description is None else description
+    words = usual.words if usual.description == wording else ()
+    return Onikon(name, kind.type, " ".join(wording.split()), (), lent or usual.picture, kind.more_targets, words)
 
 
 def _source(path: Path, site: Site) -> _Source | Reasons:

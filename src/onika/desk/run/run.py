@@ -118,33 +118,20 @@ def _open(
     settings: RunSettings, site: Site, outcome: Outcome, is_held: bool
 ) -> Iterator[tuple[Running, tuple[ScriptLine, ...]] | None]:
     """A run that is ready to begin, and its script; None where there are faults."""
-    source = settings.source
-    recorded = recorded_run(source) if source is not None else None
-    if isinstance(recorded, RecordedRun):
-        prepared = recorded.prepared
-        outcome.notes += recorded.notes
-    elif recorded is not None:
-        outcome.name = source.path.name if source is not None else ""
-        outcome.faults += recorded
-        yield None
-        return
-    else:
-        prepared = prepare_run(settings.name, site, _by_number(settings))
-    outcome.name = prepared.name
-    outcome.faults += prepared.faults
-    outcome.notes += [note.sentence for note in prepared.notes]
-    if prepared.plan is None:
+    prepared, recorded = _prepared(settings, site, outcome)
+    if prepared is None or prepared.plan is None:
         yield None
         return
     plan = _within(prepared.plan, settings.subsystems, outcome)
     prepared = replace(prepared, plan=plan)
     outcome.actions = sum(len(flow.actions) for flow in plan.flows)
-    script_lines, faults = (
-        ((), []) if settings.script is None else steering_script.load(settings.script, FlowIndex.of(plan))
-    )
-    outcome.faults += faults
-    outcome.faults += _unrecorded(settings)
-    if any(settings.elsewhere is not None and fault.place == _RECORD for fault in outcome.faults):
+    script_lines: tuple[ScriptLine, ...] = ()
+    if settings.script is not None:
+        script_lines, faults = steering_script.load(settings.script, FlowIndex.of(plan))
+        outcome.faults += faults
+    unrecorded = _unrecorded(settings)
+    if unrecorded:
+        outcome.faults += unrecorded
         yield None
         return
     with _runtime(settings, plan, recorded) as runtime:
@@ -156,6 +143,24 @@ def _open(
         else:
             can_hold = is_held and (settings.elsewhere is None or _is_virtual(runtime))
             yield Running(settings, prepared, plan, runtime, outcome, is_held=can_hold, recorded=recorded), script_lines
+
+
+def _prepared(settings: RunSettings, site: Site, outcome: Outcome) -> tuple[PreparedRun | None, RecordedRun | None]:
+    """What is to be run, from files or from a recording; the outcome is told what is wrong and worth knowing."""
+    recorded: RecordedRun | None = None
+    if settings.source is not None:
+        source = recorded_run(settings.source)
+        if not isinstance(source, RecordedRun):
+            outcome.name = settings.source.path.name
+            outcome.faults += source
+            return None, None
+        outcome.notes += source.notes
+        recorded = source
+    prepared = prepare_run(settings.name, site, _by_number(settings)) if recorded is None else recorded.prepared
+    outcome.name = prepared.name
+    outcome.faults += prepared.faults
+    outcome.notes += [note.sentence for note in prepared.notes]
+    return prepared, recorded
 
 
 def _follow(running: Running, player: ScriptPlayer, watcher: RunWatcher) -> None:

@@ -1,12 +1,12 @@
 """Checks files: every fault of a base directory, a file, or an application with all it needs (requirement B07)."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from hashlib import sha256
 from pathlib import Path
 
 from onika.desk.plan.compile import UNKNOWN, no_code, planned_task, rtpus_of
-from onika.desk.plan.preparation import prepare_run
+from onika.desk.plan.preparation import PreparedRun, prepare_run
 from onika.desk.run.runtime import LaunchedRuntime
 from onika.files import appl, buttons, conf, onk, picture, preferences, rmod, syntax, text
 from onika.model.rules.warning import self_fed
@@ -17,52 +17,83 @@ from onika.store.site import Site
 from onika.wire import request
 from onika.wire.plan import Code, PlannedTask
 from onika.words.fault import Fault, Place, parted
-from onika.words.reason import Reason
+from onika.words.reason import Reason, Text
 
 _FOLDERS = ("module", "conf", "dict", "appl", "prefs")
 
+Reader = Callable[[str, str, str], tuple[object, Iterable[Fault]]]
+"""Reads what a file holds by its content, its name and its place; the faults come second."""
 
-def survey(path: Path, site: Site, note: Callable[[str], None] = lambda _text: None) -> tuple[list[Path], list[Fault]]:
+_READERS: Mapping[str, Reader] = {conf.ENDING: conf.read, picture.ENDING: picture.read}
+"""By the endings of files."""
+
+_READERS_BY_NAME: Mapping[str, Reader] = {
+    syntax.NAME: syntax.read,
+    f".{syntax.NAME}": syntax.read,
+    preferences.NAME: preferences.read,
+    buttons.NAME: buttons.read,
+}
+"""By their names."""
+
+
+Note = Callable[[Text], None]
+"""Told what is worth knowing and wrong with nothing."""
+
+
+def survey(path: Path, site: Site, note: Note = lambda _text: None) -> tuple[list[Path], list[Fault]]:
     """The files that were read below a path (or the one file), and everything that is wrong with them.
 
-    `note` is told what is worth knowing and wrong with nothing. Files are named as `path` is: relative or absolute.
+    Files are named as `path` is: relative or absolute.
     """
     if not path.exists():
-        return [], [Fault(Place(str(path)), Reason.of("desk.nothing_there"), Reason.of("desk.nothing_checked"))]
+        return _unchecked(path, Reason.of("desk.nothing_there"))
     whole = path.absolute()
-    types, syntax_faults = site.syntax()
-    faults = list(syntax_faults)
     try:
-        files_of = _files_of_bases(whole) if whole.is_dir() else {None: [whole]}
+        files_of = _files_of_bases(whole)
     except OSError as error:
-        return [], [
-            Fault(
-                Place(str(path)),
-                Reason.of("desk.directory_unreadable", strerror=error.strerror or ""),
-                Reason.of("words.left_out"),
-            )
-        ]
+        unreadable = Reason.of("desk.directory_unreadable", strerror=error.strerror or "")
+        return [], [Fault(Place(str(path)), unreadable, Reason.of("words.left_out"))]
     files = [file for files_of_base in files_of.values() for file in files_of_base]
     if not files and not _is_base_directory(whole):
-        return [], [Fault(Place(str(path)), Reason.of("desk.nothing_of_ours"), Reason.of("desk.nothing_checked"))]
-    if types is not None:
-        for file in files:
-            faults += _read(file, types)
-    notes: list[str] = []
-    for base, files_of_base in files_of.items():
-        faults += _judge(files_of_base, site.at(base) if base else site, notes.append)
-    wrong, notes_of_faults = parted(faults)
-    for sentence in dict.fromkeys([*map(str, notes_of_faults), *notes]):
-        note(_as_given(sentence, path))
+        return _unchecked(path, Reason.of("desk.nothing_of_ours"))
+    notes: list[Text] = []
+    wrong, notes_of_faults = parted(_faults(files_of, site, notes.append))
+    named = (_named(fault, path).sentence for fault in notes_of_faults)
+    for remark in dict.fromkeys((*named, *(_placed(remark, path) for remark in notes))):
+        note(remark)
     return [Path(_as_given(str(file), path)) for file in files], sorted(_named(fault, path) for fault in wrong)
+
+
+def _unchecked(path: Path, reason: Reason) -> tuple[list[Path], list[Fault]]:
+    return [], [Fault(Place(str(path)), reason, Reason.of("desk.nothing_checked"))]
+
+
+def _faults(files_of: Mapping[Path | None, list[Path]], site: Site, note: Note) -> list[Fault]:
+    """Everything that is wrong with the files of these base directories, each file by itself and all together."""
+    types, syntax_faults = site.syntax()
+    faults = list(syntax_faults)
+    if types is not None:
+        for files in files_of.values():
+            for file in files:
+                faults += _read(file, types)
+    for base, files in files_of.items():
+        faults += _judge(files, site.at(base) if base else site, note)
+    return faults
 
 
 def _named(fault: Fault, path: Path) -> Fault:
     return replace(fault, place=Place(_as_given(fault.place.file, path), fault.place.line))
 
 
+def _placed(note: Text, path: Path) -> Text:
+    """A note whose file is named as the user wrote the path."""
+    if isinstance(note, str) or "file" not in note.args:
+        return note
+    return Reason.of(note.key, **{**note.args, "file": _as_given(str(note.args["file"]), path)})
+
+
 def _as_given(text: str, path: Path) -> str:
-    """A place below `path` as the user wrote that path; notes begin with their place."""
+    """A place below `path` as the user wrote that path."""
     whole, rest = str(path.absolute()), text.removeprefix(str(path.absolute()))
     if not text.startswith(whole) or rest[:1] not in ("", "/", ":"):
         return text
@@ -70,7 +101,9 @@ def _as_given(text: str, path: Path) -> str:
 
 
 def _files_of_bases(path: Path) -> dict[Path | None, list[Path]]:
-    """The files of a directory and of each base directory in it, by their base directory."""
+    """The files of a directory and of each base directory in it, by their base directory; of a file, itself."""
+    if not path.is_dir():
+        return {None: [path]}
     inner = sorted(folder for folder in path.iterdir() if folder.name not in _FOLDERS and _is_base_directory(folder))
     return {base: _files(base) for base in (path, *inner)}
 
@@ -104,21 +137,14 @@ def _read(file: Path, types: Syntax) -> list[Fault]:
     match file.suffix:
         case rmod.ENDING:
             return _read_task(content, name, place)
-        case conf.ENDING:
-            return list(conf.read(content, name, place)[1])
         case onk.ENDING:
             return list(onk.read(content, name, place, types)[1])
         case appl.ENDING:
             return list(appl.read(content, name, place, types)[1])
-    if file.name.lstrip(".") == syntax.NAME:
-        return list(syntax.read(content, name, place)[1])
-    if file.name == preferences.NAME:
-        return list(preferences.read(content, name, place)[1])
-    if file.name == buttons.NAME:
-        return list(buttons.read(content, name, place)[1])
-    if file.suffix == picture.ENDING:
-        return list(picture.read(content, name, place)[1])
-    return [Fault(Place(place), Reason.of("desk.format_unknown"), Reason.of("desk.not_read"))]
+    reader = _READERS_BY_NAME.get(file.name) or _READERS.get(file.suffix)
+    if reader is None:
+        return [Fault(Place(place), Reason.of("desk.format_unknown"), Reason.of("desk.not_read"))]
+    return list(reader(content, name, place)[1])
 
 
 def _read_task(content: str, name: str, place: str) -> list[Fault]:
@@ -126,14 +152,12 @@ def _read_task(content: str, name: str, place: str) -> list[Fault]:
     return [*faults, *(self_fed(record.task, Place(place)) if record else ())]
 
 
-def _judge(files: list[Path], site: Site, note: Callable[[str], None]) -> list[Fault]:
+def _judge(files: list[Path], site: Site, note: Note) -> list[Fault]:
     """What only modules can tell: tasks against their classes, applications against everything."""
-    tasks = [file for file in files if file.suffix == rmod.ENDING]
-    applications = [file for file in files if file.suffix == appl.ENDING and not _is_part(file, site)]
-    modules = {file.stem: file for file in files if file.suffix == ".py"}
-    faults: list[Fault] = []
-    faults += [fault for file in files if file.suffix == conf.ENDING for fault in _missing(file, site)]
-    planned, code = _tasks(tasks, modules, site, faults)
+    faults = [fault for file in _with_ending(files, conf.ENDING) for fault in _missing(file, site)]
+    modules = {file.stem: file for file in _with_ending(files, ".py")}
+    planned, code = _tasks(_with_ending(files, rmod.ENDING), modules, site, faults)
+    applications = [file for file in _with_ending(files, appl.ENDING) if not _is_part(file, site)]
     if not (planned or code or applications):
         return faults
     prepared = [prepare_run(str(file), site) for file in applications]
@@ -141,11 +165,21 @@ def _judge(files: list[Path], site: Site, note: Callable[[str], None]) -> list[F
     with LaunchedRuntime(tuple(sorted(rtpus)) or ("rt0",), is_virtual=True) as runtime:
         faults += _asked(runtime, request.Inspect(tuple(planned), tuple(code)), note)
         for run in prepared:
-            faults += run.faults
-            for sentence in run.notes:
-                note(str(sentence))
-            if run.plan is not None:
-                faults += _asked(runtime, request.Prepare(run.plan, run.targets), note)
+            faults += _judged(runtime, run, note)
+    return faults
+
+
+def _with_ending(files: list[Path], ending: str) -> list[Path]:
+    return [file for file in files if file.suffix == ending]
+
+
+def _judged(runtime: LaunchedRuntime, run: PreparedRun, note: Note) -> list[Fault]:
+    """What is wrong with an application, by itself and by its modules."""
+    for remark in run.notes:
+        note(remark.sentence)
+    faults = list(run.faults)
+    if run.plan is not None:
+        faults += _asked(runtime, request.Prepare(run.plan, run.targets), note)
     return faults
 
 
@@ -173,21 +207,13 @@ def _is_part(file: Path, site: Site) -> bool:
     return kind is not None and kind.is_application and kind.needs_target
 
 
-def _asked(runtime: LaunchedRuntime, question: request.Request, note: Callable[[str], None]) -> list[Fault]:
+def _asked(runtime: LaunchedRuntime, question: request.Request, note: Note) -> list[Fault]:
     answer = runtime.ask(question)
     if not isinstance(answer, request.Prepared):
         return []
     for sentence in answer.notes:
-        note(str(sentence))
-    texts = answer.faults
-    return [
-        Fault(
-            Place(text.file, text.line),
-            text.reason,
-            text.instead,
-        )
-        for text in texts
-    ]
+        note(sentence)
+    return [Fault(Place(text.file, text.line), text.reason, text.instead) for text in answer.faults]
 
 
 def _tasks(
