@@ -9,6 +9,7 @@ from functools import cache
 from importlib.resources import files
 
 
+@cache
 def sentence(language: str, key: str) -> str:
     """The sentence of a key; raises KeyError where the language has none."""
     domain, _, name = key.partition(".")

@@ -29,26 +29,33 @@ def after(run: Run, message: event.Event) -> Run:
             return _began(run, message)
         case event.Done():
             return _done(run, message)
-        case event.Moved() if message.subsystem in run.view.flows:
-            return _moved(run, message)
         case event.Met() if message.subsystems and message.subsystems[0] in run.view.flows:
             met = MeetView(tag(message.tag), message.subsystems, message.skew_us, message.at_s)
             return run.shown(meets=(*run.view.meets, met)[-_MOST_MEETS:])
-        case event.Asked() if message.subsystem in run.view.flows:
-            return run.shown(asks={**run.view.asks, _key(message): ask_view(message)})
-        case event.TaskState() if message.subsystem in run.view.flows:
-            return _turned(run, message)
-        case event.Failed() if message.subsystem in run.view.flows:
-            return replace(run, failures={**run.failures, _key(message): message})
-        case event.Warned() if message.subsystem in run.view.flows:
-            return _warned(run, message)
-        case event.Stepped() if message.subsystem in run.view.flows and message.is_too_far:
-            return run.noted(transfer_text.sentence(message))
         case event.Explained() if message.subsystem in ("", *run.view.flows):
             key = message.subsystem if message.choices else ""
             return run.shown(stops={**run.view.stops, key: stop_view(run, message)})
         case event.Result():
             return over(run, message)
+    is_of_flow = getattr(message, "subsystem", None) in run.view.flows
+    return _after_news_of_flow(run, message) if is_of_flow else run
+
+
+def _after_news_of_flow(run: Run, message: event.Event) -> Run:
+    """The run after news of one of its flows, or of a task of it."""
+    match message:
+        case event.Moved():
+            return _moved(run, message)
+        case event.Asked():
+            return run.shown(asks={**run.view.asks, _key(message): ask_view(message)})
+        case event.TaskState():
+            return _turned(run, message)
+        case event.Failed():
+            return replace(run, failures={**run.failures, _key(message): message})
+        case event.Warned():
+            return _warned(run, message)
+        case event.Stepped() if message.is_too_far:
+            return run.noted(transfer_text.sentence(message))
     return run
 
 
