@@ -10,6 +10,8 @@ An illegal command changes nothing and is refused with the reason.
 
 from enum import Enum
 
+from onika.words.reason import NOTHING, Reason, reason_of
+
 
 class State(Enum):
     """Where a task is in its life."""
@@ -95,17 +97,18 @@ def after(state: State, step: LifecycleInput) -> State:
     try:
         return TABLE[state][step]
     except KeyError:
-        allowed = ", ".join(sorted(command.value for command in TABLE[state]))
-        raise IllegalTransition(f"expected one of {allowed} while {state.value}, found {step.value}") from None
+        allowed = tuple(sorted(command.value for command in TABLE[state]))
+        reason = Reason.of("rules.step_not_allowed", allowed=allowed, state=state.value, step=step.value)
+        raise IllegalTransition(reason) from None
 
 
-def refusal(state: State, step: LifecycleInput) -> str:
+def refusal(state: State, step: LifecycleInput) -> Reason:
     """Why the table does not allow a step in this state; empty where it does."""
     try:
         after(state, step)
     except IllegalTransition as refused:
-        return str(refused)
-    return ""
+        return reason_of(refused)
+    return NOTHING
 
 
 def diagram() -> str:

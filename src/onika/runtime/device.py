@@ -8,6 +8,7 @@ import numpy as np
 
 from onika.ring.device import DeviceOrder, DeviceSheet, DriveState
 from onika.ring.slots import Ring
+from onika.words.reason import Reason
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -84,14 +85,14 @@ class Device:
         infinity: they never reach an actuator.
         """
         if self._send is None:
-            raise ValueError(f"{self.sheet.name} takes no commands from this task")
+            raise ValueError(Reason.of("runtime.takes_no_commands", name=self.sheet.name))
         if self._holding or (self._is_clearing and self._still_clears()):
             self.hold()
             return
         self._wanted[:] = values
         if not math.isfinite(sum(self._numbers)):  # a sum of finite torques is finite
             self.hold()
-            raise ValueError(f"expected finite commands for {self.sheet.name}, found {list(values)}")
+            raise ValueError(Reason.of("runtime.commands_not_finite", name=self.sheet.name, values=str(list(values))))
         self._numbers[1] = _DRIVE
         self._send()
 
@@ -146,4 +147,4 @@ class _Absent(Device):
     def __getattribute__(self, name: str) -> Any:
         if name.startswith("__"):
             return super().__getattribute__(name)
-        raise AttributeError("this task has no device: its LOCAL block names none (DEVICE world:device)")
+        raise AttributeError(Reason.of("runtime.names_no_device"))

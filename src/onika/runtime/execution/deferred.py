@@ -13,6 +13,7 @@ from onika.runtime.execution.task_lifecycle import TaskLifecycle
 from onika.runtime.execution.unit import Address, ProcessingUnit
 from onika.runtime.modules.code import compiled
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 PATIENCE_NS = 2_000_000_000
 """After so long without a gap that is large enough there will be none."""
@@ -124,7 +125,7 @@ class DeferredCommands:
         piece = DeferredPiece(order, now)
         coming = self._coming(*piece.address)
         if coming is not None and piece.word == "spawn":
-            self._unit.refuse(piece.address, "spawn", "a task of this name is on its way already")
+            self._unit.refuse(piece.address, "spawn", Reason.of("runtime.on_its_way"))
             return None
         if coming is not None:
             coming.behind.append(order)
@@ -141,7 +142,7 @@ class DeferredCommands:
             if piece.word == "spawn":
                 self._unit.tell(news.Changed(*piece.address, State.KILLED.value, now))
                 return None
-            self._unit.refuse(piece.address, piece.word, "the task was killed before there was time for it")
+            self._unit.refuse(piece.address, piece.word, Reason.of("runtime.killed_before"))
         return order
 
     def _sift_switch(self, order: command.Switch) -> command.Switch:
@@ -176,7 +177,7 @@ class DeferredCommands:
 
     def _drop_all(self) -> None:
         for piece in self._pieces:
-            self._unit.refuse(piece.address, piece.word, "this unit was stopped")
+            self._unit.refuse(piece.address, piece.word, Reason.of("runtime.unit_stopped"))
         self._pieces.clear()
 
     def _advance(self, piece: DeferredPiece, now: int, carry_out: CarryOut) -> None:
@@ -204,7 +205,7 @@ class DeferredCommands:
 
     def _give_up(self, piece: DeferredPiece, now: int, carry_out: CarryOut) -> None:
         needs, largest = self._need_ns(piece) / 1e6, piece.largest_gap / 1e6
-        self._unit.refuse(piece.address, piece.word, f"needs {needs:.3g} ms; the largest gap here is {largest:.3g} ms")
+        self._unit.refuse(piece.address, piece.word, Reason.of("runtime.no_gap", needs_ms=needs, largest_ms=largest))
         self._end(piece, now, carry_out)
 
     def _end(self, piece: DeferredPiece, now: int, carry_out: CarryOut) -> None:

@@ -10,8 +10,8 @@ from onika.runtime.execution.running_task import RunningTask
 from onika.runtime.execution.statistics import values_of
 from onika.runtime.execution.unit import ProcessingUnit
 from onika.runtime.modules.binding_guard import BindingChanged
-from onika.runtime.modules.code import raised, sayable, traceback_text, where
-from onika.words.reason import Reason, Text
+from onika.runtime.modules.code import raised, sayable, where
+from onika.words.reason import NOTHING, Reason, Text
 
 RAISED = (Exception, SystemExit, KeyboardInterrupt)
 """What a module's code may raise without harm to anybody else; a module that exits is as wrong as any other."""
@@ -47,20 +47,23 @@ class EntryPoints:
             self.warn(task, now)
         return True
 
-    def trial(self, task: RunningTask, entry: str, now: int, call: Callable[[], None]) -> str:
+    def trial(self, task: RunningTask, entry: str, now: int, call: Callable[[], None]) -> Reason:
         """Call into a module that does not live yet, or no more: what it raised as a sentence, empty if nothing."""
         self.watch(task.slot.key[2])
         task.module.now = now * 1e-9
         try:
             call()
         except AskAgain as again:
-            return f"{entry}: it asks for other input: {traceback_text(again)}"
+            return Reason.of("runtime.asks_other_input", entry=entry, why=raised(again, task.spawn.module))
         except RAISED as wrong:
             path, line, _ = where(task.spawn.path, wrong)
-            return f"{entry}: {traceback_text(wrong)}" + (f" ({path}:{line})" if line else "")
+            why = raised(wrong, task.spawn.module)
+            if not line:
+                return Reason.of("runtime.entry_failed", entry=entry, why=why)
+            return Reason.of("runtime.entry_failed_at", entry=entry, why=why, path=path, line=str(line))
         finally:
             self.watch("")
-        return ""
+        return NOTHING
 
     def event(self, task: RunningTask, now: int) -> Signal | None:
         """The one run of a synchronous task that its event leads to."""

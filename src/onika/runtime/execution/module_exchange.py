@@ -14,7 +14,7 @@ from onika.runtime.execution.task_lifecycle import TaskLifecycle
 from onika.runtime.execution.unit import ProcessingUnit
 from onika.runtime.modules.module import Module
 from onika.words.fault import Fault
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason, reason_of
 
 _SWAP = "swap"
 
@@ -37,7 +37,7 @@ class ModuleExchange:
         """The new task, which does not live yet; None where that is refused."""
         spawn = order.spawn
         old = self._unit.tasks.get((spawn.subsystem, spawn.task))
-        reason = "no such task" if old is None else _why_not(old, spawn)
+        reason = Reason.of("runtime.no_such_task") if old is None else _why_not(old, spawn)
         if old is None or reason:
             self._unit.refuse((spawn.subsystem, spawn.task), _SWAP, reason)
             return None
@@ -46,15 +46,18 @@ class ModuleExchange:
     def complete(self, new: RunningTask, now: int) -> None:
         """Initialise the new task and put it in the place of the old one, as that stands by now."""
         old = self._unit.tasks.get(new.address)
-        reason = "no such task" if old is None else _why_not(old, new.spawn) or self._why_hardware_not(old, new)
-        if old is None or reason:
+        if old is None:
+            self._unit.refuse(new.address, _SWAP, Reason.of("runtime.no_such_task"))
+            return
+        reason = _why_not(old, new.spawn) or self._why_hardware_not(old, new)
+        if reason:
             self._unit.refuse(new.address, _SWAP, reason)
             return
         new.spawn = structs.replace(new.spawn, frequency=old.spawn.frequency)
         new.period_ns, new.frequency, new.module.dt = old.period_ns, old.frequency, old.module.dt
         new.line, new.activation = old.line, old.activation
         reason = self._entry_points.trial(new, "init", now, lambda: new.prepare(new.module.init))
-        reason = reason or (self._come_on(old, new, now) if old.is_on else "")
+        reason = reason or (self._come_on(old, new, now) if old.is_on else NOTHING)
         if reason:
             with suppress(*RAISED):  # it only gives back what `init` took; the refusal tells what is wrong with it
                 new.module.kill()
@@ -64,12 +67,12 @@ class ModuleExchange:
 
     # Inner
 
-    def _why_hardware_not(self, old: RunningTask, new: RunningTask) -> str:
+    def _why_hardware_not(self, old: RunningTask, new: RunningTask) -> Reason:
         if old.is_on and (_commands(old) or _commands(new)):
-            return "it commands a device and is ON: turn it off first"
-        return ""
+            return Reason.of("runtime.commands_while_on")
+        return NOTHING
 
-    def _come_on(self, old: RunningTask, new: RunningTask, now: int) -> str:
+    def _come_on(self, old: RunningTask, new: RunningTask, now: int) -> Reason:
         """The new module takes over from the old one, or comes on in its place; why it cannot, empty if it can."""
         new.goes_on = type(new.module).take is not Module.take
         if new.goes_on:
@@ -78,7 +81,7 @@ class ModuleExchange:
             try:
                 inputs = new.parse(old.line)
             except ValueError as wrong:
-                return f"on: it asks for other input: {wrong}"
+                return Reason.of("runtime.asks_other_input", entry="on", why=reason_of(wrong))
             reason = self._entry_points.trial(new, "on", now, lambda: _begin(new, inputs, now))
         reason = reason or self._unit.objection(new)
         if not reason and new.is_synchronous:
@@ -122,11 +125,11 @@ class ModuleExchange:
             new.module.warn(Reason.of("runtime.in_exchanged", why=reason))
 
 
-def _why_not(old: RunningTask, spawn: command.Spawn) -> str:
+def _why_not(old: RunningTask, spawn: command.Spawn) -> Reason:
     if old.spawn.task_type != spawn.task_type:
-        return f"expected a task that is {old.spawn.task_type} as before, found {spawn.task_type}"
+        return Reason.of("runtime.other_type", former=old.spawn.task_type, given=spawn.task_type)
     if old.state is State.OFF and not old.is_initialised:
-        return "it was bound anew and waits to be reinitialised"
+        return Reason.of("runtime.waits_to_be_reinitialised")
     return refusal(old.state, LifecycleInput.SWAP)
 
 

@@ -7,7 +7,8 @@ from onika.runtime import command, news
 from onika.runtime.execution.entry_points import RAISED, EntryPoints
 from onika.runtime.execution.running_task import RunningTask
 from onika.runtime.execution.unit import Address, ProcessingUnit
-from onika.runtime.modules.code import traceback_text
+from onika.runtime.modules.code import raised
+from onika.words.reason import Reason
 
 
 class TaskCommands:
@@ -21,7 +22,7 @@ class TaskCommands:
         """Out of ERROR."""
         task = self._unit.tasks.get((order.subsystem, order.task))
         if task is None or task.state is not State.ERROR:
-            self._unit.refuse((order.subsystem, order.task), "clear", "the task is not in ERROR")
+            self._unit.refuse((order.subsystem, order.task), "clear", Reason.of("runtime.not_in_error"))
             return
         was_initialised = task.is_initialised
         if self._entry_points.attempt(task, "clear", now, task.clear):
@@ -44,7 +45,7 @@ class TaskCommands:
         try:
             task.rebind(order.ports, order.local)
         except RAISED as wrong:
-            self._unit.refuse(task.address, "rebind", traceback_text(wrong))
+            self._unit.refuse(task.address, "rebind", raised(wrong, task.spawn.module))
             return
         task.step(LifecycleInput.REBIND)
         self._unit.know_rings(task)
@@ -55,7 +56,7 @@ class TaskCommands:
         for name, rank in order.ranks:
             task = self._unit.tasks.get((order.subsystem, name))
             if task is None:
-                self._unit.refuse((order.subsystem, name), "rank", "no such task")
+                self._unit.refuse((order.subsystem, name), "rank", Reason.of("runtime.no_such_task"))
                 continue
             task.spawn = structs.replace(task.spawn, rank=rank)
             self._unit.scheduler.rekey(task.slot, task.key)
@@ -65,7 +66,7 @@ class TaskCommands:
         address = (order.subsystem, order.task)
         task = self._unit.tasks.get(address)
         if task is None:
-            self._unit.refuse(address, "get or set", "no such task")
+            self._unit.refuse(address, "get or set", Reason.of("runtime.no_such_task"))
             return
         self._entry_points.watch(task.slot.key[2])
         try:
@@ -76,7 +77,7 @@ class TaskCommands:
             got = news.Got(*address, order.name, value)
             news.encode(got)  # a module may hand out what cannot travel
         except RAISED as wrong:
-            self._unit.refuse(address, "get or set", traceback_text(wrong))
+            self._unit.refuse(address, "get or set", raised(wrong, task.spawn.module))
             return
         finally:
             self._entry_points.watch("")
@@ -89,7 +90,7 @@ class TaskCommands:
     def _living(self, address: Address, entry: str, step: LifecycleInput) -> RunningTask | None:
         """The task, if it is there and its state allows the step."""
         task = self._unit.tasks.get(address)
-        reason = "no such task" if task is None else refusal(task.state, step)
+        reason = Reason.of("runtime.no_such_task") if task is None else refusal(task.state, step)
         if reason:
             self._unit.refuse(address, entry, reason)
             return None

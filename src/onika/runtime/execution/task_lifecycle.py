@@ -11,11 +11,11 @@ from onika.runtime.error import AskAgain, ModuleError
 from onika.runtime.execution.entry_points import RAISED, EntryPoints
 from onika.runtime.execution.running_task import RunningTask
 from onika.runtime.execution.unit import Address, ProcessingUnit
-from onika.runtime.modules.code import load, sayable, traceback_text
+from onika.runtime.modules.code import load, raised, sayable
 from onika.runtime.modules.cycle_result import signal_of
 from onika.runtime.prepared_switches import lines
 from onika.words.fault import Fault
-from onika.words.reason import Text, reason_of
+from onika.words.reason import NOTHING, Reason, Text, reason_of
 
 _ON, _OFF = State.ON.value, State.OFF.value
 
@@ -41,19 +41,19 @@ class TaskLifecycle:
         """Load a module and make a task of it, which does not live yet; None where that is refused."""
         address = (order.subsystem, order.task)
         if self._unit.is_stopped:
-            self._unit.refuse(address, entry, "this unit was stopped")
+            self._unit.refuse(address, entry, Reason.of("runtime.unit_stopped"))
             return None
         if entry == "spawn" and address in self._unit.tasks:
-            self._unit.refuse(address, entry, "a task of this name lives here already")
+            self._unit.refuse(address, entry, Reason.of("runtime.lives_already"))
             return None
         self._entry_points.watch(f"{order.subsystem}/{order.task}")
         try:
             cls = load(order.source, order.path, order.module, code)
             if not isinstance(cls, Fault):
                 return RunningTask(order, cls, self._unit.views)
-            self._unit.refuse(address, entry, str(cls))
+            self._unit.refuse(address, entry, cls.sentence)
         except RAISED as wrong:
-            self._unit.refuse(address, entry, traceback_text(wrong))
+            self._unit.refuse(address, entry, raised(wrong, order.module))
         finally:
             self._entry_points.watch("")
         return None
@@ -126,7 +126,7 @@ class TaskLifecycle:
         """The user's answer: on, or ask again."""
         task = self._unit.tasks.get((order.subsystem, order.task))
         if task is None or task.state is not State.ASKING:
-            self._unit.refuse((order.subsystem, order.task), "answer", "the task asks for nothing")
+            self._unit.refuse((order.subsystem, order.task), "answer", Reason.of("runtime.asks_nothing"))
             return
         self._begin(task, order.line, now)
 
@@ -167,12 +167,12 @@ class TaskLifecycle:
     def _rate(self, address: Address, frequency: float, now: int) -> None:
         task = self._unit.tasks.get(address)
         if task is None:
-            self._unit.refuse(address, "rate", "no such task")
+            self._unit.refuse(address, "rate", Reason.of("runtime.no_such_task"))
             return
         try:
             self._unit.scheduler.change(task.slot, task.change_rate(frequency), now)
         except ValueError as wrong:
-            self._unit.refuse(address, "rate", str(wrong))
+            self._unit.refuse(address, "rate", reason_of(wrong))
             return
         if task.is_on:
             self._unit.watch(task, now)
@@ -188,23 +188,23 @@ class TaskLifecycle:
         task.activation = launch.activation
         self._begin(task, launch.arguments, now)
 
-    def _why_not_on(self, task: RunningTask | None) -> str:
+    def _why_not_on(self, task: RunningTask | None) -> Reason:
         if self._unit.is_stopped:
-            return "this unit was stopped"
+            return Reason.of("runtime.unit_stopped")
         if task is None:
-            return "no such task"
+            return Reason.of("runtime.no_such_task")
         if task.state is not State.OFF:
             return refusal(task.state, LifecycleInput.ON)
         if task.is_initialised:
-            return ""
-        return "it was bound anew and waits to be reinitialised"
+            return NOTHING
+        return Reason.of("runtime.waits_to_be_reinitialised")
 
     def _begin(self, task: RunningTask, line: str, now: int) -> None:
         """`on` with an argument line, or ask: what the line lacks, or what the module says of it."""
         try:
             inputs = task.parse(line)
         except ValueError as wrong:
-            self._ask(task, str(wrong) if line else "", now)
+            self._ask(task, reason_of(wrong) if line else NOTHING, now)
             return
         try:
             began = self._entry_points.attempt(task, "on", now, partial(task.begin, now, inputs), passing=AskAgain)

@@ -10,6 +10,7 @@ from onika.runtime.modules.binding import Views
 from onika.runtime.prepared_switches import PreparedSwitches
 from onika.runtime.scheduler import Scheduler, TaskSlot
 from onika.runtime.transfer.bumpless_transfer import WATCHED_NS
+from onika.words.reason import NOTHING, Reason, Text
 
 Address = tuple[str, str]
 """Subsystem and task."""
@@ -42,7 +43,7 @@ class ProcessingUnit:
         """Say something to the runner."""
         self.news.append(event)
 
-    def refuse(self, address: Address, command: str, reason: str) -> None:
+    def refuse(self, address: Address, command: str, reason: Text) -> None:
         """Say that a command was not carried out."""
         self.news.append(news.Refused(*address, command, reason))
 
@@ -149,7 +150,7 @@ class ProcessingUnit:
             periods_ns = 2 * task.period_ns if task.is_on and task.is_periodic else 0
             words[0] = max(words[0], now + WATCHED_NS + periods_ns)
 
-    def objection(self, task: RunningTask) -> str:
+    def objection(self, task: RunningTask) -> Reason:
         """Why what a task that comes on has in its outputs cannot be given to a device; empty where it can."""
         outputs = task.binding.real_outputs()
         for running in self.tasks.values():
@@ -161,7 +162,7 @@ class ProcessingUnit:
                 for svar, value in outputs.items():
                     if reason := running.input_guard.transfer.objection(svar, value):
                         return reason
-        return ""
+        return NOTHING
 
     def forget(self, subsystem: str, names: tuple[str, ...]) -> None:
         """These variables steer nothing any more (law 3)."""

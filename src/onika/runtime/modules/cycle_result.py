@@ -9,9 +9,9 @@ from onika.words.reason import Reason
 def signal_of(returned: object, *, is_trigger: bool) -> Signal:
     """It as a signal of plain values; raises TypeError where it is none, or none of a task like this."""
     if not isinstance(returned, Signal):
-        raise TypeError(f"expected a signal or None from cycle, found {returned!r}")
+        raise TypeError(Reason.of("runtime.no_signal", returned=repr(returned)))
     if returned.kind is SignalKind.FINISH and not is_trigger:
-        raise TypeError("only a trigger finishes a job (dissertation §C.1)")
+        raise TypeError(Reason.of("runtime.finish_of_no_trigger"))
     if type(returned.flow) is int and type(returned.loop) is bool and not returned.text and not returned.number:
         return returned
     flow, number = index(returned.flow), index(returned.number)

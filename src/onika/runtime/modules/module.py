@@ -85,7 +85,8 @@ class Module:
         called. That of an input may not be written. Raises AttributeError for what is no port.
         """
         if name not in self.declared_ports:
-            raise AttributeError(f"expected a port ({', '.join(self.declared_ports) or 'there is none'}), found {name}")
+            ports = tuple(self.declared_ports) or Reason.of("runtime.there_is_none")
+            raise AttributeError(Reason.of("runtime.port_expected", ports=ports, name=name))
         array: NDArray[Any] = getattr(self, slot(name))
         return array
 

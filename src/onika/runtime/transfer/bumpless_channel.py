@@ -15,13 +15,13 @@ from onika.ring.slots import Ring
 from onika.runtime import news
 from onika.runtime.declaration import PortDeclaration
 from onika.runtime.error import LawBroken
+from onika.words.reason import NOTHING, Reason
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 BLENDED_NS = 100_000_000
 """Within this time a step is blended, or not at all."""
-_AFTER = "turn off what came on, then clear this task and turn it on again: it begins from its hold"
 
 
 class BumplessChannel:
@@ -98,16 +98,21 @@ class BumplessChannel:
         self._offset = None
         return news.Stepped(subsystem, task, self.svar, self.unit, *measured)
 
-    def objection(self, value: "NDArray[np.float64]", most: int, task: str = "the hardware's task") -> str:
+    def objection(self, value: "NDArray[np.float64]", most: int, task: str = "") -> Reason:
         """Why this value cannot come next to the task that reads it, and what helps."""
         if not self._has_limit:
-            return ""
+            return NOTHING
         self._last[:] = self._data
         worst, index = self._measure(value)
         if worst <= most:
-            return ""
-        near = f"begin near {self._last[index]:.4g}{self._unit_word}"
-        return f"{self._why_not(index, most)}; {near}, or turn {task} off first and on again after this task"
+            return NOTHING
+        return Reason.of(
+            "runtime.begin_near",
+            why=self._why_not(index, most),
+            value=float(self._last[index]),
+            unit=self._unit_word,
+            task=task or Reason.of("runtime.the_hardware_task"),
+        )
 
     # Inner
 
@@ -123,7 +128,7 @@ class BumplessChannel:
     def _begin(self, worst: float, most: int) -> None:
         """From the old value to the new one in so many cycles: twice as many as it takes, for the new one moves too."""
         if worst > most:
-            raise LawBroken(f"{self._why_not(self._index, most)}; {_AFTER}")
+            raise LawBroken(Reason.of("runtime.begins_from_hold", why=self._why_not(self._index, most)))
         self._left = min(2 * ceil(worst), most)
         self._offset = self._last - self._target
 
@@ -156,7 +161,7 @@ class BumplessChannel:
         if shares[index] > most:
             self._step[index] = offset[index]
             self._cycles = 0
-            raise LawBroken(f"{self._why_not(index, most)}; {_AFTER}")
+            raise LawBroken(Reason.of("runtime.begins_from_hold", why=self._why_not(index, most)))
         self._left = max(self._left, min(2 * ceil(float(shares[index])), most))
         return value
 
@@ -164,9 +169,14 @@ class BumplessChannel:
     def _unit_word(self) -> str:
         return "" if self.unit == "-" else f" {self.unit}"
 
-    def _why_not(self, index: int, most: int) -> str:
+    def _why_not(self, index: int, most: int) -> Reason:
         step, limit = float(abs(self._step[index])), float(self._limit[index])
-        name = self.svar if self._data.size == 1 else f"{self.svar}[{index}]"
-        unit = self._unit_word
-        allowed = f"a cycle may change it by {limit:.4g}{unit}, {BLENDED_NS * 1e-9:g} s by {limit * most:.4g}{unit}"
-        return f"{name} would step by {step:.4g}{unit}: {allowed}"
+        return Reason.of(
+            "runtime.would_step",
+            name=self.svar if self._data.size == 1 else f"{self.svar}[{index}]",
+            step=step,
+            unit=self._unit_word,
+            limit=limit,
+            seconds=BLENDED_NS * 1e-9,
+            most=limit * most,
+        )

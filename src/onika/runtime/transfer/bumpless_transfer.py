@@ -17,6 +17,7 @@ from onika.runtime.declaration import Step
 from onika.runtime.modules.binding import Binding
 from onika.runtime.modules.module import Module
 from onika.runtime.transfer.bumpless_channel import BLENDED_NS, BumplessChannel
+from onika.words.reason import NOTHING, Reason
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -41,7 +42,8 @@ def limit_of(module: Module, step: Step) -> Any:
     ]
     limit = prod((np.asarray(value, dtype=np.float64) for value in values), start=np.float64(1.0))
     if not np.all(limit > 0.0):  # NaN too
-        raise ValueError(f"expected a step above 0, found {' * '.join(map(str, factors))} = {limit}")
+        product = " * ".join(map(str, factors))
+        raise ValueError(Reason.of("runtime.step_not_positive", product=product, limit=str(limit)))
     return limit
 
 
@@ -95,14 +97,16 @@ class BumplessTransfer:
             if seen is not None:
                 self.tell(seen)
 
-    def objection(self, svar: str, value: "NDArray[np.float64]") -> str:
+    def objection(self, svar: str, value: "NDArray[np.float64]") -> Reason:
         """Why the task cannot be given this value of a variable next; empty where it can, or where it does not read it.
 
         It is looked at before anybody sees it: what a task that comes on leaves in its outputs.
         """
         most = max(BLENDED_NS // self._period_ns, 1)
         task = self._address[1]
-        return next((channel.objection(value, most, task) for channel in self.channels if channel.svar == svar), "")
+        return next(
+            (channel.objection(value, most, task) for channel in self.channels if channel.svar == svar), NOTHING
+        )
 
 
 def bumpless_channels(module: Module, binding: Binding) -> tuple[BumplessChannel, ...]:

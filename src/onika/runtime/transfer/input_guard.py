@@ -6,6 +6,7 @@ from onika.runtime.modules.binding import Binding
 from onika.runtime.modules.module import Module
 from onika.runtime.transfer.bumpless_channel import BLENDED_NS
 from onika.runtime.transfer.bumpless_transfer import BumplessTransfer, bumpless_channels
+from onika.words.reason import Reason
 
 
 class InputGuard:
@@ -76,12 +77,12 @@ class InputGuard:
     def _check_device(self, now: int) -> None:
         device = self._module.device
         if device.silent_ns(now) > SILENCE_NS:
-            raise LawBroken(f"device {device.sheet.name} has published nothing for {SILENCE_NS // 1_000_000} ms")
+            raise LawBroken(Reason.of("runtime.device_silent", name=device.sheet.name, ms=SILENCE_NS // 1_000_000))
 
     def _check_values(self) -> None:
         bad = self._binding.not_finite()
         if bad:
-            raise LawBroken(f"expected finite inputs, found NaN or infinity in {', '.join(bad)}")
+            raise LawBroken(Reason.of("runtime.inputs_not_finite", names=tuple(bad)))
 
     def _are_fresh(self) -> bool:
         """Before the inputs are copied in: a value written meanwhile may only be newer than what is counted here."""
