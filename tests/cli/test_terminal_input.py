@@ -79,6 +79,7 @@ def test_it_knows_whether_another_program_has_the_terminal(terminal, monkeypatch
     ("data", "keys"),
     [
         ("é漢".encode(), ["é", "漢"]),
+        (b"a\xffb", ["a", "�", "b"]),
         (b"\x1b[A\x1bOB\x1b[3~", [Keys.Up, Keys.Down, Keys.Delete]),
         (b"\x1b[1;5Cx", [Keys.ControlRight, "x"]),
         (b"\x1bb", [Keys.Escape, "b"]),

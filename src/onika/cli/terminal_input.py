@@ -4,7 +4,9 @@ import os
 import termios
 from collections.abc import Iterable, Iterator
 from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
+from typing import TextIO
 
+from prompt_toolkit.input.posix_utils import PosixStdinReader
 from prompt_toolkit.input.vt100 import Vt100Input
 from prompt_toolkit.key_binding import KeyPress
 from prompt_toolkit.keys import Keys
@@ -13,11 +15,15 @@ from prompt_toolkit.keys import Keys
 class TerminalInput(Vt100Input):
     """Gives single keys within `single_keys`, and leaves the terminal as that set it.
 
-    A control sequence that the library does not know is nothing: no letter of it is taken for a key.
+    A control sequence that the library does not know is nothing: no letter of it is taken for a key. What is no letter
+    in the terminal's encoding is shown as �.
     """
 
-    _sequence = ""
-    """How the sequence began of which the last key was a part: escape, [ or O."""
+    def __init__(self, stdin: TextIO) -> None:
+        super().__init__(stdin)
+        self.stdin_reader = PosixStdinReader(stdin.fileno(), errors="replace", encoding=stdin.encoding)
+        self._sequence = ""
+        """How the sequence began of which the last key was a part: escape, [ or O."""
 
     @contextmanager
     def single_keys(self) -> Iterator[None]:
