@@ -13,7 +13,7 @@ from msgspec import inspect
 
 _NUMBERS = (0, 1, -1, 2, 3, 7, 63, 255, 256, 65_536, 2**31 - 1, 2**31, -(2**31), 2**53, 2**63 - 1, -(2**63), 2**64 - 1)
 _REALS = (0.0, -0.0, 1.0, -1.0, 0.5, 250.0, 1e-308, 5e-324, 1e308, -1e308, 1e-9, 1e6, 1e18, float("inf"), float("nan"))
-_TEXTS = (
+TEXTS = (
     "", " ", "\0", "a\0b", "~", "~nobody", "/", "..", "../../etc/passwd", "*", "%s", "{}", "{x.y}", "\x1b[31mred",
     "\u202eabc",
     "a b", "é" * 40, "x" * 300, "y" * 5_000, "flow0/", "/X", "-1", "1e999", "NaN", "\ud7ff", "A" * 70_000, "\n", "x\ty",
@@ -34,7 +34,7 @@ class MessageFuzz:
         self._kinds = [inspect.type_info(kind) for kind in union]
         self._encode = encode
         self._opening = encode([1])[:1]
-        self._names = names
+        self.names = names
         self._all_names = [name for some in names.values() for name in some]
 
     def body(self, honest: Sequence[Any]) -> bytes:
@@ -46,6 +46,19 @@ class MessageFuzz:
             message = self._struct(self.random.choice(self._kinds))
         body = self._encode(message)
         return self._garbled(body) if draw > 0.97 else body
+
+    def with_text(self, kind: Any, name: str, text: str) -> dict[str, Any] | None:
+        """A struct, right in every field, with this text in the field of this name; None where it takes no text."""
+        made = {kind.tag_field: kind.tag} if kind.tag is not None else {}
+        for field in kind.fields:
+            if field.name == name:
+                value = _holding(field.type, text)
+                if value is None:
+                    return None
+                made[field.encode_name] = value
+            elif field.required:
+                made[field.encode_name] = self._value(field.type, field.name)
+        return made
 
     def _struct(self, kind: Any) -> Any:
         """A struct as a map: each field right, wrong, or missing; once in a while one that nobody knows."""
@@ -96,12 +109,12 @@ class MessageFuzz:
     def _text(self, name: str) -> str:
         """Mostly a name that exists: of that field, else of any."""
         draw = self.random.random()
-        known = self._names.get(name)
+        known = self.names.get(name)
         if known and draw < 0.7:
             return self.random.choice(known)
         if self._all_names and draw < 0.85:
             return self.random.choice(self._all_names)
-        return self.random.choice(_TEXTS)
+        return self.random.choice(TEXTS)
 
     def _wild(self) -> Any:
         """A value of any type."""
@@ -111,8 +124,8 @@ class MessageFuzz:
         if choice == 1:
             return [self.random.choice(_NUMBERS)] * self.random.choice(_MANY)
         if choice == 2:
-            return {self.random.choice(_TEXTS): self.random.choice(_REALS)}
-        return self.random.choice((None, True, *_NUMBERS, *_REALS, *_TEXTS))
+            return {self.random.choice(TEXTS): self.random.choice(_REALS)}
+        return self.random.choice((None, True, *_NUMBERS, *_REALS, *TEXTS))
 
     def _deep(self, depth: int) -> Any:
         nest: Any = 1
@@ -147,7 +160,7 @@ class MessageFuzz:
             return self._wild()
         if isinstance(value, str):
             cut = value[: self.random.randrange(len(value) + 1)]
-            return self.random.choice((self._text(name), self._text(name), cut, value + self.random.choice(_TEXTS)))
+            return self.random.choice((self._text(name), self._text(name), cut, value + self.random.choice(TEXTS)))
         if isinstance(value, bool):
             return not value
         if isinstance(value, int):
@@ -182,3 +195,21 @@ def _places(value: Any, depth: int = 0) -> Any:
         yield value, key
         if depth < _DEEPEST:
             yield from _places(held, depth + 1)
+
+
+def _holding(kind: Any, text: str) -> Any:
+    """A value of this type with the text in it; None where there is no place for one."""
+    match kind:
+        case inspect.StrType():
+            return text
+        case inspect.UnionType():
+            return next((value for each in kind.types if (value := _holding(each, text)) is not None), None)
+        case inspect.VarTupleType() | inspect.ListType():
+            held = _holding(kind.item_type, text)
+            return None if held is None else [held]
+        case inspect.TupleType():
+            held = [_holding(each, text) for each in kind.item_types]
+            return None if None in held else held
+        case inspect.DictType():
+            return {text: 0}
+    return None

@@ -122,17 +122,21 @@ def test_a_page_whose_line_was_cut_shows_it_and_has_everything_when_it_is_back(p
     ["nonsense", "{}", json.dumps({"cid": 1, "act": {"t": "Explode"}}), json.dumps({"cid": "x", "act": {"t": "New"}}),
      json.dumps({"cid": 1, "act": {"t": "New", "extra": 1}}), "[" * 5_000],
 )  # fmt: skip
-def test_a_malformed_message_closes_that_connection_only(two, message):  # R-X01
+def test_a_malformed_message_is_refused_and_nobody_loses_his_connection(two, message):  # R-X01, R-F01
     one, other = two
-    code = one.page.evaluate(
+    answer = one.page.evaluate(
         """message => new Promise(done => {
           const socket = new WebSocket(new URL('ws', location.href.replace(/^http/, 'ws')))
           socket.onopen = () => socket.send(message)
+          socket.onmessage = (event) => {
+            const told = JSON.parse(event.data)
+            if (told.t === 'Refused') done(told.reason.key)
+          }
           socket.onclose = (event) => done(event.code)
         })""",
         message,
     )
-    assert code == 1007
+    assert answer == "desk.no_act"
     one.place("wave")
     expect(other.box("wave")).to_be_visible()
 

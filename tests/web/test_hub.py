@@ -114,9 +114,12 @@ def test_a_browser_that_leaves_is_counted_no_more(hub):
 @pytest.mark.parametrize(
     "body", ["", "{", "[]", '{"cid":1}', '{"cid":1,"act":{"t":"Nothing"}}', '{"cid":1,"act":{"t":"New","x":1}}']
 )
-def test_what_is_no_act_is_a_value_error(hub, body):
-    with pytest.raises(ValueError):
-        hub.take(hub.come(), body)
+def test_what_is_no_act_is_refused_and_the_browser_stays(hub, body):  # R-F01
+    talk = Talk(hub)
+    hub.take(talk.client, body)
+    refused = [message for message in talk.messages() if message["t"] == "Refused"]
+    assert [message["reason"]["key"] for message in refused] == ["desk.no_act"]
+    assert refused[0]["cid"] == (1 if '"cid":1' in body else 0)
 
 
 def test_each_browser_gets_the_values_it_watches_and_no_others(hub):  # R-C14, R-C27

@@ -20,7 +20,6 @@ from onika.words.sentence import LANGUAGES
 STATIC = Path(__file__).parent / "static"
 """The page as it was built."""
 
-_WRONG_MESSAGE = 1007
 _NOT_ALLOWED = 1008
 
 
@@ -59,7 +58,7 @@ def application(login: Login, hub: Hub, static: Path = STATIC) -> Starlette:
 
 
 async def _converse(socket: WebSocket, hub: Hub) -> None:
-    """Until the browser leaves, or sends what is no act: that closes its own connection and no other."""
+    """Until the browser leaves; what it sends that is no act is refused like any other."""
     client = hub.come()
 
     async def send() -> None:
@@ -69,12 +68,7 @@ async def _converse(socket: WebSocket, hub: Hub) -> None:
     sending = asyncio.create_task(send())
     try:
         while True:
-            body = await socket.receive_text()
-            try:
-                hub.take(client, body)
-            except ValueError as wrong:
-                await socket.close(_WRONG_MESSAGE, str(wrong)[:100])
-                return
+            hub.take(client, await socket.receive_text())
     except (WebSocketDisconnect, KeyError):  # a KeyError: bytes where text was expected
         pass
     finally:

@@ -13,6 +13,7 @@ from onika.desk.environment.environment import ActAnswer, Environment
 from onika.desk.environment.outcome.outcome import Done
 from onika.web.outbox import Outbox
 from onika.wire import act, page
+from onika.words.reason import Reason
 
 _REMEMBERED = 200
 """Lines of the log that a browser is told when it comes."""
@@ -79,8 +80,13 @@ class Hub:
         self._count()
 
     def take(self, client: BrowserClient, body: str | bytes) -> None:
-        """Carry out what a browser sends; raises ValueError for what is no act."""
-        ordered = page.decode(body)
+        """Carry out what a browser sends; what is no act is refused."""
+        try:
+            ordered = page.decode(body)
+        except ValueError as error:
+            reason = Reason.of("desk.no_act", why=Reason.plain(str(error)))
+            client.outbox.put(page.encode(page.Refused(page.number_of(body), reason)))
+            return
         if isinstance(ordered.act, act.Watch):
             client.watch = ordered.act
             self._rewatch()

@@ -87,13 +87,32 @@ class Say(Message, frozen=True):
 
 AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say
 
+
+class Numbered(Struct, frozen=True):
+    """What is left of an act that cannot be read: the number by which it is answered."""
+
+    cid: int = 0
+
+
+_NUMBERED = msgspec.json.Decoder(Numbered)
 _ORDERED = msgspec.json.Decoder(Ordered)
 _ENCODER = msgspec.json.Encoder()
 
 
 def decode(text: str | bytes) -> Ordered:
     """An act as a page sends it; raises `msgspec.DecodeError` (a ValueError) for anything else."""
-    return _ORDERED.decode(text)
+    try:
+        return _ORDERED.decode(text)
+    except RecursionError:
+        raise msgspec.DecodeError("it is nested too deeply") from None
+
+
+def number_of(text: str | bytes) -> int:
+    """The number by which what is no act can be answered all the same; 0 where it has none."""
+    try:
+        return _NUMBERED.decode(text).cid
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError):
+        return 0
 
 
 def encode(message: AnyMessage) -> bytes:

@@ -19,6 +19,7 @@ from onika.desk.environment.state.open_file import DocumentKind
 from onika.model.configuration import Configuration, Group
 from onika.model.rules import loci
 from onika.store.base_directory import BaseDirectory
+from onika.store.user_path import user_path
 from onika.wire import act
 from onika.wire.view import Objection, Remedy, ShowTask
 from onika.words.fault import Refusal
@@ -67,7 +68,9 @@ def save_group(model: Model, command: act.SaveGroup, outside: Services) -> Done 
     if isinstance(group_place, No):
         return group_place
     document, group = group_place
-    base = Path(command.base) if command.base else document.base
+    base = user_path(command.base) if command.base else document.base
+    if isinstance(base, Reason):
+        return No(base, fields={"base": base})
     if base is None:
         reason = Reason.of("desk.supermodule_place", file=document.name, name=command.name)
         return No(reason, _elsewhere(command, None, outside))

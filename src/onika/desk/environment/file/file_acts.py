@@ -19,6 +19,7 @@ from onika.desk.environment.state.open_file import DocumentKind
 from onika.files import appl, conf, text
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import is_shipped
+from onika.store.user_path import user_path
 from onika.wire import act
 from onika.wire.view import Remedy, ShowSaveAs
 from onika.words.fault import Refusal
@@ -51,7 +52,9 @@ def save(model: Model, file: AnyFile, command: act.Save, outside: Services) -> D
         form = Reason.of("run.file_name_form")
         return No(Reason.of("run.no_file_name", name=name), fields={"name": Reason.of("run.expected", form=form)})
     own = outside.site.own
-    base = Path(command.base).expanduser().absolute() if command.base else file.base or (own if command.name else None)
+    base = user_path(command.base) if command.base else file.base or (own if command.name else None)
+    if isinstance(base, Reason):
+        return No(base, fields={"base": base})
     if base is None:
         return No(Reason.of("run.save_nowhere"), (_elsewhere(),))
     if is_shipped(base) and not command.overwrites:

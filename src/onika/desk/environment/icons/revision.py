@@ -21,6 +21,7 @@ from onika.model.picture import Picture
 from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import OpenedText
 from onika.store.site import is_shipped
+from onika.store.user_path import user_path
 from onika.wire import act, page
 from onika.wire.view import Remedy
 from onika.words.fault import Refusal
@@ -36,7 +37,10 @@ def edit_onikon(model: Model, command: act.EditOnikon, outside: Services) -> Don
     if isinstance(place, No):
         return place
     home, opened = place
-    target = BaseDirectory(Path(command.base).expanduser().absolute()) if command.base else home
+    other = user_path(command.base) if command.base else home.path
+    if isinstance(other, Reason):
+        return No(other, fields={"base": other})
+    target = BaseDirectory(other)
     if is_shipped(target.path) and not command.overwrites:
         return _shipped(command, outside.site.own)
     changed = _changed(model, command, opened.value)

@@ -20,6 +20,7 @@ from onika.model.picture import Picture
 from onika.model.syntax import IconType
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import Site, is_shipped
+from onika.store.user_path import user_path
 from onika.wire import act, page
 from onika.wire.view import Remedy
 from onika.words.fault import Refusal
@@ -32,7 +33,9 @@ def make_target(model: Model, command: act.MakeTarget, outside: Services) -> Don
     kind = _kind(model, command.type)
     if isinstance(kind, No):
         return kind
-    base = Path(command.base).expanduser().absolute() if command.base else outside.site.own
+    base = user_path(command.base) if command.base else outside.site.own
+    if isinstance(base, Reason):
+        return No(base, fields={"base": base})
     if base is None:
         return No(Reason.of("desk.no_home_directory"), fields={"base": Reason.of("desk.expected_one")})
     wrong = _wrong(model, command)

@@ -26,6 +26,7 @@ from onika.model.application import with_numbers_as_lines
 from onika.model.syntax import Syntax
 from onika.record.reader import UNREADABLE, flaw
 from onika.store.site import Site
+from onika.store.user_path import user_path
 from onika.wire import act
 from onika.wire.plan import Plan
 from onika.words.reason import NOTHING, Reason
@@ -71,7 +72,10 @@ def read(
     model: Model, path: str, outside: Services, aside: BackgroundWorker, *, opens: bool
 ) -> Steps[tuple[Model, ReviewedRun | No]]:
     """Read a recording; its application is opened where that is wanted and it is not open, and then compiled."""
-    model, review = yield Work(model, aside, partial(_review, Path(path).expanduser().absolute()))
+    file = user_path(path)
+    if isinstance(file, Reason):
+        return model, No(file)
+    model, review = yield Work(model, aside, partial(_review, file))
     if isinstance(review, No):
         return model, review
     model, opened, note = _opened(model, review.run.prepare.plan, outside, opens=opens)

@@ -24,6 +24,7 @@ from onika.desk.trial.home import FOLDER
 from onika.desk.trial.keeping import keep_in
 from onika.files.kept import ENDING
 from onika.store.site import Site, is_shipped
+from onika.store.user_path import user_path
 from onika.wire import act, page
 from onika.wire.view import KeepingView, Remedy
 from onika.words.condition import Condition
@@ -85,7 +86,13 @@ def _expectations(texts: Sequence[str]) -> tuple[Condition, ...] | No:
 
 def _path(opened: OpenApplication, wanted: str, outside: Services) -> Path | No:
     """The file; a name alone is one in the folder of tests beside the application, or of the user's own."""
-    given = Path(wanted.strip() or opened.name).expanduser()
+    text = wanted.strip() or opened.name
+    whole = user_path(text)
+    if isinstance(whole, Reason):
+        return _unnamed(whole)
+    given = whole if text.startswith(("/", "~")) else Path(text)
+    if not given.name:
+        return _unnamed(Reason.of("run.keep_name"))
     path = given if given.suffix == ENDING else given.with_name(f"{given.name}{ENDING}")
     if not path.is_absolute():
         own = outside.site.own
