@@ -29,11 +29,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
 def carry_out(given: argparse.Namespace) -> int:
     """Make it; 0 if it was made."""
     made = iconify(
-        given.path,
-        site_here(given.local),
-        description=given.desc,
-        picture=given.picture,
-        replaces=given.replace,
+        given.path, site_here(given.local), description=given.desc, picture=given.picture, replaces=given.replace
     )
     if not isinstance(made, IconifiedFile):
         for reason in made:

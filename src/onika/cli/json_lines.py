@@ -103,11 +103,6 @@ class JsonLines:
 
 def _plain(faults: Sequence[Fault]) -> list[dict[str, Any]]:
     return [
-        {
-            "file": fault.place.file,
-            "line": fault.place.line,
-            "reason": fault.reason,
-            "instead": fault.instead,
-        }
+        {"file": fault.place.file, "line": fault.place.line, "reason": fault.reason, "instead": fault.instead}
         for fault in faults
     ]

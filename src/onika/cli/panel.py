@@ -121,9 +121,7 @@ class Panel:
         return Columns(
             [
                 Text(
-                    f"{MARKS[state][0]} {subsystem + '/' if several else ''}{task}",
-                    style=MARKS[state][1],
-                    no_wrap=True,
+                    f"{MARKS[state][0]} {subsystem + '/' if several else ''}{task}", style=MARKS[state][1], no_wrap=True
                 )
                 for (subsystem, task), state in sorted(self._states.items())
                 if state != "KILLED"

@@ -32,9 +32,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
     table.add_argument("variables", nargs="*", metavar="NAME", help=say(Reason.of("cli.recording_variables")))
     table.add_argument("--output", type=Path, metavar="FILE.csv", help=say(Reason.of("cli.recording_output")))
     compare = acts.add_parser(
-        "diff",
-        help=say(Reason.of("cli.recording_diff")),
-        epilog=say(Reason.of("cli.recording_diff_epilog")),
+        "diff", help=say(Reason.of("cli.recording_diff")), epilog=say(Reason.of("cli.recording_diff_epilog"))
     )
     compare.add_argument("one", type=Path, metavar="A.mcap")
     compare.add_argument("other", type=Path, metavar="B.mcap")

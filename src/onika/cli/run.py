@@ -70,12 +70,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--token-file", dest="token", type=_token, metavar="FILE", help=say(Reason.of("cli.run_token_file"))
     )
-    parser.add_argument(
-        "--scale",
-        type=scale,
-        metavar="X",
-        help=say(Reason.of("cli.run_scale")),
-    )
+    parser.add_argument("--scale", type=scale, metavar="X", help=say(Reason.of("cli.run_scale")))
     parser.add_argument(
         "--subsystem", action="append", default=[], metavar="NAME", help=say(Reason.of("cli.run_subsystem"))
     )

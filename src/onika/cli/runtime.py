@@ -40,17 +40,8 @@ def describe(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--users", metavar="FILE", help=say(Reason.of("cli.runtime_users")))
     parser.add_argument("--name", action="append", default=[], metavar="HOST", help=say(Reason.of("cli.runtime_name")))
     parser.add_argument("--accept-code", action="store_true", help=say(Reason.of("cli.runtime_accept_code")))
-    parser.add_argument(
-        "--audit",
-        metavar="FILE",
-        help=say(Reason.of("cli.runtime_audit")),
-    )
-    parser.add_argument(
-        "--lease",
-        type=lease,
-        metavar="SECONDS",
-        help=say(Reason.of("cli.runtime_lease")),
-    )
+    parser.add_argument("--audit", metavar="FILE", help=say(Reason.of("cli.runtime_audit")))
+    parser.add_argument("--lease", type=lease, metavar="SECONDS", help=say(Reason.of("cli.runtime_lease")))
     parser.add_argument("--no-fifo", action="store_true", help=say(Reason.of("cli.page_no_fifo")))
     add_base(parser)
 

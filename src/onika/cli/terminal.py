@@ -26,14 +26,7 @@ from onika.cli.terminal_input import TerminalInput
 from onika.desk.console.display import Tone
 from onika.words.reason import Text
 
-_COLOURS = {
-    Tone.HEAD: "1",
-    Tone.GOOD: "32",
-    Tone.DIM: "2",
-    Tone.NOTE: "33",
-    Tone.FAULT: "31",
-    Tone.ASK: "35",
-}
+_COLOURS = {Tone.HEAD: "1", Tone.GOOD: "32", Tone.DIM: "2", Tone.NOTE: "33", Tone.FAULT: "31", Tone.ASK: "35"}
 
 
 class _Output(Vt100_Output):

@@ -52,7 +52,5 @@ def _button(block: Sequence[FileLine], reading: TextReading) -> Button:
             reading.fault(line.number, Reason.of("files.text_after", keyword=line.keyword, line=str(line)))
     name, command = by_keyword["BUTTON"], by_keyword["FUNCTION"]
     return Button(
-        name.text if name else "",
-        command.rest if command else "",
-        reading.yes(by_keyword[_SPAWN], default=False),
+        name.text if name else "", command.rest if command else "", reading.yes(by_keyword[_SPAWN], default=False)
     )

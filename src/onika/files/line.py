@@ -97,14 +97,7 @@ class TextReading:
 
     def note(self, number: int, reason: Reason, instead: Reason) -> None:
         """Report something that is only worth knowing: nothing is left out."""
-        self._faults.append(
-            Fault(
-                Place(self.file, number),
-                reason,
-                instead,
-                is_note=True,
-            )
-        )
+        self._faults.append(Fault(Place(self.file, number), reason, instead, is_note=True))
 
     # -- the whole text
 

@@ -62,11 +62,7 @@ def _show_type(kind: IconType) -> str:
     parts = [row("ONIKON", one_line(kind.name)), row("LEFTEDGE", str(kind.left_edge))]
     parts.append(row("RIGHTEDGE", str(kind.right_edge)))
     for item in kind.items:
-        parts += [
-            row("VARNAME", one_line(item.name)),
-            row("DATATYPE", item.type.value),
-            row("NELEMS", str(item.count)),
-        ]
+        parts += [row("VARNAME", one_line(item.name)), row("DATATYPE", item.type.value), row("NELEMS", str(item.count))]
         parts += [row("DIMENSION", item.dimension)] if item.dimension else []
     return "".join(parts)
 

@@ -25,14 +25,7 @@ def _frozen(rows: list[list[float]] | list[float]) -> Array:
 
 
 # a (m), alpha (rad), d (m), theta offset (rad)
-DH = _frozen(
-    [
-        [0.425, 0.0, 0.30, 0.0],
-        [0.375, math.pi, 0.0, 0.0],
-        [0.0, 0.0, 0.24, SLIDES],
-        [0.0, 0.0, 0.0, 0.0],
-    ]
-)
+DH = _frozen([[0.425, 0.0, 0.30, 0.0], [0.375, math.pi, 0.0, 0.0], [0.0, 0.0, 0.24, SLIDES], [0.0, 0.0, 0.0, 0.0]])
 
 # mass (kg), centre of mass x y z (m, frame i), Ixx Iyy Izz (kg m2, about it), armature and viscous friction of the
 # joint: kg m2 and N m s/rad where it turns, kg and N s/m where it slides

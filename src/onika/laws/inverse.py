@@ -23,12 +23,7 @@ class Inverse(Protocol):
 
 
 def inverse_for(
-    dh: Numbers,
-    base: Numbers | None,
-    tool: Numbers | None,
-    qmin: Numbers,
-    qmax: Numbers,
-    kind: Numbers | None = None,
+    dh: Numbers, base: Numbers | None, tool: Numbers | None, qmin: Numbers, qmax: Numbers, kind: Numbers | None = None
 ) -> Inverse:
     """The inverse of an arm given by constants (units and kinds as in `Arm`); `qmin`, `qmax` double[n]."""
     n = np.size(dh) // 4

@@ -45,13 +45,7 @@ TASKS = (
         raw=1,
         more=Reason.of("console.more_on"),
     ),
-    Command(
-        "off",
-        "off [TASK… | all]",
-        Reason.of("console.does_off"),
-        task_lines.off,
-        ("task",),
-    ),
+    Command("off", "off [TASK… | all]", Reason.of("console.does_off"), task_lines.off, ("task",)),
     Command("kill", "kill TASK…  |  kill all", Reason.of("console.does_kill"), task_lines.kill, ("task",), 1),
     Command(
         "clear",
@@ -88,15 +82,7 @@ TASKS = (
 CHANGES = (
     Command("rate", "rate TASK HZ", Reason.of("console.does_rate"), tuning_lines.rate, ("task", ""), 2, 2),
     Command("get", "get TASK NAME", Reason.of("console.does_get"), tuning_lines.get, ("task", ""), 2, 2),
-    Command(
-        "set",
-        "set TASK NAME VALUE",
-        Reason.of("console.does_set"),
-        tuning_lines.put,
-        ("task", ""),
-        3,
-        raw=2,
-    ),
+    Command("set", "set TASK NAME VALUE", Reason.of("console.does_set"), tuning_lines.put, ("task", ""), 3, raw=2),
     Command(
         "reinit",
         "reinit TASK [KEY WORDS…]",
@@ -106,15 +92,7 @@ CHANGES = (
         1,
         more=Reason.of("console.more_reinit"),
     ),
-    Command(
-        "swap",
-        "swap TASK [FILE]",
-        Reason.of("console.does_swap"),
-        tuning_lines.swap,
-        ("task", "file"),
-        1,
-        2,
-    ),
+    Command("swap", "swap TASK [FILE]", Reason.of("console.does_swap"), tuning_lines.swap, ("task", "file"), 1, 2),
 )
 
 LOOKS = (
@@ -127,15 +105,7 @@ LOOKS = (
         more=Reason.of("console.more_status"),
     ),
     Command("tasks", "tasks [SUBSYSTEM]", Reason.of("console.does_tasks"), inspection.tasks, ("subsystem",), 0, 1),
-    Command(
-        "library",
-        "library [PATTERN]",
-        Reason.of("console.does_library"),
-        inspection.library,
-        ("library",),
-        0,
-        1,
-    ),
+    Command("library", "library [PATTERN]", Reason.of("console.does_library"), inspection.library, ("library",), 0, 1),
     Command("rtpus", "rtpus", Reason.of("console.does_rtpus"), inspection.rtpus, most=0),
     Command("subsystems", "subsystems", Reason.of("console.does_subsystems"), inspection.subsystems, most=0),
     Command(
@@ -224,15 +194,7 @@ WHOLE = (
         3,
         more=Reason.of("console.more_touch"),
     ),
-    Command(
-        "take",
-        "take [SUBSYSTEM]",
-        Reason.of("console.does_take"),
-        control_lines.take,
-        ("subsystem",),
-        0,
-        1,
-    ),
+    Command("take", "take [SUBSYSTEM]", Reason.of("console.does_take"), control_lines.take, ("subsystem",), 0, 1),
     Command(
         "release", "release [SUBSYSTEM]", Reason.of("console.does_release"), control_lines.release, ("subsystem",), 0, 1
     ),

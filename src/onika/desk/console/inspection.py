@@ -23,11 +23,7 @@ _SUBSYSTEM_HEAD = (
     Reason.of("console.head_holder"),
     Reason.of("console.head_moved"),
 )
-_VARIABLE_HEAD = (
-    Reason.of("console.head_variable"),
-    Reason.of("console.head_type"),
-    Reason.of("console.head_value"),
-)
+_VARIABLE_HEAD = (Reason.of("console.head_variable"), Reason.of("console.head_type"), Reason.of("console.head_value"))
 _ELEMENT = re.compile(r"([^\[\]]+)\[(\d+(?:,\d+)*)\]\Z")
 
 

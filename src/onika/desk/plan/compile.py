@@ -151,13 +151,7 @@ class Compiler:
             return target.onikon.argument_line(self._syntax)
         except ValueError as wrong:  # the definition of its type has changed since it was made
             place = Place(self._place.file, target.line)
-            self.faults.append(
-                Fault(
-                    place,
-                    reason_of(wrong),
-                    Reason.of("words.application_not_run"),
-                )
-            )
+            self.faults.append(Fault(place, reason_of(wrong), Reason.of("words.application_not_run")))
             return ""
 
     def _keeps_time(self, name: str) -> bool:

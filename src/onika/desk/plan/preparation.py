@@ -46,9 +46,7 @@ def prepare_run(name_or_path: str, site: Site, redirects: Sequence[Redirect] = (
         names = sorted({name for base in site.directories for name in base.applications})
         present = tuple(names) or Reason.of("desk.none_on_path")
         fault = Fault(
-            Place(name_or_path),
-            Reason.of("desk.application_unknown", names=present),
-            Reason.of("words.nothing_run"),
+            Place(name_or_path), Reason.of("desk.application_unknown", names=present), Reason.of("words.nothing_run")
         )
         return _nothing(name_or_path, (fault, *site.absent()))
     syntax, faults = site.syntax()
@@ -83,13 +81,7 @@ def prepare(
 def fault_of(text: FaultText) -> Fault:
     """A fault that a runtime has found."""
     place = Place(text.file, text.line)
-    return Fault(
-        place,
-        text.reason,
-        text.instead,
-        where=text.where,
-        remedies=text.remedies,
-    )
+    return Fault(place, text.reason, text.instead, where=text.where, remedies=text.remedies)
 
 
 def _judged(

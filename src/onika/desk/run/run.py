@@ -256,9 +256,7 @@ def _prepare(prepared: PreparedRun, plan: Plan, runtime: RuntimeConversation, ou
     elif isinstance(answer, request.Refused):
         outcome.faults.append(
             Fault(
-                Place("runtime"),
-                Reason.of("desk.plan_refused", reason=answer.reason),
-                Reason.of("words.nothing_run"),
+                Place("runtime"), Reason.of("desk.plan_refused", reason=answer.reason), Reason.of("words.nothing_run")
             )
         )
 

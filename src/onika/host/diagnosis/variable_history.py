@@ -23,11 +23,7 @@ class VariableHistory:
     """
 
     def __init__(
-        self,
-        tables: Mapping[str, Table],
-        every_ns: int = 50_000_000,
-        kept_ns: int = 3_000_000_000,
-        began_ns: int = 0,
+        self, tables: Mapping[str, Table], every_ns: int = 50_000_000, kept_ns: int = 3_000_000_000, began_ns: int = 0
     ) -> None:
         if not 0 < every_ns <= kept_ns:
             raise ValueError(f"expected samples more often than every {kept_ns} ns, found every {every_ns} ns")

@@ -101,11 +101,7 @@ def fault_of(answer: Answer) -> Fault:
     if not isinstance(answer, UnusableModule):
         raise TypeError(f"expected the answer to the question, found {answer!r}")
     text = answer.fault
-    return Fault(
-        Place(text.file, text.line),
-        text.reason,
-        text.instead,
-    )
+    return Fault(Place(text.file, text.line), text.reason, text.instead)
 
 
 def _answer(question: Question, facts: ModuleFacts) -> Answer:

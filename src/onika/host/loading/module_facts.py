@@ -63,11 +63,7 @@ class ModuleFacts:
         try:
             return tuple(sheet.name for sheet in self._world(world).devices())
         except Exception as wrong:
-            return Fault(
-                Place(world),
-                reason_of(wrong),
-                Reason.of("host.no_device_used"),
-            )
+            return Fault(Place(world), reason_of(wrong), Reason.of("host.no_device_used"))
 
     def resolve(
         self, code: Code, constants: dict[str, Any], targets: list[tuple[str, list[Any]]]
@@ -151,11 +147,7 @@ class ModuleFacts:
 
     def _fault(self, code: Code, reason: Reason, wrong: Exception) -> Fault:
         place = Place(code.path, line_in(code.path, wrong))
-        return Fault(
-            place,
-            reason,
-            Reason.of("host.module_not_used", module=code.module),
-        )
+        return Fault(place, reason, Reason.of("host.module_not_used", module=code.module))
 
 
 def _plain(value: Any) -> Any:

@@ -81,11 +81,7 @@ def context(certificate: str, key: str) -> ssl.SSLContext:
 
 def _users(wanted: ListenOptions, near: bool) -> tuple[tuple[User, ...], list[Fault]]:
     if not wanted.users:
-        missing = Fault(
-            Place("--users"),
-            Reason.of("host.users_missing", listen=_shown(wanted.listen)),
-            _CLOSED,
-        )
+        missing = Fault(Place("--users"), Reason.of("host.users_missing", listen=_shown(wanted.listen)), _CLOSED)
         return (), [] if near else [missing]
     try:
         text = Path(wanted.users).read_text(encoding="utf-8")
@@ -102,11 +98,7 @@ def _secrets(wanted: ListenOptions, near: bool) -> list[Fault]:
     if near and not any(given.values()):
         return []
     faults = [
-        Fault(
-            Place(option),
-            Reason.of("host.certificate_missing", listen=_shown(wanted.listen)),
-            _CLOSED,
-        )
+        Fault(Place(option), Reason.of("host.certificate_missing", listen=_shown(wanted.listen)), _CLOSED)
         for option, value in given.items()
         if not value
     ]

@@ -36,8 +36,8 @@ class Users:
 
     def find(self, token: str) -> User | None:
         """The user whose token this is; takes as long for a wrong one as for a right one."""
-        asked = digest(token)
-        users = [user for user in self.users if hmac.compare_digest(user.digest, asked)]
+        wanted = digest(token)
+        users = [user for user in self.users if hmac.compare_digest(user.digest, wanted)]
         return users[0] if users else None
 
 
@@ -53,22 +53,10 @@ def read(text: str, place: str) -> tuple[tuple[User, ...], list[Fault]]:
         if user is None:
             # the line is not shown: somebody may have written a token there
             reason = Reason.of("host.user_line", roles=tuple(_ROLES), count=len(words))
-            faults.append(
-                Fault(
-                    Place(place, number),
-                    reason,
-                    Reason.of("host.nobody_let_in"),
-                )
-            )
+            faults.append(Fault(Place(place, number), reason, Reason.of("host.nobody_let_in")))
         elif any(user.name == other.name and user.role is not other.role for other in users):
             reason = Reason.of("host.user_twice", name=user.name, role=user.role.word)
-            faults.append(
-                Fault(
-                    Place(place, number),
-                    reason,
-                    Reason.of("host.nobody_let_in"),
-                )
-            )
+            faults.append(Fault(Place(place, number), reason, Reason.of("host.nobody_let_in")))
         else:
             users.append(user)
     return tuple(users), faults

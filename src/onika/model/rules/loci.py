@@ -138,13 +138,7 @@ def _locus(standing: Locus, spot: tuple[int, int] | None, used: Uses) -> Locus:
         return standing
     conns, inconst, outconst, invar, outvar, double_in = apart(used)
     return replace(
-        standing,
-        conns=conns,
-        inconst=inconst,
-        outconst=outconst,
-        invar=invar,
-        outvar=outvar,
-        double_in=double_in,
+        standing, conns=conns, inconst=inconst, outconst=outconst, invar=invar, outvar=outvar, double_in=double_in
     )
 
 

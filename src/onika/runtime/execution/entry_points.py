@@ -26,12 +26,7 @@ class EntryPoints:
         self.watch: Callable[[str], None] = watch or (lambda _task: None)
 
     def attempt(
-        self,
-        task: RunningTask,
-        entry: str,
-        now: int,
-        call: Callable[[], None],
-        passing: type[Exception] | None = None,
+        self, task: RunningTask, entry: str, now: int, call: Callable[[], None], passing: type[Exception] | None = None
     ) -> bool:
         """Call into a module; what it raises puts the task in ERROR and gives False, but for the kind that passes."""
         self.watch(task.slot.key[2])

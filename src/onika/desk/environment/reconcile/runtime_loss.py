@@ -18,9 +18,7 @@ def lost(model: Model, reason: Text) -> Done:
     """The runtime is gone: layouts stay, nothing lives, nothing is wanted; connecting again merges."""
     documents = {
         key: replace(
-            document,
-            content=replace(document.content, wanted={}),
-            live=SubsystemFacts(document.live.subsystem, "lost"),
+            document, content=replace(document.content, wanted={}), live=SubsystemFacts(document.live.subsystem, "lost")
         )
         if document.live is not None and document.live.state == "live"
         else document

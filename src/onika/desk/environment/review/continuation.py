@@ -166,11 +166,7 @@ def _not_ended(recorded: RecordedRun) -> tuple[RecordedRun, tuple[Reason, ...]]:
 def _run(model: Model, subject: ReviewedRun, at_s: float, outside: Services) -> Run:
     """What is shown of it: as the recorded one was at its beginning, with the steps of the application of now."""
     return subject.replay.begun.shown(
-        state="beginning",
-        number=model.performed + 1,
-        began_at_s=outside.calendar(),
-        recording="",
-        repeats_until_s=at_s,
+        state="beginning", number=model.performed + 1, began_at_s=outside.calendar(), recording="", repeats_until_s=at_s
     )
 
 
