@@ -7,7 +7,7 @@ THERE, BARE = onikon("there", "Joint object", "above triangle"), onikon("grip", 
 
 
 def test_an_icon_is_called_by_what_it_shows():
-    assert (named(THERE), named(BARE), quoted(THERE)) == ("above triangle", "grip", "“above triangle”")
+    assert (named(THERE), named(BARE), str(quoted(THERE))) == ("above triangle", "grip", "“above triangle”")
     names = [str(step_named(step)) for step in (Icon(THERE), Hole(), Branch(()))]
     assert names == ["above triangle", "a hole", "a branch"]
 

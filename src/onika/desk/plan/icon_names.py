@@ -15,9 +15,9 @@ def named(onikon: Onikon) -> str:
     return onikon.description or onikon.name
 
 
-def quoted(onikon: Onikon) -> str:
+def quoted(onikon: Onikon) -> Reason:
     """The same where it stands in the middle of a sentence."""
-    return f"“{named(onikon)}”"
+    return Reason.of("run.quoted", text=named(onikon))
 
 
 def step_named(step: Step) -> Text:
