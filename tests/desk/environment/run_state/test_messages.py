@@ -24,8 +24,8 @@ def move(where):
     return showing(job("aC", "Joint job"), "move the joints"), showing(joints("box", *[0.0] * 6), where)
 
 
-def speech(play):
-    return play.environment.model.run.speech
+def wording(play):
+    return play.environment.model.run.wording
 
 
 def test_an_action_is_called_by_what_its_icons_show_where_it_stands(play):  # R-E11
@@ -51,7 +51,7 @@ def test_a_text_names_no_file_and_no_line(play):  # R-E11, R-X06
     play.run(play.open([*move("above the box"), showing(job("bC"), "hold still")]))
     plan = play.environment.model.run.plan.flows[0]
     first, second = plan.actions
-    said = speech(play).with_icons
+    said = wording(play).with_icons
     assert said(f"{first.place}:{first.line} (aC box): left by the user") == (
         "“move the joints above the box”: left by the user"
     )
@@ -64,7 +64,7 @@ def test_a_text_names_no_file_and_no_line(play):  # R-E11, R-X06
 
 def test_choices_are_told_by_what_they_do_with_what_is_shown(play):  # R-E08
     play.run(play.open([showing(job("bC"), "hold still")]))
-    with_icons = speech(play).with_icons
+    with_icons = wording(play).with_icons
     clears = Reason.of("host.clears", tasks=("b",))
     repeats = Reason.of("host.and_repeats", what=clears, action="bC")
     assert str(with_icons(repeats)) == "clears b and repeats “hold still” with the same target"

@@ -85,7 +85,7 @@ def _says(run: Run, message: event.Event, *, is_held: bool) -> tuple[page.Say, .
             where = run.step_at(message.subsystem, message.index)
             who_ = "/".join(part for part in (message.subsystem, message.task) if part)
             reason = Reason.of("run.what_why", what=who_, why=message.text) if who_ else message.text
-            text = run.speech.with_icons(reason)
+            text = run.wording.with_icons(reason)
             return (page.Say("error", text, doc, ShowStep(where) if where else None, message.at_s),)
         case event.Warned() | event.Stepped():
             return (page.Say("warning", run.view.notes[-1], doc, None, message.at_s),)

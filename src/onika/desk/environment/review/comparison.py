@@ -114,7 +114,7 @@ def _with_icon(side: Reason, subject: ReviewedRun) -> Reason:
     event = side.args.get("event")
     if not isinstance(event, Reason) or event.key != "record.action_begins":
         return side
-    icon = subject.speech.actions.get(str(event.args["action"]))
+    icon = subject.wording.actions.get(str(event.args["action"]))
     if icon is None:
         return side
     return Reason.of("record.event_at", event=Reason.of("run.icon_begins", icon=icon), at_s=side.args["at_s"])

@@ -154,6 +154,6 @@ def subject_of(review: Review, opened: OpenApplication | None, note: Reason, sit
 
 def _present(opened: OpenApplication, site: Site, syntax: Syntax) -> CurrentApplication:
     prepared = ready(opened, site, syntax)
-    speech = IconWording.of(place_of(opened), with_numbers_as_lines(opened.application), prepared.program, syntax)
+    wording = IconWording.of(place_of(opened), with_numbers_as_lines(opened.application), prepared.program, syntax)
     belonging = StepMembership.of(opened.application, syntax)
-    return CurrentApplication(opened.id, opened.name, prepared.plan, belonging, speech)
+    return CurrentApplication(opened.id, opened.name, prepared.plan, belonging, wording)

@@ -39,14 +39,14 @@ def _of_event(run: Run, at_s: float, message: event.Event) -> MarkView | None:
         case event.Explained() if message.choices:
             return MarkView(at_s, "stop", _with_icons(run, message.subsystem, message.text))
         case event.Result() if not message.completed:
-            return MarkView(at_s, "stop", run.speech.with_icons(Reason.of("run.run_ended", cause=message.cause)))
+            return MarkView(at_s, "stop", run.wording.with_icons(Reason.of("run.run_ended", cause=message.cause)))
         case event.Met():
             return MarkView(at_s, "meet", Reason.of("run.met", flows=message.subsystems, tag=tag(message.tag)))
     return None
 
 
 def _with_icons(run: Run, what: str, why: Text) -> Text:
-    return run.speech.with_icons(Reason.of("run.what_why", what=what, why=why))
+    return run.wording.with_icons(Reason.of("run.what_why", what=what, why=why))
 
 
 def _stopped(message: event.Stopped) -> Reason:

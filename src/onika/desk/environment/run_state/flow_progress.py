@@ -77,7 +77,7 @@ def over(run: Run, result: event.Result) -> Run:
         asks={},
         stops={key: stop for key, stop in run.view.stops.items() if not key},
         is_completed=result.completed,
-        cause=_cause(run, run.speech.with_icons(result.cause)),
+        cause=_cause(run, run.wording.with_icons(result.cause)),
         done=result.done,
         took_s=result.runtime_s,
         jumps=tuple(map(jump_view, result.steps)),
@@ -114,8 +114,8 @@ def _began(run: Run, began: event.Began) -> Run:
         subsystem,
         state="running" if former.state in _BEFORE else former.state,  # it is not told: the action says it
         step=step,
-        action=run.speech.action(action),
-        within=tuple(map(run.speech.icon, action.within)),
+        action=run.wording.action(action),
+        within=tuple(map(run.wording.icon, action.within)),
         index=began.index,
         began_s=began.at_s,
         should_take_s=should_take_s,
@@ -164,7 +164,7 @@ def _moved(run: Run, moved: event.Moved) -> Run:
         waits_for=status.waits_for,
         waits_since_s=status.waits_since_s,
         is_pausing=former.is_pausing and status.state != "paused",
-        text=run.speech.with_icons(moved.text),
+        text=run.wording.with_icons(moved.text),
     )
     if moved.state == "done":
         run = _closed(run, moved.subsystem, former.step, moved.at_s)

@@ -27,7 +27,7 @@ class ReviewedRun:
     review: Review
     replay: RunHistory
     view: RecordingView
-    speech: IconWording
+    wording: IconWording
     """The words of its icons."""
     samples: VariableCache = field(default_factory=VariableCache)
     """Of the variables that were plotted."""
@@ -47,9 +47,9 @@ class ReviewedRun:
 def subject(review: Review, recast: StepMapping, durations: Mapping[tuple[int, int], float]) -> ReviewedRun:
     """Made of a recording, and of the steps of the open application that its actions are."""
     run = begun(recast.doc, recast.plan, 0, _began(review.run.began), recast.belonging)
-    run = replace(run, speech=recast.speech, durations=durations)
+    run = replace(run, wording=recast.wording, durations=durations)
     run = run.shown(state="running", recording=str(review.path))
-    return ReviewedRun(review, RunHistory(run, review.events), _view(review, run, recast), run.speech)
+    return ReviewedRun(review, RunHistory(run, review.events), _view(review, run, recast), run.wording)
 
 
 def _view(review: Review, run: Run, recast: StepMapping) -> RecordingView:
@@ -60,7 +60,7 @@ def _view(review: Review, run: Run, recast: StepMapping) -> RecordingView:
         is_virtual=review.run.is_virtual,
         is_whole=review.is_whole,
         is_completed=review.ending.get("completed") == "yes",
-        cause=run.speech.with_icons(_cause(review)),
+        cause=run.wording.with_icons(_cause(review)),
         begin_s=begin_s,
         end_s=end_s,
         flows={

@@ -25,7 +25,7 @@ class Run:
     flow_index: FlowIndex
     """Its flows by the words of steering."""
     belonging: StepMembership
-    speech: IconWording = field(default_factory=IconWording)
+    wording: IconWording = field(default_factory=IconWording)
     """The words in which it is told."""
     durations: Mapping[tuple[int, int], float] = field(default_factory=dict)
     """What targets say of how long their action should take, by flow and action."""
@@ -109,13 +109,13 @@ class Run:
 
     def noted(self, text: Text) -> "Run":
         """With one more note, said by a runtime; old ones are forgotten."""
-        return self.shown(notes=(*self.view.notes, self.speech.with_icons(text))[-_MOST_NOTES:])
+        return self.shown(notes=(*self.view.notes, self.wording.with_icons(text))[-_MOST_NOTES:])
 
     def called(self, subsystem: str, index: int) -> str:
         """What an action is about, in the words of its icons; empty: there is none such."""
         flow = self.number_of(subsystem)
         action = None if flow is None else self.action(flow, index)
-        return "" if action is None else self.speech.action(action)
+        return "" if action is None else self.wording.action(action)
 
 
 _MOST_NOTES = 60
@@ -123,7 +123,7 @@ _AS_NAMED = IconWording()
 
 
 def begun(
-    doc: str, plan: Plan, number: int, at_s: float, belonging: StepMembership, speech: IconWording = _AS_NAMED
+    doc: str, plan: Plan, number: int, at_s: float, belonging: StepMembership, wording: IconWording = _AS_NAMED
 ) -> Run:
     """A run that is about to begin; `at_s` is seconds since 1970."""
     flows = {
@@ -132,4 +132,4 @@ def begun(
     }
     of = sum(len(flow.actions) for flow in plan.flows)
     view = RunView(doc, plan.application, number, began_at_s=at_s, flows=flows, of=of)
-    return Run(view, plan, FlowIndex.of(plan), belonging, speech.hearing(plan))
+    return Run(view, plan, FlowIndex.of(plan), belonging, wording.hearing(plan))

@@ -15,7 +15,7 @@ _MOST_SAMPLES = 120
 def stop_view(run: Run, explained: event.Explained) -> StopView:
     """Why a flow stands still, or the run ends."""
     failed = run.failures.get(f"{explained.subsystem}/{explained.task}")
-    text = run.speech.with_icons(explained.text)
+    text = run.wording.with_icons(explained.text)
     return StopView(
         text=text,
         short=in_short(text),
@@ -33,7 +33,7 @@ def stop_view(run: Run, explained: event.Explained) -> StopView:
         waiting=explained.waiting,
         courses=tuple(map(_course, explained.courses)),
         choices=tuple(_choice(words, run, explained) for words, _ in explained.choices),
-        meanings=tuple(run.speech.with_icons(meaning) for _, meaning in explained.choices),
+        meanings=tuple(run.wording.with_icons(meaning) for _, meaning in explained.choices),
     )
 
 

@@ -29,7 +29,7 @@ class CurrentApplication:
     plan: Plan | None
     """None: there is nothing in it that could be compiled."""
     belonging: StepMembership
-    speech: IconWording
+    wording: IconWording
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +39,7 @@ class StepMapping:
     plan: Plan
     doc: str = ""
     belonging: StepMembership = field(default_factory=lambda: StepMembership({}, {}))
-    speech: IconWording = field(default_factory=IconWording)
+    wording: IconWording = field(default_factory=IconWording)
     notes: tuple[Reason, ...] = ()
 
 
@@ -47,12 +47,12 @@ def recast(recorded: Plan, present: CurrentApplication | None) -> StepMapping:
     """Find the steps; what has changed since is told."""
     bare = _placed(recorded, {})
     if present is None:
-        return StepMapping(bare, speech=_told(IconWording(), recorded, bare), notes=_redirected(recorded))
+        return StepMapping(bare, wording=_told(IconWording(), recorded, bare), notes=_redirected(recorded))
     partners = _partners(recorded, present.plan) if present.plan is not None else {}
     plan = _placed(recorded, partners)
-    speech = _told(present.speech, recorded, plan)
+    wording = _told(present.wording, recorded, plan)
     notes = (*_changed(recorded, present, partners), *_redirected(recorded))
-    return StepMapping(plan, present.doc, present.belonging, speech, notes)
+    return StepMapping(plan, present.doc, present.belonging, wording, notes)
 
 
 # -- which action is which
@@ -123,13 +123,13 @@ def _at(planned_action: PlannedAction, partner: PlannedAction | None) -> Planned
     return structs.replace(planned_action, spot=partner.spot, place=partner.place, line=partner.line)
 
 
-def _told(speech: IconWording, recorded: Plan, plan: Plan) -> IconWording:
+def _told(wording: IconWording, recorded: Plan, plan: Plan) -> IconWording:
     """The words of now, for what was told with the places of then."""
-    recorded_speech = speech.hearing(recorded)
+    recorded_speech = wording.hearing(recorded)
     actions = dict(recorded_speech.actions)
     for flow, now in zip(recorded.flows, plan.flows, strict=True):
         for action, placed in zip(flow.actions, now.actions, strict=True):
-            shown = speech.action(placed)
+            shown = wording.action(placed)
             actions[f"{Place(action.place, action.line)} ({action.name})"] = actions[action.name] = shown
     return replace(recorded_speech, actions=actions)
 
@@ -142,7 +142,7 @@ def _changed(recorded: Plan, present: CurrentApplication, partners: _Partners) -
     lacking = [recorded.flows[number].actions[index] for number, index in every if (number, index) not in partners]
     more = sum(len(flow.actions) for flow in present.plan.flows) - len(partners)
     if lacking:
-        names = tuple(dict.fromkeys(present.speech.action(planned_action) for planned_action in lacking))
+        names = tuple(dict.fromkeys(present.wording.action(planned_action) for planned_action in lacking))
         key = "run.changed_lacks_more" if len(names) > _NAMED else "run.changed_lacks"
         yield Reason.of(key, name=present.name, count=len(lacking), of=len(every), names=names[:_NAMED])
     elif more:

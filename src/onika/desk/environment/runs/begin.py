@@ -67,7 +67,7 @@ class _Start:
     plan: Plan
     targets: tuple[TargetValues, ...]
     belonging: StepMembership
-    speech: IconWording
+    wording: IconWording
     troubles: FaultViews
     durations: dict[tuple[int, int], float]
     notes: tuple[Text, ...]
@@ -129,7 +129,7 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, _S
         plan=prepared.plan,
         targets=prepared.targets,
         belonging=StepMembership.of(opened.application, syntax),
-        speech=IconWording.of(place_of(opened), with_numbers_as_lines(opened.application), prepared.program, syntax),
+        wording=IconWording.of(place_of(opened), with_numbers_as_lines(opened.application), prepared.program, syntax),
         troubles=troubles,
         durations=durations(prepared.targets, syntax),
         notes=(),
@@ -187,7 +187,7 @@ def durations(targets: tuple[TargetValues, ...], syntax: Syntax) -> dict[tuple[i
 
 
 def _new(model: Model, start: _Start) -> Run:
-    run = begun(start.command.doc, start.plan, model.performed + 1, start.began_at_s, start.belonging, start.speech)
+    run = begun(start.command.doc, start.plan, model.performed + 1, start.began_at_s, start.belonging, start.wording)
     run = replace(run, durations=start.durations).shown(recording=start.record)
     for note in start.notes:
         run = run.noted(note)
