@@ -9,6 +9,9 @@ from onika.cli.language import say
 from onika.desk.run.machine import features
 from onika.words.reason import Reason
 
+_COLUMN = 14
+"""Columns for the name of a thing."""
+
 
 def purpose() -> Reason:
     """What the command is for."""
@@ -29,10 +32,10 @@ def carry_out(given: argparse.Namespace) -> int:
         mark = (
             _mark(Reason.of("cli.doctor_ok"), "green") if offer.is_there else _mark(Reason.of("cli.doctor_no"), "red")
         )
-        console.print(mark, Text(f"{say(offer.name):<12}"), Text(say(offer.actual)), sep="")
+        console.print(mark, Text(f"{say(offer.name):<{_COLUMN}}"), Text(say(offer.actual)), sep="")
         if not offer.is_there:
             cost = say(Reason.of("cli.doctor_cost", cost=offer.cost))
-            console.print(Text(f"    {'':<12}{cost}", style="yellow"))
+            console.print(Text(f"    {'':<{_COLUMN}}{cost}", style="yellow"))
     return 1 if missing else 0
 
 

@@ -26,6 +26,7 @@ from onika.runtime.modules.module import Module
 from onika.runtime.table import Table
 from onika.testing.bench_device import SEGMENT, BenchDevice
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 from onika.words.shape import Shape
 
 _Kind = TypeVar("_Kind")
@@ -101,9 +102,8 @@ class Bench:
     def cycle(self, count: int = 1) -> Self:
         """Run so many cycles, fewer if it leaves ON meanwhile; raises RuntimeError where it is not ON to begin with."""
         if self.state is not State.ON:
-            raise RuntimeError(
-                f"expected a task that is ON, found {self.state.value}: {self.why or 'turn it on first'}"
-            )
+            why = self.why or Reason.of("runtime.bench_turn_on")
+            raise RuntimeError(Reason.of("runtime.bench_not_on", state=self.state.value, why=why))
         for _ in range(count):
             due = self._executive.next_release()
             if due is None:
@@ -211,7 +211,7 @@ class Bench:
 
     def _entry(self, name: str) -> Any:
         if name not in self.table.entries:
-            raise KeyError(f"expected one of {', '.join(self.table.entries)}, found {name}")
+            raise KeyError(str(Reason.of("runtime.bench_variable", names=tuple(self.table.entries), name=name)))
         return self.table.entries[name]
 
     def _publish(self) -> None:
@@ -253,7 +253,7 @@ def _bytes_of(value: Any, shape: Shape) -> bytes:
     if shape.type.is_text:
         data = str(value).encode()
         if len(data) >= shape.size:
-            raise ValueError(f"expected at most {shape.size - 1} bytes of text, found {len(data)}")
+            raise ValueError(Reason.of("runtime.bench_text", most=shape.size - 1, count=len(data)))
         return data.ljust(shape.size, b"\0")
     if shape.type.value == "char":
         return bytes([ord(value)])

@@ -15,6 +15,7 @@ from time import monotonic
 from typing import Any, Self
 
 from onika.runtime.partner.partner import Partner
+from onika.words.reason import Reason
 
 _TIMEOUT_S = 5.0
 
@@ -77,7 +78,7 @@ class FakePartner:
     def accept(self) -> PartnerConnection:
         """The next connection; raises TimeoutError where no task connects."""
         if self._server is None:
-            raise RuntimeError("expected an outsider that listens: open it first")
+            raise RuntimeError(Reason.of("runtime.bench_partner"))
         self._connections.append(PartnerConnection(self._server.accept()[0]))
         return self._connections[-1]
 

@@ -129,7 +129,9 @@ class RuntimeConversation:
             elif isinstance(notice, ReplyReceived):
                 yield NumberedResponse(notice.number, request.decode_response(notice.body))
             elif isinstance(notice, RequestFailed):
-                yield NumberedResponse(notice.number, request.Refused(f"no answer: {notice.fate.value}"))
+                yield NumberedResponse(
+                    notice.number, request.Refused(Reason.of("link.unanswered", fate=notice.fate.value))
+                )
             elif isinstance(notice, ReadingReceived):
                 self._readings[notice.key] = notice.body
             elif isinstance(notice, EpochChanged):
