@@ -142,8 +142,8 @@ def test_a_page_shows_a_real_run_at_its_icons(recorded, tmp_path):  # R-X05: can
     icons = sitting.environment.tree.applications[view.doc].steps
     assert [one.action for one in view.flows["flow0"].passages] == [0, 1, 21, 22, 24]
     assert {icons[str(one.step)].name for one in view.flows["flow0"].passages} == {"opengripC", "jmoveC", "cmoveC"}
-    kinds = [one.text for one in view.marks if one.kind == "command"]
-    assert kinds[0] == "pause: flow0" and kinds[1].startswith("skip to ")
+    commands = [one.text for one in view.marks if one.kind == "command"]
+    assert str(commands[0]) == "pause: flow0" and commands[1].key == "run.skip_to"
     late = view.flows["flow0"].passages[1].begin_s + 0.5
     instant = sitting.do(act.Glance(late))
     assert instant.run.steps[str(view.flows["flow0"].passages[1].step)].state == "running"
@@ -197,7 +197,7 @@ def test_what_was_recorded_before_a_kill_is_there(tmp_path, options):  # R-X05, 
         assert running.wait("0.25") == ()
         assert running.now_s == 1.25
         notes = running.outcome.notes
-    assert any(note.startswith("approximate:") for note in notes) == ("--virtual" not in options)
+    assert any(note.key == "desk.repeat_approximate" for note in notes) == ("--virtual" not in options)
 
 
 @pytest.mark.parametrize(
