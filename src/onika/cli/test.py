@@ -39,11 +39,11 @@ def describe(parser: argparse.ArgumentParser) -> None:
 def carry_out(given: argparse.Namespace) -> int:
     """Do them; 0 if all are passed, 1 if one is not, 2 if there is none."""
     files, faults = find(given.paths or [Path(FOLDER)], given.word)
+    if not faults and not files:
+        print(say(Reason.of("cli.no_test", word=given.word)), file=sys.stderr)
     for fault in faults:
         print(say(fault.sentence), file=sys.stderr)
     if faults or not files:
-        if not faults:
-            print(say(Reason.of("cli.no_test", word=given.word)), file=sys.stderr)
         return 2
     done = []
     with in_order():

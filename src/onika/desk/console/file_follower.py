@@ -37,10 +37,7 @@ class FileFollower:
     def command(self, session: ConsoleSession, words: Words) -> Faults:
         """`follow TASK [FILE]`; `follow off [TASK]` ends it; without words it says what is followed."""
         if not words:
-            for (subsystem, name), file in self._files.items():
-                session.say(Reason.of("console.follows", task=f"{subsystem}/{name}", path=str(file.path)))
-            if not self._files:
-                session.say(Reason.of("console.nothing_followed"), Tone.DIM)
+            self._say_followed(session)
             return ()
         if words[0] == "off":
             gone = {session.address(word) for word in words[1:]} or set(self._files)
@@ -51,14 +48,20 @@ class FileFollower:
         if faults:
             return faults
         path = Path(words[1]) if len(words) > 1 else code_file(session, subsystem, name)
-        look = None if path is None else _look(path)
-        if path is None or look is None:
-            if path is None:
-                return session.no(Reason.of("console.code_file_unknown", word=words[0]))
+        if path is None:
+            return session.no(Reason.of("console.code_file_unknown", word=words[0]))
+        look = _look(path)
+        if look is None:
             return session.no(Reason.of("console.code_file_missing", path=str(path)))
         self._files[subsystem, name] = look
         session.say(Reason.of("console.follows", task=f"{subsystem}/{name}", path=str(path)), Tone.DIM)
         return ()
+
+    def _say_followed(self, session: ConsoleSession) -> None:
+        for (subsystem, name), file in self._files.items():
+            session.say(Reason.of("console.follows", task=f"{subsystem}/{name}", path=str(file.path)))
+        if not self._files:
+            session.say(Reason.of("console.nothing_followed"), Tone.DIM)
 
     def tick(self, session: ConsoleSession) -> None:
         """Exchange what has changed, when it is time to look."""

@@ -35,6 +35,10 @@ class VariableWatch:
             watched = " ".join(self._names) or Reason.of("console.nothing")
             session.say(Reason.of("console.watched", names=watched), Tone.DIM)
             return ()
+        return self._begin(session, words)
+
+    def _begin(self, session: ConsoleSession, words: Words) -> Faults:
+        """Watch these names from now on, at the rate that may stand behind them."""
         hz = positive(words[-1])
         names = words if hz is None else words[:-1]
         if (hz is not None and hz > _MOST_HZ) or not names:

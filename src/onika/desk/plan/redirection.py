@@ -61,16 +61,10 @@ def faults(redirects: Sequence[Redirect], plan: Plan, program: ApplicationProgra
                 NOT_RUN,
             )
         elif redirect.new in program.tasks and redirect.new != redirect.old:
-            crews = {
-                key: crew for name in subsystems for key, crew in _crews(plan, program, redirects, name, redirect.old)
-            }
+            crews = dict(_crews_of(plan, program, redirects, subsystems, redirect.old))
             for reason in shortcomings(used[redirect.old], program.tasks[redirect.new], crews):
-                yield Fault(
-                    place,
-                    Reason.of("desk.substitute_unfit", old=redirect.old, reason=reason.reason),
-                    NOT_RUN,
-                    remedies=reason.remedies,
-                )
+                unfit = Reason.of("desk.substitute_unfit", old=redirect.old, reason=reason.reason)
+                yield Fault(place, unfit, NOT_RUN, remedies=reason.remedies)
 
 
 def seats(
@@ -89,7 +83,7 @@ def seats(
         others = list(_living(plan, program, redirects, elsewhere).values())
         seats = []
         for task in _used(plan, program, own).values():
-            crews = {key: crew for name in own for key, crew in _crews(plan, program, redirects, name, task.name)}
+            crews = dict(_crews_of(plan, program, redirects, own, task.name))
             taken_by = choice(redirects, home).get(task.name, task.name)
             seats.append(RedirectableTask(task, taken_by, tuple(candidates(task, library, crews, others))))
         seats_of[home] = tuple(seats)
@@ -148,6 +142,13 @@ def _living(
             task = _in_place(name, chosen, program)
             replaced[task.name] = task
     return replaced
+
+
+def _crews_of(
+    plan: Plan, program: ApplicationProgram, redirects: Sequence[Redirect], subsystems: Iterable[str], old: str
+) -> Iterator[tuple[str, Sequence[Task]]]:
+    for subsystem in subsystems:
+        yield from _crews(plan, program, redirects, subsystem, old)
 
 
 def _crews(

@@ -23,19 +23,28 @@ Say = Callable[[Text], str]
 
 def lines(explained: event.Explained, width: int = 80, say: Say = str) -> Iterator[str]:
     """The block: what, suspect, chain, places, who waits, the last seconds, the choices."""
-    who = "/".join(part for part in (explained.subsystem, explained.task) if part)
-    kind = say(Reason.of("desk.block_stop") if explained.choices else Reason.of("desk.block_end"))
-    head = f"{kind} {who}" if who else kind
-    yield from _filled(f"{explained.at_s:8.2f} s  ", f"{head}: {say(explained.text)}", width)
+    yield from _filled(f"{explained.at_s:8.2f} s  ", f"{_head(explained, say)}: {say(explained.text)}", width)
     if explained.suspect:
         yield from _labelled(say(Reason.of("desk.block_suspect")), say(explained.suspect), width)
     yield from _labelled(say(Reason.of("desk.block_chain")), _chain(explained, say), width)
     yield from _labelled(say(Reason.of("desk.block_where")), _where(explained, say), width)
     if explained.courses:
-        span = _span(explained.courses)
-        label = Reason.of("desk.block_last", seconds=f"{span:.{1 if span >= 1 else 2}f}")
+        label = Reason.of("desk.block_last", seconds=_seconds(_span(explained.courses)))
         yield from _rows(say(label), _table(explained.courses, width, say))
     yield from _choices(explained.choices, width, say)
+
+
+def _head(explained: event.Explained, say: Say) -> str:
+    """Whether it can go on, and whose flow and task it is."""
+    kind = Reason.of("desk.block_stop") if explained.choices else Reason.of("desk.block_end")
+    words = (say(kind), "/".join(filter(None, (explained.subsystem, explained.task))))
+    return " ".join(filter(None, words))
+
+
+def _seconds(span: float) -> str:
+    if span >= 1:
+        return f"{span:.1f}"
+    return f"{span:.2f}"
 
 
 def _chain(explained: event.Explained, say: Say) -> str:
@@ -46,7 +55,9 @@ def _chain(explained: event.Explained, say: Say) -> str:
     waits = [_waits(flow, tag) for flow, tag in explained.waiting]
     links: list[Text] = [explained.task, action, explained.subsystem, *waits]
     shown = [say(link) for link in links if link]
-    return " > ".join(shown) if len(shown) > 1 else ""
+    if len(shown) > 1:
+        return " > ".join(shown)
+    return ""
 
 
 def _waits(flow: str, tag: str) -> Reason:
@@ -56,8 +67,10 @@ def _waits(flow: str, tag: str) -> Reason:
 
 
 def _where(explained: event.Explained, say: Say) -> str:
-    code = f"{explained.path}:{explained.line}" if explained.path and explained.line else explained.path
-    return ", ".join(part for part in (code, say(explained.place)) if part)
+    code = explained.path
+    if explained.path and explained.line:
+        code = f"{explained.path}:{explained.line}"
+    return ", ".join(filter(None, (code, say(explained.place))))
 
 
 def _choices(choices: Sequence[tuple[str, Text]], width: int, say: Say) -> Iterator[str]:
@@ -99,7 +112,7 @@ def _filled(before: str, text: str, width: int) -> Iterator[str]:
 
 def _span(courses: Sequence[event.Course]) -> float:
     times = [at for series in courses for at in series.at_s]
-    return max(times) - min(times) if times else 0.0
+    return max(times, default=0.0) - min(times, default=0.0)
 
 
 def _table(courses: Sequence[event.Course], width: int, say: Say) -> list[str]:
@@ -116,14 +129,19 @@ def _table(courses: Sequence[event.Course], width: int, say: Say) -> list[str]:
 
 
 def _name(series: event.Course, index: Sequence[int]) -> str:
-    return series.variable + (f"[{','.join(map(str, index))}]" if index else "")
+    if index:
+        return f"{series.variable}[{','.join(map(str, index))}]"
+    return series.variable
 
 
 def _unit(unit: str, index: Sequence[int]) -> str:
     """The unit of an element, where each has its own; empty for a bare number."""
     units = unit.split(",")
-    own = units[index[0]] if index and index[0] < len(units) > 1 else unit
-    return "" if own == "-" else own
+    if index and index[0] < len(units) > 1:
+        unit = units[index[0]]
+    if unit == "-":
+        return ""
+    return unit
 
 
 def _element(samples: Sequence[Any]) -> tuple[tuple[int, ...], list[float]]:
@@ -152,7 +170,7 @@ def _curve(values: Sequence[float], columns: int) -> str:
     bars, last = min(len(values), columns), len(values) - 1
     shown = [values[round(last * bar / max(bars - 1, 1))] for bar in range(bars)]
     finite = [number for number in shown if math.isfinite(number)]
-    low, high = (min(finite), max(finite)) if finite else (0.0, 0.0)
+    low, high = min(finite, default=0.0), max(finite, default=0.0)
     return "".join(_bar(number, low, high) for number in shown).ljust(columns)
 
 
