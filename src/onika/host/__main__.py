@@ -121,7 +121,7 @@ def _audit(given: argparse.Namespace) -> AuditTrail | None:
 
 def _watch(server: RequestServer, audit: AuditTrail) -> None:
     def complain(text: str) -> None:
-        server.tell(event.Lost("audit trail", f"it cannot be written: {text}", 0.0))
+        server.tell(event.Lost("audit trail", Reason.of("host.audit_unwritable", why=text), 0.0))
 
     audit.note("the runtime begins", True, about=f"process {os.getpid()}")
     server.watcher = AuditLog(audit, complain)

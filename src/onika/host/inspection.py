@@ -232,11 +232,11 @@ def _figure(rtpu: str, task_status: news.TaskStatus) -> live.TaskFigure:
     )
 
 
-def _overloads(came: Mapping[str, news.Statuses]) -> list[str]:
+def _overloads(came: Mapping[str, news.Statuses]) -> list[Reason]:
     """Units whose tasks that are ON ask for more time than there is."""
     found = []
     for rtpu, statuses in came.items():
         use = sum(task.use(task.mean_us) for task in statuses.tasks if task.state == State.ON.value)
         if use > 1.0:
-            found.append(f"the tasks that are ON take {use:.2f} of the time of unit {rtpu}: cycles are missed")
+            found.append(Reason.of("host.overload", use=use, rtpu=rtpu))
     return found

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from onika.words.reason import Reason, reason_of
 from onika.words.shape import Shape
 
 
@@ -12,13 +13,13 @@ def parse(name: str, shape: Shape, words: tuple[str, ...]) -> Any:
         return " ".join(words)
     is_vector = bool(shape.dims)
     if not is_vector and len(words) != 1:
-        raise ValueError(f"LOCAL {name}: expected one {kind.value}, found {len(words)} words")
+        raise ValueError(Reason.of("runtime.local_one", name=name, kind=kind.value, count=len(words)))
     fixed = all(isinstance(dim, int) for dim in shape.dims)
     if fixed and len(words) != shape.count:
-        raise ValueError(f"LOCAL {name}: expected {shape.count} values, found {len(words)}")
+        raise ValueError(Reason.of("runtime.local_count", name=name, expected=shape.count, count=len(words)))
     try:
         if is_vector:
             return [kind.parse(word) for word in words]
         return kind.parse(words[0])
     except ValueError as wrong:
-        raise ValueError(f"LOCAL {name}: {wrong}") from None
+        raise ValueError(Reason.of("runtime.local_wrong", name=name, why=reason_of(wrong))) from None

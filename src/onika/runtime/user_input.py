@@ -10,6 +10,7 @@ from msgspec import Struct
 
 from onika.wire.sheet import InputSheet
 from onika.words import argument
+from onika.words.reason import Reason, reason_of
 from onika.words.shape import Shape
 from onika.words.value import Value, ValueType
 
@@ -54,21 +55,21 @@ class UserInput:
         try:
             words = argument.split(line)
         except ValueError as wrong:
-            raise ValueError(str(wrong)) from None
+            raise ValueError(reason_of(wrong)) from None
         expected = sum(item.count for item in self.items)
         if len(words) != expected:
-            names = ", ".join(f"{item.name}[{item.count}]" for item in self.items)
-            raise ValueError(f"expected {expected} values ({names}), found {len(words)}")
+            names = tuple(f"{item.name}[{item.count}]" for item in self.items)
+            raise ValueError(Reason.of("runtime.input_count", expected=expected, names=names, count=len(words)))
         values, wrong_ones = SimpleNamespace(), []
         for item in self.items:
             try:
                 parsed = _parse(item, words[: item.count])
                 setattr(values, item.name, parsed[0] if self._scalar[item.name] else _vector(item, parsed))
             except ValueError as wrong:
-                wrong_ones.append(str(wrong))
+                wrong_ones.append(reason_of(wrong))
             words = words[item.count :]
         if wrong_ones:
-            raise ValueError("; ".join(wrong_ones))
+            raise ValueError(Reason.of("runtime.several", reasons=tuple(wrong_ones)))
         return values
 
 
@@ -92,7 +93,7 @@ def _spread(name: str, value: Any, count: int) -> tuple[Any, ...]:
         return (value,) * count
     values = tuple(np.asarray(value).ravel().tolist())
     if len(values) != count:
-        raise ValueError(f"input {name} has {count} elements: expected as many bounds or defaults, found {len(values)}")
+        raise ValueError(Reason.of("runtime.input_bounds", name=name, expected=count, count=len(values)))
     return values
 
 
@@ -104,7 +105,7 @@ def _parse(item: AskedItem, words: list[str]) -> list[Value]:
         try:
             value = kind.parse(word)
         except ValueError as wrong:
-            raise ValueError(f"{where}: {wrong}") from None
+            raise ValueError(Reason.of("runtime.input_wrong", where=where, why=reason_of(wrong))) from None
         _within(where, value, item, index)
         values.append(value)
     return values
@@ -117,7 +118,9 @@ def _within(where: str, value: Value, item: AskedItem, index: int) -> None:
     high = np.inf if item.high is None else item.high[index]
     if not low <= value <= high:
         text = f"{value:g}" if f"{value:g}" not in (f"{low:g}", f"{high:g}") else repr(value)
-        raise ValueError(f"{where}: expected {low:g}..{high:g} {item.unit}, found {text}")
+        raise ValueError(
+            Reason.of("runtime.input_outside", where=where, low=float(low), high=float(high), unit=item.unit, text=text)
+        )
 
 
 def _vector(item: AskedItem, values: list[Value]) -> Any:

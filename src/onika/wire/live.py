@@ -289,7 +289,7 @@ class Figures(Struct, frozen=True, tag=True):
 
     tasks: tuple[TaskFigure, ...]
     loads: dict[str, float]
-    overloads: tuple[str, ...] = ()
+    overloads: tuple[Text, ...] = ()
     """Sentences about units that have or will have more to do than time (X13)."""
 
 

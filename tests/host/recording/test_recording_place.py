@@ -31,7 +31,7 @@ def test_beside_the_clock_everything_is_written_at_once(tmp_path):  # law 29
     writer.serve()
     assert Reader(path).count(topics.EVENTS) == 1
     writer.take(FinishRecording({}))
-    assert (writer.is_done, writer.missed, writer.reason) == (True, 0, "")
+    assert (writer.is_done, writer.missed, str(writer.reason)) == (True, 0, "")
     writer.close()
     assert Reader(path).is_whole
 
@@ -43,7 +43,7 @@ def test_a_full_disk_ends_a_recording_and_no_run():  # R-X05
     writer._sink._stream = writer._sink._writer._stream = writer._stream
     writer.take(TELL)
     writer.look(10**12)
-    assert "No space left" in writer.reason
+    assert "No space left" in str(writer.reason)
     assert writer.is_done
     writer.close()
 
@@ -57,7 +57,7 @@ def test_a_process_writes_it_in_wall_time(tmp_path):  # law 29
     writer.take(FinishRecording({"completed": "yes"}))
     assert served(writer, lambda: writer.is_done)
     writer.close()
-    assert (writer.reason, writer.untold) == ("", 0)
+    assert (str(writer.reason), writer.untold) == ("", 0)
     assert list(Reader(path).messages(topics.EVENTS)) == [(5, TELL.body)]
 
 
@@ -65,7 +65,7 @@ def test_a_process_that_dies_is_noticed(tmp_path):  # R-X05
     writer = WriterProcess(str(tmp_path / "run.mcap"), run(), 4_000_000, with_fifo=False)
     writer._process.kill()
     assert served(writer, lambda: writer.is_done)
-    assert "ended with code -9" in writer.reason
+    assert "ended with code -9" in str(writer.reason)
     writer.close()
 
 

@@ -17,6 +17,7 @@ from onika.record.run import RunRecord
 from onika.record.series import Series
 from onika.ring.segment import Segment
 from onika.runtime.table import Table
+from onika.words.reason import NOTHING
 from onika.words.shape import Shape
 
 
@@ -66,7 +67,7 @@ def test_it_looks_by_itself_until_the_run_is_over(tmp_path):  # law 29
     )
     table.ring("X").write((7).to_bytes(8, "little"))
     beside.post.send(encode(FinishRecording({"completed": "yes"})))
-    assert beside.word() == recording_process.RecordingEnded(0, "")
+    assert beside.word() == recording_process.RecordingEnded(0, NOTHING)
     beside.close()
     reader = Reader(tmp_path / "run.mcap")
     assert RunRecord.read(reader) == run()
@@ -91,7 +92,7 @@ def test_poses_come_straight_from_whoever_steps_the_world_and_stand_at_their_own
     for at in (5, 40):
         beside.inlet.send(encode(WorldPoses("yard", 0, row, (), zero + at, left_out=at - 5)))
     beside.post.send(encode(FinishRecording({})))
-    assert beside.word() == recording_process.RecordingEnded(0, "", 35)
+    assert beside.word() == recording_process.RecordingEnded(0, NOTHING, 35)
     beside.close()
     reader = Reader(tmp_path / "run.mcap")
     assert [at for at, _ in reader.messages(topics.frames("yard"))] == [5, 40]
@@ -101,5 +102,5 @@ def test_poses_come_straight_from_whoever_steps_the_world_and_stand_at_their_own
 def test_a_file_that_cannot_take_any_more_is_told_with_its_reason(tmp_path):  # R-X05: a full disk
     (tmp_path / "full").symlink_to("/dev/full")
     beside = Beside(tmp_path / "full")
-    assert "No space left" in beside.word().reason
+    assert "No space left" in str(beside.word().reason)
     beside.close()

@@ -67,7 +67,8 @@ def test_a_value_is_objected_to_before_anybody_sees_it():  # R-X04
     wire = Wire(np.array([1.0, 10.0]))
     wire.passes(0.5, 0.0)
     assert not wire.channel.objection(np.array([50.5, 500.0]), MOST)
-    assert wire.channel.objection(np.array([0.5, -501.0]), MOST).startswith("TAU[1] would step by 501 N m")
+    objection = wire.channel.objection(np.array([0.5, -501.0]), MOST)
+    assert str(objection).startswith("TAU[1] would step by 501 N m")
     assert list(wire.data) == [0.5, 0.0]
 
 

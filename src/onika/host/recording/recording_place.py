@@ -14,6 +14,7 @@ from onika.host.units.process_socket import ProcessSocket
 from onika.record.run import RunRecord
 from onika.record.writer import Writer
 from onika.ring.segment import Segment
+from onika.words.reason import NOTHING, Reason, Text, reason_of
 
 _BUFFER = 1 << 18
 _MOST_WAITING = 2000
@@ -26,7 +27,7 @@ class RecordingWriter(Protocol):
     """What writes one recording."""
 
     @property
-    def reason(self) -> str:
+    def reason(self) -> Text:
         """Why nothing more is written; empty: all is well."""
         ...
 
@@ -86,7 +87,7 @@ class InProcessWriter:
         self._sink = RecordingSink(self._stream, writer)
         self._sink.flush()
         self._flush_at = 0
-        self.reason = ""
+        self.reason: Text = NOTHING
         self.untold = 0
 
     is_up = True
@@ -108,7 +109,7 @@ class InProcessWriter:
             try:
                 self._sink.take(order, None if segment is None else segment.view)
             except OSError as wrong:
-                self.reason = str(wrong)
+                self.reason = reason_of(wrong)
 
     def look(self, now: int) -> None:
         """Write down what variables have changed."""
@@ -116,7 +117,7 @@ class InProcessWriter:
             try:
                 self._sink.look(now)
             except OSError as wrong:
-                self.reason = str(wrong)
+                self.reason = reason_of(wrong)
 
     def serve(self) -> None:
         """While the clock stands nothing else lets out what was seen."""
@@ -125,7 +126,7 @@ class InProcessWriter:
             try:
                 self._sink.flush()
             except OSError as wrong:
-                self.reason = str(wrong)
+                self.reason = reason_of(wrong)
 
     def readers(self) -> Sequence[ProcessSocket]:
         """Nothing."""
@@ -136,7 +137,7 @@ class InProcessWriter:
         try:
             self._stream.close()
         except OSError as wrong:
-            self.reason = self.reason or str(wrong)
+            self.reason = self.reason or reason_of(wrong)
 
 
 _BESIDES_NS = 500_000_000
@@ -163,7 +164,7 @@ class WriterProcess:
         self._known: set[str] = set()
         self._is_done = False
         self.is_up = False
-        self.reason = ""
+        self.reason: Text = NOTHING
         self.missed = 0
         self.untold = 0
 
@@ -205,9 +206,9 @@ class WriterProcess:
 
     def _judge(self) -> None:
         if self._post.is_closed or self._process.poll() is not None:
-            self.reason = f"the process that writes it ended with code {self._process.wait()}"
+            self.reason = Reason.of("host.writer_ended", code=self._process.wait())
         elif not self.is_up and monotonic_ns() - self._since > _PATIENCE_NS:
-            self.reason = f"the process that writes it is not up within {_PATIENCE_NS / 1e9:g} s"
+            self.reason = Reason.of("host.writer_not_up", seconds=_PATIENCE_NS / 1e9)
 
     def readers(self) -> Sequence[ProcessSocket]:
         """Its post, as long as it lives."""
@@ -224,13 +225,13 @@ class WriterProcess:
             self._process.wait()
 
 
-def complaints(writer: RecordingWriter) -> list[str]:
+def complaints(writer: RecordingWriter) -> list[Reason]:
     """What the user has to know of a recording that is not what was asked for."""
     found = []
     if writer.reason or not writer.is_done:
-        found.append(f"the recording is not whole: {writer.reason or 'whoever writes it does not come to an end'}")
+        found.append(Reason.of("host.recording_not_whole", why=writer.reason or Reason.of("host.writer_does_not_end")))
     if writer.missed:
-        found.append(f"{writer.missed} values of variables were written over before they could be recorded")
+        found.append(Reason.of("host.values_missed", count=writer.missed))
     if writer.untold:
-        found.append(f"{writer.untold} events and poses had no room and are not in the recording")
+        found.append(Reason.of("host.events_untold", count=writer.untold))
     return found

@@ -30,6 +30,7 @@ from onika.host.units.realtime_scheduling import fine_timers, first_in_first_out
 from onika.record.run import RunRecord
 from onika.record.writer import Writer
 from onika.ring.segment import Segment
+from onika.words.reason import NOTHING, Text, reason_of
 
 PRIORITY = 1
 """Below everything that moves something, above everything that is not real time: else it would look too late."""
@@ -45,7 +46,7 @@ class RecordingEnded(Struct, frozen=True, tag=True):
     that did not come for want of room."""
 
     missed: int = 0
-    reason: str = ""
+    reason: Text = ""
     untold: int = 0
 
 
@@ -63,7 +64,7 @@ def record(post: ProcessSocket, every_ns: int) -> None:
         return
     _, (run_fd, file_fd, inlet_fd) = received
     memory, inlet = Segment.attach(run_fd), ProcessSocket(socket.socket(fileno=inlet_fd))
-    sink, reason = None, ""
+    sink, reason = None, NOTHING
     try:
         with os.fdopen(file_fd, "wb", buffering=_BUFFER) as stream:
             writer = Writer(stream)
@@ -74,7 +75,7 @@ def record(post: ProcessSocket, every_ns: int) -> None:
             post.send(encode_word(RecordingBegun()))
             _follow(post, inlet, sink, every_ns)
     except OSError as wrong:
-        reason = str(wrong)
+        reason = reason_of(wrong)
     inlet.close()
     post.send(encode_word(RecordingEnded(sink.missed, reason, sink.untold) if sink else RecordingEnded(reason=reason)))
 

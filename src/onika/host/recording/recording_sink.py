@@ -15,6 +15,7 @@ from onika.host.units.pose_stream import WorldPoses
 from onika.record import foxglove, topics
 from onika.record.run import END
 from onika.record.writer import Writer
+from onika.words.reason import Reason
 
 FLUSHED_EVERY_NS = 500_000_000
 """What is not written so long is lost where everything is killed."""
@@ -141,9 +142,9 @@ class RecordingSink:
         """Whether the file still is what it was: somebody may delete it, write over it, or cut it."""
         about = os.fstat(self._stream.fileno())
         if not about.st_nlink:
-            raise OSError("its file was deleted or replaced while it was written")
+            raise OSError(Reason.of("host.file_deleted"))
         if stat.S_ISREG(about.st_mode) and about.st_size < self._written:
-            raise OSError("its file was cut while it was written")
+            raise OSError(Reason.of("host.file_cut"))
 
     def _finish(self, order: FinishRecording) -> None:
         self._judge()

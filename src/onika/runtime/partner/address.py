@@ -3,6 +3,8 @@
 import socket
 from dataclasses import dataclass
 
+from onika.words.reason import Reason
+
 
 @dataclass(frozen=True, slots=True)
 class PartnerAddress:
@@ -23,10 +25,10 @@ class PartnerAddress:
             try:
                 addresses = socket.getaddrinfo(host.strip("[]"), int(port), type=socket.SOCK_STREAM)
             except OSError as wrong:
-                raise ValueError(f"expected the name of a machine, found {host}: {wrong.strerror}") from None
+                raise ValueError(Reason.of("runtime.machine_name", host=host, why=str(wrong.strerror))) from None
             family, _, _, _, place = addresses[0]
             return cls(words, family, place)  # type: ignore[arg-type]
-        raise ValueError(f"expected unix:PATH or tcp:HOST:PORT, found {words}")
+        raise ValueError(Reason.of("runtime.partner_address", words=words))
 
     def call(self) -> tuple[socket.socket, bool]:
         """A connection and whether it stands already; else it stands, or not, when it can be written.

@@ -20,6 +20,7 @@ from onika.runtime.partner.address import PartnerAddress
 from onika.runtime.partner.answer import PartnerAnswer
 from onika.runtime.partner.guarded_child import GuardedChild
 from onika.runtime.partner.protocol import PartnerProtocol
+from onika.words.reason import NOTHING, Reason, Text, reason_of
 
 _RETRY_NS = 50_000_000
 _AT_ONCE = 1 << 16
@@ -36,14 +37,14 @@ class Partner:
 
     def __init__(self, at: str = "", starts: str = "", patience_s: float = 1.0) -> None:
         if not 0.001 <= patience_s <= 3600.0:
-            raise ModuleError(f"expected a patience of 0.001 to 3600 s, found {patience_s:g}")
+            raise ModuleError(Reason.of("runtime.patience_range", seconds=patience_s))
         try:
             self._address = PartnerAddress.parse(at) if at else None
             self._command = shlex.split(starts)
         except ValueError as wrong:
-            raise ModuleError(f"partner: {wrong}") from None
+            raise ModuleError(Reason.of("runtime.partner_unfit", why=reason_of(wrong))) from None
         if not (at or self._command):
-            raise ModuleError("expected where a partner listens or what starts it, found neither")
+            raise ModuleError(Reason.of("runtime.partner_nowhere"))
         self.name = at or self._command[0]
         self.task = ""
         self.patience_s = patience_s
@@ -57,8 +58,8 @@ class Partner:
         self._until = 0
         self._out = b""
         self._sent = 0
-        self._why = ""
-        self._fault = ""
+        self._why: Text = NOTHING
+        self._fault = NOTHING
         self._is_collected = True
         if self._command:
             self._start()
@@ -71,13 +72,13 @@ class Partner:
         One question at a time: raises ModuleError where one is open still.
         """
         if self.is_awaited:
-            raise ModuleError(f"partner {self.name}: expected one question at a time, found a second one")
+            raise ModuleError(self._of_partner(Reason.of("runtime.one_question")))
         self._hear()  # a connection that has ended meanwhile is found now
         try:
             self._out = self._protocol.ask(self.task, what, fields)
         except ValueError as wrong:
-            raise ModuleError(f"partner {self.name}: {wrong}") from None
-        self._sent, self._why, self._is_collected = 0, "", False
+            raise ModuleError(self._of_partner(reason_of(wrong))) from None
+        self._sent, self._why, self._is_collected = 0, NOTHING, False
         self._until = monotonic_ns() + round(self.patience_s * 1e9)
         self._pursue()
 
@@ -90,7 +91,7 @@ class Partner:
         """Whether the answer has come since the question; true once. Raises ModuleError where none will come."""
         self.hear()
         if self._fault:
-            fault, self._fault = self._fault, ""
+            fault, self._fault = self._fault, NOTHING
             raise ModuleError(fault)
         if self._is_collected or self._protocol.answer is None:
             return False
@@ -101,7 +102,7 @@ class Partner:
     def answer(self) -> PartnerAnswer:
         """The answer to the last question; raises ModuleError where there is none."""
         if self._protocol.answer is None:
-            raise ModuleError(f"partner {self.name}: expected an answer, found none yet")
+            raise ModuleError(self._of_partner(Reason.of("runtime.no_answer_yet")))
         return PartnerAnswer(self._protocol.answer)
 
     # What the runtime calls
@@ -134,7 +135,7 @@ class Partner:
     def begin(self) -> None:
         """The task comes on: nothing is asked; a program that has ended is started again."""
         self.rest()
-        self._fault, self._is_collected = "", True
+        self._fault, self._is_collected = NOTHING, True
         gone = self._started is not None and (self._started.how_ended or not (self._address or self._line))
         if gone:
             self._drop()
@@ -173,20 +174,23 @@ class Partner:
         """Go on with the open question: call, send, or give up when patience is at its end."""
         left = self._until - monotonic_ns()
         if left <= 0:
-            self._fail(self._why or f"no answer within {self.patience_s:g} s")
+            self._fail(self._why or Reason.of("runtime.no_answer_within", seconds=self.patience_s))
             return
         if self._line is None and self._address is not None:
             self._call(self._address)
         elif self._line is None and self._started is not None and self._started.how_ended:
-            self._fail(f"its program {self._started.how_ended}")
+            self._fail(Reason.of("runtime.its_program", how=self._started.how_ended))
         elif self._line is not None and self._stands and self._sent < len(self._out):
             self._send(self._line)
         if self.is_awaited:
             self._alarm.set(left if self._line is not None else min(left, _RETRY_NS))
 
-    def _fail(self, why: str) -> None:
+    def _fail(self, why: Text) -> None:
         self._give_up()
-        self._fault = f"partner {self.name}: {why}"
+        self._fault = self._of_partner(why)
+
+    def _of_partner(self, why: Text) -> Reason:
+        return Reason.of("runtime.of_partner", name=self.name, why=why)
 
     def _give_up(self) -> None:
         self._protocol.give_up()
@@ -201,9 +205,9 @@ class Partner:
         try:
             line, self._stands = address.call()
         except OSError as wrong:
-            self._why = f"nobody listens ({wrong.strerror})"
+            self._why = Reason.of("runtime.nobody_listens", why=str(wrong.strerror))
             if self._started is not None and self._started.how_ended:
-                self._fail(f"its program {self._started.how_ended}")
+                self._fail(Reason.of("runtime.its_program", how=self._started.how_ended))
             return
         self._connect(line)
         if self._stands:
@@ -222,7 +226,7 @@ class Partner:
             self._epoll.modify(line, select.EPOLLIN | select.EPOLLOUT)
             return
         except OSError as wrong:
-            self._lose(f"the connection broke ({wrong.strerror})")
+            self._lose(Reason.of("runtime.connection_broke", why=str(wrong.strerror)))
             return
         self._epoll.modify(line, select.EPOLLIN)
 
@@ -230,7 +234,7 @@ class Partner:
         if not self._stands:
             code = line.getsockopt(socket.SOL_SOCKET, socket.SO_ERROR)
             if code:
-                self._why = f"nobody listens ({os.strerror(code)})"
+                self._why = Reason.of("runtime.nobody_listens", why=os.strerror(code))
                 self._drop()
                 return
             self._stands = True
@@ -240,7 +244,7 @@ class Partner:
             except ConnectionError:
                 data = b""
             if not data:
-                self._lose("it ended the connection before it answered")
+                self._lose(Reason.of("runtime.ended_before_answer"))
                 return
             self._take(data)
         if self._line is not None:
@@ -252,16 +256,17 @@ class Partner:
             self._protocol.take(data)
         except ValueError as wrong:
             self._drop()
-            self._fail(str(wrong))
+            self._fail(reason_of(wrong))
             return
         answer = self._protocol.answer
         if was_open and answer is not None:
             self._alarm.stop()
             if "error" in answer:
                 self._protocol.answer = None
-                self._fail(f"it says: {' '.join(str(answer['error'])[:200].split())}")  # it writes no lines of its own
+                words = " ".join(str(answer["error"])[:200].split())  # it writes no lines of its own
+                self._fail(Reason.of("runtime.it_says", words=words))
 
-    def _lose(self, why: str) -> None:
+    def _lose(self, why: Text) -> None:
         """The connection is gone: so is a question that was sent on it; one that was not is sent on the next one."""
         was_sent = self._sent > 0
         self._drop()
@@ -296,7 +301,7 @@ class Partner:
         if started.how_ended:
             self._epoll.unregister(started)
             if self.is_awaited:
-                self._fail(f"its program {started.how_ended}")
+                self._fail(Reason.of("runtime.its_program", how=started.how_ended))
 
     def _stop(self) -> None:
         if self._started is not None:

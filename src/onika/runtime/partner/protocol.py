@@ -11,6 +11,8 @@ from typing import Any
 
 import msgspec
 
+from onika.words.reason import Reason
+
 VERSION = 1
 LONGEST = 1 << 16
 """Bytes of one line, in either direction: to read it takes a few tenths of a millisecond."""
@@ -39,14 +41,14 @@ class PartnerProtocol:
         """The line that asks this; raises ValueError for fields that are none or that make it too long."""
         own = sorted(set(fields) & set(_OWN))
         if own:
-            raise ValueError(f"expected fields of other names than {', '.join(_OWN)}, found {', '.join(own)}")
+            raise ValueError(Reason.of("runtime.own_fields", names=tuple(_OWN), given=tuple(own)))
         message = {"onika": VERSION, "id": self.questions + 1, "task": task, "ask": what, **fields}
         try:
             line = msgspec.json.encode(message, enc_hook=_plain) + b"\n"
         except TypeError as wrong:
-            raise ValueError(f"expected fields that JSON can hold: {wrong}") from None
+            raise ValueError(Reason.of("runtime.fields_no_json", why=str(wrong))) from None
         if len(line) > LONGEST:
-            raise ValueError(f"expected a question of at most {LONGEST} bytes, found {len(line)}")
+            raise ValueError(Reason.of("runtime.question_too_long", longest=LONGEST, size=len(line)))
         self.questions += 1
         self.is_open, self.answer = True, None
         return line
@@ -68,18 +70,18 @@ class PartnerProtocol:
             del self._rest[: end + 1]
             self._hear(line)
         if len(self._rest) > LONGEST:
-            raise ValueError(f"expected lines of at most {LONGEST} bytes, found one that is longer")
+            raise ValueError(Reason.of("runtime.line_longer", longest=LONGEST))
 
     def _hear(self, line: bytes) -> None:
         if len(line) > LONGEST:
-            raise ValueError(f"expected lines of at most {LONGEST} bytes, found {len(line)}")
+            raise ValueError(Reason.of("runtime.line_too_long", longest=LONGEST, size=len(line)))
         try:
             message = msgspec.json.decode(line)
         except (ValueError, RecursionError) as wrong:
-            raise ValueError(f"expected an answer in JSON, found {_short(line)} ({wrong})") from None
+            raise ValueError(Reason.of("runtime.answer_no_json", line=_short(line), why=str(wrong))) from None
         number = message.get("id") if isinstance(message, dict) else None
         if type(number) is not int or not 1 <= number <= self.questions:
-            raise ValueError(f'expected an answer {{"id": 1 to {self.questions}, …}}, found {_short(line)}')
+            raise ValueError(Reason.of("runtime.answer_id", most=self.questions, line=_short(line)))
         if number < self.questions or not self.is_open:
             self._pass_over()
             return
@@ -89,7 +91,7 @@ class PartnerProtocol:
         self.late += 1
         self._unasked += 1
         if self._unasked > UNASKED:
-            raise ValueError(f"expected one answer to each question, found {self._unasked} that nobody waits for")
+            raise ValueError(Reason.of("runtime.answers_unasked", count=self._unasked))
 
 
 def _plain(value: object) -> object:
