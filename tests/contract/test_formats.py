@@ -77,10 +77,10 @@ def test_a_line_with_a_control_sign_is_reported(form: Format, data: st.DataObjec
 def test_two_lines_exchanged_are_reported_or_mean_the_same(form: Format, data: st.DataObject) -> None:
     lines = form.write(data.draw(form.models)).splitlines()  # reading 41
     solid = [at for at, line in enumerate(lines) if line]
-    one, other = data.draw(st.sampled_from(solid)), data.draw(st.sampled_from(solid))
-    is_order_free = lines[one].split()[0] == lines[other].split()[0] or form.name in ("picture", "task")
+    first, other = data.draw(st.sampled_from(solid)), data.draw(st.sampled_from(solid))
+    is_order_free = lines[first].split()[0] == lines[other].split()[0] or form.name in ("picture", "task")
     meaning, _ = form.read("\n".join(lines) + "\n")
-    lines[one], lines[other] = lines[other], lines[one]
+    lines[first], lines[other] = lines[other], lines[first]
     read, faults = form.read("\n".join(lines) + "\n")
     assert faults or read == meaning or is_order_free
 

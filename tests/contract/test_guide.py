@@ -31,8 +31,8 @@ class Block:
 
 def blocks(page):
     text = page.read_text()
-    for found in BLOCK.finditer(text):
-        yield Block(found[1], found[2] or "", found[3], text.count("\n", 0, found.start()) + 2)
+    for match in BLOCK.finditer(text):
+        yield Block(match[1], match[2] or "", match[3], text.count("\n", 0, match.start()) + 2)
 
 
 def carry_out(command, folder):
@@ -90,9 +90,9 @@ def test_every_page_but_the_last_leads_to_the_next_one():
 
 
 def test_the_preferences_and_buttons_of_the_guide_read_without_fault():
-    found = {block.file: block.text for page in PAGES for block in blocks(page) if block.file.startswith(".onika")}
-    assert preferences.read(found[".onika"], ".onika", "guide")[1] == ()
-    assert buttons.read(found[".onika.buttons"], ".onika.buttons", "guide")[1] == ()
+    files = {block.file: block.text for page in PAGES for block in blocks(page) if block.file.startswith(".onika")}
+    assert preferences.read(files[".onika"], ".onika", "guide")[1] == ()
+    assert buttons.read(files[".onika.buttons"], ".onika.buttons", "guide")[1] == ()
 
 
 def test_modules_of_the_guide_import_the_front_door_only():

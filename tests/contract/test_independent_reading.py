@@ -130,8 +130,8 @@ def _mirrored(form: Format) -> Format:
     """A reader with a mistake: x and y of every task exchanged."""
 
     def read(text: str) -> tuple[Any, tuple[Fault, ...]]:
-        found, faults = form.read(text)
-        return found and replace(found, placed=tuple(replace(p, x=p.y, y=p.x) for p in found.placed)), faults
+        record, faults = form.read(text)
+        return record and replace(record, placed=tuple(replace(p, x=p.y, y=p.x) for p in record.placed)), faults
 
     return replace(form, read=read)
 

@@ -54,20 +54,20 @@ MACHINES = [
         drive.DriveMode.HELD, frozenset(),
     ),
 ]  # fmt: skip
-PAIRS = [(one, state, event) for one in MACHINES for state in one.states for event in one.events]
+PAIRS = [(machine, state, event) for machine in MACHINES for state in machine.states for event in machine.events]
 
 
 def reached(machine, start):
-    found, open_ = {start}, [start]
+    reachable, open_ = {start}, [start]
     while open_:
         for state in machine.table[open_.pop()].values():
-            if state not in found:
-                found.add(state)
+            if state not in reachable:
+                reachable.add(state)
                 open_.append(state)
-    return found
+    return reachable
 
 
-@pytest.mark.parametrize(("machine", "state", "event"), PAIRS, ids=lambda one: getattr(one, "name", None))
+@pytest.mark.parametrize(("machine", "state", "event"), PAIRS, ids=lambda parameter: getattr(parameter, "name", None))
 def test_every_event_in_every_state_is_in_the_table_or_refused_with_a_reason(machine, state, event):  # law 11
     if event in machine.table[state]:
         assert machine.after(state, event) is machine.table[state][event]
@@ -75,23 +75,23 @@ def test_every_event_in_every_state_is_in_the_table_or_refused_with_a_reason(mac
         return
     with pytest.raises(machine.refuses) as refused:
         machine.after(state, event)
-    told = str(refused.value).lower()
-    assert event.value in told or event.name.lower() in told
-    assert state.value.lower() in told or state.name.lower() in told
+    sentence = str(refused.value).lower()
+    assert event.value in sentence or event.name.lower() in sentence
+    assert state.value.lower() in sentence or state.name.lower() in sentence
 
 
-@pytest.mark.parametrize("machine", MACHINES, ids=lambda one: one.name)
+@pytest.mark.parametrize("machine", MACHINES, ids=lambda parameter: parameter.name)
 def test_every_state_stands_in_the_table_and_is_reached(machine):
     assert set(machine.table) == set(machine.states)
     assert reached(machine, machine.first) == set(machine.states)
 
 
-@pytest.mark.parametrize("machine", MACHINES, ids=lambda one: one.name)
+@pytest.mark.parametrize("machine", MACHINES, ids=lambda parameter: parameter.name)
 def test_every_event_means_something_somewhere(machine):
     assert {event for steps in machine.table.values() for event in steps} == set(machine.events)
 
 
-@pytest.mark.parametrize("machine", MACHINES, ids=lambda one: one.name)
+@pytest.mark.parametrize("machine", MACHINES, ids=lambda parameter: parameter.name)
 def test_the_end_is_reached_from_everywhere_and_never_left(machine):
     for state in machine.states:
         assert machine.last <= reached(machine, state)
@@ -99,14 +99,16 @@ def test_the_end_is_reached_from_everywhere_and_never_left(machine):
         assert set(machine.table[state].values()) <= {state}
 
 
-@pytest.mark.parametrize("machine", [one for one in MACHINES if one.diagram], ids=lambda one: one.name)
+@pytest.mark.parametrize(
+    "machine", [lifecycle for lifecycle in MACHINES if lifecycle.diagram], ids=lambda parameter: parameter.name
+)
 def test_the_diagram_is_the_table(machine):  # house, reading 8
     drawn = re.findall(r"^    (\S+) --> (\S+?) ?: (.+)$", machine.diagram(), re.MULTILINE)
     arrows = {(start, end, event) for start, end, event in drawn if start != "[*]"}
-    told = {
+    edges = {
         (start.value, end.value, event.value)
         for start, steps in machine.table.items()
         for event, end in steps.items()
         if machine.name != "task" or start is not end
     }
-    assert arrows == told
+    assert arrows == edges

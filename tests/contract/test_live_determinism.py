@@ -33,7 +33,7 @@ def fingerprint() -> str:
     _left(hand)
     _right(hand)
     _beside(hand)
-    words = [event.encode(one) for one in hand.asker.server.told if not isinstance(one, event.Result)]
+    words = [event.encode(news) for news in hand.asker.server.told if not isinstance(news, event.Result)]
     values = [repr(hand.values(subsystem=name)) for name in ("left", "right", "flow0")]
     return hashlib.sha256(b"".join(words) + "".join(values).encode() + hand.driver.digest.encode()).hexdigest()
 
@@ -83,7 +83,7 @@ def test_the_same_story_is_told_twice_alike(here):  # R-X08
 @pytest.mark.parametrize("seed", ["0", "1", "4711"])
 def test_the_order_of_sets_changes_nothing(here, seed):  # R-X08, law 14
     code = "from contract.test_live_determinism import fingerprint; print(fingerprint())"
-    told = subprocess.run(
+    process = subprocess.run(
         [sys.executable, "-c", code],
         cwd=Path(__file__).parents[1],
         env={**os.environ, "PYTHONHASHSEED": seed},
@@ -92,7 +92,7 @@ def test_the_order_of_sets_changes_nothing(here, seed):  # R-X08, law 14
         check=True,
         timeout=120,
     )
-    assert told.stdout.strip() == here
+    assert process.stdout.strip() == here
 
 
 def test_a_millisecond_makes_another_story(here, monkeypatch):  # R-X08

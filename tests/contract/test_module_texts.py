@@ -12,7 +12,7 @@ MODULES = sorted(LABS.glob("*/module/*.py"))
 SAY = ("ModuleError", "AskAgain", "self.warn", "illegal", "shutdown")
 
 
-def said(path):
+def sentences_of(path):
     """What stands first in each call that says something."""
     calls = [node for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.Call)]
     return [call.args[0] for call in calls if ast.unparse(call.func) in SAY and call.args]
@@ -20,7 +20,7 @@ def said(path):
 
 @pytest.mark.parametrize("path", MODULES, ids=lambda path: path.stem)
 def test_every_sentence_of_a_shipped_module_has_its_spanish_with_the_same_gaps(path):
-    sentences = {node.value for node in said(path) if isinstance(node, ast.Constant)}
+    sentences = {node.value for node in sentences_of(path) if isinstance(node, ast.Constant)}
     catalogue = path.with_name(f"{path.stem}.es.toml")
     translations, faults = read(catalogue.read_text() if catalogue.exists() else "", str(catalogue))
     assert faults == ()
@@ -29,8 +29,8 @@ def test_every_sentence_of_a_shipped_module_has_its_spanish_with_the_same_gaps(p
 
 @pytest.mark.parametrize("path", MODULES, ids=lambda path: path.stem)
 def test_no_shipped_module_puts_values_into_its_sentences_itself(path):
-    assert not any(isinstance(node, ast.JoinedStr) for node in said(path))
+    assert not any(isinstance(node, ast.JoinedStr) for node in sentences_of(path))
 
 
 def test_shipped_modules_say_something():
-    assert sum(isinstance(node, ast.Constant) for path in MODULES for node in said(path)) >= 7
+    assert sum(isinstance(node, ast.Constant) for path in MODULES for node in sentences_of(path)) >= 7

@@ -64,7 +64,7 @@ def device_of(task):
     named = next((line.words[0] for line in task.local if line.key == "DEVICE"), None)
     if named is None:
         return None
-    sheet = next(one for one in BoxesWorld().devices() if f"boxes:{one.name}" == named)
+    sheet = next(device for device in BoxesWorld().devices() if f"boxes:{device.name}" == named)
     return BenchDevice(sheet.state[2:], sheet.command, sheet.identity)
 
 
@@ -116,11 +116,11 @@ def rows_of(doc, section):
     """The rows of one table of a docstring, cut at two blanks or more."""
     rows, here = [], ""
     for line in doc.splitlines():
-        found = re.match(r"    (\S+)?\s*(.*)$", line)
-        if not found or not line.startswith("    "):
+        match = re.match(r"    (\S+)?\s*(.*)$", line)
+        if not match or not line.startswith("    "):
             here = ""
             continue
-        here = found[1] if found[1] and line[4] != " " else here
+        here = match[1] if match[1] and line[4] != " " else here
         if here == section:
             rows.append(re.split(r"\s{2,}", line[13:].strip()))
     return rows
@@ -137,20 +137,26 @@ def test_the_ports_of_the_docstring_are_those_of_the_class(module_class):
     ]
     declared = [
         (port.kind.value, port.name, str(port.shape), port.unit, port.meaning)
-        for port in (one.port(attribute) for attribute, one in module_class.declared_ports.items())
+        for port in (declared_port.port(attribute) for attribute, declared_port in module_class.declared_ports.items())
     ]
     assert written == declared
 
 
 def test_the_parameters_of_the_docstring_are_those_of_the_class(module_class):
     written = [tuple(row) for row in rows_of(module_class.__doc__, "Local")]
-    declared = [(key, str(one.shape), one.unit, one.meaning) for key, one in module_class.declared_locals.items()]
+    declared = [
+        (key, str(declared_local.shape), declared_local.unit, declared_local.meaning)
+        for key, declared_local in module_class.declared_locals.items()
+    ]
     assert written == declared
 
 
 def test_the_inputs_of_the_docstring_are_those_of_the_class(module_class):
     written = [tuple(row[:3]) for row in rows_of(module_class.__doc__, "Input")]
-    declared = [(key, str(one.shape), one.unit) for key, one in module_class.declared_inputs.items()]
+    declared = [
+        (key, str(declared_input.shape), declared_input.unit)
+        for key, declared_input in module_class.declared_inputs.items()
+    ]
     assert written == declared
 
 
@@ -185,9 +191,11 @@ def test_a_module_imports_the_front_door_and_the_laws_only(path):  # style: §3,
             packages = {"onika", "onika.laws"}
             imported |= {f"{node.module}.{a.name}" for a in node.names} if node.module in packages else {node.module}
     strange = {
-        one
-        for one in imported
-        if one != "onika.module" and not one.startswith("onika.laws.") and one.partition(".")[0] not in ALLOWED
+        imported_name
+        for imported_name in imported
+        if imported_name != "onika.module"
+        and not imported_name.startswith("onika.laws.")
+        and imported_name.partition(".")[0] not in ALLOWED
     }
     assert strange == set()
 
@@ -198,7 +206,9 @@ def test_a_thousand_cycles_with_any_finite_input_end_well_and_write_finite_numbe
     bench, device = bench_of(path)
     jumping(bench.init())
     outputs = [
-        port.name for port in (one.port(a) for a, one in bench.cls.declared_ports.items()) if not port.kind.is_input
+        port.name
+        for port in (declared_port.port(a) for a, declared_port in bench.cls.declared_ports.items())
+        if not port.kind.is_input
     ]
     for _ in range(1000):
         if bench.state is State.ERROR:
@@ -210,7 +220,7 @@ def test_a_thousand_cycles_with_any_finite_input_end_well_and_write_finite_numbe
         assert bench.state is State.ON, bench.why
         feed(bench, device, rng)
         bench.cycle()
-        assert all(np.isfinite(bench[one]).all() for one in outputs if not isinstance(bench[one], str))
+        assert all(np.isfinite(bench[output]).all() for output in outputs if not isinstance(bench[output], str))
     assert bench.cycles == 1000
 
 

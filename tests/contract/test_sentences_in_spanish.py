@@ -77,12 +77,12 @@ def test_what_is_judged_and_what_can_be_done(tmp_path):  # R-X01, R-E01
         play.environment.become(partial(judged, doc=case.opened.id, judgement=judge.judge(case)))
     faults = list(play.environment.tree.applications[doc].faults.values())
     assert len(faults) > 2
-    assert all(is_known(one.text) and all(is_known(remedy.label) for remedy in one.remedies) for one in faults)
+    assert all(is_known(fault.text) and all(is_known(remedy.label) for remedy in fault.remedies) for fault in faults)
 
 
 def test_how_a_run_begins_and_ends(tmp_path):  # R-E10, R-E14
     play = RunFixture(tmp_path)
     play.run(play.open([job("aC")]))
     play.environment.become(lambda model: lost(model, "the runtime is gone: it ended"))
-    assert len(play.says) > 2 and all(is_known(one.text) for one in play.says)
+    assert len(play.says) > 2 and all(is_known(say.text) for say in play.says)
     assert is_known(play.no(act.Steer("abort")).reason)

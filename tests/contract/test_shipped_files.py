@@ -12,8 +12,8 @@ from onika.words.fault import Fault
 
 def shipped_files() -> list[Path]:
     folders = [base / folder for base in shipped_directories() for folder in ("module", "conf", "dict", "appl")]
-    found = [path for folder in (*folders, shipped() / "prefs") for path in sorted(folder.glob("*"))]
-    return [path for path in found if path.suffix in (".rmod", ".conf", ".onk", ".appl", ".dta")]
+    paths = [path for folder in (*folders, shipped() / "prefs") for path in sorted(folder.glob("*"))]
+    return [path for path in paths if path.suffix in (".rmod", ".conf", ".onk", ".appl", ".dta")]
 
 
 def reader(path: Path, types: Syntax) -> Callable[[str], tuple[Any, tuple[Fault, ...]]]:

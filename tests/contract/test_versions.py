@@ -57,12 +57,12 @@ def test_the_files_of_these_tests_are_right(text: str) -> None:
 def test_a_planned_extension_is_refused_with_one_fault_under_its_version_and_by_line_under_ours(extension: str) -> None:
     read, text = EXTENDED[extension]  # R-B09
     newer = text.replace("1.3", "1.4", 1)
-    found, faults = read(newer, "x", "f")
-    assert found is None
+    value, faults = read(newer, "x", "f")
+    assert value is None
     refusal = Reason.of("files.version_newer_extended", version="1.3", extended="2.0", given="1.4")
     assert [fault.reason for fault in faults] == [refusal]
-    found, faults = read(text, "x", "f")
-    assert found is None
+    value, faults = read(text, "x", "f")
+    assert value is None
     assert all(fault.place.line > 1 for fault in faults)
 
 
@@ -132,7 +132,7 @@ def _parts(value: Any) -> list[Any]:
         inner = [getattr(value, field.name) for field in fields(value)]
     elif isinstance(value, tuple):
         inner = list(value)
-    return [value, *(part for one in inner for part in _parts(one))]
+    return [value, *(part for item in inner for part in _parts(item))]
 
 
 def test_the_strategies_vary_every_field_of_every_value() -> None:

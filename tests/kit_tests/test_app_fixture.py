@@ -6,7 +6,7 @@ from onika.wire import act
 
 def test_its_icons_are_those_of_its_dictionary_and_flows_are_said_in_words(tmp_path):
     gallery = AppFixture(tmp_path)
-    assert set(gallery.environment.tree.onikons) == {one.name for one in ONIKONS}
+    assert set(gallery.environment.tree.onikons) == {onikon.name for onikon in ONIKONS}
     doc = gallery.begun("move", flows=2)
     branch = gallery.do(act.InsertBranch(doc, "1"))
     assert (gallery.flow(doc), gallery.flow(doc, "1")) == ("move _", "<>")

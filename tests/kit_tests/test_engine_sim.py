@@ -58,10 +58,10 @@ def test_what_was_taken_can_be_put_back(theatre):
 )
 def test_what_an_engine_must_not_do_is_told_with_the_story(theatre, monkeypatch, orders, wrong):
     theatre.say(MOVE, news.Finished(*MOVE), "off")
-    monkeypatch.setattr(Engine, "feed", lambda self, heard: orders)
-    with pytest.raises(AssertionError, match=wrong) as told:
+    monkeypatch.setattr(Engine, "feed", lambda self, message: orders)
+    with pytest.raises(AssertionError, match=wrong) as failure:
         theatre.hear(MOVE)
-    assert ">> Run()" in str(told.value)
+    assert ">> Run()" in str(failure.value)
 
 
 def test_a_prepared_switch_that_was_done_has_to_be_ordered(theatre):
@@ -87,4 +87,4 @@ def test_words_of_an_earlier_activation_are_not_heard():
         theatre.hear((0, task))
     theatre.say(MOVE, news.Finished(*MOVE), "off")
     theatre.feed(steer.Skip("flow0", 1))
-    assert [type(one) for one in theatre.tasks[MOVE].mail] == [news.TurnedOn]
+    assert [type(message) for message in theatre.tasks[MOVE].mail] == [news.TurnedOn]

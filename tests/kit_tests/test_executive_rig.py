@@ -49,8 +49,8 @@ def test_requests_come_at_their_times():
 
 
 def test_what_news_lead_to_is_done_at_the_same_time():
-    def react(one):
-        return [command.Kill(HOME, "count")] if isinstance(one, news.Finished) else []
+    def react(message):
+        return [command.Kill(HOME, "count")] if isinstance(message, news.Finished) else []
 
     rig = ExecutiveRig(react=react).spawn("count", COUNT).switch(on=["count"]).run(100 * MS)
     assert [at for at, _ in rig.news][-2:] == [40 * MS, 40 * MS]
@@ -93,5 +93,5 @@ def test_a_rig_gives_its_memory_back_with_its_last_use():
 
 def test_the_last_news_of_a_kind_of_a_rig_with_one_task():
     rig = rig_of(COUNTER).switch(on=["one"]).switch(off=["one"])
-    assert [one.state for one in rig.heard(news.Changed)] == ["ON", "OFF"]
+    assert [change.state for change in rig.heard(news.Changed)] == ["ON", "OFF"]
     assert rig.last(news.Changed).state == "OFF"

@@ -55,18 +55,18 @@ def test_a_trigger_can_misbehave(fault, expected):
 
 def test_the_order_of_news_can_be_chosen():
     first, last = [], []
-    for choose, heard in ((lambda n: 0, first), (lambda n: n - 1, last)):
+    for choose, message in ((lambda n: 0, first), (lambda n: n - 1, last)):
         engine = build.engine([REACH])
-        runtime = FakeRuntime(Listener(engine, heard), MOVE, choose)
+        runtime = FakeRuntime(Listener(engine, message), MOVE, choose)
         runtime.run()
     assert sorted(map(str, first)) == sorted(map(str, last))
     assert first != last
 
 
 class Listener:
-    def __init__(self, engine, heard):
+    def __init__(self, engine, messages):
         self._engine = engine
-        self._heard = heard
+        self._heard = messages
 
     def feed(self, news):
         self._heard.append(news)
@@ -93,6 +93,6 @@ def test_orders_that_no_engine_may_give_are_complained_of(lines, complaint):
 
 
 def test_what_a_fake_is_told_first_is_to_run():
-    heard = []
-    FakeRuntime(Listener(Scripted(), heard), MOVE).run()
-    assert heard == [Run()]
+    messages = []
+    FakeRuntime(Listener(Scripted(), messages), MOVE).run()
+    assert messages == [Run()]

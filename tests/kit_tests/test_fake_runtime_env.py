@@ -11,7 +11,7 @@ def test_acts_are_carried_out_by_the_runtime_and_answered_once(tmp_path):
     duet = FakeRuntimeEnv(tmp_path, (A,))
     doc = duet.connected("a")
     assert duet.state(doc, "a") == "OFF"
-    assert [one.subsystem for one in duet.edits()] == ["Untitled-1"]
+    assert [edit.subsystem for edit in duet.edits()] == ["Untitled-1"]
 
 
 def test_an_act_whose_order_is_held_back_has_no_answer_yet(tmp_path):

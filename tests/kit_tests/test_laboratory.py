@@ -26,7 +26,7 @@ def test_a_configuration_is_read_as_it_was_written(laboratory, base):
     laboratory.configuration("winkC", "wink 100", "blink 12.5 rt1")
     configuration, faults = base.configuration("winkC")
     assert faults == ()
-    assert [(one.task, one.frequency, one.rtpu) for one in configuration.placed] == [
+    assert [(placed.task, placed.frequency, placed.rtpu) for placed in configuration.placed] == [
         ("wink", 100.0, "unknown"),
         ("blink", 12.5, "rt1"),
     ]

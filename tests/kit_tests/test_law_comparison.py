@@ -11,17 +11,17 @@ ON = command.Switch(HOME, (), (), (command.Launch("a"),))
 
 def test_both_tell_the_same_of_an_honest_probe():
     probes, requests = [SampleTask("a", outvar=("V0",))], [(0, ON)]
-    told, reference = by_law(probes, requests, 20 * MS)
-    assert by_executive(probes, requests, 20 * MS) == told
-    assert [one.at // MS for one in reference.trace if one.entry == "cycle"] == [0, 10, 20]
+    trace, reference = by_law(probes, requests, 20 * MS)
+    assert by_executive(probes, requests, 20 * MS) == trace
+    assert [entry.at // MS for entry in reference.trace if entry.entry == "cycle"] == [0, 10, 20]
 
 
 def test_an_exchange_is_told_by_both():
     probe = SampleTask("a", outvar=("V0",))
     requests = [(0, ON), (15 * MS, Exchanged(replace(probe, takes=True)))]
-    told, _ = by_law([probe], requests, 30 * MS)
-    assert by_executive([probe], requests, 30 * MS) == told
-    assert (15 * MS, "a", "swapped") in told.words
+    trace, _ = by_law([probe], requests, 30 * MS)
+    assert by_executive([probe], requests, 30 * MS) == trace
+    assert (15 * MS, "a", "swapped") in trace.words
 
 
 def test_a_law_that_says_something_else_is_found(monkeypatch):

@@ -103,7 +103,7 @@ def test_a_witness_finds_what_is_wrong(news, fault):
     wanted(witness)
     for item in news:
         tell(witness, item, line)
-    assert any(fault in found for found in witness.faults), witness.faults
+    assert any(fault in sentence for sentence in witness.faults), witness.faults
 
 
 @pytest.mark.parametrize(("who", "packet"), [(RT, SignalPacket(1, b"")), (ENV, Ack(1))])

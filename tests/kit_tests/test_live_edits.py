@@ -17,10 +17,10 @@ def test_a_lost_unit_is_silent_deaf_and_empty():
     hand.change(spawn=["counter", "source"], on=["counter", "source"])
     hand.driver.lose("rt1")
     hand.work()
-    said = len(hand.driver.heard)
+    count = len(hand.driver.heard)
     hand.driver.send("rt1", command.Report())
     hand.work()
-    assert len(hand.driver.heard) == said
+    assert len(hand.driver.heard) == count
     assert list(hand.driver.living()) == [("s0", "source")]
 
 

@@ -33,13 +33,13 @@ def test_a_task_lives_as_the_table_allows():  # R-A05
     runtime = LiveRuntime()
     runtime.ask(live.Change("main", spawn=(task("a"),), on=(live.Turn("a"),)))
     runtime.ask(live.Reinit("main", "a"))
-    assert [one.cause for one in runtime.events(0.0) if isinstance(one, event.Edited)][1]
+    assert [message.cause for message in runtime.events(0.0) if isinstance(message, event.Edited)][1]
 
 
 def test_everything_that_can_be_asked_is_answered():
     runtime = LiveRuntime()
     runtime.ask(live.Change("main", spawn=(task("a"),)))
-    asked = (
+    requests = (
         live.Survey(),
         live.Status(),
         live.Read("main"),
@@ -57,8 +57,8 @@ def test_everything_that_can_be_asked_is_answered():
         request.Stop("x"),
         request.Snapshot(),
     )
-    for one in asked:
-        assert isinstance(runtime.ask(one), request.Response), one
+    for order in requests:
+        assert isinstance(runtime.ask(order), request.Response), order
     assert runtime.now_s == 1.0
 
 

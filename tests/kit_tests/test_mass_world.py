@@ -43,7 +43,7 @@ def test_a_drive_holds_after_50_ms_without_a_command_and_trips_after_250(world):
     assert drive(world) == DriveState.HELD
     world.step(TRIP_NS + 2 * MS)
     assert drive(world) == DriveState.TRIPPED
-    assert [one.cause for one in world.take_events()] == ["DRIVE", "silence", "long silence"]
+    assert [event.cause for event in world.take_events()] == ["DRIVE", "silence", "long silence"]
 
 
 def test_a_hold_that_was_commanded_lasts(world):  # law 17
@@ -112,7 +112,7 @@ def test_the_button_holds_all_masses_until_it_is_let_go_and_they_are_cleared(wor
 def test_the_scale_adds_up_and_the_fingerprint_tells_two_worlds_apart(world):
     other = MassWorld()
     world.command("m0", 1, DeviceOrder.DRIVE, [1.0])
-    for one in (world, other):
-        one.step(10 * MS)
+    for yard in (world, other):
+        yard.step(10 * MS)
     assert world.state("scale")[2] == world.state("m0")[2] > 0.0
     assert world.fingerprint() == world.snapshot() != other.fingerprint()

@@ -8,9 +8,9 @@ from kit.net_faults import FaultyNet, NetFaults
 
 def test_half_of_all_weather_is_reliable_and_the_rest_loses_at_most_three_in_ten():
     drawn = [NetFaults.draw(Random(seed)) for seed in range(400)]
-    assert 140 < sum(one.is_reliable for one in drawn) < 260
-    assert max(one.loss for one in drawn) <= 0.3
-    assert {one.delay_ns for one in drawn} == {1_000_000, 20_000_000, 80_000_000}
+    assert 140 < sum(faults.is_reliable for faults in drawn) < 260
+    assert max(faults.loss for faults in drawn) <= 0.3
+    assert {faults.delay_ns for faults in drawn} == {1_000_000, 20_000_000, 80_000_000}
 
 
 def test_the_same_seed_draws_the_same_weather():

@@ -29,7 +29,7 @@ def test_a_plan_holds_each_task_and_each_code_once_and_nothing_unused():
     assert [[task.name for task in flow.tasks] for flow in plan.flows] == [["one", "two"], ["two"]]
     assert [code.module for code in plan.code] == ["sum"]
     assert plan.flows[0].actions[1].rates == (("two", 20.0),)
-    assert [one.target for one in plan.flows[0].actions] == [None, "there"]
+    assert [planned.target for planned in plan.flows[0].actions] == [None, "there"]
     assert shop.code("one") is plan.code[0]
 
 

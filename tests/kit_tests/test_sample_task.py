@@ -14,7 +14,7 @@ def test_a_probe_adds_its_inputs_to_its_outputs_as_the_law_sees_it():
 def test_a_probe_is_a_module_with_the_same_ports():
     probe = SampleTask("a", inconst=("C0",), invar=("C0", "V0"), outvar=("V1",), finish_after=2)
     rig = ExecutiveRig().spawn("a", source(probe))
-    ports = {one.port for one in rig.task("a").spawn.ports}
+    ports = {port.port for port in rig.task("a").spawn.ports}
     assert (ports, rig.task("a").trigger) == ({"C0", "V0", "V1"}, True)
 
 

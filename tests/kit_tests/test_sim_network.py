@@ -113,8 +113,8 @@ class LosesRequestsAtACut(ClientEnd):
 
 class TellsTheAnswerTwice(ClientEnd):
     def _reply(self, packet: ReplyPacket) -> None:
-        known = packet.number not in self._wishes and not packet.parts
-        if known and not packet.late:
+        is_unwanted = packet.number not in self._wishes and not packet.parts
+        if is_unwanted and not packet.late:
             self._notices.append(ReplyReceived(packet.number, packet.body))
         super()._reply(packet)
 
@@ -256,9 +256,9 @@ class TakesASecondBookForEachConnection(EnvironmentSession):
 
 class OneSessionForEachUser(Sessions):
     def admit(self, new, carrier, now_ns):
-        known = next((one for one in self.sessions if one.caller.user == new.caller.user), None)
-        if known is not None:
-            self._by_client[new.client] = known
+        earlier = next((session for session in self.sessions if session.caller.user == new.caller.user), None)
+        if earlier is not None:
+            self._by_client[new.client] = earlier
         return super().admit(new, carrier, now_ns)
 
 
@@ -299,7 +299,7 @@ class DoesNotTryAgain(SessionChannels):
 class TellsOfEveryChannelsBeginning(SessionChannels):
     def _gather(self, now_ns):
         for channel_end in self._channel_ends.values():
-            greeted = [one for one in channel_end.end._notices if isinstance(one, Resumed)]
+            greeted = [notice for notice in channel_end.end._notices if isinstance(notice, Resumed)]
             if channel_end is not self._first and greeted:
                 self._notices.append(EpochChanged(channel_end.end.epoch))
         super()._gather(now_ns)
@@ -394,5 +394,5 @@ def first_fault(run: Callable[[int], tuple[str, ...]]) -> tuple[int, str] | None
 
 @pytest.mark.parametrize("name", MISTAKES)
 def test_a_planted_mistake_is_found(name: str):  # R-F01
-    found = first_fault(lambda seed: NetworkHistory(seed, MISTAKES[name]).run().faults)
-    assert found is not None, f"{name} was not found in {SEEDS_UNTIL_FOUND} histories"
+    failure = first_fault(lambda seed: NetworkHistory(seed, MISTAKES[name]).run().faults)
+    assert failure is not None, f"{name} was not found in {SEEDS_UNTIL_FOUND} histories"

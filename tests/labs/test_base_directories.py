@@ -36,9 +36,9 @@ def names(folder, ending):
 
 
 def read(kind, name, *more):
-    found, faults = getattr(SITE, kind)(name, *more)
+    opened, faults = getattr(SITE, kind)(name, *more)
     assert faults == ()
-    return found
+    return opened
 
 
 def tasks_of(configuration):
@@ -117,11 +117,11 @@ def test_every_variable_has_one_locus_with_the_right_counts(name):  # R-B02, R-C
             row = expected.setdefault(svar, {"conns": set()} | dict.fromkeys(COUNTS.values(), 0))
             row["conns"].add(task.name)
             row[COUNTS[kinds[coded]]] += 1
-    found = {
+    refusals = {
         svar: {"conns": locus.conns} | {count: getattr(locus, count) for count in COUNTS.values()}
         for svar, locus in loci.items()
     }
-    assert found == {svar: row | {"conns": len(row["conns"])} for svar, row in expected.items()}
+    assert refusals == {svar: row | {"conns": len(row["conns"])} for svar, row in expected.items()}
 
 
 @pytest.mark.parametrize("name", names("conf", ".conf"))
@@ -187,17 +187,17 @@ def test_icons_in_applications_are_those_of_the_dictionaries_and_their_edges_fit
 
 def test_what_the_language_has_is_shown_by_a_shipped_application():  # R-D09, R-D10, R-D11, R-D13
     icons = {name: icons_of(name) for name in names("appl", ".appl")}
-    nested = {name: {icon.onikon.name for icon in found} & set(icons) for name, found in icons.items()}
-    tests_ = {name: [icon for icon in found if icon.while_test] for name, found in icons.items()}
+    nested = {name: {icon.onikon.name for icon in flow_icons} & set(icons) for name, flow_icons in icons.items()}
+    tests_ = {name: [icon for icon in flow_icons if icon.while_test] for name, flow_icons in icons.items()}
     assert nested["try_to_grasp"] == {"put_back"}
     assert not read("application", "put_back", SYNTAX).is_parallel
     assert nested["visit_boxes"] == {"visit"}
     assert read("application", "visit", SYNTAX).has_hole
     assert nested["wave_together"] == {"both_wave"}
     assert read("application", "both_wave", SYNTAX).is_parallel
-    assert [one.onikon.type for one in tests_["wave_on"]] == ["Complete NOP"]
-    assert [one.while_if for one in tests_["in_line"]] == ["GRIP_MEZ[0] < 0.05"]
-    assert [one.more_targets for one in (read("onikon", "jmove_viaC", SYNTAX),)] == [("Joint object",)]
+    assert [icon.onikon.type for icon in tests_["wave_on"]] == ["Complete NOP"]
+    assert [icon.while_if for icon in tests_["in_line"]] == ["GRIP_MEZ[0] < 0.05"]
+    assert [onikon.more_targets for onikon in (read("onikon", "jmove_viaC", SYNTAX),)] == [("Joint object",)]
     for name, is_first in (("let_go", True), ("wave_three", False)):
         places = [at for at, icon in enumerate(icons[name]) if icon.while_tag]
         assert icons[name][places[0]].while_test is is_first

@@ -29,24 +29,29 @@ def asked_by(name, outsider):
 
 
 def test_the_display_is_shown_numbers_by_name_with_their_unit_and_time(outsider):  # R-F04
-    asked, bench = asked_by("display", outsider)
-    assert (asked["ask"], asked["unit"], asked["t"], asked["task"]) == ("show", "rad", bench.now, "bench/module")
-    assert asked["values"]["Q_MEZ"] == pytest.approx(list(HOME))
+    question, bench = asked_by("display", outsider)
+    assert (question["ask"], question["unit"], question["t"], question["task"]) == (
+        "show",
+        "rad",
+        bench.now,
+        "bench/module",
+    )
+    assert question["values"]["Q_MEZ"] == pytest.approx(list(HOME))
 
 
 def test_the_logger_is_given_a_row_of_positions_and_references(outsider):  # R-F04
-    asked, _ = asked_by("logger", outsider)
-    assert asked["ask"] == "log"
-    assert asked["row"] == pytest.approx([*HOME, *[0.0] * 6])
+    question, _ = asked_by("logger", outsider)
+    assert question["ask"] == "log"
+    assert question["row"] == pytest.approx([*HOME, *[0.0] * 6])
 
 
 def test_the_view_is_given_the_places_of_the_joints_and_the_pose_of_the_tool(outsider):  # R-F04
-    asked, _ = asked_by("view3d", outsider)
+    question, _ = asked_by("view3d", outsider)
     pose = SerialArm(puma560.DH, tool=puma560.TOOL).forward(HOME)
-    assert (asked["ask"], np.shape(asked["points"])) == ("pose", (8, 3))
-    assert np.array(asked["tool"]) == pytest.approx(pose)
-    assert asked["points"][-1] == pytest.approx(list(pose[:3, 3]))
-    assert asked["points"][0] == [0.0, 0.0, 0.0]
+    assert (question["ask"], np.shape(question["points"])) == ("pose", (8, 3))
+    assert np.array(question["tool"]) == pytest.approx(pose)
+    assert question["points"][-1] == pytest.approx(list(pose[:3, 3]))
+    assert question["points"][0] == [0.0, 0.0, 0.0]
 
 
 @pytest.mark.parametrize("name", ["display", "logger", "view3d"])

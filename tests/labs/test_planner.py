@@ -40,10 +40,10 @@ def follow(bench):
 
 
 def test_it_asks_for_a_path_within_the_limits_and_stays_until_it_is_answered(bench, outsider):  # R-F04
-    asked = outsider.accept().read()
-    assert asked["ask"] == "path"
+    question = outsider.accept().read()
+    assert question["ask"] == "path"
     wanted = {"start": HOME, "end": END, "low": puma560.QMIN, "high": puma560.QMAX}
-    assert all(asked[name] == pytest.approx(list(values)) for name, values in wanted.items())
+    assert all(question[name] == pytest.approx(list(values)) for name, values in wanted.items())
     assert bench.cycle(100)["Q_REF"] == pytest.approx(HOME)
     assert bench.state is State.ON
 
@@ -91,8 +91,8 @@ def test_a_planner_that_lies_moves_nothing(bench, outsider, lie):  # R-F04
 @pytest.mark.parametrize("number", ["NaN", "Infinity", "1e999"])
 def test_what_is_no_finite_number_moves_nothing(bench, outsider, number):  # R-F04, law 5
     call = outsider.accept()
-    asked = call.read()
-    call.say(f'{{"id": {asked["id"]}, "via": [[{number}, 0, 0, 0, 0, 0]]}}\n'.encode())
+    question = call.read()
+    call.say(f'{{"id": {question["id"]}, "via": [[{number}, 0, 0, 0, 0, 0]]}}\n'.encode())
     bench.cycle()
     assert bench.state is State.ERROR
     assert bench["Q_REF"] == pytest.approx(HOME)

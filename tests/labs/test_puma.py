@@ -168,28 +168,28 @@ def test_an_arm_whose_panic_button_is_pressed_does_not_come_on():  # R-K06
 
 
 def test_joint_targets_are_judged_joint_by_joint(constants):  # law 26, R-E09
-    cls, known = constants
+    cls, stated = constants
     targets = [("joint object", [0, 0, 4.1, 0, 0, 0, 1.0]), ("joint object", [*puma560.HOME, 1.0])]
-    assert cls.resolve(known, targets) == ["joint 3 at 4.10 rad is beyond 3.93", None]
-    assert cls.resolve(known, [("joint object", [0.0])]) == ["expected 6 joint values, found 1"]
+    assert cls.resolve(stated, targets) == ["joint 3 at 4.10 rad is beyond 3.93", None]
+    assert cls.resolve(stated, [("joint object", [0.0])]) == ["expected 6 joint values, found 1"]
 
 
 def test_cartesian_targets_are_judged_by_inverse_kinematics(constants):  # law 26, R-E09
-    cls, known = constants
+    cls, stated = constants
     near, far = [0, 0, -1, 0, 1, 0, 0.7, 0.28, -0.3346, 1.4], [0, 0, -1, 0, 1, 0, 1.7, 0.28, -0.3346, 1.4]
     crooked = [0, 0, -1, 0, 0, 1, 0.7, 0.28, -0.3346, 1.4]
-    reachable, out, askew = cls.resolve(known, [("cartesian object", one) for one in (near, far, crooked)])
+    reachable, out, askew = cls.resolve(stated, [("cartesian object", pose) for pose in (near, far, crooked)])
     assert reachable is None
     assert out.startswith("out of reach: the wrist would be")
     assert askew == "expected approach and normal square to each other, found a · n = -1"
 
 
 def test_targets_of_other_types_are_none_of_its_business(constants):
-    cls, known = constants
-    assert cls.resolve(known, [("file name object", ["x"])]) == [None]
+    cls, stated = constants
+    assert cls.resolve(stated, [("file name object", ["x"])]) == [None]
 
 
 def test_constants_may_come_as_plain_lists(constants):
-    cls, known = constants
-    plain = {key: value.tolist() if isinstance(value, np.ndarray) else value for key, value in known.items()}
+    cls, stated = constants
+    plain = {key: value.tolist() if isinstance(value, np.ndarray) else value for key, value in stated.items()}
     assert cls.resolve(plain, [("cartesian object", [0, 0, -1, 0, 1, 0, 0.7, 0, -0.2, 1.0])]) == [None]

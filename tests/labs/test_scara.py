@@ -66,36 +66,36 @@ def test_a_tripped_drive_is_an_error_that_clear_mends():  # law 17, R-C28
 
 
 def test_targets_out_of_its_reach_are_named(constants):  # law 26, R-E09, R-K03
-    cls, known = constants
+    cls, stated = constants
     box, far = [0, 0, -1, 0, 1, 0, 0.7, 0.28, -0.3346, 1.4], [0, 0, -1, 0, 1, 0, 0.9, 0.28, -0.3346, 1.4]
-    reachable, out, up = cls.resolve(known, [("cartesian object", one) for one in (box, far, [0, 0, 1, *box[3:]])])
+    reachable, out, up = cls.resolve(stated, [("cartesian object", pose) for pose in (box, far, [0, 0, 1, *box[3:]])])
     assert reachable is None
     assert out.startswith("out of reach: the quill would be")
     assert up.startswith("the hand would lean 180 degrees")
-    assert cls.resolve(known, [("joint object", [0.1, 0.2, 0.3, 0.0])]) == ["joint 3 at 0.300 m is beyond 0.295"]
-    assert cls.resolve(known, [("file name object", ["x"])]) == [None]
+    assert cls.resolve(stated, [("joint object", [0.1, 0.2, 0.3, 0.0])]) == ["joint 3 at 0.300 m is beyond 0.295"]
+    assert cls.resolve(stated, [("file name object", ["x"])]) == [None]
 
 
 def test_it_says_the_joint_values_of_the_pumas_targets_or_why_there_are_none(constants):  # law 26, R-E09
-    cls, known = constants
-    triangle, up = cls.postures(known, reach.poses(PUMA, [ABOVE_TRIANGLE, puma560.HOME]))
-    assert cls.resolve(known, [("joint object", triangle)]) == [None]
-    assert cls.poses(known, [triangle])[0] == pytest.approx(reach.poses(PUMA, [ABOVE_TRIANGLE])[0], abs=1e-4)
+    cls, stated = constants
+    triangle, up = cls.postures(stated, reach.poses(PUMA, [ABOVE_TRIANGLE, puma560.HOME]))
+    assert cls.resolve(stated, [("joint object", triangle)]) == [None]
+    assert cls.poses(stated, [triangle])[0] == pytest.approx(reach.poses(PUMA, [ABOVE_TRIANGLE])[0], abs=1e-4)
     assert up.startswith("the hand would lean 180 degrees")
 
 
 def test_the_generic_tasks_serve_it_as_they_are(constants):  # R-K03, law 20
-    _, known = constants
+    _, stated = constants
     posture = np.array([0.1, 0.7, 0.1, -0.8])
-    bench = Bench(GENERIC / "fwdkin.py", frequency=250, constants=known).init()
+    bench = Bench(GENERIC / "fwdkin.py", frequency=250, constants=stated).init()
     bench["Q_MEZ"] = posture
     pose = bench.on().cycle()["X_MEZ"]
     assert pose[:3, 2] == pytest.approx([0.0, 0.0, -1.0])
     assert pose[2, 3] == pytest.approx(0.30 - 0.24 - 0.13 - 0.1)
-    back = Bench(GENERIC / "invkin.py", frequency=250, constants=known).init()
+    back = Bench(GENERIC / "invkin.py", frequency=250, constants=stated).init()
     back["Q_MEZ"], back["X_REF"] = posture, pose
     assert back.on().cycle()["Q_REF"] == pytest.approx(posture)
-    weight = Bench(GENERIC / "gravcomp.py", frequency=250, constants=known).init()
+    weight = Bench(GENERIC / "gravcomp.py", frequency=250, constants=stated).init()
     weight["Q_MEZ"] = posture
     hanging = adept_one.DYN[2:, 0].sum() + adept_one.LOAD[0]
     assert weight.on().cycle()["TAU_G"] == pytest.approx([0.0, 0.0, -9.81 * hanging, 0.0], abs=1e-9)

@@ -24,7 +24,7 @@ def task(name):
 
 def device_of(name):
     named = next(line.words[0] for line in task(name).local if line.key == "DEVICE")
-    sheet = next(one for one in BoxesWorld().devices() if f"boxes:{one.name}" == named)
+    sheet = next(device for device in BoxesWorld().devices() if f"boxes:{device.name}" == named)
     return BenchDevice(sheet.state[2:], sheet.command, sheet.identity)
 
 
@@ -39,8 +39,8 @@ def test_it_gives_all_that_the_arm_with_forces_gives(robot, physical, name):  # 
     assert (without.outconst, without.outvar) == (with_forces.outconst, with_forces.outvar)
     assert without.invar == ("Q_REF",)
     classes = [bench_of(robot, module, device_of(module)).cls for module in (physical, name)]
-    one, other = (cls.constants(SimpleNamespace(ROBOT=robot, BASE=[0.0] * 4)) for cls in classes)
-    assert all(np.array_equal(one[key], other[key]) for key in one)
+    puma, other = (cls.constants(SimpleNamespace(ROBOT=robot, BASE=[0.0] * 4)) for cls in classes)
+    assert all(np.array_equal(puma[key], other[key]) for key in puma)
     for attribute, declared in classes[0].declared_ports.items():
         port = declared.port(attribute)
         if port.kind is not PortKind.INVAR:

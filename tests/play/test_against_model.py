@@ -57,8 +57,8 @@ def nodes(depth):
         st.builds(
             lambda first, body, last, when: Loop("l", (first, *body, last), True, when), acts, inner, real, conditions
         ),
-        st.builds(lambda one, two, when: Pick((one, two), (when,) if when else ()), inner, inner, conditions),
-        st.builds(lambda one, two: Side((one, two)), inner, inner),
+        st.builds(lambda first, two, when: Pick((first, two), (when,) if when else ()), inner, inner, conditions),
+        st.builds(lambda first, two: Side((first, two)), inner, inner),
     )
 
 
@@ -76,10 +76,10 @@ def renamed(tree, numbers, within=""):
                 name = f"l{next(numbers)}"
                 made.append(Loop(name, renamed(node.body, numbers, within), node.is_top, node.condition))
             case Pick():
-                made.append(Pick(tuple(renamed(one, numbers, within) for one in node.flows), node.conditions))
+                made.append(Pick(tuple(renamed(flow, numbers, within) for flow in node.flows), node.conditions))
             case Side():
                 inside = f"n{next(numbers)} "
-                made.append(Side(tuple(renamed(one, numbers, inside) for one in node.flows)))
+                made.append(Side(tuple(renamed(flow, numbers, inside) for flow in node.flows)))
     return tuple(made)
 
 
@@ -100,8 +100,8 @@ class Comparison(RuleBasedStateMachine):
         self.feed(news.Run())
         self.small.run()
 
-    def feed(self, said):
-        self.note(self.theatre.feed(said))
+    def feed(self, message):
+        self.note(self.theatre.feed(message))
         while self.theatre.speakers():
             address = self.theatre.speakers()[0]
             if address == RUNTIME:
@@ -110,11 +110,11 @@ class Comparison(RuleBasedStateMachine):
 
     def note(self, orders):
         kinds = {Began: "began", Done: "done"}
-        self.told += [(kinds[type(one)], one.flow, one.index) for one in orders if type(one) in kinds]
-        self.settles = any(isinstance(one, Settle) for one in orders) or getattr(self, "settles", False)
+        self.told += [(kinds[type(order)], order.flow, order.index) for order in orders if type(order) in kinds]
+        self.settles = any(isinstance(order, Settle) for order in orders) or getattr(self, "settles", False)
 
-    def may(self, said):
-        return not self.theatre.engine.refusal(said)
+    def may(self, act):
+        return not self.theatre.engine.refusal(act)
 
     @rule(which=st.integers(0, 9), choice=st.sampled_from([0, 0, 1, 2]), loop=st.booleans())
     def finishes(self, which, choice, loop):
@@ -135,7 +135,7 @@ class Comparison(RuleBasedStateMachine):
             self.small.finished(address[0], choice, loop)
 
     def feed_mail(self):
-        while speakers := [one for one in self.theatre.speakers() if one != RUNTIME]:
+        while speakers := [speaker for speaker in self.theatre.speakers() if speaker != RUNTIME]:
             self.note(self.theatre.hear(speakers[0]))
 
     @rule(which=st.integers(0, 19))
@@ -218,7 +218,7 @@ class Comparison(RuleBasedStateMachine):
             small = self.small.flows[number]
             assert (place.state, place.action) == (small.state, small.action)
             assert place.tag == (small.at[1] if small.state == "waiting" else "")
-            assert {names.index(one) for one in place.waits_for} == self.small.waits_for(number)
+            assert {names.index(name) for name in place.waits_for} == self.small.waits_for(number)
             if small.state != "done":
                 assert place.is_pausing == small.is_pausing
             if small.state == "running":
@@ -226,8 +226,8 @@ class Comparison(RuleBasedStateMachine):
             on = {task for flow, task in self.theatre.on() if flow == number}
             assert on == small.on
         for number in range(len(names)):
-            assert [one for one in self.told if one[1] == number] == [
-                one for one in self.small.told if one[1] == number
+            assert [mark for mark in self.told if mark[1] == number] == [
+                mark for mark in self.small.told if mark[1] == number
             ]
         assert not self.small.is_done or self.settles
 

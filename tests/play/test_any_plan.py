@@ -69,8 +69,8 @@ def actions_begin_in_their_order(run, plan):
     """No action is begun twice, none is skipped, and each but the last one begun is done before the next."""
     for flow in range(len(plan)):
         marks = [order for order in given_orders(run, Began | Done) if order.flow == flow]
-        told = [(type(order), order.index) for order in marks]
-        assert told == [(kind, index) for index in range(len(plan[flow])) for kind in (Began, Done)][: len(told)]
+        indices = [(type(order), order.index) for order in marks]
+        assert indices == [(kind, index) for index in range(len(plan[flow])) for kind in (Began, Done)][: len(indices)]
 
 
 def actions_have_their_tasks(run, plan):

@@ -24,10 +24,12 @@ def test_the_action_before_chooses_the_flow(choice):  # R-D10, reading 19
 
 @pytest.mark.parametrize("choice", [3, 17])
 def test_a_value_beyond_the_number_of_flows_takes_flow_0_and_both_numbers_are_told(choice):  # reading 20
-    told = (
+    sentence = (
         f"test.appl flow 0 action 0: sort has 3 flows and the action before it asks for flow {choice}: flow 0 is taken"
     )
-    assert started(build.flow([JOB] * 5, THREE)) >> ends(0, choice) << Done(0, 0) << RunNote(0, told) << begins(0, 1)
+    assert (
+        started(build.flow([JOB] * 5, THREE)) >> ends(0, choice) << Done(0, 0) << RunNote(0, sentence) << begins(0, 1)
+    )
 
 
 def test_a_value_before_a_single_flow_means_nothing_and_is_not_told():  # reading 20

@@ -169,8 +169,8 @@ def test_a_finish_that_comes_after_the_error_does_not_end_the_action():  # R-E08
 
 def test_an_error_of_a_passive_task_stops_nobody():  # reading 17
     job = build.job("move", "view", trigger="move", arguments="1 2")
-    told = f"{where(0, 0)}: view is in error and stays off, the job goes on: no screen"
-    assert started([job], passive=[(0, "view")]) >> Failed(0, "view", "no screen") << RunNote(0, told)
+    sentence = f"{where(0, 0)}: view is in error and stays off, the job goes on: no screen"
+    assert started([job], passive=[(0, "view")]) >> Failed(0, "view", "no screen") << RunNote(0, sentence)
 
 
 def test_what_failed_can_be_asked():  # R-X06

@@ -52,10 +52,14 @@ class Explorer:
         self.plan = planned(*trees)
         self.theatre = EngineSim(self.plan, engine_for(self.plan, passive, stands_still=True), passive)
         self.loops = [
-            any(type(one).__name__ in ("Again", "Unless") for one in flow.program) for flow in self.plan.flows
+            any(type(instruction).__name__ in ("Again", "Unless") for instruction in flow.program)
+            for flow in self.plan.flows
         ]
         self.widths = [
-            max((len(one.to) for one in flow.program if type(one).__name__ == "Choose"), default=1)
+            max(
+                (len(instruction.to) for instruction in flow.program if type(instruction).__name__ == "Choose"),
+                default=1,
+            )
             for flow in self.plan.flows
         ]
         self.budget = budget
@@ -138,28 +142,28 @@ class Explorer:
 
     def goes_on(self):
         """Whoever stands still is let go on, sooner or later."""
-        for flow, one in enumerate(self.theatre.engine.positions()):
+        for flow, position in enumerate(self.theatre.engine.positions()):
             if self.theatre.is_ready(flow):
                 continue
-            if one.state == "paused":
-                yield steer.Resume(one.subsystem)
-            if one.state == "stopped":
-                yield steer.Recover(one.subsystem)
+            if position.state == "paused":
+                yield steer.Resume(position.subsystem)
+            if position.state == "stopped":
+                yield steer.Recover(position.subsystem)
 
     def acts(self):
         """All that the user may do now."""
-        for flow, one in enumerate(self.plan.flows):
+        for flow, planned_flow in enumerate(self.plan.flows):
             if self.theatre.is_ready(flow):
                 continue
             every = [
-                steer.Pause(one.subsystem),
-                steer.Resume(one.subsystem),
-                steer.Step(one.subsystem),
-                steer.Skip(one.subsystem),
-                steer.Pass(one.subsystem),
+                steer.Pause(planned_flow.subsystem),
+                steer.Resume(planned_flow.subsystem),
+                steer.Step(planned_flow.subsystem),
+                steer.Skip(planned_flow.subsystem),
+                steer.Pass(planned_flow.subsystem),
             ]
-            every += [steer.Leave(one.subsystem), steer.Recover(one.subsystem)]
-            every += [steer.Skip(one.subsystem, index) for index in range(len(one.actions))]
+            every += [steer.Leave(planned_flow.subsystem), steer.Recover(planned_flow.subsystem)]
+            every += [steer.Skip(planned_flow.subsystem, index) for index in range(len(planned_flow.actions))]
             yield from (act for act in every if not self.theatre.engine.refusal(act))
 
     def faults(self):
@@ -194,7 +198,7 @@ class Explorer:
             self.completed += theatre.end.completed
             return
         if not theatre.has_news and not list(theatre.triggers_on()):
-            self.still.append([one.state for one in theatre.engine.positions()])
+            self.still.append([position.state for position in theatre.engine.positions()])
         self.can_be_ended()
         theatre.put_back(taken)
         if not theatre.has_news and self.has_begun() and not self.is_over():
@@ -202,11 +206,11 @@ class Explorer:
             theatre.put_back(taken)
 
     def has_begun(self):
-        return all(one.state != "spawning" for one in self.theatre.engine.positions())
+        return all(position.state != "spawning" for position in self.theatre.engine.positions())
 
     def is_over(self):
         """Whether all is being killed; `can_be_ended` hears the rest."""
-        return any(one.state == "killing" for one in self.theatre.engine.positions())
+        return any(position.state == "killing" for position in self.theatre.engine.positions())
 
     def hear_all(self):
         while speakers := self.theatre.speakers():
@@ -229,21 +233,21 @@ class Explorer:
                 return
             for address in list(theatre.triggers_on()):
                 theatre.say(address, told.Finished(*address), "off")
-            for one in self.plan.flows if turn > 20 else ():
-                if not theatre.engine.refusal(steer.Leave(one.subsystem)):
-                    theatre.feed(steer.Leave(one.subsystem))  # endless loops are left by the user
+            for planned_flow in self.plan.flows if turn > 20 else ():
+                if not theatre.engine.refusal(steer.Leave(planned_flow.subsystem)):
+                    theatre.feed(steer.Leave(planned_flow.subsystem))  # endless loops are left by the user
             if not theatre.has_news:
                 self.help()
         raise AssertionError(f"{theatre.story}\nand comes to no end")
 
     def help(self):
-        for one in self.theatre.engine.positions():
+        for position in self.theatre.engine.positions():
             act = {
-                FlowState.PAUSED: steer.Resume(one.subsystem),
-                FlowState.STOPPED: steer.Recover(one.subsystem),
-                FlowState.WAITING: steer.Pass(one.subsystem),
-                FlowState.RUNNING: steer.Skip(one.subsystem),
-            }.get(FlowState(one.state))
+                FlowState.PAUSED: steer.Resume(position.subsystem),
+                FlowState.STOPPED: steer.Recover(position.subsystem),
+                FlowState.WAITING: steer.Pass(position.subsystem),
+                FlowState.RUNNING: steer.Skip(position.subsystem),
+            }.get(FlowState(position.state))
             if act and not self.theatre.engine.refusal(act):
                 self.theatre.feed(act)
                 return

@@ -208,9 +208,13 @@ class Story:
         assert hand.states == self.model.states
         hand.figures()
         hand.let_pass(0.2)
-        for name, one in hand.figures().items():
-            assert (name, one.miss) == (name, 0)
-            assert one.cycle in ((10, 11) if name == "counter" else (20, 21)) if one.state == "ON" else one.cycle == 0
+        for name, figure in hand.figures().items():
+            assert (name, figure.miss) == (name, 0)
+            assert (
+                figure.cycle in ((10, 11) if name == "counter" else (20, 21))
+                if figure.state == "ON"
+                else figure.cycle == 0
+            )
         on = {name for name, state in self.model.states.items() if state == "ON"}
         values = hand.values() if self.model.states else {}
         if {"user", "reader"} <= on:

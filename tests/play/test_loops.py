@@ -74,12 +74,12 @@ def test_a_condition_at_the_top_counts_and_the_value_does_not(value):  # R-D13
 
 
 def test_a_condition_is_judged_on_the_variables_of_its_own_flow():  # R-D13
-    asked = []
+    questions = []
     flow = build.flow([JOB], program(bottom("round", Do(0), condition="X > 1")))
-    engine = build.engine([NOOP], flow, judge=lambda number, condition: asked.append((number, condition)) or False)
+    engine = build.engine([NOOP], flow, judge=lambda number, condition: questions.append((number, condition)) or False)
     for news in (Run(), Spawned(1, "move"), *ends(1)):
         engine.feed(news)
-    assert asked == [(1, "X > 1")]
+    assert questions == [(1, "X > 1")]
 
 
 def test_a_no_op_as_the_test_makes_a_loop_without_an_end():  # R-E05, R-D11

@@ -32,8 +32,8 @@ def done(flow, index):
 
 def forked(flow, index, *children) -> list[Order]:
     """The flow goes on with an action; the others begin their first one with it."""
-    told = [Together("", (flow, *children)), *begins(flow, index)]
-    return told + [order for each in children for order in goes_on(each, 0)]
+    orders = [Together("", (flow, *children)), *begins(flow, index)]
+    return orders + [order for each in children for order in goes_on(each, 0)]
 
 
 SIMPLE = parent([JOB, JOB, JOB], Do(0), nested([(1, 0)], Do(1)), Do(2))

@@ -18,8 +18,8 @@ def test_no_ops_are_told_and_take_no_time():  # R-D11
 
 def test_an_application_of_no_ops_is_done_at_once():  # R-D11
     engine = build.engine([NOOP, NOOP])
-    told = [*passes(0, 0), *passes(0, 1), Moved(0, "done", 1), Settle()]
-    assert Play(engine) >> Run() << told >> Settled() << End(True)
+    orders = [*passes(0, 0), *passes(0, 1), Moved(0, "done", 1), Settle()]
+    assert Play(engine) >> Run() << orders >> Settled() << End(True)
 
 
 def test_a_no_op_with_a_tag_waits_as_any_other_action():  # R-D11, R-E04

@@ -104,9 +104,9 @@ def plant(monkeypatch, owner, name, old, new):
     function = inspect.getattr_static(owner, name)
     source = textwrap.dedent(inspect.getsource(function))
     assert source.count(old) == 1, f"expected {old!r} once in {name}"
-    found = {}
-    exec(source.replace(old, new), function.__globals__, found)  # the mistake is ours
-    monkeypatch.setattr(owner, name, found[name])
+    names = {}
+    exec(source.replace(old, new), function.__globals__, names)  # the mistake is ours
+    monkeypatch.setattr(owner, name, names[name])
 
 
 STATES = 20_000

@@ -57,12 +57,12 @@ def test_tasks_rank_in_data_flow_order_with_hardware_as_the_source(table):  # la
 
 
 def test_a_task_waits_until_its_constants_are_written(table):  # law 10
-    one = subsystem(table, arm())
-    assert {name for name in one.members if not one.lacking(name)} == {"ctraj", "puma"}
-    assert one.lacking("servo") == ["NDOF"]
-    assert one.members["servo"].state is State.WAITING
+    running = subsystem(table, arm())
+    assert {name for name in running.members if not running.lacking(name)} == {"ctraj", "puma"}
+    assert running.lacking("servo") == ["NDOF"]
+    assert running.members["servo"].state is State.WAITING
     write_constant(table, "NDOF", 6)
-    assert not any(one.lacking(name) for name in one.members)
+    assert not any(running.lacking(name) for name in running.members)
 
 
 def test_a_first_value_is_waited_for_if_somebody_supplies_one_and_only_then(table):  # reading 6
@@ -73,10 +73,10 @@ def test_a_first_value_is_waited_for_if_somebody_supplies_one_and_only_then(tabl
 
 def test_what_was_written_before_its_supplier_was_there_is_waited_for(table):  # law 10, law 12
     write_constant(table, "NDOF", 6)
-    one = subsystem(table, arm())
-    assert one.lacking("servo") == ["NDOF"]
-    one.members["puma"].state = State.OFF
-    assert one.lacking("servo") == []
+    running = subsystem(table, arm())
+    assert running.lacking("servo") == ["NDOF"]
+    running.members["puma"].state = State.OFF
+    assert running.lacking("servo") == []
 
 
 def test_a_spawn_command_carries_everything_a_unit_needs(table):  # R-A03, R-A06

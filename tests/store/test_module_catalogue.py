@@ -16,14 +16,14 @@ def test_a_module_speaks_the_language_of_the_catalogue_beside_its_code(tmp_path)
         f'"{SENTENCE}" = "articulación {{joint}}: más de {{limit:.1f}}"\n"{{x}}" = "{{y"\n'
     )
     reason = of_module(of_sentence(SENTENCE, {"joint": 3, "limit": 2.14}), "reach")
-    known = translations_of([BaseDirectory(tmp_path)], "es")
-    assert in_language(reason, "es", known) == "articulación 3: más de 2.1"
-    assert in_language(reason, "es") == in_language(reason, "en", known) == "joint 3 is beyond 2.1"
+    translations = translations_of([BaseDirectory(tmp_path)], "es")
+    assert in_language(reason, "es", translations) == "articulación 3: más de 2.1"
+    assert in_language(reason, "es") == in_language(reason, "en", translations) == "joint 3 is beyond 2.1"
 
 
 def test_a_sentence_without_arguments_is_translated_as_it_is():
-    known = {"module:door:open {now}": "abierta {ahora}"}
-    assert in_language(of_module(of_sentence("open {now}", {}), "door"), "es", known) == "abierta {ahora}"
+    translations = {"module:door:open {now}": "abierta {ahora}"}
+    assert in_language(of_module(of_sentence("open {now}", {}), "door"), "es", translations) == "abierta {ahora}"
 
 
 def test_a_catalogue_that_is_no_toml_or_whose_gaps_differ_is_at_fault():

@@ -11,9 +11,9 @@ def test_it_hears_and_says_what_the_test_wants(tmp_path):
         partner = Partner(outsider.address)
         partner.ask("what", x=1)
         call = outsider.accept()
-        asked = call.read()
-        assert (asked["ask"], asked["x"]) == ("what", 1)
-        call.answer(asked, y=2)
+        question = call.read()
+        assert (question["ask"], question["x"]) == ("what", 1)
+        call.answer(question, y=2)
         assert wait(partner)
         assert partner.answer.fields["y"] == 2
         assert not call.has_ended()

@@ -19,7 +19,7 @@ def outcome(ours, its, **peer):
 
     def score(name, figures, **more):
         entrant = Entrant(name, name, goal=0.5)
-        return Score(entrant, "1.0", rounds=[{"figure": one} for one in figures], **more)
+        return Score(entrant, "1.0", rounds=[{"figure": figure} for figure in figures], **more)
 
     contest = Contest("key", "Who is quicker", "us", Entrant("Onika", ""), (), 1, 1)
     return Outcome(contest, score("Onika", ours), (score("peer", its, **peer),))
@@ -59,8 +59,8 @@ def test_the_application_is_measured_over_all_its_actions():
 def test_lateness_is_told_by_its_99_percent_median_and_most():
     from beside.punctuality.lateness import figures
 
-    found = figures(list(range(1000, 101_000, 1000)), 2)
-    assert (found["median"], found["figure"], found["most"], found["missed"]) == (51.0, 100.0, 100.0, 2.0)
+    summary = figures(list(range(1000, 101_000, 1000)), 2)
+    assert (summary["median"], summary["figure"], summary["most"], summary["missed"]) == (51.0, 100.0, 100.0, 2.0)
     with pytest.raises(RuntimeError, match="expected cycles"):
         figures([], 0)
 
@@ -74,8 +74,8 @@ def test_a_hop_that_brings_back_something_else_is_an_error():
 
 
 def test_a_ratio_is_the_median_over_rounds_side_by_side():
-    found = outcome([1.0, 2.0, 9.0], [2.0, 4.0, 3.0])
-    assert found.ratio(found.peers[0]) == 0.5
+    verdict = outcome([1.0, 2.0, 9.0], [2.0, 4.0, 3.0])
+    assert verdict.ratio(verdict.peers[0]) == 0.5
 
 
 def test_rows_that_lose_are_told_as_plainly_as_rows_that_win():
@@ -123,10 +123,10 @@ def test_every_module_that_takes_part_is_there():
     from beside.contests import CONTESTS, LADDERS
     from beside.peers import PACKAGES
 
-    entrants = [entrant for one in CONTESTS for entrant in (one.ours, *one.peers)]
-    for module in [*(one.module for one in entrants), *(one.module for one in LADDERS)]:
+    entrants = [entrant for contest in CONTESTS for entrant in (contest.ours, *contest.peers)]
+    for module in [*(entrant.module for entrant in entrants), *(ladder.module for ladder in LADDERS)]:
         assert BENCH.joinpath(*module.split(".")).with_suffix(".py").exists(), module
-    assert {one.package for one in entrants} - {""} == PACKAGES.keys()
+    assert {entrant.package for entrant in entrants} - {""} == PACKAGES.keys()
 
 
 @pytest.mark.site
@@ -142,7 +142,7 @@ def test_all_rows_of_our_own_are_measured():
     words = [sys.executable, "-m", "beside", "--quick", "--alone", "--rounds", "1"]
     search = os.pathsep.join((str(BENCH), str(BENCH.parents[1] / "tests"), *sys.path))
     ran = subprocess.run(words, env=os.environ | {"PYTHONPATH": search}, capture_output=True, text=True, check=True)
-    tables = {one.partition("\n")[0]: one for one in ran.stdout.split("### ")[1:]}
+    tables = {part.partition("\n")[0]: part for part in ran.stdout.split("### ")[1:]}
     refused = [title for title, table in tables.items() if "Not measured" in table]
     assert len(tables) == 8
     assert refused == [] or (len(refused) == 1 and "SCHED_FIFO is not granted" in tables[refused[0]])

@@ -82,6 +82,6 @@ def test_bounds_of_an_input_are_told_by_number_or_by_the_constant_that_holds_the
 
 def test_every_message_is_on_its_page_with_its_fields():  # R-A19
     page = message_page.page()
-    for one in (*get_args(request.Request), *get_args(request.Response), *get_args(event.Event)):
-        assert f"### {one.__name__}\n" in page
-        assert all(f"| `{name}` |" in page for name in one.__struct_fields__)
+    for argument in (*get_args(request.Request), *get_args(request.Response), *get_args(event.Event)):
+        assert f"### {argument.__name__}\n" in page
+        assert all(f"| `{name}` |" in page for name in argument.__struct_fields__)

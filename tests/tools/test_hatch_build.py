@@ -59,7 +59,7 @@ def page(house):
     return runpy.run_path(str(HOOK))["Page"](house)
 
 
-def asked(house):
+def commands(house):
     """What npm was asked since the last time."""
     notes = house / "notes"
     words = notes.read_text().splitlines() if notes.exists() else []
@@ -69,55 +69,55 @@ def asked(house):
 
 def test_a_page_is_built_once(house, page):
     page.build()
-    assert asked(house) == ["ci --no-audit", "run build"]
+    assert commands(house) == ["ci --no-audit", "run build"]
     page.build()
-    assert asked(house) == []
+    assert commands(house) == []
 
 
 @pytest.mark.parametrize("name", ["index.html", "src/main.ts", "src/new.svelte", "vite.config.ts"])
 def test_a_changed_or_new_source_is_built_without_fetching_again(house, page, name):
     page.build()
-    asked(house)
+    commands(house)
     (house / "browser" / name).write_text("second")
     page.build()
-    assert asked(house) == ["run build"]
+    assert commands(house) == ["run build"]
 
 
 def test_a_source_that_went_is_built_without_it(house, page):
     page.build()
-    asked(house)
+    commands(house)
     (house / "browser" / "src" / "main.ts").unlink()
     page.build()
-    assert asked(house) == ["run build"]
+    assert commands(house) == ["run build"]
 
 
 def test_another_lock_file_fetches_and_builds(house, page):
     page.build()
-    asked(house)
+    commands(house)
     (house / "browser" / "package-lock.json").write_text("second")
     page.build()
-    assert asked(house) == ["ci --no-audit", "run build"]
+    assert commands(house) == ["ci --no-audit", "run build"]
 
 
 def test_a_page_that_was_removed_is_built_again(house, page):
     page.build()
-    asked(house)
+    commands(house)
     shutil.rmtree(house / "src")
     page.build()
-    assert asked(house) == ["run build"]
+    assert commands(house) == ["run build"]
 
 
 def test_a_failure_names_the_command_and_shows_its_output_and_is_repeated(house, page, monkeypatch):
     monkeypatch.setenv("AMISS", "run build")
-    with pytest.raises(SystemExit) as told:
+    with pytest.raises(SystemExit) as failure:
         page.build()
-    assert "vite: no such file" in str(told.value)
-    assert "npm run build" in str(told.value)
-    assert "ended with 3" in str(told.value)
-    asked(house)
+    assert "vite: no such file" in str(failure.value)
+    assert "npm run build" in str(failure.value)
+    assert "ended with 3" in str(failure.value)
+    commands(house)
     monkeypatch.setenv("AMISS", "nothing")
     page.build()
-    assert asked(house) == ["run build"]
+    assert commands(house) == ["run build"]
 
 
 TAKEN = {"v18.20.4": False, "v20.18.3": False, "v20.19.0": True, "v21.7.3": False, "v22.11.0": False, "v22.12.0": True}

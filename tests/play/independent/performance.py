@@ -81,19 +81,19 @@ class Performance:
 
     def _go_on(self, *numbers: int) -> list[Event]:
         """What is said at this instant, then who begins together, then each who begins."""
-        told: list[Event] = []
+        events: list[Event] = []
         starting: list[int] = []
         tag = ""
         for number in numbers:
             flow = self.flows[number]
             if flow.at + 1 == len(flow.actions):
-                told += self._complete(number)
+                events += self._complete(number)
                 continue
             flow.waits = flow.actions[flow.at + 1].tag
             if flow.waits is None:
                 starting.append(number)
             elif self._absent(flow.waits):
-                told.append(self._waits(number))
+                events.append(self._waits(number))
                 flow.was_waiting = True
             else:
                 tag = flow.waits
@@ -101,7 +101,7 @@ class Performance:
         together: list[Event] = [("together", tag, sorted(starting))] if len(starting) > 1 else []
         begun = [event for number in sorted(starting) for event in self._start(number)]
         self.is_over = all(flow.is_done for flow in self.flows)
-        return told + together + begun + ([("all done",)] if self.is_over else [])
+        return events + together + begun + ([("all done",)] if self.is_over else [])
 
     def _complete(self, number: int) -> list[Event]:
         self.flows[number].is_done = True
