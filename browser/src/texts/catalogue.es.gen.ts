@@ -344,6 +344,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "console.head_values": "valores",
   "console.head_variable": "variable",
   "console.held": "{subsystem} lo tiene {holder}{because}",
+  "console.held_by_nobody": "nadie tiene {subsystem}{because}",
   "console.help_hint": "Una orden puede acortarse a lo que la distingue de las demás. `help COMMAND` dice cómo se escribe.",
   "console.holds": "tiene {names}",
   "console.in_unit": "{name} en {unit}",

@@ -179,8 +179,10 @@ def _held(message: event.Held | event.Offered) -> Line:
     """Who may change a subsystem, or is to."""
     subsystem = message.subsystem
     if isinstance(message, event.Held):
-        holder, because = message.holder or _nobody(), _because(message.cause)
-        return Reason.of("console.held", subsystem=subsystem, holder=holder, because=because), Tone.NOTE
+        because = _because(message.cause)
+        if not message.holder:
+            return Reason.of("console.held_by_nobody", subsystem=subsystem, because=because), Tone.NOTE
+        return Reason.of("console.held", subsystem=subsystem, holder=message.holder, because=because), Tone.NOTE
     holder, to = message.holder, message.to or _nobody()
     if message.outcome:
         outcome = message.outcome
