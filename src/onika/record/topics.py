@@ -5,6 +5,7 @@ from typing import Any
 import msgspec
 from msgspec import Struct
 
+from onika.record.bare_text import decoder
 from onika.wire import event, live, request, steer
 
 EVENTS, COMMANDS, ANSWERS = "/events", "/commands", "/answers"
@@ -79,5 +80,5 @@ HAPPENED_SCHEMA = _schema(HAPPENED, subsystem=_TEXT, event=_MESSAGE)
 WANTED_SCHEMA = _schema(WANTED, turn={"type": "integer"}, session=_TEXT, request=_MESSAGE)
 
 encode = msgspec.json.Encoder(enc_hook=str).encode
-decode_happened = msgspec.json.Decoder(EventRecord).decode
-decode_wanted = msgspec.json.Decoder(RequestRecord).decode
+decode_happened = decoder(EventRecord)
+decode_wanted = decoder(RequestRecord)
