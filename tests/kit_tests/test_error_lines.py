@@ -7,8 +7,8 @@ from onika.wire.steer import Recover
 def test_a_mishap_begins_in_the_first_action_of_every_flow_with_all_tasks_on():
     play = started([REACH], [REACH, AGAIN])
     assert [play.position(flow).state for flow in (0, 1)] == ["running", "running"]
-    told = Moved(1, "stopped", 0, text=f"{where(1, 0)}: puma is in error: joint limit")
-    assert play >> Failed(1, "puma", "joint limit") << Off(1, "move") << told
+    moved = Moved(1, "stopped", 0, text=f"{where(1, 0)}: puma is in error: joint limit")
+    assert play >> Failed(1, "puma", "joint limit") << Off(1, "move") << moved
 
 
 def test_passive_tasks_and_further_triggers_are_as_they_are_given():
@@ -16,13 +16,15 @@ def test_passive_tasks_and_further_triggers_are_as_they_are_given():
     assert play.cases(0) == []
     failed = started([REACH], passive=[(0, "puma")])
     failed = failed >> Finished(0, "ghost") << RunNote(0, "ghost is no task of this flow: ignored")
-    told = f"{where(0, 0)}: puma is in error and stays off, the job goes on: x"
-    assert failed >> Failed(0, "puma", "x") << RunNote(0, told)
+    sentence = f"{where(0, 0)}: puma is in error and stays off, the job goes on: x"
+    assert failed >> Failed(0, "puma", "x") << RunNote(0, sentence)
 
 
 def test_the_lines_are_what_they_say():
     assert on("move", "puma", told="5") == (Launch("move", "5", 100.0), Launch("puma", "", 100.0))
-    assert stopped(1, "pd", "x", flow=2) == Moved(2, "stopped", 1, text="test.appl flow 2 action 1: pd is in error: x")
+    mishap = stopped(1, "pd", "x", flow=2)
+    assert (mishap.flow, mishap.state, mishap.index) == (2, "stopped", 1)
+    assert str(mishap.text) == "test.appl flow 2 action 1: pd is in error: x"
     assert (clearing(1, 2), paused(1, 2)) == (Moved(2, "clearing", 1), Moved(2, "paused", 1))
     assert running(1, 2) == [Began(2, 1), Moved(2, "running", 1)]
     assert finish(2) == [TurnedOn(2, "move"), Finished(2, "move")]
