@@ -35,8 +35,8 @@ def test_what_is_unknown_is_not_taken_for_known():
 
 
 def test_what_another_did_and_is_taken_back():  # R-X10
-    assert is_known("“inserting a” in play was done on another page, and is taken back here; Redo does it again")
-    assert is_known("“inserting a” in play was done on another page, and is done again here")
+    assert is_known(Reason.of("run.undone_elsewhere", label="inserting a", name="play"))
+    assert is_known(Reason.of("run.redone_elsewhere", label="inserting a", name="play"))
 
 
 FLOW = Reason.of("rules.flow", number=2)
@@ -57,7 +57,9 @@ WAIT = Reason.of("rules.flow_waits", flow="flow1", wait=MEETING)
         Reason.of("host.device_unlike", task="puma", device="b:x", why="expected y, found z"),
         Reason.of("host.device_claimed", device="b:arm", other="puma"),
         Reason.of("runtime.constant_missing", svar="NDOF"),
-        Reason.of("desk.substitute_unfit", old="a", reason="`b` does not write X, as `a` does"),
+        Reason.of(
+            "desk.substitute_unfit", old="a", reason=Reason.of("rules.outputs_lacking", new="b", svars=("X",), old="a")
+        ),
         Reason.of("host.values_unfit", task="jtraj", target="home", why="expected 7 values, found 5"),
         Reason.of("rules.target_missing", kind="Joint object", at=AT),
         Reason.of("rules.configuration_missing", name="aC", at=AT),
