@@ -43,6 +43,10 @@ _PLACEHOLDER = re.compile(r"\((?:\?:|\?<\w+>)?(?:\.|\\S|\\w|\\d|\[\^?[^]]+\])[+*
 _PROSE = re.compile(r"[a-z]{2,},? [a-z]{2,}")
 _LITERAL = re.compile(r"(?<![\w)\]/<])/(?![/*\s])((?:\\.|\[(?:\\.|[^\]\\\n])*\]|[^/\\\n\[])+)/[dgimsuvy]*")
 """A regular expression in TypeScript."""
+_COMMENT = re.compile(r"\s*(?:/?\*|//)")
+_GROUP_NAME = re.compile(r"\?<\w+>")
+_TAG = re.compile("[<>]")
+"""Between the slashes of two tags there is no regular expression."""
 
 
 @dataclass
@@ -142,8 +146,10 @@ def _count_page(figures: Figures, name: str, path: Path) -> None:
     if path.suffix not in _PAGE:
         return
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        if _COMMENT.match(line):
+            continue
         for pattern in _LITERAL.findall(line):
-            if _PROSE.search(pattern):
+            if _PROSE.search(pattern) and not _TAG.search(_GROUP_NAME.sub("", pattern)):
                 figures.sentences.append(f"{name}:{number} {pattern}")
 
 

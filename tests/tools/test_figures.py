@@ -84,8 +84,12 @@ def test_a_grammar_and_a_plain_sentence_are_none(house, line):
 
 
 def test_a_sentence_that_is_taken_apart_in_the_page_is_found(house):
-    root = house({"browser/src/a.ts": "const row = [/^(.+) does not fit/, 1]\nconst half = a / b\n"})
-    assert figure(root, "sentences")[3] == ["browser/src/a.ts:1 ^(.+) does not fit"]
+    lines = ["const row = [/^(.+) does not fit/, 1]", "const half = a / b", "const named = /(?<left>.+) goes on/"]
+    root = house({"browser/src/a.ts": "\n".join(lines)})
+    assert figure(root, "sentences")[3] == [
+        "browser/src/a.ts:1 ^(.+) does not fit",
+        "browser/src/a.ts:3 (?<left>.+) goes on",
+    ]
 
 
 def test_packages_that_import_each_other_are_a_pair_at_any_depth(house):
@@ -119,3 +123,8 @@ def test_above_a_limit_the_check_fails_and_names_the_place(house, capsys):
 def test_within_the_limits_the_check_says_nothing(house, capsys):
     assert figures.main(["--check", "--root", str(house({"src/onika/a.py": "task = 1\n"}))]) == 0
     assert capsys.readouterr().out == ""
+
+
+def test_tags_and_comments_of_the_page_are_no_regular_expressions(house):
+    lines = ['<b>{name}</b><i class="small note">{note}</i>', " /** As in `/`, `Delete`; the first is shown. */"]
+    assert figure(house({"browser/src/A.svelte": "\n".join(lines)}), "sentences")[2] == 0
