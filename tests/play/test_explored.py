@@ -253,8 +253,8 @@ class Explorer:
                 return
 
 
-QUICK = sorted(PROGRAMS.keys() - {"a loop with a meeting", "a branch"})
-SMALL = sorted({*QUICK} - {"three flows", "one beside a flow"})
+QUICK = sorted(PROGRAMS.keys() - {"a loop with a meeting", "a branch", "three flows"})
+SMALL = sorted({*QUICK} - {"one beside a flow"})
 SPAWNED = ["two flows that meet", "one in a loop"]
 
 

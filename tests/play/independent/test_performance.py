@@ -153,7 +153,7 @@ def tell(plan: Plan, draw: st.DataObject, words: int) -> None:
 
 
 @given(plans, st.data())
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=120, deadline=None)
 def test_any_story_of_any_plan_is_told_alike(plan: Plan, data: st.DataObject) -> None:
     tell(plan, data, 25)  # R-E02, R-E04, readings 16, 17, 26
 

@@ -46,13 +46,13 @@ def exchanges_agree(living: Tasks, kill: set[str], new: Tasks) -> None:
 
 
 @given(st.booleans().flatmap(lambda sparse: libraries(7, sparse=sparse)))
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=100, deadline=None)
 def test_any_tasks_are_spawned_after_those_they_wait_for(tasks: Tasks) -> None:
     orders_agree(tasks)  # law 10
 
 
 @given(libraries(6, sparse=True), st.sets(st.sampled_from("pqrstuvw"), max_size=4), libraries(5, sparse=True))
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=150, deadline=None)
 def test_any_exchange_keeps_kills_spawns_and_reinitialises_the_same(living: Tasks, kill: set[str], new: Tasks) -> None:
     exchanges_agree(living, kill, new)  # R-A13, reading 14
 

@@ -25,7 +25,7 @@ def agree(laboratory: Laboratory) -> None:
 
 
 @given(laboratories())
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=150, deadline=None)
 def test_any_application_can_be_run_for_both_or_for_neither(laboratory: Laboratory) -> None:
     agree(laboratory)  # R-E01
 

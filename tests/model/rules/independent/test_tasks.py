@@ -31,7 +31,7 @@ def agree(library: tuple[Task, ...], placed: tuple[Task, ...]) -> None:
 
 
 @given(libraries(), libraries(4))
-@settings(max_examples=250, deadline=None)
+@settings(max_examples=100, deadline=None)
 def test_any_library_beside_any_configuration_is_judged_alike(
     library: tuple[Task, ...], placed: tuple[Task, ...]
 ) -> None:
@@ -39,7 +39,7 @@ def test_any_library_beside_any_configuration_is_judged_alike(
 
 
 @given(libraries(4, sparse=True), libraries(3, sparse=True))
-@settings(max_examples=250, deadline=None)
+@settings(max_examples=100, deadline=None)
 def test_tasks_of_few_pins_are_judged_alike(library: tuple[Task, ...], placed: tuple[Task, ...]) -> None:
     agree(library, placed)  # R-C07, R-C08, readings 1, 5, 6
 
