@@ -41,7 +41,7 @@ def test_whom_it_lets_in_the_program_is_given_with_an_end_of_the_connection():  
     with pytest.raises(LinkLost):
         received(outside)
     outside.close()
-    assert listener.ending() == ""
+    assert not listener.ending()
     listener.close()
 
 
@@ -69,5 +69,5 @@ def test_its_end_is_noticed():
     listener._process.kill()
     listener._process.wait()
     assert listener.arrivals() == []
-    assert listener.ending() == "was killed by signal 9"
+    assert str(listener.ending()) == "the porter was killed by signal 9; nobody new can connect"
     listener.close()

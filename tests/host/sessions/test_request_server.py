@@ -12,6 +12,7 @@ from onika.link.link_events import ReadingReceived, SignalReceived
 from onika.link.link_terms import CHILD
 from onika.link.sessions import Introduction, Sessions
 from onika.wire import event, live, request
+from onika.words.reason import NOTHING, Reason
 
 SECOND = 1_000_000_000
 
@@ -22,7 +23,7 @@ class Road:
     def __init__(self):
         self.coming = []
         self.post, self.other = socket.socketpair()
-        self.end = ""
+        self.end = NOTHING
 
     deaf = 0
 
@@ -235,7 +236,7 @@ def test_a_session_that_is_silent_for_too_long_is_lost_once_and_another_users_is
 
 def test_the_porters_end_is_told_and_those_who_are_there_stay(house):
     guest = house.guest()
-    house.road.end = "was killed by signal 9"
+    house.road.end = Reason.of("host.porter_killed", signal=9)
     house.serve()
     house.serve()
     (lost,) = heard(guest)

@@ -17,6 +17,7 @@ from onika.host.units.process_socket import ProcessSocket
 from onika.link.caller import Caller, Role
 from onika.link.channel import Channel
 from onika.link.sessions import Introduction
+from onika.words.reason import NOTHING, Reason
 
 _START_S = 20.0
 AWAKE_NS = 50_000_000
@@ -83,7 +84,7 @@ class ListenerProcess:
                     return
                 case ListenFailed(reason):
                     raise OSError(reason)
-        raise OSError("the porter did not start")
+        raise OSError(Reason.of("host.porter_not_started"))
 
     def arrivals(self) -> list[tuple[Introduction, socket.socket]]:
         """Who has come since the last call."""
@@ -105,16 +106,16 @@ class ListenerProcess:
             return max(0, monotonic_ns() - self._awake_ns - 2 * AWAKE_NS)
         return 0
 
-    def ending(self) -> str:
+    def ending(self) -> Reason:
         """How it ended; empty while it lives."""
         if not self._post.is_closed:
-            return ""
+            return NOTHING
         code = self._process.poll()
         if code is None:
-            return ""  # it is just ending; how, is known in a moment
+            return NOTHING  # it is just ending; how, is known in a moment
         if code < 0:
-            return f"was killed by signal {-code}"
-        return f"ended with code {code}"
+            return Reason.of("host.porter_killed", signal=-code)
+        return Reason.of("host.porter_ended", code=code)
 
     def close(self) -> None:
         """End it."""

@@ -18,7 +18,7 @@ from onika.link.session import EnvironmentSession
 from onika.link.sessions import Introduction, Sessions
 from onika.wire import event, holding, request
 from onika.wire.packet import Bye, encode
-from onika.words.reason import reason_of
+from onika.words.reason import Reason, reason_of
 
 _EVERY = "*"
 _WAITING = 4 * 1024 * 1024
@@ -62,7 +62,7 @@ class ConnectionSource(Protocol):
         """For how long it has passed nothing on, though something may have come."""
         ...
 
-    def ending(self) -> str:
+    def ending(self) -> Reason:
         """How it ended; empty while it lives."""
         ...
 
@@ -275,7 +275,7 @@ class RequestServer:
         ending = self._listener.ending()
         if ending:
             self._listener = None
-            self.tell(event.Lost("porter", f"the porter {ending}; nobody new can connect", self._clock() * 1e-9))
+            self.tell(event.Lost("porter", ending, self._clock() * 1e-9))
 
     def _judge(self, session: EnvironmentSession, each: RequestReceived) -> SessionRequest | None:
         self._count += 1
