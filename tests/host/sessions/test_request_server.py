@@ -241,7 +241,7 @@ def test_the_porters_end_is_told_and_those_who_are_there_stay(house):
     house.serve()
     (lost,) = heard(guest)
     assert lost.name == "porter"
-    assert "killed by signal 9" in lost.cause
+    assert lost.cause == Reason.of("host.porter_killed", signal=9)
     assert ask(guest, request.Abort("")) == request.Done()
 
 
