@@ -16,6 +16,7 @@ export type ModuleSentences = Readonly<Record<string, Readonly<Record<string, Ca
 
 const CATALOGUES: Readonly<Record<string, Catalogue>> = { es }
 const OF_MODULE = 'module:'
+const PLAIN = 'plain'
 
 /** Where the translations of modules are: whoever holds what the environment shows sets it. */
 export const modules: { sentences: () => ModuleSentences } = { sentences: () => ({}) }
@@ -57,8 +58,14 @@ export function every(text: Reason | string): Reason[] {
   return [text, ...values.flatMap((value) => (typeof value === 'object' ? every(value as Reason) : []))]
 }
 
-/** Whether a reason is another one, or has it within. */
-export const contains = (text: Reason | string, part: Reason | string): boolean =>
-  typeof part === 'string'
-    ? text === part
-    : every(text).some(({ key, text: english }) => key === part.key && english === part.text)
+/** Whether a reason is another one, or has it within; a text of nobody's catalogue may stand there bare. */
+export function contains(text: Reason | string, part: Reason | string): boolean {
+  const english = typeof part === 'string' ? part : part.text
+  const isBare = typeof part === 'string' || part.key === PLAIN
+  if (typeof text === 'string') return isBare && text === english
+  return every(text).some(
+    (reason) =>
+      (reason.text === english && (isBare || reason.key === part.key)) ||
+      (isBare && Object.values(reason.args ?? {}).includes(english)),
+  )
+}

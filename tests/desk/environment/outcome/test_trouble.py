@@ -7,8 +7,9 @@ from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import TaskFacts
 from onika.model.configuration import Configuration
 from onika.model.task import Task
-from onika.wire import act
+from onika.wire import act, event
 from onika.wire.view import ShowLibraries, ShowLocus, ShowTask
+from onika.words.reason import Reason
 
 TASKS = (
     Task("cubic", "traj", invar=("Q_MEZ",), outvar=("Q_REF",), frequency=100.0, object_type="Joint job"),
@@ -99,3 +100,11 @@ def test_a_task_in_error_has_its_reason_and_its_ways_out():  # R-C11, R-C28
         act.Clear("c1", "pd"),
         act.Remove("c1", ("pd",)),
     ]
+
+
+@pytest.mark.parametrize("why", [Reason.of("runtime.button_pressed"), "ValueError: the sensor is dead"])
+def test_an_error_is_told_without_its_entry_which_is_shown_beside_it(why):  # R-C11
+    document = Document("d1", Content(Configuration("c")))
+    failed = event.Failed("main", "pd", Reason.of("host.entry_failed", entry="cycle", why=why), "", 0, "", 1.0, "cycle")
+    view = error_view(document, "pd", TaskFacts("ERROR", failed=failed))
+    assert (str(view.text), view.entry) == (str(why), "cycle")
