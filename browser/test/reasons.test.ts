@@ -15,7 +15,7 @@ import type {
 } from '../src/api.gen'
 import { addLine, clearLog } from '../src/act/log.svelte'
 import { refused } from '../src/act/refused.svelte'
-import { say as tell, toasts } from '../src/act/toasts.svelte'
+import { notify, toasts } from '../src/act/toasts.svelte'
 import StateCard from '../src/canvas/StateCard.svelte'
 import CarriedTask from '../src/canvas/CarriedTask.svelte'
 import TroubleCard from '../src/dictionary/TroubleCard.svelte'
@@ -177,7 +177,7 @@ describe('a reason is shown as its sentence', () => {
 
   test('in news, where the same sentence is shown once', () => {
     vi.useFakeTimers()
-    for (let times = 0; times < 2; times++) tell({ t: 'Say', level: 'error', text: { ...reason } })
+    for (let times = 0; times < 2; times++) notify({ t: 'Say', level: 'error', text: { ...reason } })
     expect(toasts.lines).toHaveLength(1)
     expect(shown(Toasts)).toContain('flow 2 stands still')
     vi.useRealTimers()

@@ -2,7 +2,7 @@
 import { addLine, type Line } from './log.svelte'
 import { announce } from '../state/announce'
 import type { Say } from '../api.gen'
-import { heard } from '../texts/heard'
+import { say } from '../texts/say'
 import { play } from './sounds'
 import { look } from '../state/look.svelte'
 
@@ -14,11 +14,11 @@ export const toasts: { lines: Line[] } = $state({ lines: [] })
 const NEWS_S = 5
 
 /** Something was said: into the log; and while it is news, on the screen, aloud, and as a sound where that is wished. */
-export function say(message: Say): void {
+export function notify(message: Say): void {
   const line = addLine(message)
-  const sentence = heard(message.text)
+  const sentence = say(message.text)
   if (line.at_s! < Date.now() / 1000 - NEWS_S) return // from before this page was opened
-  toasts.lines = [...toasts.lines.filter((other) => heard(other.text) !== sentence), line].slice(-MOST)
+  toasts.lines = [...toasts.lines.filter((other) => say(other.text) !== sentence), line].slice(-MOST)
   announce(sentence)
   if (look.sounds) play(message.level)
   setTimeout(() => dismiss(line.id), LASTS_MS[message.level])

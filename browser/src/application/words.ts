@@ -4,7 +4,7 @@ import { desk } from '../link/desk.svelte'
 import { typeTitle } from '../onikon/typewords'
 import { wordsOf } from '../onikon/words'
 import { faultsAt, isFault } from './faults'
-import { heard } from '../texts/heard'
+import { say } from '../texts/say'
 import { t } from '../texts/index.svelte'
 import type { Actions } from './actions'
 
@@ -47,7 +47,7 @@ function marksOf(step: StepView): string[] {
 
 function troublesOf(app: ApplicationView, number: number): string[] {
   const sentences = faultsAt(app, number).map((fault) =>
-    t(isFault(fault) ? 'redirect.readFault' : 'redirect.readWarning', { text: heard(fault.text) }),
+    t(isFault(fault) ? 'redirect.readFault' : 'redirect.readWarning', { text: say(fault.text) }),
   )
   return app.steps?.[number]?.note ? [...sentences, t('redirect.readNote')] : sentences
 }

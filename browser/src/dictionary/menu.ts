@@ -7,7 +7,7 @@ import type { Point } from '../act/refused.svelte'
 import type { Item } from '../widgets/Menu.svelte'
 import { t } from '../texts/index.svelte'
 import { edit, editPicture, expand, expandInPlace, insert, newTarget, remove, takePresent } from './acts'
-import { heard } from '../texts/heard'
+import { say } from '../texts/say'
 
 export function menuOf(name: string, at: Point): Item[] {
   const onikon = desk.tree.onikons[name]
@@ -34,7 +34,7 @@ export function menuOf(name: string, at: Point): Item[] {
 /** What stands behind an action. */
 function behind(onikon: OnikonView): Item[] {
   const source = onikon.source ?? ''
-  const note = source || heard(onikon.trouble ?? '') || undefined
+  const note = source || say(onikon.trouble ?? '') || undefined
   if (onikon.role === 'application')
     return [
       {

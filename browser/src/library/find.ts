@@ -1,7 +1,7 @@
 // Finding a task to place: by its name first, then by what it is about; those that may not be placed come last.
 import type { DocumentView, TaskView } from '../api.gen'
 import { isInput } from '../scene/pin'
-import { heard } from '../texts/heard'
+import { say } from '../texts/say'
 
 export interface Found {
   task: TaskView
@@ -19,7 +19,7 @@ export function find(
   const wanted = words.trim().toLowerCase()
   const ranked = Object.values(tasks).flatMap((task) => {
     const rank = rankOf(task, wanted)
-    return rank < 0 ? [] : [{ task, why: heard(document?.greyed?.[task.name]?.[0]?.text ?? ''), rank }]
+    return rank < 0 ? [] : [{ task, why: say(document?.greyed?.[task.name]?.[0]?.text ?? ''), rank }]
   })
   ranked.sort(
     (a, b) => Number(a.why !== '') - Number(b.why !== '') || a.rank - b.rank || (a.task.name < b.task.name ? -1 : 1),

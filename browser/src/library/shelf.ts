@@ -1,6 +1,6 @@
 // How the icons of a library stand on their shelf: rows of cells of known height, so that only what is seen is drawn.
 import type { LibraryView, Objection, TaskView } from '../api.gen'
-import { heard } from '../texts/heard'
+import { say } from '../texts/say'
 import { walked } from '../geom/rows'
 import { isInput, shape, type Shape } from '../scene/pin'
 
@@ -45,7 +45,7 @@ export function iconHeight(task: TaskView): number {
 }
 
 function cellOf(task: TaskView, reasons: readonly Objection[] | undefined): Cell {
-  const why = heard(reasons?.[0]?.text ?? '')
+  const why = say(reasons?.[0]?.text ?? '')
   const lines = Math.min(MOST_LINES, Math.ceil(why.length / LETTERS_A_LINE))
   return { task, why, lines, height: iconHeight(task) + ICON.frame + lines * CELL.line }
 }

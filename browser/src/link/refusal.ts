@@ -1,6 +1,6 @@
 // An act that changed nothing: why, and what could be done instead, in the language of who reads it.
 import type { Refused, Remedy, Text } from '../api.gen'
-import { heard } from '../texts/heard'
+import { say } from '../texts/say'
 
 export class Refusal extends Error {
   readonly remedies: readonly Remedy[]
@@ -16,12 +16,12 @@ export class Refusal extends Error {
   }
 
   get reason(): string {
-    return heard(this.why)
+    return say(this.why)
   }
 
   /** Of forms: what is wrong with each field. */
   get fields(): Readonly<Record<string, string>> {
-    return Object.fromEntries(Object.entries(this.wrong).map(([field, why]) => [field, heard(why)]))
+    return Object.fromEntries(Object.entries(this.wrong).map(([field, why]) => [field, say(why)]))
   }
 
   static from(answer: Refused): Refusal {

@@ -1,5 +1,5 @@
 import type { Text } from '../api.gen'
-import { heard } from '../texts/heard'
+import { say } from '../texts/say'
 // Lines of the log as text.
 
 export interface Spoken {
@@ -23,12 +23,10 @@ export function clock(at_s: number): string {
 /** Lines that hold all the words, in any case. */
 export function filtered<L extends Spoken>(lines: readonly L[], words: string): L[] {
   const wanted = words.toLowerCase().split(/\s+/).filter(Boolean)
-  return lines.filter((line) =>
-    wanted.every((word) => `${line.level} ${heard(line.text)}`.toLowerCase().includes(word)),
-  )
+  return lines.filter((line) => wanted.every((word) => `${line.level} ${say(line.text)}`.toLowerCase().includes(word)))
 }
 
 /** As it is copied: time, level, text. */
 export function plain(lines: readonly Spoken[]): string {
-  return lines.map((line) => `${clock(line.at_s ?? 0)}\t${line.level}\t${heard(line.text)}\n`).join('')
+  return lines.map((line) => `${clock(line.at_s ?? 0)}\t${line.level}\t${say(line.text)}\n`).join('')
 }

@@ -2,7 +2,7 @@
 import type { Remedy, RunView, StopView } from '../api.gen'
 import { t, type TextKey } from '../texts/index.svelte'
 import { isSeveral, nameOf } from '../sentences/words'
-import { heard } from '../texts/heard'
+import { say } from '../texts/say'
 
 const KINDS = [
   'error',
@@ -44,7 +44,7 @@ export function titleOf(run: RunView, at: string, stop: StopView): string {
 
 /** What was said, without where in the module it was said, as the beginning of a sentence. */
 export function inShort(stop: StopView): string {
-  return capital(heard(stop.short || stop.text))
+  return capital(say(stop.short || stop.text))
 }
 
 function capital(sentence: string): string {
@@ -54,13 +54,13 @@ function capital(sentence: string): string {
 /** The choices in order. What each does is told by whoever knows the run. */
 export function choicesOf(run: RunView, stop: StopView): Choice[] {
   return (stop.choices ?? []).map((remedy, k) => {
-    const [verb = '', whom = ''] = (remedy.act?.t === 'Steer' ? remedy.act.line : heard(remedy.label)).split(/\s+/)
-    const title = TITLES[verb] ? t(TITLES[verb]) : heard(remedy.label)
+    const [verb = '', whom = ''] = (remedy.act?.t === 'Steer' ? remedy.act.line : say(remedy.label)).split(/\s+/)
+    const title = TITLES[verb] ? t(TITLES[verb]) : say(remedy.label)
     const isOther = run.flows?.[whom] !== undefined && whom !== stop.subsystem && isSeveral(run)
     return {
       verb,
       title: isOther ? t('stopped.ofFlow', { what: title, flow: nameOf(run, whom) }) : title,
-      words: wordsOf(heard(stop.meanings?.[k] ?? '')),
+      words: wordsOf(say(stop.meanings?.[k] ?? '')),
       remedy,
     }
   })

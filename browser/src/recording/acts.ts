@@ -6,7 +6,7 @@ import { look } from '../state/look.svelte'
 import { kept } from '../state/kept'
 import { clockText, seconds } from '../sentences/words'
 import { choicesText } from '../application/redirectChoices'
-import { heard } from '../texts/heard'
+import { say } from '../texts/say'
 import { t } from '../texts/index.svelte'
 import { review } from './review.svelte'
 import { KEPT, NONE, valuesOf } from './tolerance'
@@ -36,7 +36,7 @@ export const recordings = async (): Promise<RecordingsView | undefined> =>
 export function toMark(way: 1 | -1): void {
   const at_s = review.toMark(way)
   const marks = (review.recording?.marks ?? []).filter((mark) => mark.at_s === at_s)
-  const sentences = marks.map((mark) => heard(mark.text)).join(', ')
+  const sentences = marks.map((mark) => say(mark.text)).join(', ')
   announce(at_s === undefined ? t('review.noMark') : `${clockText(at_s)} ${sentences}`)
 }
 

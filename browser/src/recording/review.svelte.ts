@@ -14,7 +14,7 @@ import { LatestRequest } from './latestRequest'
 import { Courses, RecordedPast, type Course } from './courses'
 import { beginnings, blocksUntil, endOf, nextTo, stepsOf } from './lanes'
 import { treeAt } from './treeAt'
-import { heard } from '../texts/heard'
+import { say } from '../texts/say'
 
 export const PACES = [0.5, 1, 2, 4] as const
 const KEEP_MS = 300
@@ -35,7 +35,7 @@ class Review implements Source {
     of: () =>
       (this.recording?.marks ?? [])
         .filter((mark) => mark.kind === 'error' || mark.kind === 'stop')
-        .map((mark) => ({ at_s: mark.at_s, task: '', text: heard(mark.text), isError: true })),
+        .map((mark) => ({ at_s: mark.at_s, task: '', text: say(mark.text), isError: true })),
   }
   private courses: [Courses?, Courses?] = []
   private keeping: ReturnType<typeof setTimeout> | undefined

@@ -5,7 +5,7 @@ import { desk } from '../link/desk.svelte'
 import { hear, send } from '../link/link'
 import { Refusal } from '../link/refusal'
 import { hideRefusal, showRefusal } from '../act/refused.svelte'
-import { heard } from '../texts/heard'
+import { say } from '../texts/say'
 import { t } from '../texts/index.svelte'
 import type { Reason } from '../texts/say'
 import { stopRequest } from './stopRequest.svelte'
@@ -27,7 +27,7 @@ async function ask(): Promise<void> {
   try {
     const answer = await send({ t: 'Stop' })
     stopRequest.answered()
-    if (answer) announce(heard(answer as Reason)) // there was nothing to stop
+    if (answer) announce(say(answer as Reason)) // there was nothing to stop
   } catch (why) {
     stopRequest.failed()
     if (!(why instanceof Refusal)) throw why

@@ -1,4 +1,5 @@
 // A reason in the language of who reads it, as `in_language` of src/onika/words/reason.py says it.
+import { look } from '../state/look.svelte'
 import { catalogue as es } from './catalogue.es.gen'
 import { fill, type Value } from './sentence'
 
@@ -21,9 +22,9 @@ const PLAIN = 'plain'
 /** Where the translations of modules are: whoever holds what the environment shows sets it. */
 export const modules: { sentences: () => ModuleSentences } = { sentences: () => ({}) }
 
-/** The sentence of a reason, or its English where that language does not have it whole; a bare text is as it is.
+/** The sentence of a reason in the language of the page, or its English where that language does not have it whole; a bare text is as it is.
  *  Names stand in it without the marks with which terminals show them. */
-export function say(reason: Reason | string, language: string): string {
+export function say(reason: Reason | string, language: string = look.language): string {
   if (typeof reason === 'string') return reason
   return sentence(reason, language).replaceAll('`', '')
 }

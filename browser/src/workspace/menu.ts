@@ -6,7 +6,7 @@ import { workspace } from '../state/workspace.svelte'
 import type { Point } from '../act/refused.svelte'
 import { homeOf } from '../application/redirectChoices'
 import type { Item } from '../widgets/Menu.svelte'
-import { heard } from '../texts/heard'
+import { say } from '../texts/say'
 import { t } from '../texts/index.svelte'
 import { headOf, topsOf } from '../application/actions'
 import { workspaceState, type Opened } from './workspaceState.svelte'
@@ -150,7 +150,7 @@ function placeItems(at: Point): Item[] {
       keys: 'V',
       run: () => paste(),
       isOff: !buffer,
-      note: heard(buffer) || t('upper.nothingCopied'),
+      note: say(buffer) || t('upper.nothingCopied'),
     }),
     locked({
       label: t('upper.insertBranch'),

@@ -72,7 +72,11 @@ test('the reasons within a reason are at hand', () => {
   }
   expect(every(outer).map(({ key }) => key)).toEqual(['test.outer', option.key, 'test.inner'])
   expect(every('too hot')).toEqual([])
-  expect([contains(outer, { ...inner }), contains(inner, outer), contains(outer, 'too hot')]).toEqual([true, false, true])
+  expect([contains(outer, { ...inner }), contains(inner, outer), contains(outer, 'too hot')]).toEqual([
+    true,
+    false,
+    true,
+  ])
   expect([contains('too hot', 'too hot'), contains(inner, inner)]).toEqual([true, true])
   const bare: Reason = { key: 'test.outer', text: 'cycle: no glass', args: { why: 'no glass' } }
   expect([contains(bare, { key: 'plain', text: 'no glass' }), contains(bare, inner)]).toEqual([true, false])
