@@ -97,8 +97,8 @@ class ProcessSocket:
 
 def _descriptors(words: Iterable[tuple[int, int, bytes]]) -> list[int]:
     """The file descriptors of a control part."""
-    found = array.array("i")
+    descriptors = array.array("i")
     for level, kind, data in words:
         if level == socket.SOL_SOCKET and kind == socket.SCM_RIGHTS:
-            found.frombytes(data[: len(data) - len(data) % found.itemsize])
-    return list(found)
+            descriptors.frombytes(data[: len(data) - len(data) % descriptors.itemsize])
+    return list(descriptors)

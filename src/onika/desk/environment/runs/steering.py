@@ -33,11 +33,9 @@ def steer_line(model: Model, command: act.Steer, _outside: Services) -> Done | N
     if isinstance(wish.message, request.Abort) and run.view.state == "beginning":
         return Done(replace(model, run=replace(run, is_given_up=True)))  # what is asked for already comes to its end
     if isinstance(wish.message, steer.Resume):
-        named = len(command.line.split()) > 1
-        whom = (
-            wish.subsystem if named or not any(part.is_nested for part in run.flow_index.parts) else ""
-        )  # whoever rests
-        return _resumed(model, whom)
+        is_named = len(command.line.split()) > 1
+        has_nested = any(part.is_nested for part in run.flow_index.parts)
+        return _resumed(model, wish.subsystem if is_named or not has_nested else "")  # empty: whoever rests
     return _steered(model, wish.message)
 
 
