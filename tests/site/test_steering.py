@@ -110,7 +110,7 @@ def test_a_script_with_faults_is_refused_before_anything_moves(tmp_path):  # R-E
 def test_a_pause_that_nobody_ends_aborts_the_run(tmp_path):  # R-X03
     result, _ = steered(tmp_path, "pause\n", "go_home", "--virtual")
     assert result["state"] == "aborted"
-    assert result["cause"]["text"].startswith("nobody is there to go on: flow0 is paused")
+    assert result["cause"].startswith("nobody is there to go on: flow0 is paused")
 
 
 def story(running: Running) -> tuple[str, float]:
