@@ -57,6 +57,18 @@ def test_everything_wrong_is_there_at_once_and_the_rest_is_compiled(laboratory, 
     assert len(prepared.targets) == 1
 
 
+def test_an_icon_whose_file_is_cut_is_told_and_the_application_counts(laboratory, site):  # R-B07
+    application = laboratory.application("cut", [job("jmoveC", "Joint job"), joints("home", *[0.0] * 6)])
+    folder = laboratory.path / "dict"
+    folder.mkdir(exist_ok=True)
+    (folder / "jmoveC.onk").write_text("VERSION     2.0\n")
+    prepared = prepare_run(str(application), site)
+    assert prepared.faults == ()
+    told = [note for note in prepared.notes if note.place.file == str(folder / "jmoveC.onk")]
+    assert {str(note.instead) for note in told} == {"what the application says of the icon counts"}
+    assert len(told) > 1
+
+
 def test_an_application_that_cannot_be_read_has_no_plan(laboratory, site):  # R-B07
     path = laboratory.application("cut", [job("opengripC")])
     path.write_text("VERSION 1.3\nAPPLTYPE sideways\n")

@@ -1,12 +1,12 @@
 """Prepares a run: turns a name or file into a plan, with every fault seen without a runtime (requirement E01)."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from onika.desk.plan import redirection
 from onika.desk.plan.compile import Compiler
-from onika.model.application import Application, without_breakpoints
+from onika.model.application import Application, Icon, every_flow, without_breakpoints
 from onika.model.redirect import Redirect
 from onika.model.rules import meetings, readiness, warning
 from onika.model.rules.union import tasks_of
@@ -109,7 +109,7 @@ def _judged(
     plan = compiler.plan()
     found_later = (*compiler.faults, *redirection.faults(redirects, plan, program))
     met = meetings.findings(plan)
-    remarks = _notes(program, home, places)
+    remarks = (*_notes(program, home, places), *_unreadable_icons(program, home, syntax))
     mistakes, notes = parted((*faults, *program.faults, *judged, *found_later, *met, *remarks, *home.absent()))
     name = program.application.name
     return PreparedRun(name, program.application, plan, tuple(compiler.targets), mistakes, notes, program)
@@ -126,6 +126,18 @@ def _notes(program: ApplicationProgram, site: Site, places: dict[str, str]) -> t
     names = {program.application.name, *program.configurations, *program.tasks}
     notes += (duplicate for duplicate in site.duplicates() if Path(duplicate.place.file).name in names)
     return tuple(notes)
+
+
+def _unreadable_icons(program: ApplicationProgram, site: Site, syntax: Syntax) -> Iterator[Fault]:
+    """Icons whose files cannot be read: a run goes by what the application itself says of them, and tells so."""
+    applications = (program.application, *program.applications.values())
+    flows = (flow for application in applications for _, flow in every_flow(application))
+    names = {step.onikon.name for flow in flows for step in flow.steps if isinstance(step, Icon)}
+    for name in sorted(names):
+        onikon, faults = site.onikon(name, syntax)
+        if onikon is None:
+            for fault in faults:
+                yield replace(fault, instead=Reason.of("desk.own_icon_counts"), is_note=True)
 
 
 def _nothing(name: str, faults: tuple[Fault, ...]) -> PreparedRun:
