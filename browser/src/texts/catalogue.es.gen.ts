@@ -809,6 +809,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "desk.outside_libraries": "{path} sale de las bibliotecas abiertas",
   "desk.outside_tasks": "tareas que trataban con el exterior: {tasks}",
   "desk.overwrite_it": "Sobrescribirlo",
+  "desk.own_icon_counts": "vale lo que la aplicación dice del icono",
   "desk.page_not_built": "La página no está construida: `make page`, o instale Onika de nuevo.",
   "desk.page_without_key": "Esta página necesita la dirección que Onika imprimió al iniciarse; sirve una vez para cada navegador.",
   "desk.parameters_unfit": "los parámetros de {task}: {reasons:;}",
