@@ -34,7 +34,11 @@ def fill(sentence: str, arguments: Mapping[str, object], language: str, show: Sh
     for text, name, rule in _parts(sentence):
         parts.append(text)
         if name:
-            parts.append(_filled(arguments[name], rule, language, show))
+            value = arguments[name]
+            if not rule and isinstance(value, str):  # most are: a click on a canvas makes hundreds of sentences
+                parts.append(value)
+            else:
+                parts.append(_filled(value, rule, language, show))
     return "".join(parts)
 
 

@@ -135,9 +135,8 @@ def _unreadable_icons(program: ApplicationProgram, site: Site, syntax: Syntax) -
     names = {step.onikon.name for flow in flows for step in flow.steps if isinstance(step, Icon)}
     for name in sorted(names):
         onikon, faults = site.onikon(name, syntax)
-        if onikon is None:
-            for fault in faults:
-                yield replace(fault, instead=Reason.of("desk.own_icon_counts"), is_note=True)
+        if onikon is None and faults:
+            yield replace(faults[0], instead=Reason.of("desk.own_icon_counts"), is_note=True)
 
 
 def _nothing(name: str, faults: tuple[Fault, ...]) -> PreparedRun:
