@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from onika.ring.device import DeviceOrder, DeviceSheet, DriveEvent, DriveState
+from onika.words.reason import Reason
 
 HOLD_NS = 50_000_000
 TRIP_NS = 250_000_000
@@ -157,7 +158,7 @@ class MassWorld:
         if drive is not DriveState.DRIVEN:
             mass.state[3] = 0.0
         before = max(self.now_ns - self.step_ns, 0)
-        self._events.append(DriveEvent(mass.sheet.name, drive, self.now_ns, before, mass.heard_ns, cause))
+        self._events.append(DriveEvent(mass.sheet.name, drive, self.now_ns, before, mass.heard_ns, Reason.plain(cause)))
 
 
 class _Mass:

@@ -3,6 +3,7 @@ import dataclasses
 import pytest
 
 from onika.ring.device import DeviceOrder, DeviceSheet, DriveEvent, DriveState
+from onika.words.reason import Reason
 
 
 def test_the_numbers_on_the_bus_are_fixed():
@@ -20,4 +21,4 @@ def test_sheets_and_events_are_values():
     assert sheet == DeviceSheet("lamp", ("time", "drive"), (), {})
     with pytest.raises(dataclasses.FrozenInstanceError):
         sheet.name = "other"  # type: ignore[misc]
-    assert DriveEvent("arm", 1, 4, 2, 0, "stop") == DriveEvent("arm", 1, 4, 2, 0, "stop")
+    assert DriveEvent("arm", 1, 4, 2, 0, Reason.plain("stop")) == DriveEvent("arm", 1, 4, 2, 0, Reason.plain("stop"))

@@ -1,1 +1,1 @@
-"""Ground floor: shared memory whose readers never wait; under the state-variable table and the device bus."""
+"""First floor: shared memory whose readers never wait; under the state-variable table and the device bus."""

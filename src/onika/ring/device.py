@@ -4,6 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import IntEnum
 
+from onika.words.reason import Reason
+
 
 class DeviceOrder(IntEnum):
     """What a command asks of a device's drive."""
@@ -49,4 +51,4 @@ class DriveEvent:
     at_ns: int
     previous_step_ns: int
     last_command_ns: int
-    cause: str
+    cause: Reason

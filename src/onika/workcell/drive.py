@@ -13,6 +13,7 @@ Everything that can happen in every state stands in TABLE. A device reports four
 from enum import Enum
 
 from onika.ring.device import DeviceOrder, DriveState
+from onika.words.reason import Reason
 
 SILENCE_NS = 50_000_000
 """Longer than this without a command, a driven device holds by itself."""
@@ -38,18 +39,18 @@ class DriveMode(Enum):
 class DriveInput(Enum):
     """What can happen to a drive; the value is the cause that is reported."""
 
-    DRIVE = "commanded to follow"
-    HOLD = "commanded to hold"
-    CLEAR = "cleared"
-    UNSOUND = "command is not finite"
-    SILENCE = "no command for 50 ms"
-    LONG_SILENCE = "no command for 250 ms"
-    FENCE = "its writer died"
-    RELEASE = "released"
-    STOP = "stop"
-    RESET = "reset"
-    PRESS = "panic button pressed"
-    LET_GO = "panic button let go"
+    DRIVE = Reason.of("workcell.drive_commanded")
+    HOLD = Reason.of("workcell.hold_commanded")
+    CLEAR = Reason.of("workcell.cleared")
+    UNSOUND = Reason.of("workcell.command_not_finite")
+    SILENCE = Reason.of("workcell.short_silence")
+    LONG_SILENCE = Reason.of("workcell.long_silence")
+    FENCE = Reason.of("workcell.writer_gone")
+    RELEASE = Reason.of("workcell.released")
+    STOP = Reason.of("workcell.stop")
+    RESET = Reason.of("workcell.reset")
+    PRESS = Reason.of("workcell.button_pressed")
+    LET_GO = Reason.of("workcell.button_let_go")
 
 
 _ORDERS = {DeviceOrder.DRIVE: DriveInput.DRIVE, DeviceOrder.HOLD: DriveInput.HOLD, DeviceOrder.CLEAR: DriveInput.CLEAR}

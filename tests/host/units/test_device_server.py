@@ -96,8 +96,8 @@ def test_a_command_drives_and_silence_holds(server):  # laws 16, 17
     grant = server.claim()
     server.command(grant, 1.0)
     driven, held = server.hear(room.DriveChanged), server.hear(room.DriveChanged)
-    assert (driven.world, driven.device, driven.state, driven.cause) == ("yard", "m0", 0, "DRIVE")
-    assert (held.state, held.cause) == (1, "silence")
+    assert (driven.world, driven.device, driven.state, str(driven.cause)) == ("yard", "m0", 0, "DRIVE")
+    assert (held.state, str(held.cause)) == (1, "silence")
     assert held.previous_step_ns - held.last_command_ns <= 50_000_000 < held.at_ns - held.last_command_ns
 
 
@@ -116,7 +116,7 @@ def test_a_dead_writer_is_fenced_and_its_devices_trip(server):  # law 17
     assert server.hear(room.DriveChanged).state == 0
     server.say(room.FenceWriter(grant.epoch))
     tripped = server.hear(room.DriveChanged)
-    assert (tripped.state, tripped.cause) == (2, "its writer died")
+    assert (tripped.state, str(tripped.cause)) == (2, "its writer died")
 
 
 def test_a_stop_holds_everything(server):  # law 27
@@ -125,7 +125,7 @@ def test_a_stop_holds_everything(server):  # law 27
     server.command(grant, 1.0)
     server.hear(room.DriveChanged)
     server.say(room.StopAll())
-    assert server.hear(room.DriveChanged).cause == "stop"
+    assert str(server.hear(room.DriveChanged).cause) == "stop"
 
 
 def test_a_part_is_touched_and_an_unknown_one_denied(server):  # R-K06

@@ -166,7 +166,7 @@ def test_a_stop_holds_every_drive_for_good():  # law 27
     run.runner.abort("stop", run.driver.now)
     run.driver.advance(0)
     assert run.driver.is_at_rest()
-    assert run.of(event.Drive)[-1].cause == "stop"
+    assert str(run.of(event.Drive)[-1].cause) == "stop"
 
 
 def test_devices_are_free_again_after_a_run_and_the_world_stays_as_it_was():  # law 18

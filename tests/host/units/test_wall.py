@@ -91,7 +91,7 @@ def test_a_stop_goes_straight_to_the_drives(start):  # law 27
     statistics = run.over()
     assert (statistics.completed, statistics.cause) == (False, "stop")
     assert run.drives == ["DRIVEN", "HELD"]
-    assert [one.cause for one in run.told if isinstance(one, event.Drive)][-1] == "stop"
+    assert [str(one.cause) for one in run.told if isinstance(one, event.Drive)][-1] == "stop"
 
 
 def test_a_lost_unit_is_fenced_and_ends_the_run(start):  # R-E10, law 17

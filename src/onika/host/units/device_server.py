@@ -118,7 +118,7 @@ class DriveChanged(Struct, frozen=True, tag=True):
     at_ns: int
     previous_step_ns: int
     last_command_ns: int
-    cause: str
+    cause: Reason
     behind_ns: int = 0
     """How far the world's time is behind the runtime's."""
 
