@@ -46,8 +46,8 @@ class AppFixture(EnvironmentFixture):
 
     def __init__(self, folder: Path, onikons: Iterable[Onikon] = ONIKONS) -> None:
         base = BaseDirectory(folder)
-        for one in onikons:
-            base.save_onikon(one)
+        for onikon in onikons:
+            base.save_onikon(onikon)
         model, _ = opened(Site((base,), shipped() / "prefs", folder / "home"), None, {})
         super().__init__(folder, (), model)
 
@@ -75,7 +75,8 @@ class AppFixture(EnvironmentFixture):
         if flow is None:
             raise AssertionError(f"expected a flow {path}, found none")
         return " ".join(
-            one.onikon.name if isinstance(one, Icon) else "_" if isinstance(one, Hole) else "<>" for one in flow.steps
+            step.onikon.name if isinstance(step, Icon) else "_" if isinstance(step, Hole) else "<>"
+            for step in flow.steps
         )
 
     def number(self, doc: str, name: str, path: str = "0") -> int:

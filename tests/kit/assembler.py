@@ -123,10 +123,10 @@ class Assembler:
                 return
 
     def _near(self, pose: Array, q: Array) -> Array:
-        found = self._inverse.nearest(pose, q)
-        if isinstance(found, str):
-            raise ValueError(f"expected a pose within reach, found one that is {found}")
-        return found
+        nearest = self._inverse.nearest(pose, q)
+        if isinstance(nearest, str):
+            raise ValueError(f"expected a pose within reach, found one that is {nearest}")
+        return nearest
 
 
 def _pose_at(x: float, y: float, z: float) -> Array:

@@ -146,7 +146,7 @@ class CliProcess:
                 raise TimeoutError("the patience is over; it said last:\n" + "\n".join(self.lines[-20:]))
             data = os.read(stream.fileno(), 1 << 16)
             *whole, self._rest = (self._rest + data).split(b"\n")
-            self._waiting += [one.decode("utf-8", "replace") for one in whole]
+            self._waiting += [line.decode("utf-8", "replace") for line in whole]
             yield from self._take()
             if not data:
                 return

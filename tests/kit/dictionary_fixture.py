@@ -31,8 +31,8 @@ class DictionaryFixture(EnvironmentFixture):
 
     def __init__(self, folder: Path, *onikons: Onikon) -> None:
         base = BaseDirectory(folder / "lab")
-        for one in onikons:
-            base.save_onikon(one)
+        for onikon in onikons:
+            base.save_onikon(onikon)
         base.path.mkdir(parents=True, exist_ok=True)
         (folder / "home").mkdir(exist_ok=True)
         site = open_site([base.path], {}, folder / "home")
@@ -67,4 +67,4 @@ class DictionaryFixture(EnvironmentFixture):
     def names(self) -> list[str]:
         """The icons that are not shipped, as the page has them."""
         icons = self.environment.tree.onikons.items()
-        return [name for name, one in icons if one.dictionary in (str(self.base.path), str(self.own.path))]
+        return [name for name, view in icons if view.dictionary in (str(self.base.path), str(self.own.path))]

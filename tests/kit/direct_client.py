@@ -36,7 +36,7 @@ class OpenGate:
         """What was asked."""
         calls = list(self.waiting)
         self.waiting.clear()
-        self.known |= {one.session: one.role for one in calls if one.session not in self.known}
+        self.known |= {call.session: call.role for call in calls if call.session not in self.known}
         return calls
 
     def sessions(self) -> tuple[holding.SessionStanding, ...]:
@@ -59,12 +59,12 @@ class OpenGate:
         request.decode_response(request.encode(response))  # it has to travel
         self.replies[ticket] = response
 
-    def tell(self, one: event.Event, subsystem: str = "", session: str = "") -> None:
+    def tell(self, message: event.Event, subsystem: str = "", session: str = "") -> None:
         """Say an event."""
-        event.decode(event.encode(one))
-        self.told.append(one)
-        self.heard.append((subsystem, session, one))
-        self.ear(one, subsystem)
+        event.decode(event.encode(message))
+        self.told.append(message)
+        self.heard.append((subsystem, session, message))
+        self.ear(message, subsystem)
 
     def overhear(self, ear: Callable[[event.Event, str], None] | None) -> None:
         """From now on this one hears everything too."""
@@ -99,21 +99,21 @@ class DirectClient:
         """From now on holders are there only as long as the gate hears them."""
         self.program.leases = Leases(self.program.authority, self.server.hearing, length_ns)
 
-    def send(self, asked: request.Request, session: str = "me") -> int:
+    def send(self, message: request.Request, session: str = "me") -> int:
         """Ask, and look for the answer later; its ticket."""
         self._count += 1
-        self.server.waiting.append(SessionRequest(self._count, session, Role.OWNER, asked))
+        self.server.waiting.append(SessionRequest(self._count, session, Role.OWNER, message))
         self.program.serve()
         return self._count
 
-    def ask(self, asked: request.Request, session: str = "me") -> request.Response:
+    def ask(self, message: request.Request, session: str = "me") -> request.Response:
         """Ask and let the program work until it answers."""
-        ticket = self.send(asked, session)
+        ticket = self.send(message, session)
         for _ in range(10_000):
             if ticket in self.server.replies:
                 return self.server.replies[ticket]
             self.program.advance(SECOND)
-        raise TimeoutError(f"no answer to {asked}")
+        raise TimeoutError(f"no answer to {message}")
 
     def change(self, subsystem: str = "s0", session: str = "me", **what: object) -> str:
         """Change a subsystem and wait for the outcome; why it came to nothing, or nothing."""
@@ -125,11 +125,15 @@ class DirectClient:
         if isinstance(answer, request.Refused):
             return str(answer.reason)
         if isinstance(answer, request.Prepared):
-            return "; ".join(str(one.reason) for one in answer.faults)
+            return "; ".join(str(fault.reason) for fault in answer.faults)
         if not isinstance(answer, live.Accepted):
             raise TypeError(f"expected Accepted, found {answer}")
         self.program.advance(SECOND)
-        ends = [one for one in self.server.told if isinstance(one, event.Edited) and one.number == answer.number]
+        ends = [
+            message
+            for message in self.server.told
+            if isinstance(message, event.Edited) and message.number == answer.number
+        ]
         if len(ends) != 1:
             raise RuntimeError(f"expected one outcome of {answer.number}, found {ends}")
         return str(ends[0].cause)
@@ -139,8 +143,10 @@ class DirectClient:
         standing = self.ask(live.Survey())
         if not isinstance(standing, live.Standing):
             raise TypeError(str(standing))
-        found = [one for one in standing.subsystems if one.name == subsystem]
-        return {task.task.name: task.state for one in found for task in one.tasks}
+        subsystems = [
+            standing_subsystem for standing_subsystem in standing.subsystems if standing_subsystem.name == subsystem
+        ]
+        return {task.task.name: task.state for held in subsystems for task in held.tasks}
 
     def values(self, *names: str, subsystem: str = "s0") -> dict[str, object]:
         """Variables as they stand."""
@@ -151,7 +157,7 @@ class DirectClient:
 
     def of(self, kind: type) -> list[event.Event]:
         """What was told of one kind."""
-        return [one for one in self.server.told if isinstance(one, kind)]
+        return [message for message in self.server.told if isinstance(message, kind)]
 
     def to_the_end(self) -> event.Result | None:
         """Let everything go on until nothing happens by itself."""

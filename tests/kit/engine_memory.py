@@ -22,9 +22,9 @@ class EngineMemory:
 
     def __init__(self, engine: Engine) -> None:
         self._parts = list(_parts(engine))
-        known = {id(part) for part in self._parts}
+        identities = {id(part) for part in self._parts}
         self._names = [
-            [name for name, value in vars(part).items() if name not in _FIXED and not _is_fixed(value, known)]
+            [name for name, value in vars(part).items() if name not in _FIXED and not _is_fixed(value, identities)]
             for part in self._parts
         ]
 
@@ -53,20 +53,20 @@ def _parts(engine: Engine) -> Iterator[Any]:
     ahead: list[Any] = [engine]
     seen: set[int] = set()
     while ahead:
-        one = ahead.pop()
-        if id(one) in seen:
+        value = ahead.pop()
+        if id(value) in seen:
             continue
-        seen.add(id(one))
-        if isinstance(one, list | tuple):
-            ahead += one
-        elif _is_part(one):
-            yield one
-            ahead += vars(one).values()
+        seen.add(id(value))
+        if isinstance(value, list | tuple):
+            ahead += value
+        elif _is_part(value):
+            yield value
+            ahead += vars(value).values()
 
 
-def _is_part(one: Any) -> bool:
-    is_known = type(one).__module__.startswith("onika.engine") and hasattr(one, "__dict__")
-    return is_known and not isinstance(one, FlowProgram | Enum)
+def _is_part(value: Any) -> bool:
+    is_known = type(value).__module__.startswith("onika.engine") and hasattr(value, "__dict__")
+    return is_known and not isinstance(value, FlowProgram | Enum)
 
 
 def _is_fixed(value: Any, parts: set[int]) -> bool:
@@ -79,9 +79,9 @@ def _copied(value: Any) -> Any:
     if isinstance(value, Counter):
         return Counter(value)
     if isinstance(value, dict):
-        return {key: _copied(one) for key, one in value.items()}
+        return {key: _copied(item) for key, item in value.items()}
     if isinstance(value, list):
-        return [_copied(one) for one in value]
+        return [_copied(item) for item in value]
     if isinstance(value, deque):
         return deque(value, value.maxlen)
     return set(value) if isinstance(value, set) else value
@@ -89,7 +89,7 @@ def _copied(value: Any) -> Any:
 
 def _frozen(value: Any) -> Any:
     if isinstance(value, dict):
-        return tuple((key, _frozen(one)) for key, one in value.items())
+        return tuple((key, _frozen(item)) for key, item in value.items())
     if isinstance(value, list | deque):
         return tuple(map(_frozen, value))
     if isinstance(value, ActionStep):
@@ -101,6 +101,6 @@ def _visits(meetings: Meetings) -> tuple[Any, ...]:
     """How many visits each flow is ahead of the last one, for each tag."""
     parties, visits = meetings._parties, meetings._visits
     return tuple(
-        (tag, tuple(visits[flow][tag] - min(visits[one][tag] for one in flows) for flow in flows))
+        (tag, tuple(visits[flow][tag] - min(visits[party][tag] for party in flows) for flow in flows))
         for tag, flows in parties.items()
     )

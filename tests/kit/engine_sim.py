@@ -133,14 +133,14 @@ class EngineSim:
     def speakers(self) -> list[Address]:
         """Who has something to say."""
         speaking = [address for address, task in self.tasks.items() if task.mail]
-        return [one for one in speaking if one[0] not in self._ready or self._tells_switch(one)]
+        return [speaker for speaker in speaking if speaker[0] not in self._ready or self._tells_switch(speaker)]
 
     def is_ready(self, flow: int) -> bool:
         """Whether a prepared switch was carried out of which the engine has not heard; its user has to wait."""
         return flow in self._ready
 
     def _tells_switch(self, address: Address) -> bool:
-        return any(isinstance(one, told.Finished) and one.switched for one in self.tasks[address].mail)
+        return any(isinstance(letter, told.Finished) and letter.switched for letter in self.tasks[address].mail)
 
     def triggers_on(self) -> Iterator[Address]:
         """The triggers of present actions, that may end them."""
@@ -254,7 +254,7 @@ class EngineSim:
                 self._clear((order.flow, order.task))
             case Kill():
                 task = self.tasks[order.flow, order.task]
-                is_known = any(isinstance(one, told.Killed | told.Refused) for one in task.mail)
+                is_known = any(isinstance(letter, told.Killed | told.Refused) for letter in task.mail)
                 is_known = is_known and task.life in ("gone", "absent")
                 self._demand(is_known or task.life in ("off", "on", "error"), f"{order} of one {task.life}")
                 if not is_known:
@@ -265,7 +265,7 @@ class EngineSim:
                 self._demand(self.open[order.flow] == order.index, f"{order}, but {self.open[order.flow]} is open")
                 self.open[order.flow] = None
             case Settle():
-                self._demand(all(one is None for one in self.open), f"{order} with {self.open} open")
+                self._demand(all(opening is None for opening in self.open), f"{order} with {self.open} open")
                 self.say(RUNTIME, told.Settled(), "off")
             case End():
                 alive = [a for a, task in self.tasks.items() if task.life not in ("gone", "absent") and a != RUNTIME]
@@ -283,30 +283,30 @@ class EngineSim:
             return
         if self._announced:
             self._demand(flow in self._announced, f"{order} after Together of {self._announced}")
-            self._announced = tuple(one for one in self._announced if one != flow)
+            self._announced = tuple(announced for announced in self._announced if announced != flow)
         for name in order.off:
             self._off((flow, name))
         for start in order.on:
             address, task = (flow, start.task), self.tasks[flow, start.task]
-            mail = tuple(one for one in task.mail if isinstance(one, told.Failed | told.Killed))
+            mail = tuple(letter for letter in task.mail if isinstance(letter, told.Failed | told.Killed))
             if mail:
                 refused = told.Refused(flow, start.task, "it is in error")
                 self.tasks[address] = replace(task, mail=(*mail, refused))
                 continue
-            is_known = not any(isinstance(one, told.Cleared) for one in task.mail)
+            is_known = not any(isinstance(letter, told.Cleared) for letter in task.mail)
             self._demand(task.life == "off" and is_known, f"{address} is turned on and is {task.life}, as was heard")
             on = (told.TurnedOn(flow, start.task),)
             self.tasks[address] = replace(task, life="on", mail=on, fell=False, may_end=False)
 
     def _clear(self, address: Address) -> None:
-        if any(isinstance(one, told.Cleared) for one in self.tasks[address].mail):
+        if any(isinstance(letter, told.Cleared) for letter in self.tasks[address].mail):
             self.say(address, told.Refused(*address, "it is OFF"), "off")
         else:
             self._change(address, "error", "off", told.Cleared(*address))
 
     def _off(self, address: Address) -> None:
         task = self.tasks[address]
-        is_known = task.life == "on" or any(not isinstance(one, told.Spawned) for one in task.mail)
+        is_known = task.life == "on" or any(not isinstance(letter, told.Spawned) for letter in task.mail)
         self._demand(is_known, f"{address} is turned off and is {task.life}, as was heard")
         life = "off" if task.life == "on" else task.life
         self.tasks[address] = replace(task, life=life, may_end=False, fell=False)

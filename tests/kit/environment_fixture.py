@@ -55,33 +55,33 @@ class EnvironmentFixture:
         self.copy: dict[str, Any] = _plain(self.environment)
         self.environment.listeners.append(self)
 
-    def do(self, asked: act.AnyAct, by: str = "me") -> Any:
+    def do(self, request: act.AnyAct, by: str = "me") -> Any:
         """Carry an act out that is not refused; its value."""
-        answer = self.answer(asked, by)
+        answer = self.answer(request, by)
         if answer.no is not None:
-            raise AssertionError(f"{asked} was refused: {answer.no}")
+            raise AssertionError(f"{request} was refused: {answer.no}")
         return answer.value
 
-    def no(self, asked: act.AnyAct) -> No:
+    def no(self, request: act.AnyAct) -> No:
         """Why an act is refused, and that it changed nothing."""
         before = self.environment.model
-        answer = self.answer(asked)
+        answer = self.answer(request)
         if answer.no is None or self.environment.model is not before:
-            raise AssertionError(f"{asked} was not refused, or changed something")
+            raise AssertionError(f"{request} was not refused, or changed something")
         return answer.no
 
-    def answer(self, asked: act.AnyAct, by: str = "me") -> ActAnswer:
+    def answer(self, request: act.AnyAct, by: str = "me") -> ActAnswer:
         """The one answer that an act gets at once."""
         given: list[ActAnswer] = []
-        self.environment.do(asked, by, given.append)
+        self.environment.do(request, by, given.append)
         if len(given) != 1:
-            raise AssertionError(f"{asked} was answered {len(given)} times")
+            raise AssertionError(f"{request} was answered {len(given)} times")
         return given[0]
 
-    def later(self, asked: act.AnyAct, by: str = "me") -> ActAnswer:
+    def later(self, request: act.AnyAct, by: str = "me") -> ActAnswer:
         """The answer that an act gets when what it needs has been done aside; raises queue.Empty without one."""
         given: list[ActAnswer] = []
-        self.environment.do(asked, by, given.append)
+        self.environment.do(request, by, given.append)
         while not given:
             self.become()
         return given[0]
@@ -110,9 +110,9 @@ class EnvironmentFixture:
         if msgspec.convert(self.copy, Tree) != self.environment.tree:
             raise AssertionError("the page's copy differs from the tree")
 
-    def say(self, said: page.Say) -> None:
+    def say(self, sentence: page.Say) -> None:
         """Keep a line."""
-        self.says.append(said)
+        self.says.append(sentence)
 
     def send(self, order: Order) -> None:
         """Keep an order."""
@@ -120,8 +120,8 @@ class EnvironmentFixture:
 
 
 def _plain(environment: Environment) -> dict[str, Any]:
-    found: dict[str, Any] = msgspec.to_builtins(environment.tree)
-    return found
+    builtins: dict[str, Any] = msgspec.to_builtins(environment.tree)
+    return builtins
 
 
 def _put(tree: dict[str, Any], path: tuple[str, ...], value: Any) -> None:

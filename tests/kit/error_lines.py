@@ -21,9 +21,9 @@ def where(flow: int, index: int) -> str:
     return f"test.appl flow {flow} action {index}"
 
 
-def on(*tasks: str, told: str = "1 2") -> tuple[Launch, ...]:
+def on(*tasks: str, arguments: str = "1 2") -> tuple[Launch, ...]:
     """The starts of tasks; `move` is told its target."""
-    return tuple(Launch(task, told if task == "move" else "", 100.0) for task in tasks)
+    return tuple(Launch(task, arguments if task == "move" else "", 100.0) for task in tasks)
 
 
 def started(

@@ -98,7 +98,7 @@ class ExecutiveRig:
         rates: Sequence[tuple[str, float]] = (),
     ) -> Self:
         """Switch tasks off and on."""
-        launches = tuple(one if isinstance(one, command.Launch) else command.Launch(one) for one in on)
+        launches = tuple(launch if isinstance(launch, command.Launch) else command.Launch(launch) for launch in on)
         return self.do(command.Switch(HOME, tuple(off), tuple(forget), launches, tuple(rates)))
 
     def run(self, until: int, requests: Iterable[tuple[int, command.Command]] = ()) -> Self:
@@ -121,8 +121,8 @@ class ExecutiveRig:
 
     def heard(self, kind: type[_Kind]) -> list[_Kind]:
         """The news of one kind, in English."""
-        in_english = (news.in_english(one) for _, one in self.news)
-        return [one for one in in_english if isinstance(one, kind)]
+        in_english = (news.in_english(entry) for _, entry in self.news)
+        return [entry for entry in in_english if isinstance(entry, kind)]
 
     def last(self, kind: type[_Kind]) -> _Kind:
         """The last news of one kind."""
@@ -139,16 +139,16 @@ class ExecutiveRig:
                 self.do(self._requests.popleft()[1])
             began = self.now
             self._watched.task = ""
-            heard = self.executive.run_next(began)
-            if heard is None:
+            entries = self.executive.run_next(began)
+            if entries is None:
                 return
             self.now += self._costs.get(self._watched.task, 0)
-            self._hear(heard, began)
+            self._hear(entries, began)
 
-    def _hear(self, heard: Sequence[news.News], at: int) -> None:
-        self.news += [(at, one) for one in heard]
-        reactions = [order for one in heard for order in self._react(one)]
-        self._requests.extendleft((self.now, one) for one in reversed(reactions))
+    def _hear(self, entries: Sequence[news.News], at: int) -> None:
+        self.news += [(at, entry) for entry in entries]
+        reactions = [order for entry in entries for order in self._react(entry)]
+        self._requests.extendleft((self.now, reaction) for reaction in reversed(reactions))
 
     def _open(self, world: World) -> Bus:
         segment = Segment.create("rig-bus", SEGMENT_SIZE)

@@ -100,17 +100,19 @@ class FakeRuntime:
     def run(self, abort_after: int | None = None) -> None:
         """Run until no more news comes; abort after so many pieces of news, if that is said."""
         self._feed(Run())
-        heard = 0
+        count = 0
         while True:
-            if heard == abort_after:
+            if count == abort_after:
                 self._feed(Abort("the user said so"))
-            heard += 1
+            count += 1
             if not self._news:
                 return
             self._feed(self._next())
 
     def _next(self) -> News:
-        speakers: Sequence[Address | None] = [one for one in self._news if self._is_overdue(one)] or list(self._news)
+        speakers: Sequence[Address | None] = [speaker for speaker in self._news if self._is_overdue(speaker)] or list(
+            self._news
+        )
         speaker = speakers[self._choose(len(speakers))]
         news, _ = self._news[speaker].popleft()
         if not self._news[speaker]:
@@ -203,7 +205,7 @@ class FakeRuntime:
 
     def _say(self, speaker: Address | None, *news: News) -> None:
         said_at = 0 if speaker is None else self._index.get(speaker[0], 0)
-        self._news.setdefault(speaker, deque()).extend((one, said_at) for one in news)
+        self._news.setdefault(speaker, deque()).extend((item, said_at) for item in news)
 
 
 def _demand(truth: bool, otherwise: str) -> None:

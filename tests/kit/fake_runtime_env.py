@@ -25,9 +25,9 @@ class FakeRuntimeEnv(EnvironmentFixture):
     """`runtime` answers; `rebuffs` are orders that it answers otherwise, by their kind; `is_held_back` keeps orders."""
 
     def __init__(self, folder: Path, tasks: Iterable[Task] = (), runtime: LiveRuntime | None = None) -> None:
-        known = tuple(tasks)
-        super().__init__(folder, known)
-        for task in known:
+        sheets = tuple(tasks)
+        super().__init__(folder, sheets)
+        for task in sheets:
             (folder / "module" / f"{task.module}.py").write_text(f'"""The code of {task.module}."""\n')
         self.runtime = runtime or LiveRuntime()
         self.rebuffs: Mapping[type, request.Response] = {}
@@ -41,13 +41,13 @@ class FakeRuntimeEnv(EnvironmentFixture):
         self.do(act.Connect(doc))
         return doc
 
-    def answer(self, asked: act.AnyAct, by: str = "me") -> ActAnswer:
+    def answer(self, action: act.AnyAct, by: str = "me") -> ActAnswer:
         """The one answer that an act gets, when the runtime has done what it asks for."""
         given: list[ActAnswer] = []
-        self.environment.do(asked, by, given.append)
+        self.environment.do(action, by, given.append)
         self.pump()
         if len(given) != 1:
-            raise AssertionError(f"{asked} was answered {len(given)} times")
+            raise AssertionError(f"{action} was answered {len(given)} times")
         return given[0]
 
     def send(self, order: Order) -> None:
@@ -59,8 +59,8 @@ class FakeRuntimeEnv(EnvironmentFixture):
         """Another state variable behind a coded name, wherever the task is placed."""
 
         def change(model: Model) -> Done:
-            known = model.libraries.tasks[task]
-            changed = replace(known, aliases=(*known.aliases, (coded, svar)))
+            sheet = model.libraries.tasks[task]
+            changed = replace(sheet, aliases=(*sheet.aliases, (coded, svar)))
             return Done(replace(model, libraries=model.libraries.edited({task: changed})))
 
         self.environment.become(change)
@@ -75,16 +75,16 @@ class FakeRuntimeEnv(EnvironmentFixture):
             self.environment.replied(order, response)
             self.hear()
 
-    def tell(self, one: event.Event) -> None:
+    def tell(self, message: event.Event) -> None:
         """Let the runtime tell something, and hear it."""
-        self.runtime.tell(one)
+        self.runtime.tell(message)
         self.hear()
         self.pump()
 
     def hear(self) -> None:
         """Hear what the runtime has told."""
-        for one in self.runtime.events(0.0):
-            self.environment.receive(one)
+        for message in self.runtime.events(0.0):
+            self.environment.receive(message)
 
     def document(self, doc: str) -> Document:
         """A document as it is now."""
@@ -96,4 +96,4 @@ class FakeRuntimeEnv(EnvironmentFixture):
 
     def edits(self) -> list[live.Change]:
         """The changes that the runtime was asked for."""
-        return [one for one in self.carried_out if isinstance(one, live.Change)]
+        return [message for message in self.carried_out if isinstance(message, live.Change)]

@@ -33,7 +33,7 @@ def job(name: str, kind: str = "Complete job", *marks: str) -> str:
 def target(name: str, kind: str, *values: str) -> str:
     """The icon of a target, one line of values for each item of its type."""
     lines = [f"ROUTINE     {name}", "MARKER      no", f"ONIKON      {kind}", "DESC        a target"]
-    return "\n".join([*lines, *(f"UI          {one}" for one in values)]) + "\n" + _PICTURE
+    return "\n".join([*lines, *(f"UI          {value}" for value in values)]) + "\n" + _PICTURE
 
 
 def joints(name: str, *angles: float, duration: float = 1.0) -> str:
@@ -68,8 +68,8 @@ class Laboratory:
     def configuration(self, name: str, *placed: str) -> Path:
         """A configuration of tasks, each `TASK FREQ [RTPU]`."""
         blocks = []
-        for one in placed:
-            task, frequency, *rtpu = one.split()
+        for placement in placed:
+            task, frequency, *rtpu = placement.split()
             unit = rtpu[0] if rtpu else "unknown"
             blocks.append(
                 f"RMODFILE    {task}\nCOORDS      9 9\nINLEFT      yes\nFREQ        {frequency}\nRTPU        {unit}\n"

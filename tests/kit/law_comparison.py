@@ -50,11 +50,11 @@ class TracedRig(ExecutiveRig):
         """A request as a command."""
         return command.Swap(self.order_of(request.probe)) if isinstance(request, Exchanged) else request
 
-    def order_of(self, one: SampleTask) -> command.Spawn:
+    def order_of(self, probe: SampleTask) -> command.Spawn:
         """The command for a probe."""
-        kind = "periodic" if one.is_periodic else "aperiodic"
+        kind = "periodic" if probe.is_periodic else "aperiodic"
         return self.spawn_of(
-            one.name, source(one), frequency=one.frequency, kind=kind, rank=one.rank, device=one.device
+            probe.name, source(probe), frequency=probe.frequency, kind=kind, rank=probe.rank, device=probe.device
         )
 
 
@@ -81,9 +81,9 @@ def by_law(
     """What the reference makes of them; itself, to be looked at."""
     world = MassWorld()
     reference = Reference(
-        [law_task(one) for one in probes], world, lambda task, _: list(map(_to_law, react.get(task, [])))
+        [law_task(probe) for probe in probes], world, lambda task, _: list(map(_to_law, react.get(task, [])))
     )
-    reference.run(until, [(at, _to_law(one)) for at, one in requests])
+    reference.run(until, [(at, _to_law(order)) for at, order in requests])
     states = {name: state for name, state in reference.states.items() if state is not State.KILLED}
     missed = {name: reference.missed[name] for name in states}
     return Account(list(map(repr, reference.trace)), reference.told, states, missed, world.fingerprint()), reference
@@ -93,19 +93,19 @@ def by_executive(probes: Probes, requests: Timed, until: int, react: Reactions =
     """What the executive makes of them."""
     world, trace = MassWorld(), list[Any]()
 
-    def reply(one: news.News) -> list[command.Command]:
-        if isinstance(one, news.Finished) or (isinstance(one, news.Changed) and one.signal):
-            return list(map(rig.of, react.get(one.task, [])))
+    def reply(message: news.News) -> list[command.Command]:
+        if isinstance(message, news.Finished) or (isinstance(message, news.Changed) and message.signal):
+            return list(map(rig.of, react.get(message.task, [])))
         return []
 
-    rig = TracedRig(world, costs={one.name: one.cost for one in probes}, react=reply)
-    for one in probes:
-        rig.do(rig.order_of(one))
-        module: Any = rig.task(one.name).module
+    rig = TracedRig(world, costs={probe.name: probe.cost for probe in probes}, react=reply)
+    for probe in probes:
+        rig.do(rig.order_of(probe))
+        module: Any = rig.task(probe.name).module
         trace += module.trace
         module.trace = trace
     rig.trace = trace
-    rig.run(until, [(at, rig.of(one)) for at, one in requests])
+    rig.run(until, [(at, rig.of(order)) for at, order in requests])
     tasks = {name: task for (_, name), task in rig.executive.tasks.items()}
     states = {name: task.state for name, task in tasks.items()}
     missed = {name: task.slot.missed for name, task in tasks.items()}
@@ -114,23 +114,23 @@ def by_executive(probes: Probes, requests: Timed, until: int, react: Reactions =
 
 def _words(rig: ExecutiveRig) -> list[tuple[int, str, str]]:
     """What a rig heard, in the words of the reference."""
-    said: list[tuple[int, str, str]] = []
-    for at, one in rig.news:
-        match one:
+    rows: list[tuple[int, str, str]] = []
+    for at, entry in rig.news:
+        match entry:
             case news.Changed():
-                said.append((at, one.task, f"signal {one.signal}" if one.signal else one.state))
-            case news.Initialised() if (at, one.task, "ERROR") in said:
-                said.append((at, one.task, "OFF"))
-            case news.Initialised() if any(before[1:] == (one.task, "ERROR") for before in said):
-                said.append((at, one.task, "OFF"))
+                rows.append((at, entry.task, f"signal {entry.signal}" if entry.signal else entry.state))
+            case news.Initialised() if (at, entry.task, "ERROR") in rows:
+                rows.append((at, entry.task, "OFF"))
+            case news.Initialised() if any(before[1:] == (entry.task, "ERROR") for before in rows):
+                rows.append((at, entry.task, "OFF"))
             case news.Reinitialised():
-                said.append((at, one.task, "reinit"))
+                rows.append((at, entry.task, "reinit"))
             case news.Swapped():
-                said.append((at, one.task, "swapped"))
+                rows.append((at, entry.task, "swapped"))
             case news.Finished():
-                said.append((at, one.task, "signal FINISH"))
+                rows.append((at, entry.task, "signal FINISH"))
             case news.Failed():
-                said.append((at, one.task, "ERROR"))
+                rows.append((at, entry.task, "ERROR"))
             case news.Refused():
-                said.append((at, one.task, f"refused {one.command}"))
-    return said
+                rows.append((at, entry.task, f"refused {entry.command}"))
+    return rows

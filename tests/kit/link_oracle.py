@@ -130,8 +130,8 @@ class LinkOracle:
         if who is Who.RUNTIME:
             if isinstance(packet, Welcome) and cable.heard_hello:
                 cable.is_welcomed = True
-                said = len(self._signals[packet.epoch]) if cable.channel is Channel.ALL else 0
-                cable.beginning = cable.beginning or (packet.epoch, said)
+                length = len(self._signals[packet.epoch]) if cable.channel is Channel.ALL else 0
+                cable.beginning = cable.beginning or (packet.epoch, length)
             self._unless(cable.is_welcomed, f"the runtime said {packet!r} before the greeting")
         elif not isinstance(packet, Hello):
             self._unless(cable.heard_welcome, f"the environment said {packet!r} before the welcome")
@@ -198,8 +198,8 @@ class LinkOracle:
         story = self._stories[client]
         self._unless(state is LinkState.LINKED, f"no link of {client} at the end but {state}")
         self._unless(story.epoch == epoch, f"{client} believes in epoch {story.epoch!r}, it is {epoch!r}")
-        said = len(self._signals.get(epoch, ()))
-        self._unless(story.next == said + 1, f"{said} signals said to {client}, {story.next - 1} accepted")
+        length = len(self._signals.get(epoch, ()))
+        self._unless(story.next == length + 1, f"{length} signals said to {client}, {story.next - 1} accepted")
 
     def final_requests(self) -> None:
         """Every request has come to an end, and to a true one."""
@@ -213,27 +213,27 @@ class LinkOracle:
     def _epoch_changed(self, client: str, epoch: str, asking: SimLink | None) -> None:
         story = self._stories[client]
         self._unless(epoch != story.epoch, f"needless new beginning in epoch {epoch!r}")
-        known, base = (asking and asking.beginning) or ("", 0)
-        self._unless(known == epoch, f"new beginning in epoch {epoch!r}, greeted in {known!r}")
+        greeted, base = (asking and asking.beginning) or ("", 0)
+        self._unless(greeted == epoch, f"new beginning in epoch {epoch!r}, greeted in {greeted!r}")
         story.epoch, story.next = epoch, base + 1
 
     def _signalled(self, story: _Story, notice: SignalReceived) -> None:
         self.accepted += 1
         self._unless(notice.seq == story.next, f"signal {notice.seq} accepted, {story.next} was next")
-        said = self._signals.get(story.epoch, [])
-        fine = 1 <= notice.seq <= len(said) and said[notice.seq - 1] == notice.body
+        signals = self._signals.get(story.epoch, [])
+        fine = 1 <= notice.seq <= len(signals) and signals[notice.seq - 1] == notice.body
         self._unless(fine, f"signal {notice.seq} of epoch {story.epoch!r} is not what was said")
         story.next = notice.seq + 1
 
-    def _asked(self, asked: RequestReceived, cable: SimLink | None, now_ns: int) -> None:
+    def _asked(self, arrival: RequestReceived, cable: SimLink | None, now_ns: int) -> None:
         self.begun += 1
-        wanted = self._wanted.get(asked.body.partition(b" ")[0].decode())
-        if wanted is None or wanted.body != asked.body:
-            self.faults.append(f"asked for {asked.body!r}, which nobody wanted")
+        wanted = self._wanted.get(arrival.body.partition(b" ")[0].decode())
+        if wanted is None or wanted.body != arrival.body:
+            self.faults.append(f"asked for {arrival.body!r}, which nobody wanted")
             return
         wanted.begun += 1
         self._unless(wanted.begun == 1, f"request {wanted.label} was carried out {wanted.begun} times")
-        self._unless(asked.client == wanted.client, f"request {wanted.label} came as one of {asked.client}")
+        self._unless(arrival.client == wanted.client, f"request {wanted.label} came as one of {arrival.client}")
         late = wanted.begin_by_ns and now_ns > wanted.begin_by_ns
         self._unless(not late, f"request {wanted.label} was carried out {now_ns - wanted.begin_by_ns} ns too late")
         same = not wanted.once or wanted.cable is cable

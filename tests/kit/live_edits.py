@@ -116,7 +116,7 @@ class LossyDriver(VirtualDriver):
     def lose(self, rtpu: str) -> None:
         """From now on this unit is gone."""
         self.gone.add(rtpu)
-        self._commands = deque(one for one in self._commands if one[0] != rtpu)
+        self._commands = deque(waiting for waiting in self._commands if waiting[0] != rtpu)
         for (subsystem, task), home in list(self._homes.items()):
             if home == rtpu:
                 super().send(rtpu, command.Kill(subsystem, task))
@@ -209,7 +209,7 @@ class LiveEdits:
     ) -> live.Change:
         """A change of tasks by their names."""
         tasks = tuple(self.shop.planned(name) for name in spawn)
-        turns = tuple(one if isinstance(one, live.Turn) else live.Turn(one) for one in on)
+        turns = tuple(turn if isinstance(turn, live.Turn) else live.Turn(turn) for turn in on)
         return live.Change(subsystem, spawn=tasks, code=self.code(*spawn), on=turns, **what)  # type: ignore[arg-type]
 
     def change(
@@ -238,7 +238,9 @@ class LiveEdits:
     def edited(self, number: int) -> list[str]:
         """The outcomes that were told of an accepted request: one, if all is well."""
         return [
-            str(one.cause) for one in self.asker.server.told if isinstance(one, event.Edited) and one.number == number
+            str(message.cause)
+            for message in self.asker.server.told
+            if isinstance(message, event.Edited) and message.number == number
         ]
 
     def work(self) -> None:
@@ -259,7 +261,12 @@ class LiveEdits:
         answer = self.asker.ask(live.Survey())
         if not isinstance(answer, live.Standing):
             raise TypeError(str(answer))
-        return {task.task.name: task for one in answer.subsystems if one.name == subsystem for task in one.tasks}
+        return {
+            task.task.name: task
+            for standing in answer.subsystems
+            if standing.name == subsystem
+            for task in standing.tasks
+        }
 
     def values(self, *names: str, subsystem: str = "s0") -> dict[str, object]:
         """Variables as they stand."""
@@ -270,7 +277,7 @@ class LiveEdits:
         answer = self.asker.ask(live.Status())
         if not isinstance(answer, live.Figures):
             raise TypeError(str(answer))
-        return {one.task: one for one in answer.tasks}
+        return {task.task: task for task in answer.tasks}
 
     def cycles(self, task: str) -> int:
         """How often a task cycled since the last time somebody asked."""

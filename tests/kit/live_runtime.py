@@ -79,202 +79,207 @@ class LiveRuntime:
             self._told.append(event.Result(True, "", 1, 1, self.now_s, 0.0, {}, (), ""))
             self.running = ""
 
-    def tell(self, one: event.Event) -> None:
+    def tell(self, message: event.Event) -> None:
         """Let something happen."""
-        self._told.append(one)
+        self._told.append(message)
 
-    def ask(self, asked: request.Request) -> request.Response:
+    def ask(self, message: request.Request) -> request.Response:
         """Answer a request."""
-        self.asked.append(asked)
-        reason = self.refusals.get(type(asked).__name__)
+        self.asked.append(message)
+        reason = self.refusals.get(type(message).__name__)
         if reason is not None:
             return request.Refused(reason)
-        match asked:
+        match message:
             case live.Change() | live.Clear() | live.Reinit() | live.Swap() | live.Close():
-                return self._edit(asked)
+                return self._edit(message)
             case live.Get() | live.Set():
-                return self._parameter(asked)
+                return self._parameter(message)
             case live.Survey() | live.Status() | live.Read() | live.Check():
-                return self._look(asked)
+                return self._look(message)
             case steer.Who():
                 return steer.Positions(self.positions)
             case request.Prepare():
-                self._prepared = asked.plan.application
+                self._prepared = message.plan.application
                 return request.Prepared(self.faults)
-        return self._command(asked)
+        return self._command(message)
 
     # -- looking
 
-    def _look(self, asked: live.Survey | live.Status | live.Read | live.Check) -> request.Response:
-        match asked:
+    def _look(self, message: live.Survey | live.Status | live.Read | live.Check) -> request.Response:
+        match message:
             case live.Survey():
                 return self._survey()
             case live.Status():
-                figures = tuple(self._figure(home, one) for home, lives in self.lives.items() for one in lives.values())
+                figures = tuple(
+                    self._figure(home, life) for home, lives in self.lives.items() for life in lives.values()
+                )
                 return live.Figures(figures, dict.fromkeys(self._rtpus, 0.25))
             case live.Read():
-                known = self.variables.get(asked.subsystem)
-                if known is None:
-                    return request.Refused(f"there is no subsystem {asked.subsystem}")
-                names = asked.names or tuple(known)
-                return live.Values({name: known[name] for name in names if name in known}, self.now_s)
+                values = self.variables.get(message.subsystem)
+                if values is None:
+                    return request.Refused(f"there is no subsystem {message.subsystem}")
+                names = message.names or tuple(values)
+                return live.Values({name: values[name] for name in names if name in values}, self.now_s)
             case live.Check():
-                return live.Findings(self.findings.get(asked.subsystem, ()))
+                return live.Findings(self.findings.get(message.subsystem, ()))
 
     def _survey(self) -> live.Standing:
         subsystems = tuple(
             live.SubsystemStanding(
-                home, self._holders.get(home, ""), "", tuple(self._task(one) for one in lives.values())
+                home, self._holders.get(home, ""), "", tuple(self._task(life) for life in lives.values())
             )
             for home, lives in self.lives.items()
         )
-        subsystems += tuple(live.SubsystemStanding(one.subsystem, "", "played", ()) for one in self.positions)
+        subsystems += tuple(live.SubsystemStanding(position.subsystem, "", "played", ()) for position in self.positions)
         rtpus = tuple(live.RtpuStanding(name, False, 0.25) for name in self._rtpus)
         return live.Standing(subsystems, rtpus, (), self._is_virtual, self.is_stopped, self.now_s, self.addresses)
 
-    def _task(self, one: _Life) -> live.TaskStanding:
-        return live.TaskStanding(one.task, one.state.value, one.state is State.ON, one.rtpu, one.frequency)
+    def _task(self, life: _Life) -> live.TaskStanding:
+        return live.TaskStanding(life.task, life.state.value, life.state is State.ON, life.rtpu, life.frequency)
 
-    def _figure(self, home: str, one: _Life) -> live.TaskFigure:
-        hz = one.frequency or 0.0
+    def _figure(self, home: str, life: _Life) -> live.TaskFigure:
+        hz = life.frequency or 0.0
         return live.TaskFigure(
-            home, one.task.name, one.task.module, one.rtpu, 1, one.task.type[0].upper(), 0, one.state.value.lower(),
+            home, life.task.name, life.task.module, life.rtpu, 1, life.task.type[0].upper(), 0,
+            life.state.value.lower(),
             10, 0, hz, hz, 1.0, 5.0, 1e-6, 0.1, 0.3, 0.2, 0.1, 0.3, 0.2, 0,
         )  # fmt: skip
 
     # -- changing
 
-    def _edit(self, asked: live.Change | live.Clear | live.Reinit | live.Swap | live.Close) -> request.Response:
-        if isinstance(asked, live.Swap) and self.faults:
+    def _edit(self, message: live.Change | live.Clear | live.Reinit | live.Swap | live.Close) -> request.Response:
+        if isinstance(message, live.Swap) and self.faults:
             return request.Prepared(self.faults)
         self._numbers += 1
         number, cause = self._numbers, ""
-        if self.is_stopped and isinstance(asked, live.Change) and asked.on:
+        if self.is_stopped and isinstance(message, live.Change) and message.on:
             cause = "everything is stopped"
         else:
             try:
-                self._carry_out(asked)
+                self._carry_out(message)
             except (IllegalTransition, KeyError, ValueError) as wrong:
                 cause = str(wrong)
-        self._told.append(event.Edited(asked.subsystem, number, cause, self.now_s))
+        self._told.append(event.Edited(message.subsystem, number, cause, self.now_s))
         return live.Accepted(number)
 
-    def _carry_out(self, asked: live.Change | live.Clear | live.Reinit | live.Swap | live.Close) -> None:
-        lives = self.lives.setdefault(asked.subsystem, {})
-        match asked:
+    def _carry_out(self, message: live.Change | live.Clear | live.Reinit | live.Swap | live.Close) -> None:
+        lives = self.lives.setdefault(message.subsystem, {})
+        match message:
             case live.Change():
-                self._change(asked, lives)
+                self._change(message, lives)
             case live.Clear():
-                self._step(asked.subsystem, lives[asked.task], LifecycleInput.CLEAR)
+                self._step(message.subsystem, lives[message.task], LifecycleInput.CLEAR)
             case live.Reinit():
-                self._step(asked.subsystem, lives[asked.task], LifecycleInput.REINIT)
+                self._step(message.subsystem, lives[message.task], LifecycleInput.REINIT)
             case live.Swap():
-                lives[asked.task].said.clear()
+                lives[message.task].said.clear()
             case live.Close():
-                self._change(live.Change(asked.subsystem, kill=tuple(lives)), lives)
-                del self.lives[asked.subsystem]
-                self.variables.pop(asked.subsystem, None)
+                self._change(live.Change(message.subsystem, kill=tuple(lives)), lives)
+                del self.lives[message.subsystem]
+                self.variables.pop(message.subsystem, None)
 
-    def _change(self, asked: live.Change, lives: dict[str, _Life]) -> None:
-        self._judge(asked, lives)
-        for name in asked.off:
-            self._step(asked.subsystem, lives[name], LifecycleInput.OFF)
-        for name in asked.kill:
-            self._step(asked.subsystem, lives.pop(name), LifecycleInput.KILL)
-        self.variables.setdefault(asked.subsystem, {})
-        for task in asked.spawn:
+    def _change(self, message: live.Change, lives: dict[str, _Life]) -> None:
+        self._judge(message, lives)
+        for name in message.off:
+            self._step(message.subsystem, lives[name], LifecycleInput.OFF)
+        for name in message.kill:
+            self._step(message.subsystem, lives.pop(name), LifecycleInput.KILL)
+        self.variables.setdefault(message.subsystem, {})
+        for task in message.spawn:
             rtpu = task.rtpu if task.rtpu in self._rtpus else self._rtpus[0]
             lives[task.name] = _Life(task, rtpu, frequency=task.frequency)
-            self._tell_state(asked.subsystem, lives[task.name])
-        for name, hz in asked.rates:
+            self._tell_state(message.subsystem, lives[task.name])
+        for name, hz in message.rates:
             lives[name].frequency = hz
-        for turn in asked.on:
-            self._turn_on(asked.subsystem, lives[turn.task], turn.arguments)
+        for turn in message.on:
+            self._turn_on(message.subsystem, lives[turn.task], turn.arguments)
 
-    def _judge(self, asked: live.Change, lives: dict[str, _Life]) -> None:
+    def _judge(self, message: live.Change, lives: dict[str, _Life]) -> None:
         """All or nothing: raises before anything is done."""
-        after_kill = {name: one.state for name, one in lives.items() if name not in asked.kill}
-        for task in asked.spawn:
+        after_kill = {name: life.state for name, life in lives.items() if name not in message.kill}
+        for task in message.spawn:
             if task.name in after_kill:
                 raise ValueError(f"there is a task {task.name} already")
             after_kill[task.name] = State.OFF
-        for name in (*asked.off, *asked.kill, *(name for name, _ in asked.rates)):
+        for name in (*message.off, *message.kill, *(name for name, _ in message.rates)):
             if name not in lives:
                 raise ValueError(f"there is no task {name}")
-        for turn in asked.on:
+        for turn in message.on:
             after(after_kill[turn.task], LifecycleInput.ON)
 
-    def _turn_on(self, home: str, one: _Life, arguments: str) -> None:
-        one.arguments = arguments
-        items = self._asks.get(one.task.name)
+    def _turn_on(self, home: str, life: _Life, arguments: str) -> None:
+        life.arguments = arguments
+        items = self._asks.get(life.task.name)
         if items and not arguments:
-            self._step(home, one, LifecycleInput.ASK)
-            self._told.append(event.Asked(home, one.task.name, "", items, self.now_s))
+            self._step(home, life, LifecycleInput.ASK)
+            self._told.append(event.Asked(home, life.task.name, "", items, self.now_s))
         else:
-            self._step(home, one, LifecycleInput.ON if one.state is State.OFF else LifecycleInput.ANSWERED)
+            self._step(home, life, LifecycleInput.ON if life.state is State.OFF else LifecycleInput.ANSWERED)
 
-    def _step(self, home: str, one: _Life, step: LifecycleInput) -> None:
-        former, one.state = one.state, after(one.state, step)
-        if one.state is not former:
-            self._tell_state(home, one)
+    def _step(self, home: str, life: _Life, step: LifecycleInput) -> None:
+        former, life.state = life.state, after(life.state, step)
+        if life.state is not former:
+            self._tell_state(home, life)
 
-    def _tell_state(self, home: str, one: _Life) -> None:
-        self._told.append(event.TaskState(home, one.task.name, one.state.value, self.now_s))
+    def _tell_state(self, home: str, life: _Life) -> None:
+        self._told.append(event.TaskState(home, life.task.name, life.state.value, self.now_s))
 
-    def _parameter(self, asked: live.Get | live.Set) -> request.Response:
-        said = self.lives[asked.subsystem][asked.task].said
-        if isinstance(asked, live.Set):
-            said[asked.name] = asked.value
+    def _parameter(self, message: live.Get | live.Set) -> request.Response:
+        parameters = self.lives[message.subsystem][message.task].said
+        if isinstance(message, live.Set):
+            parameters[message.name] = message.value
             return live.Value(None)
-        if asked.name not in said:
-            return request.Refused(f"there is nothing called {asked.name!r} to get")
-        return live.Value(said[asked.name])
+        if message.name not in parameters:
+            return request.Refused(f"there is nothing called {message.name!r} to get")
+        return live.Value(parameters[message.name])
 
     # -- the whole
 
-    def _command(self, asked: request.Request) -> request.Response:
-        match asked:
+    def _command(self, message: request.Request) -> request.Response:
+        match message:
             case request.Begin():
                 if not self._prepared:
                     return request.Refused("no plan is prepared")
                 self.running = self._prepared
                 self._told.append(event.Began(0, 0, 1, self.running, self.now_s))
             case request.Reply():
-                self._turn_on(asked.subsystem, self.lives[asked.subsystem][asked.task], asked.line)
+                self._turn_on(message.subsystem, self.lives[message.subsystem][message.task], message.line)
             case request.Abort():
                 self.running = ""
-                self._told.append(event.Result(False, asked.cause, 0, 1, self.now_s, 0.0, {}, (), ""))
+                self._told.append(event.Result(False, message.cause, 0, 1, self.now_s, 0.0, {}, (), ""))
             case request.Stop() | live.Reset():
-                self.is_stopped = isinstance(asked, request.Stop)
-                self._told.append(event.Stopped(self.is_stopped, getattr(asked, "cause", "")))
+                self.is_stopped = isinstance(message, request.Stop)
+                self._told.append(event.Stopped(self.is_stopped, getattr(message, "cause", "")))
             case live.Take() | live.Release():
-                self._hand(asked)
-                holder = "you" if isinstance(asked, live.Take) else ""
-                self._told.append(event.Held(asked.subsystem, holder))
+                self._hand(message)
+                holder = "you" if isinstance(message, live.Take) else ""
+                self._told.append(event.Held(message.subsystem, holder))
             case holding.Sessions():
                 return holding.Company("you", self.sessions)
             case holding.Hand():
-                self._told.append(event.Offered(asked.subsystem, "you", asked.to, "" if asked.to else "withdrawn"))
+                self._told.append(
+                    event.Offered(message.subsystem, "you", message.to, "" if message.to else "withdrawn")
+                )
             case holding.Decline():
-                self._told.append(event.Offered(asked.subsystem, "anna#2", "you", "you declines"))
+                self._told.append(event.Offered(message.subsystem, "anna#2", "you", "you declines"))
             case live.Scene():
-                scene = self.scenes.get(asked.world)
-                return request.Refused(f"no world {asked.world} is open") if scene is None else live.Scenery(scene)
+                scene = self.scenes.get(message.world)
+                return request.Refused(f"no world {message.world} is open") if scene is None else live.Scenery(scene)
             case live.Advance():
-                self._pass(asked.seconds)
+                self._pass(message.seconds)
             case request.Quit():
                 self.is_over = True
         return request.Done()
 
-    def _hand(self, asked: live.Take | live.Release) -> None:
+    def _hand(self, message: live.Take | live.Release) -> None:
         """A subsystem that is taken is there; one that is left with nothing in it is no more."""
-        if isinstance(asked, live.Take):
-            self._holders[asked.subsystem] = "you"
-            self.lives.setdefault(asked.subsystem, {})
+        if isinstance(message, live.Take):
+            self._holders[message.subsystem] = "you"
+            self.lives.setdefault(message.subsystem, {})
             return
-        self._holders.pop(asked.subsystem, None)
-        if not self.lives.get(asked.subsystem):
-            self.lives.pop(asked.subsystem, None)
+        self._holders.pop(message.subsystem, None)
+        if not self.lives.get(message.subsystem):
+            self.lives.pop(message.subsystem, None)
 
     def _pass(self, seconds: float) -> None:
         self.now_s += seconds

@@ -109,9 +109,9 @@ class MessageFuzz:
     def _text(self, name: str) -> str:
         """Mostly a name that exists: of that field, else of any."""
         draw = self.random.random()
-        known = self.names.get(name)
-        if known and draw < 0.7:
-            return self.random.choice(known)
+        values = self.names.get(name)
+        if values and draw < 0.7:
+            return self.random.choice(values)
         if self._all_names and draw < 0.85:
             return self.random.choice(self._all_names)
         return self.random.choice(TEXTS)

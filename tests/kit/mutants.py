@@ -24,15 +24,15 @@ class Mutant:
 def mutants(application: Application, syntax: Syntax, exchange: Mapping[str, Onikon] | None = None) -> Iterator[Mutant]:
     """Every mutant of the first flow. `exchange`: jobs of another robot by the names of those they replace."""
     flow = application.flows[0]
-    found = actions(flow, syntax)
-    blocks = [flow.steps[one.position : one.end] for one in found]
-    for at, one in enumerate(found):
+    originals = actions(flow, syntax)
+    blocks = [flow.steps[action.position : action.end] for action in originals]
+    for at, action in enumerate(originals):
         name = f"action {at + 1} ({' '.join(icon.onikon.name for icon in _icons(blocks[at]))})"
-        made = _made(at, one, blocks, exchange or {})
+        made = _made(at, action, blocks, exchange or {})
         for kind, steps in made:
             changed = replace(application, flows=(AppFlow(steps), *application.flows[1:]))
             yield Mutant(kind, f"{kind}: {name}", changed)
-    if exchange and all(one.icon.onikon.name in exchange for one in found):
+    if exchange and all(action.icon.onikon.name in exchange for action in originals):
         steps = tuple(_exchanged(step, exchange) for step in flow.steps)
         yield Mutant(
             "wrong robot",
@@ -42,21 +42,21 @@ def mutants(application: Application, syntax: Syntax, exchange: Mapping[str, Oni
 
 
 def _made(
-    at: int, one: Action, blocks: list[tuple[Step, ...]], exchange: Mapping[str, Onikon]
+    at: int, action: Action, blocks: list[tuple[Step, ...]], exchange: Mapping[str, Onikon]
 ) -> Iterator[tuple[str, tuple[Step, ...]]]:
-    job = one.icon.onikon.name
+    job = action.icon.onikon.name
     yield f"missing {job}", _flat([*blocks[:at], *blocks[at + 1 :]])
     yield "doubled action", _flat([*blocks[: at + 1], blocks[at], *blocks[at + 1 :]])
     if at + 1 < len(blocks) and _flat(blocks[at : at + 1]) != _flat(blocks[at + 1 : at + 2]):
         yield "swapped order", _flat([*blocks[:at], blocks[at + 1], blocks[at], *blocks[at + 2 :]])
     if job in exchange:
-        other = _exchanged(one.icon, exchange)
+        other = _exchanged(action.icon, exchange)
         yield "wrong robot", _flat([*blocks[:at], (other, *blocks[at][1:]), *blocks[at + 1 :]])
     aims = _icons(blocks[at])[1:]
     if aims:
         for kind, aim in (("wrong target", _other(aims[0], blocks)), ("changed duration", _slower(aims[0]))):
             if aim is not None:
-                yield kind, _flat([*blocks[:at], (one.icon, aim, *blocks[at][2:]), *blocks[at + 1 :]])
+                yield kind, _flat([*blocks[:at], (action.icon, aim, *blocks[at][2:]), *blocks[at + 1 :]])
 
 
 def _exchanged(step: Step, exchange: Mapping[str, Onikon]) -> Step:
@@ -67,10 +67,10 @@ def _exchanged(step: Step, exchange: Mapping[str, Onikon]) -> Step:
 
 def _other(aim: Icon, blocks: list[tuple[Step, ...]]) -> Icon | None:
     """Another target of the same type from elsewhere in the flow, the next one round."""
-    known = {icon.onikon.name: icon for icon in _icons(_flat(blocks)) if icon.onikon.type == aim.onikon.type}
-    names = list(known)
+    icons = {icon.onikon.name: icon for icon in _icons(_flat(blocks)) if icon.onikon.type == aim.onikon.type}
+    names = list(icons)
     following = names[(names.index(aim.onikon.name) + 1) % len(names)]
-    return known[following] if following != aim.onikon.name else None
+    return icons[following] if following != aim.onikon.name else None
 
 
 def _slower(aim: Icon) -> Icon:

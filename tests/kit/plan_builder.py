@@ -60,7 +60,7 @@ class PlanBuilder:
         code = Code(sha256(source.encode()).hexdigest(), module or name, f"{module or name}.py", source)
         self._code[code.digest] = code
         sheet = _sheet(code)
-        ports = {key: tuple(one.name for one in sheet.ports if one.kind in kinds) for key, kinds in _PORTS.items()}
+        ports = {key: tuple(port.name for port in sheet.ports if port.kind in kinds) for key, kinds in _PORTS.items()}
         self._tasks[name] = PlannedTask(
             name=name,
             module=code.module,
@@ -90,21 +90,21 @@ class PlanBuilder:
         return Plan("test", planned, tuple(code for digest, code in self._code.items() if digest in used))
 
     def _flow(self, number: int, flow: Sequence[Action]) -> PlannedFlow:
-        names = dict.fromkeys(name for one in flow for name in one.tasks)
-        actions = tuple(_planned(number, index, one) for index, one in enumerate(flow))
+        names = dict.fromkeys(name for action in flow for name in action.tasks)
+        actions = tuple(_planned(number, index, action) for index, action in enumerate(flow))
         return PlannedFlow(f"flow{number}", tuple(self._tasks[name] for name in names), actions)
 
 
-def _planned(flow: int, index: int, one: Action) -> PlannedAction:
+def _planned(flow: int, index: int, action: Action) -> PlannedAction:
     return PlannedAction(
         name=f"action {index}",
         job=f"job{index}",
-        target="there" if one.arguments else None,
+        target="there" if action.arguments else None,
         place="test.appl",
         line=100 * flow + index + 1,
-        tasks=one.tasks,
-        rates=one.rates,
-        arguments=one.arguments,
+        tasks=action.tasks,
+        rates=action.rates,
+        arguments=action.arguments,
     )
 
 

@@ -36,17 +36,17 @@ class Play:
 
     def __lshift__(self, order: Order | Iterable[Order]) -> Self:
         for each in _listed(order):
-            found = self._untold.popleft() if self._untold else None
-            if found is None or in_english(found) != in_english(each):
-                raise AssertionError(self._tell(f"expected {each}", f"found    {found or 'no order'}"))
+            issued = self._untold.popleft() if self._untold else None
+            if issued is None or in_english(issued) != in_english(each):
+                raise AssertionError(self._tell(f"expected {each}", f"found    {issued or 'no order'}"))
             self._story.append(f"<< {each}")
         return self
 
     def refuses(self, news: Steering, why: str) -> Self:
         """The user cannot do this now, for a reason that has these words in it; said all the same it is not done."""
-        found = self._engine.refusal(news)
-        if not found or why not in str(found):
-            raise AssertionError(self._tell(f"expected {news} refused: {why}", f"found    {found or 'no refusal'}"))
+        refusal = self._engine.refusal(news)
+        if not refusal or why not in str(refusal):
+            raise AssertionError(self._tell(f"expected {news} refused: {why}", f"found    {refusal or 'no refusal'}"))
         return self >> news
 
     def cases(self, flow: int) -> list[Case]:

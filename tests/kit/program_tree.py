@@ -68,7 +68,7 @@ def planned(*trees: Tree) -> Plan:
     for number, tree in enumerate(trees):
         builders[number].lay(tree, number, builders)
         builders[number].program.append(Halt())
-    return Plan("test", tuple(one.flow() for one in builders), ())
+    return Plan("test", tuple(builder.flow() for builder in builders), ())
 
 
 def engine_for(made: Plan, passive: frozenset[tuple[int, str]] = frozenset(), **more: object) -> Engine:
@@ -77,29 +77,33 @@ def engine_for(made: Plan, passive: frozenset[tuple[int, str]] = frozenset(), **
         made,
         triggers={
             (flow, index): action.tasks[0] if action.tasks else None
-            for flow, one in enumerate(made.flows)
-            for index, action in enumerate(one.actions)
+            for flow, planned_flow in enumerate(made.flows)
+            for index, action in enumerate(planned_flow.actions)
         },
         passive=passive,
-        ranks={(flow, task.name): rank for flow, one in enumerate(made.flows) for rank, task in enumerate(one.tasks)},
+        ranks={
+            (flow, task.name): rank
+            for flow, planned_flow in enumerate(made.flows)
+            for rank, task in enumerate(planned_flow.tasks)
+        },
         **more,  # type: ignore[arg-type]
     )
 
 
 def acts(tree: Tree) -> list[Act]:
     """The actions that a flow itself carries out, in their order."""
-    found: list[Act] = []
+    own_acts: list[Act] = []
     for node in tree:
         match node:
             case Act():
-                found.append(node)
+                own_acts.append(node)
             case Loop():
-                found += acts(node.body)
+                own_acts += acts(node.body)
             case Pick():
-                found += [act for flow in node.flows for act in acts(flow)]
+                own_acts += [act for flow in node.flows for act in acts(flow)]
             case Side():
-                found += acts(node.flows[0])
-    return found
+                own_acts += acts(node.flows[0])
+    return own_acts
 
 
 @dataclass

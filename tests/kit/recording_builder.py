@@ -46,22 +46,22 @@ class RecordingBuilder:
         about = {"subsystem": home, "name": name, "type": type_, "unit": unit}
         schema = (value.title(shape, unit), value.schema(shape, unit))
         channel = self._writer.channel(topics.variable(home, name), *schema, about)
-        for at_s, one in course:
-            data = one if isinstance(one, bytes) else np.array(one, dtype=shape.type.code).tobytes()
+        for at_s, message in course:
+            data = message if isinstance(message, bytes) else np.array(message, dtype=shape.type.code).tobytes()
             self._writer.message(channel, _ns(at_s), value.encoder(shape)([data])[0])
 
-    def tell(self, at_s: float, one: event.Event, subsystem: str = "flow0") -> None:
+    def tell(self, at_s: float, message: event.Event, subsystem: str = "flow0") -> None:
         """An event."""
-        body = topics.encode(topics.EventRecord(subsystem, one))
+        body = topics.encode(topics.EventRecord(subsystem, message))
         self._writer.message(
             self._writer.channel(topics.EVENTS, topics.HAPPENED, topics.HAPPENED_SCHEMA), _ns(at_s), body
         )
 
-    def ask(self, at_s: float, asked: request.Request, turn: int = 1) -> None:
+    def ask(self, at_s: float, message: request.Request, turn: int = 1) -> None:
         """Something that was asked."""
-        topic = topics.ANSWERS if isinstance(asked, request.Reply) else topics.COMMANDS
+        topic = topics.ANSWERS if isinstance(message, request.Reply) else topics.COMMANDS
         channel = self._writer.channel(topic, topics.WANTED, topics.WANTED_SCHEMA)
-        self._writer.message(channel, _ns(at_s), topics.encode(topics.RequestRecord(turn, "me", asked)))
+        self._writer.message(channel, _ns(at_s), topics.encode(topics.RequestRecord(turn, "me", message)))
 
     def show(self, at_s: float, topic: str, title: str, schema: bytes, body: bytes) -> None:
         """Any other message."""

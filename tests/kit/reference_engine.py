@@ -68,9 +68,9 @@ class ReferenceEngine:
         if flow.state == "waiting":
             tag = flow.at[1]
             mine = flow.visits[tag]
-            return {one for one in self._parties[tag] if self.flows[one].visits.get(tag, 0) < mine}
+            return {party for party in self._parties[tag] if self.flows[party].visits.get(tag, 0) < mine}
         if flow.state == "joining":
-            return {one for one in flow.at[1] if self.flows[one].state != "done"}
+            return {other for other in flow.at[1] if self.flows[other].state != "done"}
         return set()
 
     # What happens
@@ -169,7 +169,7 @@ class ReferenceEngine:
 
     def _move(self) -> None:
         while True:
-            number = next((one for one, flow in enumerate(self.flows) if self._can_go(one, flow)), None)
+            number = next((place for place, flow in enumerate(self.flows) if self._can_go(place, flow)), None)
             if number is None:
                 return
             self._go_on(number)
@@ -201,8 +201,8 @@ class ReferenceEngine:
         elif kind == "fork":
             for child in what:
                 for tag in {act.tag for act in acts(self.flows[child].tree)}:
-                    for one in self.flows:
-                        one.visits.pop(tag, None)
+                    for small in self.flows:
+                        small.visits.pop(tag, None)
                 self._set_out(child)
             flow.at = ("", None)
         elif kind == "end":
@@ -238,7 +238,7 @@ class ReferenceEngine:
         flow.leaving.clear()
 
     def _go_to(self, flow: ReferenceFlow, action: int) -> None:
-        number = next(place for place, one in enumerate(self.flows) if one is flow)
+        number = next(place for place, candidate in enumerate(self.flows) if candidate is flow)
         flow.loops = []
         flow.walk = self._walk(number, flow.tree, 0, [action])
         flow.at = next(flow.walk)
@@ -290,7 +290,7 @@ class ReferenceEngine:
         flow.loops.remove(loop.name)
 
     def _one_of(self, number: int, pick: Pick, first: int, goal: list[int]) -> Iterator[Halt]:
-        starts = [first + sum(len(acts(one)) for one in pick.flows[:way]) for way in range(len(pick.flows))]
+        starts = [first + sum(len(acts(branch)) for branch in pick.flows[:way]) for way in range(len(pick.flows))]
         if goal:
             way = max(way for way, start in enumerate(starts) if start <= goal[0] and acts(pick.flows[way]))
         elif pick.conditions:

@@ -71,16 +71,16 @@ class ReviewFixture(RunFixture):
 
     def glance(self, at_s: float, *, of_other: bool = False) -> InstantView:
         """What it was like then."""
-        found: InstantView = self.do(act.Glance(at_s, of_other))
-        return found
+        instant_view: InstantView = self.do(act.Glance(at_s, of_other))
+        return instant_view
 
     def _act(self, tape: RecordingBuilder, flow: int, count: int) -> None:
         home, actions = tape.plan.flows[flow].subsystem, tape.plan.flows[flow].actions
         tape.tell(0.0, event.Moved(home, "running", 0, 0.0), home)
-        for index, one in enumerate(actions):
-            tape.tell(float(index), event.Began(flow, index, count, one.name, float(index)), home)
-            tape.tell(float(index), event.TaskState(home, one.tasks[0], "ON", float(index)), home)
-            tape.tell(index + 1.0, event.TaskState(home, one.tasks[0], "OFF", index + 1.0), home)
+        for index, action in enumerate(actions):
+            tape.tell(float(index), event.Began(flow, index, count, action.name, float(index)), home)
+            tape.tell(float(index), event.TaskState(home, action.tasks[0], "ON", float(index)), home)
+            tape.tell(index + 1.0, event.TaskState(home, action.tasks[0], "OFF", index + 1.0), home)
             tape.tell(index + 1.0, event.Done(flow, index, index + 1.0), home)
 
     def _draw(self, tape: RecordingBuilder, seconds: int) -> None:

@@ -87,4 +87,4 @@ class RunFixture(FakeRuntimeEnv):
 
     def carried(self, kind: type) -> list[request.Request]:
         """What the runtime was asked of a kind, in order."""
-        return [one for one in self.carried_out if isinstance(one, kind)]
+        return [message for message in self.carried_out if isinstance(message, kind)]

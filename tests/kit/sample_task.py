@@ -57,7 +57,7 @@ def law_task(probe: SampleTask) -> LawTask:
         moment.memory.update(n=0, k=0)
         first(moment, "init")
         for name in probe.outconst:
-            moment.outputs[name] = 100.0 + sum(moment.inputs[one] for one in probe.inconst)
+            moment.outputs[name] = 100.0 + sum(moment.inputs[constant] for constant in probe.inconst)
 
     def on(moment: Moment) -> None:
         moment.memory["k"] = 0
@@ -77,7 +77,7 @@ def law_task(probe: SampleTask) -> LawTask:
         return off() if memory["k"] == probe.off_after else None
 
     def move(moment: Moment) -> None:
-        total = sum(moment.inputs[one] for one in probe.invar)
+        total = sum(moment.inputs[variable] for variable in probe.invar)
         here = moment.device.read()[0] if moment.device else 0.0
         for name in probe.outvar:
             moment.outputs[name] = (moment.outputs[name] + total + moment.memory["k"] + here) % 1009.0

@@ -97,15 +97,17 @@ class NetworkHistory:
         return self._time.now_ns
 
     def _final(self) -> None:
-        for one in self._environments:
-            self._witness.final(one.name, one.session_channels.epoch, one.session_channels.state)
+        for environment in self._environments:
+            self._witness.final(
+                environment.name, environment.session_channels.epoch, environment.session_channels.state
+            )
         self._witness.final_requests()
 
     def _is_settled(self) -> bool:
         """Whether all has come true already."""
-        found, self._witness.faults = self._witness.faults, []
+        faults, self._witness.faults = self._witness.faults, []
         self._final()
-        is_settled, self._witness.faults = not self._witness.faults, found
+        is_settled, self._witness.faults = not self._witness.faults, faults
         return is_settled
 
     # -- the programs
@@ -118,9 +120,9 @@ class NetworkHistory:
             name, self._terms, channels, self._programs.client, self._time.random.random
         )
         self._witness.environment_starts(name)
-        one = SimEnvironment(number, name, session_channels, self._time.random.randrange(10**15))
-        self._time.after(self._time.uniform(0, 300), partial(self._serve, one))
-        return one
+        environment = SimEnvironment(number, name, session_channels, self._time.random.randrange(10**15))
+        self._time.after(self._time.uniform(0, 300), partial(self._serve, environment))
+        return environment
 
     def _start_house(self) -> SimRuntime:
         self._lives += 1
@@ -139,38 +141,38 @@ class NetworkHistory:
             self._serve_session(session)
 
     def _ask(self) -> None:
-        one = self._time.random.choice(self._environments)
+        environment = self._time.random.choice(self._environments)
         self._labels += 1
         body = f"{self._labels} ".encode() + b"x" * self._time.random.choice((0, 10, 200))
         within_ns = self._time.random.choice((0, 100, 1_000)) * _MS
         once = self._time.random.random() < 0.3
-        asking = one.plugs.get(Channel.SESSION) or one.plugs.get(Channel.ALL)
+        asking = environment.plugs.get(Channel.SESSION) or environment.plugs.get(Channel.ALL)
         begin_by_ns = self.now_ns + within_ns if within_ns else 0
-        wanted = Wanted(str(self._labels), one.name, body, once, begin_by_ns, asking.cable if asking else None)
+        wanted = Wanted(str(self._labels), environment.name, body, once, begin_by_ns, asking.cable if asking else None)
         urgent = self._time.random.random() < 0.1
         # the witness has to know of it before the answer can come
-        self._witness.wants(wanted, one.session_channels.request_count + 1)
-        one.session_channels.request(body, self._clock(one), within_ns, once, urgent)
-        self._serve(one)
+        self._witness.wants(wanted, environment.session_channels.request_count + 1)
+        environment.session_channels.request(body, self._clock(environment), within_ns, once, urgent)
+        self._serve(environment)
 
-    def _answer(self, house: SimRuntime, session: EnvironmentSession, asked: RequestReceived) -> None:
+    def _answer(self, house: SimRuntime, session: EnvironmentSession, arrival: RequestReceived) -> None:
         if house is self._house:
-            session.reply(asked.ticket, b"re: " + asked.body, self._clock(house))
+            session.reply(arrival.ticket, b"re: " + arrival.body, self._clock(house))
             self._serve_session(session)
 
     def _crash_environment(self) -> None:
-        one = self._time.random.choice(self._environments)
+        environment = self._time.random.choice(self._environments)
         if self._time.random.random() < 0.3:
-            one.session_channels.close("enough", self._clock(one))
-            self._witness.leaves(one.name)
-        one.is_up = False
-        for plug in list(one.plugs.values()):
+            environment.session_channels.close("enough", self._clock(environment))
+            self._witness.leaves(environment.name)
+        environment.is_up = False
+        for plug in list(environment.plugs.values()):
             plug.close()
-        self._witness.environment_ends(one.name)
-        name = one.name if self._time.random.random() < 0.3 else ""
+        self._witness.environment_ends(environment.name)
+        name = environment.name if self._time.random.random() < 0.3 else ""
         if name:
             self._witness.comes_anew(name)
-        self._environments[one.number] = self._start_environment(one.number, name)
+        self._environments[environment.number] = self._start_environment(environment.number, name)
 
     def _crash_house(self) -> None:
         if self._house.is_up:
@@ -188,17 +190,23 @@ class NetworkHistory:
     def _clock(self, party: SimProgram) -> int:
         return self.now_ns + party.clock_ns
 
-    def _serve(self, one: SimEnvironment, channel: Channel | None = None) -> None:
-        if not one.is_up:
+    def _serve(self, environment: SimEnvironment, channel: Channel | None = None) -> None:
+        if not environment.is_up:
             return
-        one.session_channels.service(self._clock(one), channel)
-        asking = one.plugs.get(Channel.SESSION) or one.plugs.get(Channel.ALL)
-        stream = one.plugs.get(Channel.STREAM) or asking
-        for notice in one.session_channels.take_notices():
-            self._witness.heard(one.name, notice, asking.cable if asking else None, stream.cable if stream else None)
-        for wanted in one.session_channels.wants(self._clock(one)):
-            self._time.after(self._time.uniform(1, 30), partial(self._dial, one, wanted))
-        self._time.wake(one, one.session_channels.due_ns(self._clock(one)), partial(self._serve, one))
+        environment.session_channels.service(self._clock(environment), channel)
+        asking = environment.plugs.get(Channel.SESSION) or environment.plugs.get(Channel.ALL)
+        stream = environment.plugs.get(Channel.STREAM) or asking
+        for notice in environment.session_channels.take_notices():
+            self._witness.heard(
+                environment.name, notice, asking.cable if asking else None, stream.cable if stream else None
+            )
+        for wanted in environment.session_channels.wants(self._clock(environment)):
+            self._time.after(self._time.uniform(1, 30), partial(self._dial, environment, wanted))
+        self._time.wake(
+            environment,
+            environment.session_channels.due_ns(self._clock(environment)),
+            partial(self._serve, environment),
+        )
 
     def _serve_session(self, session: EnvironmentSession, cable: SimLink | None = None) -> None:
         house = self._house
@@ -216,10 +224,10 @@ class NetworkHistory:
 
     def _inspect(self) -> None:
         suspect_ns, lost_ns = self._terms.suspect_ns, self._terms.lost_ns
-        for one in self._environments:
-            for channel, state in one.session_channels.states().items():
-                if channel in one.plugs:
-                    silence_ns = self.now_ns - one.plugs[channel].heard_ns - _SLACK_NS
+        for environment in self._environments:
+            for channel, state in environment.session_channels.states().items():
+                if channel in environment.plugs:
+                    silence_ns = self.now_ns - environment.plugs[channel].heard_ns - _SLACK_NS
                     self._witness.heard_last(Who.ENVIRONMENT, state, silence_ns, suspect_ns, lost_ns)
         if not self._house.is_up:
             return
@@ -236,17 +244,17 @@ class NetworkHistory:
 
     # -- the network between them
 
-    def _dial(self, one: SimEnvironment, channel: Channel) -> None:
-        if not one.is_up:
+    def _dial(self, environment: SimEnvironment, channel: Channel) -> None:
+        if not environment.is_up:
             return
-        if max(one.blind_ns, one.deaf_ns) > self.now_ns or not self._house.is_up:
-            one.session_channels.failed(channel, self._clock(one))
+        if max(environment.blind_ns, environment.deaf_ns) > self.now_ns or not self._house.is_up:
+            environment.session_channels.failed(channel, self._clock(environment))
         else:
-            plug = SimLink(self, channel, one.name).environment
+            plug = SimLink(self, channel, environment.name).environment
             plug.heard_ns = self.now_ns
-            one.plugs[channel] = plug
-            one.session_channels.attach(channel, plug, self._clock(one))
-        self._serve(one)
+            environment.plugs[channel] = plug
+            environment.session_channels.attach(channel, plug, self._clock(environment))
+        self._serve(environment)
 
     def sent(self, plug: SimCarrier, packet: Packet) -> None:
         """A packet left an end."""
@@ -261,8 +269,8 @@ class NetworkHistory:
         self._sky.tell_end(plug, self._blind_until(plug), act)
 
     def _blind_until(self, plug: SimCarrier) -> int:
-        one = self._environments_of(plug)
-        return one.deaf_ns if plug.is_runtime else one.blind_ns
+        environment = self._environments_of(plug)
+        return environment.deaf_ns if plug.is_runtime else environment.blind_ns
 
     def came(self, plug: SimCarrier, packet: Packet, payload: bytes) -> None:
         """A packet lies in the inbox of an end."""
@@ -297,7 +305,7 @@ class NetworkHistory:
             plug.send(encode(Bye("refused", why)))
             plug.close()
             return None
-        session = next(one for one in sessions.sessions if one.client == hello.client)
+        session = next(session for session in sessions.sessions if session.client == hello.client)
         self._witness.session(session.name, session.epoch, hello.client)
         self._house.plugs[session, cable.channel] = plug
         return session
@@ -305,13 +313,13 @@ class NetworkHistory:
     def _session_at(self, plug: SimCarrier) -> EnvironmentSession | None:
         if not self._house.is_up:
             return None
-        return next((one for (one, _), other in self._house.plugs.items() if other is plug), None)
+        return next((environment for (environment, _), other in self._house.plugs.items() if other is plug), None)
 
     def _environments_of(self, plug: SimCarrier) -> SimEnvironment:
         """The environment at this cable's other end; one that is no more cannot be found, and hears nothing."""
-        for one in self._environments:
-            if plug.cable.environment in one.plugs.values():
-                return one
+        for environment in self._environments:
+            if plug.cable.environment in environment.plugs.values():
+                return environment
         return self._gone
 
     @property
@@ -322,27 +330,27 @@ class NetworkHistory:
 
     def _cut(self) -> None:
         """Nothing more arrives on one connection, or on all of an environment's; each side learns it later."""
-        one = self._time.random.choice(self._environments)
-        plugs = list(one.plugs.values())
+        environment = self._time.random.choice(self._environments)
+        plugs = list(environment.plugs.values())
         for plug in plugs if self._time.random.random() < 0.5 else plugs[:1]:
             plug.cable.is_broken = True
             self._time.after(self._time.uniform(0, 600), plug.hear_end)
             self._time.after(self._time.uniform(0, 600), plug.peer.hear_end)
 
     def _blind(self) -> None:
-        one = self._time.random.choice(self._environments)
+        environment = self._time.random.choice(self._environments)
         until_ns = self.now_ns + self._time.uniform(100, 3_000)
         both = self._time.random.random() < 0.3
         if both or self._time.random.random() < 0.5:
-            one.blind_ns = until_ns
-        if both or one.blind_ns < until_ns:
-            one.deaf_ns = until_ns
+            environment.blind_ns = until_ns
+        if both or environment.blind_ns < until_ns:
+            environment.deaf_ns = until_ns
 
     def _heal(self) -> None:
         self._sky.is_calm = True
-        for one in self._environments:
-            one.blind_ns = min(one.blind_ns, self.now_ns)
-            one.deaf_ns = min(one.deaf_ns, self.now_ns)
+        for environment in self._environments:
+            environment.blind_ns = min(environment.blind_ns, self.now_ns)
+            environment.deaf_ns = min(environment.deaf_ns, self.now_ns)
 
     # -- the plan of the storm
 

@@ -21,7 +21,7 @@ def test_passive_tasks_and_further_triggers_are_as_they_are_given():
 
 
 def test_the_lines_are_what_they_say():
-    assert on("move", "puma", told="5") == (Launch("move", "5", 100.0), Launch("puma", "", 100.0))
+    assert on("move", "puma", arguments="5") == (Launch("move", "5", 100.0), Launch("puma", "", 100.0))
     mishap = stopped(1, "pd", "x", flow=2)
     assert (mishap.flow, mishap.state, mishap.index) == (2, "stopped", 1)
     assert str(mishap.text) == "test.appl flow 2 action 1: pd is in error: x"

@@ -16,7 +16,7 @@ def test_an_error_stops_the_flow_with_its_trigger_off_and_the_step_is_repeated_w
         >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
         >> Recover("0") << clearing() << Clear(0, "puma")
         >> Cleared(0, "puma") << Switch(0, (), on("move", "puma")) << running(0)
-        >> finish() << Done(0, 0) << Switch(0, (), on("move", told="3 4")) << Began(0, 1)
+        >> finish() << Done(0, 0) << Switch(0, (), on("move", arguments="3 4")) << Began(0, 1)
     )  # fmt: skip
 
 
@@ -62,7 +62,7 @@ def test_an_error_that_comes_again_stops_the_flow_again():  # R-E08
             >> Cleared(0, "puma") << Switch(0, (), on("move", "puma")) << running(0)
             >> [TurnedOn(0, "puma"), TurnedOn(0, "move")]
         )  # fmt: skip
-    assert play >> Finished(0, "move") << Done(0, 0) << Switch(0, (), on("move", told="3 4")) << Began(0, 1)
+    assert play >> Finished(0, "move") << Done(0, 0) << Switch(0, (), on("move", arguments="3 4")) << Began(0, 1)
 
 
 def test_a_task_that_fails_while_it_is_cleared_leaves_the_flow_stopped():  # R-E08

@@ -19,7 +19,7 @@ def test_a_flow_that_was_paused_pauses_again_with_its_task_back_on_and_nothing_m
         >> Failed(0, "puma", "joint limit") << stopped()
         >> Recover("0") << clearing() << Clear(0, "puma")
         >> Cleared(0, "puma") << Switch(0, (), on("puma")) << paused()
-        >> Resume("0") << Switch(0, (), on("move", told="3 4")) << running(1)
+        >> Resume("0") << Switch(0, (), on("move", arguments="3 4")) << running(1)
     )  # fmt: skip
 
 
@@ -51,8 +51,8 @@ def test_a_flow_that_was_waiting_waits_again_with_its_task_back_on():  # R-E08, 
         >> Recover("0") << clearing() << Clear(0, "puma")
         >> Cleared(0, "puma") << Switch(0, (), on("puma")) << Moved(0, "waiting", 0, "meet", (1,))
         >> Finished(1, "move") << Done(1, 0) << Together("meet", (0, 1))
-        << Switch(0, (), on("move", told="5 6")) << running(1)
-        << Switch(1, (), on("move", told="5 6")) << Began(1, 1)
+        << Switch(0, (), on("move", arguments="5 6")) << running(1)
+        << Switch(1, (), on("move", arguments="5 6")) << Began(1, 1)
     )  # fmt: skip
 
 
@@ -63,8 +63,8 @@ def test_the_others_run_on_to_their_next_tag_and_wait_there_for_who_has_stopped(
         >> Finished(1, "move") << Done(1, 0) << Moved(1, "waiting", 0, "meet", (0,))
         >> Recover("0") << clearing() << Clear(0, "puma")
         >> Cleared(0, "puma") << Switch(0, (), on("puma")) << Together("meet", (0, 1))
-        << Switch(0, (), on("move", told="5 6")) << running(1)
-        << Switch(1, (), on("move", told="5 6")) << running(1, flow=1)
+        << Switch(0, (), on("move", arguments="5 6")) << running(1)
+        << Switch(1, (), on("move", arguments="5 6")) << running(1, flow=1)
     )  # fmt: skip
 
 
@@ -72,7 +72,7 @@ def test_an_error_in_an_action_holds_up_nobody_before_his_tag():  # reading 28
     assert (
         started([REACH, MEET], [REACH, AGAIN, MEET])
         >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
-        >> Finished(1, "move") << Done(1, 0) << Switch(1, (), on("move", told="3 4")) << Began(1, 1)
+        >> Finished(1, "move") << Done(1, 0) << Switch(1, (), on("move", arguments="3 4")) << Began(1, 1)
         >> finish(1) << Done(1, 1) << Moved(1, "waiting", 1, "meet", (0,))
     )  # fmt: skip
 
@@ -103,7 +103,7 @@ def test_a_flow_that_was_done_is_done_again_and_the_application_ends_after_all()
 
 def test_a_flow_that_was_done_is_sent_nowhere_while_it_is_in_error():  # R-E13
     play = started([REACH, AGAIN]) >> Skip("0", 1) << RunNote(0, f"{where(0, 0)}: left by the user") << Off(0, "move")
-    play = play << Switch(0, (), on("move", told="3 4")) << Began(0, 1) >> finish() << Done(0, 1)
+    play = play << Switch(0, (), on("move", arguments="3 4")) << Began(0, 1) >> finish() << Done(0, 1)
     play = play << Moved(0, "done", 1) << Settle() >> Failed(0, "puma", "joint limit") << stopped(1)
     assert play.refuses(Skip("0", 0), "found it stopped")
 
@@ -126,7 +126,7 @@ def test_a_flow_in_error_can_be_sent_to_the_next_action():  # R-E07, R-E08
         started()
         >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
         >> Skip("0") << clearing() << Clear(0, "puma")
-        >> Cleared(0, "puma") << Switch(0, (), on("move", "puma", told="3 4")) << running(1)
+        >> Cleared(0, "puma") << Switch(0, (), on("move", "puma", arguments="3 4")) << running(1)
     )  # fmt: skip
 
 
@@ -138,7 +138,7 @@ def test_where_a_flow_in_error_was_sent_it_still_goes_when_clearing_took_two_att
         >> Refused(0, "puma", "panic button")
         << Moved(0, "stopped", 0, text=f"{where(0, 0)}: puma is not cleared: panic button")
         >> Recover("0") << clearing() << Clear(0, "puma")
-        >> Cleared(0, "puma") << Switch(0, (), on("move", "puma", told="3 4")) << running(1)
+        >> Cleared(0, "puma") << Switch(0, (), on("move", "puma", arguments="3 4")) << running(1)
         >> finish() << Done(0, 1) << Moved(0, "done", 1) << Settle()
     )  # fmt: skip
 

@@ -10,9 +10,9 @@ AGAIN = build.job("move", "pd", "puma", trigger="move", arguments="3 4")
 GRASP = build.job("grip", "pd", "puma", trigger="grip")
 
 
-def on(*names, told="", frequency=100.0):
+def on(*names, arguments="", frequency=100.0):
     """The starts of tasks, of which the first is the trigger."""
-    return tuple(Launch(name, told if place == 0 else "", frequency) for place, name in enumerate(names))
+    return tuple(Launch(name, arguments if place == 0 else "", frequency) for place, name in enumerate(names))
 
 
 def spawned(*names):
@@ -28,7 +28,7 @@ def test_an_application_runs_from_the_first_spawn_to_the_last_kill():  # R-E02, 
         Play(build.engine([REACH, GRASP]))
         >> Run() << [Spawn(0, "move"), Spawn(0, "pd"), Spawn(0, "puma"), Spawn(0, "grip")]
         >> spawned("grip", "puma", "pd")
-        >> Spawned(0, "move") << Switch(0, (), on("move", "pd", "puma", told="1 2")) << Began(0, 0)
+        >> Spawned(0, "move") << Switch(0, (), on("move", "pd", "puma", arguments="1 2")) << Began(0, 0)
         >> [TurnedOn(0, "move"), TurnedOn(0, "pd"), TurnedOn(0, "puma")]
         >> Finished(0, "move") << Done(0, 0) << Switch(0, (), on("grip")) << Began(0, 1)
         >> TurnedOn(0, "grip")
@@ -43,9 +43,9 @@ def test_a_trigger_that_has_just_finished_comes_on_again_for_the_next_action_wit
     assert (
         Play(build.engine([REACH, AGAIN]))
         >> Run() << build.spawns([REACH, AGAIN])
-        >> spawned("move", "pd", "puma") << Switch(0, (), on("move", "pd", "puma", told="1 2")) << Began(0, 0)
+        >> spawned("move", "pd", "puma") << Switch(0, (), on("move", "pd", "puma", arguments="1 2")) << Began(0, 0)
         >> TurnedOn(0, "move")
-        >> Finished(0, "move") << Done(0, 0) << Switch(0, (), on("move", told="3 4")) << Began(0, 1)
+        >> Finished(0, "move") << Done(0, 0) << Switch(0, (), on("move", arguments="3 4")) << Began(0, 1)
     )  # fmt: skip
 
 
@@ -55,7 +55,7 @@ def test_tasks_that_are_not_wanted_any_more_go_off_at_the_switch_and_not_before(
         Play(build.engine([REACH, look]))
         >> Run() << build.spawns([REACH, look])
         >> spawned("move", "pd", "puma", "look", "camera")
-        << Switch(0, (), on("move", "pd", "puma", told="1 2")) << Began(0, 0)
+        << Switch(0, (), on("move", "pd", "puma", arguments="1 2")) << Began(0, 0)
         >> TurnedOn(0, "move")
         >> Finished(0, "move") << Done(0, 0) << Switch(0, ("pd", "puma"), on("look", "camera")) << Began(0, 1)
     )  # fmt: skip
@@ -133,7 +133,7 @@ def test_the_second_finish_of_a_trigger_does_not_end_the_next_action():  # readi
     assert (
         started(REACH, AGAIN)
         >> TurnedOn(0, "move")
-        >> Finished(0, "move") << Done(0, 0) << Switch(0, (), on("move", told="3 4")) << Began(0, 1)
+        >> Finished(0, "move") << Done(0, 0) << Switch(0, (), on("move", arguments="3 4")) << Began(0, 1)
         >> Finished(0, "move")
         << RunNote(0, "test.appl flow 0 action 1: move has finished, which ends no action now: ignored")
         >> TurnedOn(0, "move")
@@ -146,7 +146,7 @@ def test_of_several_triggers_the_first_to_finish_ends_the_action():  # reading 1
     assert (
         Play(build.engine([job, GRASP], other_triggers=[(0, "timer")]))
         >> Run() << build.spawns([job, GRASP])
-        >> spawned(*build.names([job, GRASP])) << Switch(0, (), on("move", "timer", told="1 2")) << Began(0, 0)
+        >> spawned(*build.names([job, GRASP])) << Switch(0, (), on("move", "timer", arguments="1 2")) << Began(0, 0)
         >> [TurnedOn(0, "move"), TurnedOn(0, "timer")]
         >> Finished(0, "timer")
         << [Done(0, 0), Switch(0, ("move",), on("grip", "pd", "puma")), Began(0, 1)]
@@ -161,5 +161,5 @@ def started(*jobs):
     return (
         Play(build.engine(list(jobs)))
         >> Run() << build.spawns(jobs)
-        >> spawned(*build.names(jobs)) << Switch(0, (), on(*first.tasks, told=first.arguments)) << Began(0, 0)
+        >> spawned(*build.names(jobs)) << Switch(0, (), on(*first.tasks, arguments=first.arguments)) << Began(0, 0)
     )  # fmt: skip
