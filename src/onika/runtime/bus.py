@@ -13,6 +13,7 @@ from onika.ring.device import DeviceSheet, DriveEvent
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring
 from onika.runtime.command import DeviceGrant
+from onika.words.reason import Reason
 
 SEGMENT_SIZE = 1 << 20
 
@@ -116,8 +117,8 @@ class Bus:
         """
         sheet = self._sheets.get(device)
         if sheet is None:
-            devices = ", ".join(sorted(self._sheets))
-            raise ValueError(f"expected a device of world {self.name} ({devices}), found {device!r}")
+            devices = tuple(sorted(self._sheets))
+            raise ValueError(Reason.of("runtime.world_device", world=self.name, devices=devices, device=device))
         state_at, command_at = self._offsets[device]
         if sheet.command:
             sheet = self.world.claim(device, epoch)

@@ -7,6 +7,7 @@ from typing import Any, ClassVar
 from onika.model.port import Port, PortKind
 from onika.words import letters
 from onika.words.name import SVAR_NAME
+from onika.words.reason import Reason, reason_of
 from onika.words.shape import Shape
 from onika.words.value import ValueType
 
@@ -40,7 +41,7 @@ class PortDeclaration:
         """The port as a value."""
         name = self.name or attribute
         if not SVAR_NAME.match(name):
-            raise ValueError(f"expected a port name of capitals, digits, _ and ^, found {name!r}")
+            raise ValueError(Reason.of("runtime.port_name", name=name))
         return Port(self.kind, name, self.shape, self.unit, self.meaning)
 
     def accessor(self, attribute: str) -> property:
@@ -155,7 +156,7 @@ def _setter(key: str, attribute: str, declaration: PortDeclaration) -> Callable[
     if kind.is_input:
 
         def refuse(_module: Any, _value: Any) -> None:
-            raise AttributeError(f"{attribute} is an {kind.value}: it is read, never written")
+            raise AttributeError(Reason.of("runtime.input_written", attribute=attribute, kind=kind.value))
 
         return refuse
     buffer = attrgetter(key)
@@ -166,16 +167,21 @@ def _setter(key: str, attribute: str, declaration: PortDeclaration) -> Callable[
             try:
                 target[:] = bytearray(letters.encode(value, declaration.shape.type, target.size))
             except ValueError as wrong:
-                raise ValueError(f"{attribute}: {wrong}") from None
+                raise ValueError(
+                    Reason.of("runtime.attribute_wrong", attribute=attribute, why=reason_of(wrong))
+                ) from None
 
         return write_letters
 
     def write(module: Any, value: Any) -> None:
         if value is None:
-            raise ValueError(f"{attribute} is {declaration.shape}: expected a value, found None")
+            raise ValueError(Reason.of("runtime.value_missing", attribute=attribute, shape=str(declaration.shape)))
         try:
             buffer(module)[...] = value
         except ValueError as wrong:
-            raise ValueError(f"{attribute} is {declaration.shape}: {wrong}") from None
+            why = reason_of(wrong)
+            raise ValueError(
+                Reason.of("runtime.value_unfit", attribute=attribute, shape=str(declaration.shape), why=why)
+            ) from None
 
     return write

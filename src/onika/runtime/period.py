@@ -1,5 +1,7 @@
 """The period of a task in whole nanoseconds (law 13)."""
 
+from onika.words.reason import Reason
+
 SLOWEST_GRID_NS = 1_000_000_000
 """The grid of deadlines of a task without a rate."""
 
@@ -7,5 +9,5 @@ SLOWEST_GRID_NS = 1_000_000_000
 def period_of(frequency: float) -> int:
     """The period of a rate in hertz; raises ValueError where there is none."""
     if not 0.0 < frequency <= 1e9:
-        raise ValueError(f"expected a rate above 0 Hz and up to 1e9 Hz, found {frequency:g}")
+        raise ValueError(Reason.of("runtime.rate_range", frequency=f"{frequency:g}"))
     return round(1e9 / frequency)

@@ -9,6 +9,7 @@ import numpy as np
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring
 from onika.words import letters
+from onika.words.reason import Reason
 from onika.words.shape import Shape
 from onika.words.value import ValueType
 
@@ -44,7 +45,7 @@ class Table:
         entry = self.entries.get(name)
         if entry is not None:
             if entry.shape != shape:
-                raise ValueError(f"{name} is {entry.shape} in this subsystem, found {shape}")
+                raise ValueError(Reason.of("runtime.shape_here", name=name, shape=str(entry.shape), given=str(shape)))
             return entry
         entry = TableEntry(name, shape, self._room(name, shape))
         self.entries[name] = entry
@@ -85,7 +86,7 @@ class Table:
         if self._free.get(need):
             return self._free[need].pop()
         if self._end + need > self.segment.size:
-            raise ValueError(f"the table of {self.segment.size} bytes has no room for {name} {shape}")
+            raise ValueError(Reason.of("runtime.table_full", size=self.segment.size, name=name, shape=str(shape)))
         self._end += need
         return self._end - need
 

@@ -75,9 +75,9 @@ def keep():
 @pytest.mark.parametrize(
     ("command", "words"),
     [
-        (("sh", "-c", "exit 3"), "ended with exit code 3"),
-        (("sh", "-c", "kill -9 $$"), "ended by signal 9"),
-        (("/nowhere/at/all",), "cannot be started: No such file or directory"),
+        (("sh", "-c", "exit 3"), "exit 3"),
+        (("sh", "-c", "kill -9 $$"), "signal 9"),
+        (("/nowhere/at/all",), "unstartable No such file or directory"),
     ],
 )
 def test_it_says_how_the_program_ended(keep, command, words):  # R-F04
@@ -113,7 +113,7 @@ def test_nothing_is_left_of_a_program_that_ends_at_once_when_it_shall(keep):  # 
 
 def test_what_a_program_leaves_behind_lives_as_long_as_the_task_and_no_longer(keep):  # R-F04
     kept = keep(sys.executable, "-c", LEAVES.format("os._exit(0)"))
-    assert kept.words() == "ended with exit code 0"
+    assert kept.words() == "exit 0"
     assert kept.first_line() == "up\n"
     assert not select.select([kept.output], [], [], 0.05)[0]
     kept.lifeline.close()

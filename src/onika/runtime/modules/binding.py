@@ -16,6 +16,7 @@ from onika.runtime.declaration import PortDeclaration, slot
 from onika.runtime.device import Device
 from onika.runtime.modules.module import Module
 from onika.words.name import SVAR_NAME
+from onika.words.reason import Reason
 from onika.words.shape import Shape
 
 if TYPE_CHECKING:
@@ -57,7 +58,7 @@ class Binding:
         for attribute, declared in type(instance).declared_ports.items():
             port = declared.port(attribute)
             if port.name not in bound:
-                raise ValueError(f"expected an entry for port {port.name}, found none")
+                raise ValueError(Reason.of("runtime.entry_missing", port=port.name))
             entry = bound[port.name]
             shape = Shape.parse(entry.shape)
             ring = Ring(table, entry.offset, shape.size)
@@ -205,7 +206,8 @@ def locals_of(cls: type[Module], lines: Mapping[str, tuple[str, ...]]) -> Simple
         if name in lines:
             setattr(constants, name, parameter.parse(name, declared.shape, lines[name]))
         elif declared.default is None:
-            raise ValueError(f"expected a LOCAL line {name} {declared.shape} ({declared.meaning}), found none")
+            line = {"name": name, "shape": str(declared.shape), "meaning": declared.meaning}
+            raise ValueError(Reason.of("runtime.local_missing", **line))
         else:
             setattr(constants, name, declared.default)
     return constants

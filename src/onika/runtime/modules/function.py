@@ -11,6 +11,7 @@ from onika.model.signal import Signal
 from onika.runtime.declaration import InBoth, InConst, Input, InVar, Local, OutVar, PortDeclaration
 from onika.runtime.error import ModuleError
 from onika.runtime.modules.module import Module
+from onika.words.reason import Reason
 
 _Law = Callable[..., Any]
 _NOTHING = SimpleNamespace()
@@ -74,7 +75,7 @@ class _FunctionModule(Module):
         inputs = getattr(old, "_inputs", _NOTHING)
         lacking = sorted(set(type(self).declared_inputs) - set(vars(inputs)))
         if lacking:
-            raise ModuleError(f"{', '.join(lacking)} was not asked for yet: turn the task off and on")
+            raise ModuleError(Reason.of("runtime.not_asked_yet", names=tuple(lacking)))
         self.on(inputs)
         for name, fresh in self._memories.items():
             self._memories[name] = _carried(getattr(old, "_memories", {}).get(name), fresh)
@@ -105,7 +106,8 @@ class _FunctionModule(Module):
             result = rest[0] if len(outputs) == 1 and len(rest) == 1 else tuple(rest)
         values = (result,) if len(outputs) == 1 else result
         if not isinstance(values, tuple) or len(values) != len(outputs):
-            raise ModuleError(f"expected {', '.join(outputs) or 'nothing'} as result, found {result!r}")
+            names = outputs or Reason.of("runtime.nothing")
+            raise ModuleError(Reason.of("runtime.result_expected", names=names, value=repr(result)))
         for name, value in zip(outputs, values, strict=True):
             setattr(self, name, value)
         return signal
@@ -119,7 +121,7 @@ def _parts(law: _Law) -> _Parts:
     for name, parameter in signature.parameters.items():
         stands_for, has_default = parameter.annotation, parameter.default is not inspect.Parameter.empty
         if has_default and not isinstance(stands_for, Local):
-            raise TypeError(f"{name}: expected a default for a Local only, found {parameter.default!r}")
+            raise TypeError(Reason.of("runtime.default_of_local", name=name, value=repr(parameter.default)))
         if name == "self" or name in _CLOCKS:
             sources.append(("self" if name == "self" else "attribute", name))
         elif isinstance(stands_for, (*_READS, Local)):
@@ -134,11 +136,11 @@ def _parts(law: _Law) -> _Parts:
             memories[name] = stands_for
             sources.append(("memory", name))
         else:
-            raise TypeError(f"{name}: expected InVar, InConst, InBoth, Local, Input or a class, found {stands_for!r}")
+            raise TypeError(Reason.of("runtime.parameter_kind", name=name, value=repr(stands_for)))
     outputs = _outputs(signature.return_annotation)
     taken = sorted(set(outputs) & (set(declared) | set(memories)))
     if taken:
-        raise TypeError(f"expected an output that is no parameter, found {', '.join(taken)}")
+        raise TypeError(Reason.of("runtime.output_no_parameter", names=tuple(taken)))
     return _Parts(declared | outputs, tuple(sources), memories, tuple(outputs))
 
 
@@ -149,7 +151,7 @@ def _outputs(returned: Any) -> dict[str, OutVar]:
     outputs = returned if isinstance(returned, tuple) else (returned,)
     for output in outputs:
         if not isinstance(output, OutVar) or not output.name:
-            raise TypeError(f"result: expected an OutVar with a name, or a tuple of them, found {output!r}")
+            raise TypeError(Reason.of("runtime.result_outvar", value=repr(output)))
     return {output.name.replace("^", "_RATE"): output for output in outputs}
 
 

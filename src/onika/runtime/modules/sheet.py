@@ -18,18 +18,18 @@ def sheet_of(cls: type[Module]) -> ModuleSheet:
     """Read a class; raises ValueError where its declarations contradict each other."""
     for flag in ("trigger", "passive", "hardware"):
         if not isinstance(getattr(cls, flag), bool):
-            raise ValueError(f"expected {flag} = True or False, found {getattr(cls, flag)!r}")
+            raise ValueError(Reason.of("runtime.flag_kind", flag=flag, value=repr(getattr(cls, flag))))
     if not isinstance(cls.crit, int):
-        raise ValueError(f"expected crit, a whole number, found {cls.crit!r}")
+        raise ValueError(Reason.of("runtime.crit_kind", value=repr(cls.crit)))
     if cls.trigger and cls.passive:
-        raise ValueError("expected trigger or passive, found both: a passive task is never a trigger")
+        raise ValueError(Reason.of("runtime.trigger_and_passive"))
     ports = tuple(
         PortSheet(port.kind.value, port.name, str(port.shape), port.unit, port.meaning)
         for port in (declared.port(attribute) for attribute, declared in cls.declared_ports.items())
     )
     names = [port.name for port in ports]
     if len(set(names)) < len(names):
-        raise ValueError(f"expected each port name once, found {', '.join(sorted(names))}")
+        raise ValueError(Reason.of("runtime.port_name_twice", names=tuple(sorted(names))))
     _check_steps(cls, {*names, *cls.declared_locals, "dt"})
     _check_bounds(cls, {port.name for port in ports if port.kind in ("INCONST", "INBOTH")})
     return ModuleSheet(
@@ -124,7 +124,8 @@ def _within(local: LocalSheet, value: Any) -> None:
     low, high = -inf if local.low is None else local.low, inf if local.high is None else local.high
     for number in value if isinstance(value, list) else [value]:
         if not isinstance(number, str) and not low <= number <= high:
-            raise ValueError(f"LOCAL {local.name}: expected {low:g}..{high:g} {local.unit}, found {number:.12g}")
+            figures = {"low": f"{low:g}", "high": f"{high:g}", "number": f"{number:.12g}"}
+            raise ValueError(Reason.of("runtime.local_outside", name=local.name, unit=local.unit, **figures))
 
 
 SLOWEST_HARDWARE_HZ = 40.0
@@ -135,7 +136,7 @@ def _check_bounds(cls: type[Module], constants: set[str]) -> None:
     for name, declared in cls.declared_inputs.items():
         for bound in (declared.low, declared.high):
             if isinstance(bound, str) and bound not in constants:
-                raise ValueError(f"input {name}: expected a bound that is a number or an INCONST, found {bound!r}")
+                raise ValueError(Reason.of("runtime.input_bound_kind", name=name, bound=bound))
 
 
 def _check_steps(cls: type[Module], names: set[str]) -> None:
@@ -144,10 +145,10 @@ def _check_steps(cls: type[Module], names: set[str]) -> None:
             continue
         name = declared.name or attribute
         if not (cls.hardware and declared.kind in (PortKind.INVAR, PortKind.INBOTH)):
-            raise ValueError(f"expected a step only of what hardware reads each cycle, found one of {name}")
+            raise ValueError(Reason.of("runtime.step_place", name=name))
         for factor in declared.step if isinstance(declared.step, tuple) else (declared.step,):
             if isinstance(factor, str) and factor not in names:
-                raise ValueError(f"step of {name}: expected numbers, ports and parameters, found {factor!r}")
+                raise ValueError(Reason.of("runtime.step_factor", name=name, factor=factor))
 
 
 def _declared_as(kind: str | None) -> Text:

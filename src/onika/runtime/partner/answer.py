@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from onika.runtime.error import ModuleError
+from onika.words.reason import Reason
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -28,10 +29,10 @@ class PartnerAnswer:
         value = self._field(name)
         array = _array(value, shape)
         if array is None:
-            wanted = "×".join("any" if count is None else str(count) for count in shape) or "one"
-            raise ModuleError(f"expected {name}, {wanted} finite numbers, found {_short(value)}")
+            raise ModuleError(_no_numbers(name, shape, value))
         if ((array < low) | (array > high)).any():
-            raise ModuleError(f"expected {name} within {low} to {high}, found {_short(value)}")
+            bounds = {"low": str(low), "high": str(high)}
+            raise ModuleError(Reason.of("runtime.answer_outside", name=name, value=_short(value), **bounds))
         return array
 
     def number(self, name: str, low: float = -math.inf, high: float = math.inf) -> float:
@@ -42,15 +43,21 @@ class PartnerAnswer:
         """A text of at most so many characters."""
         value = self._field(name)
         if not isinstance(value, str) or len(value) > longest:
-            raise ModuleError(f"expected {name}, a text of up to {longest} characters, found {_short(value)}")
+            raise ModuleError(Reason.of("runtime.answer_text", name=name, longest=longest, value=_short(value)))
         return value
 
     def _field(self, name: str) -> Any:
         if name not in self.fields:
-            raise ModuleError(
-                f"expected {name} in the answer, found {', '.join(map(_short, self.fields)) or 'nothing'}"
-            )
+            names = tuple(map(_short, self.fields)) or Reason.of("runtime.nothing")
+            raise ModuleError(Reason.of("runtime.answer_field", name=name, names=names))
         return self.fields[name]
+
+
+def _no_numbers(name: str, shape: tuple[int | None, ...], value: Any) -> Reason:
+    if not shape:
+        return Reason.of("runtime.answer_number", name=name, value=_short(value))
+    counts = "×".join("n" if count is None else str(count) for count in shape)
+    return Reason.of("runtime.answer_numbers", name=name, counts=counts, value=_short(value))
 
 
 def _array(value: Any, shape: tuple[int | None, ...]) -> "NDArray[np.float64] | None":

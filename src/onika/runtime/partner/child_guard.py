@@ -30,14 +30,14 @@ def keep(command: list[str], lifeline: int) -> None:
     try:
         program = subprocess.Popen(command, start_new_session=True)  # noqa: S603 - who may start it was judged before
     except OSError as wrong:
-        say(lifeline, f"cannot be started: {wrong.strerror}")
+        say(lifeline, f"unstartable {wrong.strerror}")
         return
     os.close(0)  # the program alone holds the conversation: when it ends, so does that
     os.close(1)
     its_end = os.pidfd_open(program.pid)
     if its_end in select.select([its_end, lifeline], [], [])[0]:
         code = program.wait()
-        say(lifeline, f"ended by signal {-code}" if code < 0 else f"ended with exit code {code}")
+        say(lifeline, f"signal {-code}" if code < 0 else f"exit {code}")
         select.select([lifeline], [], [])  # who was left behind may go on as long as the task lives
     end_family()
 
@@ -75,7 +75,7 @@ def family() -> list[int]:
 
 
 def say(lifeline: int, text: str) -> None:
-    """Tell the task; it may be gone."""
+    """Tell the task how the program ended: a word, then what belongs to it; the task may be gone."""
     with contextlib.suppress(OSError):
         os.write(lifeline, text.encode())
 

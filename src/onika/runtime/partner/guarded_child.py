@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from onika.runtime.partner import child_guard
+from onika.words.reason import NOTHING, Reason
 
 _KEEPER = str(Path(child_guard.__file__))
 _DEFAULT = (signal.SIGINT, signal.SIGTERM, signal.SIGPIPE)
@@ -23,7 +24,7 @@ class GuardedChild:
 
     def __init__(self, command: Sequence[str], conversation: int | None = None, address: str = "") -> None:
         self.command = tuple(command)
-        self.how_ended = ""
+        self.how_ended = NOTHING
         """How the program ended by itself, or why it could not be started; empty as long as it runs."""
         self._ours, theirs = socket.socketpair()
         self._ours.setblocking(False)
@@ -43,7 +44,7 @@ class GuardedChild:
                 words = self._ours.recv(1000).decode("utf-8", "replace")
             except ConnectionError:
                 words = ""
-            self.how_ended = words or "ended with its keeper"
+            self.how_ended = _how_ended(words)
 
     def close(self) -> None:
         """Let it end, without waiting for it."""
@@ -72,3 +73,16 @@ class GuardedChild:
         """The process that was started ends at once, its guard is another one; so there is nothing to wait for."""
         with contextlib.suppress(ChildProcessError):
             os.waitpid(self._pid, os.WNOHANG)
+
+
+def _how_ended(words: str) -> Reason:
+    """What the guard said, as a reason."""
+    word, _, rest = words.partition(" ")
+    match word:
+        case "unstartable":
+            return Reason.of("runtime.child_unstartable", why=Reason.plain(rest))
+        case "signal":
+            return Reason.of("runtime.child_signal", signal=int(rest))
+        case "exit":
+            return Reason.of("runtime.child_exit", code=int(rest))
+    return Reason.of("runtime.child_with_keeper")
