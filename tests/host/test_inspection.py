@@ -84,8 +84,8 @@ def test_memory_that_was_overwritten_is_found(hand):  # R-A12
     hand.asker.program.subsystems.tables["s0"].ring("LEVEL").write(b"\0" * 8)
     hand.let_pass(0.1)
     (finding,) = hand.asker.ask(live.Check("s0")).findings
-    assert "LEVEL" in finding
-    assert "task source on rt0 (writes it)" in finding
+    assert finding.args["variable"] == "LEVEL"
+    assert "task source on rt0 (writes it)" in str(finding)
 
 
 def test_readings_are_shown_when_they_have_changed_and_it_is_time(hand):

@@ -164,7 +164,7 @@ class Inspection:
         if table is None:
             return request.Refused(Reason.of("host.no_subsystem", subsystem=subsystem))
         found = check(table, [_accessor(member) for member in self._subsystems.members(subsystem).values()])
-        return live.Findings(tuple(str(finding) for finding in found))
+        return live.Findings(tuple(finding.reason for finding in found))
 
     def _standing(self, is_stopped: bool) -> live.Standing:
         names = [*self._subsystems.live, *(name for run in self._subsystems.runs for name in run.names)]

@@ -11,6 +11,8 @@ from collections.abc import Callable
 from typing import NamedTuple
 from zlib import crc32
 
+from onika.words.reason import Reason
+
 LINE = 64
 _SLOTS, _LONG_SLOTS = 16, 4
 _SEAL = 3
@@ -82,23 +84,23 @@ class Ring:
         """Put the guard in its place: once, by the owner of the memory."""
         self._guard[0] = _GUARD ^ self.offset
 
-    def faults(self) -> list[str]:
+    def faults(self) -> list[Reason]:
         """What is wrong with the entry's memory; while it is written too. Only of an armed entry."""
-        faults_ = []
+        faults_: list[Reason] = []
         if self._guard[0] != _GUARD ^ self.offset:
-            faults_.append("its guard is overwritten")
+            faults_.append(Reason.of("runtime.guard_overwritten"))
         strange = self.words[_STRANGE] & _COUNTED
         if strange:
-            faults_.append(f"it was published {strange} times by somebody who is not its writer")
+            faults_.append(Reason.of("runtime.strangely_published", count=strange))
         stride = len(self._memory) // len(self._slots)
         if any(any(self._memory[at + self.size : at + stride]) for at in range(0, len(self._memory), stride)):
-            faults_.append("the memory between its slots is overwritten")
+            faults_.append(Reason.of("runtime.between_overwritten"))
         if self._is_broken():
-            faults_.append("its value is not what its writer published")
+            faults_.append(Reason.of("runtime.value_strange"))
         if self._is_behind():
-            faults_.append("its counter was put back")
+            faults_.append(Reason.of("runtime.counter_put_back"))
         elif self._is_moved():
-            faults_.append("its counter was moved while its writer rests")
+            faults_.append(Reason.of("runtime.counter_moved"))
         return faults_
 
     def _is_moved(self) -> bool:

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 from onika.runtime.table import Table
 from onika.runtime.wiring import WiredTask
+from onika.words.reason import NOTHING, Reason
 
 _LOOKED_AT_BEHIND = 4096
 """Bytes behind the last entry: an overrun of more would have met something else."""
@@ -32,15 +33,17 @@ class Accessor:
 class Finding:
     """What is wrong with a variable's memory; `likely` and `others` say who could have written it and why."""
 
-    variable: str
-    wrong: tuple[str, ...]
-    likely: tuple[str, ...]
-    others: tuple[str, ...]
+    variable: str | Reason
+    wrong: tuple[Reason, ...]
+    likely: tuple[Reason, ...]
+    others: tuple[Reason, ...]
 
-    def __str__(self) -> str:
-        likely = f" It could have been {', '.join(self.likely)}." if self.likely else ""
-        others = f" Less likely: {', '.join(self.others)}." if self.others else ""
-        return f"{self.variable}: {'; '.join(self.wrong)}.{likely}{others}"
+    @property
+    def reason(self) -> Reason:
+        """All of it as sentences."""
+        likely = Reason.of("runtime.likely_writers", writers=self.likely) if self.likely else NOTHING
+        others = Reason.of("runtime.other_writers", writers=self.others) if self.others else NOTHING
+        return Reason.of("runtime.unsound", variable=self.variable, wrong=self.wrong, likely=likely, others=others)
 
 
 def accessor(wired: WiredTask, rtpu: str) -> Accessor:
@@ -61,28 +64,27 @@ def check(table: Table, tasks: Iterable[Accessor]) -> list[Finding]:
             findings.append(_finding(entry.name, wrong, beside, everyone))
     behind = table.segment.view[table.end : table.end + _LOOKED_AT_BEHIND]
     if any(behind) and entries:
-        wrong = [f"memory behind {entries[-1].name}, which belongs to no variable, is written"]
-        findings.append(_finding("free memory", wrong, [entries[-1].name], everyone))
+        wrong = [Reason.of("runtime.behind_overwritten", variable=entries[-1].name)]
+        findings.append(_finding(Reason.of("runtime.free_memory"), wrong, [entries[-1].name], everyone))
     return findings
 
 
-def _finding(variable: str, wrong: list[str], beside: list[str], tasks: list[Accessor]) -> Finding:
+def _finding(variable: str | Reason, wrong: list[Reason], beside: list[str], tasks: list[Accessor]) -> Finding:
     likely, others = [], []
     for task in tasks:
         why = _why(task, variable, beside)
-        who = f"task {task.task} on {task.rtpu}"
         if why:
-            likely.append(f"{who} ({why})")
+            likely.append(Reason.of("runtime.writer_why", task=task.task, rtpu=task.rtpu, why=why))
         else:
-            others.append(who)
+            others.append(Reason.of("runtime.writer", task=task.task, rtpu=task.rtpu))
     return Finding(variable, tuple(wrong), tuple(likely), tuple(others))
 
 
-def _why(task: Accessor, variable: str, beside: list[str]) -> str:
-    """Why a task comes into question before others; empty if it only shares the table."""
+def _why(task: Accessor, variable: str | Reason, beside: list[str]) -> Reason:
+    """Why a task comes into question before others; nothing if it only shares the table."""
     if variable in task.writes:
-        return "writes it"
+        return Reason.of("runtime.writes_it")
     neighbours = [name for name in beside if name in task.writes or name in task.reads]
     if neighbours:
-        return f"is bound to {', '.join(neighbours)} beside it"
-    return "reads it" if variable in task.reads else ""
+        return Reason.of("runtime.bound_beside", names=tuple(neighbours))
+    return Reason.of("runtime.reads_it") if variable in task.reads else NOTHING

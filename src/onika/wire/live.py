@@ -296,7 +296,7 @@ class Figures(Struct, frozen=True, tag=True):
 class Findings(Struct, frozen=True, tag=True):
     """What a check of memory found, as sentences that name the variable and who could have written it; none: sound."""
 
-    findings: tuple[str, ...]
+    findings: tuple[Text, ...]
 
 
 class Scenery(Struct, frozen=True, tag=True):
