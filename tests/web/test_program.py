@@ -90,7 +90,8 @@ def test_what_is_not_there_is_told_and_the_rest_is_opened(tmp_path):
     with Running(tmp_path, "nowhere") as program, program.browser() as browser:
         assert [document["name"] for document in snapshot(browser)["documents"].values()] == ["Untitled-1"]
         assert (
-            "nowhere" in until(browser, lambda message: message["t"] == "Say" and message["level"] == "error")["text"]
+            "nowhere"
+            in until(browser, lambda message: message["t"] == "Say" and message["level"] == "error")["text"]["text"]
         )
 
 

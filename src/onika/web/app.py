@@ -9,7 +9,7 @@ from starlette.requests import Request
 from starlette.responses import FileResponse, PlainTextResponse, RedirectResponse, Response
 from starlette.routing import Mount, Route, WebSocketRoute
 from starlette.staticfiles import StaticFiles
-from starlette.websockets import WebSocket, WebSocketDisconnect
+from starlette.websockets import WebSocket
 
 from onika.web.headers import StrictHeaders
 from onika.web.hub import Hub
@@ -67,10 +67,8 @@ async def _converse(socket: WebSocket, hub: Hub) -> None:
 
     sending = asyncio.create_task(send())
     try:
-        while True:
-            hub.take(client, await socket.receive_text())
-    except (WebSocketDisconnect, KeyError):  # a KeyError: bytes where text was expected
-        pass
+        while (message := await socket.receive())["type"] != "websocket.disconnect":
+            hub.take(client, message.get("text") or message.get("bytes") or "")
     finally:
         sending.cancel()
         hub.leave(client)

@@ -8,6 +8,8 @@ from typing import Any
 import uvicorn
 from starlette.applications import Starlette
 
+from onika.web.connection_limit import limited_protocol
+
 _BIGGEST = 8 * 1024 * 1024
 
 
@@ -43,6 +45,7 @@ async def serve(
         log_level="warning",
         access_log=False,
         lifespan="off",
+        http=limited_protocol(),
         ws="websockets-sansio",
         ws_max_size=_BIGGEST,
         ws_per_message_deflate=False,
