@@ -10,13 +10,13 @@ SECOND = 1_000_000_000
 
 @pytest.fixture
 def hand():
-    one = live_edits_with_tasks(("rt0", "rt1"), counter="rt1")
-    one.change(spawn=["source", "user", "counter"], on=["source", "counter"])
-    return one
+    edits = live_edits_with_tasks(("rt0", "rt1"), counter="rt1")
+    edits.change(spawn=["source", "user", "counter"], on=["source", "counter"])
+    return edits
 
 
 def shown(hand, session="me"):
-    return [(key, one) for who, key, one in hand.asker.server.shown if who == session]
+    return [(key, value) for who, key, value in hand.asker.server.shown if who == session]
 
 
 def show(hand, wall_ns):
@@ -26,13 +26,13 @@ def show(hand, wall_ns):
 def test_figures_count_since_they_were_last_asked_for(hand):  # R-A17, R-A11
     hand.let_pass(1.0)
     first = hand.figures()
-    assert {name: one.cycle for name, one in first.items()} == {"source": 101, "user": 0, "counter": 51}
+    assert {name: figure.cycle for name, figure in first.items()} == {"source": 101, "user": 0, "counter": 51}
     assert (first["counter"].rtpu, first["counter"].rmod, first["counter"].type) == ("rt1", "counter", "P")
     assert (first["user"].state, first["source"].ref_hz) == ("OFF", 100.0)
     assert 0 < first["source"].least_ms <= first["source"].mean_ms <= first["source"].most_ms
     hand.let_pass(1.0)
-    assert {name: one.cycle for name, one in hand.figures().items()} == {"source": 100, "user": 0, "counter": 50}
-    assert {one.cycle for one in hand.figures().values()} == {0}
+    assert {name: figure.cycle for name, figure in hand.figures().items()} == {"source": 100, "user": 0, "counter": 50}
+    assert {figure.cycle for figure in hand.figures().values()} == {0}
 
 
 def test_loads_are_told_of_every_unit(hand):  # R-A11, R-X13
@@ -44,16 +44,16 @@ def test_loads_are_told_of_every_unit(hand):  # R-A11, R-X13
 def test_what_there_is_is_told_whole(hand):  # R-C12
     standing = hand.asker.ask(live.Survey())
     assert (standing.is_virtual, standing.is_stopped, standing.worlds) == (True, False, ())
-    assert [(one.name, one.is_lost) for one in standing.rtpus] == [("rt0", False), ("rt1", False)]
+    assert [(unit.name, unit.is_lost) for unit in standing.rtpus] == [("rt0", False), ("rt1", False)]
     (subsystem,) = standing.subsystems
     assert (subsystem.name, subsystem.holder, subsystem.application) == ("s0", "me", "")
-    wanted = {one.task.name: (one.state, one.is_wanted_on, one.frequency) for one in subsystem.tasks}
+    wanted = {task.task.name: (task.state, task.is_wanted_on, task.frequency) for task in subsystem.tasks}
     assert wanted == {"source": ("ON", True, 100.0), "user": ("OFF", False, 100.0), "counter": ("ON", True, 50.0)}
 
 
 def test_a_lost_unit_is_told_as_lost(hand):  # R-E10
     hand.driver.lose("rt1")
-    assert [one.is_lost for one in hand.asker.ask(live.Survey()).rtpus] == [False, True]
+    assert [unit.is_lost for unit in hand.asker.ask(live.Survey()).rtpus] == [False, True]
     assert set(hand.asker.ask(live.Status()).loads) == {"rt0"}
 
 
@@ -62,8 +62,11 @@ def test_an_application_is_told_with_who_began_it(hand):  # R-C12
     hand.asker.ask(request.Prepare(hand.shop.plan([action("mass", "servo")]), ()), "one")
     hand.asker.ask(request.Begin(may_ask=True), "one")
     hand.work()
-    found = {one.name: (one.holder, one.application) for one in hand.asker.ask(live.Survey()).subsystems}
-    assert found == {"flow0": ("one", "test"), "s0": ("me", "")}
+    holders = {
+        subsystem.name: (subsystem.holder, subsystem.application)
+        for subsystem in hand.asker.ask(live.Survey()).subsystems
+    }
+    assert holders == {"flow0": ("one", "test"), "s0": ("me", "")}
     assert hand.asker.ask(live.Survey()).worlds == ("yard",)
 
 
@@ -74,9 +77,9 @@ def test_variables_are_read_by_name_or_all(hand):  # R-A12
     assert hand.values("ROW") == {"ROW": [0.0, 0.0]}
 
 
-@pytest.mark.parametrize("asked", [live.Read("no"), live.Read("s0", ("NO",)), live.Check("no"), live.Scene("no")])
-def test_what_is_not_there_is_not_read(hand, asked):
-    assert "no" in str(hand.asker.ask(asked).reason).lower()
+@pytest.mark.parametrize("wish", [live.Read("no"), live.Read("s0", ("NO",)), live.Check("no"), live.Scene("no")])
+def test_what_is_not_there_is_not_read(hand, wish):
+    assert "no" in str(hand.asker.ask(wish).reason).lower()
 
 
 def test_memory_that_was_overwritten_is_found(hand):  # R-A12
@@ -99,8 +102,8 @@ def test_readings_are_shown_when_they_have_changed_and_it_is_time(hand):
     hand.asker.server.shown.clear()
     hand.let_pass(0.1)
     show(hand, 10**15 + 2 * SECOND)
-    (key, one) = shown(hand)[-1]
-    assert (key, one.value) == ("s0/COUNT", hand.values("COUNT")["COUNT"])
+    (key, shape) = shown(hand)[-1]
+    assert (key, shape.value) == ("s0/COUNT", hand.values("COUNT")["COUNT"])
     show(hand, 10**15 + 2 * SECOND + SECOND // 20)
     assert len(shown(hand)) == 1
 
@@ -128,9 +131,9 @@ def test_poses_of_a_world_are_shown(hand):
     hand.change(spawn=["mass"], subsystem="s1")
     hand.asker.ask(live.Attend(worlds=("yard",)))
     show(hand, 10**15)
-    (key, one) = shown(hand)[-1]
+    (key, shape) = shown(hand)[-1]
     assert key == "world:yard"
-    assert isinstance(one, reading.Poses)
+    assert isinstance(shape, reading.Poses)
 
 
 def test_who_attends_nothing_or_is_gone_is_shown_nothing(hand):

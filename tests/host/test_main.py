@@ -19,8 +19,8 @@ def connected(child):
     return connection
 
 
-def ask(connection, one):
-    return request.decode_response(connection.request(request.encode(one), 30.0))
+def ask(connection, message):
+    return request.decode_response(connection.request(request.encode(message), 30.0))
 
 
 @MODES

@@ -35,7 +35,7 @@ def test_the_last_word_of_a_drive_comes_before_the_result(desk):  # law 17
     desk.ask(request.Prepare(plan("1.0"), ()))
     desk.ask(request.Begin())
     desk.to_the_end()
-    drives = [number for number, one in enumerate(desk.server.told) if isinstance(one, event.Drive)]
+    drives = [number for number, message in enumerate(desk.server.told) if isinstance(message, event.Drive)]
     assert desk.server.told[drives[-1]].state == "HELD"
     assert drives[-1] < len(desk.server.told) - 1
 
@@ -46,7 +46,7 @@ def test_a_world_is_touched_and_what_is_not_there_refused(desk):  # R-K06
     )
     desk.ask(request.Prepare(plan("1.0"), ()))
     desk.ask(request.Begin())
-    while "DRIVEN" not in [one.state for one in desk.of(event.Drive)]:
+    while "DRIVEN" not in [message.state for message in desk.of(event.Drive)]:
         desk.program.advance(0)
     assert desk.ask(live.Touch("yard", "panic", 1.0)) == request.Done()
     refused = desk.ask(live.Touch("yard", "bell", 1.0))
@@ -86,20 +86,20 @@ def test_runs_follow_one_another_each_with_its_own_time_and_empty_table(desk):  
     for _ in range(2):
         desk.ask(request.Begin(watch=("FORCE",)))
         results.append(desk.to_the_end())
-    assert all(one.completed for one in results)
+    assert all(result.completed for result in results)
     assert results[1].runtime_s < results[0].runtime_s
 
 
-@pytest.mark.parametrize("asked", [request.Abort("enough"), request.Stop("enough")])
-def test_a_run_is_ended_from_outside_with_the_cause(desk, asked):  # R-E07, law 27
+@pytest.mark.parametrize("wish", [request.Abort("enough"), request.Stop("enough")])
+def test_a_run_is_ended_from_outside_with_the_cause(desk, wish):  # R-E07, law 27
     desk.ask(request.Prepare(plan("1.0"), ()))
     desk.ask(request.Begin())
     for _ in range(50):
         desk.program.advance(0)
-    assert desk.ask(asked) == request.Done()
+    assert desk.ask(wish) == request.Done()
     result = desk.to_the_end()
     assert (result.completed, result.cause, result.done) == (False, "enough", 0)
-    assert [one.state for one in desk.server.told if isinstance(one, event.Drive)][-1] == "HELD"
+    assert [message.state for message in desk.server.told if isinstance(message, event.Drive)][-1] == "HELD"
 
 
 def test_after_a_stop_nothing_begins_before_a_deliberate_reset(desk):  # law 27
@@ -109,7 +109,7 @@ def test_after_a_stop_nothing_begins_before_a_deliberate_reset(desk):  # law 27
     assert not desk.to_the_end().completed
     assert str(desk.ask(request.Begin()).reason) == "the runtime is stopped; reset it first"
     assert desk.ask(live.Reset()) == request.Done()
-    assert [one.is_stopped for one in desk.of(event.Stopped)] == [True, False]
+    assert [message.is_stopped for message in desk.of(event.Stopped)] == [True, False]
     desk.ask(request.Begin())
     assert desk.to_the_end().completed
 
@@ -118,10 +118,10 @@ def test_an_answer_reaches_the_task_that_asks(desk):  # law 25
     desk.ask(request.Prepare(rail_tasks().plan([action("mass", "servo")]), ()))
     desk.ask(request.Begin(may_ask=True))
     assert desk.to_the_end() is None
-    asked = desk.server.told[-1]
-    assert isinstance(asked, event.Asked)
+    question = desk.server.told[-1]
+    assert isinstance(question, event.Asked)
     (home,) = desk.ask(live.Survey()).subsystems
-    assert (home.asks, home.on_loss) == ((asked,), "stop")  # who comes later can be asked too
+    assert (home.asks, home.on_loss) == ((question,), "stop")  # who comes later can be asked too
     desk.ask(request.Reply("flow0", "servo", "0.5"))
     assert desk.to_the_end().completed
 

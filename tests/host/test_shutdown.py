@@ -8,10 +8,10 @@ from onika.host.shutdown import ShutdownSignals
 
 @pytest.fixture(autouse=True)
 def as_before():
-    kept = [(one, signal.getsignal(one)) for one in (signal.SIGTERM, signal.SIGINT)]
+    kept = [(number, signal.getsignal(number)) for number in (signal.SIGTERM, signal.SIGINT)]
     yield
-    for one, handler in kept:
-        signal.signal(one, handler)
+    for number, handler in kept:
+        signal.signal(number, handler)
 
 
 def test_a_wish_to_end_is_noted():

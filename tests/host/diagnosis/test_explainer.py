@@ -51,10 +51,10 @@ class Run:
         shop.task("show", SHOW)
         plan = shop.plan(*([action(*TASKS) for _ in tags] for tags in flows))
         marked = (
-            structs.replace(one, actions=tuple(
-                structs.replace(act, synch_tag=tag) for act, tag in zip(one.actions, tags, strict=True)
+            structs.replace(flow, actions=tuple(
+                structs.replace(act, synch_tag=tag) for act, tag in zip(flow.actions, tags, strict=True)
             ))
-            for one, tags in zip(plan.flows, flows, strict=True)
+            for flow, tags in zip(plan.flows, flows, strict=True)
         )  # fmt: skip
         self.plan = structs.replace(plan, flows=tuple(marked))
         self.prepared = prepare(self.plan, (), YardLoading())
@@ -62,7 +62,7 @@ class Run:
         ranks = {(number, name): rank for number in range(len(flows)) for rank, name in enumerate(TASKS)}
         triggers = self.prepared.triggers
         self.engine = Engine(self.plan, triggers, passive, ranks, stands_still=stands_still)
-        self.tables = {one.subsystem: Table(Segment.create("explained", 1 << 16)) for one in self.plan.flows}
+        self.tables = {flow.subsystem: Table(Segment.create("explained", 1 << 16)) for flow in self.plan.flows}
         self.told = []
         self.now = 1000 * MS
         self.explainer = Explainer(self.prepared, self.tables, self.engine.positions, self.told.append)
@@ -71,10 +71,10 @@ class Run:
         self.feed(*(said.Spawned(number, task) for number in range(len(flows)) for task in TASKS))
         self.feed(*(said.TurnedOn(number, task) for number in range(len(flows)) for task in TASKS))
 
-    def feed(self, *heard):
+    def feed(self, *reports):
         """As the runner does it: what has moved is looked at after each news."""
-        for one in heard:
-            self.engine.feed(one)
+        for report in reports:
+            self.engine.feed(report)
             self.explainer.moved()
             self.explainer.look(self.now)
         return self
@@ -89,37 +89,42 @@ class Run:
         return self
 
     def fails(self, task, text="ValueError: no", flow=0, values=None):
-        heard = news.Failed(f"flow{flow}", task, "cycle", text, f"{task}.py", 7, "", self.now, values=values or {})
-        with self.explainer.watch(heard, self.now):
+        report = news.Failed(f"flow{flow}", task, "cycle", text, f"{task}.py", 7, "", self.now, values=values or {})
+        with self.explainer.watch(report, self.now):
             self.feed(said.Failed(flow, task, text))
         return self
 
-    def ends(self, why, one):
+    def ends(self, why, item):
         with self.explainer.watch(why, self.now):
-            self.feed(one)
+            self.feed(item)
         return self
 
     @property
     def explained(self):
-        (one,) = self.told
-        return one
+        (explanation,) = self.told
+        return explanation
 
 
 def test_a_task_in_error_is_named_with_its_job_its_flow_and_who_waits():  # R-X06, R-E08
     run = Run([None, "meet"], [None, "meet"]).finish(1).fails("arm")
-    one = run.explained
-    assert (one.kind, one.subsystem, one.task, one.suspect) == ("error", "flow0", "arm", "")
-    assert (one.action, one.index, one.place) == ("action 0", 0, "test.appl:1")
-    assert (str(one.text), one.path, one.line) == ("cycle: ValueError: no", "arm.py", 7)
-    assert one.waiting == (("flow1", "meet"),)
-    assert [command for command, _ in one.choices] == [
+    explanation = run.explained
+    assert (explanation.kind, explanation.subsystem, explanation.task, explanation.suspect) == (
+        "error",
+        "flow0",
+        "arm",
+        "",
+    )
+    assert (explanation.action, explanation.index, explanation.place) == ("action 0", 0, "test.appl:1")
+    assert (str(explanation.text), explanation.path, explanation.line) == ("cycle: ValueError: no", "arm.py", 7)
+    assert explanation.waiting == (("flow1", "meet"),)
+    assert [command for command, _ in explanation.choices] == [
         "clear flow0", "next flow0", "skip flow0 N", "pass flow1", "abort",
     ]  # fmt: skip
 
 
 def test_where_nobody_is_there_to_decide_the_run_ends_and_there_is_no_choice():  # R-E08, R-X06
-    one = Run([None], stands_still=False).fails("arm").explained
-    assert (one.task, one.action, one.choices) == ("arm", "action 0", ())
+    explanation = Run([None], stands_still=False).fails("arm").explained
+    assert (explanation.task, explanation.action, explanation.choices) == ("arm", "action 0", ())
 
 
 def test_a_passive_task_in_error_stops_nothing_and_is_not_explained():  # R-X06
@@ -128,9 +133,9 @@ def test_a_passive_task_in_error_stops_nothing_and_is_not_explained():  # R-X06
 
 def test_the_writer_upstream_of_what_is_no_number_is_suspected():  # R-X06, law 5
     run = Run([None]).write("TAU", float("nan")).write("Q", 1.0)
-    one = run.fails("arm", "LawBroken: NaN or infinity in TAU", values={"TAU": float("nan")}).explained
-    assert (one.task, one.suspect) == ("arm", "go")
-    assert str(one.text).endswith("; TAU is no number: made by go, of proper numbers")
+    explanation = run.fails("arm", "LawBroken: NaN or infinity in TAU", values={"TAU": float("nan")}).explained
+    assert (explanation.task, explanation.suspect) == ("arm", "go")
+    assert str(explanation.text).endswith("; TAU is no number: made by go, of proper numbers")
 
 
 def first_written(reason, task, variable):
@@ -139,11 +144,14 @@ def first_written(reason, task, variable):
 
 def test_whom_the_processing_unit_saw_write_it_first_is_suspected():  # R-X06, law 5
     run = Run([None]).write("TAU", float("nan")).write("Q", float("nan"))
-    one = run.fails("arm", first_written("NaN or infinity in TAU", "show", "Q")).explained
-    assert (one.suspect, str(one.text)) == ("show", "cycle: NaN or infinity in TAU; first written by task show, in Q")
+    explanation = run.fails("arm", first_written("NaN or infinity in TAU", "show", "Q")).explained
+    assert (explanation.suspect, str(explanation.text)) == (
+        "show",
+        "cycle: NaN or infinity in TAU; first written by task show, in Q",
+    )
     run = Run([None]).write("TAU", float("nan")).write("Q", 1.0)
-    one = run.fails("arm", first_written("NaN in TAU", "go", "TAU")).explained
-    assert (one.suspect, one.text.key) == ("go", "host.entry_failed")
+    explanation = run.fails("arm", first_written("NaN in TAU", "go", "TAU")).explained
+    assert (explanation.suspect, explanation.text.key) == ("go", "host.entry_failed")
     assert Run([None]).fails("arm", first_written("NaN", "nobody", "Q")).explained.suspect == ""
 
 
@@ -174,36 +182,51 @@ def test_the_last_seconds_of_its_variables_are_told_with_their_units():  # R-X06
 )
 def test_a_drive_that_holds_is_told_with_what_must_be_done_first(key, kind, first):  # R-X06, R-K06
     raised = Reason.of("runtime.raised", kind="ModuleError", why=Reason.of(key))
-    one = Run([None]).fails("arm", raised).explained
-    assert (one.kind, one.task) == (kind, "arm")
-    assert dict(one.choices)["clear"].key == first
+    explanation = Run([None]).fails("arm", raised).explained
+    assert (explanation.kind, explanation.task) == (kind, "arm")
+    assert dict(explanation.choices)["clear"].key == first
 
 
 @pytest.mark.parametrize("kind", ["ILLEGAL", "SHUTDOWN"])
 def test_a_task_that_may_not_go_on_ends_the_run(kind):  # R-A08, R-X06
-    heard = news.Signalled("flow0", "arm", kind, 0, "too hot", 0)
-    one = Run([None]).ends(heard, said.Illegal(0, "arm", "too hot")).explained
-    assert (one.kind, one.task, str(one.text), one.choices) == (kind.lower(), "arm", f"{kind}: too hot", ())
+    report = news.Signalled("flow0", "arm", kind, 0, "too hot", 0)
+    explanation = Run([None]).ends(report, said.Illegal(0, "arm", "too hot")).explained
+    assert (explanation.kind, explanation.task, str(explanation.text), explanation.choices) == (
+        kind.lower(),
+        "arm",
+        f"{kind}: too hot",
+        (),
+    )
 
 
 def test_a_question_that_nobody_answers_ends_the_run():  # R-X06, law 25
     items = (AskedItem("goal", "double", 1, "rad", "", None, None, None),)
-    heard = news.Asked("flow0", "go", "7 is beyond 2.6", items, 0)
-    one = Run([None]).ends(heard, said.Abort("nobody")).explained
-    assert (one.kind, one.task) == ("asking", "go")
-    assert "asks for goal (7 is beyond 2.6)" in str(one.text)
+    report = news.Asked("flow0", "go", "7 is beyond 2.6", items, 0)
+    explanation = Run([None]).ends(report, said.Abort("nobody")).explained
+    assert (explanation.kind, explanation.task) == ("asking", "go")
+    assert "asks for goal (7 is beyond 2.6)" in str(explanation.text)
 
 
 def test_a_lost_process_names_the_task_in_whose_call_it_was():  # R-A16, R-X06
     during = Reason.of("host.in_call", task="flow0/go")
     reason = Reason.of("host.process_ended", name="rt0", code=3, during=during)
-    one = Run([None]).ends(Cause(CauseKind.LOST, reason), said.Abort(reason)).explained
-    assert (one.kind, one.subsystem, one.task, one.action) == ("lost", "flow0", "go", "action 0")
+    explanation = Run([None]).ends(Cause(CauseKind.LOST, reason), said.Abort(reason)).explained
+    assert (explanation.kind, explanation.subsystem, explanation.task, explanation.action) == (
+        "lost",
+        "flow0",
+        "go",
+        "action 0",
+    )
 
 
 def test_what_the_user_wanted_blames_nobody():  # R-X06
-    one = Run([None]).ends(Cause(CauseKind.USER, "stopped (Ctrl-C)"), said.Abort("stopped")).explained
-    assert (one.kind, one.subsystem, one.task, one.text) == ("user", "", "", "stopped (Ctrl-C)")
+    explanation = Run([None]).ends(Cause(CauseKind.USER, "stopped (Ctrl-C)"), said.Abort("stopped")).explained
+    assert (explanation.kind, explanation.subsystem, explanation.task, explanation.text) == (
+        "user",
+        "",
+        "",
+        "stopped (Ctrl-C)",
+    )
 
 
 def test_an_end_is_explained_once():  # R-X06
@@ -235,10 +258,10 @@ def test_a_flow_that_waits_for_one_that_has_ended_is_told():  # R-X03, R-X06
     run = Run(["a", None], ["a", "a"])  # the first visit of both is one meeting; flow0 makes no second one
     run.finish(0).finish(0)
     run.finish(1)
-    one = run.explained
-    assert (one.kind, one.subsystem) == ("deserted", "flow1")
-    assert str(one.text) == "flow1 waits at a for flow0, which has ended"
-    assert [command for command, _ in one.choices] == ["pass flow1", "abort"]
+    explanation = run.explained
+    assert (explanation.kind, explanation.subsystem) == ("deserted", "flow1")
+    assert str(explanation.text) == "flow1 waits at a for flow0, which has ended"
+    assert [command for command, _ in explanation.choices] == ["pass flow1", "abort"]
 
 
 def test_whoever_comes_to_wait_for_a_flow_that_stands_is_told_then():  # R-X06

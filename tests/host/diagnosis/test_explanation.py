@@ -50,8 +50,8 @@ class Scene:
         return self
 
     def lives(self, looks=1):
-        for one in range(looks):
-            self.history.look(one * 50 * MS)
+        for look in range(looks):
+            self.history.look(look * 50 * MS)
         return self
 
     def told(self, **changes):
@@ -95,14 +95,20 @@ def test_of_what_was_never_written_nothing_is_said():  # R-X06
 
 
 def test_a_cause_without_a_task_shows_no_variables(scene):  # R-X06
-    one = scene.told(kind=CauseKind.USER, subsystem="", task="", text="enough")
-    assert (one.courses, one.waiting, one.action, one.index, one.place) == ((), (), "", -1, "")
+    diagnosis = scene.told(kind=CauseKind.USER, subsystem="", task="", text="enough")
+    assert (diagnosis.courses, diagnosis.waiting, diagnosis.action, diagnosis.index, diagnosis.place) == (
+        (),
+        (),
+        "",
+        -1,
+        "",
+    )
 
 
 def test_before_the_first_action_the_tasks_own_file_is_the_place(scene):  # R-X06
     cause = Cause(CauseKind.REFUSED, "spawn: no", "flow0", "arm")
-    one = explain(scene.prepared, cause, [Position("flow0", "spawning", -1)], scene.history, 0.0)
-    assert (one.place, one.action, one.index) == ("arm.rmod", "", -1)
+    diagnosis = explain(scene.prepared, cause, [Position("flow0", "spawning", -1)], scene.history, 0.0)
+    assert (diagnosis.place, diagnosis.action, diagnosis.index) == ("arm.rmod", "", -1)
 
 
 def test_an_explanation_is_bounded_however_much_there_is(monkeypatch):  # R-X06
@@ -116,5 +122,5 @@ def test_an_explanation_is_bounded_however_much_there_is(monkeypatch):  # R-X06
 
 
 def test_it_travels(scene):
-    one = scene.told(path="arm.py", line=7)
-    assert decode(encode(one)) == one
+    diagnosis = scene.told(path="arm.py", line=7)
+    assert decode(encode(diagnosis)) == diagnosis

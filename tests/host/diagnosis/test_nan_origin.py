@@ -29,21 +29,21 @@ def suspected(*wrong, failed=ROBOT):
 
 
 def test_who_made_what_is_no_number_out_of_proper_numbers_is_suspected():  # R-X06, law 5
-    found = suspected("TAU")
-    assert (found.task, found.is_made_there) == ("sum", True)
-    assert str(found.reason) == "TAU is no number: made by sum, of proper numbers"
+    suspects = suspected("TAU")
+    assert (suspects.task, suspects.is_made_there) == ("sum", True)
+    assert str(suspects.reason) == "TAU is no number: made by sum, of proper numbers"
 
 
 def test_what_is_no_number_is_followed_upstream():  # R-X06
-    found = suspected("TAU", "TAU_G")
-    assert (found.task, found.trail) == ("gravity", (("TAU", "sum"), ("TAU_G", "gravity")))
-    assert str(found.reason) == "TAU is no number: made by sum, out of TAU_G by gravity, of proper numbers"
+    suspects = suspected("TAU", "TAU_G")
+    assert (suspects.task, suspects.trail) == ("gravity", (("TAU", "sum"), ("TAU_G", "gravity")))
+    assert str(suspects.reason) == "TAU is no number: made by sum, out of TAU_G by gravity, of proper numbers"
 
 
 def test_a_circle_ends_where_it_closes():  # R-X06
-    found = suspected("TAU", "TAU_PD", "Q")
-    assert (found.task, found.is_made_there) == ("pd", False)
-    assert str(found.reason) == "TAU is no number: made by sum, out of TAU_PD by pd"
+    suspects = suspected("TAU", "TAU_PD", "Q")
+    assert (suspects.task, suspects.is_made_there) == ("pd", False)
+    assert str(suspects.reason) == "TAU is no number: made by sum, out of TAU_PD by pd"
 
 
 def test_nobody_is_suspected_where_the_task_read_proper_numbers():  # R-X06
@@ -56,5 +56,5 @@ def test_what_nobody_writes_accuses_nobody():  # R-X06
 
 
 def test_a_number_is_a_finite_one():
-    assert [is_no_number(one) for one in (1, 1.0, [1.0, 2.0], "nan", [])] == [False] * 5
-    assert [is_no_number(one) for one in (math.nan, -math.inf, [[1.0], [math.nan]])] == [True] * 3
+    assert [is_no_number(value) for value in (1, 1.0, [1.0, 2.0], "nan", [])] == [False] * 5
+    assert [is_no_number(value) for value in (math.nan, -math.inf, [[1.0], [math.nan]])] == [True] * 3

@@ -81,11 +81,11 @@ def test_a_flow_that_waits_for_nested_flows_has_no_tag():
 @st.composite
 def situations(draw):
     names = [f"flow{number}" for number in range(draw(st.integers(1, 5)))]
-    states = [one.value for one in FlowState if one not in (FlowState.KILLING, FlowState.ENDED)]
+    states = [state.value for state in FlowState if state not in (FlowState.KILLING, FlowState.ENDED)]
     flows = []
     for name in names:
         state = draw(st.sampled_from(states))
-        others = [one for one in names if one != name]
+        others = [other for other in names if other != name]
         wanted = draw(st.lists(st.sampled_from(others), unique=True)) if others and state == "waiting" else []
         flows.append(at(name, state, "t", *wanted))
     return flows
@@ -94,15 +94,17 @@ def situations(draw):
 @given(situations())
 def test_what_is_called_stuck_stays_stuck_and_nothing_else_does(flows):  # R-X03, R-X06
     """An oracle that plays: flows that are not waiting come to every tag; those that stand never do."""
-    come = {one.subsystem for one in flows if one.state not in ("waiting", "joining", "done", "stopped")}
+    come = {flow.subsystem for flow in flows if flow.state not in ("waiting", "joining", "done", "stopped")}
     for _ in flows:
-        come |= {one.subsystem for one in flows if one.state in ("waiting", "joining") and come >= set(one.waits_for)}
-    stuck = {one.subsystem for one in flows if one.state in ("waiting", "joining")} - come
-    told = causes(flows)
-    named = {one.subsystem for one in told if one.kind is CauseKind.DESERTED}
-    for one in told:
-        if one.kind is CauseKind.DEADLOCK:
-            hanging = {name for name, _ in waiting_for(one.subsystem, flows)} | {one.subsystem}
+        come |= {
+            flow.subsystem for flow in flows if flow.state in ("waiting", "joining") and come >= set(flow.waits_for)
+        }
+    stuck = {flow.subsystem for flow in flows if flow.state in ("waiting", "joining")} - come
+    objections = causes(flows)
+    named = {objection.subsystem for objection in objections if objection.kind is CauseKind.DESERTED}
+    for objection in objections:
+        if objection.kind is CauseKind.DEADLOCK:
+            hanging = {name for name, _ in waiting_for(objection.subsystem, flows)} | {objection.subsystem}
             named |= hanging & stuck
     assert named >= stuck
-    assert {one.subsystem for one in told} <= stuck
+    assert {objection.subsystem for objection in objections} <= stuck

@@ -15,11 +15,11 @@ def failed(text, entry="cycle"):
 
 
 def test_a_failure_keeps_what_was_said_where_and_with_which_values():  # R-X06
-    found = of_failure(failed("ValueError: no"))
-    assert (found.kind, found.subsystem, found.task) == (CauseKind.ERROR, "flow0", "puma")
-    assert (str(found.text), found.path, found.line, found.entry) == ("cycle: ValueError: no", "puma.py", 7, "cycle")
-    assert found.values == {"TAU_REF": [1.0]}
-    assert not found.ends
+    cause = of_failure(failed("ValueError: no"))
+    assert (cause.kind, cause.subsystem, cause.task) == (CauseKind.ERROR, "flow0", "puma")
+    assert (str(cause.text), cause.path, cause.line, cause.entry) == ("cycle: ValueError: no", "puma.py", 7, "cycle")
+    assert cause.values == {"TAU_REF": [1.0]}
+    assert not cause.ends
 
 
 @pytest.mark.parametrize(
@@ -39,8 +39,8 @@ def test_a_hardware_task_that_fails_over_its_drive_is_told_apart(why, kind):  # 
 
 @pytest.mark.parametrize("kind", ["ILLEGAL", "SHUTDOWN"])
 def test_a_signal_that_ends_the_run_is_a_cause(kind):  # R-A08, R-X06
-    found = of_signal(news.Signalled("flow0", "puma", kind, 0, "too hot", 5))
-    assert (found.kind.name, str(found.text), found.task) == (kind, f"{kind}: too hot", "puma")
+    cause = of_signal(news.Signalled("flow0", "puma", kind, 0, "too hot", 5))
+    assert (cause.kind.name, str(cause.text), cause.task) == (kind, f"{kind}: too hot", "puma")
 
 
 def test_other_signals_are_no_causes():  # R-X06
@@ -55,8 +55,8 @@ def test_a_refusal_names_the_command():  # R-X06
 
 def test_a_question_names_what_is_asked_for_and_what_was_wrong():  # R-X06, law 25
     items = (AskedItem("endpoint", "double", 6, "rad", "", None, None, None),)
-    found = of_question(news.Asked("flow0", "jtraj", "joint 2 is beyond 2.6", items, 5))
-    assert str(found.text) == "asks for endpoint (joint 2 is beyond 2.6), and there is no answer that fits"
+    cause = of_question(news.Asked("flow0", "jtraj", "joint 2 is beyond 2.6", items, 5))
+    assert str(cause.text) == "asks for endpoint (joint 2 is beyond 2.6), and there is no answer that fits"
 
 
 @pytest.mark.parametrize(
@@ -69,8 +69,8 @@ def test_a_question_names_what_is_asked_for_and_what_was_wrong():  # R-X06, law 
     ],
 )
 def test_a_loss_names_the_task_in_whose_call_it_was(reason, named):  # R-A16, R-X06
-    found = of_loss(reason, [("flow0", "sick"), ("flow1", "sick")])
-    assert (found.kind, found.subsystem, found.task) == (CauseKind.LOST, *named)
+    cause = of_loss(reason, [("flow0", "sick"), ("flow1", "sick")])
+    assert (cause.kind, cause.subsystem, cause.task) == (CauseKind.LOST, *named)
 
 
 def test_equal_causes_are_one_to_a_set():

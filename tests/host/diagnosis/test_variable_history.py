@@ -29,8 +29,8 @@ class Place:
         return self
 
     def course(self, name):
-        found = self.history.course("flow0", name)
-        return None if found is None else list(zip(found.at_s, found.values, strict=True))
+        points = self.history.course("flow0", name)
+        return None if points is None else list(zip(points.at_s, points.values, strict=True))
 
 
 @pytest.fixture
@@ -58,7 +58,9 @@ def test_what_is_older_than_is_kept_is_forgotten(place):  # R-X06
     place.has("X")
     for now in range(0, 1000, 50):
         place.write("X", float(now)).history.tick(now * MS)
-    assert place.course("X") == [(one / 1000, float(one)) for one in (750, 800, 850, 900, 950)]
+    assert place.course("X") == [
+        (milliseconds / 1000, float(milliseconds)) for milliseconds in (750, 800, 850, 900, 950)
+    ]
 
 
 def test_nothing_is_said_of_what_was_never_written_or_is_unknown(place):  # R-X06

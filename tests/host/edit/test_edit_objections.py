@@ -7,9 +7,9 @@ from onika.wire import live, request
 
 @pytest.fixture
 def hand():
-    one = live_edits_with_tasks()
-    one.change(spawn=["source", "user", "counter"], on=["source", "user"])
-    return one
+    edits = live_edits_with_tasks()
+    edits.change(spawn=["source", "user", "counter"], on=["source", "user"])
+    return edits
 
 
 def objections(hand, order):

@@ -16,7 +16,7 @@ def test_a_task_turned_off_and_on_by_one_change_begins_anew(hand):  # R-A05
     hand.let_pass(0.1)
     hand.asker.server.told.clear()
     assert hand.change(off=["counter"], on=["counter"]) == ""
-    assert [one.state for one in hand.asker.of(event.TaskState)] == ["OFF", "ON"]
+    assert [message.state for message in hand.asker.of(event.TaskState)] == ["OFF", "ON"]
 
 
 def test_a_task_that_is_on_already_is_not_turned_on(hand):  # R-A05

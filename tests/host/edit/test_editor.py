@@ -46,16 +46,16 @@ class Push(Module):
 @pytest.fixture
 def pushed():
     """A mass that a task pushes with 1 N, and which may step by 1 N in a cycle; others would push harder."""
-    one = LiveEdits()
-    one.shop = rail_tasks()
+    edits = LiveEdits()
+    edits.shop = rail_tasks()
     limited = MASS.replace('"what pushes it")', '"what pushes it", step=1.0)')
-    one.task("mass", limited, frequency=500.0, local={"DEVICE": "yard:m0"})
+    edits.task("mass", limited, frequency=500.0, local={"DEVICE": "yard:m0"})
     for name, force in (("push", 1.0), ("harder", 5.0), ("hardest", 500.0)):
-        one.task(name, PUSH.format(force=force), frequency=500.0)
-    assert one.change(spawn=["mass", "push"], on=["mass", "push"]) == ""
-    one.let_pass(0.2)
-    one.asker.server.told.clear()
-    return one
+        edits.task(name, PUSH.format(force=force), frequency=500.0)
+    assert edits.change(spawn=["mass", "push"], on=["mass", "push"]) == ""
+    edits.let_pass(0.2)
+    edits.asker.server.told.clear()
+    return edits
 
 
 def test_a_change_after_which_a_device_would_step_too_far_is_taken_back_with_the_number(pushed):  # R-X04, R-X10
@@ -67,7 +67,7 @@ def test_a_change_after_which_a_device_would_step_too_far_is_taken_back_with_the
     assert pushed.states == {"mass": "ON", "push": "ON"}
     pushed.let_pass(0.2)
     assert pushed.values("FORCE") == {"FORCE": 1.0}
-    assert not any(one.is_too_far for one in pushed.asker.of(event.Stepped))
+    assert not any(message.is_too_far for message in pushed.asker.of(event.Stepped))
 
 
 def test_an_exchange_of_code_after_which_a_device_would_step_too_far_leaves_the_old_code(pushed):  # R-X04, R-A14
@@ -88,13 +88,13 @@ def test_a_change_after_which_a_device_steps_is_blended_and_told(pushed):  # R-X
 
 @pytest.fixture
 def hand():
-    one = live_edits_with_tasks(("rt0", "rt1"), counter="rt1")
-    one.task("giver", GIVER, rtpu="rt1")
-    return one
+    edits = live_edits_with_tasks(("rt0", "rt1"), counter="rt1")
+    edits.task("giver", GIVER, rtpu="rt1")
+    return edits
 
 
 @pytest.mark.parametrize(
-    "asked",
+    "wish",
     [
         live.Clear("s0", "no"),
         live.Reinit("s0", "no"),
@@ -103,11 +103,11 @@ def hand():
         live.Close("no"),
         request.Reply("s0", "no", "1"),
     ],
-    ids=lambda one: type(one).__name__,
+    ids=lambda wish: type(wish).__name__,
 )
-def test_what_is_not_there_is_refused_by_name(hand, asked):  # R-A05
+def test_what_is_not_there_is_refused_by_name(hand, wish):  # R-A05
     hand.change(spawn=["counter"])
-    answer = hand.asker.ask(asked)
+    answer = hand.asker.ask(wish)
     assert isinstance(answer, request.Refused)
     assert "no" in str(answer.reason).split()
 
@@ -147,7 +147,7 @@ def test_an_answer_out_of_bounds_is_asked_for_again_with_the_reason():  # R-A10
 
 def test_every_accepted_order_has_a_number_of_its_own_and_one_outcome(hand):  # law 22
     hand.change(spawn=["source", "user", "counter"], on=["counter"])
-    asked = [
+    wishes = [
         live.Change("s0", on=(live.Turn("source"),)),
         live.Reinit("s0", "source"),
         live.Swap("s0", "counter", *hand.code("counter")),
@@ -155,17 +155,17 @@ def test_every_accepted_order_has_a_number_of_its_own_and_one_outcome(hand):  # 
         live.Close("s1"),
         live.Change("s0", off=("counter",)),
     ]
-    tickets = [hand.asker.send(one) for one in asked]
+    tickets = [hand.asker.send(wish) for wish in wishes]
     hand.work()
     numbers = [hand.asker.server.replies[ticket].number for ticket in tickets]
-    assert len(set(numbers)) == len(asked)
-    assert [hand.edited(number) for number in numbers] == [[""]] * len(asked)
+    assert len(set(numbers)) == len(wishes)
+    assert [hand.edited(number) for number in numbers] == [[""]] * len(wishes)
 
 
 def test_a_task_runs_on_the_unit_it_names_else_on_the_first_that_lives(hand):  # R-A06, reading 12
     hand.task("far", COUNTER.replace("COUNT", "FAR"), rtpu="rt9")
     hand.change(spawn=["counter", "source", "far"])
-    assert {name: one.rtpu for name, one in hand.standing().items()} == {
+    assert {name: task.rtpu for name, task in hand.standing().items()} == {
         "counter": "rt1",
         "source": "rt0",
         "far": "rt0",
@@ -173,11 +173,11 @@ def test_a_task_runs_on_the_unit_it_names_else_on_the_first_that_lives(hand):  #
     hand.driver.lose("rt0")
     hand.task("late", COUNTER.replace("COUNT", "LATE"))
     assert hand.change(spawn=["late"]) == ""
-    assert {name: one.rtpu for name, one in hand.standing().items()} == {"counter": "rt1", "late": "rt1"}
+    assert {name: task.rtpu for name, task in hand.standing().items()} == {"counter": "rt1", "late": "rt1"}
 
 
 def test_notes_travel_with_the_faults(hand):
     hand.task("counter", COUNTER, local={"NOBODY": "1"})
     answer = hand.asker.ask(hand.order(("counter", "counter")))
-    assert [one.reason for one in answer.faults] == [Reason.of("host.task_twice", name="counter")]
+    assert [fault.reason for fault in answer.faults] == [Reason.of("host.task_twice", name="counter")]
     assert "NOBODY" in " ".join(map(str, answer.notes))

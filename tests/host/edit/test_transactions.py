@@ -69,7 +69,7 @@ def test_consumers_of_an_exchanged_constant_learn_it_and_come_on_again(hand):  #
     hand.asker.server.told.clear()
     assert hand.change(spawn=["other"], kill=("source",), on=["other"]) == ""
     assert hand.states == {"user": "ON", "other": "ON", "counter": "ON"}
-    turned = {(one.task, one.state) for one in hand.asker.of(event.TaskState)}
+    turned = {(message.task, message.state) for message in hand.asker.of(event.TaskState)}
     assert ("user", "OFF") in turned
     assert not any(task == "counter" for task, _ in turned)
 
@@ -85,7 +85,7 @@ def test_a_change_of_dimension_is_one_transaction(hand):  # law 12, R-A03
     assert len(values["ROW"]) == 3
     assert values["SUM"] == 3 * values["ROW"][0]
     assert hand.states == dict.fromkeys(("source", "user", "reader", "counter"), "ON")
-    assert not any(one.task == "counter" for one in hand.asker.of(event.TaskState))
+    assert not any(message.task == "counter" for message in hand.asker.of(event.TaskState))
 
 
 def test_a_dimension_that_a_consumer_refuses_is_taken_back_whole(hand):  # law 12, R-X10
@@ -148,13 +148,13 @@ def test_hardware_is_driven_by_hand_and_asks_for_what_it_lacks(hand):  # R-A10, 
     hand.shop = rail_tasks()
     assert hand.change(spawn=["mass", "servo"], on=["mass", "servo"]) == ""
     assert hand.states == {"mass": "ON", "servo": "ASKING"}
-    asked = hand.asker.of(event.Asked)[-1]
-    assert [item.name for item in asked.items] == ["goal"]
+    question = hand.asker.of(event.Asked)[-1]
+    assert [item.name for item in question.items] == ["goal"]
     hand.asker.ask(Reply("s0", "servo", "1.0"))
     hand.let_pass(5.0)
     assert hand.states == {"mass": "ON", "servo": "OFF"}
     assert hand.asker.values("X")["X"][0] == pytest.approx(1.0, abs=0.05)
-    assert [one.kind for one in hand.asker.of(event.Signalled)] == ["FINISH"]
+    assert [message.kind for message in hand.asker.of(event.Signalled)] == ["FINISH"]
 
 
 def test_units_share_the_work_and_constants_cross_them():  # R-A06
@@ -223,10 +223,14 @@ def test_constants_of_a_newcomer_that_goes_again_are_as_if_it_had_never_been(han
     hand.asker.server.told.clear()
     assert "no sensor" in hand.change(spawn=["other", "broken"], on=["other"], kill=["source"])
     assert hand.values("N", "ROW") == before
-    assert {one.task for one in hand.asker.of(event.TaskState)} <= {"other", "broken"}
+    assert {message.task for message in hand.asker.of(event.TaskState)} <= {"other", "broken"}
     assert hand.asker.ask(live.Check("s0")) == live.Findings(())
     hand.let_pass(1.0)
-    assert {name: one.cycle for name, one in hand.figures().items()} == {"source": 100, "user": 100, "counter": 50}
+    assert {name: figure.cycle for name, figure in hand.figures().items()} == {
+        "source": 100,
+        "user": 100,
+        "counter": 50,
+    }
     assert hand.change(off=["user"]) == hand.change(on=["user"]) == ""
 
 

@@ -96,7 +96,7 @@ def test_constants_pass_on_over_three_levels_and_units(levels):  # R-A13, law 10
     levels.let_pass(1.0)
     assert levels.values("ALL")["ALL"] == 6.0
     assert levels.cycles("counter") == 50
-    assert not any(one.task == "counter" for one in levels.asker.of(event.TaskState))
+    assert not any(message.task == "counter" for message in levels.asker.of(event.TaskState))
 
 
 def test_a_refusal_at_the_third_level_is_taken_back_at_all_three(levels):  # R-X10, law 12
@@ -169,7 +169,7 @@ def test_hardware_stays_off_after_a_change_of_shapes_until_somebody_turns_it_on(
     assert hand.change(spawn=["mass", "servo"], on=["mass", live.Turn("servo", "5.0")]) == ""
     assert hand.reinit("mass", DEVICE="yard:m0", WIDTH="3") == ""
     assert hand.states == {"mass": "OFF", "servo": "ON"}
-    assert [one.task for one in hand.asker.of(event.Warned)] == ["mass"]
+    assert [message.task for message in hand.asker.of(event.Warned)] == ["mass"]
     assert not hand.standing()["mass"].is_wanted_on
     assert hand.change(on=["mass"]) == ""
     hand.let_pass(6.0)

@@ -46,7 +46,7 @@ class Scene:
 
     def take(self, kind):
         taken = [(rtpu, order) for rtpu, order in self.sent if isinstance(order, kind)]
-        self.sent = [one for one in self.sent if one not in taken]
+        self.sent = [order for order in self.sent if order not in taken]
         return taken
 
     def hear(self, message):

@@ -25,7 +25,7 @@ class Units:
     def take(self):
         """What went out since: the unit, who goes off, who comes on."""
         taken, self.sent = self.sent, []
-        return [(rtpu, order.off, tuple(one.task for one in order.on)) for rtpu, order in taken]
+        return [(rtpu, order.off, tuple(launch.task for launch in order.on)) for rtpu, order in taken]
 
 
 @pytest.fixture
@@ -78,7 +78,7 @@ def test_rates_reach_the_unit_of_their_task_even_where_nothing_goes_off(board, u
     board.put(switch("a", rates=[("e", 5.0)]), ())
     sent = dict(units.sent)
     assert sent["rt2"].rates == (("e", 5.0),)
-    assert [one.task for one in sent["rt0"].on] == ["a"]
+    assert [task.task for task in sent["rt0"].on] == ["a"]
 
 
 def test_what_is_forgotten_is_said_with_the_first_group(board, units):  # law 3

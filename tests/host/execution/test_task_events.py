@@ -58,10 +58,14 @@ def heard(hand):
     """What sessions are told, without times."""
     return [
         (
-            type(one).__name__,
-            str(getattr(one, "state", getattr(one, "kind", getattr(one, "text", getattr(one, "cause", ""))))),
+            type(message).__name__,
+            str(
+                getattr(
+                    message, "state", getattr(message, "kind", getattr(message, "text", getattr(message, "cause", "")))
+                )
+            ),
         )
-        for one in hand.asker.server.told
+        for message in hand.asker.server.told
     ]
 
 
@@ -98,7 +102,7 @@ def test_a_signal_that_ends_a_task_is_told_once(speaker, word, times):  # R-A07,
 def test_a_finish_tells_its_flow_and_a_user_signal_its_number(speaker):  # R-A07, reading 19
     say(speaker, "USER", 1)
     say(speaker, "FINISH", 1)
-    assert [one.number for one in speaker.asker.of(event.Signalled)] == [19, 2]
+    assert [message.number for message in speaker.asker.of(event.Signalled)] == [19, 2]
 
 
 @pytest.mark.parametrize("word", [*GOES_ON, *ENDS])
@@ -121,9 +125,9 @@ STEPPED = news.Stepped("s0", "arm", "TAU", "N m", 1, 40.0, 10.0, 10.0, 8, 2_000_
 
 
 def test_a_step_at_a_live_change_is_told_with_its_numbers():  # R-X04
-    one = by_hand(STEPPED, 2.0)
-    assert one == event.Stepped("s0", "arm", "TAU", "N m", 1, 40.0, 10.0, 10.0, 8, 2.0)
-    assert one.is_too_far
+    message = by_hand(STEPPED, 2.0)
+    assert message == event.Stepped("s0", "arm", "TAU", "N m", 1, 40.0, 10.0, 10.0, 8, 2.0)
+    assert message.is_too_far
     assert not by_hand(structs.replace(STEPPED, step=10.0), 2.0).is_too_far
     assert not by_hand(structs.replace(STEPPED, limit=0.0), 2.0).is_too_far
 
@@ -135,8 +139,8 @@ def test_a_run_tells_only_steps_that_are_too_far():  # R-X04
 
 def test_a_run_tells_failures_and_warnings_and_leaves_signals_to_the_engine():  # R-A08, R-A18, Table 9
     failed = news.Failed("left", "arm", "cycle", "no", "arm.py", 7, "trace", 1, values={"X": 1})
-    told = in_a_run(failed, 0.125)
-    assert (str(told.text), told.line, told.at_s, told.values) == ("cycle: no", 7, 0.125, {"X": 1})
+    messages = in_a_run(failed, 0.125)
+    assert (str(messages.text), messages.line, messages.at_s, messages.values) == ("cycle: no", 7, 0.125, {"X": 1})
     assert in_a_run(news.Warned("left", "arm", "hot", 1), 0.0) == event.Warned("left", "arm", "hot", 0.0)
     assert in_a_run(news.Finished("left", "arm", 0, False, 1), 0.0) is None
     assert in_a_run(news.Signalled("left", "arm", "LEGAL", 0, "", 1), 0.0) is None
@@ -164,9 +168,9 @@ def test_where_a_module_failed_is_told_with_its_values(speaker):  # R-A18
 
 def test_what_a_task_asks_for_is_told_item_by_item():  # R-A10
     item = AskedItem("goal", "double", 1, "m", "where to", None, (-9.0,), (9.0,))
-    one = question_of(news.Asked("s0", "servo", "too far", (item,), 5), 0.5)
-    assert (one.task, one.reason, one.at_s) == ("servo", "too far", 0.5)
-    assert [(item.name, item.low, item.high) for item in one.items] == [("goal", (-9.0,), (9.0,))]
+    question = question_of(news.Asked("s0", "servo", "too far", (item,), 5), 0.5)
+    assert (question.task, question.reason, question.at_s) == ("servo", "too far", 0.5)
+    assert [(item.name, item.low, item.high) for item in question.items] == [("goal", (-9.0,), (9.0,))]
 
 
 def test_a_change_by_command_is_told_by_its_state_alone():

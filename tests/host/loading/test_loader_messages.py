@@ -10,7 +10,7 @@ CODE = Code("digest", "arm", "arm.py", "# arm")
 
 
 @pytest.mark.parametrize(
-    "asked",
+    "question",
     [
         room.AskSheet(CODE),
         room.AskConstants(CODE, (("BASE", ("0", "1")),)),
@@ -22,12 +22,12 @@ CODE = Code("digest", "arm", "arm.py", "# arm")
         room.AskDevices("w"),
     ],
 )
-def test_every_question_arrives_as_it_was_asked(asked):  # law 21
-    assert decode_question(encode(asked)) == asked
+def test_every_question_arrives_as_it_was_asked(question):  # law 21
+    assert decode_question(encode(question)) == question
 
 
 @pytest.mark.parametrize(
-    "said",
+    "sentence",
     [
         room.Constants({"N": 2}),
         room.Reach([None, "too far"]),
@@ -41,5 +41,5 @@ def test_every_question_arrives_as_it_was_asked(asked):  # law 21
         ),
     ],
 )
-def test_every_answer_arrives_as_it_was_given(said):  # law 21
-    assert decode_answer(encode(said)) == said
+def test_every_answer_arrives_as_it_was_given(sentence):  # law 21
+    assert decode_answer(encode(sentence)) == sentence

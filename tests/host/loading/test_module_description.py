@@ -16,18 +16,18 @@ class Good(Module):
 
 def test_modules_are_described_each_by_its_code_and_the_bad_ones_with_why():  # law 24
     good, bad = _code("good", GOOD), _code("bad", "import nowhere_at_all\n")
-    told = describe((good, bad), ModuleFacts())
-    assert [(one.name, one.shape, one.unit, one.meaning) for one in told.sheets[good.digest].ports] == [
+    description = describe((good, bad), ModuleFacts())
+    assert [(port.name, port.shape, port.unit, port.meaning) for port in description.sheets[good.digest].ports] == [
         ("X", "double[6]", "rad", "where it is")
     ]
-    assert set(told.faults) == {bad.digest} and "nowhere_at_all" in str(told.faults[bad.digest])
+    assert set(description.faults) == {bad.digest} and "nowhere_at_all" in str(description.faults[bad.digest])
 
 
 def test_code_under_the_digest_of_another_is_not_executed():  # R-F01, law 24
     foreign = structs.replace(_code("good", GOOD), source="raise SystemExit")
-    told = describe((foreign,), ModuleFacts())
-    assert not told.sheets
-    assert "digest" in str(told.faults[foreign.digest])
+    description = describe((foreign,), ModuleFacts())
+    assert not description.sheets
+    assert "digest" in str(description.faults[foreign.digest])
 
 
 def _code(module: str, source: str) -> Code:

@@ -50,9 +50,9 @@ def test_the_sheet_says_all_that_is_declared(loading):  # law 24
 
 
 def test_constants_come_from_the_local_lines_as_plain_values(loading):  # law 26
-    found = loading.constants(code(ROBOT), (("REACH", ("0.5",)), ("DEVICE", ("rail:r",))))
-    assert found == {"N": 2, "QMAX": [0.5, 0.5], "MORE": [1.0, [2]]}
-    assert type(found["N"]) is int
+    constants = loading.constants(code(ROBOT), (("REACH", ("0.5",)), ("DEVICE", ("rail:r",))))
+    assert constants == {"N": 2, "QMAX": [0.5, 0.5], "MORE": [1.0, [2]]}
+    assert type(constants["N"]) is int
 
 
 def test_the_reach_of_every_target_is_answered(loading):  # R-X02, law 26

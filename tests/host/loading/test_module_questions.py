@@ -8,14 +8,14 @@ from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.module_questions import ModuleQuestions
 
 QUESTIONS = sorted(
-    name for name, one in vars(ModuleQuestions).items() if inspect.isfunction(one) and not name.startswith("_")
+    name for name, member in vars(ModuleQuestions).items() if inspect.isfunction(member) and not name.startswith("_")
 )
 
 
 @pytest.mark.parametrize("name", QUESTIONS)
 @pytest.mark.parametrize("answerer", [ModuleFacts, LoaderClient, YardLoading])
 def test_whoever_answers_is_asked_alike(answerer, name):  # law 21
-    wanted, given = (inspect.signature(getattr(one, name)).parameters for one in (ModuleQuestions, answerer))
+    wanted, given = (inspect.signature(getattr(owner, name)).parameters for owner in (ModuleQuestions, answerer))
     assert list(given) == list(wanted)
 
 

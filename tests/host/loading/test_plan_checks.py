@@ -51,12 +51,12 @@ def test_constants_that_wait_for_each_other_are_named_as_a_ring():  # law 10
 
 
 def test_a_device_is_claimed_by_one_hardware_task():  # law 16
-    one, two = (wired(name, hardware=True, device="yard:m0") for name in "ab")
+    first, two = (wired(name, hardware=True, device="yard:m0") for name in "ab")
     listener = wired("c", device="yard:m0")
-    assert sentences(shared_devices([one, two, listener])) == [
+    assert sentences(shared_devices([first, two, listener])) == [
         "expected device yard:m0 for one task, found task a claims it too"
     ]
-    assert shared_devices([one, listener]) == []
+    assert shared_devices([first, listener]) == []
 
 
 @pytest.mark.parametrize(("device", "count"), [("yard:m0", 0), ("yard:m7", 1), ("no:m0", 1), (None, 0)])
@@ -65,9 +65,9 @@ def test_a_device_is_one_of_a_world(device, count):  # law 16
 
 
 def test_who_shapes_itself_states_the_dimension_before_it_lives():  # law 7
-    one = wired("a", N=OutConst("int"), ROW=OutVar("double[N]"))
-    assert len(shapeless([one], {})) == 1
-    assert shapeless([one], {"N": 3}) == []
+    source = wired("a", N=OutConst("int"), ROW=OutVar("double[N]"))
+    assert len(shapeless([source], {})) == 1
+    assert shapeless([source], {"N": 3}) == []
     assert shapeless([wired("b", N=InConst("int"), ROW=OutVar("double[N]"))], {}) == []
 
 

@@ -55,11 +55,11 @@ def module(body, name="Some", kind="trigger"):
 
 @pytest.fixture
 def shop():
-    one = PlanBuilder()
-    one.task("robot", ROBOT, local={"DEVICE": "yard:m0"}, frequency=500.0)
-    one.task("move", MOVE)
-    one.task("bell", BELL)
-    return one
+    shop = PlanBuilder()
+    shop.task("robot", ROBOT, local={"DEVICE": "yard:m0"}, frequency=500.0)
+    shop.task("move", MOVE)
+    shop.task("bell", BELL)
+    return shop
 
 
 def found(shop, *flows, targets=()):
@@ -82,18 +82,18 @@ def test_a_task_that_differs_from_its_module_is_told_in_all_that_differs(shop): 
     task = shop.task("slow", ROBOT, frequency=20.0, aliases={"Q_REF": "WISH"})
     wrong = type(task)(**{name: getattr(task, name) for name in task.__struct_fields__} | {"outvar": ("Q_MEZ", "ODD")})
     shop._tasks["slow"] = wrong
-    said = texts(found(shop, [action("slow", "bell")]))
-    assert any("DEVICE" in one for one in said)
-    assert any("40 Hz" in one and "20 Hz" in one for one in said)
-    assert any("ODD" in one for one in said)
-    assert all(one.startswith("slow.rmod") for one in said)
+    sentences = texts(found(shop, [action("slow", "bell")]))
+    assert any("DEVICE" in sentence for sentence in sentences)
+    assert any("40 Hz" in sentence and "20 Hz" in sentence for sentence in sentences)
+    assert any("ODD" in sentence for sentence in sentences)
+    assert all(sentence.startswith("slow.rmod") for sentence in sentences)
     faults, notes = inspect([wrong], [shop.code("slow")], YardLoading())
-    assert [str(one.place) for one in faults] == ["slow.rmod"] * 3
+    assert [str(fault.place) for fault in faults] == ["slow.rmod"] * 3
     assert notes == []
 
 
 @pytest.mark.parametrize(
-    ("first", "second", "said"),
+    ("first", "second", "sentence"),
     [
         ('A = OutVar("double", "m", "")', 'A = InVar("double[2]", "m", "")', "A double in m, as one declares"),
         ('A = OutVar("double", "m", "")', 'A = InVar("double", "mm", "")', "double in mm"),
@@ -113,10 +113,10 @@ def test_a_task_that_differs_from_its_module_is_told_in_all_that_differs(shop): 
         ),
     ],
 )
-def test_tasks_that_do_not_go_together_are_told(shop, first, second, said):  # laws 7, 9, 10, 12
+def test_tasks_that_do_not_go_together_are_told(shop, first, second, sentence):  # laws 7, 9, 10, 12
     shop.task("one", module(first, "One"))
     shop.task("two", module(second, "Two"))
-    assert any(said in text for text in texts(found(shop, [action("one", "two")])))
+    assert any(sentence in text for text in texts(found(shop, [action("one", "two")])))
 
 
 def test_one_module_twice_in_a_flow_is_told(shop):  # law 9
@@ -127,22 +127,22 @@ def test_one_module_twice_in_a_flow_is_told(shop):  # law 9
 
 def test_a_device_is_claimed_by_one_task_over_all_flows(shop):  # laws 9, 28
     shop.task("twin", ROBOT + "\n", local={"DEVICE": "yard:m0"}, module="twin")
-    said = texts(found(shop, [action("robot", "bell")], [action("twin", "bell")]))
-    assert said == ["twin.rmod: expected device yard:m0 for one task, found task robot claims it too"]
+    sentences = texts(found(shop, [action("robot", "bell")], [action("twin", "bell")]))
+    assert sentences == ["twin.rmod: expected device yard:m0 for one task, found task robot claims it too"]
     shop.task("twin", ROBOT + "\n", local={"DEVICE": "yard:m1"}, module="twin")
     assert found(shop, [action("robot", "bell")], [action("twin", "bell")]).faults == []
 
 
 def test_a_device_clash_is_told_even_of_a_task_that_is_wrong_otherwise(shop):  # R-E01
     shop.task("twin", ROBOT + "\n", local={"DEVICE": "yard:m0"}, module="twin", frequency=10.0)
-    said = texts(found(shop, [action("robot", "bell")], [action("twin", "bell")]))
-    assert any("claims it too" in one for one in said)
-    assert any("40 Hz" in one for one in said)
+    sentences = texts(found(shop, [action("robot", "bell")], [action("twin", "bell")]))
+    assert any("claims it too" in sentence for sentence in sentences)
+    assert any("40 Hz" in sentence for sentence in sentences)
 
 
 def test_an_action_without_a_trigger_never_ends(shop):  # R-E03
-    said = texts(found(shop, [action("robot")]))
-    assert said == ["test.appl:1: expected a trigger that ends job job0, found none"]
+    sentences = texts(found(shop, [action("robot")]))
+    assert sentences == ["test.appl:1: expected a trigger that ends job job0, found none"]
 
 
 def test_of_several_triggers_the_first_counts_and_the_others_are_noted(shop):  # reading 16
@@ -153,7 +153,7 @@ def test_of_several_triggers_the_first_counts_and_the_others_are_noted(shop):  #
 
 
 @pytest.mark.parametrize(
-    ("line", "said"),
+    ("line", "sentence"),
     [
         ("0.5", "expected 2 values (end[2]), found 1"),
         ("0.5 0.5 0.5", "found 3"),
@@ -162,18 +162,18 @@ def test_of_several_triggers_the_first_counts_and_the_others_are_noted(shop):  #
         ("nan 0.5", "expected a finite number"),
     ],
 )
-def test_values_that_the_trigger_does_not_take_are_told_before_the_run(shop, line, said):  # R-E03, R-X02
+def test_values_that_the_trigger_does_not_take_are_told_before_the_run(shop, line, sentence):  # R-E03, R-X02
     prepared = found(shop, [action("robot", "move", arguments=line)])
     assert len(prepared.faults) == 1
-    assert said in str(prepared.faults[0].reason)
+    assert sentence in str(prepared.faults[0].reason)
     assert str(prepared.faults[0].place) == "test.appl:1"
 
 
 def test_targets_out_of_reach_are_told_each(shop):  # R-X02, R-E09, law 26
     flow = [action("robot", "move", arguments="0 0"), action("robot", "bell"), action("robot", "move", arguments="0 0")]
     targets = [TargetValues(0, n, "joint object", (float(n), 0.0)) for n in (0, 2)]
-    said = texts(found(shop, flow, targets=targets))
-    assert said == ["test.appl:3: expected a target within reach, found there: 2.0 is too far"]
+    sentences = texts(found(shop, flow, targets=targets))
+    assert sentences == ["test.appl:3: expected a target within reach, found there: 2.0 is too far"]
 
 
 def test_a_target_of_another_flow_is_none_of_a_robots_business(shop):  # R-K02
@@ -183,14 +183,14 @@ def test_a_target_of_another_flow_is_none_of_a_robots_business(shop):  # R-K02
 
 @pytest.mark.parametrize("hertz", [20.0, 39.9, 0.001])
 def test_a_configuration_may_not_slow_hardware_below_forty_hertz(shop, hertz):  # law 17
-    (said,) = texts(found(shop, [action("robot", "bell", rates={"robot": hertz, "bell": 1.0})]))
-    assert said == f"test.appl:1: expected hardware task robot in job0 at 40 Hz or more, found {hertz:g} Hz"
+    (sentences,) = texts(found(shop, [action("robot", "bell", rates={"robot": hertz, "bell": 1.0})]))
+    assert sentences == f"test.appl:1: expected hardware task robot in job0 at 40 Hz or more, found {hertz:g} Hz"
 
 
 def test_no_rate_is_beyond_what_the_clock_can_tell(shop):  # R-A04, law 13
     shop.task("fast", module("", "Fast"), frequency=1e9)
-    said = texts(found(shop, [action("robot", "fast", rates={"robot": 2e9})]))
-    assert said == [
+    sentences = texts(found(shop, [action("robot", "fast", rates={"robot": 2e9})]))
+    assert sentences == [
         "fast.rmod: expected 0.001 Hz to 1e+06 Hz for fast, found 1e+09 Hz",
         "test.appl:1: expected 0.001 Hz to 1e+06 Hz for robot in job0, found 2e+09 Hz",
     ]
@@ -199,16 +199,16 @@ def test_no_rate_is_beyond_what_the_clock_can_tell(shop):  # R-A04, law 13
 def test_code_that_cannot_be_loaded_is_told_once_and_the_rest_is_looked_at(shop):  # R-E01
     shop.task("bad", "class Bad(:\n")
     shop.task("slow", module("", "Slow", "hardware"), frequency=10.0, local={"DEVICE": "yard:m1"})
-    said = texts(found(shop, [action("robot", "bad", "bell"), action("slow", "bell")]))
-    assert len(said) == 2
-    assert said[0].startswith("bad.py:1: expected Python")
-    assert said[1].startswith("slow.rmod: expected a hardware task of at least 40 Hz")
+    sentences = texts(found(shop, [action("robot", "bad", "bell"), action("slow", "bell")]))
+    assert len(sentences) == 2
+    assert sentences[0].startswith("bad.py:1: expected Python")
+    assert sentences[1].startswith("slow.rmod: expected a hardware task of at least 40 Hz")
 
 
 def test_what_a_robot_cannot_say_of_itself_is_told(shop):  # R-B07
     shop.task("robot", ROBOT.replace("return {", "return 1 / 0, {"), local={"DEVICE": "yard:m0"}, frequency=500.0)
-    said = texts(found(shop, [action("robot", "bell")]))
-    assert any("ZeroDivisionError" in one for one in said)
+    sentences = texts(found(shop, [action("robot", "bell")]))
+    assert any("ZeroDivisionError" in sentence for sentence in sentences)
 
 
 def test_faults_stand_in_order_and_once(shop):

@@ -79,42 +79,45 @@ class Loading(ModuleFacts):
         return ("a", "b")
 
 
-def lines(found):
-    return [one.arguments for one in found.plan.flows[0].actions]
+def lines(preparation):
+    return [planned.arguments for planned in preparation.plan.flows[0].actions]
 
 
 def test_a_joint_target_becomes_the_posture_that_brings_the_other_robot_to_its_pose():  # law 26, R-E09
-    found = Shop(SCALE="2", JOINTS="2").prepared(1.0, 4.0)
-    assert found.faults == []
-    assert lines(found) == ["2.0 2.0 1.5", "8.0 8.0 1.5"]
-    assert [(one.flow, one.action, one.target, one.task, one.instead_of) for one in found.resolved] == [
+    preparation = Shop(SCALE="2", JOINTS="2").prepared(1.0, 4.0)
+    assert preparation.faults == []
+    assert lines(preparation) == ["2.0 2.0 1.5", "8.0 8.0 1.5"]
+    assert [
+        (resolved.flow, resolved.action, resolved.target, resolved.task, resolved.instead_of)
+        for resolved in preparation.resolved
+    ] == [
         (0, 0, "t0", "new", "old"),
         (0, 1, "t1", "new", "old"),
     ]
-    assert (found.resolved[0].were, found.resolved[0].values) == ((1.0, 1.5), (2.0, 2.0, 1.5))
+    assert (preparation.resolved[0].were, preparation.resolved[0].values) == ((1.0, 1.5), (2.0, 2.0, 1.5))
 
 
 def test_what_both_robots_take_in_the_same_way_stays_as_it_is():  # law 26
-    found = Shop(MODE="other").prepared(1.0)
-    assert (found.faults, found.resolved, lines(found)) == ([], [], ["1.0 1.5"])
+    preparation = Shop(MODE="other").prepared(1.0)
+    assert (preparation.faults, preparation.resolved, lines(preparation)) == ([], [], ["1.0 1.5"])
     again = Shop(new=ROBOT.replace('"SCALE": local.SCALE}', '"SCALE": local.SCALE, "HOME": 3}')).prepared(1.0)
     assert (again.faults, again.resolved, lines(again)) == ([], [], ["1.0 1.5"])
 
 
 def test_a_target_that_the_other_robot_cannot_take_is_told_with_its_place_and_no_other():  # law 26, R-X02
-    found = Shop(SCALE="2").prepared(1.0, 6.0, 2.0)
-    (fault,) = found.faults
+    preparation = Shop(SCALE="2").prepared(1.0, 6.0, 2.0)
+    (fault,) = preparation.faults
     assert (str(fault.place), str(fault.reason)) == (
         "test.appl:2",
         "expected a posture of new where old would be, found t1: 12 is beyond",
     )
     assert str(fault.where) == "flow0, action 2: action 1"
-    assert [one.target for one in found.resolved] == ["t0", "t2"]
+    assert [resolved.target for resolved in preparation.resolved] == ["t0", "t2"]
 
 
 def test_a_plan_that_is_not_redirected_is_left_alone():  # law 26
-    found = Shop(SCALE="2").prepared(1.0, replaced=False)
-    assert (found.faults, found.resolved, lines(found)) == ([], [], ["1.0 1.5"])
+    preparation = Shop(SCALE="2").prepared(1.0, replaced=False)
+    assert (preparation.faults, preparation.resolved, lines(preparation)) == ([], [], ["1.0 1.5"])
 
 
 @pytest.mark.parametrize(
@@ -127,8 +130,11 @@ def test_a_plan_that_is_not_redirected_is_left_alone():  # law 26
     ids=["the old one knows no poses", "the new one knows no poses", "the old one has no code"],
 )
 def test_where_nobody_knows_the_pose_every_joint_target_is_refused(shop, knows_old, key):  # law 26, R-X02
-    found = shop.prepared(1.0, 2.0, knows_old=knows_old)
-    assert [(fault.reason.key, fault.reason.args["target"]) for fault in found.faults] == [(key, "t0"), (key, "t1")]
+    preparation = shop.prepared(1.0, 2.0, knows_old=knows_old)
+    assert [(fault.reason.key, fault.reason.args["target"]) for fault in preparation.faults] == [
+        (key, "t0"),
+        (key, "t1"),
+    ]
 
 
 @pytest.mark.parametrize("name", ["poses", "postures"])
@@ -139,6 +145,6 @@ def test_a_module_that_breaks_at_the_question_is_named(name):  # law 21
 
 
 def test_a_target_is_told_once_however_often_it_is_used():  # law 26
-    found = Shop(SCALE="2").prepared(1.0)
-    (note,) = found.notes
+    preparation = Shop(SCALE="2").prepared(1.0)
+    (note,) = preparation.notes
     assert str(note) == "test.appl:1: t0 is re-resolved for new, by the pose that it is for old: 2 1.5"

@@ -31,7 +31,7 @@ class Bench:
     def said(self):
         self.writer.finish()
         self.stream.seek(0)
-        return [(one.log_time, one.data) for _, _, one in make_reader(self.stream).iter_messages()]
+        return [(entry.log_time, entry.data) for _, _, entry in make_reader(self.stream).iter_messages()]
 
 
 @pytest.fixture
@@ -40,40 +40,40 @@ def bench():
 
 
 def test_what_is_taken_at_each_look_is_written_down_at_once_later(bench):  # R-X05, law 29: no value unseen
-    one = bench.watch("X", "double")
+    watch = bench.watch("X", "double")
     for look in range(5):
         bench.write("X", 2.0 * look)
         bench.write("X", 2.0 * look + 1.0)
-        one.take(4 * MS * (look + 1), 4 * MS * look)
-    one.settle()
-    one.settle()
+        watch.take(4 * MS * (look + 1), 4 * MS * look)
+    watch.settle()
+    watch.settle()
     assert bench.said() == [(2 * MS * (n + 1), b'{"value":%d.0}' % n) for n in range(10)]
-    assert one.missed == 0
+    assert watch.missed == 0
 
 
 def test_what_does_not_change_is_written_down_once(bench):
-    one = bench.watch("X", "double[2]")
+    watch = bench.watch("X", "double[2]")
     for look in range(4):
         bench.write("X", 1.0, 2.0)
-        one.take(look, look - 1)
-    one.settle()
+        watch.take(look, look - 1)
+    watch.settle()
     assert bench.said() == [(0, b'{"value":[1.0,2.0]}')]
 
 
 def test_a_long_value_is_not_kept_until_there_are_more(bench):  # bounded
-    one = bench.watch("IMAGE", "double[100]")
+    watch = bench.watch("IMAGE", "double[100]")
     bench.write("IMAGE", *range(100))
-    one.take(0, -1)
+    watch.take(0, -1)
     assert len(bench.said()) == 1
 
 
 def test_an_entry_that_was_made_anew_is_read_from_its_beginning(bench):
-    one = bench.watch("X", "double")
+    watch = bench.watch("X", "double")
     for number in (1.0, 2.0, 3.0):
         bench.write("X", number)
-    one.take(0, -1)
+    watch.take(0, -1)
     bench.table.ring("X").words[0] = 0
     bench.write("X", 9.0)
-    one.take(1, 0)
-    one.settle()
-    assert (bench.said()[-1], one.missed) == ((1, b'{"value":9.0}'), 0)
+    watch.take(1, 0)
+    watch.settle()
+    assert (bench.said()[-1], watch.missed) == ((1, b'{"value":9.0}'), 0)

@@ -36,10 +36,10 @@ def test_a_run_is_recorded_with_all_that_law_29_asks_for(path):  # R-X05, law 29
     assert (run.prepare.plan, run.begin.seed, run.is_virtual, run.is_fresh) == (PLAN, 5, True, True)
     assert reader.notes["end"]["hash"] == result.hash
     assert Series.all_of(reader)["flow0/X"].at(10**12) == pytest.approx(result.values.get("X", [2.0, 0.0]), abs=0.05)
-    told = [topics.decode_happened(body).event for _, body in reader.messages(topics.EVENTS)]
-    expected = [one for one in desk.server.told if not isinstance(one, event.Company | event.Result)]
-    assert [one for one in told if not isinstance(one, event.Result)] == expected
-    assert isinstance(told[-1], event.Result)
+    events = [topics.decode_happened(body).event for _, body in reader.messages(topics.EVENTS)]
+    expected = [message for message in desk.server.told if not isinstance(message, event.Company | event.Result)]
+    assert [message for message in events if not isinstance(message, event.Result)] == expected
+    assert isinstance(events[-1], event.Result)
     assert reader.count(topics.frames("yard")) > 10
 
 
@@ -57,9 +57,9 @@ def test_what_is_asked_is_recorded_and_what_only_looks_is_not(path):  # law 29
     desk.to_the_end()
     desk.ask(steer.Resume())
     desk.to_the_end()
-    asked = inputs_of(Reader(path))
-    assert [type(request.decode_request(one.body)) for one in asked] == [steer.Pause, steer.Resume]
-    assert asked[0].at_ns <= asked[1].at_ns
+    inputs = inputs_of(Reader(path))
+    assert [type(request.decode_request(recorded.body)) for recorded in inputs] == [steer.Pause, steer.Resume]
+    assert inputs[0].at_ns <= inputs[1].at_ns
 
 
 def test_one_run_is_recorded_at_a_time_and_a_later_one_knows_that_it_is_not_the_first(path, tmp_path):  # law 29
@@ -129,5 +129,5 @@ def test_a_disk_that_is_full_ends_the_recording_and_not_the_run(path):  # R-X05
     desk.program._recorder._writer.reason = "No space left on device"
     result = desk.to_the_end()
     assert result.completed
-    warned = [str(one.text) for one in desk.of(event.Warned)]
+    warned = [str(message.text) for message in desk.of(event.Warned)]
     assert warned == ["the recording is not whole: No space left on device"]

@@ -71,7 +71,7 @@ def test_it_looks_by_itself_until_the_run_is_over(tmp_path):  # law 29
     beside.close()
     reader = Reader(tmp_path / "run.mcap")
     assert RunRecord.read(reader) == run()
-    assert [one for _, one in Series.all_of(reader)["flow0/X"].values()] == [7]
+    assert [value for _, value in Series.all_of(reader)["flow0/X"].values()] == [7]
     assert reader.is_whole
 
 

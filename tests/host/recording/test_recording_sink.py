@@ -53,9 +53,9 @@ class Desk:
 
 @pytest.fixture
 def desk(tmp_path):
-    one = Desk(tmp_path / "run.mcap")
-    yield one
-    one.close()
+    desk = Desk(tmp_path / "run.mcap")
+    yield desk
+    desk.close()
 
 
 def test_a_variable_is_written_down_when_it_has_changed(desk):  # R-X05, law 29: at write rate

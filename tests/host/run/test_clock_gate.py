@@ -11,26 +11,26 @@ BEGAN = event.Began(0, 0, 1, "lift", 0.0)
 
 
 @pytest.fixture
-def told():
+def messages():
     return []
 
 
 @pytest.fixture
-def hold(told):
-    return ClockGate(lambda one, subsystem, session: told.append((one, subsystem, session)))
+def hold(messages):
+    return ClockGate(lambda message, subsystem, session: messages.append((message, subsystem, session)))
 
 
-def test_where_no_run_is_held_the_clock_goes_on(hold, told):  # R-E07
+def test_where_no_run_is_held_the_clock_goes_on(hold, messages):  # R-E07
     hold.say(5)
-    assert (hold.stands(0), hold.wake_at(), told) == (False, None, [])
+    assert (hold.stands(0), hold.wake_at(), messages) == (False, None, [])
     assert isinstance(hold.onward("", steer.Onward()), request.Refused)
 
 
-def test_a_held_run_stands_until_it_is_let_go_on(hold, told):  # R-E07
+def test_a_held_run_stands_until_it_is_let_go_on(hold, messages):  # R-E07
     hold.begin("me", "flow0", 0)
     hold.say(0)
     assert hold.stands(0)
-    assert told == []
+    assert messages == []
     assert hold.onward("me", steer.Onward()) == request.Done()
     assert not hold.stands(10**12)
 
@@ -41,18 +41,18 @@ def test_only_the_session_that_began_it_lets_it_go_on(hold):  # law 27
     assert hold.stands(0)
 
 
-def test_it_stands_at_the_time_that_was_asked_for_counted_from_its_start(hold, told):  # R-E07
+def test_it_stands_at_the_time_that_was_asked_for_counted_from_its_start(hold, messages):  # R-E07
     hold.begin("me", "flow0", 2 * SECOND)
     hold.onward("me", steer.Onward(0.5))
     assert hold.wake_at() == 2_500_000_000
     assert not hold.stands(2_499_999_999)
     assert hold.stands(2_500_000_000)
     hold.say(2_500_000_000)
-    assert told == [(event.Stood(0.5), "flow0", "me")]
+    assert messages == [(event.Stood(0.5), "flow0", "me")]
     assert hold.wake_at() is None
 
 
-def test_it_stands_after_everything_that_can_be_waited_for_and_says_so_once(hold, told):  # R-E07
+def test_it_stands_after_everything_that_can_be_waited_for_and_says_so_once(hold, messages):  # R-E07
     tell = hold.begin("me", "flow0", 0)
     hold.onward("me", steer.Onward())
     tell(event.TaskState("flow0", "pd", "ON", 0.0), "flow0", "me")
@@ -61,16 +61,16 @@ def test_it_stands_after_everything_that_can_be_waited_for_and_says_so_once(hold
     assert hold.stands(1)
     hold.say(SECOND)
     hold.say(SECOND)
-    assert [one for one, _, _ in told[1:]] == [BEGAN, event.Stood(1.0)]
+    assert [message for message, _, _ in messages[1:]] == [BEGAN, event.Stood(1.0)]
 
 
-def test_what_happened_while_it_stood_is_not_passed_over(hold, told):  # R-E07
+def test_what_happened_while_it_stood_is_not_passed_over(hold, messages):  # R-E07
     tell = hold.begin("me", "flow0", 0)
     tell(BEGAN, "flow0", "me")
     hold.onward("me", steer.Onward())
     assert hold.stands(0)
     hold.say(0)
-    assert told[-1][0] == event.Stood(0.0)
+    assert messages[-1][0] == event.Stood(0.0)
 
 
 def test_a_session_that_is_lost_holds_nothing(hold):  # R-E10
@@ -90,7 +90,7 @@ def begun(asker, **settings):
     assert asker.ask(request.Begin(**settings)) == request.Done()
 
 
-def test_a_held_run_stops_at_each_event_and_is_the_same_run(told):  # R-E07, law 14
+def test_a_held_run_stops_at_each_event_and_is_the_same_run(messages):  # R-E07, law 14
     plain, held = DirectClient(), DirectClient()
     begun(plain)
     begun(held, is_held=True)

@@ -25,9 +25,9 @@ class Units:
         self.sent.append((rtpu, order))
 
     def take(self, kind):
-        found = [order for _, order in self.sent if isinstance(order, kind)]
+        orders_sent = [order for _, order in self.sent if isinstance(order, kind)]
         self.sent = [(rtpu, order) for rtpu, order in self.sent if not isinstance(order, kind)]
-        return found
+        return orders_sent
 
 
 class View:
@@ -52,9 +52,9 @@ class View:
         self.on("go", "bell")
 
     def feed(self, *news):
-        found = [order for one in news for order in self.engine.feed(one)]
+        commands = [order for news in news for order in self.engine.feed(news)]
         self.prepared.refresh()
-        return found
+        return commands
 
     def on(self, *names):
         for name in names:
@@ -67,7 +67,7 @@ def test_the_next_switch_is_prepared_as_soon_as_everybody_is_on():
     assert (prepared.subsystem, prepared.task) == ("flow0", "bell")
     (case,) = prepared.cases
     assert (case.choice, case.loop, case.number) == (None, None, 1)
-    assert ([one.task for one in case.switch.on], case.switch.off) == (["ring"], ())
+    assert ([task.task for task in case.switch.on], case.switch.off) == (["ring"], ())
 
 
 def test_nothing_is_prepared_for_tasks_on_several_units():  # law 3: only one unit keeps the order by itself
@@ -77,8 +77,10 @@ def test_nothing_is_prepared_for_tasks_on_several_units():  # law 3: only one un
 def test_what_was_carried_out_is_not_ordered_again():
     view = View()
     view.units.take(command.PreparedSwitch)
-    switches = [one for one in view.feed(said.Finished(0, "bell", switched=1)) if isinstance(one, orders.Switch)]
-    assert [one.number for one in switches] == [1]
+    switches = [
+        message for message in view.feed(said.Finished(0, "bell", switched=1)) if isinstance(message, orders.Switch)
+    ]
+    assert [switch.number for switch in switches] == [1]
     assert view.prepared.switched(switches[0]) is None
 
 
@@ -95,7 +97,7 @@ def test_the_user_waits_until_nothing_is_prepared():  # R-E07
     view.prepared.when_free(0, lambda: done.append("pause"))
     view.prepared.when_free(0, lambda: done.append("again"))
     assert done == []
-    assert [one.cases for one in view.units.take(command.PreparedSwitch)] == [()]  # asked to forget once
+    assert [prepared.cases for prepared in view.units.take(command.PreparedSwitch)] == [()]  # asked to forget once
     view.prepared.freed(0)
     assert done == ["pause", "again"]
     view.prepared.when_free(0, lambda: done.append("at once"))

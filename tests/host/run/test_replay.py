@@ -6,9 +6,9 @@ SECOND = 1_000_000_000
 PAUSE, ANSWER = steer.Pause("flow0"), request.Reply("flow0", "gauge", "1")
 
 
-def repeated(*asked, until_ns=10 * SECOND, now=0):
+def repeated(*requests, until_ns=10 * SECOND, now=0):
     repeat = Replay()
-    inputs = tuple(Recorded(at, turn, encode(one)) for at, turn, one in asked)
+    inputs = tuple(Recorded(at, turn, encode(wish)) for at, turn, wish in requests)
     repeat.begin("me", request.Begin(repeat=inputs, repeat_until_ns=until_ns), now)
     return repeat
 

@@ -15,20 +15,20 @@ def told(tell):
     run_events = RunEvents(structs.replace(plan, flows=tuple(named)), events.append)
     run_events.began = 1_000_000_000
     tell(run_events)
-    (one,) = events
-    return one
+    (message,) = events
+    return message
 
 
 def test_an_action_is_told_with_its_name_and_how_many_there_are():  # R-E11
-    one = told(lambda events: events.note(orders.Began(1, 0), 1_500_000_000))
-    assert one == event.Began(1, 0, 1, "action 0", 0.5)
+    message = told(lambda events: events.note(orders.Began(1, 0), 1_500_000_000))
+    assert message == event.Began(1, 0, 1, "action 0", 0.5)
     assert told(lambda events: events.note(orders.Done(1, 0), 1_500_000_000)) == event.Done(1, 0, 0.5)
 
 
 def test_a_flow_that_waits_is_told_with_the_names_of_those_it_waits_for():  # R-X03
     moved = orders.Moved(0, "waiting", 3, "meet", (1,), "flow 1 has ended")
-    one = told(lambda events: events.note(moved, 1_000_000_000))
-    assert one == event.Moved("left", "waiting", 3, 0.0, "meet", ("right",), "flow 1 has ended")
+    message = told(lambda events: events.note(moved, 1_000_000_000))
+    assert message == event.Moved("left", "waiting", 3, 0.0, "meet", ("right",), "flow 1 has ended")
 
 
 def test_a_note_names_its_subsystem():  # R-A08

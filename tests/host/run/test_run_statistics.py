@@ -64,7 +64,7 @@ def test_figures_of_all_units_are_told_in_order():  # R-A17
     statistics.figures(Statuses("rt0", 0.1, (status("flow0", "b", miss=4),)), flows)
     statistics.figures(Statuses("rt0", 0.1, (status("another", "b"),)), flows)
     tasks = statistics.result(0, 0.0, "").tasks
-    assert [(one.subsystem, one.task, one.rtpu, one.missed) for one in tasks] == [
+    assert [(task.subsystem, task.task, task.rtpu, task.missed) for task in tasks] == [
         ("flow0", "b", "rt0", 4),
         ("flow0", "z", "rt1", 1),
         ("flow1", "a", "rt1", 1),

@@ -10,7 +10,9 @@ BOTH = [action("arm", "go", arguments="")]
 
 
 def switches(rig):
-    return [(rtpu, order.off, tuple(one.task for one in order.on)) for rtpu, order in rig.units.take(command.Switch)]
+    return [
+        (rtpu, order.off, tuple(launch.task for launch in order.on)) for rtpu, order in rig.units.take(command.Switch)
+    ]
 
 
 def test_tasks_are_spawned_as_soon_as_their_constants_are_there():  # law 10
@@ -78,12 +80,12 @@ def test_the_watcher_is_told_states_actions_and_times_since_the_run_began():  # 
     rig = RunnerRig([action("bell"), action("bell")]).start().spawned("bell").turned_on("bell")
     rig.now += 2_000_000_000
     rig.finish("bell")
-    assert [(one.index, one.of, one.action, one.at_s) for one in rig.of(event.Began)] == [
+    assert [(message.index, message.of, message.action, message.at_s) for message in rig.of(event.Began)] == [
         (0, 2, "action 0", 0.0),
         (1, 2, "action 1", 2.0),
     ]
-    assert [(one.index, one.at_s) for one in rig.of(event.Done)] == [(0, 2.0)]
-    assert [one.state for one in rig.of(event.TaskState)] == ["OFF", "ON", "OFF"]
+    assert [(message.index, message.at_s) for message in rig.of(event.Done)] == [(0, 2.0)]
+    assert [message.state for message in rig.of(event.TaskState)] == ["OFF", "ON", "OFF"]
 
 
 def test_an_abort_kills_every_task_and_names_the_cause():  # R-E14
@@ -139,7 +141,7 @@ def test_a_passive_task_in_error_is_noted_and_the_job_goes_on():  # reading 17
     rig = RunnerRig([action("bell", "show")]).start().spawned("bell", "show").turned_on("bell", "show")
     rig.hear(news.Failed("flow0", "show", "cycle", "ValueError: no", "show.py", 7, "", rig.now))
     assert rig.units.take(command.Kill) == []
-    assert any(one.text.key == "engine.passive_in_error" for one in rig.of(event.Warned))
+    assert any(message.text.key == "engine.passive_in_error" for message in rig.of(event.Warned))
     rig.finish("bell")
     assert rig.runner.wake_at() is not None
 
@@ -175,8 +177,8 @@ def test_a_lost_unit_is_not_waited_for_when_statuses_are_asked():  # R-E10
 def test_news_of_unknown_tasks_is_nobodys():
     rig = RunnerRig([action("bell")]).start()
     before = list(rig.events)
-    for one in (news.Initialised("flow9", "bell"), news.Finished("flow0", "nobody", 0, False, 0)):
-        rig.hear(one)
+    for report in (news.Initialised("flow9", "bell"), news.Finished("flow0", "nobody", 0, False, 0)):
+        rig.hear(report)
     assert rig.events == before
 
 
@@ -211,7 +213,7 @@ def test_flows_that_meet_begin_by_one_command_where_they_share_a_unit():  # R-E0
     rig = RunnerRig([action("bell")], [action("bell")]).start()
     rig.spawned("bell").spawned("bell", subsystem="flow1")
     (together,) = [order for _, order in rig.units.take(command.Together)]
-    assert [(one.subsystem, [launch.task for launch in one.on]) for one in together.switches] == [
+    assert [(switch.subsystem, [launch.task for launch in switch.on]) for switch in together.switches] == [
         ("flow0", ["bell"]),
         ("flow1", ["bell"]),
     ]
@@ -220,11 +222,11 @@ def test_flows_that_meet_begin_by_one_command_where_they_share_a_unit():  # R-E0
 def test_the_switch_that_was_prepared_is_not_sent_again():
     rig = RunnerRig([action("bell"), action("bell", "show")]).start().spawned("bell", "show").turned_on("bell")
     ((_, prepared),) = rig.units.take(command.PreparedSwitch)
-    assert [one.task for one in prepared.cases[0].switch.on] == ["bell", "show"]
+    assert [task.task for task in prepared.cases[0].switch.on] == ["bell", "show"]
     rig.units.take(command.Switch)
     rig.hear(news.Finished("flow0", "bell", 0, False, rig.now, prepared.activation, 1))
     assert rig.units.take(command.Switch) == []
-    assert [(one.index, one.action) for one in rig.of(event.Began)][-1][0] == 1
+    assert [(message.index, message.action) for message in rig.of(event.Began)][-1][0] == 1
     late = prepared.activation  # a word about the activation before says nothing any more
     rig.hear(news.Finished("flow0", "bell", 0, False, rig.now, late, 0))
     assert len(rig.of(event.Done)) == 1
@@ -243,7 +245,7 @@ def test_a_failed_task_is_cleared_and_the_step_repeated_where_somebody_decides()
     rig.hear(news.Changed("flow0", "arm", "OFF", rig.now))
     ons = [launch.task for _, order in rig.units.take(command.Switch) for launch in order.on]
     assert "arm" in ons
-    assert [one.state for one in rig.of(event.Moved)] == ["stopped", "clearing", "running"]
+    assert [message.state for message in rig.of(event.Moved)] == ["stopped", "clearing", "running"]
 
 
 def test_a_failure_counts_however_late_it_is_heard():  # R-E08
@@ -257,6 +259,6 @@ def test_a_failure_counts_however_late_it_is_heard():  # R-E08
     rig.runner.steer(steer.Skip("flow0", 1), rig.now, lambda _refusal: None)
     rig.hear(news.Unprepared("flow0"))
     rig.hear(news.Failed("flow0", "bell", "off", "no", "", 0, "", rig.now, prepared.activation))
-    assert [one.state for one in rig.of(event.Moved)][-1] == "stopped"
+    assert [message.state for message in rig.of(event.Moved)][-1] == "stopped"
     rig.runner.steer(steer.Recover("flow0"), rig.now, lambda _refusal: None)
     assert [order.task for _, order in rig.units.take(command.Clear)] == ["bell"]

@@ -39,10 +39,15 @@ def test_an_answer_under_a_name_that_is_not_asked_for_ends_the_run():  # law 25
 
 def test_whoever_is_there_is_asked_and_answers():  # law 25, R-E15
     rig = asking(Begin(may_ask=True))
-    (asked,) = rig.of(event.Asked)
-    assert (asked.subsystem, asked.task, asked.items[0].name, asked.items[0].high) == ("flow0", "bell", "level", (1.0,))
+    (question,) = rig.of(event.Asked)
+    assert (question.subsystem, question.task, question.items[0].name, question.items[0].high) == (
+        "flow0",
+        "bell",
+        "level",
+        (1.0,),
+    )
     assert rig.runner.is_asking
-    assert rig.runner.questions("flow0") == (asked,)  # for whoever comes later
+    assert rig.runner.questions("flow0") == (question,)  # for whoever comes later
     assert rig.runner.questions("flow1") == ()
     rig.runner.answer("flow0", "bell", "0.5")
     assert answers(rig) == [("bell", "0.5")]

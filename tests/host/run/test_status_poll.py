@@ -75,8 +75,8 @@ def test_answers_of_a_module_come_in_the_order_of_questions():  # R-A05
     status_poll, sent, _ = roll_of("rt0")
     came = []
     for name in ("a", "b"):
-        status_poll.ask("rt0", command.Get("s0", "one", name), lambda heard, name=name: came.append((name, heard)))
-    status_poll.ask("rt0", command.Get("s0", "two", "c"), lambda heard: came.append(("c", heard)))
+        status_poll.ask("rt0", command.Get("s0", "one", name), lambda reply, name=name: came.append((name, reply)))
+    status_poll.ask("rt0", command.Get("s0", "two", "c"), lambda reply: came.append(("c", reply)))
     assert len(sent.orders) == 3
     answers = [
         news.Got("s0", "two", "c", 3),

@@ -68,7 +68,7 @@ def test_a_switch_goes_out_at_once(switcher):  # R-A07
     switcher.switches.switch(start(0, "one"))
     (sent,) = switcher.sent
     assert isinstance(sent, command.Switch)
-    assert [one.task for one in sent.on] == ["one"]
+    assert [task.task for task in sent.on] == ["one"]
 
 
 def test_switches_that_belong_together_go_out_as_one_command(switcher):  # R-E04
@@ -78,7 +78,7 @@ def test_switches_that_belong_together_go_out_as_one_command(switcher):  # R-E04
     switcher.switches.switch(start(1, "two"))
     (sent,) = switcher.sent
     assert isinstance(sent, command.Together)
-    assert [one.subsystem for one in sent.switches] == ["flow0", "flow1"]
+    assert [switch.subsystem for switch in sent.switches] == ["flow0", "flow1"]
 
 
 def test_a_second_writer_does_not_come_on_and_the_others_do(switcher):  # law 9
@@ -89,7 +89,7 @@ def test_a_second_writer_does_not_come_on_and_the_others_do(switcher):  # law 9
     (refused,) = switcher.refused
     assert (refused.subsystem, refused.task, refused.command) == ("flow0", "two", "on")
     assert str(refused.reason) == "A is written by task one, which is ON"
-    assert [one.subsystem for one in switcher.sent] == ["flow1"]
+    assert [order.subsystem for order in switcher.sent] == ["flow1"]
 
 
 def test_what_a_unit_has_done_by_itself_is_not_done_again(switcher):  # decision 19
@@ -97,4 +97,4 @@ def test_what_a_unit_has_done_by_itself_is_not_done_again(switcher):  # decision
     assert switcher.sent == []
     switcher.prepared.rest = orders.Switch(0, ("one",), ())
     switcher.switches.switch(start(0, "one", "one", number=1))
-    assert [one.off for one in switcher.sent] == [("one",)]
+    assert [order.off for order in switcher.sent] == [("one",)]

@@ -37,12 +37,12 @@ def test_the_path_says_the_channel_and_the_token_who_it_is(door, path, channel):
 
 
 @pytest.mark.parametrize(
-    ("host", "found"),
+    ("host", "refusal"),
     [("robot", 101), ("ROBOT:1", 101), ("192.0.2.1:7994", 101), ("[::1]:7994", 101), ("evil.example", 403), ("", 403),
      ("robot.evil.example", 403), ("a:b", 403)],
 )  # fmt: skip
-def test_only_its_own_names_and_numbers_are_answered_to(door, host, found):  # network.md, DNS rebinding
-    assert status(door, ("Host", host), BEARER) == found
+def test_only_its_own_names_and_numbers_are_answered_to(door, host, refusal):  # network.md, DNS rebinding
+    assert status(door, ("Host", host), BEARER) == refusal
 
 
 def test_a_request_without_a_host_or_with_two_is_refused(door):
@@ -51,11 +51,11 @@ def test_a_request_without_a_host_or_with_two_is_refused(door):
 
 
 @pytest.mark.parametrize(
-    ("origin", "found"),
+    ("origin", "refusal"),
     [("https://robot:7994", 101), ("http://robot:7994", 403), ("https://robot", 403), ("null", 403)],
 )
-def test_a_page_of_another_origin_has_no_access(door, origin, found):
-    assert status(door, HOST, BEARER, ("Origin", origin)) == found
+def test_a_page_of_another_origin_has_no_access(door, origin, refusal):
+    assert status(door, HOST, BEARER, ("Origin", origin)) == refusal
 
 
 @pytest.mark.parametrize("value", ["Bearer wrong", "Bearer ", "Bearer", "Basic anns", "anns", ""])
@@ -84,7 +84,7 @@ def test_who_stands_longest_in_the_door_makes_room(door):  # network.md F15
     first, evicted = door.enter("a")
     assert evicted is None
     others = [door.enter("a") for _ in range(FROM_ONE_ADDRESS - 1)]
-    assert [one for _, one in others if one is not None] == []
+    assert [access for _, access in others if access is not None] == []
     assert door.enter("a")[1] == first
     assert door.enter("b")[1] is None
 

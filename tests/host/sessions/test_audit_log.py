@@ -19,7 +19,7 @@ class Book:
         self.lines = []
 
     def note(self, what, weighs=False, **about):
-        self.lines.append((what, weighs, {key: one for key, one in about.items() if one}))
+        self.lines.append((what, weighs, {key: value for key, value in about.items() if value}))
 
 
 @pytest.fixture
@@ -27,9 +27,9 @@ def book():
     return Book()
 
 
-def answered(book, asked, response=None, complain=lambda _text: None):
+def answered(book, wish, response=None, complain=lambda _text: None):
     AuditLog(book, complain).answered(
-        SessionRequest(1, "ann#2", Role.OPERATOR, asked, "192.0.2.7"), response or request.Done()
+        SessionRequest(1, "ann#2", Role.OPERATOR, wish, "192.0.2.7"), response or request.Done()
     )
 
 
@@ -75,15 +75,15 @@ LOOKS = [
 ]
 
 
-@pytest.mark.parametrize("asked", COMMANDS, ids=lambda one: type(one).__name__)
-def test_there_is_no_command_without_a_line(book, asked):  # R-X12
-    answered(book, asked)
-    assert [line[0] for line in book.lines] == [type(asked).__name__]
+@pytest.mark.parametrize("wish", COMMANDS, ids=lambda wish: type(wish).__name__)
+def test_there_is_no_command_without_a_line(book, wish):  # R-X12
+    answered(book, wish)
+    assert [line[0] for line in book.lines] == [type(wish).__name__]
 
 
-@pytest.mark.parametrize("asked", LOOKS, ids=lambda one: type(one).__name__)
-def test_looking_is_no_command(book, asked):
-    answered(book, asked)
+@pytest.mark.parametrize("wish", LOOKS, ids=lambda wish: type(wish).__name__)
+def test_looking_is_no_command(book, wish):
+    answered(book, wish)
     assert book.lines == []
 
 
@@ -99,8 +99,8 @@ def test_code_is_named_by_its_whole_digest_and_goes_to_the_disk_at_once(book):  
 def test_stops_and_changes_of_holder_go_to_the_disk_at_once(book):  # R-X12
     answered(book, request.Stop("x"))
     audit_log = AuditLog(book)
-    for one in (event.Held("s0", "bob#3", "why"), event.Stopped(True, "x"), event.Stopped(False, "")):
-        audit_log.told(one)
+    for message in (event.Held("s0", "bob#3", "why"), event.Stopped(True, "x"), event.Stopped(False, "")):
+        audit_log.told(message)
     assert [line[:2] for line in book.lines] == [
         ("Stop", True),
         ("held", True),
@@ -132,9 +132,9 @@ def test_who_comes_and_goes_is_a_line_once_and_not_for_each_connection(book):  #
 
 
 def test_that_it_cannot_be_written_is_told_once_until_it_can_again(book):  # R-X12
-    told = []
-    audit_log = AuditLog(book, told.append)
+    lines = []
+    audit_log = AuditLog(book, lines.append)
     for trouble in ("full", "full", "", "full"):
         book.trouble = trouble
         audit_log.told(event.Held("s0", "bob#3"))
-    assert told == ["full", "full"]
+    assert lines == ["full", "full"]

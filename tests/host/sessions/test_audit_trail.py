@@ -15,7 +15,7 @@ def path(tmp_path):
 def records(path):
     trail = read(older(path))
     assert trail.faults == []
-    return [one["what"] for one in trail.records]
+    return [record["what"] for record in trail.records]
 
 
 def test_a_line_is_in_the_file_as_soon_as_it_is_noted(path):  # R-X12
@@ -66,10 +66,10 @@ def test_it_is_bounded_and_the_chain_goes_on_through_all_its_files(path):  # R-X
         audit.note(f"deed {number}")
     audit.close()
     files = older(path)
-    assert [one.name for one in files] == ["audit.log.3", "audit.log.2", "audit.log.1", "audit.log"]
-    assert sum(one.stat().st_size for one in files) < 4 * 1300
-    found = records(path)
-    assert found == [f"deed {number}" for number in range(100 - len(found), 100)]
+    assert [file.name for file in files] == ["audit.log.3", "audit.log.2", "audit.log.1", "audit.log"]
+    assert sum(file.stat().st_size for file in files) < 4 * 1300
+    entries = records(path)
+    assert entries == [f"deed {number}" for number in range(100 - len(entries), 100)]
     assert read(files).begins
 
 
@@ -85,8 +85,8 @@ def test_two_runtimes_never_write_one_file(path):  # R-X12
     assert (first.path.name, second.path.name) == ("audit.log", "audit-2.log")
     with pytest.raises(OSError, match="another runtime writes"):
         open_for(str(path))
-    for one in (first, second):
-        one.close()
+    for trail in (first, second):
+        trail.close()
     open_for(str(path)).close()
 
 

@@ -12,7 +12,7 @@ def hand():
 
 
 def held(hand):
-    return [(one.subsystem, one.holder) for one in hand.asker.of(event.Held)]
+    return [(message.subsystem, message.holder) for message in hand.asker.of(event.Held)]
 
 
 def leave(hand, session):
@@ -35,7 +35,7 @@ def test_a_refused_change_makes_nobody_a_holder(hand):  # R-X12
 
 
 @pytest.mark.parametrize(
-    "asked",
+    "wish",
     [
         live.Change("s0", off=("counter",)),
         live.Clear("s0", "counter"),
@@ -46,12 +46,12 @@ def test_a_refused_change_makes_nobody_a_holder(hand):  # R-X12
         live.Take("s0"),
         request.Reply("s0", "counter", "1"),
     ],
-    ids=lambda one: type(one).__name__,
+    ids=lambda wish: type(wish).__name__,
 )
-def test_what_changes_a_subsystem_is_for_its_holder(hand, asked):  # R-X12
+def test_what_changes_a_subsystem_is_for_its_holder(hand, wish):  # R-X12
     hand.change(spawn=["counter"], on=["counter"], session="one")
     before = hand.standing()
-    answer = hand.asker.ask(asked, "two")
+    answer = hand.asker.ask(wish, "two")
     assert isinstance(answer, request.Refused)
     assert "held by one" in str(answer.reason)
     assert hand.standing() == before
@@ -59,8 +59,8 @@ def test_what_changes_a_subsystem_is_for_its_holder(hand, asked):  # R-X12
 
 def test_everybody_looks(hand):  # R-X12
     hand.change(spawn=["counter"], on=["counter"], session="one")
-    for asked in (live.Survey(), live.Read("s0"), live.Status(), live.Check("s0"), live.Get("s0", "counter", "X")):
-        answer = hand.asker.ask(asked, "two")
+    for wish in (live.Survey(), live.Read("s0"), live.Status(), live.Check("s0"), live.Get("s0", "counter", "X")):
+        answer = hand.asker.ask(wish, "two")
         assert "held by" not in str(answer)
 
 
@@ -95,7 +95,7 @@ def test_a_holder_that_is_gone_leaves_its_tasks_off_and_its_subsystem_free(hand)
     leave(hand, "one")
     assert hand.states == {"counter": "OFF", "source": "OFF"}
     assert hand.asker.states("s1") == {"counter": "ON"}
-    assert not any(one.is_wanted_on for one in hand.standing().values())
+    assert not any(task.is_wanted_on for task in hand.standing().values())
     assert hand.change(on=["counter"], session="two") == ""
 
 
@@ -156,7 +156,7 @@ def there(hand, *sessions):
 
 
 def offers(hand):
-    return [(one.holder, one.to, str(one.outcome)) for one in hand.asker.of(event.Offered)]
+    return [(message.holder, message.to, str(message.outcome)) for message in hand.asker.of(event.Offered)]
 
 
 def test_a_subsystem_is_handed_over_while_it_moves(hand):  # R-X12
@@ -221,8 +221,8 @@ def test_a_user_with_one_session_is_enough_of_a_name(hand):  # R-X12
 
 def test_who_only_watches_changes_nothing_and_may_stop(hand):  # R-X12, law 27
     assert hand.asker.ask(holding.OnlyWatch(), "two") == request.Done()
-    for asked in (live.Take("s0"), live.Change("s0"), live.Reset(), request.Abort("no"), steer.Resume("s0")):
-        assert "only watches" in str(hand.asker.ask(asked, "two").reason)
+    for wish in (live.Take("s0"), live.Change("s0"), live.Reset(), request.Abort("no"), steer.Resume("s0")):
+        assert "only watches" in str(hand.asker.ask(wish, "two").reason)
     assert isinstance(hand.asker.ask(live.Survey(), "two"), live.Standing)
     assert hand.asker.ask(request.Stop("enough"), "two") == request.Done()
 
@@ -233,7 +233,7 @@ def test_a_holder_releases_before_it_only_watches(hand):  # R-X12
     hand.asker.ask(live.Release("s0"), "one")
     assert hand.asker.ask(holding.OnlyWatch(), "one") == request.Done()
     there_now = hand.asker.ask(holding.Sessions(), "two").sessions
-    assert [(one.name, one.only_watches) for one in there_now] == [("one", True), ("two", False)]
+    assert [(session.name, session.only_watches) for session in there_now] == [("one", True), ("two", False)]
 
 
 SESSIONS = ("one", "two", "three")
@@ -329,7 +329,7 @@ class Rule:
 
 
 def do(hand, deed, session, other):
-    asked = {
+    wishes = {
         "take": live.Take("s0"),
         "release": live.Release("s0"),
         "hand": holding.Hand("s0", other),
@@ -338,8 +338,8 @@ def do(hand, deed, session, other):
         "stop": request.Stop("enough"),
         "reset": live.Reset(),
     }
-    if deed in asked:
-        hand.asker.ask(asked[deed], session)
+    if deed in wishes:
+        hand.asker.ask(wishes[deed], session)
     elif deed == "turn":
         word = "off" if hand.states["counter"] == "ON" else "on"
         hand.change(**{word: ["counter"]}, session=session)
@@ -362,7 +362,13 @@ def test_there_are_never_two_writers_and_nothing_starts_by_itself(deeds):  # R-X
         do(hand, deed, session, other)
         rule.do(deed, session, other)
         standing = hand.asker.ask(live.Survey(), "witness").subsystems
-        (found,) = [(one.holder, one.tasks[0].state == "ON") for one in standing if one.name == "s0"]
-        assert found == (rule.holder, rule.is_on), deeds[: number + 1]
-        writers = {one for one in SESSIONS if not hand.asker.program.authority.refusal(one, live.Close("s0"), False)}
+        (hold,) = [
+            (subsystem.holder, subsystem.tasks[0].state == "ON") for subsystem in standing if subsystem.name == "s0"
+        ]
+        assert hold == (rule.holder, rule.is_on), deeds[: number + 1]
+        writers = {
+            session
+            for session in SESSIONS
+            if not hand.asker.program.authority.refusal(session, live.Close("s0"), False)
+        }
         assert not rule.holder or writers <= {rule.holder}

@@ -14,7 +14,7 @@ def hand():
 
 
 def held(hand):
-    return [(one.subsystem, one.holder) for one in hand.asker.of(event.Held)]
+    return [(message.subsystem, message.holder) for message in hand.asker.of(event.Held)]
 
 
 def perform(hand, session="me", on_loss="stop", goals=("5.0",)):
@@ -67,8 +67,8 @@ def test_hardware_of_a_silent_holder_holds(watched):  # R-X12, law 17
 def test_nothing_moves_again_before_a_holder_that_was_silent_takes_anew(watched):  # R-X12
     watched.change(spawn=["counter"], on=["counter"], session="one")
     silent(watched, "one", 1.5)
-    for asked in (live.Change("s0", on=(live.Turn("counter"),)), live.Clear("s0", "counter"), steer.Resume("s0")):
-        assert "was not heard for too long" in str(watched.asker.ask(asked, "one").reason)
+    for wish in (live.Change("s0", on=(live.Turn("counter"),)), live.Clear("s0", "counter"), steer.Resume("s0")):
+        assert "was not heard for too long" in str(watched.asker.ask(wish, "one").reason)
     assert watched.states == {"counter": "OFF"}
     assert watched.asker.ask(live.Take("s0"), "one") == request.Done()
     assert watched.states == {"counter": "OFF"}

@@ -67,9 +67,9 @@ def test_a_run_that_was_begun_to_go_on_goes_on(hand):  # R-X12
 def test_a_run_whose_session_is_gone_is_told_to_be_nobodys(hand, on_loss):  # R-X12
     perform(hand, "one", on_loss=on_loss)
     leave(hand, "one")
-    told = hand.asker.of(event.Held)[-1]
-    assert (told.subsystem, told.holder) == ("flow0", "")
-    assert "one that began it is gone" in str(told.cause)
+    message = hand.asker.of(event.Held)[-1]
+    assert (message.subsystem, message.holder) == ("flow0", "")
+    assert "one that began it is gone" in str(message.cause)
     assert hand.asker.ask(live.Take("flow0"), "two") == request.Done()
 
 
@@ -87,7 +87,7 @@ def test_one_run_is_ended_by_its_name_and_only_by_who_may(hand):  # R-X12, R-E10
     hand.asker.program.serve()
     assert abort("flow0", "two") == request.Done()
     hand.asker.to_the_end()
-    assert [one.cause for one in hand.asker.of(event.Result)] == ["enough"]
+    assert [message.cause for message in hand.asker.of(event.Result)] == ["enough"]
 
 
 def test_an_answer_to_an_application_is_for_who_began_it(hand):  # R-X12, law 25

@@ -11,45 +11,45 @@ def key_of(outcome):
 
 
 class Told(list):
-    def __call__(self, one, subsystem, session):
-        self.append((one.subsystem, one.holder, one.to, key_of(one.outcome), session))
-        assert one.subsystem == subsystem
+    def __call__(self, message, subsystem, session):
+        self.append((message.subsystem, message.holder, message.to, key_of(message.outcome), session))
+        assert message.subsystem == subsystem
 
 
 @pytest.fixture
-def told():
+def notices():
     return Told()
 
 
-def test_the_one_it_is_for_is_told_and_the_holder_of_the_end(told):  # R-X12
-    offers = Offers(told)
+def test_the_one_it_is_for_is_told_and_the_holder_of_the_end(notices):  # R-X12
+    offers = Offers(notices)
     offers.put("s0", "one", "two", 0)
     assert offers.find("s0").to == "two"
     offers.end("s0", ACCEPTED)
-    assert told == [("s0", "one", "two", "", "two"), ("s0", "one", "two", "host.offer_accepted", "one")]
+    assert notices == [("s0", "one", "two", "", "two"), ("s0", "one", "two", "host.offer_accepted", "one")]
     assert offers.find("s0") is None
 
 
-def test_a_second_offer_takes_the_place_of_the_first(told):  # R-X12
-    offers = Offers(told)
+def test_a_second_offer_takes_the_place_of_the_first(notices):  # R-X12
+    offers = Offers(notices)
     offers.put("s0", "one", "two", 0)
     offers.put("s0", "one", "three", 1)
-    assert [one[2:4] for one in told] == [("two", ""), ("two", "host.offer_withdrawn"), ("three", "")]
+    assert [message[2:4] for message in notices] == [("two", ""), ("two", "host.offer_withdrawn"), ("three", "")]
     assert offers.find("s0").to == "three"
 
 
-def test_nobody_is_waited_for_for_ever(told):  # R-X12
-    offers = Offers(told)
+def test_nobody_is_waited_for_for_ever(notices):  # R-X12
+    offers = Offers(notices)
     offers.put("s0", "one", "two", 5)
     offers.expire(5 + LASTS_NS - 1)
     assert offers.find("s0") is not None
     offers.expire(5 + LASTS_NS)
     assert offers.find("s0") is None
-    assert told[-1][3] == "host.offer_unanswered"
+    assert notices[-1][3] == "host.offer_unanswered"
 
 
-def test_who_is_gone_neither_offers_nor_takes(told):  # R-X12
-    offers = Offers(told)
+def test_who_is_gone_neither_offers_nor_takes(notices):  # R-X12
+    offers = Offers(notices)
     offers.put("s0", "one", "two", 0)
     offers.put("s1", "two", "three", 0)
     offers.put("s2", "one", "three", 0)
@@ -57,6 +57,6 @@ def test_who_is_gone_neither_offers_nor_takes(told):  # R-X12
     assert [offers.find(name) is None for name in ("s0", "s1", "s2")] == [True, True, False]
 
 
-def test_the_end_of_what_is_not_offered_is_no_news(told):
-    Offers(told).end("s0", ACCEPTED)
-    assert told == []
+def test_the_end_of_what_is_not_offered_is_no_news(notices):
+    Offers(notices).end("s0", ACCEPTED)
+    assert notices == []

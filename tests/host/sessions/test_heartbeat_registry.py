@@ -24,7 +24,7 @@ def test_what_strangers_send_counts_for_nobody(came):  # R-X12
         b"", b"x", b"\0" * 32, b"\0" * 65000, beat[:-1], beat + b"\0", beat[:-1] + bytes([beat[-1] ^ 1]),
         beat[:8] + bytes([255]) + beat[9:], other.beat(1), heartbeat_key.name + other.beat(9)[8:],
     ]  # fmt: skip
-    assert not any(book.take(one) for one in forged)
+    assert not any(book.take(beat) for beat in forged)
     assert came == []
     assert book.take(beat)
 

@@ -78,7 +78,7 @@ def test_without_a_length_there_is_none(held):  # law 15
 
 
 @pytest.mark.parametrize(
-    ("heard", "length_ns"),
+    ("silences", "length_ns"),
     [
         (SessionSilence(0), LEASE_NS),
         (SessionSilence(0, 4, 0, 100), LEASE_NS),
@@ -88,17 +88,17 @@ def test_without_a_length_there_is_none(held):  # law 15
     ],
     ids=["over TCP", "not relied on yet", "a short way", "a long way", "no more through"],
 )
-def test_a_lease_follows_from_the_way_that_beats_take(held, heard, length_ns):  # network.md D4
-    assert Leases(held, lambda _: heard, None, Clock()).of("one") == length_ns
-    assert Leases(held, lambda _: heard, 700 * MS, Clock()).of("one") == 700 * MS
+def test_a_lease_follows_from_the_way_that_beats_take(held, silences, length_ns):  # network.md D4
+    assert Leases(held, lambda _: silences, None, Clock()).of("one") == length_ns
+    assert Leases(held, lambda _: silences, 700 * MS, Clock()).of("one") == 700 * MS
 
 
 def test_who_beats_by_datagram_is_missed_after_a_quarter_of_a_second(held):  # R-X12
     held.needed = {"one"}
-    heard = {"silent": 249 * MS}
-    leases = Leases(held, lambda _: SessionSilence(heard["silent"], 99, heard["silent"], 100), None, Clock())
+    silences = {"silent": 249 * MS}
+    leases = Leases(held, lambda _: SessionSilence(silences["silent"], 99, silences["silent"], 100), None, Clock())
     assert leases.judge(0) == []
-    heard["silent"] = NEAR_NS
+    silences["silent"] = NEAR_NS
     assert leases.judge(0) == ["one"]
 
 

@@ -37,26 +37,26 @@ def caller(role, near=True):
 @pytest.mark.parametrize("role", Role)
 def test_a_role_may_what_it_and_those_before_it_may(role):  # law 27
     for least, requests in LEAST:
-        for asked in requests:
-            assert (not refusal(caller(role), asked, True)) is (role >= least), (role, asked)
+        for message in requests:
+            assert (not refusal(caller(role), message, True)) is (role >= least), (role, message)
 
 
 def test_only_the_program_that_launched_the_runtime_makes_recordings():  # X05: a file on that machine
-    asked = request.Begin(record="/tmp/run.mcap")
-    assert not refusal(PARENT, asked, False)
-    assert "launched the runtime" in refusal(Caller("ann", Role.OWNER, "127.0.0.1", True), asked, True).text
+    beginning = request.Begin(record="/tmp/run.mcap")
+    assert not refusal(PARENT, beginning, False)
+    assert "launched the runtime" in refusal(Caller("ann", Role.OWNER, "127.0.0.1", True), beginning, True).text
 
 
 def test_everybody_may_stop():  # law 27
     assert all(not refusal(caller(role, near), request.Stop("x"), False) for role in Role for near in (True, False))
 
 
-@pytest.mark.parametrize("asked", WITH_CODE)
-def test_code_from_elsewhere_has_to_be_accepted(asked):  # law 23
-    assert brings_code(asked)
-    assert "--accept-code" in refusal(caller(Role.OWNER, near=False), asked, False).text
-    assert not refusal(caller(Role.OWNER, near=False), asked, True)
-    assert not refusal(caller(Role.OWNER, near=True), asked, False)
+@pytest.mark.parametrize("wish", WITH_CODE)
+def test_code_from_elsewhere_has_to_be_accepted(wish):  # law 23
+    assert brings_code(wish)
+    assert "--accept-code" in refusal(caller(Role.OWNER, near=False), wish, False).text
+    assert not refusal(caller(Role.OWNER, near=False), wish, True)
+    assert not refusal(caller(Role.OWNER, near=True), wish, False)
 
 
 def test_a_task_that_starts_a_program_is_as_good_as_code_though_its_module_is_known():  # R-F04, law 23
@@ -70,8 +70,8 @@ def test_a_task_that_starts_a_program_is_as_good_as_code_though_its_module_is_kn
 
 
 def test_who_looks_or_stops_changes_nothing():  # R-X12
-    assert all(changes_nothing(asked) for asked in LOOKS)
-    assert not any(changes_nothing(asked) for asked in COMMANDS)
+    assert all(changes_nothing(look) for look in LOOKS)
+    assert not any(changes_nothing(command) for command in COMMANDS)
 
 
 def test_what_is_to_be_repeated_is_asked_in_his_name_who_begins_it():  # law 27, law 29

@@ -10,8 +10,8 @@ class Doorway:
     def sessions(self):
         return tuple(holding.SessionStanding(name, "operator") for name in self.names)
 
-    def tell(self, one, subsystem="", session=""):
-        self.told.append((one, subsystem, session))
+    def tell(self, message, subsystem="", session=""):
+        self.told.append((message, subsystem, session))
 
 
 def test_who_is_there_is_told_when_it_changes_to_those_who_want_to_know():  # R-X12
@@ -23,18 +23,20 @@ def test_who_is_there_is_told_when_it_changes_to_those_who_want_to_know():  # R-
     company.look()
     watching.add("two")
     company.look()
-    sessions = [[(one.name, one.only_watches) for one in told.sessions] for told, _, _ in session_source.told]
+    sessions = [
+        [(session.name, session.only_watches) for session in message.sessions] for message, _, _ in session_source.told
+    ]
     assert sessions == [[("one", False)], [("one", False), ("two", False)], [("one", False), ("two", True)]]
-    assert {(type(told), where, who) for told, where, who in session_source.told} == {
+    assert {(type(message), where, who) for message, where, who in session_source.told} == {
         (event.Company, holding.COMPANY, "")
     }
 
 
 def test_who_asks_learns_its_own_name():  # R-X12
     answer = Presence(Doorway("one", "two"), set).answer("two")
-    assert (answer.you, [one.name for one in answer.sessions]) == ("two", ["one", "two"])
+    assert (answer.you, [session.name for session in answer.sessions]) == ("two", ["one", "two"])
 
 
 def test_how_long_each_may_be_silent_is_told_too():  # R-X12, network.md D4
     leases = {"one": 250_000_000, "two": 0}
-    assert [one.lease_s for one in Presence(Doorway("one", "two"), set, leases.get).sessions()] == [0.25, 0.0]
+    assert [session.lease_s for session in Presence(Doorway("one", "two"), set, leases.get).sessions()] == [0.25, 0.0]

@@ -57,9 +57,9 @@ class Visitor:
         """The messages that came next."""
         while True:
             self.protocol.receive_data(await self.reader.read(65536))
-            heard = [bytes(one.data) for one in self.protocol.events_received() if isinstance(one, Frame)]
-            if heard:
-                return heard
+            frames = [bytes(part.data) for part in self.protocol.events_received() if isinstance(part, Frame)]
+            if frames:
+                return frames
 
     async def greet(self):
         return await self.relay.greet(self.admission, 1)
@@ -142,10 +142,10 @@ def test_whole_frames_go_both_ways_until_one_side_ends_it():
             came += frames.feed(await reader.read(65536))
         assert came == [HELLO, b"x" * 300_000]
         writer.write(frame(b"down") + frame(b"again"))
-        heard = []
-        while len(heard) < 2:
-            heard += await visitor.hear()
-        assert heard == [b"down", b"again"]
+        frames = []
+        while len(frames) < 2:
+            frames += await visitor.hear()
+        assert frames == [b"down", b"again"]
         writer.close()
         await carrying
 
@@ -167,8 +167,8 @@ def test_who_floods_leaves_everybody_his_turn():  # network.md F14
         while came < 3001:
             await asyncio.sleep(0)
             with contextlib.suppress(BlockingIOError):
-                found = len(list(frames.feed(inner.recv(1 << 20))))
-                came, most = came + found, max(most, found)
+                count = len(list(frames.feed(inner.recv(1 << 20))))
+                came, most = came + count, max(most, count)
         carrying.cancel()
         await asyncio.gather(carrying, return_exceptions=True)
         inner.close()

@@ -6,8 +6,8 @@ from onika.link.caller import Role
 from onika.wire import holding, live, request
 
 
-def call(asked, session="me"):
-    return SessionRequest(1, session, Role.OWNER, asked)
+def call(message, session="me"):
+    return SessionRequest(1, session, Role.OWNER, message)
 
 
 def answered(_response):
@@ -30,9 +30,9 @@ def test_nobody_waits_behind_another_session(backlog):  # law 21
     assert not backlog.is_before(call(live.Clear("arm", "grav"), "other"))
 
 
-@pytest.mark.parametrize("asked", [request.Stop(""), live.Reset(), live.Survey(), holding.Sessions()])
-def test_what_is_urgent_waits_behind_nothing(backlog, asked):  # law 27
-    assert not backlog.is_before(call(asked))
+@pytest.mark.parametrize("wish", [request.Stop(""), live.Reset(), live.Survey(), holding.Sessions()])
+def test_what_is_urgent_waits_behind_nothing(backlog, wish):  # law 27
+    assert not backlog.is_before(call(wish))
 
 
 def test_a_description_holds_up_nobody():  # law 21
@@ -44,5 +44,5 @@ def test_a_description_holds_up_nobody():  # law 21
 def test_what_waits_is_taken_once_in_order(backlog):
     later = call(live.Clear("arm", "grav"))
     backlog.keep(later, answered)
-    assert [one.asked.task for one, _ in backlog.take()] == ["pd", "grav"]
+    assert [call.asked.task for call, _ in backlog.take()] == ["pd", "grav"]
     assert backlog.take() == []

@@ -89,12 +89,12 @@ def house():
     made.close()
 
 
-def ask(connection, asked):
-    return request.decode_response(connection.request(request.encode(asked)))
+def ask(connection, message):
+    return request.decode_response(connection.request(request.encode(message)))
 
 
 def heard(connection):
-    return [event.decode(one.body) for one in connection.poll() if isinstance(one, SignalReceived)]
+    return [event.decode(message.body) for message in connection.poll() if isinstance(message, SignalReceived)]
 
 
 def test_a_request_comes_out_with_its_session_and_its_response_goes_back(house):  # R-F01, R-F07
@@ -120,32 +120,36 @@ def test_a_response_may_come_later_and_in_any_order(house):  # R-F07
     house.serve()
     for call, reason in zip(reversed(house.calls), "yx", strict=True):
         house.server.reply(call.ticket, request.Refused(reason))
-    replied = {one.number: request.decode_response(one.body).reason for one in parent.poll() if hasattr(one, "number")}
+    replied = {
+        message.number: request.decode_response(message.body).reason
+        for message in parent.poll()
+        if hasattr(message, "number")
+    }
     assert replied == {first: "x", second: "y"}
 
 
 def test_events_arrive_in_their_order(house):  # R-F01
     parent = house.parent()
-    said = [event.Done(0, number, number / 2) for number in range(5)]
-    for one in said:
-        house.server.tell(one)
+    steps = [event.Done(0, number, number / 2) for number in range(5)]
+    for step in steps:
+        house.server.tell(step)
     house.serve()
-    assert heard(parent) == said
+    assert heard(parent) == steps
 
 
 def test_an_event_goes_to_those_who_attend_and_to_the_one_it_is_for(house):  # R-F01
     parent, near, far = house.parent(), house.guest(client="a"), house.guest(client="b")
     house.server.attend("owner#2", ("left",))
-    said = [event.Done(0, number, 0.0) for number in range(5)]
-    house.server.tell(said[0], "left")
-    house.server.tell(said[1], "right", "owner#3")
-    house.server.tell(said[2])
+    steps = [event.Done(0, number, 0.0) for number in range(5)]
+    house.server.tell(steps[0], "left")
+    house.server.tell(steps[1], "right", "owner#3")
+    house.server.tell(steps[2])
     house.server.attend("owner#3", ("*",))
-    house.server.tell(said[3], "right")
+    house.server.tell(steps[3], "right")
     house.serve()
-    assert heard(parent) == [said[2]]
-    assert heard(near) == [said[0], said[2]]
-    assert heard(far) == [said[1], said[2], said[3]]
+    assert heard(parent) == [steps[2]]
+    assert heard(near) == [steps[0], steps[2]]
+    assert heard(far) == [steps[1], steps[2], steps[3]]
 
 
 def test_a_reading_is_shown_to_one_session_and_only_the_newest(house):
@@ -155,8 +159,8 @@ def test_a_reading_is_shown_to_one_session_and_only_the_newest(house):
     house.server.show("nobody", "X", b"3")
     assert house.server.due_s() == 0
     house.serve()
-    assert [one for one in near.poll() if isinstance(one, ReadingReceived)] == [ReadingReceived("X", b"2")]
-    assert [one for one in far.poll() if isinstance(one, ReadingReceived)] == []
+    assert [message for message in near.poll() if isinstance(message, ReadingReceived)] == [ReadingReceived("X", b"2")]
+    assert [message for message in far.poll() if isinstance(message, ReadingReceived)] == []
 
 
 def test_it_is_open_until_the_launching_program_goes(house):  # R-E10
@@ -176,15 +180,15 @@ def test_one_without_a_launching_program_is_always_open(house):
 
 
 @pytest.mark.parametrize(
-    ("role", "asked", "said"),
+    ("role", "wish", "sentence"),
     [
         (Role.VIEWER, request.Abort("x"), "expected an operator for Abort, found viewer, who is viewer"),
         (Role.OPERATOR, request.Quit(), "expected an owner"),
     ],
 )
-def test_what_a_role_may_not_is_refused_at_once(house, role, asked, said):  # R-X12, law 27
+def test_what_a_role_may_not_is_refused_at_once(house, role, wish, sentence):  # R-X12, law 27
     guest = house.guest(role)
-    assert str(ask(guest, asked).reason).startswith(said)
+    assert str(ask(guest, wish).reason).startswith(sentence)
     assert ask(guest, request.Stop("stop!")) == request.Done()
     assert ask(guest, live.Survey()) == request.Done()
     assert [type(call.asked) for call in house.calls] == [request.Stop, live.Survey]
@@ -263,14 +267,14 @@ class Witnessed:
     def lost(self, session):
         self.seen.append(("lost", session))
 
-    def told(self, one):
-        self.seen.append(("told", type(one).__name__))
+    def told(self, line):
+        self.seen.append(("told", type(line).__name__))
 
 
 def test_its_witness_sees_every_request_with_its_answer_refused_ones_too(house):  # R-X12
     audit_log = house.server.watcher = Witnessed()
     viewer = house.guest(Role.VIEWER)
-    (session,) = [one.name for one in house.server.sessions()]
+    (session,) = [session.name for session in house.server.sessions()]
     viewer.request(request.encode(live.Survey()))
     viewer.request(request.encode(live.Take("s0")))
     viewer.request(b"garbage")
@@ -278,10 +282,10 @@ def test_its_witness_sees_every_request_with_its_answer_refused_ones_too(house):
     viewer.close()
     house.serve()
     house.server.lost()
-    came, survey, take, garbage, told, lost = audit_log.seen
+    came, survey, take, garbage, told_line, lost = audit_log.seen
     assert (survey[0], take[0], take[3]) == ("Survey", "Take", "Refused")
     assert take[1:3] == (session, survey[2])
-    assert (came[0], garbage, told, lost) == ("came", ("garbage", session), ("told", "Held"), ("lost", session))
+    assert (came[0], garbage, told_line, lost) == ("came", ("garbage", session), ("told", "Held"), ("lost", session))
 
 
 def test_who_is_there_and_how_long_he_was_silent(house):  # R-X12
@@ -298,9 +302,9 @@ def test_who_is_there_and_how_long_he_was_silent(house):  # R-X12
 
 
 def test_whoever_overhears_is_told_everything_at_once(house):  # law 29
-    told = []
-    house.server.overhear(lambda one, subsystem: told.append((one, subsystem)))
+    messages = []
+    house.server.overhear(lambda message, subsystem: messages.append((message, subsystem)))
     house.server.tell(event.Stopped(True, "x"), "flow0")
     house.server.overhear(None)
     house.server.tell(event.Stopped(False, ""))
-    assert told == [(event.Stopped(True, "x"), "flow0")]
+    assert messages == [(event.Stopped(True, "x"), "flow0")]

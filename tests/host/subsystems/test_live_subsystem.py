@@ -21,7 +21,7 @@ def hand():
 
 
 def test_a_change_that_waits_finds_what_those_before_it_leave(hand):  # law 22
-    asked = [
+    wishes = [
         hand.order(("source",), ("source",)),
         hand.order(("user",), ("user",)),
         live.Change("s0", off=("user",)),
@@ -29,7 +29,7 @@ def test_a_change_that_waits_finds_what_those_before_it_leave(hand):  # law 22
         live.Change("s0", on=(live.Turn("user"),)),
         hand.order(("source",)),
     ]
-    tickets = [hand.asker.send(one) for one in asked]
+    tickets = [hand.asker.send(wish) for wish in wishes]
     hand.work()
     numbers = [hand.asker.server.replies[ticket].number for ticket in tickets]
     outcomes = [hand.edited(number) for number in numbers]
@@ -104,17 +104,17 @@ CHANGES = [exchange_of_suppliers, birth, failing_birth, failing_start, dimension
 
 
 @pytest.mark.parametrize("lost", ["rt0", "rt1"])
-@pytest.mark.parametrize("asked", CHANGES, ids=[one.__name__ for one in CHANGES])
-def test_a_unit_lost_at_any_moment_leaves_nothing_hanging(asked, lost):  # R-X10, R-E10
+@pytest.mark.parametrize("change", CHANGES, ids=[kind.__name__ for kind in CHANGES])
+def test_a_unit_lost_at_any_moment_leaves_nothing_hanging(change, lost):  # R-X10, R-E10
     for moment in range(1, 100):
         hand = live_edits_with_tasks(("rt0", "rt1"), user="rt1", counter="rt1")
         everyone = ["source", "user", "reader", "counter"]
         hand.change(spawn=everyone, on=everyone)
-        number = hand.asker.ask(asked(hand))
+        number = hand.asker.ask(change(hand))
         hand = live_edits_with_tasks(("rt0", "rt1"), user="rt1", counter="rt1")
         hand.change(spawn=everyone, on=everyone)
         hand.driver.fatal = (moment, lost)
-        ticket = hand.asker.send(asked(hand))
+        ticket = hand.asker.send(change(hand))
         hand.work()
         is_through = hand.driver.fatal is not None
         if is_through:
@@ -126,8 +126,8 @@ def test_a_unit_lost_at_any_moment_leaves_nothing_hanging(asked, lost):  # R-X10
         subsystem = hand.asker.program.subsystems.live.get("s0")
         assert subsystem is None or not subsystem.is_busy
         truth = {task: state.state.value for (_, task), state in hand.driver.living().items()}
-        assert {name: one.state for name, one in hand.standing().items() if one.state != "WAITING"} == truth
-        assert all(one.rtpu != lost or one.state == "WAITING" for one in hand.standing().values())
+        assert {name: task.state for name, task in hand.standing().items() if task.state != "WAITING"} == truth
+        assert all(task.rtpu != lost or task.state == "WAITING" for task in hand.standing().values())
         hand.task("after", COUNTER.replace("COUNT", "AFTER"), rtpu="rt0" if lost == "rt1" else "rt1")
         assert hand.change(spawn=["after"], on=["after"]) == ""
         if is_through:
@@ -153,7 +153,7 @@ def test_other_subsystems_with_the_same_names_are_not_touched():  # R-A06
     hand.asker.server.told.clear()
     assert hand.reinit("source", SIZE="3") == ""
     assert hand.change(kill=everyone) == ""
-    assert {one.subsystem for one in hand.asker.of(event.TaskState)} == {"s0"}
+    assert {message.subsystem for message in hand.asker.of(event.TaskState)} == {"s0"}
     assert hand.values("N", "LEVEL", "COUNT", subsystem="s1") == before
     hand.let_pass(1.0)
     assert hand.values("COUNT", subsystem="s1")["COUNT"] == before["COUNT"] + 50.0
@@ -181,73 +181,76 @@ class Units:
 @pytest.fixture
 def bare():
     """A subsystem whose units only listen, with a change of two tasks under way, and what it tells."""
-    told, shop = [], PlanBuilder()
+    messages, shop = [], PlanBuilder()
     segment = Segment.create("test", 1 << 16)
-    one = LiveSubsystem("s0", Table(segment), Units(), told.append, lambda: 0)
+    subsystem = LiveSubsystem("s0", Table(segment), Units(), messages.append, lambda: 0)
     new = []
     for name, rtpu in (("quick", "rt0"), ("slow", "rt1")):
         planned = shop.task(name, COUNTER.replace("COUNT", name.upper()), rtpu=rtpu)
         code = shop.code(name)
-        one.executor.spawner.add_code(code)
+        subsystem.executor.spawner.add_code(code)
         new.append((wire(planned, sheet_of(load(code.source, code.path, code.module))), rtpu))
     order = exchange([], (), [wired.placed for wired, _ in new])
-    one.begin(
-        1, transactions.change(one, transactions.Edit(order, tuple(new), on=(live.Turn("quick"), live.Turn("slow"))))
+    subsystem.begin(
+        1,
+        transactions.change(
+            subsystem, transactions.Edit(order, tuple(new), on=(live.Turn("quick"), live.Turn("slow")))
+        ),
     )
     for name, rtpu in (("quick", "rt0"), ("slow", "rt1")):
-        one.hear(rtpu, news.Initialised("s0", name), 1)
-    yield one, told
+        subsystem.hear(rtpu, news.Initialised("s0", name), 1)
+    yield subsystem, messages
     segment.close()
 
 
-def outcomes(told):
-    return [str(one.cause) for one in told if isinstance(one, event.Edited)]
+def outcomes(messages):
+    return [str(message.cause) for message in messages if isinstance(message, event.Edited)]
 
 
 def test_a_job_that_is_done_before_another_has_begun_is_no_reason_to_wait(bare):  # law 22
-    one, told = bare
-    one.hear("rt0", news.Changed("s0", "quick", "ON", 2), 2)
-    one.hear("rt0", news.Finished("s0", "quick", 0, False, 3), 3)
-    assert outcomes(told) == []
-    one.hear("rt1", news.Changed("s0", "slow", "ON", 4), 4)
-    assert outcomes(told) == [""]
-    assert not one.desired.is_on("quick")
-    assert one.desired.is_on("slow")
+    subsystem, messages = bare
+    subsystem.hear("rt0", news.Changed("s0", "quick", "ON", 2), 2)
+    subsystem.hear("rt0", news.Finished("s0", "quick", 0, False, 3), 3)
+    assert outcomes(messages) == []
+    subsystem.hear("rt1", news.Changed("s0", "slow", "ON", 4), 4)
+    assert outcomes(messages) == [""]
+    assert not subsystem.desired.is_on("quick")
+    assert subsystem.desired.is_on("slow")
 
 
 def test_who_is_to_come_on_after_one_whose_unit_is_lost_is_not_held_up(bare):  # R-E10
-    one, told = bare
-    one.lost("rt0", "rt0 is gone", 2)
-    assert outcomes(told) == []
-    one.hear("rt1", news.Changed("s0", "slow", "ON", 3), 3)
-    one.hear("rt1", news.Changed("s0", "slow", "OFF", 4), 4)
-    one.hear("rt1", news.Changed("s0", "slow", "KILLED", 5), 5)
-    assert outcomes(told) == ["quick: rt0 is gone"]
-    assert one.members == {}
+    subsystem, messages = bare
+    subsystem.lost("rt0", "rt0 is gone", 2)
+    assert outcomes(messages) == []
+    subsystem.hear("rt1", news.Changed("s0", "slow", "ON", 3), 3)
+    subsystem.hear("rt1", news.Changed("s0", "slow", "OFF", 4), 4)
+    subsystem.hear("rt1", news.Changed("s0", "slow", "KILLED", 5), 5)
+    assert outcomes(messages) == ["quick: rt0 is gone"]
+    assert subsystem.members == {}
 
 
 def test_a_birth_that_was_refused_is_taken_back(bare):  # R-X10
-    one, told = bare
-    one.hear("rt0", news.Refused("s0", "quick", "on", "no"), 2)
-    one.hear("rt1", news.Changed("s0", "slow", "ON", 3), 3)
-    one.hear("rt1", news.Changed("s0", "slow", "OFF", 4), 4)
+    subsystem, messages = bare
+    subsystem.hear("rt0", news.Refused("s0", "quick", "on", "no"), 2)
+    subsystem.hear("rt1", news.Changed("s0", "slow", "ON", 3), 3)
+    subsystem.hear("rt1", news.Changed("s0", "slow", "OFF", 4), 4)
     for name, rtpu in (("quick", "rt0"), ("slow", "rt1")):
-        one.hear(rtpu, news.Changed("s0", name, "KILLED", 5), 5)
-    assert outcomes(told) == ["quick: on: no"]
-    assert one.is_empty
+        subsystem.hear(rtpu, news.Changed("s0", name, "KILLED", 5), 5)
+    assert outcomes(messages) == ["quick: on: no"]
+    assert subsystem.is_empty
 
 
 def test_a_refusal_that_no_change_waits_for_is_told(bare):
-    one, told = bare
+    subsystem, messages = bare
     for name, rtpu in (("quick", "rt0"), ("slow", "rt1")):
-        one.hear(rtpu, news.Changed("s0", name, "ON", 2), 2)
-    one.hear("rt0", news.Refused("s0", "quick", "rank", "no such task"), 3)
-    assert (told[-1].task, str(told[-1].text)) == ("quick", "refused, rank: no such task")
+        subsystem.hear(rtpu, news.Changed("s0", name, "ON", 2), 2)
+    subsystem.hear("rt0", news.Refused("s0", "quick", "rank", "no such task"), 3)
+    assert (messages[-1].task, str(messages[-1].text)) == ("quick", "refused, rank: no such task")
 
 
 def test_words_of_strangers_change_nothing(bare):
-    one, told = bare
-    before = list(told)
-    one.hear("rt0", news.Changed("s0", "nobody", "ON", 2), 2)
-    one.hear("rt0", news.Statuses("rt0", 0.0, ()), 2)
-    assert told == before
+    subsystem, messages = bare
+    before = list(messages)
+    subsystem.hear("rt0", news.Changed("s0", "nobody", "ON", 2), 2)
+    subsystem.hear("rt0", news.Statuses("rt0", 0.0, ()), 2)
+    assert messages == before

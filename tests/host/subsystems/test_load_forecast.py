@@ -14,10 +14,10 @@ def coming(task="new", digest="n", hz=100.0, rtpu="rt0"):
 
 @pytest.fixture
 def forecast():
-    one = LoadForecast()
-    one.hear("rt0", [(load("heavy", 0.6), "h")])
-    one.hear("rt1", [(load("new", 0.5), "n")])
-    return one
+    forecast = LoadForecast()
+    forecast.hear("rt0", [(load("heavy", 0.6), "h")])
+    forecast.hear("rt1", [(load("new", 0.5), "n")])
+    return forecast
 
 
 def test_who_would_take_a_unit_beyond_its_time_is_told_with_the_number(forecast):  # R-X13

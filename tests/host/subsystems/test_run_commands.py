@@ -19,8 +19,8 @@ class Bridge:
         self.asker.ask(request.Prepare(plan, ()))
         assert self.asker.ask(request.Begin(is_held=True, **begin)) == request.Done()
 
-    def ask(self, asked, session="me"):
-        return self.asker.ask(asked, session)
+    def ask(self, message, session="me"):
+        return self.asker.ask(message, session)
 
     def until(self, seconds):
         while self.asker.driver.now < round(seconds * 1e9):  # it stands at whatever happens before
@@ -34,8 +34,8 @@ class Bridge:
         return self.ask(steer.Who()).flows
 
     def position(self):
-        (one,) = self.positions()
-        return one.state, one.action
+        (position,) = self.positions()
+        return position.state, position.action
 
     def end(self):
         for _ in range(1000):
@@ -103,7 +103,7 @@ def test_a_conditional_breakpoint_holds_only_where_its_condition_does():  # R-E0
 
 
 @pytest.mark.parametrize(
-    ("asked", "reason"),
+    ("wish", "reason"),
     [
         (steer.Resume(), "expected flow 0 to be paused, found it running"),
         (steer.Pass("flow0"), "expected flow 0 to be waiting for another flow, found it running"),
@@ -113,16 +113,16 @@ def test_a_conditional_breakpoint_holds_only_where_its_condition_does():  # R-E0
         (steer.Mark("flow0", 9), "expected an action from 1 to 2"),
     ],
 )
-def test_what_cannot_be_done_now_is_refused_with_the_reason(asked, reason):  # R-E07
+def test_what_cannot_be_done_now_is_refused_with_the_reason(wish, reason):  # R-E07
     bridge = Bridge("1", "2").until(0.1)
-    assert reason in refused(bridge.ask(asked))
+    assert reason in refused(bridge.ask(wish))
     assert bridge.position() == ("running", 0)
 
 
 def test_who_steers_is_who_began_it_until_that_session_is_gone():  # law 27, R-E10
     bridge = Bridge("1", "2", on_loss="finish").until(0.1)
     assert "was begun by me" in refused(bridge.ask(steer.Pause("flow0"), session="other"))
-    assert [one.state for one in bridge.ask(steer.Who(), session="other").flows] == ["running"]
+    assert [flow.state for flow in bridge.ask(steer.Who(), session="other").flows] == ["running"]
     bridge.asker.server.gone.append("me")
     bridge.asker.program.serve()
     for _ in range(100):  # nobody holds the clock any more
@@ -145,7 +145,7 @@ def test_of_several_flows_one_has_to_be_named_where_only_one_can_be_meant():  # 
     hand.asker.ask(request.Begin(is_held=True))
     assert "expected one of the flows flow0, flow1, found none" in refused(hand.asker.ask(steer.Skip("", 0)))
     assert hand.asker.ask(steer.Pause()) == request.Done()
-    assert [one.is_pausing for one in hand.asker.ask(steer.Who()).flows] == [True, True]
+    assert [flow.is_pausing for flow in hand.asker.ask(steer.Who()).flows] == [True, True]
 
 
 def test_who_holds_the_clock_lets_time_pass_while_every_flow_waits_for_its_user():  # R-E07, law 15

@@ -80,8 +80,8 @@ def test_a_unit_that_is_lost_is_told_to_everybody_and_takes_its_tasks_along(hand
     hand.driver.lose("rt1")
     assert subsystems.lost_units == {"rt1": "processing unit rt1 was lost"}
     assert ("", "", event.Lost("rt1", "processing unit rt1 was lost", 0.0)) in hand.asker.server.heard
-    killed = [one for one in hand.asker.of(event.TaskState) if one.state == "KILLED"]
-    assert [one.task for one in killed] == ["counter"]
+    killed = [message for message in hand.asker.of(event.TaskState) if message.state == "KILLED"]
+    assert [message.task for message in killed] == ["counter"]
     assert hand.states == {"source": "ON"}
     assert hand.change(off=["source"]) == ""
 
@@ -125,8 +125,10 @@ def test_words_of_nobody_are_told_to_nobody(hand, subsystems):
 
 def test_an_event_of_a_subsystem_is_heard_by_its_listeners_and_its_holder(hand):  # R-X12
     hand.change(spawn=["counter"], session="one")
-    told = {(where, who) for where, who, one in hand.asker.server.heard if isinstance(one, event.TaskState)}
-    assert told == {("s0", "one")}
+    receivers = {
+        (where, who) for where, who, message in hand.asker.server.heard if isinstance(message, event.TaskState)
+    }
+    assert receivers == {("s0", "one")}
 
 
 def test_a_drive_is_told_in_the_time_of_the_run_that_uses_it(hand, subsystems):  # law 24
@@ -134,6 +136,6 @@ def test_a_drive_is_told_in_the_time_of_the_run_that_uses_it(hand, subsystems): 
     assert perform(hand, "1.0") == request.Done()
     result = hand.asker.to_the_end()
     drives = hand.asker.of(event.Drive)
-    assert [one.state for one in drives] == ["DRIVEN", "HELD"]
+    assert [drive.state for drive in drives] == ["DRIVEN", "HELD"]
     assert drives[-1].at_s == pytest.approx(result.runtime_s) and drives[0].at_s < 0.1
     assert subsystems.run_began("yard:m0") == 0  # nobody uses it any more

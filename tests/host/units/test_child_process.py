@@ -32,6 +32,6 @@ def test_a_process_gets_its_end_of_the_post_what_it_inherits_and_one_thread_for_
     assert os.read(read, 20) == b"inherited"
     assert ours.receive() is None
     assert ours.is_closed
-    for one in (read, write):
-        os.close(one)
+    for descriptor in (read, write):
+        os.close(descriptor)
     ours.close()

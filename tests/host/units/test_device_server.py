@@ -77,9 +77,9 @@ class Server:
 @pytest.fixture
 def server(monkeypatch):
     monkeypatch.setattr(room, "open_world", open_world)
-    one = Server()
-    yield one
-    one.close()
+    server = Server()
+    yield server
+    server.close()
 
 
 def test_a_world_is_opened_and_steps_on_the_grid_of_wall_time(server):  # law 16

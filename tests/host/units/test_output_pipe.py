@@ -10,8 +10,8 @@ from onika.host.units.output_pipe import OutputPipe
 def pipe():
     read, write = os.pipe()
     yield read, write
-    for one in (read, write):
-        os.close(one)
+    for descriptor in (read, write):
+        os.close(descriptor)
 
 
 def test_what_is_printed_comes_out(pipe):

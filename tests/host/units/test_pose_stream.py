@@ -14,47 +14,47 @@ def heard(post):
 
 
 def test_everybody_who_asked_is_told_thirty_times_a_second():  # law 29
-    one = PoseStream("yard")
-    assert not one.is_due(0)
+    stream = PoseStream("yard")
+    assert not stream.is_due(0)
     posts = [ProcessSocket.pair() for _ in range(2)]
     for near, _ in posts:
-        one.add(near)
-        one.add(near)
+        stream.add(near)
+        stream.add(near)
     for now in range(0, 100 * MS, 2 * MS):
-        if one.is_due(now):
-            one.tell(now, now - 7, b"rows", ("lamp",))
+        if stream.is_due(now):
+            stream.tell(now, now - 7, b"rows", ("lamp",))
     for _, end in posts:
         far = ProcessSocket(end)
-        told = heard(far)
+        poses = heard(far)
         far.close()
-        assert [(each.world, each.at_ns, each.rows, each.lit, each.left_out) for each in told] == [
+        assert [(each.world, each.at_ns, each.rows, each.lit, each.left_out) for each in poses] == [
             ("yard", at * MS - 7, b"rows", ("lamp",), 0) for at in (0, 34, 68)
         ]
-        assert [each.told_ns for each in told] == sorted(each.told_ns for each in told)
-    one.close()
-    assert not one.is_due(10**12)
+        assert [each.told_ns for each in poses] == sorted(each.told_ns for each in poses)
+    stream.close()
+    assert not stream.is_due(10**12)
 
 
 def test_who_is_gone_is_told_nothing_more():
-    one = PoseStream("yard")
+    stream = PoseStream("yard")
     near, far = ProcessSocket.pair()
-    one.add(near)
+    stream.add(near)
     far.close()
-    one.tell(0, 0, b"", ())
-    assert not one.is_due(10**12)
+    stream.tell(0, 0, b"", ())
+    assert not stream.is_due(10**12)
 
 
 def test_who_does_not_come_to_take_them_is_told_how_many_were_left_out(monkeypatch):  # bounded, and told
     monkeypatch.setattr(pose_stream, "_MOST_WAITING", 0)
-    one = PoseStream("yard")
+    stream = PoseStream("yard")
     near, end = ProcessSocket.pair()
     far = ProcessSocket(end)
-    one.add(near)
-    one.tell(0, 0, b"", ())
-    one.tell(1, 1, b"", ())
+    stream.add(near)
+    stream.tell(0, 0, b"", ())
+    stream.tell(1, 1, b"", ())
     monkeypatch.undo()
-    one.tell(2, 2, b"", ())
-    one.tell(3, 3, b"", ())
+    stream.tell(2, 2, b"", ())
+    stream.tell(3, 3, b"", ())
     assert [(each.at_ns, each.left_out) for each in heard(far)] == [(2, 2), (3, 0)]
     near.close()
     far.close()

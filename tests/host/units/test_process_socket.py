@@ -12,10 +12,10 @@ def pair():
 
 
 def everything(post):
-    found = []
+    descriptors = []
     while (received := post.receive()) is not None:
-        found.append(received[0])
-    return found
+        descriptors.append(received[0])
+    return descriptors
 
 
 @settings(deadline=None, max_examples=30)
@@ -37,8 +37,8 @@ def test_file_descriptors_travel_with_a_datagram():  # law 31
     assert body == b"here"
     os.write(there, b"through")
     assert os.read(read, 10) == b"through"
-    for one in (read, write, there):
-        os.close(one)
+    for descriptor in (read, write, there):
+        os.close(descriptor)
     ours.close()
     theirs.close()
 

@@ -37,8 +37,8 @@ def test_a_process_takes_what_is_granted_and_says_so():  # law 31
         "granted = become_real_time(False)\n"
         "print(sorted(granted), granted['SCHED_FIFO'], gc.isenabled(), os.sched_getscheduler(0) == os.SCHED_OTHER)\n"
     )
-    said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip()
-    assert said == "['SCHED_FIFO', 'memory lock', 'timer slack'] False False True"
+    output = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip()
+    assert output == "['SCHED_FIFO', 'memory lock', 'timer slack'] False False True"
 
 
 def test_the_real_time_class_is_what_the_operating_system_says():  # law 31
@@ -47,5 +47,5 @@ def test_the_real_time_class_is_what_the_operating_system_says():  # law 31
         "import os\n"
         "print(first_in_first_out() == bool(os.sched_getscheduler(0) & os.SCHED_FIFO))\n"
     )
-    said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip()
-    assert said == "True"
+    output = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip()
+    assert output == "True"

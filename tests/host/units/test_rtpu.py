@@ -51,22 +51,22 @@ class Unit:
 
     def told(self, number):
         """The next datagrams, each a list of news."""
-        heard = []
-        while len(heard) < number:
+        batches = []
+        while len(batches) < number:
             received = self.post.receive()
             if received is not None:
-                heard.append(room.decode_news(received[0]))
+                batches.append(room.decode_news(received[0]))
             else:
                 assert select.select([self.post], [], [], 20.0)[0]
-        return heard
+        return batches
 
     def hear(self, kind):
         """The next news of a kind."""
         while True:
             while self._heard:
-                one = self._heard.popleft()
-                if isinstance(one, kind):
-                    return one
+                report = self._heard.popleft()
+                if isinstance(report, kind):
+                    return report
             received = self.post.receive()
             if received is not None:
                 self._heard += room.decode_news(received[0])
@@ -87,9 +87,9 @@ class Unit:
 
 @pytest.fixture
 def unit():
-    one = Unit()
-    yield one
-    one.close()
+    unit = Unit()
+    yield unit
+    unit.close()
 
 
 def test_a_task_is_spawned_cycles_into_the_shared_table_and_finishes(unit):  # law 2
@@ -116,13 +116,13 @@ def test_a_prepared_switch_and_what_it_led_to_come_in_one_datagram(unit):  # law
     unit.say(command.Switch("flow0", (), (), (command.Launch("count", "", None, 1),)))
     unit.say(command.PreparedSwitch("flow0", "count", 1, (command.Case(0, None, 4, follows),)))
     unit.hear(news.Cycled)
-    told, later = unit.told(2)
-    finished = told[0]
+    reports, later = unit.told(2)
+    finished = reports[0]
     assert (finished.task, finished.switched) == ("count", 4)
-    followed = [(type(one), one.task) for one in told[1:]]
+    followed = [(type(report), report.task) for report in reports[1:]]
     assert followed[:2] == [(news.Changed, "b"), (news.Changed, "c")]
     assert {(news.Cycled, "b"), (news.Cycled, "c")} >= set(followed[2:])
-    assert {one.task for one in later} <= {"b", "c"}
+    assert {report.task for report in later} <= {"b", "c"}
 
 
 def test_a_finish_that_somebody_has_to_answer_waits_for_no_other_cycle(unit):  # law 2
@@ -132,9 +132,9 @@ def test_a_finish_that_somebody_has_to_answer_waits_for_no_other_cycle(unit):  #
     unit._heard.clear()
     finishes = []
     while len(finishes) < 2:
-        (told,) = unit.told(1)
-        finishes += [told] if any(isinstance(one, news.Finished) for one in told) else []
-    assert [len(told) for told in finishes] == [1, 1]
+        (reports,) = unit.told(1)
+        finishes += [reports] if any(isinstance(report, news.Finished) for report in reports) else []
+    assert [len(batch) for batch in finishes] == [1, 1]
 
 
 def test_it_says_that_it_is_alive_and_whose_code_runs(unit):  # law 30

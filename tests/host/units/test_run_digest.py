@@ -17,11 +17,11 @@ class Looked(MassWorld):
 
 
 def test_equal_runs_have_equal_digests():  # R-X08, law 14
-    one, other = Digest(), Digest()
-    for digest in (one, other):
+    first, other = Digest(), Digest()
+    for digest in (first, other):
         digest.look(0, [MassWorld()])
         digest.hear(WORD)
-    assert one.hexdigest() == other.hexdigest() != Digest().hexdigest()
+    assert first.hexdigest() == other.hexdigest() != Digest().hexdigest()
 
 
 def test_the_worlds_are_looked_at_every_50_ms_from_the_beginning_of_the_run():  # law 15

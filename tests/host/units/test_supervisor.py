@@ -25,9 +25,9 @@ while post.recv(10):
 def supervisor(tmp_path, monkeypatch):
     (tmp_path / "puppet.py").write_text(PUPPET)
     monkeypatch.setenv("PYTHONPATH", str(tmp_path))
-    one = Supervisor(zero_ns=123, with_fifo=True)
-    yield one
-    one.end()
+    supervisor = Supervisor(zero_ns=123, with_fifo=True)
+    yield supervisor
+    supervisor.end()
 
 
 @pytest.fixture
@@ -39,31 +39,31 @@ def clock(monkeypatch):
 
 
 def up(supervisor, *arguments):
-    one = supervisor.launch("rt0", "rt0", "puppet", arguments)
-    one.is_up = True
-    return one
+    process = supervisor.launch("rt0", "rt0", "puppet", arguments)
+    process.is_up = True
+    return process
 
 
-def heard(one):
-    while (received := one.post.receive()) is None:
-        assert one.process.poll() is None
+def heard(process):
+    while (received := process.post.receive()) is None:
+        assert process.process.poll() is None
     return received[0].decode()
 
 
-def beat(one, now):
-    one.heartbeat._words[0] = now[0]
+def beat(process, now):
+    process.heartbeat._words[0] = now[0]
 
 
 def test_a_process_is_started_with_what_it_needs(supervisor):  # law 30
-    one = supervisor.launch("rt0", "rt0", "puppet", ("--name", "rt0"))
-    assert heard(one) == "123 True rt0"
-    assert supervisor.processes == {"rt0": one}
-    assert (one.is_up, one.is_lost) == (False, False)
+    process = supervisor.launch("rt0", "rt0", "puppet", ("--name", "rt0"))
+    assert heard(process) == "123 True rt0"
+    assert supervisor.processes == {"rt0": process}
+    assert (process.is_up, process.is_lost) == (False, False)
 
 
 def test_a_process_that_is_well_makes_no_trouble(supervisor, clock):  # law 30
-    one = up(supervisor)
-    beat(one, clock)
+    process = up(supervisor)
+    beat(process, clock)
     clock[0] += SILENT_NS
     assert supervisor.troubles() == []
 
@@ -74,65 +74,65 @@ def test_a_process_that_is_not_up_yet_may_be_silent(supervisor, clock):  # law 3
 
 
 def test_a_silent_process_is_ended_and_told_once(supervisor, clock):  # law 30
-    one = up(supervisor)
-    beat(one, clock)
+    process = up(supervisor)
+    beat(process, clock)
     clock[0] += SILENT_NS + 1
     ((lost, reason),) = supervisor.troubles()
-    assert lost is one
+    assert lost is process
     assert str(reason) == "rt0 has not answered for 1.0 s: stopped"
-    assert one.is_lost
-    assert one.process.returncode == -signal.SIGKILL
+    assert process.is_lost
+    assert process.process.returncode == -signal.SIGKILL
     assert supervisor.troubles() == []
 
 
 def test_the_task_whose_code_never_returned_is_named(supervisor, clock):  # law 15
-    one = up(supervisor)
-    beat(one, clock)
-    one.heartbeat.watch("flow0/sick")
+    process = up(supervisor)
+    beat(process, clock)
+    process.heartbeat.watch("flow0/sick")
     clock[0] += SILENT_NS + 1
     assert str(supervisor.troubles()[0][1]).endswith("a call of task flow0/sick has not returned")
 
 
 def test_no_task_is_blamed_for_a_process_that_somebody_stopped(supervisor, clock):  # R-X06
-    one = up(supervisor)
-    heard(one)
-    beat(one, clock)
-    one.heartbeat.watch("flow0/innocent")
-    os.kill(one.process.pid, signal.SIGSTOP)
-    os.waitid(os.P_PID, one.process.pid, os.WSTOPPED | os.WNOWAIT)
+    process = up(supervisor)
+    heard(process)
+    beat(process, clock)
+    process.heartbeat.watch("flow0/innocent")
+    os.kill(process.process.pid, signal.SIGSTOP)
+    os.waitid(os.P_PID, process.process.pid, os.WSTOPPED | os.WNOWAIT)
     clock[0] += SILENT_NS + 1
     assert str(supervisor.troubles()[0][1]).endswith(" s: stopped")
 
 
 def test_announced_work_may_take_longer(supervisor, clock):  # law 30
-    one = up(supervisor)
-    beat(one, clock)
-    one.heartbeat.is_slow(True)
+    process = up(supervisor)
+    beat(process, clock)
+    process.heartbeat.is_slow(True)
     clock[0] += SLOW_NS
     assert supervisor.troubles() == []
     clock[0] += 1
     assert len(supervisor.troubles()) == 1
 
 
-@pytest.mark.parametrize(("blow", "said"), [(signal.SIGKILL, "signal 9"), (signal.SIGTERM, "signal 15")])
-def test_a_killed_process_is_told_with_its_signal(supervisor, clock, blow, said):  # R-E10
-    one = up(supervisor)
-    os.kill(one.process.pid, blow)
-    os.waitid(os.P_PID, one.process.pid, os.WEXITED | os.WNOWAIT)
-    assert str(supervisor.troubles()[0][1]) == f"rt0 was killed by {said}"
+@pytest.mark.parametrize(("blow", "sentence"), [(signal.SIGKILL, "signal 9"), (signal.SIGTERM, "signal 15")])
+def test_a_killed_process_is_told_with_its_signal(supervisor, clock, blow, sentence):  # R-E10
+    process = up(supervisor)
+    os.kill(process.process.pid, blow)
+    os.waitid(os.P_PID, process.process.pid, os.WEXITED | os.WNOWAIT)
+    assert str(supervisor.troubles()[0][1]) == f"rt0 was killed by {sentence}"
 
 
 def test_a_process_that_ends_is_told_with_its_code(supervisor, clock):  # R-E10
-    one = up(supervisor)
-    heard(one)
-    one.post.close()  # then the puppet goes
-    os.waitid(os.P_PID, one.process.pid, os.WEXITED | os.WNOWAIT)
+    process = up(supervisor)
+    heard(process)
+    process.post.close()  # then the puppet goes
+    os.waitid(os.P_PID, process.process.pid, os.WEXITED | os.WNOWAIT)
     assert str(supervisor.troubles()[0][1]) == "rt0 ended with code 0"
 
 
 def test_the_end_leaves_no_process_and_no_zombie(supervisor):  # R-E10
-    one = up(supervisor)
+    process = up(supervisor)
     supervisor.end()
     supervisor.end()
-    assert one.process.returncode == -signal.SIGKILL
-    assert one.post.is_closed
+    assert process.process.returncode == -signal.SIGKILL
+    assert process.post.is_closed

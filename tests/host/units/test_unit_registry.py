@@ -12,7 +12,7 @@ def test_every_driver_is_asked_in_the_same_way(driver):  # law 28
     wanted = {name: call for name, call in vars(Units).items() if inspect.isfunction(call) and not name.startswith("_")}
     assert wanted.keys() == {"send", "grant", "release"}
     for name, call in wanted.items():
-        found = inspect.signature(getattr(driver, name))
-        kinds = [one.annotation for one in inspect.signature(call).parameters.values()]
-        assert [one.annotation for one in found.parameters.values()] == kinds
-        assert found.return_annotation == inspect.signature(call).return_annotation
+        signature = inspect.signature(getattr(driver, name))
+        kinds = [parameter.annotation for parameter in inspect.signature(call).parameters.values()]
+        assert [parameter.annotation for parameter in signature.parameters.values()] == kinds
+        assert signature.return_annotation == inspect.signature(call).return_annotation

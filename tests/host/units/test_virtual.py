@@ -55,7 +55,7 @@ class Run:
         return self
 
     def of(self, kind):
-        return [one for one in self.told if isinstance(one, kind)]
+        return [message for message in self.told if isinstance(message, kind)]
 
     @property
     def result(self):
@@ -72,13 +72,13 @@ def test_a_run_comes_to_its_end_and_the_world_to_where_it_was_told():  # R-E03, 
     assert run.result.completed
     assert run.result.values["X"][0] == pytest.approx(-2.0, abs=1e-3)
     assert run.worlds == ["yard"]
-    assert [one.index for one in run.of(event.Done)] == [0, 1]
+    assert [message.index for message in run.of(event.Done)] == [0, 1]
 
 
 def test_equal_runs_are_equal_bit_for_bit():  # R-X08, law 14
-    one, other = (Run(rail_tasks(), move("1.0", "-2.0")).to_the_end() for _ in range(2))
-    assert one.driver.digest == other.driver.digest
-    assert one.told == other.told
+    first, other = (Run(rail_tasks(), move("1.0", "-2.0")).to_the_end() for _ in range(2))
+    assert first.driver.digest == other.driver.digest
+    assert first.told == other.told
 
 
 def test_different_runs_are_different():  # R-X08
@@ -109,7 +109,7 @@ def test_the_drive_follows_from_the_first_fresh_command_and_holds_at_the_end(): 
     run = Run(rail_tasks(), move("1.0")).to_the_end()
     assert run.driver.is_at_rest()
     drives = run.of(event.Drive)
-    assert [(one.device, one.state) for one in drives] == [("yard:m0", "DRIVEN"), ("yard:m0", "HELD")]
+    assert [(drive.device, drive.state) for drive in drives] == [("yard:m0", "DRIVEN"), ("yard:m0", "HELD")]
     assert drives[1].at_ns == run.driver.now
     assert drives[1].at_s == run.result.runtime_s  # in the time of the run that uses it
 
@@ -126,8 +126,8 @@ def test_two_flows_share_one_world():  # R-K02, law 18
 def test_tasks_spread_over_units_keep_the_order_of_on():  # R-A15, reading 14
     run = Run(rail_tasks(rtpu="rt1"), move("1.0"), rtpus=("rt0", "rt1")).to_the_end()
     assert run.result.completed
-    assert {one.task: one.rtpu for one in run.result.tasks} == {"mass": "rt0", "servo": "rt1"}
-    on = [one.task for one in run.of(event.TaskState) if one.state == "ON"]
+    assert {task.task: task.rtpu for task in run.result.tasks} == {"mass": "rt0", "servo": "rt1"}
+    on = [message.task for message in run.of(event.TaskState) if message.state == "ON"]
     assert on == ["mass", "servo"]
 
 
@@ -270,9 +270,9 @@ def test_the_clock_stands_while_a_partner_outside_is_awaited(outsider):  # law 1
     times = []
     while not run.runner.is_over:
         if run.driver._executive.owed():
-            asked = call.read()
-            times.append(asked["t"])
-            call.answer(asked, n=len(times))
+            code = call.read()
+            times.append(code["t"])
+            call.answer(code, n=len(times))
         run.driver.advance(1_000_000)
     assert times[:3] == pytest.approx([0.0, 0.02, 0.04])
     assert run.result.completed
@@ -296,9 +296,9 @@ def test_a_partner_that_never_answers_stops_the_clock_no_longer_than_its_patienc
     run.to_the_end()
     assert (monotonic_ns() - began) * 1e-9 < 2.0
     assert run.result.completed is passive
-    told = run.of(event.Warned) if passive else run.of(event.Failed)
-    assert "no answer within 0.05 s" in str(told[0].text)
-    assert [one.at_s for one in run.of(event.Done)] == ([pytest.approx(0.5)] if passive else [])
+    messages = run.of(event.Warned) if passive else run.of(event.Failed)
+    assert "no answer within 0.05 s" in str(messages[0].text)
+    assert [message.at_s for message in run.of(event.Done)] == ([pytest.approx(0.5)] if passive else [])
 
 
 def test_the_clock_stands_in_scaled_time_too(outsider):  # A16, law 15

@@ -46,11 +46,11 @@ class Run:
 
     def until(self, is_there):
         while not is_there():
-            select.select([one.post for one in self.driver.posts()], [], [], self.driver.wait_s())
+            select.select([post.post for post in self.driver.posts()], [], [], self.driver.wait_s())
             self.driver.advance(0)
 
     def driven(self):
-        self.until(lambda: any(isinstance(one, event.Drive) and one.state == "DRIVEN" for one in self.told))
+        self.until(lambda: any(isinstance(message, event.Drive) and message.state == "DRIVEN" for message in self.told))
 
     def over(self):
         self.until(lambda: self.runner.is_over)
@@ -59,7 +59,7 @@ class Run:
 
     @property
     def drives(self):
-        return [one.state for one in self.told if isinstance(one, event.Drive)]
+        return [message.state for message in self.told if isinstance(message, event.Drive)]
 
 
 @pytest.fixture
@@ -69,7 +69,7 @@ def start():
     for run in runs:
         processes = list(run.driver._supervisor.processes.values())
         run.driver.close()
-        assert all(one.process.returncode is not None for one in processes)
+        assert all(process.process.returncode is not None for process in processes)
 
 
 def test_a_run_in_real_processes_comes_to_its_end(start):  # R-A15, R-E03, laws 16, 30
@@ -91,7 +91,7 @@ def test_a_stop_goes_straight_to_the_drives(start):  # law 27
     statistics = run.over()
     assert (statistics.completed, statistics.cause) == (False, "stop")
     assert run.drives == ["DRIVEN", "HELD"]
-    assert [str(one.cause) for one in run.told if isinstance(one, event.Drive)][-1] == "stop"
+    assert [str(message.cause) for message in run.told if isinstance(message, event.Drive)][-1] == "stop"
 
 
 def test_a_lost_unit_is_fenced_and_ends_the_run(start):  # R-E10, law 17
@@ -109,7 +109,7 @@ def test_a_lost_device_server_ends_the_run_and_leaves_nothing_to_draw(start):  #
     run.driven()
     os.kill(run.driver._supervisor.processes[DEVICES].process.pid, signal.SIGKILL)
     assert run.over().cause == "the device server was killed by signal 9"
-    assert any(isinstance(one, event.Failed) and one.task == "gripper" for one in run.told)
+    assert any(isinstance(message, event.Failed) and message.task == "gripper" for message in run.told)
     assert run.driver.snapshots() == {}
     with pytest.raises(ValueError, match="gone"):
         run.driver.grant("rt0", "boxes:lamp")

@@ -7,13 +7,13 @@ MS = 1_000_000
 
 
 @pytest.fixture
-def told():
+def messages():
     return []
 
 
 @pytest.fixture
-def buses(told):
-    return Buses({}, lambda _name: MassWorld(), told.append)
+def buses(messages):
+    return Buses({}, lambda _name: MassWorld(), messages.append)
 
 
 def test_a_world_is_opened_with_its_first_device_and_stands_where_the_others_stand(buses):  # laws 17, 18
@@ -43,10 +43,10 @@ def test_a_world_that_is_not_open_shows_nothing_and_cannot_be_touched(buses):  #
         buses.touch("yard", "panic", 1.0)
 
 
-def test_what_a_touch_does_to_a_drive_is_told_at_once(buses, told):  # R-K06
+def test_what_a_touch_does_to_a_drive_is_told_at_once(buses, messages):  # R-K06
     buses.grant("yard:m0", 0)
     buses.touch("yard", "panic", 1.0)
-    assert [(one.device, one.state) for one in told] == [("yard:m0", "PRESSED"), ("yard:m1", "PRESSED")]
+    assert [(message.device, message.state) for message in messages] == [("yard:m0", "PRESSED"), ("yard:m1", "PRESSED")]
 
 
 class Obedient(MassWorld):

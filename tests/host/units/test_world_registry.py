@@ -13,8 +13,8 @@ def test_a_world_is_found_by_its_name():  # law 16
 def test_a_shaken_world_has_its_things_a_little_elsewhere_the_same_for_one_seed():  # R-X07
     poses = [open_world("boxes", shake).poses() for shake in (None, 1, 1, 2)]
     assert (poses[1] == poses[2]).all()
-    for one in (poses[1], poses[3]):
-        assert 1e-5 < abs(one - poses[0]).max() <= 0.0010001
+    for pose in (poses[1], poses[3]):
+        assert 1e-5 < abs(pose - poses[0]).max() <= 0.0010001
     assert abs(poses[3] - poses[1]).max() > 1e-5
 
 
