@@ -43,17 +43,17 @@ class Journey:
         self.program.advance(10**9)
         self.program.serve()
 
-    def ask(self, asked):
-        return request.decode_response(self.connection.request(request.encode(asked), timeout_s=60.0))
+    def ask(self, wish):
+        return request.decode_response(self.connection.request(request.encode(wish), timeout_s=60.0))
 
     def events(self):
         """Everything that is told, up to the result."""
         while True:
-            for one in self.connection.poll(1.0):
-                if isinstance(one, SignalReceived):
-                    told = event.decode(one.body)
-                    yield told
-                    if isinstance(told, event.Result):
+            for received in self.connection.poll(1.0):
+                if isinstance(received, SignalReceived):
+                    message = event.decode(received.body)
+                    yield message
+                    if isinstance(message, event.Result):
                         return
 
 
@@ -74,23 +74,23 @@ def test_an_application_runs(tmp_path, site):  # R-E01, R-E02, R-E03, R-E11, R-E
     assert journey.prepared.faults == ()
     assert journey.ask(request.Prepare(journey.prepared.plan, journey.prepared.targets)) == request.Prepared(())
     assert journey.ask(request.Begin(watch=("Q_MEZ",))) == request.Done()
-    *told, result = journey.events()
+    *messages, result = journey.events()
     assert (result.completed, result.done, result.of, str(result.cause)) == (True, 2, 2, "")
     assert result.values["Q_MEZ"][0] == pytest.approx(0.4, abs=1e-3)
     lives = {}
-    for one in told:
-        if isinstance(one, event.TaskState):
-            lives.setdefault(one.task, []).append(one.state)
+    for message in messages:
+        if isinstance(message, event.TaskState):
+            lives.setdefault(message.task, []).append(message.state)
     assert lives["jtraj"] == ["OFF", "ON", "OFF", "ON", "OFF", "KILLED"]
     assert lives["puma"] == ["OFF", "ON", "KILLED"]  # switching jobs touches nothing but the trigger (law 6)
-    actions = [one for one in told if isinstance(one, event.Began | event.Done)]
-    assert [(type(one).__name__, one.index) for one in actions] == [
+    actions = [message for message in messages if isinstance(message, event.Began | event.Done)]
+    assert [(type(action).__name__, action.index) for action in actions] == [
         ("Began", 0),
         ("Done", 0),
         ("Began", 1),
         ("Done", 1),
     ]
-    drives = [one.state for one in told if isinstance(one, event.Drive)]
+    drives = [message.state for message in messages if isinstance(message, event.Drive)]
     assert drives == ["DRIVEN", "HELD"]
 
 

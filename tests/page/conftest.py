@@ -168,7 +168,7 @@ def begin(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[..., Pr
         if program.process.poll() is None:
             program.end()
         program.kill()
-    complaints = ["".join(one.said) for one in started if "Traceback" in "".join(one.said)]
+    complaints = ["".join(process.said) for process in started if "Traceback" in "".join(process.said)]
     assert not complaints, "\n".join(complaints)
 
 

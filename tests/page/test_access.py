@@ -20,7 +20,9 @@ def found(page):
     page.evaluate(AXE.read_text() + "; undefined")
     page.evaluate("Promise.all(document.getAnimations().map((one) => one.finished.catch(() => undefined)))")
     results = page.evaluate("axe.run(document, { resultTypes: ['violations'] })")
-    return [(one["id"], [node["target"][0] for node in one["nodes"]][:3]) for one in results["violations"]]
+    return [
+        (violation["id"], [node["target"][0] for node in violation["nodes"]][:3]) for violation in results["violations"]
+    ]
 
 
 def first_start(me):

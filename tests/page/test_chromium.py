@@ -34,6 +34,6 @@ def test_an_error_in_the_page_fails_its_test(chromium, tmp_path, request):
     (tmp_path / "conftest.py").write_text((request.path.parent / "conftest.py").read_text())
     words = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", str(tmp_path)]
     search = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}  # the copied fixtures use the kit
-    said = subprocess.run(words, cwd=tmp_path, env=search, capture_output=True, text=True, check=False).stdout
-    assert "4 passed, 3 errors" in said, said
-    assert re.findall(r"ERROR test_amiss.py::test_(\d) - AssertionError: errors in the page", said) == ["0", "1", "2"]
+    output = subprocess.run(words, cwd=tmp_path, env=search, capture_output=True, text=True, check=False).stdout
+    assert "4 passed, 3 errors" in output, output
+    assert re.findall(r"ERROR test_amiss.py::test_(\d) - AssertionError: errors in the page", output) == ["0", "1", "2"]

@@ -48,10 +48,10 @@ class Reader:
 def me(program, page):
     program.enter(page)
     page.get_by_role("button", name="Applications", exact=True).click()
-    one = Reader(page)
-    expect(one.icon("opengripC")).to_be_attached()
-    one.blank()
-    return one
+    reader = Reader(page)
+    expect(reader.icon("opengripC")).to_be_attached()
+    reader.blank()
+    return reader
 
 
 def groups(me):

@@ -45,8 +45,8 @@ def item(me, name):
 
 def order(me, name):
     """The order of its tasks, as the tab tells it."""
-    found = re.search(r"Order: (.+)", tab(me, name).locator("title").text_content() or "")
-    return found and found[1]
+    match = re.search(r"Order: (.+)", tab(me, name).locator("title").text_content() or "")
+    return match and match[1]
 
 
 def test_ctrl_g_makes_a_supermodule_that_is_selected_as_one_and_with_alt_one_by_one(me):  # R-C17
@@ -191,7 +191,9 @@ def test_axe_finds_nothing_in_a_supermodule_and_its_form(me, scheme):  # R-G04
     me.page.evaluate(AXE.read_text() + "; undefined")
     me.page.evaluate("Promise.all(document.getAnimations().map((one) => one.finished.catch(() => undefined)))")
     results = me.page.evaluate("axe.run(document, { resultTypes: ['violations'] })")
-    assert [(one["id"], [node["target"][0] for node in one["nodes"]][:3]) for one in results["violations"]] == []
+    assert [
+        (violation["id"], [node["target"][0] for node in violation["nodes"]][:3]) for violation in results["violations"]
+    ] == []
 
 
 @pytest.fixture(scope="module")

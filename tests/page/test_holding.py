@@ -141,11 +141,11 @@ def two(there, side, home):
     ann.person.state("wave", "ON")
     bob.connects(there, home)
     yield ann, bob
-    for one in (ann, bob):
-        is_there = one.program.process.poll() is None
-        if is_there and one.row(home).get_by_role("button", name="Release").is_visible():
-            one.press("Release")
-            one.holds("Held by nobody")
+    for person in (ann, bob):
+        is_there = person.program.process.poll() is None
+        if is_there and person.row(home).get_by_role("button", name="Release").is_visible():
+            person.press("Release")
+            person.holds("Held by nobody")
 
 
 def test_the_robots_change_hands_by_offers_and_never_have_two_holders(two):  # R-X12

@@ -122,10 +122,10 @@ def test_a_picture_is_mirrored_cleared_and_imported(me, lab, tmp_path):  # R-D07
     panel.locator("input[type=file]").set_input_files(red)
     me.page.wait_for_function("([one, was]) => one.toDataURL() !== was", arg=[shown, before])
     panel.get_by_role("button", name="Save", exact=True).click()
-    asked = panel.get_by_role("alert").get_by_role("button").first
-    expect(asked.or_(me.page.locator("body:not(:has([role=dialog]))"))).to_be_visible()
-    if asked.count():
-        asked.click()
+    button = panel.get_by_role("alert").get_by_role("button").first
+    expect(button.or_(me.page.locator("body:not(:has([role=dialog]))"))).to_be_visible()
+    if button.count():
+        button.click()
     expect(panel).to_have_count(0)
     assert picture(lab, "mirrorC")[15][15] == RED
 

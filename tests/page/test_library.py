@@ -99,13 +99,13 @@ def test_a_library_is_closed_and_opened_again_by_its_path(me, lab):  # R-C01
 def test_a_file_with_a_fault_is_left_out_and_named_with_its_line(me, lab):  # R-C01
     good = (lab.path / "module" / "show.rmod").read_text().removesuffix("EOF\n")
     path = lab.task("broken", good.replace("FREQ  20", "FREQ  often"))
-    told = me.page.get_by_role("region", name="1 file left out")
+    region = me.page.get_by_role("region", name="1 file left out")
     try:
-        expect(told).to_contain_text(re.compile(r"broken\.rmod:8: expected a number above 0 .* found 'FREQ +often'"))
+        expect(region).to_contain_text(re.compile(r"broken\.rmod:8: expected a number above 0 .* found 'FREQ +often'"))
         expect(me.icon("broken")).to_have_count(0)
     finally:
         path.unlink()
-    expect(told).to_have_count(0)
+    expect(region).to_have_count(0)
 
 
 def test_a_task_that_was_written_to_the_disk_appears_by_itself(me, lab):  # R-C01

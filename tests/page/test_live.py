@@ -248,11 +248,11 @@ def test_opening_in_place_tells_what_it_will_do_then_keeps_what_both_have(me):  
     panel = me.page.get_by_role("dialog", name="Open a configuration")
     panel.get_by_role("searchbox").fill("otherC")
     panel.get_by_role("button", name="Open otherC in place").click()
-    told = me.refusal
-    expect(told).to_contain_text(re.compile("calm"))
-    expect(told).to_contain_text(re.compile("wave"))
+    refusal = me.refusal
+    expect(refusal).to_contain_text(re.compile("calm"))
+    expect(refusal).to_contain_text(re.compile("wave"))
     expect(me.box("tone")).to_have_count(0)
-    told.get_by_role("button").last.click()
+    refusal.get_by_role("button").last.click()
     me.state("tone", "")
     expect(me.box("wave")).to_have_count(0)
     me.state("calm", "ON")

@@ -87,11 +87,11 @@ def open_one(page, which="first"):
     """Open one of the list: the first is the newest, and both began when the run did."""
     page.keyboard.press("Alt+o")
     panel = page.get_by_role("dialog", name="Open a recording")
-    found = panel.get_by_role("listitem")
-    expect(found).to_have_count(2)
-    cut = found.filter(has_text="cut short")
-    one = cut if which == "cut" else found.filter(has_not_text="cut short")
-    one.get_by_role("button", name=re.compile("^Open the recording of assemble")).click()
+    items = panel.get_by_role("listitem")
+    expect(items).to_have_count(2)
+    cut = items.filter(has_text="cut short")
+    item = cut if which == "cut" else items.filter(has_not_text="cut short")
+    item.get_by_role("button", name=re.compile("^Open the recording of assemble")).click()
     expect(panel).to_have_count(0)
     expect(bar(page)).to_be_visible()
     expect(time_line(page)).to_be_focused()
@@ -127,7 +127,9 @@ def test_a_recording_is_found_in_the_list_and_shows_the_icon_that_was_carried_ou
     expect(rings).to_have_count(1)
     user.evaluate(AXE.read_text() + "; undefined")
     results = user.evaluate("axe.run(document, { resultTypes: ['violations'] })")
-    assert [(one["id"], [node["target"] for node in one["nodes"]][:3]) for one in results["violations"]] == []
+    assert [
+        (violation["id"], [node["target"] for node in violation["nodes"]][:3]) for violation in results["violations"]
+    ] == []
 
 
 def test_states_values_plots_and_the_workcell_are_those_of_the_instant(user):  # R-X05

@@ -97,12 +97,12 @@ class Operator:
 def me(program, page):
     program.enter(page)
     page.get_by_role("button", name="Applications", exact=True).click()
-    one = Operator(page)
-    yield one
+    operator = Operator(page)
+    yield operator
     page.keyboard.press("Escape")
-    if one.keys.get_by_role("button", name="Abort", exact=True).is_visible():
-        one.press("Abort")
-        expect(one.run.get_by_text("Ended early")).to_be_visible()
+    if operator.keys.get_by_role("button", name="Abort", exact=True).is_visible():
+        operator.press("Abort")
+        expect(operator.run.get_by_text("Ended early")).to_be_visible()
 
 
 def test_it_runs_to_its_end_and_says_so_in_words(me):  # R-E11, R-E14, R-E07
@@ -148,16 +148,16 @@ def test_nothing_but_breakpoints_is_changed_while_it_runs(me):  # R-D18, R-E07
 def test_run_twice_and_in_two_browsers_is_one_run(me, program, new_page):  # R-E12, R-X01
     other = Operator(program.enter(new_page()))
     other.page.get_by_role("button", name="Applications", exact=True).click()
-    for one in (me, other):
-        one.opens("slow")
-    buttons = [one.run.get_by_role("button", name=re.compile("^Run")).element_handle() for one in (me, other)]
+    for person in (me, other):
+        person.opens("slow")
+    buttons = [person.run.get_by_role("button", name=re.compile("^Run")).element_handle() for person in (me, other)]
     for button in buttons:
         button.evaluate("button => { button.click(); button.click() }")
-    for one in (me, other):
-        expect(one.flow(0)).to_contain_text("1 of 4")
+    for person in (me, other):
+        expect(person.flow(0)).to_contain_text("1 of 4")
     other.press("Abort")
-    for one in (me, other):
-        one.ended_early("aborted by the user")
+    for person in (me, other):
+        person.ended_early("aborted by the user")
 
 
 def test_who_waits_for_whom_is_shown_and_the_waiting_one_released(me):  # R-X03, R-E07
@@ -200,9 +200,9 @@ def test_what_a_task_is_not_told_it_asks_in_a_form(me):  # R-E15, R-D16, R-C13
     me.starts("asks")
     panel = me.page.get_by_role("dialog", name=re.compile("asks$"))
     field = panel.get_by_role("textbox", name=re.compile("^duration,"))
-    for nonsense, said in (("soon", "no number"), ("NaN", "no"), ("1e999", "no"), ("-1", "below")):
+    for nonsense, complaint in (("soon", "no number"), ("NaN", "no"), ("1e999", "no"), ("-1", "below")):
         field.fill(nonsense)
-        expect(panel).to_contain_text(re.compile(said))
+        expect(panel).to_contain_text(re.compile(complaint))
     field.fill("0.04")
     panel.get_by_role("button", name="Send").click()
     me.went_well()

@@ -21,61 +21,61 @@ def program(begin, lab):
 @pytest.fixture
 def two(program, new_page, people):
     """Two persons who look at the same blank configuration."""
-    one, other = people(program.enter(new_page())), people(program.enter(new_page()))
-    name = one.blank()
+    first, other = people(program.enter(new_page())), people(program.enter(new_page()))
+    name = first.blank()
     other.tab(name).click()
     expect(other.page.get_by_role("application", name=f"canvas of {name}")).to_be_visible()
-    one.libraries("bench")
+    first.libraries("bench")
     other.libraries("bench")
-    return one, other
+    return first, other
 
 
 def test_what_one_does_the_other_sees_and_may_take_back(two):  # R-X10
-    one, other = two
-    one.place("wave", "calm")
+    first, other = two
+    first.place("wave", "calm")
     expect(other.box("calm")).to_be_visible()
     expect(other.locus("WAVE")).to_be_visible()
     other.page.get_by_role("button", name="Undo: placing calm").click()
-    expect(one.box("calm")).to_have_count(0)
+    expect(first.box("calm")).to_have_count(0)
 
 
 def test_two_who_move_one_icon_at_the_same_time_see_it_in_one_place_in_the_end(two):  # R-C10
-    one, other = two
-    one.place("wave")
+    first, other = two
+    first.place("wave")
     expect(other.box("wave")).to_be_visible()
-    start = one.corner("wave")
+    start = first.corner("wave")
     box = {person: person.box("wave").bounding_box() for person in two}
     for person in two:
         person.page.mouse.move(box[person]["x"] + 50, box[person]["y"] + 20)
         person.page.mouse.down()
-    one.page.mouse.move(*one.at(500, 300), steps=3)
+    first.page.mouse.move(*first.at(500, 300), steps=3)
     other.page.mouse.move(*other.at(200, 450), steps=3)
-    one.page.mouse.up()
+    first.page.mouse.up()
     other.page.mouse.up()
     for person in two:
         expect(person.page.get_by_role("button", name="Undo: moving wave")).to_be_enabled()
     other.page.get_by_role("button", name="Undo: moving wave").click()
-    expect(one.page.get_by_role("button", name="Redo: moving wave")).to_be_enabled()
-    one.page.get_by_role("button", name="Redo: moving wave").click()
+    expect(first.page.get_by_role("button", name="Redo: moving wave")).to_be_enabled()
+    first.page.get_by_role("button", name="Redo: moving wave").click()
     for person in two:
         expect(person.page.get_by_role("button", name="Redo: moving wave")).to_have_count(0)
-    assert one.corner("wave") == other.corner("wave") != start
+    assert first.corner("wave") == other.corner("wave") != start
 
 
 def test_when_one_leaves_the_other_goes_on(two):  # R-X10
-    one, other = two
-    one.page.close()
+    first, other = two
+    first.page.close()
     other.place("wave")
     expect(other.box("wave")).to_be_visible()
 
 
 def test_each_browser_shows_its_own_configuration_and_its_own_selection(two):  # R-C06
-    one, other = two
-    one.place("wave", "calm")
-    one.box("wave").click()
+    first, other = two
+    first.place("wave", "calm")
+    first.box("wave").click()
     expect(other.box("wave")).to_have_attribute("aria-pressed", "false")
     other.blank()
-    expect(one.box("wave")).to_be_visible()
+    expect(first.box("wave")).to_be_visible()
 
 
 def test_a_key_opens_one_door_once(program, new_page, excused):  # R-C18
@@ -123,8 +123,8 @@ def test_a_page_whose_line_was_cut_shows_it_and_has_everything_when_it_is_back(p
      json.dumps({"cid": 1, "act": {"t": "New", "extra": 1}}), "[" * 5_000],
 )  # fmt: skip
 def test_a_malformed_message_is_refused_and_nobody_loses_his_connection(two, message):  # R-X01, R-F01
-    one, other = two
-    answer = one.page.evaluate(
+    first, other = two
+    answer = first.page.evaluate(
         """message => new Promise(done => {
           const socket = new WebSocket(new URL('ws', location.href.replace(/^http/, 'ws')))
           socket.onopen = () => socket.send(message)
@@ -137,7 +137,7 @@ def test_a_malformed_message_is_refused_and_nobody_loses_his_connection(two, mes
         message,
     )
     assert answer == "desk.no_act"
-    one.place("wave")
+    first.place("wave")
     expect(other.box("wave")).to_be_visible()
 
 
@@ -170,8 +170,8 @@ def connect(me, name):
 
 
 def children(pid):
-    found = subprocess.run(["pgrep", "-P", str(pid)], capture_output=True, text=True, check=False)
-    return [int(one) for one in found.stdout.split()]
+    listing = subprocess.run(["pgrep", "-P", str(pid)], capture_output=True, text=True, check=False)
+    return [int(number) for number in listing.stdout.split()]
 
 
 def command(pid):

@@ -103,5 +103,5 @@ def test_a_frozen_runtime_is_told_at_once_and_can_be_ended(me, program):  # R-X1
 def runtime_of(program):
     """The process id of the runtime that a program has started."""
     children = Path(f"/proc/{program}/task").glob("*/children")
-    found = [int(one) for each in children for one in each.read_text().split()]
-    return next(one for one in found if b"onika.host" in Path(f"/proc/{one}/cmdline").read_bytes())
+    pids = [int(pid) for each in children for pid in each.read_text().split()]
+    return next(pid for pid in pids if b"onika.host" in Path(f"/proc/{pid}/cmdline").read_bytes())

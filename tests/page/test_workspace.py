@@ -22,9 +22,9 @@ def empty(program, page):
     """Somebody with no application in front."""
     program.enter(page)
     page.get_by_role("button", name="Applications", exact=True).click()
-    one = Builder(page)
-    expect(one.icon("opengripC")).to_be_attached()
-    return one
+    builder = Builder(page)
+    expect(builder.icon("opengripC")).to_be_attached()
+    return builder
 
 
 @pytest.fixture
@@ -290,12 +290,12 @@ def test_two_who_edit_one_flow_see_the_same_in_the_end(program, new_page):  # R-
         program.enter(page)
         page.get_by_role("button", name="Applications", exact=True).click()
         two.append(Builder(page))
-    one, other = two
-    one.blank()
-    name = one.workspace.get_by_role("heading", level=1).inner_text()
+    first, other = two
+    first.blank()
+    name = first.workspace.get_by_role("heading", level=1).inner_text()
     other.tabs.get_by_role("button", name=re.compile(f"^{name}( |$)")).click()
     for _ in range(3):
-        one.icon("opengripC").dblclick()
+        first.icon("opengripC").dblclick()
         other.icon("closegripC").dblclick()
     for builder in two:
         expect(builder.steps).to_have_count(8)

@@ -39,9 +39,9 @@ def empty(program, page):
     """Somebody with no application in front."""
     program.enter(page)
     page.get_by_role("button", name="Applications", exact=True).click()
-    one = Builder(page)
-    expect(one.icon("opengripC")).to_be_attached()
-    return one
+    builder = Builder(page)
+    expect(builder.icon("opengripC")).to_be_attached()
+    return builder
 
 
 @pytest.fixture

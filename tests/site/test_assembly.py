@@ -36,12 +36,12 @@ def assembly(*boxes):
     """The program with 25 actions, these boxes going to the three places from the bottom to the top."""
     return [
         OPEN,
-        *(one for box, slot in zip(boxes, (TRIANGLE, SQUARE, CROSS), strict=True) for one in carry(box, slot)),
+        *(step for box, slot in zip(boxes, (TRIANGLE, SQUARE, CROSS), strict=True) for step in carry(box, slot)),
     ]
 
 
 def without(program, *positions):
-    return [one for number, one in enumerate(program) if number not in positions]
+    return [step for number, step in enumerate(program) if number not in positions]
 
 
 RIGHT = assembly(TRIANGLE, SQUARE, CROSS)
@@ -117,12 +117,12 @@ def test_random_numbers_follow_the_seed_of_the_run(capsys, tmp_path):  # R-X08, 
     laboratory.plain_task("dice", writes="PIPS")
     laboratory.configuration("diceC", "dice 100")
     path = str(laboratory.application("throw", [job("diceC")]))
-    one, again, other = (
+    first, again, other = (
         result_of(capsys, path, "--virtual", "--expect", "PIPS < 1", "--seed", seed)["values"]["PIPS"]
         for seed in ("1", "1", "2")
     )
-    assert one == again
-    assert one != other
+    assert first == again
+    assert first != other
 
 
 def test_without_a_terminal_the_run_is_told_in_plain_lines(capsys):  # R-E11
@@ -137,7 +137,7 @@ def test_without_a_terminal_the_run_is_told_in_plain_lines(capsys):  # R-E11
 
 WRONG = [
     (3, 2, 4),
-    *(pytest.param(one, marks=pytest.mark.slow) for one in [(2, 4, 3), (3, 4, 2), (4, 2, 3), (4, 3, 2)]),
+    *(pytest.param(order, marks=pytest.mark.slow) for order in [(2, 4, 3), (3, 4, 2), (4, 2, 3), (4, 3, 2)]),
 ]
 
 

@@ -26,8 +26,8 @@ def there(tmp_path_factory):
     environment = os.environ | {"XDG_STATE_HOME": str(tmp_path_factory.mktemp("state"))}
     words = [sys.executable, "-m", "onika.host", "--listen", "127.0.0.1:0", "--no-fifo"]
     with subprocess.Popen(words, stdout=subprocess.PIPE, text=True, env=environment) as process:
-        found = re.search(r"listening on (\S+), token in (.*)$", process.stdout.readline())
-        yield found[1], Path(found[2]).read_text().strip()
+        match = re.search(r"listening on (\S+), token in (.*)$", process.stdout.readline())
+        yield match[1], Path(match[2]).read_text().strip()
         process.terminate()
         assert process.wait(20) == 0
 
@@ -37,9 +37,9 @@ def listen(*runtimes, until, seconds=20.0):
     end = monotonic() + seconds
     while not until():
         assert monotonic() < end, "it did not come"
-        select.select([fd for one in runtimes for fd in one.readers()], [], [], 0.02)
-        for one in runtimes:
-            one.heard += list(one.messages())
+        select.select([fd for runtime in runtimes for fd in runtime.readers()], [], [], 0.02)
+        for runtime in runtimes:
+            runtime.heard += list(runtime.messages())
 
 
 @contextmanager
@@ -52,18 +52,20 @@ def session(there):
 
 
 def lease(asking, of):
-    known = {one.name: one.lease_s for one in asking.ask(holding.Sessions()).sessions}
-    return known[of.you]
+    leases = {session.name: session.lease_s for session in asking.ask(holding.Sessions()).sessions}
+    return leases[of.you]
 
 
 def lost(watcher, subsystem):
     return [
-        one for one in watcher.heard if isinstance(one, event.Held) and one.subsystem == subsystem and not one.holder
+        message
+        for message in watcher.heard
+        if isinstance(message, event.Held) and message.subsystem == subsystem and not message.holder
     ]
 
 
-def silent_s(told):
-    return float(re.search(r"silent for ([0-9.]+) s", str(told.cause))[1])
+def silent_s(message):
+    return float(re.search(r"silent for ([0-9.]+) s", str(message.cause))[1])
 
 
 def test_where_datagrams_get_through_silence_counts_after_a_quarter_of_a_second(there):  # R-X12, network.md D4
@@ -102,12 +104,12 @@ def test_beats_that_were_overheard_or_forged_keep_nobody_alive(there, monkeypatc
         listen(watcher, holder, until=lambda: lease(watcher, holder) == 0.25)
         beats = monotonic() + 45 * EVERY_NS * 1e-9
         listen(watcher, holder, until=lambda: monotonic() > beats)  # its own count is beyond what was overheard
-        forged = [one[:-1] + bytes([one[-1] ^ 1]) for one in thief.heard]
+        forged = [beat[:-1] + bytes([beat[-1] ^ 1]) for beat in thief.heard]
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as air:
 
             def is_lost():
-                for one in (*thief.heard, *forged, os.urandom(32), b"", os.urandom(2000)):
-                    air.sendto(one, thief.at)
+                for datagram in (*thief.heard, *forged, os.urandom(32), b"", os.urandom(2000)):
+                    air.sendto(datagram, thief.at)
                 return bool(lost(watcher, "robbed"))
 
             listen(watcher, until=is_lost)

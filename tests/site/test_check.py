@@ -153,9 +153,9 @@ def test_a_colour_or_border_cell_is_a_note_and_the_run_goes_on(capsys, tmp_path)
     ]
     assert all(line.startswith(f"note: {path}:13: ") for line in lines)
     assert main(["run", str(path), "--virtual"]) == 0
-    told = capsys.readouterr().out
-    assert "note: " in told
-    assert "completed" in told
+    output = capsys.readouterr().out
+    assert "note: " in output
+    assert "completed" in output
 
 
 def test_a_job_of_unknown_type_acts_as_a_complete_one_with_a_note(capsys, tmp_path):  # R-D16
@@ -220,8 +220,8 @@ def test_what_is_named_like_a_file_and_is_none_is_told_and_never_waited_for(caps
     (tmp_path / "conf" / "zero.conf").symlink_to("/dev/zero")
     code, lines, _ = check(capsys, tmp_path)
     assert code == 1
-    found = [line.removeprefix(f"{tmp_path}/").partition("; instead")[0] for line in lines]
-    assert found == [
+    faults = [line.removeprefix(f"{tmp_path}/").partition("; instead")[0] for line in lines]
+    assert faults == [
         "conf/gone.conf: expected a file that can be read, found No such file or directory",
         "conf/loop.conf: expected a file that can be read, found Too many levels of symbolic links",
         "conf/zero.conf: expected a file that can be read, found a device",

@@ -49,29 +49,29 @@ def script(tmp_path, text):
 def batch(tmp_path, text, *words):
     """The exit code and everything that was said."""
     with CliProcess("runtime", "--no-fifo", "--script", script(tmp_path, text), *words) as console:
-        said = console.text()
-        return console.code(), said
+        output = console.text()
+        return console.code(), output
 
 
 @pytest.mark.parametrize("kind", [["--virtual"], []], ids=["virtual", "wall"])
 def test_tasks_of_the_puma_are_spawned_moved_read_and_killed_by_a_script(tmp_path, monkeypatch, kind):  # R-A16
     monkeypatch.chdir(tmp_path)
-    code, said = batch(tmp_path, BY_HAND, "--no-console", *kind)
-    assert code == 0, said
-    angles = re.search(r"^Q_MEZ = (.*)$", said, re.MULTILINE)[1].split()
+    code, output = batch(tmp_path, BY_HAND, "--no-console", *kind)
+    assert code == 0, output
+    angles = re.search(r"^Q_MEZ = (.*)$", output, re.MULTILINE)[1].split()
     assert [float(angle) for angle in angles] == pytest.approx([0, -1.2, 1.2, 0, 0, 0], abs=0.02)
-    assert re.search(r"^puma +arm +rt0 +ON +[1-9]\d* ", said, re.MULTILINE)
-    assert "main: the memory of variables is sound" in said
+    assert re.search(r"^puma +arm +rt0 +ON +[1-9]\d* ", output, re.MULTILINE)
+    assert "main: the memory of variables is sound" in output
     assert re.search(r"^[0-9.]+ main Q_MEZ double\[6\] ", (tmp_path / "readings").read_text(), re.MULTILINE)
-    assert "no task lives here" in said
-    assert "never" not in said.replace("echo never", "")
+    assert "no task lives here" in output
+    assert "never" not in output.replace("echo never", "")
 
 
 def test_a_script_ends_at_its_first_bad_line_with_its_place(tmp_path):  # R-A16
-    code, said = batch(tmp_path, "spawn puma\non pumma\nspawn diff\n", "--virtual")
+    code, output = batch(tmp_path, "spawn puma\non pumma\nspawn diff\n", "--virtual")
     assert code == 1
-    assert f"{tmp_path}/script:2: expected a living task of main (puma), found 'pumma'" in said
-    assert "diff" not in said
+    assert f"{tmp_path}/script:2: expected a living task of main (puma), found 'pumma'" in output
+    assert "diff" not in output
 
 
 def test_after_a_script_lines_are_taken_from_a_pipe_and_applications_run(tmp_path):  # R-A16
@@ -108,11 +108,11 @@ def test_a_module_that_fails_shows_where_and_its_new_file_mends_it(tmp_path):  #
         "read WAVE",
     )
     text = "".join(f"{line}\n" for line in lines)
-    code, said = batch(tmp_path, text, "--virtual", "--no-console", "--base", str(lab.parent))
-    assert code == 0, said
-    assert re.search(r"ERROR main/wave: cycle: ZeroDivisionError.*wave\.py:\d+\)", said)
-    assert "self.WAVE = 1 / 0" in said
-    assert "WAVE = 0.5000" in said
+    code, output = batch(tmp_path, text, "--virtual", "--no-console", "--base", str(lab.parent))
+    assert code == 0, output
+    assert re.search(r"ERROR main/wave: cycle: ZeroDivisionError.*wave\.py:\d+\)", output)
+    assert "self.WAVE = 1 / 0" in output
+    assert "WAVE = 0.5000" in output
 
 
 def test_a_second_console_takes_part_in_the_same_runtime(tmp_path, monkeypatch):  # R-A16, R-A15
@@ -121,9 +121,9 @@ def test_a_second_console_takes_part_in_the_same_runtime(tmp_path, monkeypatch):
         address = first.until_line("others reach it at ").split()[-1]
         path = script(tmp_path, "spawn puma\non puma\ntasks\nsubsystems\n")
         with CliProcess("console", address, "--script", path, "--no-console") as second:
-            said = second.text()
-            assert second.code() == 0, said
-        assert re.search(r"^main/puma +ON ", said, re.MULTILINE)
+            output = second.text()
+            assert second.code() == 0, output
+        assert re.search(r"^main/puma +ON ", output, re.MULTILINE)
         first.until_line("main/puma ON")
         os.kill(first.pid, signal.SIGINT)
         assert first.code() == 0
@@ -140,10 +140,10 @@ def test_a_runtime_that_dies_is_told_and_ends_its_console():  # R-E10
         children = Path(f"/proc/{console.pid}/task/{console.pid}/children").read_text().split()
         (runtime,) = [pid for pid in children if b"onika.host" in Path(f"/proc/{pid}/cmdline").read_bytes()]
         os.kill(int(runtime), signal.SIGKILL)
-        said = console.stdout.read().decode()  # its end, with the input still open
+        output = console.stdout.read().decode()  # its end, with the input still open
         assert console.wait(30) == 1
-    assert "the runtime is gone" in said
-    assert "killed by signal 9" in said
+    assert "the runtime is gone" in output
+    assert "killed by signal 9" in output
 
 
 class Screen:

@@ -63,24 +63,24 @@ class Lab:
     def patch(self, patch):
         pass
 
-    def say(self, said):
-        self.says.append(said)
+    def say(self, say):
+        self.says.append(say)
 
-    def answer(self, asked):
+    def answer(self, wish):
         given = []
-        self.environment.do(asked, "me", given.append)
+        self.environment.do(wish, "me", given.append)
         self.until(lambda: given)
         return given[0]
 
-    def do(self, asked):
-        answer = self.answer(asked)
+    def do(self, wish):
+        answer = self.answer(wish)
         assert answer.no is None, answer.no
         return answer.value
 
     def until(self, reached):
         end = time.monotonic() + PATIENCE_S
         while not reached():
-            assert time.monotonic() < end, f"it did not come; said was {[one.text for one in self.says[-5:]]}"
+            assert time.monotonic() < end, f"it did not come; said was {[say.text for say in self.says[-5:]]}"
             with contextlib.suppress(queue.Empty):
                 self.things.get(timeout=0.05)()
             frame = self.station.frame()
@@ -92,12 +92,12 @@ class Lab:
 
     def told_states(self):
         """The states of tasks in the order in which the runtime tells them from now on."""
-        states, heard = [], self.environment.receive
+        states, receive = [], self.environment.receive
 
-        def hear(told):
-            if isinstance(told, event.TaskState):
-                states.append((told.task, told.state))
-            heard(told)
+        def hear(message):
+            if isinstance(message, event.TaskState):
+                states.append((message.task, message.state))
+            receive(message)
 
         self.environment.receive = hear
         return states
@@ -131,7 +131,7 @@ def test_an_arm_is_made_to_move_by_acts_alone(lab):  # R-C11, R-C12, R-C13, R-C1
     lab.do(act.Answer(doc, "jtraj", "0.5 -1.5 1.5 0 0 0 2"))
     lab.stands("jtraj", "ON")
     lab.stands("jtraj", "OFF")
-    assert "jtraj has finished" in [str(one.text) for one in lab.says]
+    assert "jtraj has finished" in [str(say.text) for say in lab.says]
     lab.until(lambda: abs(lab.values.get(f"{doc}/Q_MEZ", [0.0])[0] - 0.5) < 0.01)
     assert len(lab.values["world:boxes"]["rows"]) > 6
 

@@ -184,25 +184,25 @@ def test_the_cause_that_is_named_is_the_planted_one(tmp_path, plant):  # R-X06
             os.kill(console.process(planted.kills), signal.SIGKILL)
         result = console.result()
     assert result["state"] == "aborted"
-    (one,) = [event for event in console.events if event["event"] == "explained"]
-    assert (one["kind"], one["suspect"]) == (planted.kind, planted.suspect)
-    assert one["task"] == planted.task or planted.kills  # the blow may meet the task in its call
-    assert planted.text in one["text"]
+    (explanation,) = [event for event in console.events if event["event"] == "explained"]
+    assert (explanation["kind"], explanation["suspect"]) == (planted.kind, planted.suspect)
+    assert explanation["task"] == planted.task or planted.kills  # the blow may meet the task in its call
+    assert planted.text in explanation["text"]
     if planted.task:
-        assert one["action"]
-        assert one["place"].startswith(planted.path)
-        assert one["subsystem"] == "flow0"
-    assert one["choices"] == []  # nobody is there to decide
+        assert explanation["action"]
+        assert explanation["place"].startswith(planted.path)
+        assert explanation["subsystem"] == "flow0"
+    assert explanation["choices"] == []  # nobody is there to decide
 
 
 def test_the_last_seconds_are_those_before_the_fault_and_end_with_it(tmp_path):  # R-X06
     planted = raises(tmp_path)
     with CliProcess("run", planted.path, "--json", "--virtual") as console:
         console.result()
-    (one,) = [event for event in console.events if event["event"] == "explained"]
-    (course,) = one["courses"]
+    (explanation,) = [event for event in console.events if event["event"] == "explained"]
+    (course,) = explanation["courses"]
     assert (course["variable"], course["unit"]) == ("SEEN", "s")
-    assert course["at_s"][-1] == one["at_s"]
+    assert course["at_s"][-1] == explanation["at_s"]
     assert course["values"] == sorted(course["values"])
     assert course["values"][-1] == pytest.approx(0.29)  # its last cycle that was whole
     assert len(course["values"]) >= 6
@@ -210,13 +210,13 @@ def test_the_last_seconds_are_those_before_the_fault_and_end_with_it(tmp_path): 
 
 def test_a_run_that_is_explained_repeats_bit_for_bit(tmp_path):  # R-X06, R-X08
     path = poisons_a_variable(tmp_path).path
-    told = []
+    messages = []
     for seed in ("1", "2"):
         with CliProcess("run", path, "--json", "--virtual", environment={"PYTHONHASHSEED": seed}) as console:
             digest = console.result()["hash"]
-        told.append((digest, [event for event in console.events if event["event"] == "explained"]))
-    assert told[0] == told[1]
-    assert told[0][0]
+        messages.append((digest, [event for event in console.events if event["event"] == "explained"]))
+    assert messages[0] == messages[1]
+    assert messages[0][0]
 
 
 def test_a_stop_is_told_to_people_in_a_block(tmp_path):  # R-X06, R-E11
@@ -262,10 +262,10 @@ def test_who_waits_for_a_flow_that_stands_is_named_with_the_tag(tmp_path):  # R-
     tagged = "SYNCHTAG meet"
     flows = [[job(name), job(name, "Complete job", tagged)] for name in ("tickC", "quickC")]
     path = laboratory.application("both", *flows, parallel=True)
-    (one, end), result = steered(tmp_path, path, "wait stopped flow0", "abort")
-    assert (one["kind"], one["subsystem"], one["task"]) == ("error", "flow0", "ticker")
-    assert one["waiting"] == [["flow1", "meet"]]
-    assert [command for command, _ in one["choices"]] == [
+    (explanation, end), result = steered(tmp_path, path, "wait stopped flow0", "abort")
+    assert (explanation["kind"], explanation["subsystem"], explanation["task"]) == ("error", "flow0", "ticker")
+    assert explanation["waiting"] == [["flow1", "meet"]]
+    assert [command for command, _ in explanation["choices"]] == [
         "clear flow0", "next flow0", "skip flow0 N", "pass flow1", "abort",
     ]  # fmt: skip
     assert (end["kind"], end["choices"]) == ("user", [])

@@ -32,8 +32,8 @@ def there(tmp_path):
     environment.pop("ONIKA_TOKEN", None)
     words = [sys.executable, "-m", "onika.host", "--listen", "127.0.0.1:0", "--no-fifo"]
     with subprocess.Popen(words, stdout=subprocess.PIPE, text=True, env=environment) as process:
-        found = re.search(r"listening on (\S+), token in (.*)$", process.stdout.readline())
-        place = There(found[1], Path(found[2]).read_text().strip(), tmp_path, environment)
+        match = re.search(r"listening on (\S+), token in (.*)$", process.stdout.readline())
+        place = There(match[1], Path(match[2]).read_text().strip(), tmp_path, environment)
         yield place
         for console in place.consoles:
             console.kill()
@@ -65,36 +65,36 @@ class There:
         return started
 
     def records(self, what):
-        return [one for one in trail.read([self.audit]).records if one["what"] == what]
+        return [record for record in trail.read([self.audit]).records if record["what"] == what]
 
 
 def wait_for(runtime, kind, when=lambda _one: True, seconds=30.0):
     until = monotonic() + seconds
     while monotonic() < until:
-        for one in runtime.events(0.5):
-            if isinstance(one, kind) and when(one):
-                return one
+        for message in runtime.events(0.5):
+            if isinstance(message, kind) and when(message):
+                return message
     raise AssertionError(f"no {kind.__name__}")
 
 
 def beaten(watcher, lease_s=0.25, seconds=30.0):
     """Wait until datagrams of everybody come through; before, TCP alone tells who lives."""
     until = monotonic() + seconds
-    while any(one.lease_s != lease_s for one in watcher.ask(holding.Sessions()).sessions):
+    while any(session.lease_s != lease_s for session in watcher.ask(holding.Sessions()).sessions):
         assert monotonic() < until, "no datagram came"
         list(watcher.events(0.05))
 
 
 def rest(process, watcher):
     """Everything it says to its end; the watcher goes on beating meanwhile."""
-    said, line = "", "begin"
+    output, line = "", "begin"
     while line:
         list(watcher.events(0.0))
         if select.select([process.stdout], [], [], 0.1)[0]:
             line = process.stdout.readline()
-            said += line
+            output += line
     process.stdout.close()
-    return said
+    return output
 
 
 def test_what_a_frozen_holder_drives_holds_and_he_commands_nothing_when_he_thaws(there, tmp_path):  # R-X12, F7
@@ -102,38 +102,40 @@ def test_what_a_frozen_holder_drives_holds_and_he_commands_nothing_when_he_thaws
     with there.connect() as watcher:
         watcher.ask(live.Attend(("*",)))
         console = there.console(tmp_path / "script")
-        wait_for(watcher, event.Drive, lambda one: one.state == "DRIVEN")
+        wait_for(watcher, event.Drive, lambda drive: drive.state == "DRIVEN")
         assert "held by" in str(watcher.ask(live.Take("main")).reason)
         beaten(watcher)
         console.send_signal(signal.SIGSTOP)
-        freed = wait_for(watcher, event.Held, lambda one: not one.holder)
+        freed = wait_for(watcher, event.Held, lambda held: not held.holder)
         silent_s = float(re.search(r"silent for ([0-9.]+) s", str(freed.cause))[1])
         assert 0.25 <= silent_s < 0.75  # its beats come as datagrams
-        held = wait_for(watcher, event.Drive, lambda one: one.state == "HELD" and "arm" in one.device)
+        held = wait_for(watcher, event.Drive, lambda drive: drive.state == "HELD" and "arm" in drive.device)
         assert held.last_command_ns <= held.at_ns
-        assert {task.state for one in watcher.ask(live.Survey()).subsystems for task in one.tasks} == {"OFF"}
+        assert {task.state for subsystem in watcher.ask(live.Survey()).subsystems for task in subsystem.tasks} == {
+            "OFF"
+        }
         console.send_signal(signal.SIGCONT)
-        said = rest(console, watcher)
-        assert console.wait(30) == 1, said
-        assert "was not heard for too long" in said
+        output = rest(console, watcher)
+        assert console.wait(30) == 1, output
+        assert "was not heard for too long" in output
         assert watcher.ask(live.Take("main")) == request.Done()
-    refused = [one for one in there.records("Change") if "not heard" in one.get("result", "")]
+    refused = [record for record in there.records("Change") if "not heard" in record.get("result", "")]
     assert refused and refused[0]["address"] == "127.0.0.1"
-    assert any("silent for" in one.get("result", "") for one in there.records("held"))
+    assert any("silent for" in record.get("result", "") for record in there.records("held"))
     assert there.token not in there.audit.read_text()
 
 
 def test_of_two_real_sessions_one_writes_and_hands_it_to_the_other(there):  # R-X12
-    with there.connect() as one, there.connect() as two:
-        me, other = (runtime.ask(holding.Sessions()).you for runtime in (one, two))
+    with there.connect() as first, there.connect() as two:
+        me, other = (runtime.ask(holding.Sessions()).you for runtime in (first, two))
         assert me != other
         two.ask(live.Attend(("*",)))
-        assert one.ask(live.Take("s0")) == request.Done()
+        assert first.ask(live.Take("s0")) == request.Done()
         assert "held by" in str(two.ask(live.Take("s0")).reason)
-        assert one.ask(holding.Hand("s0", other)) == request.Done()
+        assert first.ask(holding.Hand("s0", other)) == request.Done()
         assert wait_for(two, event.Offered).to == other
         assert two.ask(live.Take("s0")) == request.Done()
-        assert "only its holder" in str(one.ask(holding.Hand("s0", other)).reason)
+        assert "only its holder" in str(first.ask(holding.Hand("s0", other)).reason)
         assert two.ask(request.Stop("seen enough")) == request.Done()
     assert [record.get("who") for record in there.records("held")][:2] == [me, other]
     assert there.records("Stop")[0]["role"] == "owner"

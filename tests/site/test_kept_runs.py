@@ -58,11 +58,11 @@ def test_a_kept_assembly_is_passed_a_lift_may_be_left_out_and_a_wrong_target_is_
     tmp_path, monkeypatch, capsys
 ):  # R-X07
     texts = ("wrong target: action 7 ", "missing jmoveC: action 5 ")
-    found = verdicts([one for one in MUTANTS if str(one.text).startswith(texts)], tmp_path)
-    assert [one.is_passed for one in found.values()] == [True, False]
-    lifted, target = found.values()
-    assert any("action 5 (jmoveC box2_aj) is left out" in str(one) for one in lifted.notes)
-    assert any("Q_MEZ" in str(one) and "after action 7" in str(one) for one in target.failures)
+    results = verdicts([mutant for mutant in MUTANTS if str(mutant.text).startswith(texts)], tmp_path)
+    assert [verdict.is_passed for verdict in results.values()] == [True, False]
+    lifted, target = results.values()
+    assert any("action 5 (jmoveC box2_aj) is left out" in str(note) for note in lifted.notes)
+    assert any("Q_MEZ" in str(failure) and "after action 7" in str(failure) for failure in target.failures)
     report = tmp_path / "out.xml"
     assert main(["test", str(KEPT), "--junit", str(report)]) == 0
     assert "1 of 1 passed" in capsys.readouterr().out
@@ -75,23 +75,23 @@ def test_a_run_is_kept_from_the_command_line_and_done_again(tmp_path, capsys):  
     assert "test: " in capsys.readouterr().err
     kept, faults = read(path)
     assert faults == ()
-    assert [one.name for one in kept.flows[0].actions]
+    assert [action.name for action in kept.flows[0].actions]
     assert main(["test", str(tmp_path)]) == 0
 
 
 @pytest.mark.slow
 def test_a_kept_assembly_is_passed_by_every_run_that_is_as_good():  # R-X07
     done = list(try_all([KEPT], SITE, workers=WORKERS, shakes=10))
-    assert [one.name for one in done if not one.verdict.is_passed] == []
+    assert [shipped.name for shipped in done if not shipped.verdict.is_passed] == []
     assert len(done) == 11
 
 
 @pytest.mark.slow
 def test_every_harmful_mutant_of_the_assembly_is_caught(tmp_path):  # R-X07
-    found = verdicts(MUTANTS, tmp_path)
-    passed = {text for text, one in found.items() if one.is_passed}
+    results = verdicts(MUTANTS, tmp_path)
+    passed = {text for text, verdict in results.items() if verdict.is_passed}
     actions = read(KEPT)[0].flows[0].actions
-    ways = [(at, one.name) for at, one in enumerate(actions, start=1) if one.is_on_way]
+    ways = [(at, action.name) for at, action in enumerate(actions, start=1) if action.is_on_way]
     assert passed <= {f"missing {name.partition(' ')[0]}: action {at} ({name})" for at, name in ways}
     assert "missing jmoveC: action 5 (jmoveC box2_aj)" in passed  # a lift
-    assert all(any("is left out" in str(note) for note in found[text].notes) for text in passed)
+    assert all(any("is left out" in str(note) for note in results[text].notes) for text in passed)

@@ -30,11 +30,11 @@ FINGERS = ["opengripC", "closegripC"]
 def done_by(capsys, name, *words):
     """The actions that were carried out, flow by flow."""
     code = main(["run", str(name), "--json", *(words or ["--virtual"])])
-    told = [json.loads(line) for line in capsys.readouterr().out.splitlines() if line.startswith("{")]
-    assert (code, told[-1]["state"]) == (0, "completed"), told[-1]
-    began = [one for one in told if one["event"] == "began"]
-    flows = sorted({one["flow"] for one in began})
-    return [[one["action"] for one in began if one["flow"] == flow] for flow in flows]
+    events = [json.loads(line) for line in capsys.readouterr().out.splitlines() if line.startswith("{")]
+    assert (code, events[-1]["state"]) == (0, "completed"), events[-1]
+    began = [entry for entry in events if entry["event"] == "began"]
+    flows = sorted({entry["flow"] for entry in began})
+    return [[entry["action"] for entry in began if entry["flow"] == flow] for flow in flows]
 
 
 @pytest.mark.parametrize("time", ["--virtual", "--no-fifo"])
@@ -88,9 +88,9 @@ def test_two_targets_of_which_one_is_out_of_reach_are_refused_before_anything_mo
         path = Laboratory(tmp_path).application(name, [two, *aims])
         path.write_text(path.read_text().replace("VERSION     1.3", "VERSION     2.0"))
         assert main(["run", str(path), "--virtual", "--json"]) == 2
-        said = capsys.readouterr().out
-        assert f"{said_of}: joint 3 at 9.00 rad is beyond 3.93" in said
-        assert '"began"' not in said
+        output = capsys.readouterr().out
+        assert f"{said_of}: joint 3 at 9.00 rad is beyond 3.93" in output
+        assert '"began"' not in output
 
 
 def test_an_endless_loop_goes_on_until_somebody_leaves_it():  # R-D11, R-E05, R-E07
@@ -100,7 +100,7 @@ def test_an_endless_loop_goes_on_until_somebody_leaves_it():  # R-D11, R-E05, R-
     program = RuntimeProgram(server, driver, ModuleFacts(), ("rt0",))
     program.take("me", prepare(planned.plan, planned.targets, ModuleFacts()))
     program.begin("me", request.Begin())
-    while [one.index for one in server.told if isinstance(one, event.Began)].count(0) < 3:
+    while [message.index for message in server.told if isinstance(message, event.Began)].count(0) < 3:
         program.advance(0)
     server.waiting.append(SessionRequest(1, "me", Role.OWNER, steer.Leave("flow0")))
     program.serve()
@@ -109,7 +109,7 @@ def test_an_endless_loop_goes_on_until_somebody_leaves_it():  # R-D11, R-E05, R-
     assert server.replies[1] == request.Done()
     result = server.told[-1]
     assert (result.completed, str(result.cause)) == (True, "")
-    assert [one.action for one in server.told if isinstance(one, event.Began)] == [
+    assert [message.action for message in server.told if isinstance(message, event.Began)] == [
         "jmoveC aside",
         "jmoveC home",
         "noop",

@@ -54,18 +54,18 @@ class Bench:
             )
         )
 
-    def outcome(self, asked):
-        answer = self.runtime.ask(asked)
+    def outcome(self, wish):
+        answer = self.runtime.ask(wish)
         assert isinstance(answer, live.Accepted), answer
-        (edited,) = self.until(event.Edited, lambda one: one.number == answer.number)
+        (edited,) = self.until(event.Edited, lambda edited: edited.number == answer.number)
         return str(edited.cause)
 
     def until(self, kind, is_it):
         """All events of a kind that are meant, as soon as there is one."""
         for _ in range(_TURNS):
-            found = [one for one in self.told if isinstance(one, kind) and is_it(one)]
-            if found:
-                return found
+            messages = [message for message in self.told if isinstance(message, kind) and is_it(message)]
+            if messages:
+                return messages
             self.told += self.runtime.events(0.1)
         raise AssertionError(f"no {kind.__name__} among {self.told[-20:]}")
 
@@ -86,7 +86,7 @@ class Bench:
     def figures(self):
         answer = self.runtime.ask(live.Status())
         assert isinstance(answer, live.Figures), answer
-        return {one.task: one for one in answer.tasks}
+        return {task.task: task for task in answer.tasks}
 
     def standing(self):
         answer = self.runtime.ask(live.Survey())
@@ -96,23 +96,23 @@ class Bench:
     def states(self, subsystem="s0"):
         return {
             task.task.name: task.state
-            for one in self.standing().subsystems
-            if one.name == subsystem
-            for task in one.tasks
+            for standing in self.standing().subsystems
+            if standing.name == subsystem
+            for task in standing.tasks
         }
 
 
 @pytest.fixture
 def bench():
     with LaunchedRuntime(["rt0", "rt1"], is_virtual=False) as runtime:
-        one = Bench(runtime)
+        bench = Bench(runtime)
         runtime.ask(live.Attend(("*",)))
-        one.shop.task("source", SOURCE, frequency=500.0, rtpu="rt0")
-        one.shop.task("other", SOURCE, frequency=500.0, rtpu="rt0", module="other", local={"SIZE": "3"})
-        one.shop.task("user", USER, frequency=500.0, rtpu="rt0")
-        one.shop.task("counter", COUNTER, frequency=500.0, rtpu="rt0")
-        one.shop.task("far", COUNTER.replace("COUNT", "FAR"), frequency=200.0, rtpu="rt1")
-        yield one
+        bench.shop.task("source", SOURCE, frequency=500.0, rtpu="rt0")
+        bench.shop.task("other", SOURCE, frequency=500.0, rtpu="rt0", module="other", local={"SIZE": "3"})
+        bench.shop.task("user", USER, frequency=500.0, rtpu="rt0")
+        bench.shop.task("counter", COUNTER, frequency=500.0, rtpu="rt0")
+        bench.shop.task("far", COUNTER.replace("COUNT", "FAR"), frequency=200.0, rtpu="rt1")
+        yield bench
 
 
 def test_tasks_live_and_die_by_hand(bench):  # R-A05, R-A06
@@ -150,7 +150,9 @@ def test_kept_tasks_keep_their_cycles_while_others_are_exchanged(bench):  # R-A1
         missed[is_busy] += counter.miss
         cycles[is_busy] += counter.cycle
     assert missed[True] / cycles[True] <= missed[False] / cycles[False] + 0.03
-    turned = [one.state for one in bench.told if isinstance(one, event.TaskState) and one.task == "counter"]
+    turned = [
+        message.state for message in bench.told if isinstance(message, event.TaskState) and message.task == "counter"
+    ]
     assert turned == ["OFF", "ON"]
     assert bench.runtime.ask(live.Check("s0")) == live.Findings(())
 
@@ -196,11 +198,11 @@ def far_goes_on(bench):
 @pytest.mark.parametrize("how", LOST)
 def test_a_unit_that_a_module_takes_along_is_named_and_the_others_go_on(bench, how):  # R-E10, law 30
     fall_sick(bench, LOST[how])
-    (lost,) = bench.until(event.Lost, lambda one: one.name == "rt0")
+    (lost,) = bench.until(event.Lost, lambda message: message.name == "rt0")
     assert "rt0" in str(lost.cause)
     far_goes_on(bench)
     standing = bench.standing()
-    assert {one.name: one.is_lost for one in standing.rtpus} == {"rt0": True, "rt1": False}
+    assert {unit.name: unit.is_lost for unit in standing.rtpus} == {"rt0": True, "rt1": False}
     assert bench.states("s1") == {}
     bench.shop.task("counter", COUNTER, frequency=100.0, rtpu="rt1")
     assert bench.change(("counter",), ("counter",)) == ""
@@ -211,7 +213,7 @@ def test_a_unit_that_a_module_takes_along_is_named_and_the_others_go_on(bench, h
 
 def test_a_module_that_takes_memory_without_end_is_in_error_and_nobody_else(bench):  # R-A18, law 30
     fall_sick(bench, WITHOUT_END)
-    (failed,) = bench.until(event.Failed, lambda one: one.task == "sick")
+    (failed,) = bench.until(event.Failed, lambda message: message.task == "sick")
     assert "MemoryError" in str(failed.text)
     far_goes_on(bench)
     assert bench.states("s1") == {"sick": "ERROR"}

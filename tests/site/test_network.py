@@ -43,9 +43,9 @@ class Reachable:
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=self.environment,
         )  # fmt: skip
         self.said = self.process.stdout.readline()
-        found = re.search(r"listening on (\S+?)(?:, token in (.*))?$", self.said)
-        self.url = found[1] if found else ""
-        self.token_file = Path(found[2]) if found and found[2] else None
+        match = re.search(r"listening on (\S+?)(?:, token in (.*))?$", self.said)
+        self.url = match[1] if match else ""
+        self.token_file = Path(match[2]) if match and match[2] else None
         self.token = self.token_file.read_text().strip() if self.token_file else ""
 
     @property
@@ -81,8 +81,8 @@ def reachable(tmp_path):
         return started[-1]
 
     yield start
-    for one in started:
-        one.close()
+    for process in started:
+        process.close()
 
 
 def status(port, *lines, path="/", source="127.0.0.1"):
@@ -139,10 +139,10 @@ def test_a_client_is_told_distinctly_what_is_wrong(reachable):
     assert nobody.value.cause is LossCause.UNREACHABLE
     carrier = WebSocketOpening(Address.parse(there.url), there.token)(Channel.ALL)
     carrier.send(encode(Hello(1, "old", "", 0)))
-    heard = b""
-    while b"version" not in heard:
+    received = b""
+    while b"version" not in received:
         with contextlib.suppress(BlockingIOError):
-            heard += b"".join(carrier.receive())
+            received += b"".join(carrier.receive())
     carrier.close()
 
 
@@ -155,8 +155,8 @@ def test_an_honest_login_is_quick_beside_three_hundred_idle_connections(reachabl
             assert isinstance(runtime.ask(live.Survey()), live.Standing)
         took = monotonic() - began
     finally:
-        for one in idle:
-            one.close()
+        for idler in idle:
+            idler.close()
     assert took < 5.0  # a greeting's whole deadline; an idle one in its way would cost that
 
 
@@ -176,14 +176,14 @@ def test_garbage_and_floods_and_those_who_never_read_do_not_hold_up_a_run(reacha
                 number += 1
         with contextlib.suppress(LinkLost):
             flood.receive()
-    said = run.stdout.read()
+    output = run.stdout.read()
     run.stdout.close()
     frozen.close()
     flood.close()
-    assert run.returncode == 0, said
+    assert run.returncode == 0, output
     assert number > 1000
-    figures = [(int(c), int(m)) for c, m in re.findall(r'"cycles": ?(\d+), ?"missed": ?(\d+)', said)]
-    assert figures, said
+    figures = [(int(c), int(m)) for c, m in re.findall(r'"cycles": ?(\d+), ?"missed": ?(\d+)', output)]
+    assert figures, output
     assert sum(missed for _, missed in figures) < 0.1 * sum(cycles for cycles, _ in figures)
 
 
@@ -202,9 +202,9 @@ def test_a_run_is_stopped_when_the_one_who_began_it_is_killed(reachable):  # R-X
 def wait_for(runtime, kind, seconds=30.0, when=lambda _one: True):
     until = monotonic() + seconds
     while monotonic() < until:
-        for one in runtime.events(0.5):
-            if isinstance(one, kind) and when(one):
-                return one
+        for message in runtime.events(0.5):
+            if isinstance(message, kind) and when(message):
+                return message
     raise AssertionError(f"no {kind.__name__}")
 
 
@@ -219,15 +219,15 @@ def test_what_becomes_of_a_run_whose_client_is_killed_was_chosen_at_its_start(re
         run.kill()
         run.wait(10)
         if on_loss == "finish":
-            paused = wait_for(watcher, event.Moved, when=lambda one: one.state == "paused")
+            paused = wait_for(watcher, event.Moved, when=lambda moved: moved.state == "paused")
             # nothing moves again without a deliberate act, and whoever is there may do it
             assert watcher.ask(steer.Resume("flow0")) == request.Done()
             assert wait_for(watcher, event.Began).index == paused.action + 1
         else:
             refused = watcher.ask(request.Abort("not mine"))
             assert "was begun by" in str(refused.reason)
-            wait_for(watcher, event.Began, when=lambda one: one.at_s > LEASE_S)
-            assert [one.state for one in watcher.ask(steer.Who()).flows] == ["running"]
+            wait_for(watcher, event.Began, when=lambda began: began.at_s > LEASE_S)
+            assert [flow.state for flow in watcher.ask(steer.Who()).flows] == ["running"]
         watcher.ask(request.Abort("seen enough"))
         assert str(wait_for(watcher, event.Result).cause) == "seen enough"
 
@@ -300,10 +300,10 @@ def test_a_client_in_another_language_needs_only_the_protocols_page(reachable): 
     there = reachable("--virtual")
     watch = subprocess.Popen(["node", str(EXAMPLE), there.url, str(there.token_file), "3"], stdout=subprocess.PIPE,
                              text=True)  # fmt: skip
-    heard = [watch.stdout.readline() for _ in range(3)]
-    assert heard[0].startswith("linked, epoch ")
-    assert '"type":"Standing"' in heard[1]
-    assert '"type":"Done"' in heard[2]
+    lines = [watch.stdout.readline() for _ in range(3)]
+    assert lines[0].startswith("linked, epoch ")
+    assert '"type":"Standing"' in lines[1]
+    assert '"type":"Done"' in lines[2]
     subprocess.run(there.onika("run", "go_home"), check=True, capture_output=True, timeout=60, env=there.environment)
     rest = watch.stdout.read().splitlines()
     watch.stdout.close()
@@ -314,14 +314,14 @@ def test_a_client_in_another_language_needs_only_the_protocols_page(reachable): 
 def test_a_hand_made_websocket_is_answered_as_the_page_says(reachable):  # R-A19
     there = reachable("--virtual")
     protocol = ClientProtocol(parse_uri(f"{there.url}/session"))
-    asked = protocol.connect()
-    asked.headers["Authorization"] = f"Bearer {there.token}"
-    protocol.send_request(asked)
+    greeting = protocol.connect()
+    greeting.headers["Authorization"] = f"Bearer {there.token}"
+    protocol.send_request(greeting)
     with socket.create_connection(("127.0.0.1", there.port)) as raw:
         raw.sendall(b"".join(protocol.data_to_send()))
         protocol.receive_data(raw.recv(4096))
         protocol.send_binary(b"\x95\xa5hello\x02\xa4desk\xa0\x00")
         raw.sendall(b"".join(protocol.data_to_send()))
         protocol.receive_data(raw.recv(4096))
-    said = [bytes(one.data) for one in protocol.events_received()[1:]]
-    assert said[0].startswith(b"\x96\xa7welcome\x02\xd9")
+    frames = [bytes(frame.data) for frame in protocol.events_received()[1:]]
+    assert frames[0].startswith(b"\x96\xa7welcome\x02\xd9")

@@ -45,9 +45,9 @@ class Place:
         self.lab.configuration("moveC", "puma_kin 500", *tasks)
         move = [job("moveC", "Joint job"), joints("there", *ASIDE, duration=seconds)]
         code = main(["run", str(self.lab.application("move", move)), *mode, "--json"])
-        told = [json.loads(line) for line in self._capsys.readouterr().out.splitlines()]
-        assert code == expect, told
-        return told
+        events = [json.loads(line) for line in self._capsys.readouterr().out.splitlines()]
+        assert code == expect, events
+        return events
 
 
 @pytest.fixture
@@ -55,19 +55,19 @@ def place(tmp_path, capsys):
     return Place(tmp_path / "lab", capsys)
 
 
-def words(told):
-    return json.dumps(told)
+def words(events):
+    return json.dumps(events)
 
 
 def test_the_display_in_python_is_started_by_its_task_and_ends_with_it(place, tmp_path):  # R-F04
     shown = tmp_path / "shown"
     script = f"sh -c 'exec {sys.executable} {EXAMPLES / 'display.py'} --plain 2> {shown}'"
-    told = place.partner("display", STARTS=script).run("my_display 20", "jtraj 250")
+    events = place.partner("display", STARTS=script).run("my_display 20", "jtraj 250")
     rows = [line.split(" ", 2) for line in shown.read_text().splitlines()]
     assert len(rows) >= 5
     assert np.array(json.loads(rows[-1][2])["Q_MEZ"]) == pytest.approx(ASIDE, abs=0.05)
-    assert told[-1]["outside"] == ["flow0/my_display"]
-    assert told[-1]["missed"]["flow0/my_display"] == 0
+    assert events[-1]["outside"] == ["flow0/my_display"]
+    assert events[-1]["missed"]["flow0/my_display"] == 0
 
 
 @pytest.mark.skipif(not shutil.which("cc"), reason="there is no C compiler here")
@@ -129,10 +129,10 @@ def test_the_view_in_javascript_shows_arm_and_numbers_of_two_tasks(place):  # R-
 
 def test_without_its_partner_a_passive_task_goes_off_and_the_job_goes_on(place, tmp_path):  # R-F04
     nobody = f"unix:{tmp_path / 'nobody'}"
-    told = place.partner("display", PARTNER=nobody, PATIENCE=0.1).run("my_display 20", "jtraj 250", mode=WALL)
-    assert told[-1]["state"] == "completed"
-    assert "nobody listens (No such file or directory): it goes off" in words(told)
-    assert "my_display has switched itself off" in words(told)
+    events = place.partner("display", PARTNER=nobody, PATIENCE=0.1).run("my_display 20", "jtraj 250", mode=WALL)
+    assert events[-1]["state"] == "completed"
+    assert "nobody listens (No such file or directory): it goes off" in words(events)
+    assert "my_display has switched itself off" in words(events)
 
 
 @pytest.mark.parametrize(
@@ -149,8 +149,8 @@ def test_a_planner_that_fails_ends_the_run_with_the_cause_and_moves_nothing(plac
     log = tmp_path / "log"
     recorder = f"{sys.executable} {_recorder(tmp_path)} {log}"
     place.partner("planner", STARTS=f"{sys.executable} {bad}").partner("logger", STARTS=recorder)
-    told = place.run("my_logger 100", "my_planner 250", mode=mode, expect=1)
-    assert cause in told[-1]["cause"]["text"]
+    events = place.run("my_logger 100", "my_planner 250", mode=mode, expect=1)
+    assert cause in events[-1]["cause"]["text"]
     rows = [json.loads(line)["row"] for line in log.read_text().splitlines()]
     assert all(row[:6] == pytest.approx(rows[0][:6], abs=1e-9) for row in rows)
     assert rows or mode  # in virtual time the planner's answer may come before the first row

@@ -40,24 +40,24 @@ def operate(request):
 
 
 def test_a_pressed_button_stops_a_move_which_is_completed_once_it_is_let_go_and_cleared(operate):  # R-K06, R-E08
-    code, said = operate(PRESSED + CLEARED)
-    assert code == 0, said
-    told = [
+    code, output = operate(PRESSED + CLEARED)
+    assert code == 0, output
+    lines = [
         "drive boxes:arm_left PRESSED: panic button pressed",
         "ERROR main/puma: cycle: ModuleError: panic button pressed; the drive holds",
         "drive boxes:arm_left TRIPPED: panic button let go",
         "drive boxes:arm_left HELD: cleared",
         "drive boxes:arm_left DRIVEN",
     ]
-    places = [said.rindex(line) for line in told]
-    assert places == sorted(places), said
-    (angles,) = re.findall(r"^Q_MEZ = (.*)$", said, re.MULTILINE)
+    places = [output.rindex(line) for line in lines]
+    assert places == sorted(places), output
+    (angles,) = re.findall(r"^Q_MEZ = (.*)$", output, re.MULTILINE)
     assert [float(angle) for angle in angles.split()] == pytest.approx([0, -1.2, 1.2, 0, 0, 0], abs=0.02)
-    assert re.search(r"panic_left +1 pressed, 0 let go", said)
+    assert re.search(r"panic_left +1 pressed, 0 let go", output)
 
 
 def test_as_long_as_it_is_pressed_a_clear_is_refused(operate):  # R-K06
-    code, said = operate(f"{PRESSED}clear puma\n")
+    code, output = operate(f"{PRESSED}clear puma\n")
     assert code == 1
-    assert "stdin:5: expected the change to be done, found puma: clear: ModuleError: panic button pressed" in said
-    assert "TRIPPED" not in said
+    assert "stdin:5: expected the change to be done, found puma: clear: ModuleError: panic button pressed" in output
+    assert "TRIPPED" not in output

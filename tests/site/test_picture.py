@@ -13,10 +13,10 @@ pytestmark = pytest.mark.site
 def test_a_picture_of_the_workcell_is_drawn_at_the_end(capsys, tmp_path):
     path = tmp_path / "end.png"
     assert main(["run", "go_home", "--virtual", "--picture", str(path)]) == 0
-    said = capsys.readouterr().out.splitlines()[-1]
-    if "Install" in said:
-        pytest.skip(said)
-    assert said == f"picture: {path}"
+    line = capsys.readouterr().out.splitlines()[-1]
+    if "Install" in line:
+        pytest.skip(line)
+    assert line == f"picture: {path}"
     data = path.read_bytes()
     assert data.startswith(b"\x89PNG\r\n\x1a\n")
     width, height = struct.unpack(">II", data[16:24])
@@ -31,8 +31,8 @@ def test_without_graphics_it_is_said_what_to_install_and_the_run_counts(
     path = tmp_path / "none.png"
     words = ["run", "go_home", "--virtual", "--expect", expectation, "--picture", str(path)]
     assert main(words) == code
-    said = capsys.readouterr().out.splitlines()[-1]
-    assert "Install libegl1" in said
+    line = capsys.readouterr().out.splitlines()[-1]
+    assert "Install libegl1" in line
     assert not path.exists()
 
 
@@ -65,7 +65,7 @@ def test_a_run_without_a_world_has_nothing_to_draw(capsys, tmp_path):
 def test_a_runtime_that_cannot_begin_is_told_without_a_traceback_of_ours(capsys, monkeypatch):  # R-E10
     monkeypatch.setenv("MUJOCO_GL", "nonsense")  # the library of the worlds refuses to be imported
     assert main(["run", "go_home", "--virtual"]) == 1
-    said = capsys.readouterr()
-    assert "go_home: aborted, 0 of 1 actions" in said.out
-    assert "nonsense" in said.out
-    assert said.err == ""
+    captured = capsys.readouterr()
+    assert "go_home: aborted, 0 of 1 actions" in captured.out
+    assert "nonsense" in captured.out
+    assert captured.err == ""

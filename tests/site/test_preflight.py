@@ -73,28 +73,30 @@ def loading():
 def told(loading, name, local=(), redirects=()):
     """Everything that is said of a program before it runs."""
     site = open_site(local, {}, None)
-    one = prepare_run(str(name), site, tuple(map(Redirect.parse, redirects)))
-    found = list(one.faults)
-    if one.plan is not None:
-        found += [fault for fault in prepare(one.plan, one.targets, loading).faults if fault not in found]
-    return [str(fault) for fault in found]
+    prepared = prepare_run(str(name), site, tuple(map(Redirect.parse, redirects)))
+    faults = list(prepared.faults)
+    if prepared.plan is not None:
+        faults += [fault for fault in prepare(prepared.plan, prepared.targets, loading).faults if fault not in faults]
+    return [str(fault) for fault in faults]
 
 
-def assert_told(said, expected):
+def assert_told(sentences, expected):
     """Each thing that is expected is said once, and nothing else; those in a tuple of whoever lacks them."""
     if isinstance(expected, tuple):
-        assert all(any(one in text for one in expected) for text in said)
-        assert all(any(one in text for text in said) for one in expected)
+        assert all(any(sentence in text for sentence in expected) for text in sentences)
+        assert all(any(sentence in text for text in sentences) for sentence in expected)
         return
-    left = list(said)
-    for one in expected:
-        match = next((text for text in left if one in text), None)
-        assert match is not None, f"{one!r} is not said: {left}"
+    left = list(sentences)
+    for sentence in expected:
+        match = next((text for text in left if sentence in text), None)
+        assert match is not None, f"{sentence!r} is not said: {left}"
         left.remove(match)
     assert left == []
 
 
-@pytest.mark.parametrize(("robot", "program", "expected"), SHIPPED, ids=lambda one: one if isinstance(one, str) else "")
+@pytest.mark.parametrize(
+    ("robot", "program", "expected"), SHIPPED, ids=lambda value: value if isinstance(value, str) else ""
+)
 def test_a_program_on_another_robot_is_refused_for_what_is_wrong_and_for_nothing_else(
     loading, robot, program, expected
 ):  # R-X02, R-E09
@@ -111,7 +113,7 @@ POSE, FURTHER = "0 0 -1 0 1 0 0.7 0.2 -0.3", "0 0 -1 0 1 0 0.9 0.1 -0.2"
 
 
 def moved(*targets):
-    return [step for one in targets for step in (job("jmoveC", "Joint job"), one)]
+    return [step for aim in targets for step in (job("jmoveC", "Joint job"), aim)]
 
 
 def lined(*poses):
@@ -136,8 +138,8 @@ def rmod(name, **changes):
 def without(configuration, task):
     """A shipped configuration as the tasks in it, without one."""
     text = next(shipped().glob(f"*/conf/{configuration}.conf")).read_text(encoding="utf-8")
-    found = re.findall(r"RMODFILE +(\S+)\n.*\n.*\nFREQ +(\S+)", text)
-    return [f"{name} {rate}" for name, rate in found if name != task]
+    rates = re.findall(r"RMODFILE +(\S+)\n.*\n.*\nFREQ +(\S+)", text)
+    return [f"{name} {rate}" for name, rate in rates if name != task]
 
 
 def own(name, steps, **tasks):
@@ -235,7 +237,8 @@ PLANTED = {
         lacking("jmoveC", "puma", "Joint job", joints("there", *REACHED)),
         (),
         tuple(
-            f"the constant {one}" for one in ("NDOF", "DH", "DYN", "LOAD", "BASE", "QMIN", "QMAX", "Q^_MAX", "KP", "KD")
+            f"the constant {name}"
+            for name in ("NDOF", "DH", "DYN", "LOAD", "BASE", "QMIN", "QMAX", "Q^_MAX", "KP", "KD")
         ),
     ),
     "no trigger": (lacking("jmoveC", "jtraj", "Complete job"), (), ["a trigger that ends job lameC"]),
@@ -355,7 +358,7 @@ def test_what_is_planted_is_told_with_its_place_and_nothing_else_is(loading, tmp
 
 
 def test_there_are_more_than_fifty_pairs_and_many_of_them_are_sound():  # R-X02
-    sound = [one for *_, one in (*SHIPPED, *PLANTED.values()) if not one]
+    sound = [expected for *_, expected in (*SHIPPED, *PLANTED.values()) if not expected]
     assert len(SHIPPED) + len(PLANTED) >= 50
     assert len(sound) >= 20
 
@@ -363,14 +366,16 @@ def test_there_are_more_than_fifty_pairs_and_many_of_them_are_sound():  # R-X02
 def test_everything_is_told_at_once_whatever_it_is(loading, tmp_path):  # R-X02
     steps = [*moved(joints("far", *BEYOND)), *lined("0 0 -1 0 1 0 1.9 0.2 -0.3"), job("nowhereC")]
     path = own("p", steps, puma={"BASE": "0.1 0 0 0"}, led_monitor={"DEVICE": "boxes:bulb"})(tmp_path)
-    said = told(loading, path, [tmp_path])
+    sentences = told(loading, path, [tmp_path])
     elsewhere, nowhere = "expected frame 0 of the robot at", "the configuration nowhereC"
-    assert_told(said, ["far: joint 3", "p0: out of reach", elsewhere, "boxes:bulb", nowhere])
+    assert_told(sentences, ["far: joint 3", "p0: out of reach", elsewhere, "boxes:bulb", nowhere])
 
 
 def test_the_hand_of_the_other_arm_is_worth_a_note(loading):  # R-X02, R-E09
     for redirect, count in (("puma=puma_right", 1), ("puma=scara", 0), ("puma=puma_kin", 0)):
-        one = prepare_run("assemble", open_site([], {}, None), (Redirect.parse(redirect),))
-        notes = [note for note in prepare(one.plan, one.targets, loading).notes if "is the hand at" in str(note)]
+        prepared = prepare_run("assemble", open_site([], {}, None), (Redirect.parse(redirect),))
+        notes = [
+            note for note in prepare(prepared.plan, prepared.targets, loading).notes if "is the hand at" in str(note)
+        ]
         assert len(notes) == count
         assert all("gripper.rmod: gripper_left is the hand at the left" in str(note) for note in notes)

@@ -121,9 +121,9 @@ class Terminal:
 
 @pytest.fixture(params=["xterm", "dumb"])
 def terminal(path, request):
-    one = Terminal("run", path, "--virtual", "--expect", "LEVEL[1] == 0.75", kind=request.param)
-    yield one
-    one.close()
+    terminal = Terminal("run", path, "--virtual", "--expect", "LEVEL[1] == 0.75", kind=request.param)
+    yield terminal
+    terminal.close()
 
 
 def test_on_a_terminal_the_user_is_asked_until_the_answer_can_be_used(terminal):  # R-A10, R-E15, law 25

@@ -49,10 +49,10 @@ class Gauge(Module):
 
 def steered(running):
     """Pause, skip and mark a run; when it is paused for the last time, and how it ends."""
-    for one in running.events():
-        if isinstance(one, event.Began) and one.index == 1:
+    for message in running.events():
+        if isinstance(message, event.Began) and message.index == 1:
             assert running.steer("pause") == ()
-        if isinstance(one, event.Moved) and one.state == "paused":
+        if isinstance(message, event.Moved) and message.state == "paused":
             break
     assert running.wait("0.5") == ()
     assert running.steer("skip 22") == ()
@@ -82,9 +82,9 @@ def test_a_recorded_run_is_the_same_as_one_that_is_not(recorded):  # R-X05, law 
 
 def test_what_was_asked_stands_in_the_recording(recorded):  # law 29
     reader = Reader(recorded[0])
-    asked = [request.decode_request(one.body) for one in inputs_of(reader)]
-    skips = [one.action for one in asked if isinstance(one, steer.Skip)]
-    assert isinstance(asked[0], steer.Pause)
+    requests = [request.decode_request(recorded.body) for recorded in inputs_of(reader)]
+    skips = [command.action for command in requests if isinstance(command, steer.Skip)]
+    assert isinstance(requests[0], steer.Pause)
     assert skips == [21, 24]
     assert reader.notes["end"]["hash"] == recorded[2].hash
     assert (reader.is_whole, reader.notes["end"]["missed"], reader.notes["onika"]["seed"]) == (True, "0", "7")
@@ -118,9 +118,9 @@ def test_continued_from_an_instant_with_other_inputs_it_is_another_run(recorded,
         assert running.steer("skip 24") == ()
         changed = running.result()
     assert changed.hash != result.hash
-    found = first_difference(Reader(path), Reader(other), Tolerance())
-    assert found is not None
-    assert found.at_ns * 1e-9 == pytest.approx(paused_s, abs=0.2)
+    difference = first_difference(Reader(path), Reader(other), Tolerance())
+    assert difference is not None
+    assert difference.at_ns * 1e-9 == pytest.approx(paused_s, abs=0.2)
 
 
 def test_any_instant_is_there_at_once(recorded):  # R-X05: scrubbing within 100 ms
@@ -131,7 +131,7 @@ def test_any_instant_is_there_at_once(recorded):  # R-X05: scrubbing within 100 
         assert instant.tasks["flow0/puma"] == "ON"
         assert len(instant.variables["flow0/Q_MEZ"]) == 6
         assert len(instant.poses["boxes"]) > 10
-        assert [one.action for one in review.flows[0].intervals] == [0, 1, 21, 22, 24]
+        assert [interval.action for interval in review.flows[0].intervals] == [0, 1, 21, 22, 24]
 
 
 def test_a_page_shows_a_real_run_at_its_icons(recorded, tmp_path):  # R-X05: canvas, flows, 3-D show that instant
@@ -140,9 +140,13 @@ def test_a_page_shows_a_real_run_at_its_icons(recorded, tmp_path):  # R-X05: can
     assert sitting.later(act.OpenRecording(str(recorded[0]))).no is None
     view = sitting.environment.tree.review.recording
     icons = sitting.environment.tree.applications[view.doc].steps
-    assert [one.action for one in view.flows["flow0"].passages] == [0, 1, 21, 22, 24]
-    assert {icons[str(one.step)].name for one in view.flows["flow0"].passages} == {"opengripC", "jmoveC", "cmoveC"}
-    commands = [one.text for one in view.marks if one.kind == "command"]
+    assert [passage.action for passage in view.flows["flow0"].passages] == [0, 1, 21, 22, 24]
+    assert {icons[str(passage.step)].name for passage in view.flows["flow0"].passages} == {
+        "opengripC",
+        "jmoveC",
+        "cmoveC",
+    }
+    commands = [mark.text for mark in view.marks if mark.kind == "command"]
     assert str(commands[0]) == "pause: flow0" and commands[1].key == "run.skip_to"
     late = view.flows["flow0"].passages[1].begin_s + 0.5
     instant = sitting.do(act.Glance(late))
@@ -161,9 +165,9 @@ def test_an_answer_is_given_again_by_itself(tmp_path, capsys):  # R-X05, law 25
     run = tmp_path / "run.mcap"
     settings = RunSettings(str(path), is_virtual=True, seed=3, record=run, may_ask=True)
     with start(settings, open_site([], {}, tmp_path)) as running:
-        for one in running.events():
-            if isinstance(one, event.Asked):
-                running.answer(one, f"0.{one.at_s * 1000:.0f}1 0.5")
+        for message in running.events():
+            if isinstance(message, event.Asked):
+                running.answer(message, f"0.{message.at_s * 1000:.0f}1 0.5")
         original = running.result()
     assert original.completed, original.cause
     assert main(["run", "--from", str(run), "--json"]) == 0
@@ -178,10 +182,10 @@ def test_what_was_recorded_before_a_kill_is_there(tmp_path, options):  # R-X05, 
     )
     pid, seen_s = 0, 0.0
     for line in program.stdout:
-        said = json.loads(line)
-        pid = said.get("runtime_pid", pid) or pid
-        if said["event"] == "began" and said["at_s"] > 1.5:
-            seen_s = said["at_s"]
+        answer = json.loads(line)
+        pid = answer.get("runtime_pid", pid) or pid
+        if answer["event"] == "began" and answer["at_s"] > 1.5:
+            seen_s = answer["at_s"]
             os.kill(pid, signal.SIGKILL)
             break
     program.communicate()
@@ -215,6 +219,6 @@ def test_what_cannot_be_recorded_or_repeated_is_refused(words, expected, tmp_pat
         code = main(["run", *words])
     except SystemExit as end:
         code = end.code
-    said = capfd.readouterr()
+    captured = capfd.readouterr()
     assert code == 2
-    assert expected in said.out + said.err
+    assert expected in captured.out + captured.err

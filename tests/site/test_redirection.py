@@ -11,32 +11,32 @@ pytestmark = pytest.mark.site
 
 def run(capsys, *words):
     code = main(["run", *words, "--virtual"])
-    said = capsys.readouterr()
-    return code, said.out + said.err
+    captured = capsys.readouterr()
+    return code, captured.out + captured.err
 
 
 @pytest.mark.parametrize("robot", ["scara", "puma_kin"])
 def test_the_assembly_is_done_by_another_robot(capsys, robot):  # R-E09, R-K03
     path = open_site([], {}, None).application_file("assemble")
     before = path.read_bytes()
-    code, said = run(capsys, "assemble", "--redirect", f"puma={robot}", "--expect", "LAMP == 1")
-    assert (code, "expect LAMP == 1: yes" in said) == (0, True)
-    assert said.count("is re-resolved for scara") == (4 if robot == "scara" else 0)
+    code, output = run(capsys, "assemble", "--redirect", f"puma={robot}", "--expect", "LAMP == 1")
+    assert (code, "expect LAMP == 1: yes" in output) == (0, True)
+    assert output.count("is re-resolved for scara") == (4 if robot == "scara" else 0)
     assert path.read_bytes() == before
 
 
 def test_each_flow_is_redirected_by_itself_under_the_names_that_flows_are_given(capsys):  # R-E09
     words = ("two_arms", "--subsystem", "one", "--subsystem", "two")
     assert run(capsys, *words, "--redirect", "one:puma=puma_kin", "--redirect", "1:puma_right=puma_right_kin")[0] == 0
-    code, said = run(capsys, *words, "--redirect", "one:puma=puma_kin", "--redirect", "one:puma_right=puma_right_kin")
+    code, output = run(capsys, *words, "--redirect", "one:puma=puma_kin", "--redirect", "one:puma_right=puma_right_kin")
     assert code == 2
-    assert "expected a task of flow 0" in said
+    assert "expected a task of flow 0" in output
 
 
 def test_what_the_other_robot_cannot_do_is_told_before_anything_moves(capsys):  # R-E09, R-X02
-    code, said = run(capsys, "go_home", "--redirect", "puma=scara")
-    assert (code, "nothing moved (1 fault)" in said) == (2, True)
-    assert "flow0, action 1: jmoveC home" in said
+    code, output = run(capsys, "go_home", "--redirect", "puma=scara")
+    assert (code, "nothing moved (1 fault)" in output) == (2, True)
+    assert "flow0, action 1: jmoveC home" in output
 
 
 def test_an_arm_whose_code_is_not_here_can_still_be_replaced(capsys, tmp_path):  # R-E09
@@ -53,19 +53,19 @@ def test_a_target_of_such_an_arm_is_told_because_nobody_knows_its_pose(capsys, t
     lab = Laboratory(tmp_path)
     text = (open_site([], {}, None).home_of_task("puma").task_file("puma")).read_text(encoding="utf-8")
     lab.task("away", text.partition("EOF")[0].replace("MODULE      arm", "MODULE      away"))
-    lab.configuration("goC", *(f"{one} 500" for one in ("away", "diff", "gravcomp", "pd", "torque_sum", "jtraj")))
+    lab.configuration("goC", *(f"{name} 500" for name in ("away", "diff", "gravcomp", "pd", "torque_sum", "jtraj")))
     path = str(lab.application("go", [job("goC", "Joint job"), joints("there", 0.2, -0.6, 2.7, 0.0, 1.0, 0.0)]))
-    code, said = run(capsys, path, "--redirect", "away=scara")
+    code, output = run(capsys, path, "--redirect", "away=scara")
     assert code == 2
-    assert "expected the robot that they were made for, away, to know their poses, found there: none" in said
+    assert "expected the robot that they were made for, away, to know their poses, found there: none" in output
 
 
 def test_a_target_of_four_joints_moves_the_scara_and_by_its_pose_the_puma(capsys, tmp_path):  # R-D13, law 26
     steps = [job("jmove_scaraC", "Joint job"), joints("there", 0.0, 0.9, 0.05, -0.8)]
     path = str(Laboratory(tmp_path).application("go", steps))
     assert run(capsys, path, "--expect", "Q_MEZ[1] > 0.89")[0] == 0
-    code, said = run(capsys, path, "--redirect", "scara=puma")
-    assert (code, "there is re-resolved for puma" in said) == (0, True)
+    code, output = run(capsys, path, "--redirect", "scara=puma")
+    assert (code, "there is re-resolved for puma" in output) == (0, True)
 
 
 @pytest.mark.parametrize("text", ["puma", "a=b=c", ":puma=scara"])

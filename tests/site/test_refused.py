@@ -186,9 +186,9 @@ def test_a_world_that_nobody_offers_is_named_with_those_there_are(capsys, labora
 
 def test_no_application_of_this_name_names_those_there_are(capsys):  # R-E01
     assert main(["run", "nothing_like_it"]) == 2
-    said = capsys.readouterr().out
-    assert "assemble" in said
-    assert "nothing_like_it: refused, nothing moved (1 fault)" in said
+    output = capsys.readouterr().out
+    assert "assemble" in output
+    assert "nothing_like_it: refused, nothing moved (1 fault)" in output
 
 
 def test_module_code_that_ends_the_loader_is_named(capsys, laboratory):  # law 21

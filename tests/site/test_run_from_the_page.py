@@ -82,28 +82,28 @@ class Page:
     def patch(self, patch):
         pass
 
-    def say(self, said):
-        self.says.append(said)
+    def say(self, say):
+        self.says.append(say)
 
     def open(self, *flows, name="play", parallel=False):
         path = self.files.application(name, *flows, parallel=parallel)
         return self.do(act.Open(str(path)))
 
-    def answer(self, asked):
+    def answer(self, wish):
         given = []
-        self.environment.do(asked, "me", given.append)
+        self.environment.do(wish, "me", given.append)
         self.until(lambda: given)
         return given[0]
 
-    def do(self, asked):
-        answer = self.answer(asked)
+    def do(self, wish):
+        answer = self.answer(wish)
         assert answer.no is None, answer.no
         return answer.value
 
     def until(self, reached):
         end = time.monotonic() + PATIENCE_S
         while not reached():
-            assert time.monotonic() < end, f"it did not come; {self.run}; {[one.text for one in self.says[-5:]]}"
+            assert time.monotonic() < end, f"it did not come; {self.run}; {[say.text for say in self.says[-5:]]}"
             with contextlib.suppress(queue.Empty):
                 self.things.get(timeout=0.05)()
             frame = self.station.frame()
@@ -142,7 +142,7 @@ def test_an_application_runs_to_its_end_and_a_second_time(page):  # R-E07, R-E11
     assert page.flow().should_take_s == 4.0 and page.flow().action == "a job a target"
     run = page.ends()
     assert run.is_completed and (run.done, run.of) == (2, 2) and run.took_s > 4.5
-    assert [(key, one.state, one.times) for key, one in run.steps.items()] == [("1", "done", 1), ("3", "done", 1)]
+    assert [(key, step.state, step.times) for key, step in run.steps.items()] == [("1", "done", 1), ("3", "done", 1)]
     assert 3.9 < run.steps["1"].took_s < 4.3
     assert page.says[-1].level == "success"
     page.until(lambda: abs(page.values.get(f"{doc}/Q_MEZ", [0.0])[0] - 0.3) < 0.02 and "world:boxes" in page.values)
@@ -194,7 +194,7 @@ def test_a_stop_is_explained_and_cleared(page):  # R-E08, R-X06
     stop = page.run.stops["flow0"]
     assert "the glass is broken" in str(stop.text) and (stop.kind, stop.step, stop.task) == ("error", 3, "brittle")
     assert "ModuleError" in stop.traceback and page.flow().state == "stopped"
-    words = [one.label for one in stop.choices]
+    words = [choice.label for choice in stop.choices]
     assert words == ["clear", "next", "skip N", "abort"] and stop.choices[2].act is None
     page.do(stop.choices[0].act)
     run = page.ends()
@@ -205,7 +205,7 @@ def test_a_question_is_answered_in_mid_run(page):  # R-D16, R-E15
     doc = page.open([job("pauseC", "Odd job")])
     page.do(act.Run(doc))
     page.until(lambda: page.run.asks)
-    assert [one.name for one in page.run.asks["flow0/pause"].items] == ["duration"]
+    assert [item.name for item in page.run.asks["flow0/pause"].items] == ["duration"]
     page.do(act.Answer(doc, "flow0/pause", "long"))
     page.until(lambda: page.run.asks and page.run.asks["flow0/pause"].reason)
     page.do(act.Answer(doc, "flow0/pause", "0.2"))
@@ -224,9 +224,9 @@ def test_a_question_offers_where_the_arm_stands(page):  # R-C13, R-E15
 
 
 def test_two_flows_meet_and_tell_who_waits_for_whom(page):  # R-E04, R-X03
-    one = [*pause("long", 12), *pause("there", 0.2, "SYNCHTAG    meet")]
+    program = [*pause("long", 12), *pause("there", 0.2, "SYNCHTAG    meet")]
     two = pause("here", 0.2, "SYNCHTAG    meet")
-    doc = page.open(one, two, parallel=True)
+    doc = page.open(program, two, parallel=True)
     page.do(act.Run(doc))
     page.is_in("waiting", "flow1")
     assert page.flow("flow1").waits_for == ("flow0",) and page.flow("flow1").tag == "meet"

@@ -42,12 +42,12 @@ def test_a_program_killed_while_it_saves_leaves_one_of_two_whole_files(tmp_path,
                 path.stat()  # some microseconds, so that it is anywhere in its work
             saver.send_signal(signal.SIGKILL)
         assert path.read_text() in texts
-        left = {one.name for one in tmp_path.iterdir()}
+        left = {path.name for path in tmp_path.iterdir()}
         half += len(left) - 1
         assert left <= {"a.conf", ".a.conf.saving"}
     assert half > 0, "it was never killed in the middle: this test shows nothing"
     subprocess.run([sys.executable, "-c", SAVER.replace("while True", "if True"), path, "5"], check=True)
-    assert [one.name for one in tmp_path.iterdir()] == ["a.conf"]
+    assert [path.name for path in tmp_path.iterdir()] == ["a.conf"]
     assert path.read_text() == "bbbbb"
 
 
@@ -110,7 +110,7 @@ def test_a_directory_or_file_that_is_closed_to_the_user_keeps_the_old_file(tmp_p
     path.chmod(0o444)
     assert save().startswith(f"{path} may not be written by you")
     assert path.read_text() == "old"
-    assert [one.name for one in path.parent.iterdir()] == ["a.conf"]
+    assert [entry.name for entry in path.parent.iterdir()] == ["a.conf"]
     path.chmod(0o666)
     save()
     assert path.read_text() == "new"

@@ -39,8 +39,8 @@ def task_of(path, name):
     lab = Laboratory(path / name)
     lab.configuration("alone", f"{name} 500", "jtraj 250")
     plan = plan_of(str(lab.application("probe", [job("alone", "Joint job"), joints("there", *[0.0] * 6)]))).plan
-    (task,) = (one for one in plan.flows[0].tasks if one.name == name)
-    (code,) = (one for one in plan.code if one.digest == task.digest)
+    (task,) = (task for task in plan.flows[0].tasks if task.name == name)
+    (code,) = (module for module in plan.code if module.digest == task.digest)
     return task, code
 
 
@@ -55,19 +55,19 @@ class Redirection:
         for number, flow in enumerate(planned.plan.flows):
             self._resolve(number, flow, planned.targets)
         flows = tuple(self._flow(number, flow) for number, flow in enumerate(planned.plan.flows))
-        code = {one.digest: one for one in (*planned.plan.code, *(code for _, code in self.others.values()))}
+        code = {module.digest: module for module in (*planned.plan.code, *(code for _, code in self.others.values()))}
         self.plan = replace(planned.plan, flows=flows, code=tuple(code.values()))
         self.targets = tuple(
-            replace(one, values=self.lines.get((one.flow, one.action), one.values)) for one in planned.targets
+            replace(aim, values=self.lines.get((aim.flow, aim.action), aim.values)) for aim in planned.targets
         )
 
     def _resolve(self, number, flow, targets):
         """Joint targets by way of their pose (law 26), for the robot of this flow."""
-        aims = [one for one in targets if one.flow == number and one.kind == JOINT]
+        aims = [aim for aim in targets if aim.flow == number and aim.kind == JOINT]
         theirs = self.found.constants[number]
-        (new,) = (self.others[one.name] for one in flow.tasks if one.name in self.others)
+        (new,) = (self.others[task.name] for task in flow.tasks if task.name in self.others)
         ours = self.loading.constants(new[1], new[0].local)
-        for aim, posture in zip(aims, reach.transfer(theirs, ours, [one.values for one in aims]), strict=True):
+        for aim, posture in zip(aims, reach.transfer(theirs, ours, [aim.values for aim in aims]), strict=True):
             if isinstance(posture, str):
                 self.reasons.append((flow.actions[aim.action].target, posture))
             else:
@@ -77,25 +77,25 @@ class Redirection:
         names = {old: new.name for old, (new, _) in self.others.items()}
         actions = tuple(
             replace(
-                one,
-                tasks=tuple(names.get(task, task) for task in one.tasks),
-                rates=tuple((names.get(task, task), hz) for task, hz in one.rates),
-                arguments=" ".join(map(repr, self.lines.get((number, index), ()))) or one.arguments,
+                action,
+                tasks=tuple(names.get(task, task) for task in action.tasks),
+                rates=tuple((names.get(task, task), hz) for task, hz in action.rates),
+                arguments=" ".join(map(repr, self.lines.get((number, index), ()))) or action.arguments,
             )
-            for index, one in enumerate(flow.actions)
+            for index, action in enumerate(flow.actions)
         )
-        tasks = tuple(self.others[one.name][0] if one.name in self.others else one for one in flow.tasks)
+        tasks = tuple(self.others[task.name][0] if task.name in self.others else task for task in flow.tasks)
         return replace(flow, tasks=tasks, actions=actions)
 
 
 def told_of(plan, targets, seed=0, offsets_m=0.0):
     """Everything that is told of a run in virtual time, and its world."""
-    server, found = OpenGate(), prepare(plan, targets, ModuleFacts())
-    assert found.faults == []
+    server, preparation = OpenGate(), prepare(plan, targets, ModuleFacts())
+    assert preparation.faults == []
     world = BoxesWorld(seed, offsets_m)
     driver = VirtualDriver(tuple(f"rt{k}" for k in range(2)), server.tell, worlds=lambda _name: world)
     program = RuntimeProgram(server, driver, ModuleFacts(), ("rt0", "rt1"))
-    program.take("me", found)
+    program.take("me", preparation)
     program.begin("me", request.Begin(watch=("LAMP",)))
     while program.advance(1_000_000_000):
         pass
@@ -171,7 +171,7 @@ def carried(sign, level):
     ids=["right", "wrong"],
 )
 def test_a_program_for_the_scara_lights_the_lamp_if_its_order_is_right(tmp_path, order, lamp):  # R-K01, R-K03
-    steps = [one for level, sign in enumerate(order, 1) for one in carried(sign, level)]
+    steps = [step for level, sign in enumerate(order, 1) for step in carried(sign, level)]
     planned = plan_of(str(Laboratory(tmp_path).application("by_lines", [*hand(OPEN), *steps])))
     result = result_of(planned)
     assert (result.completed, result.values["LAMP"]) == (True, lamp)
@@ -180,17 +180,17 @@ def test_a_program_for_the_scara_lights_the_lamp_if_its_order_is_right(tmp_path,
 def test_a_target_out_of_the_scaras_reach_is_named_before_the_run(capsys, tmp_path):  # R-E09, R-K03
     path = Laboratory(tmp_path).application("far", [*line_to("near", 0.6, 0.1, -0.2), *line_to("far", 0.9, 0.1, -0.2)])
     assert main(["run", str(path), "--virtual"]) == 2
-    said = "".join(capsys.readouterr())
-    assert "far: out of reach: the quill would be 0.906 m from joint 1's axis" in said
-    assert "near:" not in said
+    output = "".join(capsys.readouterr())
+    assert "far: out of reach: the quill would be 0.906 m from joint 1's axis" in output
+    assert "near:" not in output
 
 
 def test_its_joints_are_moved_by_four_values(tmp_path):  # R-K03
     path = Laboratory(tmp_path).application("turn", [job("jmove_scaraC", "Joint job"), joints("there", *[0.0] * 6)])
     (flow,) = (plan := plan_of(str(path)).plan).flows
     goal = (0.1, 0.7, 0.1, -0.8)
-    actions = tuple(replace(one, arguments=" ".join(map(str, (*goal, 1.0)))) for one in flow.actions)
-    told, world = told_of(replace(plan, flows=(replace(flow, actions=actions),)), ())
-    assert told[-1].completed
+    actions = tuple(replace(action, arguments=" ".join(map(str, (*goal, 1.0)))) for action in flow.actions)
+    events, world = told_of(replace(plan, flows=(replace(flow, actions=actions),)), ())
+    assert events[-1].completed
     assert world.state("scara_left")[2:] == pytest.approx(goal, abs=2e-3)
     assert abs(world.state("scara_left")[2] - adept_one.HOME[0]) > 1.0

@@ -49,9 +49,9 @@ def two_units(tmp_path):
     arm = ("puma 500 rt0", "pd 500 rt0", "torque_sum 500 rt0", "diff 500 rt0", "led_monitor 50 rt1", "gravcomp 250 rt1")
     laboratory.configuration("spreadC", *arm, "jtraj 250 rt1")
     laboratory.configuration("otherC", *arm, "jtraj 125 rt1")
-    one = [job("spreadC", "Joint job"), joints("one", 0.2, -1.5, 1.6, 0.0, 0.1, 0.0)]
+    spread = [job("spreadC", "Joint job"), joints("one", 0.2, -1.5, 1.6, 0.0, 0.1, 0.0)]
     other = [job("otherC", "Joint job"), joints("other", 0.4, -1.5, 1.6, 0.0, 0.1, 0.0)]
-    return laboratory.application("spread", [*one, *other])
+    return laboratory.application("spread", [*spread, *other])
 
 
 @MODES

@@ -55,29 +55,31 @@ wait done flow0 1
 
 
 def test_the_panic_button_is_pressed_let_go_and_cleared_and_the_work_is_completed(tmp_path):  # R-E08
-    result, said = steered(tmp_path, PANIC, "assemble24", "--expect", "LAMP == 1", "--virtual")
+    result, events = steered(tmp_path, PANIC, "assemble24", "--expect", "LAMP == 1", "--virtual")
     assert (result["state"], result["exit"], result["failed"]) == ("completed", 0, []), result
-    explained = next(one for one in said if one["event"] == "explained")
+    explained = next(entry for entry in events if entry["event"] == "explained")
     assert (explained["task"], explained["index"]) == ("puma", 1)
-    assert [one["line"] for one in said if one["event"] == "steered"][-1] == "wait done 2"
-    begun = [one["index"] for one in said if one["event"] == "began"]
+    assert [entry["line"] for entry in events if entry["event"] == "steered"][-1] == "wait done 2"
+    begun = [entry["index"] for entry in events if entry["event"] == "began"]
     assert begun[:4] == [0, 1, 1, 2]
 
 
 def test_in_wall_time_the_same_words_do_the_same(tmp_path):  # R-E08
-    result, said = steered(tmp_path, BRIEFLY, "two_arms")
+    result, events = steered(tmp_path, BRIEFLY, "two_arms")
     assert (result["state"], result["failed"]) == ("completed", []), result
-    assert [one["index"] for one in said if one["event"] == "began" and one["flow"] == 0] == [0, 0, 1]
+    assert [entry["index"] for entry in events if entry["event"] == "began" and entry["flow"] == 0] == [0, 0, 1]
 
 
 def test_a_steered_run_in_virtual_time_is_the_same_bit_for_bit(tmp_path):  # R-E07, law 14
     results = [steered(tmp_path, PANIC, "assemble24", "--virtual") for _ in range(2)]
     assert results[0][0]["hash"] == results[1][0]["hash"] != ""
     kinds = ("began", "done", "moved", "explained", "steered")
-    first, second = ([one for one in said if one["event"] in kinds] for _, said in results)
+    first, second = ([entry for entry in events if entry["event"] in kinds] for _, events in results)
     assert first == second
-    touched = next(one for one in first if one["event"] == "explained")
-    assert touched["at_s"] == pytest.approx(next(one["at_s"] for one in first if one.get("index") == 1) + 1.0, abs=0.05)
+    touched = next(entry for entry in first if entry["event"] == "explained")
+    assert touched["at_s"] == pytest.approx(
+        next(entry["at_s"] for entry in first if entry.get("index") == 1) + 1.0, abs=0.05
+    )
 
 
 def test_a_script_that_steers_nothing_changes_nothing(tmp_path):  # law 14
@@ -87,24 +89,24 @@ def test_a_script_that_steers_nothing_changes_nothing(tmp_path):  # law 14
 
 
 def test_an_endless_loop_is_left(tmp_path):  # R-E05, R-E07
-    result, said = steered(tmp_path, "wait began 1\nwait done 2\nwait began 1\nleave\n", "wave_on", "--virtual")
+    result, events = steered(tmp_path, "wait began 1\nwait done 2\nwait began 1\nleave\n", "wave_on", "--virtual")
     assert result["state"] == "completed", result
-    assert [one["index"] for one in said if one["event"] == "began"].count(0) == 2
+    assert [entry["index"] for entry in events if entry["event"] == "began"].count(0) == 2
 
 
 def test_flows_are_steered_each_on_its_own(tmp_path):  # R-E07, R-E13
     text = "break flow1 1\nwait paused flow1\nwho\nskip 1 2\nwait done flow0\nwait done flow1\n"
-    result, said = steered(tmp_path, text, "two_arms", "--virtual")
+    result, events = steered(tmp_path, text, "two_arms", "--virtual")
     assert result["state"] == "completed", result
-    who = next(one for one in said if one["event"] == "steered" and one["line"] == "who")
-    assert {one["subsystem"]: one["state"] for one in who["flows"]}["flow1"] == "paused"
+    who = next(entry for entry in events if entry["event"] == "steered" and entry["line"] == "who")
+    assert {flow["subsystem"]: flow["state"] for flow in who["flows"]}["flow1"] == "paused"
 
 
 def test_a_script_with_faults_is_refused_before_anything_moves(tmp_path):  # R-E07
-    result, said = steered(tmp_path, "dance\nskip 99\nwait began 2\n", "assemble24", "--virtual")
+    result, events = steered(tmp_path, "dance\nskip 99\nwait began 2\n", "assemble24", "--virtual")
     assert (result["state"], result["exit"]) == ("refused", 2)
-    assert [one["line"] for one in result["faults"]] == [1, 2]
-    assert not any(one["event"] == "began" for one in said)
+    assert [fault["line"] for fault in result["faults"]] == [1, 2]
+    assert not any(entry["event"] == "began" for entry in events)
 
 
 def test_a_pause_that_nobody_ends_aborts_the_run(tmp_path):  # R-X03
@@ -115,10 +117,10 @@ def test_a_pause_that_nobody_ends_aborts_the_run(tmp_path):  # R-X03
 
 def story(running: Running) -> tuple[str, float]:
     """Steer it in some way; the run's hash, and when it was paused."""
-    for one in running.events():
-        if isinstance(one, event.Began) and one.index == 1:
+    for message in running.events():
+        if isinstance(message, event.Began) and message.index == 1:
             assert running.steer("pause") == ()
-        if isinstance(one, event.Moved) and one.state == "paused":
+        if isinstance(message, event.Moved) and message.state == "paused":
             break
     paused_s = running.now_s
     assert running.wait("0.5") == ()
@@ -203,21 +205,21 @@ def test_keys_steer_a_run_at_a_terminal(tmp_path):  # R-E07, R-E11
 
 
 @pytest.fixture
-def heard():
+def open_to_hangups():
     """Programs that begin meanwhile hear SIGHUP, also where `nohup` hides it from the tests themselves."""
     former = signal.signal(signal.SIGHUP, signal.SIG_DFL)
     yield
     signal.signal(signal.SIGHUP, former)
 
 
-@pytest.mark.usefixtures("heard")
-@pytest.mark.parametrize("told", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP])
-def test_the_terminal_is_restored_whatever_ends_the_run(told):  # R-E07
+@pytest.mark.usefixtures("open_to_hangups")
+@pytest.mark.parametrize("stop_signal", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP])
+def test_the_terminal_is_restored_whatever_ends_the_run(stop_signal):  # R-E07
     with Terminal("run", "assemble") as terminal:
         terminal.until("2/25  jmoveC")
         assert not termios.tcgetattr(terminal.near)[3] & termios.ECHO
-        terminal.process.send_signal(told)
-        assert terminal.end() == (1 if told is signal.SIGINT else 128 + told)
+        terminal.process.send_signal(stop_signal)
+        assert terminal.end() == (1 if stop_signal is signal.SIGINT else 128 + stop_signal)
         assert termios.tcgetattr(terminal.near) == terminal.usual
 
 
@@ -236,8 +238,8 @@ def test_a_run_that_was_left_alone_is_steered_from_a_console(tmp_path):  # R-E07
             "wait flow0 paused within 60\nruns\nwho\nstep\nwait flow0 running\nwait flow0 paused within 20\nabort\n"
         )
         with CliProcess("console", url, "--script", str(path), "--no-console", environment=environment) as console:
-            said = console.text()
-            assert console.code() == 0, said
-        assert "assemble in flow0" in said
-        assert re.search(r"flow0\s+paused\s+\d+\n", said), said
-        assert re.search(r"> step\n .*\d+/25 ", said), said
+            output = console.text()
+            assert console.code() == 0, output
+        assert "assemble in flow0" in output
+        assert re.search(r"flow0\s+paused\s+\d+\n", output), output
+        assert re.search(r"> step\n .*\d+/25 ", output), output

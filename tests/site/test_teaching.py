@@ -36,14 +36,14 @@ class Bench:
         self.environment = Environment(model, HANDLERS, Services(site, time.monotonic), self.station)
         self.station.begin(self.environment)
 
-    def answer(self, asked):
+    def answer(self, wish):
         given = []
-        self.environment.do(asked, "me", given.append)
+        self.environment.do(wish, "me", given.append)
         self.until(lambda: given)
         return given[0]
 
-    def do(self, asked):
-        answer = self.answer(asked)
+    def do(self, wish):
+        answer = self.answer(wish)
         assert answer.no is None, answer.no
         return answer.value
 
@@ -74,15 +74,15 @@ def test_targets_are_taken_from_where_the_robot_stands(bench):  # R-D13, R-D23, 
     assert np.allclose(bench.item("Joint object").low, puma560.QMIN)
     bench.until(lambda: "ctraj" in bench.environment.model.libraries.sheets)
     no = bench.answer(act.Teach("Cartesian object")).no
-    bench.do(next(one.act for one in no.remedies if isinstance(one.act, act.Turn)))
+    bench.do(next(remedy.act for remedy in no.remedies if isinstance(remedy.act, act.Turn)))
 
     joints = bench.do(act.Teach("Joint object")).values["endpoint"]
-    found = bench.do(act.Teach("Cartesian object"))
-    assert str(found.source).startswith("X_MEZ, as fwdkin measures it in ")
-    pose = pose_of_nine(list(found.values["pose"]))
-    assert np.allclose(pose[:3, :3] @ pose[:3, :3].T, np.eye(3)) and set(found.values) == {"pose"}
+    taught = bench.do(act.Teach("Cartesian object"))
+    assert str(taught.source).startswith("X_MEZ, as fwdkin measures it in ")
+    pose = pose_of_nine(list(taught.values["pose"]))
+    assert np.allclose(pose[:3, :3] @ pose[:3, :3].T, np.eye(3)) and set(taught.values) == {"pose"}
 
-    words = tuple(f"{one:.6f}" for one in joints)
+    words = tuple(f"{joint:.6f}" for joint in joints)
     bench.do(act.MakeTarget("here", "Joint object", (words, ("2",)), WHITE))
     assert bench.environment.tree.onikons["here"].values[1] == ("2",)
     no = bench.answer(act.MakeTarget("beyond", "Joint object", (("9", *words[1:]), ("2",)), WHITE)).no

@@ -23,8 +23,8 @@ TAGS = {"triangle": (10, 5), "square": (13, 10), "cross": (17, 11)}
 
 def told_of(capsys, *words):
     code = main(["run", "assemble_together", "--expect", "LAMP == 1", "--json", *words])
-    told = [json.loads(line) for line in capsys.readouterr().out.splitlines() if line.startswith("{")]
-    return code, told
+    events = [json.loads(line) for line in capsys.readouterr().out.splitlines() if line.startswith("{")]
+    return code, events
 
 
 WALL = pytest.param(["--no-fifo"], id="wall", marks=pytest.mark.slow)  # as long as the arms move
@@ -32,12 +32,13 @@ WALL = pytest.param(["--no-fifo"], id="wall", marks=pytest.mark.slow)  # as long
 
 @pytest.mark.parametrize("time", [pytest.param(["--virtual"], id="virtual"), WALL])
 def test_two_arms_put_the_boxes_together_and_meet_at_every_tag(capsys, time):  # R-K02, R-E04
-    code, told = told_of(capsys, *time)
-    result = told[-1]
+    code, events = told_of(capsys, *time)
+    result = events[-1]
     assert (code, result["state"], result["values"]) == (0, "completed", {"LAMP": 1})
     assert (result["actions_done"], result["actions"]) == (30, 30)
     begun, done = (
-        {(one["flow"], one["index"]): one["at_s"] for one in told if one["event"] == kind} for kind in ("began", "done")
+        {(entry["flow"], entry["index"]): entry["at_s"] for entry in events if entry["event"] == kind}
+        for kind in ("began", "done")
     )
     for tag, (left, right) in TAGS.items():
         here, there = begun[0, left], begun[1, right]
