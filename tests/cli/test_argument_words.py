@@ -44,5 +44,5 @@ def test_in_english_it_says_what_it_always_says(capsys):
 
 
 def test_every_word_for_a_parser_is_asked_for():
-    asked = {key.removeprefix("cli.") for key in argument_words._KEYS}
-    assert asked == {name for name in sentences("en", "cli") if name.startswith("arg_")}
+    request = {key.removeprefix("cli.") for key in argument_words._KEYS}
+    assert request == {name for name in sentences("en", "cli") if name.startswith("arg_")}

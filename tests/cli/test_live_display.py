@@ -95,9 +95,9 @@ def test_what_was_asked_and_answered_stays_above_the_panel(screen, monkeypatch):
         live.begins(PREPARED, 4711)
         live._screen.refresh()
         live.answer(event.Asked("flow0", "gauge", "", ITEMS, 0.0))
-        asked = screen.tell()
+        position = screen.tell()
         live._screen.refresh()
-        assert "\x1b[1A" not in screen.getvalue()[asked:]  # no row above is touched
+        assert "\x1b[1A" not in screen.getvalue()[position:]  # no row above is touched
 
 
 def test_at_the_end_of_the_input_nobody_answers(screen, monkeypatch):  # R-A10

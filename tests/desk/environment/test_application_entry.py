@@ -11,14 +11,14 @@ def gallery(tmp_path):
     return AppFixture(tmp_path)
 
 
-def said(gallery, asked):
+def said(gallery, request):
     """The line of an act, after it was carried out; names as they were known then."""
-    doc = getattr(asked, "doc", "")
+    doc = getattr(request, "doc", "")
     names = ApplicationNames()
     names.look(gallery.environment.model, (doc,))
-    answer = gallery.answer(asked)
+    answer = gallery.answer(request)
     names.look(gallery.environment.model, (doc, str(answer.value)))
-    return entry(asked, answer, names.known).line(1.0).split("\t")[1:]
+    return entry(request, answer, names.known).line(1.0).split("\t")[1:]
 
 
 def test_an_insertion_names_the_icon_and_what_it_was_put_behind(gallery):  # R-H01, §E.2
@@ -31,15 +31,22 @@ def test_an_insertion_names_the_icon_and_what_it_was_put_behind(gallery):  # R-H
 
 def test_what_is_done_to_icons_names_them(gallery):  # R-H01
     doc = gallery.begun("grip", "open")
-    one, two = gallery.number(doc, "grip"), gallery.number(doc, "open")
-    ids = f"{doc}/{one},{doc}/{two}"
-    assert said(gallery, act.SetBreakpoint(doc, (one, two)))[:3] == ["set_marker", "grip,open", ids]
-    assert said(gallery, act.SetLoop(doc, two, one)) == ["set_whiletag", "open", "a1/2", "grip", "a1/1", "appl"]
-    assert said(gallery, act.MoveIcons(doc, (one,), "0", two)) == ["move_icon", "grip", "a1/1", "open", "a1/2", "appl"]
-    gallery.do(act.CopyIcons(doc, (one, two)))
+    first, two = gallery.number(doc, "grip"), gallery.number(doc, "open")
+    ids = f"{doc}/{first},{doc}/{two}"
+    assert said(gallery, act.SetBreakpoint(doc, (first, two)))[:3] == ["set_marker", "grip,open", ids]
+    assert said(gallery, act.SetLoop(doc, two, first)) == ["set_whiletag", "open", "a1/2", "grip", "a1/1", "appl"]
+    assert said(gallery, act.MoveIcons(doc, (first,), "0", two)) == [
+        "move_icon",
+        "grip",
+        "a1/1",
+        "open",
+        "a1/2",
+        "appl",
+    ]
+    gallery.do(act.CopyIcons(doc, (first, two)))
     assert said(gallery, act.PasteIcons(doc))[:3] == ["paste_icon", "open,grip", "a1/3,a1/4"]
-    assert said(gallery, act.EditIcon(doc, one, "x")) == ["edit_icon", "grip", "a1/1", "Untitled-1", "a1", "appl"]
-    assert said(gallery, act.RemoveIcons(doc, (one, two)))[:3] == ["delete_icon", "grip,open", ids]
+    assert said(gallery, act.EditIcon(doc, first, "x")) == ["edit_icon", "grip", "a1/1", "Untitled-1", "a1", "appl"]
+    assert said(gallery, act.RemoveIcons(doc, (first, two)))[:3] == ["delete_icon", "grip,open", ids]
 
 
 def test_documents_of_both_kinds_are_told_apart(gallery):  # R-H01
@@ -60,10 +67,10 @@ def test_of_what_is_gone_the_name_is_still_known_and_a_flow_is_read_once(gallery
     doc = gallery.begun("grip", "open")
     names, model = ApplicationNames(), gallery.environment.model
     names.look(model, (doc,))
-    one = gallery.number(doc, "grip")
-    gallery.do(act.RemoveIcons(doc, (one,)))
+    number = gallery.number(doc, "grip")
+    gallery.do(act.RemoveIcons(doc, (number,)))
     names.look(gallery.environment.model, (doc,))
-    assert names.known[f"{doc}/{one}"] == "grip"
+    assert names.known[f"{doc}/{number}"] == "grip"
     names.known[f"{doc}/{gallery.number(doc, 'open')}"] = "as it was read"
     names.look(gallery.environment.model, (doc,))
     assert "as it was read" in names.known.values()

@@ -27,7 +27,7 @@ def test_a_button_is_added_changed_and_removed_in_the_users_file(sitting):  # R-
     sitting.do(act.SetButton("make tea", "echo coffee &"))
     assert kept(sitting) == (Button("make tea", "echo coffee &"), Button("Home", "onika run go_home"))
     shown = sitting.environment.tree.buttons
-    assert [(name, one.order, one.command) for name, one in shown.items()] == [
+    assert [(name, button.order, button.command) for name, button in shown.items()] == [
         ("make tea", 0, "echo coffee &"),
         ("Home", 1, "onika run go_home"),
     ]
@@ -42,7 +42,7 @@ def test_comments_of_the_file_stay(sitting):  # R-B01
     path.write_text("# my buttons\n" + file.write((Button("a", "true"),)))
     sitting.do(act.SetButton("b", "false"))
     assert "# my buttons" in path.read_text()
-    assert [one.name for one in kept(sitting)] == ["a", "b"]
+    assert [button.name for button in kept(sitting)] == ["a", "b"]
 
 
 @pytest.mark.parametrize(
@@ -83,7 +83,7 @@ def test_a_running_command_is_halted_and_neither_started_twice_nor_removed(sitti
     sitting.do(act.SetButton("Wait", "sleep 1000"))
     assert "not running" in str(sitting.no(act.Halt("Wait")).reason)
     sitting.do(act.Press("Wait"))
-    assert [one.act for one in sitting.no(act.Press("Wait")).remedies] == [act.Halt("Wait")]
+    assert [remedy.act for remedy in sitting.no(act.Press("Wait")).remedies] == [act.Halt("Wait")]
     assert "is running" in str(sitting.no(act.SetButton("Wait", "")).reason)
     sitting.do(act.Halt("Wait"))
     assert sitting.button("Wait", has_ended).code == -15

@@ -63,6 +63,6 @@ def test_where_it_cannot_be_written_that_is_said_once_and_acts_go_on(sitting, tm
     sitting.do(act.New())
     sitting.do(act.New())
     diary.close()
-    (said,) = sitting.says
-    assert said.level == "warning"
-    assert said.text.key == "run.diary_unwritten" and said.text.args["path"] == str(diary.path)
+    (say,) = sitting.says
+    assert say.level == "warning"
+    assert say.text.key == "run.diary_unwritten" and say.text.args["path"] == str(diary.path)

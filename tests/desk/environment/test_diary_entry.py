@@ -10,8 +10,8 @@ from onika.wire import act
 NAMES = {"c1": "Untitled-1", "c2": "move"}
 
 
-def columns(asked, value=None, no=None):
-    return entry(asked, ActAnswer(value, no), NAMES).line(770909683.25).split("\t")
+def columns(wish, value=None, no=None):
+    return entry(wish, ActAnswer(value, no), NAMES).line(770909683.25).split("\t")
 
 
 def test_a_line_has_the_seven_columns_of_the_thesis():  # R-H01, §E.2
@@ -20,7 +20,7 @@ def test_a_line_has_the_seven_columns_of_the_thesis():  # R-H01, §E.2
 
 
 @pytest.mark.parametrize(
-    ("asked", "value", "rest"),
+    ("wish", "value", "rest"),
     [
         (act.New(), "c1", "new_conf Untitled-1 c1 none 0 conf"),
         (act.Open("/lab/conf/move.conf"), "c2", "open_conf move c2 none 0 conf"),
@@ -54,8 +54,8 @@ def test_a_line_has_the_seven_columns_of_the_thesis():  # R-H01, §E.2
         (act.Note(""), None, "none none 0 none 0 root"),
     ],
 )
-def test_an_act_says_what_it_touches(asked, value, rest):  # R-H01
-    assert columns(asked, value)[1:] == rest.split()
+def test_an_act_says_what_it_touches(wish, value, rest):  # R-H01
+    assert columns(wish, value)[1:] == rest.split()
 
 
 def test_what_was_refused_is_marked():  # R-H01

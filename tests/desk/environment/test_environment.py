@@ -38,12 +38,12 @@ acts = st.one_of(
 def test_a_page_that_follows_the_patches_has_the_tree(tmp_path_factory, done):  # R-X10
     sitting = EnvironmentFixture(tmp_path_factory.mktemp("base"), TASKS)
     sitting.new()
-    for one in done:
-        sitting.answer(one)  # whose patches are compared with the tree, one by one
+    for wish in done:
+        sitting.answer(wish)  # whose patches are compared with the tree, one by one
 
 
 @settings(deadline=None, max_examples=60)
-@given(done=st.lists(acts.filter(lambda one: not isinstance(one, act.Undo | act.Redo)), max_size=15))
+@given(done=st.lists(acts.filter(lambda wish: not isinstance(wish, act.Undo | act.Redo)), max_size=15))
 def test_undo_goes_back_through_every_state_and_redo_forward(tmp_path_factory, done):  # R-X10
     sitting = EnvironmentFixture(tmp_path_factory.mktemp("base"), TASKS)
     sitting.new()
@@ -52,8 +52,8 @@ def test_undo_goes_back_through_every_state_and_redo_forward(tmp_path_factory, d
         return sitting.environment.model.documents["c1"].content
 
     states = [content()]
-    for one in done:
-        sitting.answer(one)
+    for wish in done:
+        sitting.answer(wish)
         if content() != states[-1]:
             states.append(content())
     for state in reversed(states[:-1]):
@@ -76,7 +76,7 @@ def test_every_step_is_told_by_its_label(tmp_path):  # R-X10
 
 def test_an_observer_is_told_of_every_act_and_its_end(tmp_path):  # R-H01
     sitting, seen = EnvironmentFixture(tmp_path, TASKS), []
-    sitting.environment.observers.append(lambda asked, by, given: seen.append((type(asked), by, given.no is None)))
+    sitting.environment.observers.append(lambda wish, by, given: seen.append((type(wish), by, given.no is None)))
     sitting.do(act.New(), by="anna")
     sitting.no(act.Undo("c1"))
     assert seen == [(act.New, "anna", True), (act.Undo, "me", False)]
@@ -178,6 +178,6 @@ def test_a_refused_change_that_no_act_waits_for_is_worth_a_line(tmp_path):  # la
 
 def test_a_change_from_outside_reaches_every_page(tmp_path):
     sitting = EnvironmentFixture(tmp_path, TASKS)
-    said = page.Say("info", "a word")
-    sitting.environment.become(lambda model: Done(model, says=(said,)))
-    assert sitting.says == [said]
+    say = page.Say("info", "a word")
+    sitting.environment.become(lambda model: Done(model, says=(say,)))
+    assert sitting.says == [say]

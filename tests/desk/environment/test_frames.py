@@ -37,8 +37,8 @@ def test_figures_and_poses_come_with_it(model):  # R-C14
     frames = FrameBuffer()
     frames.put({"world:boxes": reading.encode(reading.Poses(5, rows, ("lamp",)))}, live.Figures((figure,), {}), model)
     frame = frames.take()
-    found = [[0.12346, 0, 0, 1, 0, 0, 0], [1, 2, 3, 0.5, 0.5, 0.5, 0.5]]
-    assert frame.poses == {"boxes": {"rows": found, "lit": ("lamp",)}}
+    frames = [[0.12346, 0, 0, 1, 0, 0, 0], [1, 2, 3, 0.5, 0.5, 0.5, 0.5]]
+    assert frame.poses == {"boxes": {"rows": frames, "lit": ("lamp",)}}
     assert frame.figures["c1/a"]["state"] == "ON"
 
 

@@ -21,8 +21,8 @@ def test_acts_that_both_kinds_of_documents_know_go_to_the_kind_their_id_says(tmp
     assert gallery.flow(doc) == ""
     gallery.do(act.Redo(doc))
     assert str(gallery.no(act.Undo(conf)).reason) == "there is nothing to take back"
-    for one in (act.Keep, act.Reload, act.Close):
-        gallery.do(one(doc))
-        gallery.do(one(conf))
+    for kind in (act.Keep, act.Reload, act.Close):
+        gallery.do(kind(doc))
+        gallery.do(kind(conf))
     assert gallery.do(act.Open(str(gallery.base.application_file("same")))).startswith("a")
     assert gallery.do(act.Open(str(gallery.base.configuration_file("same")))).startswith("c")

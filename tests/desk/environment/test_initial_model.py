@@ -14,7 +14,7 @@ def test_the_shipped_laboratories_open_without_a_word():  # R-C01
     site = open_site([], {}, None)
     model, says = opened(site, None, {})
     assert says == ()
-    assert [one.base for one in model.libraries.libraries] == list(site.directories)
+    assert [library.base for library in model.libraries.libraries] == list(site.directories)
     assert {"pd", "ctraj"} <= model.libraries.tasks.keys()
     assert {Path(path).suffix for path in model.files} == {".conf"}
     assert all(file.tasks for file in model.files.values())
@@ -35,13 +35,13 @@ def test_everything_that_is_at_fault_is_told_once_and_the_rest_is_there(tmp_path
     (base.path / "conf" / "bad.conf").write_text("LOCUS q\n")
     site = Site((base, BaseDirectory(tmp_path / "nowhere")), shipped() / "prefs", home)
     model, says = opened(site, tmp_path / "state", {"ONIKA_WARNINGS": "no"})
-    texts = [str(said.text) for said in says]
+    texts = [str(say.text) for say in says]
     for part in ("nowhere", ".onika:", ".onika.buttons", ".OnikaUpperSetUp.dta", "bad.rmod", "bad.conf"):
         assert any(part in text for text in texts), part
     assert len(texts) == len(set(texts))
-    assert {said.level for said in says} == {"warning", "info"}
+    assert {say.level for say in says} == {"warning", "info"}
     assert list(model.libraries.tasks) == ["pd"]
-    assert [one.base.path.name for one in model.libraries.libraries] == ["base"]
+    assert [library.base.path.name for library in model.libraries.libraries] == ["base"]
     assert [file.tasks for file in model.files.values()] == [0]
     assert model.job_types and not model.settings.shows_warnings
 
@@ -52,5 +52,5 @@ def test_preferences_and_buttons_are_the_users(tmp_path):  # R-B12, R-G02
     (base.path / "module").mkdir(parents=True)
     (base.path / "module" / "pd.rmod").write_text(rmod.write(RmodText(TASK)))
     model, _ = opened(Site((base,), shipped() / "prefs", tmp_path), None, {})
-    assert [(one.name, one.command) for one in model.buttons] == [("Clock", "date")]
+    assert [(button.name, button.command) for button in model.buttons] == [("Clock", "date")]
     assert model.libraries.preferences == model.preferences

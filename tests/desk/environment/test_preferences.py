@@ -108,16 +108,16 @@ def test_a_file_with_faults_is_left_as_it_is_and_the_change_holds_for_the_sessio
     sitting.do(act.Prefer({"locus_size": 30}))
     assert path.read_text() == "PINLENGTH twelve\nEOF\n"
     assert preferred(sitting).locus_size == 30
-    (said,) = sitting.says
-    assert said.level == "warning"
-    assert "PINLENGTH" in str(said.text)
+    (say,) = sitting.says
+    assert say.level == "warning"
+    assert "PINLENGTH" in str(say.text)
 
 
 def test_where_nothing_can_be_written_it_is_said(sitting):  # R-B12
     sitting.home.write_text("no directory")
     sitting.surroundings.state.write_text("no directory")
     sitting.do(act.Prefer({"keeps_diary": False}))
-    assert ["holds for this session" in str(said.text) for said in sitting.says] == [True]
+    assert ["holds for this session" in str(say.text) for say in sitting.says] == [True]
     assert leave(sitting.environment.model, sitting.surroundings).reason.key == "files.not_savable"
 
 

@@ -117,19 +117,19 @@ def test_a_task_at_fault_or_gone_is_left_out_told_and_stays_placed_as_missing(si
     sitting.base.task_file("b").unlink()
     sitting.look()
     assert sitting.environment.tree.tasks == {}
-    assert all(one.is_missing for one in sitting.environment.tree.documents[doc].tasks.values())
-    assert any("a.rmod" in str(said.text) for said in sitting.says)
+    assert all(task.is_missing for task in sitting.environment.tree.documents[doc].tasks.values())
+    assert any("a.rmod" in str(say.text) for say in sitting.says)
     rewrite(sitting, A)
     rewrite(sitting, B)
     sitting.look()
-    assert not any(one.is_missing for one in sitting.environment.tree.documents[doc].tasks.values())
+    assert not any(task.is_missing for task in sitting.environment.tree.documents[doc].tasks.values())
 
 
 def test_a_file_that_clashes_in_an_open_configuration_is_taken_and_told(sitting):  # reading 9
     saved(sitting)
     rewrite(sitting, Task("b", "b", outvar=("Q",), frequency=10.0))
     sitting.look()
-    assert [str(said.text) for said in sitting.says] == ["in job, b writes Q, which `a` already writes"]
+    assert [str(say.text) for say in sitting.says] == ["in job, b writes Q, which `a` already writes"]
 
 
 def test_a_document_that_is_as_it_was_saved_is_read_again_and_undo_brings_back_what_was_here(sitting):  # R-C06, R-X10
@@ -139,9 +139,7 @@ def test_a_document_that_is_as_it_was_saved_is_read_again_and_undo_brings_back_w
     sitting.look()
     assert document(sitting, doc).content.configuration.placed[0].rtpu == "rt7"
     assert not sitting.environment.tree.documents[doc].is_dirty
-    assert [str(said.text) for said in sitting.says] == [
-        "job was changed on the disk by somebody else and is read again"
-    ]
+    assert [str(say.text) for say in sitting.says] == ["job was changed on the disk by somebody else and is read again"]
     sitting.do(act.Undo(doc))
     assert document(sitting, doc).content == before
 
@@ -190,7 +188,7 @@ def test_configurations_that_come_and_go_are_in_the_list_and_not_in_it(sitting):
     path.write_text("nonsense")
     sitting.look()
     assert sitting.environment.tree.files[str(path)].tasks == 0
-    assert any("new.conf" in str(said.text) for said in sitting.says)
+    assert any("new.conf" in str(say.text) for say in sitting.says)
     path.unlink()
     sitting.look()
     assert sitting.environment.tree.files == {}

@@ -34,11 +34,11 @@ class Line:
         self._reader, self._writer = os.pipe()
         os.set_blocking(self._reader, False)
 
-    def send(self, asked):
-        self.asked.append(asked)
+    def send(self, request):
+        self.asked.append(request)
         number = len(self.asked)
-        if not isinstance(asked, self.silent):
-            self.say(NumberedResponse(number, self.runtime.ask(asked)), *self.runtime.events(0.0))
+        if not isinstance(request, self.silent):
+            self.say(NumberedResponse(number, self.runtime.ask(request)), *self.runtime.events(0.0))
         return number
 
     def say(self, *words):
@@ -49,10 +49,10 @@ class Line:
         with contextlib.suppress(BlockingIOError):
             os.read(self._reader, 4096)
         while self._words:
-            one = self._words.popleft()
-            if isinstance(one, Exception):
-                raise one
-            yield one
+            word = self._words.popleft()
+            if isinstance(word, Exception):
+                raise word
+            yield word
 
     def readings(self):
         taken, self.seen = self.seen, {}
@@ -99,9 +99,9 @@ class Lab(EnvironmentFixture):
         self.reached = (url, token, threading.current_thread().name)
         return self.lines[-1]
 
-    def answer(self, asked, by="me"):
+    def answer(self, request, by="me"):
         given = []
-        self.environment.do(asked, by, given.append)
+        self.environment.do(request, by, given.append)
         self.until(lambda: given)
         return given[0]
 
@@ -216,16 +216,16 @@ def test_what_is_watched_comes_in_frames_and_figures_with_loads(lab):  # R-C14, 
     lab.until(lambda: live.Attend(("*",), (f"{home}/A",), (), 30.0) in line.asked)
     line.seen = {f"{home}/A": reading.encode(reading.Variable(10**9, 1, 4.0))}
     line.say()
-    found = {}
+    values = {}
 
     def has_come():
         frame = lab.station.frame()
         if frame is not None:
-            found.update(frame.values | frame.figures)
-        return {f"{doc}/A", f"{doc}/a"} <= set(found)
+            values.update(frame.values | frame.figures)
+        return {f"{doc}/A", f"{doc}/a"} <= set(values)
 
     lab.until(has_come)
-    assert found[f"{doc}/A"] == 4.0
+    assert values[f"{doc}/A"] == 4.0
     lab.until(lambda: lab.environment.tree.runtime.units["rt0"].load == 0.25)
 
 

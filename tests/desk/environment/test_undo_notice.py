@@ -10,13 +10,13 @@ from onika.wire import act
 @pytest.fixture
 def shared(tmp_path):
     """An application that two browsers look at."""
-    found = AppFixture(tmp_path)
-    found.environment.become(lambda model: Done(replace(model, people=2)))
-    return found
+    fixture = AppFixture(tmp_path)
+    fixture.environment.become(lambda model: Done(replace(model, people=2)))
+    return fixture
 
 
 def said(sitting):
-    return [one.text.key for one in sitting.says if one.text.key in ("run.undone_elsewhere", "run.redone_elsewhere")]
+    return [say.text.key for say in sitting.says if say.text.key in ("run.undone_elsewhere", "run.redone_elsewhere")]
 
 
 def test_taking_back_what_another_did_is_told_to_both(shared):  # R-X10

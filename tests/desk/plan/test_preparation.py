@@ -64,8 +64,8 @@ def test_an_icon_whose_file_is_cut_is_told_and_the_application_counts(laboratory
     (folder / "jmoveC.onk").write_text("VERSION     2.0\n")
     prepared = prepare_run(str(application), site)
     assert prepared.faults == ()
-    told = [note for note in prepared.notes if note.place.file == str(folder / "jmoveC.onk")]
-    assert [note.instead.key for note in told] == ["desk.own_icon_counts"]
+    notes = [note for note in prepared.notes if note.place.file == str(folder / "jmoveC.onk")]
+    assert [note.instead.key for note in notes] == ["desk.own_icon_counts"]
 
 
 def test_an_application_that_cannot_be_read_has_no_plan(laboratory, site):  # R-B07

@@ -24,23 +24,23 @@ def configuration(sitting, doc):
 
 
 def places(sitting, doc):
-    return {one.task: (one.x, one.y) for one in configuration(sitting, doc).placed}
+    return {placed.task: (placed.x, placed.y) for placed in configuration(sitting, doc).placed}
 
 
 def test_tasks_are_copied_between_configurations_with_their_places_to_each_other(sitting):  # R-C10, R-C22
-    one, other = sitting.new("cubic", "pd", "robot"), sitting.new()
-    sitting.do(act.Copy(one, ("cubic", "pd")))
+    first, other = sitting.new("cubic", "pd", "robot"), sitting.new()
+    sitting.do(act.Copy(first, ("cubic", "pd")))
     assert sitting.environment.tree.clipboard == "cubic pd"
     assert sitting.do(act.Paste(other, 1000, 40)) == ("cubic", "pd")
     assert places(sitting, other) == {"cubic": (1000, 40), "pd": (1200, 40)}
-    assert sorted(places(sitting, one)) == ["cubic", "pd", "robot"]
+    assert sorted(places(sitting, first)) == ["cubic", "pd", "robot"]
 
 
 def test_loci_come_along_where_they_were_and_as_they_were_shown(sitting):  # R-C09, R-C24
-    one, other = sitting.new("cubic", "pd"), sitting.new()
-    sitting.do(act.Move(one, {}, {"Q_REF": (170, 20), "TAU": (900, 60)}))
-    sitting.do(act.Show(one, ("TAU",), False))
-    sitting.do(act.Copy(one, ("cubic", "pd")))
+    first, other = sitting.new("cubic", "pd"), sitting.new()
+    sitting.do(act.Move(first, {}, {"Q_REF": (170, 20), "TAU": (900, 60)}))
+    sitting.do(act.Show(first, ("TAU",), False))
+    sitting.do(act.Copy(first, ("cubic", "pd")))
     sitting.do(act.Paste(other, 1000, 1000))
     loci = {locus.svar: locus for locus in configuration(sitting, other).loci}
     assert (loci["Q_REF"].x, loci["Q_REF"].y) == (1170, 920)
@@ -49,9 +49,9 @@ def test_loci_come_along_where_they_were_and_as_they_were_shown(sitting):  # R-C
 
 
 def test_loci_that_are_there_stay_and_those_that_come_keep_off_icons(sitting):  # R-C24
-    one, other = sitting.new("cubic", "pd"), sitting.new("robot")
-    sitting.do(act.Move(one, {}, {"TAU": (170, 120), "Q_REF": (30, 110)}))  # beneath what stands there below
-    sitting.do(act.Copy(one, ("cubic", "pd")))
+    first, other = sitting.new("cubic", "pd"), sitting.new("robot")
+    sitting.do(act.Move(first, {}, {"TAU": (170, 120), "Q_REF": (30, 110)}))  # beneath what stands there below
+    sitting.do(act.Copy(first, ("cubic", "pd")))
     sitting.do(act.Move(other, {"robot": (150, 100)}, {"Q_MEZ": (500, 5)}))
     sitting.do(act.Paste(other, 0, 400))
     loci = {locus.svar: (locus.x, locus.y) for locus in configuration(sitting, other).loci}
@@ -90,9 +90,9 @@ def test_a_text_from_elsewhere_brings_rates_directions_and_units(sitting, tmp_pa
 
 
 def test_nothing_is_pasted_where_one_task_may_not_be_and_every_reason_is_named(sitting):  # R-C07, R-X01
-    one = sitting.new("trapez", "pd", "robot")
+    doc = sitting.new("trapez", "pd", "robot")
     other = sitting.new("cubic", "pd")
-    text = sitting.do(act.Copy(one, ("trapez", "pd", "robot")))
+    text = sitting.do(act.Copy(doc, ("trapez", "pd", "robot")))
     no = sitting.no(act.Paste(other, 0, 0, text))
     assert "trapez: writes Q_REF, which `cubic` already writes" in str(no.reason)
     assert "`pd` is placed already" in str(no.reason)
@@ -102,8 +102,8 @@ def test_nothing_is_pasted_where_one_task_may_not_be_and_every_reason_is_named(s
 
 
 def test_the_only_task_that_is_pasted_may_replace_what_is_in_its_way(sitting):  # R-X01
-    one, other = sitting.new("trapez"), sitting.new("cubic")
-    sitting.do(act.Copy(one, ("trapez",)))
+    first, other = sitting.new("trapez"), sitting.new("cubic")
+    sitting.do(act.Copy(first, ("trapez",)))
     (replace,) = [r.act for r in sitting.no(act.Paste(other, 0, 0)).remedies if isinstance(r.act, act.Exchange)]
     sitting.do(replace)
     assert sorted(places(sitting, other)) == ["trapez"]
@@ -136,7 +136,7 @@ def test_a_task_that_is_placed_and_in_no_library_is_placed_all_the_same(sitting)
 
 
 @pytest.mark.parametrize(
-    ("asked", "reason"),
+    ("wish", "reason"),
     [
         (act.Copy("c1", ()), "nothing is selected"),
         (act.Cut("c1", ("pd", "gone")), "there is no gone on the canvas"),
@@ -147,18 +147,18 @@ def test_a_task_that_is_placed_and_in_no_library_is_placed_all_the_same(sitting)
         (act.Paste("c1", 0, 0, "hello"), "found 'hello'"),
     ],
 )
-def test_what_cannot_be_copied_or_pasted_is_said(sitting, asked, reason):  # R-X01
+def test_what_cannot_be_copied_or_pasted_is_said(sitting, wish, reason):  # R-X01
     sitting.new("pd")
-    assert reason in str(sitting.no(asked).reason)
+    assert reason in str(sitting.no(wish).reason)
 
 
 def test_supermodules_come_along_under_a_name_that_is_free(sitting):  # R-C10, R-C17
-    one, other = sitting.new("cubic", "pd", "robot"), sitting.new("robot")
-    sitting.do(act.Group(one, "arm", ("pd", "cubic")))
+    first, other = sitting.new("cubic", "pd", "robot"), sitting.new("robot")
+    sitting.do(act.Group(first, "arm", ("pd", "cubic")))
     sitting.do(act.Group(other, "arm", ("robot",)))
-    sitting.do(act.Cut(one, ("cubic", "pd")))
-    assert configuration(sitting, one).groups == ()
+    sitting.do(act.Cut(first, ("cubic", "pd")))
+    assert configuration(sitting, first).groups == ()
     sitting.do(act.Paste(other, 0, 400))
     assert configuration(sitting, other).groups == (Group("arm", ("robot",)), Group("arm-2", ("pd", "cubic")))
-    sitting.do(act.Paste(one, 0, 400))
-    assert configuration(sitting, one).groups == (Group("arm", ("pd", "cubic")),)
+    sitting.do(act.Paste(first, 0, 400))
+    assert configuration(sitting, first).groups == (Group("arm", ("pd", "cubic")),)

@@ -27,7 +27,7 @@ def running(duet, *names, subsystem="main"):
 
     born = [birth(Placed(name), duet.environment.model.libraries, ()) for name in names]
     on = tuple(live.Turn(name) for name in names)
-    duet.runtime.ask(live.Change(subsystem, spawn=tuple(one.task for one in born), on=on))
+    duet.runtime.ask(live.Change(subsystem, spawn=tuple(task.task for task in born), on=on))
     list(duet.runtime.events(0.0))
 
 
@@ -48,7 +48,7 @@ def test_what_runs_wins_and_comes_onto_the_canvas_as_one_step(duet):  # R-C12, E
     assert document.content.names == ("b", "c", "rival")
     assert document.content.wanted == {"c": True, "rival": True, "b": False}
     assert str(document.history.last.label) == "connecting"
-    assert any(str(one.text).startswith("a leaves the canvas: ") for one in duet.says)
+    assert any(str(say.text).startswith("a leaves the canvas: ") for say in duet.says)
     duet.do(act.Undo(doc, confirmed=True))
     assert duet.document(doc).content.names == ("a", "b", "c")
     assert set(duet.runtime.lives["main"]) == {"a", "b", "c"}
@@ -58,7 +58,7 @@ def test_newcomers_stand_where_nothing_stands(duet):  # R-C12
     running(duet, "a", "b", "c")
     doc = duet.new()
     duet.do(act.Connect(doc))
-    spots = [(one.x, one.y) for one in duet.document(doc).content.configuration.placed]
+    spots = [(placed.x, placed.y) for placed in duet.document(doc).content.configuration.placed]
     assert len(set(spots)) == 3
 
 
@@ -129,7 +129,7 @@ def test_who_has_no_code_is_left_out_and_the_others_live(duet, tmp_path):  # R-C
     (tmp_path / "module" / "a.py").unlink()
     doc = duet.connected("a", "b")
     assert {name: duet.state(doc, name) for name in ("a", "b")} == {"a": "", "b": "OFF"}
-    assert any(str(one.text).endswith("it is left out") for one in duet.says)
+    assert any(str(say.text).endswith("it is left out") for say in duet.says)
 
 
 def test_a_stopped_runtime_is_connected_with_and_nobody_is_born(duet):  # law 27
@@ -169,12 +169,12 @@ def test_one_that_is_launched_connected_is_merged_at_once(duet):  # R-C18
     standing = duet.runtime.ask(live.Survey())
     done = connected(duet.environment.model, doc, standing, duet.surroundings, me="you")
     assert done.model.documents[doc].live.state_of("a") == "SPAWNING"
-    assert [type(one.asked) for one in done.orders] == [live.Change, live.Describe]
+    assert [type(order.asked) for order in done.orders] == [live.Change, live.Describe]
 
 
-@pytest.mark.parametrize("asked", [act.Connect("c9"), act.Disconnect("c9")])
-def test_a_document_that_is_closed_is_not_connected(duet, asked):
-    assert str(duet.no(asked).reason) == "this configuration is no longer open"
+@pytest.mark.parametrize("wish", [act.Connect("c9"), act.Disconnect("c9")])
+def test_a_document_that_is_closed_is_not_connected(duet, wish):
+    assert str(duet.no(wish).reason) == "this configuration is no longer open"
 
 
 def test_a_runtime_elsewhere_that_was_lost_is_looked_for_where_it_was(duet):  # R-E10, R-C18
@@ -182,7 +182,7 @@ def test_a_runtime_elsewhere_that_was_lost_is_looked_for_where_it_was(duet):  # 
     duet.do(act.Connect(doc, url="ws://lab:7994", token="secret"))
     duet.environment.become(lambda model: lost(model, "the cable"))
     duet.do(act.Connect(doc))
-    assert [one.reach.url for one in duet.orders if one.reach] == ["ws://lab:7994", "ws://lab:7994"]
+    assert [order.reach.url for order in duet.orders if order.reach] == ["ws://lab:7994", "ws://lab:7994"]
     assert duet.environment.tree.runtime.address == "ws://lab:7994"
 
 

@@ -47,13 +47,13 @@ def icon(name, kind="Joint job"):
 
 
 def test_the_first_task_that_takes_a_target_gives_the_type_and_its_edges(site, base):  # R-C16, R-C29
-    found = draft(site, base, "pd", "jmove", "grip")
-    assert found.kind.type == "Joint job"
+    proposal = draft(site, base, "pd", "jmove", "grip")
+    assert proposal.kind.type == "Joint job"
     syntax = site.syntax()[0]
-    assert found.edges == (syntax.find("Joint job").left_edge, syntax.find("Joint job").right_edge)
-    (note,) = found.notes
+    assert proposal.edges == (syntax.find("Joint job").left_edge, syntax.find("Joint job").right_edge)
+    (note,) = proposal.notes
     assert "`grip` (Gripper job)" in str(note)
-    assert (found.warnings, found.former, found.path) == ((), None, base.onikon_file("move"))
+    assert (proposal.warnings, proposal.former, proposal.path) == ((), None, base.onikon_file("move"))
 
 
 def test_without_such_a_task_it_is_a_complete_job_and_hanging_inputs_are_noted(site, base):  # R-C16
@@ -69,10 +69,10 @@ def test_every_reason_why_there_is_no_job_is_given(site, base):  # R-C16
 
 
 def test_an_unknown_type_is_kept_and_told(site, base):  # R-D16
-    found = draft(site, base, "strange")
-    assert found.kind.type == "Welding job"
-    assert "does not define Welding job" in str(found.warnings[0])
-    assert found.edges == draft(site, base, "pd").edges
+    proposal = draft(site, base, "strange")
+    assert proposal.kind.type == "Welding job"
+    assert "does not define Welding job" in str(proposal.warnings[0])
+    assert proposal.edges == draft(site, base, "pd").edges
 
 
 def test_tasks_that_may_not_stand_together_are_told(site, base):  # R-C26
@@ -90,13 +90,13 @@ def test_the_icon_that_it_has_is_offered_again_and_an_old_type_told(site, base):
 
 def test_the_icon_of_something_else_is_not_lost_unseen(site, base):  # reading 34
     base.save_onikon(icon("move", "Complete application"))
-    found = draft(site, base, "pd")
-    assert found.former is None
-    assert "the icon of something else, a Complete application" in str(found.taken)
+    proposal = draft(site, base, "pd")
+    assert proposal.former is None
+    assert "the icon of something else, a Complete application" in str(proposal.taken)
     base.onikon_file("move").write_text("nonsense")
-    found = draft(site, base, "pd")
-    assert "cannot be read and would be lost" in str(found.taken)
-    assert found.taken in found.warnings
+    proposal = draft(site, base, "pd")
+    assert "cannot be read and would be lost" in str(proposal.taken)
+    assert proposal.taken in proposal.warnings
 
 
 def test_of_two_icons_of_one_name_the_first_on_the_search_path_counts(site, base, tmp_path):  # R-D15

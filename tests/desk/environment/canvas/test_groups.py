@@ -31,11 +31,11 @@ def duet(tmp_path):
 
 
 def groups(desk, doc="c1"):
-    return {name: one.tasks for name, one in desk.environment.tree.documents[doc].groups.items()}
+    return {name: group.tasks for name, group in desk.environment.tree.documents[doc].groups.items()}
 
 
 def spots(desk, doc="c1"):
-    return {name: (one.x, one.y) for name, one in desk.environment.tree.documents[doc].tasks.items()}
+    return {name: (task.x, task.y) for name, task in desk.environment.tree.documents[doc].tasks.items()}
 
 
 def remedies(no):
@@ -92,7 +92,7 @@ def test_a_part_of_another_supermodule_is_not_taken_without_a_word(sitting):  # 
 
 
 @pytest.mark.parametrize(
-    ("asked", "reason"),
+    ("wish", "reason"),
     [
         (act.Group("c1", "arm", ("pd",)), "arm is not made: there is a supermodule arm already"),
         (act.Group("c1", "../x", ("pd",)), "'../x' is no name for a supermodule"),
@@ -110,10 +110,10 @@ def test_a_part_of_another_supermodule_is_not_taken_without_a_word(sitting):  # 
         (act.TurnGroup("c9", "arm", True), "this configuration is no longer open"),
     ],
 )
-def test_what_cannot_be_done_with_a_supermodule_is_said(sitting, asked, reason):  # R-C17, R-X01
+def test_what_cannot_be_done_with_a_supermodule_is_said(sitting, wish, reason):  # R-C17, R-X01
     sitting.new("robot", "pd")
     sitting.do(act.Group("c1", "arm", ("robot",)))
-    assert str(sitting.no(asked).reason) == reason
+    assert str(sitting.no(wish).reason) == reason
 
 
 def test_a_task_that_goes_leaves_its_supermodule_and_the_last_one_takes_it_along(sitting):  # R-C17
@@ -139,7 +139,7 @@ def test_a_saved_supermodule_is_recalled_whole_with_its_places_and_its_order(sit
     path = sitting.do(act.SaveGroup(doc, "arm"))
     saved, faults = conf.read(sitting.base.configuration_file("arm").read_text(), "arm", path)
     assert faults == () and saved.groups == (Group("arm", ("pd", "robot")),)
-    assert {one.svar: one.conns for one in saved.loci} == {"KP": 2, "Q_MEZ": 2, "TAU": 2, "Q_REF": 1}
+    assert {locus.svar: locus.conns for locus in saved.loci} == {"KP": 2, "Q_MEZ": 2, "TAU": 2, "Q_REF": 1}
     other = sitting.new("grav")
     assert sitting.do(act.Insert(other, "arm", 1000, 500)) == ("robot", "pd")
     assert groups(sitting, other) == {"arm": ("pd", "robot")}
@@ -240,7 +240,7 @@ def test_an_inserted_supermodule_is_spawned_as_one_change_in_its_order(duet):  #
     count = len(duet.edits())
     duet.do(act.Insert(other, "arm", 0, 0))
     (change,) = duet.edits()[count:]
-    assert [one.name for one in change.spawn] == ["grav", "cubic", "robot"]
+    assert [task.name for task in change.spawn] == ["grav", "cubic", "robot"]
     duet.do(act.Undo(other))
     assert duet.edits()[-1].kill and duet.runtime.lives[duet.document(other).live.subsystem] == {}
 
@@ -249,10 +249,10 @@ def test_who_supplies_a_constant_is_spawned_first_whatever_the_supermodule_says(
     doc = duet.new("robot", "pd", "grav")
     duet.do(act.Group(doc, "arm", ("grav", "pd", "robot")))
     duet.do(act.Connect(doc))
-    asked = [one.name for one in duet.edits()[-1].spawn]
-    assert asked == ["grav", "pd", "robot"]
-    tasks = {one.name: one for one in TASKS}
-    carried_out = exchange([], (), [Standing(Ports.of(tasks[name]), name) for name in asked])
+    names = [task.name for task in duet.edits()[-1].spawn]
+    assert names == ["grav", "pd", "robot"]
+    tasks = {task.name: task for task in TASKS}
+    carried_out = exchange([], (), [Standing(Ports.of(tasks[name]), name) for name in names])
     assert carried_out.spawn == ("grav", "robot", "pd")  # as every runtime does
 
 

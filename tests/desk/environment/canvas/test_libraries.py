@@ -28,7 +28,10 @@ def test_a_base_directory_is_opened_behind_the_others_with_its_configurations(si
     (far.path / "conf" / "job.conf").write_text("VERSION 1.2\nRMODFILE far\nCOORDS 1 2\nEOF\n")
     assert sitting.do(act.OpenLibrary(str(far.path))) == str(far.path)
     tree = sitting.environment.tree
-    assert [(one.name, one.order, one.tasks) for one in tree.libraries.values()] == [("own", 0, 1), ("far", 1, 1)]
+    assert [(library.name, library.order, library.tasks) for library in tree.libraries.values()] == [
+        ("own", 0, 1),
+        ("far", 1, 1),
+    ]
     assert tree.tasks["far"].library == str(far.path)
     assert [file.name for file in tree.files.values()] == ["job"]
 
@@ -55,7 +58,7 @@ def test_a_task_at_fault_is_left_out_and_told(sitting, far):  # R-C01
     (far.path / "module" / "bad.rmod").write_text("MODULE\n")
     sitting.do(act.OpenLibrary(str(far.path)))
     assert list(sitting.environment.tree.tasks) == ["own", "far"]
-    assert any("bad.rmod" in str(said.text) for said in sitting.says)
+    assert any("bad.rmod" in str(say.text) for say in sitting.says)
     assert sitting.environment.tree.libraries[str(far.path)].faults != ()
 
 
@@ -89,7 +92,7 @@ def test_a_change_is_not_put_on_the_task_of_that_name_of_another_library(sitting
     sitting.do(act.CloseLibrary(str(sitting.base.path)))
     tree = sitting.environment.tree
     assert (tree.tasks["own"].library, tree.tasks["own"].is_changed) == (str(other.path), False)
-    assert any("as its file says again" in str(said.text) for said in sitting.says)
+    assert any("as its file says again" in str(say.text) for say in sitting.says)
 
 
 def test_a_library_read_again_is_the_same_library_where_nothing_is_new(sitting):  # R-C01

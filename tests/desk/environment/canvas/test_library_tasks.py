@@ -21,12 +21,12 @@ def sitting(tmp_path):
 
 
 def svars(sitting, doc):
-    return [one.svar for one in sitting.environment.model.documents[doc].content.configuration.loci]
+    return [locus.svar for locus in sitting.environment.model.documents[doc].content.configuration.loci]
 
 
 def spot(sitting, doc, svar):
     loci = sitting.environment.model.documents[doc].content.configuration.loci
-    return next((one.x, one.y) for one in loci if one.svar == svar)
+    return next((locus.x, locus.y) for locus in loci if locus.svar == svar)
 
 
 def task(sitting, name):
@@ -38,10 +38,10 @@ def file(sitting, name):
 
 
 def test_an_alias_reaches_every_open_configuration(sitting):  # R-C04, reading 9
-    one, two = sitting.new("writer", "reader"), sitting.new("writer")
-    sitting.do(act.Alias("writer", "Q", "GOAL", one))
+    first, two = sitting.new("writer", "reader"), sitting.new("writer")
+    sitting.do(act.Alias("writer", "Q", "GOAL", first))
     assert task(sitting, "writer").aliases == (("Q", "GOAL"),)
-    assert svars(sitting, one) == ["IN", "Q", "R", "GOAL"]
+    assert svars(sitting, first) == ["IN", "Q", "R", "GOAL"]
     assert svars(sitting, two) == ["IN", "GOAL", "R"]
     assert sitting.environment.tree.tasks["writer"].is_changed
 
@@ -54,24 +54,24 @@ def test_a_locus_that_only_this_pin_used_keeps_its_place_under_the_new_name(sitt
 
 
 def test_undo_takes_an_alias_back_everywhere_and_redo_brings_it_again(sitting):  # R-X10, R-C04
-    one, two = sitting.new("writer", "reader"), sitting.new("writer")
-    before = [sitting.environment.model.documents[doc].content for doc in (one, two)]
-    sitting.do(act.Alias("writer", "Q", "GOAL", one))
-    after = [sitting.environment.model.documents[doc].content for doc in (one, two)]
-    assert str(sitting.environment.tree.documents[one].undo) == "aliasing Q of writer to GOAL"
-    sitting.do(act.Undo(one))
-    assert [sitting.environment.model.documents[doc].content for doc in (one, two)] == before
+    first, two = sitting.new("writer", "reader"), sitting.new("writer")
+    before = [sitting.environment.model.documents[doc].content for doc in (first, two)]
+    sitting.do(act.Alias("writer", "Q", "GOAL", first))
+    after = [sitting.environment.model.documents[doc].content for doc in (first, two)]
+    assert str(sitting.environment.tree.documents[first].undo) == "aliasing Q of writer to GOAL"
+    sitting.do(act.Undo(first))
+    assert [sitting.environment.model.documents[doc].content for doc in (first, two)] == before
     assert task(sitting, "writer") == WRITER
-    sitting.do(act.Redo(one))
-    assert [sitting.environment.model.documents[doc].content for doc in (one, two)] == after
+    sitting.do(act.Redo(first))
+    assert [sitting.environment.model.documents[doc].content for doc in (first, two)] == after
 
 
 def test_what_was_done_before_an_alias_of_another_document_is_taken_back_with_its_variables(sitting):  # R-X10
-    one, two = sitting.new("writer"), sitting.new("writer")
-    sitting.do(act.Remove(one, ("writer",)))
+    first, two = sitting.new("writer"), sitting.new("writer")
+    sitting.do(act.Remove(first, ("writer",)))
     sitting.do(act.Alias("writer", "Q", "GOAL", two))
-    sitting.do(act.Undo(one))
-    assert sorted(svars(sitting, one)) == ["GOAL", "IN", "R"]
+    sitting.do(act.Undo(first))
+    assert sorted(svars(sitting, first)) == ["GOAL", "IN", "R"]
 
 
 def test_an_alias_that_would_clash_in_another_open_configuration_is_refused_with_its_ways_out(sitting):  # reading 9
@@ -83,7 +83,7 @@ def test_an_alias_that_would_clash_in_another_open_configuration_is_refused_with
         "svar": f"in {name}, writer writes P, which `other` already writes"
     }
     assert no.remedies[0].act == act.Remove(there, ("other",))
-    assert [one.show for one in no.remedies[1:]] == [ShowPin("other", "P"), ShowTask("other")]
+    assert [remedy.show for remedy in no.remedies[1:]] == [ShowPin("other", "P"), ShowTask("other")]
     sitting.do(no.remedies[0].act)
     sitting.do(act.Alias("writer", "Q", "P", here))
 
@@ -149,7 +149,7 @@ def test_a_rate_of_the_library_holds_for_later_placements_and_no_step_is_made(si
     sitting.do(act.LibraryRate("writer", 25.0))
     sitting.do(act.Place(doc, "writer", 0, 0))
     configuration = sitting.environment.model.documents[doc].content.configuration
-    assert [one.frequency for one in configuration.placed] == [0.0, 25.0]
+    assert [placed.frequency for placed in configuration.placed] == [0.0, 25.0]
     assert (sitting.environment.tree.tasks["writer"].hz, sitting.environment.tree.tasks["writer"].file_hz) == (
         25.0,
         10.0,

@@ -110,12 +110,12 @@ def test_their_lower_edges_are_aligned_whatever_their_heights(sitting):
     doc = sitting.new("cubic", "pd")
     sitting.do(act.Move(doc, {"cubic": (10, 20), "pd": (100, 300)}))
     sitting.do(act.Align(doc, ("cubic", "pd"), "bottom"))
-    tasks, known = document(sitting).tasks, sitting.environment.tree.tasks
-    assert len({tasks[name].y + known[name].height for name in tasks}) == 1
+    tasks, catalogue = document(sitting).tasks, sitting.environment.tree.tasks
+    assert len({tasks[name].y + catalogue[name].height for name in tasks}) == 1
 
 
 @pytest.mark.parametrize(
-    "asked",
+    "wish",
     [
         act.Place("c9", "pd", 0, 0),
         act.Place("c1", "nobody", 0, 0),
@@ -127,9 +127,9 @@ def test_their_lower_edges_are_aligned_whatever_their_heights(sitting):
         act.Align("c1", ("nobody",), "left"),
     ],
 )
-def test_what_is_not_there_is_refused_by_name(sitting, asked):
+def test_what_is_not_there_is_refused_by_name(sitting, wish):
     sitting.new("cubic")
-    reason = str(sitting.no(asked).reason)
+    reason = str(sitting.no(wish).reason)
     assert "nobody" in reason or "NOTHING" in reason or "no longer open" in reason
 
 

@@ -20,8 +20,8 @@ def sitting(tmp_path):
 
 
 def write(sitting, kind, text, **more):
-    found = sitting.do(act.ReadText("pd", kind))
-    return sitting.do(act.WriteText("pd", kind, text, found.stamp, **more))
+    source = sitting.do(act.ReadText("pd", kind))
+    return sitting.do(act.WriteText("pd", kind, text, source.stamp, **more))
 
 
 def file(sitting, name):
@@ -81,11 +81,11 @@ FAULTY = {
 @pytest.mark.parametrize("text", FAULTY, ids=range(len(FAULTY)))
 def test_faults_of_code_are_told_beside_their_lines_and_it_is_saved_all_the_same(sitting, text):  # R-C05
     line, words = FAULTY[text]
-    found = write(sitting, "code", text)
-    assert found.faults[0][0] in (line, 1)
-    assert words in str(found.faults[0][1])
+    written = write(sitting, "code", text)
+    assert written.faults[0][0] in (line, 1)
+    assert words in str(written.faults[0][1])
     assert file(sitting, "pd.py").read_text() == text
-    assert found.stamp == whole.stamp(text) == sitting.do(act.ReadText("pd", "code")).stamp
+    assert written.stamp == whole.stamp(text) == sitting.do(act.ReadText("pd", "code")).stamp
 
 
 def test_code_is_compiled_and_never_run(sitting, tmp_path):  # R-C05
@@ -104,14 +104,14 @@ def test_a_changed_task_counts_at_once(sitting):  # R-C05, R-C01
 def test_a_task_saved_half_done_is_left_out_until_it_is_mended(sitting):  # R-C01, R-C05
     doc = sitting.new("pd")
     good = file(sitting, "pd.rmod").read_text()
-    found = write(sitting, "rmod", good.replace("TASKTYPE", "TASKTIPE"))
-    assert found.faults[0][0] > 0
-    assert "TASKT" in str(found.faults[0][1])
+    written = write(sitting, "rmod", good.replace("TASKTYPE", "TASKTIPE"))
+    assert written.faults[0][0] > 0
+    assert "TASKT" in str(written.faults[0][1])
     assert "pd" not in sitting.environment.tree.tasks
     assert sitting.environment.tree.documents[doc].tasks["pd"].is_missing
     assert "left out until it is mended" in str(sitting.says[-1].text)
     again = sitting.do(act.ReadText("pd", "rmod"))
-    assert again.faults == found.faults
+    assert again.faults == written.faults
     assert write(sitting, "rmod", good).faults == ()
     assert not sitting.environment.tree.documents[doc].tasks["pd"].is_missing
 
@@ -130,25 +130,25 @@ def test_what_was_changed_here_stays_when_the_file_is_edited(sitting):  # R-C04
 @pytest.mark.parametrize("kind", ["rmod", "code"])
 def test_a_file_that_has_changed_is_refused_with_both_texts_to_choose_from(sitting, kind):  # R-C05, R-B07
     path = file(sitting, "pd.rmod" if kind == "rmod" else "pd.py")
-    found = sitting.do(act.ReadText("pd", kind))
-    path.write_text(found.text + "# theirs\n")
-    no = sitting.no(act.WriteText("pd", kind, found.text + "# mine\n", found.stamp))
+    source = sitting.do(act.ReadText("pd", kind))
+    path.write_text(source.text + "# theirs\n")
+    no = sitting.no(act.WriteText("pd", kind, source.text + "# mine\n", source.stamp))
     assert "has changed since it was read" in str(no.reason)
-    assert no.fields == {"theirs": found.text + "# theirs\n", "stamp": whole.stamp(found.text + "# theirs\n")}
-    assert path.read_text() == found.text + "# theirs\n"
+    assert no.fields == {"theirs": source.text + "# theirs\n", "stamp": whole.stamp(source.text + "# theirs\n")}
+    assert path.read_text() == source.text + "# theirs\n"
     (overwrite,) = no.remedies
     sitting.do(overwrite.act)
-    assert path.read_text() == found.text + "# mine\n"
+    assert path.read_text() == source.text + "# mine\n"
 
 
 def test_a_file_that_was_removed_is_written_only_when_meant(sitting):  # R-B07
-    found = sitting.do(act.ReadText("pd", "rmod"))
+    source = sitting.do(act.ReadText("pd", "rmod"))
     file(sitting, "pd.rmod").unlink()
-    no = sitting.no(act.WriteText("pd", "rmod", found.text, found.stamp))
+    no = sitting.no(act.WriteText("pd", "rmod", source.text, source.stamp))
     assert "was removed since it was read" in str(no.reason)
     assert not file(sitting, "pd.rmod").exists()
     sitting.do(no.remedies[0].act)
-    assert file(sitting, "pd.rmod").read_text() == str(found.text)
+    assert file(sitting, "pd.rmod").read_text() == str(source.text)
 
 
 @pytest.mark.parametrize("stamp", ["", "*", "0", "z" * 64])

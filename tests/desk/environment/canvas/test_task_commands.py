@@ -38,7 +38,7 @@ def test_a_task_is_toggled_on_and_off(duet):  # R-C11
 def test_several_are_turned_at_one_instant(duet):  # R-X10
     doc = duet.connected("a", "b")
     duet.do(act.Turn(doc, ("a", "b"), is_on=True))
-    assert {one.task for one in duet.edits()[-1].on} == {"a", "b"}
+    assert {task.task for task in duet.edits()[-1].on} == {"a", "b"}
     duet.do(act.Turn(doc, ("a", "b"), is_on=False))
     assert duet.edits()[-1].off == ("a", "b")
 
@@ -95,10 +95,10 @@ def test_clearing_alone_leaves_it_off(duet):  # R-C11
 class Broken(LiveRuntime):
     """Nobody comes out of an error here."""
 
-    def ask(self, asked):
-        if not isinstance(asked, live.Clear):
-            return super().ask(asked)
-        self.tell(event.Edited(asked.subsystem, 99, "a: clear: the panic button is pressed", 1.0))
+    def ask(self, wish):
+        if not isinstance(wish, live.Clear):
+            return super().ask(wish)
+        self.tell(event.Edited(wish.subsystem, 99, "a: clear: the panic button is pressed", 1.0))
         return live.Accepted(99)
 
 
@@ -157,28 +157,28 @@ def test_who_is_about_to_be_born_comes_on_as_soon_as_it_lives(duet):  # R-C11
     duet.is_held_back = False
     duet.pump()
     assert duet.state(doc, "a") == "ON"
-    assert [one.no for one in given] == [None]
+    assert [answer.no for answer in given] == [None]
 
 
 @pytest.mark.parametrize(
-    "asked", [act.Toggle("c1", "a"), act.Turn("c1", ("a",), True), act.Clear("c1", "a"), act.Reinit("c1", "a"),
+    "wish", [act.Toggle("c1", "a"), act.Turn("c1", ("a",), True), act.Clear("c1", "a"), act.Reinit("c1", "a"),
               act.Answer("c1", "a", "1")]
 )  # fmt: skip
-def test_what_does_not_live_is_not_operated(duet, asked):  # R-C25
+def test_what_does_not_live_is_not_operated(duet, wish):  # R-C25
     doc = duet.new("a")
-    refused = duet.no(asked)
+    refused = duet.no(wish)
     assert "is not connected" in str(refused.reason) and refused.remedies[0].act == act.Connect(doc)
     duet.do(act.Connect(doc))
     duet.tell(event.Held("Untitled-1", "anna#2"))
-    assert "held by anna#2" in str(duet.no(asked).reason)
+    assert "held by anna#2" in str(duet.no(wish).reason)
     duet.do(act.Close(doc, discards=True))
-    assert str(duet.no(asked).reason) == "this configuration is no longer open"
+    assert str(duet.no(wish).reason) == "this configuration is no longer open"
 
 
-@pytest.mark.parametrize("asked", [act.Clear("c1", "b"), act.Reinit("c1", "b"), act.Answer("c1", "b", "1")])
-def test_a_task_that_is_not_there_is_not_operated(duet, asked):
+@pytest.mark.parametrize("wish", [act.Clear("c1", "b"), act.Reinit("c1", "b"), act.Answer("c1", "b", "1")])
+def test_a_task_that_is_not_there_is_not_operated(duet, wish):
     duet.connected("a")
-    assert str(duet.no(asked).reason) == "b does not live"
+    assert str(duet.no(wish).reason) == "b does not live"
 
 
 def test_a_task_that_no_library_knows_cannot_be_turned_on(duet, tmp_path):  # reading 11
@@ -201,7 +201,7 @@ def test_a_living_task_goes_on_with_the_code_that_its_file_has_now(duet):  # R-C
     path = duet.base.code_file("a")
     path.write_text(path.read_text() + "\n# another\n")
     duet.do(act.Renew(doc, "a"))
-    (swap,) = [one for one in duet.carried_out if isinstance(one, live.Swap)]
+    (swap,) = [message for message in duet.carried_out if isinstance(message, live.Swap)]
     assert (swap.task, swap.code.source) == ("a", path.read_text())
     assert duet.state(doc, "a") == "ON"
 

@@ -95,5 +95,5 @@ def test_who_only_wants_to_watch_releases_first(duet):  # R-X12
 
 
 def test_of_a_document_that_is_closed_nothing_is_handed_over(duet):
-    for asked in (act.Hand("c9", "anna#2"), act.Decline("c9")):
-        assert str(duet.no(asked).reason) == "this configuration is no longer open"
+    for wish in (act.Hand("c9", "anna#2"), act.Decline("c9")):
+        assert str(duet.no(wish).reason) == "this configuration is no longer open"

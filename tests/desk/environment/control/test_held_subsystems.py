@@ -36,19 +36,19 @@ def test_what_runs_and_where_is_asked_anew(duet):  # R-X12
 
 def test_a_run_that_is_nobodys_is_taken_only_when_that_is_meant(duet):  # R-X12
     told(duet)
-    asked = duet.no(act.Take(subsystem="flow0"))
-    assert "anna#2 began it and is gone" in str(asked.reason) and "starts nothing" in str(asked.reason)
-    assert asked.remedies[0].act == act.Take(subsystem="flow0", confirmed=True)
+    refusal = duet.no(act.Take(subsystem="flow0"))
+    assert "anna#2 began it and is gone" in str(refusal.reason) and "starts nothing" in str(refusal.reason)
+    assert refusal.remedies[0].act == act.Take(subsystem="flow0", confirmed=True)
     assert live.Take("flow0") not in duet.carried_out
     duet.do(act.Take(subsystem="flow0", confirmed=True))
     assert duet.carried_out.count(live.Take("flow0")) == 1
     moving = (steer.Resume, steer.Recover, request.Begin, live.Change)
-    assert not [one for one in duet.carried_out[-4:] if isinstance(one, moving)]
+    assert not [message for message in duet.carried_out[-4:] if isinstance(message, moving)]
 
 
 def test_what_is_lost_is_said_whoever_held_it(duet):  # R-X12
     told(duet)
-    assert "flow0: its holder anna#2 has been silent for 1.0 s" in [str(one.text) for one in duet.says]
+    assert "flow0: its holder anna#2 has been silent for 1.0 s" in [str(say.text) for say in duet.says]
     assert holds(duet)["flow0"].former == "anna#2" and not holds(duet)["flow0"].was_here
 
 
@@ -63,19 +63,19 @@ def test_a_run_is_steered_only_by_who_has_taken_it(duet):  # R-X12
 
 
 @pytest.mark.parametrize(
-    ("wish", "asked"),
+    ("wish", "action"),
     [
         ("resume", steer.Resume()),
         ("clear", steer.Recover()),
         ("abort", request.Abort(Reason.of("run.ended_by_taker"), "flow0")),
     ],
 )
-def test_what_moves_or_ends_a_run_that_was_taken_is_asked_back_first(duet, wish, asked):  # R-X12
+def test_what_moves_or_ends_a_run_that_was_taken_is_asked_back_first(duet, wish, action):  # R-X12
     told(duet, "you")
     no = duet.no(act.SteerTaken("flow0", wish))
-    assert no.remedies[0].act == act.SteerTaken("flow0", wish, confirmed=True) and asked not in duet.carried_out
+    assert no.remedies[0].act == act.SteerTaken("flow0", wish, confirmed=True) and action not in duet.carried_out
     duet.do(act.SteerTaken("flow0", wish, confirmed=True))
-    assert asked in duet.carried_out
+    assert action in duet.carried_out
 
 
 def test_a_pause_needs_no_word_and_a_refusal_is_shown(duet):  # R-X12

@@ -46,8 +46,8 @@ def test_the_promise_ends_by_coming_anew_and_nothing_is_held_then(duet):  # R-X1
     assert duet.environment.tree.runtime.sessions["you"].only_watches
     duet.runtime.sessions = (holding.SessionStanding("you", "owner"),)
     assert str(duet.do(act.WatchNoMore())) == "this environment may change something again"
-    anew = [one for one in duet.orders if one.reach is not None and one.reach.is_anew]
-    assert [(one.asked, one.reach.url) for one in anew] == [(live.Survey(), "ws://far:1")]
+    anew = [order for order in duet.orders if order.reach is not None and order.reach.is_anew]
+    assert [(order.asked, order.reach.url) for order in anew] == [(live.Survey(), "ws://far:1")]
     assert not duet.environment.tree.runtime.sessions["you"].only_watches
     assert duet.document(doc).live.me == ""
 

@@ -94,7 +94,7 @@ def test_what_comes_with_onika_is_saved_as_a_copy(tmp_path):
 def test_one_that_is_not_saved_is_not_closed_by_the_way(gallery):  # R-X01
     doc = gallery.begun("grip")
     no = gallery.no(act.Close(doc))
-    assert [str(one.label) for one in no.remedies] == ["Save it first", "Discard it"]
+    assert [str(remedy.label) for remedy in no.remedies] == ["Save it first", "Discard it"]
     gallery.do(no.remedies[1].act)
     assert gallery.environment.tree.applications == {}
     assert str(gallery.no(act.Save(doc)).reason) == "this application is no longer open"
@@ -166,7 +166,7 @@ def test_a_broken_file_opens_as_far_as_it_can_be_read_with_its_faults(gallery): 
     doc = gallery.do(act.Open(str(path)))
     assert gallery.flow(doc) == "move there grip"
     faults = list(gallery.view(doc).faults.values())
-    assert [one.level for one in faults] == ["fault", "fault"]
+    assert [fault.level for fault in faults] == ["fault", "fault"]
     assert "expected yes or no after MARKER" in str(faults[0].text)
     assert faults[0].step == gallery.number(doc, "move")
     assert gallery.environment.model.applications[doc].is_partial

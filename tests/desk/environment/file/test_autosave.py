@@ -21,7 +21,7 @@ def document(x, doc="c1"):
 
 
 def model(*documents):
-    return Model(documents={one.id: one for one in documents})
+    return Model(documents={document.id: document for document in documents})
 
 
 def test_it_is_written_when_the_user_rests():
@@ -67,8 +67,8 @@ def test_what_is_saved_or_closed_is_kept_no_longer():
     autosave = Autosave()
     autosave.look(model(document(1), document(2, "c2")), 0.0)
     assert len(autosave.take(1.0)) == 2
-    one = replace(document(1), opened=OpenedText(document(1).content.configuration, "a.conf", ""))
-    autosave.look(model(one), 3.0)
+    opened = replace(document(1), opened=OpenedText(document(1).content.configuration, "a.conf", ""))
+    autosave.look(model(opened), 3.0)
     assert autosave.take(9.0) == (UnsavedChange("c1", None), UnsavedChange("c2", None))
     assert autosave.take_all(9.0) == ()
 
@@ -92,8 +92,8 @@ def test_after_every_writing_the_disk_holds_what_is_not_saved(acts):
         if changes:
             assert last_s is None or now_s >= last_s + APART_S
             last_s = now_s
-        disk |= {one.doc: one.document for one in changes}
-        disk = {doc: one for doc, one in disk.items() if one is not None}
+        disk |= {change.doc: change.document for change in changes}
+        disk = {doc: document for doc, document in disk.items() if document is not None}
         if autosave.due_s is None:
             assert disk == unsaved
         else:

@@ -30,7 +30,7 @@ def saved(sitting, name="mine"):
 def test_new_configurations_have_names_of_their_own(sitting):  # R-C21
     sitting.new()
     sitting.new()
-    assert [one.name for one in documents(sitting).values()] == ["Untitled-1", "Untitled-2"]
+    assert [document.name for document in documents(sitting).values()] == ["Untitled-1", "Untitled-2"]
 
 
 def test_a_configuration_is_saved_and_opened_again(sitting):  # R-C06
@@ -57,15 +57,15 @@ def test_what_is_open_already_is_shown_and_not_opened_twice(sitting):
 def test_an_untouched_blank_makes_room_for_what_is_opened(sitting):  # R-C21
     doc, path = saved(sitting)
     sitting.do(act.Close(doc))
-    assert [one.name for one in documents(sitting).values()] == ["Untitled-1"]
+    assert [document.name for document in documents(sitting).values()] == ["Untitled-1"]
     sitting.do(act.Open(path))
-    assert [one.name for one in documents(sitting).values()] == ["mine"]
+    assert [document.name for document in documents(sitting).values()] == ["mine"]
 
 
 def test_what_is_not_saved_is_not_closed_without_a_word(sitting):
     doc = sitting.new("cubic")
     refused = sitting.no(act.Close(doc))
-    assert [one.act for one in refused.remedies] == [act.Save(doc), act.Close(doc, True)]
+    assert [remedy.act for remedy in refused.remedies] == [act.Save(doc), act.Close(doc, True)]
     sitting.do(refused.remedies[1].act)
     assert doc not in documents(sitting)
 
@@ -145,7 +145,7 @@ def test_tasks_that_are_off_end_with_their_configuration(duet):  # R-C11
     doc = duet.connected("cubic")
     duet.do(act.Close(doc, discards=True))
     assert duet.runtime.lives.get("Untitled-1", {}) == {}
-    assert not any(isinstance(one, live.Release) for one in duet.carried_out)
+    assert not any(isinstance(message, live.Release) for message in duet.carried_out)
 
 
 def test_tasks_that_are_on_are_asked_about_before_their_tab_closes(duet):  # R-C11
@@ -153,7 +153,7 @@ def test_tasks_that_are_on_are_asked_about_before_their_tab_closes(duet):  # R-C
     duet.do(act.Toggle(doc, "cubic"))
     refused = duet.no(act.Close(doc, discards=True))
     assert "cubic of Untitled-1 is ON" in str(refused.reason)
-    end, leave = [one.act for one in refused.remedies]
+    end, leave = [remedy.act for remedy in refused.remedies]
     assert (end.alive, leave.alive) == ("end", "leave")
     duet.do(leave)
     assert set(duet.runtime.lives["Untitled-1"]) == {"cubic", "pd"}

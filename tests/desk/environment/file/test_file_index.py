@@ -24,10 +24,10 @@ def test_every_configuration_is_listed_with_its_number_of_tasks_and_the_faults_a
     (tmp_path / "conf" / "two.conf").write_text("VERSION 1.2\nRMODFILE a\nCOORDS 1 2\nRMODFILE b\nCOORDS 1 2\nEOF\n")
     (tmp_path / "conf" / "bad.conf").write_text("VERSION 1.2\nRMODFILE a\nEOF\n")
     (tmp_path / "conf" / "notes.txt").write_text("")
-    found = listed([BaseDirectory(tmp_path), BaseDirectory(tmp_path / "nowhere")], SYNTAX)
-    assert {Path(path).name: file.tasks for path, file in found.files.items()} == {"two.conf": 2, "bad.conf": 0}
-    assert {Path(one.place.file).name for one in found.faults} == {"bad.conf"}
-    sources = {Path(path).name: source for path, source in found.sources.items()}
+    listing = listed([BaseDirectory(tmp_path), BaseDirectory(tmp_path / "nowhere")], SYNTAX)
+    assert {Path(path).name: file.tasks for path, file in listing.files.items()} == {"two.conf": 2, "bad.conf": 0}
+    assert {Path(fault.place.file).name for fault in listing.faults} == {"bad.conf"}
+    sources = {Path(path).name: source for path, source in listing.sources.items()}
     assert isinstance(sources["two.conf"], Configuration) and sources["bad.conf"] is None
 
 
@@ -37,13 +37,16 @@ def test_every_application_is_listed_with_its_flows_and_icons_and_the_type_it_ha
     lab.application("open", [job("jmoveC", "Joint job"), HOLE])
     lab.application("odd", [HOLE])
     (tmp_path / "appl" / "bad.appl").write_text("VERSION 1.3\nNONSENSE\nEOF\n")
-    found = listed([BaseDirectory(tmp_path)], SYNTAX)
-    sizes = {one.name: (one.flows, one.icons) for one in found.applications.values()}
+    listing = listed([BaseDirectory(tmp_path)], SYNTAX)
+    sizes = {
+        application_entry.name: (application_entry.flows, application_entry.icons)
+        for application_entry in listing.applications.values()
+    }
     assert sizes == {"two": (2, 3), "open": (1, 1), "odd": (1, 0), "bad": (0, 0)}
-    kinds = {Path(path).stem: source for path, source in found.sources.items()}
+    kinds = {Path(path).stem: source for path, source in listing.sources.items()}
     assert (kinds["two"], kinds["open"]) == (ActionType("Complete application"), ActionType("Joint application"))
     assert kinds["bad"] is None and kinds["odd"][0].reason
-    assert {Path(one.place.file).name for one in found.faults} == {"bad.appl"}
+    assert {Path(fault.place.file).name for fault in listing.faults} == {"bad.appl"}
     assert application(BaseDirectory(tmp_path), "two", None).sources == {str(tmp_path / "appl" / "two.appl"): None}
 
 
@@ -64,7 +67,7 @@ def test_what_is_listed_of_a_base_directory_goes_with_it(tmp_path):  # R-C01
     lab.configuration("c", "a 100")
     model = listed([BaseDirectory(tmp_path)], SYNTAX).beside(Model())
     paths = of_base(model, str(tmp_path))
-    assert [Path(one).name for one in paths] == ["c.conf", "one.appl"]
+    assert [Path(path).name for path in paths] == ["c.conf", "one.appl"]
     left = without(model, paths)
     assert (left.files, left.application_files, left.sources) == ({}, {}, {})
     assert without(left, paths) is left

@@ -22,9 +22,9 @@ def look(gallery, path):
 
 def swapped(path):
     """The same icons the other way round."""
-    head, one, two = path.read_text().split("ROUTINE")
+    head, first, two = path.read_text().split("ROUTINE")
     two, end = two.split("ENDFLOW")
-    path.write_text(f"{head}ROUTINE{two}ROUTINE{one}ENDFLOW{end}")
+    path.write_text(f"{head}ROUTINE{two}ROUTINE{first}ENDFLOW{end}")
 
 
 def test_a_file_that_others_changed_is_read_again_where_nothing_is_lost(gallery):  # R-X10
@@ -77,4 +77,4 @@ def test_a_file_broken_in_part_is_shown_as_far_as_it_goes(gallery):
     path.write_text(path.read_text().replace("EOF", ""))
     look(gallery, path)
     assert gallery.flow(doc) == "grip open"
-    assert [one.level for one in gallery.view(doc).faults.values()] == ["fault"]
+    assert [fault.level for fault in gallery.view(doc).faults.values()] == ["fault"]

@@ -24,7 +24,7 @@ def document(doc="c1", name="move"):
 
 
 def kept(recovery, *documents):
-    assert recovery.carry_out([UnsavedChange(one.id, one) for one in documents]) == NOTHING
+    assert recovery.carry_out([UnsavedChange(document.id, document) for document in documents]) == NOTHING
 
 
 @pytest.fixture
@@ -55,12 +55,12 @@ def test_what_a_killed_process_left_is_had_back(dead):
 
 def test_it_stays_on_the_disk_until_it_is_kept_again(dead):
     first = Recovery(dead)
-    (found,) = first.recovered()
+    (rescued,) = first.recovered()
     os.close(first._lock)  # as if it were killed at this moment
     for lock in first._taken.values():
         os.close(lock)
     second = Recovery(dead)
-    assert second.recovered() == (found,)
+    assert second.recovered() == (rescued,)
     kept(second, document("c5"))
     third = Recovery(dead)
     assert third.recovered() == ()
@@ -71,19 +71,19 @@ def test_it_stays_on_the_disk_until_it_is_kept_again(dead):
 
 
 def test_two_environments_of_one_user_leave_each_other_alone(tmp_path):
-    one, other = Recovery(tmp_path), Recovery(tmp_path)
-    kept(one, document())
+    first, other = Recovery(tmp_path), Recovery(tmp_path)
+    kept(first, document())
     assert other.recovered() == ()
     other.leave()
-    assert len(list(one.folder.glob("*.json"))) == 1
-    one.leave()
+    assert len(list(first.folder.glob("*.json"))) == 1
+    first.leave()
 
 
 def test_of_two_that_come_one_takes_over(dead):
-    one, other = Recovery(dead), Recovery(dead)
-    assert len(one.recovered()) == 1
+    first, other = Recovery(dead), Recovery(dead)
+    assert len(first.recovered()) == 1
     assert other.recovered() == ()
-    one.leave()
+    first.leave()
     other.leave()
     assert list((dead / "recovery").iterdir()) == []
 
@@ -116,7 +116,7 @@ def test_what_cannot_be_read_is_put_aside(dead):
     path.write_text("{")
     recovery = Recovery(dead)
     assert recovery.recovered() == ()
-    assert [one.read_text() for one in (dead / "recovery").glob("*.broken")] == ["{"]
+    assert [path.read_text() for path in (dead / "recovery").glob("*.broken")] == ["{"]
     recovery.leave()
     again = Recovery(dead)
     assert again.recovered() == ()
@@ -140,22 +140,22 @@ def test_documents_are_reopened_unsaved_and_each_is_told(tmp_path):  # R-X10
     blank = sitting.new("pd")
     autosave = Autosave()
     autosave.look(sitting.environment.model, 0.0)
-    found = [rescue_of(one.document) for one in autosave.take_all(0.0)]
-    assert [one.name for one in found] == ["move", sitting.environment.model.documents[blank].name]
+    rescues = [rescue_of(change.document) for change in autosave.take_all(0.0)]
+    assert [rescue.name for rescue in rescues] == ["move", sitting.environment.model.documents[blank].name]
 
-    done = reopened(Model(sitting.environment.model.libraries), (*found, RecoveryRecord("broken", "nonsense")))
-    one, other = done.model.documents.values()
-    assert (one.id, one.name, one.is_dirty, one.base) == ("c1", "move", True, tmp_path)
-    assert one.content.placed("pd").frequency == 2.0
+    done = reopened(Model(sitting.environment.model.libraries), (*rescues, RecoveryRecord("broken", "nonsense")))
+    first, other = done.model.documents.values()
+    assert (first.id, first.name, first.is_dirty, first.base) == ("c1", "move", True, tmp_path)
+    assert first.content.placed("pd").frequency == 2.0
     assert (other.id, other.is_dirty) == ("c2", True)
-    assert [said.level for said in done.says] == ["info", "info", "warning"]
+    assert [say.level for say in done.says] == ["info", "info", "warning"]
     assert done.model.opened == 2
 
 
 def test_names_of_documents_without_a_file_stay_apart(tmp_path):  # R-C21
     untitled = rescue_of(document(name="Untitled-1"))
     done = reopened(Model(), (untitled, untitled))
-    assert [one.name for one in done.model.documents.values()] == ["Untitled-1", "Untitled-2"]
+    assert [document.name for document in done.model.documents.values()] == ["Untitled-1", "Untitled-2"]
 
 
 def test_a_file_of_a_rescue_is_plain_text(tmp_path):

@@ -40,11 +40,11 @@ def test_what_is_done_after_undo_leaves_nothing_to_redo(gallery):  # R-X10
     assert gallery.view(doc).redo == ""
 
 
-def asked(gallery, doc, kind, one, other, name):
+def asked(gallery, doc, kind, first, other, name):
     """An act on what is there now; any of them may be refused."""
     every = spots(gallery.application(doc))
     numbers = [0, *every]
-    first, last = numbers[one % len(numbers)], numbers[other % len(numbers)]
+    first, last = numbers[first % len(numbers)], numbers[other % len(numbers)]
     path = every[last].path if last else "01"[other % 2]
     match kind:
         case "insert":
@@ -72,7 +72,7 @@ def asked(gallery, doc, kind, one, other, name):
 
 EDITS = ["insert", "insert", "insert", "branch", "remove", "move", "exchange", "cut", "paste", "flow"]
 KINDS = [*EDITS, "mark", "loop", "undo"]
-places, names = st.integers(0, 40), st.sampled_from([one.name for one in ONIKONS])
+places, names = st.integers(0, 40), st.sampled_from([onikon.name for onikon in ONIKONS])
 deeds = st.lists(st.tuples(st.sampled_from(KINDS), places, places, names), max_size=25)
 
 

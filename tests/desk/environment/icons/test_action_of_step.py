@@ -20,7 +20,7 @@ def test_every_part_of_an_action_leads_to_it(gallery, name):  # R-D06, R-D13
 
 
 def test_other_icons_take_their_places():
-    one, other = Icon(ONIKONS[0]), Icon(ONIKONS[1])
-    assert exchanged(AppFlow((one, one)), {1: other}).steps == (one, other)
+    first, other = Icon(ONIKONS[0]), Icon(ONIKONS[1])
+    assert exchanged(AppFlow((first, first)), {1: other}).steps == (first, other)
     looped = Icon(ONIKONS[0], while_tag="A", while_test=True, while_if="A == 1", marker=True)
     assert unmarked([(3, looped)]) == {3: Icon(ONIKONS[0], marker=True)}

@@ -19,7 +19,7 @@ def test_a_change_is_a_step_with_its_label_and_new_steps_get_numbers(gallery):  
     done = reflowed(gallery.environment.model, opened, {"0": bare}, "doing", "value")
     assert (str(done.label), done.doc, done.value) == ("doing", doc, "value")
     after = done.model.applications[doc]
-    assert [one.number for one in after.application.flows[0].steps] == [1, 2]
+    assert [step.number for step in after.application.flows[0].steps] == [1, 2]
     assert after.last_number == 2
     same = altered(gallery.environment.model, opened, opened.application, "nothing")
     assert same.model.applications[doc].application is opened.application
@@ -37,6 +37,6 @@ def test_a_place_is_found_behind_a_step_or_at_the_beginning(gallery):  # R-D05
 
 def test_steps_are_found_in_their_order_and_those_that_are_gone_passed_over(gallery):
     doc = gallery.begun("grip", "open")
-    one, other = gallery.number(doc, "grip"), gallery.number(doc, "open")
-    assert [spot.step.number for spot in spots_of(gallery.application(doc), (other, 99, one))] == [one, other]
+    first, other = gallery.number(doc, "grip"), gallery.number(doc, "open")
+    assert [spot.step.number for spot in spots_of(gallery.application(doc), (other, 99, first))] == [first, other]
     assert str(spots_of(gallery.application(doc), (99,)).reason) == "what was selected is no longer there"

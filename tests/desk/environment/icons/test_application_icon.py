@@ -24,9 +24,14 @@ def opened(tmp_path, lab, *flows, parallel=False, icons=()):
 
 def test_an_application_without_holes_becomes_a_complete_application_at_once(tmp_path, lab):  # R-D09
     cabinet, doc = opened(tmp_path, lab, [job("opengripC")])
-    found = cabinet.do(act.Draft(doc))
-    assert (found.name, found.type, found.left_edge, found.right_edge) == ("tour", "Complete application", "1", "1")
-    assert (found.warnings, found.picture) == ((), "")
+    drafted = cabinet.do(act.Draft(doc))
+    assert (drafted.name, drafted.type, drafted.left_edge, drafted.right_edge) == (
+        "tour",
+        "Complete application",
+        "1",
+        "1",
+    )
+    assert (drafted.warnings, drafted.picture) == ((), "")
     path = cabinet.do(act.MakeJob(doc, WHITE, "look  around"))
     assert "an icon for other applications" in str(cabinet.says[-1].text)
     assert path == str(cabinet.base.onikon_file("tour"))
@@ -38,9 +43,9 @@ def test_an_application_without_holes_becomes_a_complete_application_at_once(tmp
 
 def test_holes_of_one_type_of_target_make_a_type_that_takes_it(tmp_path, lab):  # R-D09, reading 31
     cabinet, doc = opened(tmp_path, lab, [MOVE, HOLE, MOVE, HOLE])
-    found = cabinet.do(act.Draft(doc))
-    assert (found.type, found.right_edge) == ("Joint application", "2")
-    assert tuple(map(str, found.warnings)) == ("the Joint target behind it fills 2 holes",)
+    drafted = cabinet.do(act.Draft(doc))
+    assert (drafted.type, drafted.right_edge) == ("Joint application", "2")
+    assert tuple(map(str, drafted.warnings)) == ("the Joint target behind it fills 2 holes",)
     cabinet.do(act.MakeJob(doc, WHITE))
     assert cabinet.icon("tour").takes == ("Joint object",)
 
@@ -57,7 +62,7 @@ def test_a_hole_for_an_action_is_refused_with_the_way_to_it(tmp_path, lab):  # R
     assert "no place for a target" in str(no.reason)
     application = cabinet.environment.model.applications[doc].application
     numbers = [step.number for step in application.flows[0].steps]
-    shows = [one.show for one in no.remedies]
+    shows = [remedy.show for remedy in no.remedies]
     assert shows == [ShowStep(numbers[1]), ShowStep(numbers[3])]
     assert str(cabinet.no(act.MakeJob(doc, WHITE)).reason) == str(no.reason)
 
@@ -91,12 +96,12 @@ def test_the_former_picture_and_what_it_says_are_offered_again(tmp_path, lab):  
     icon = Onikon("tour", "Joint application", "go", (), drawn("V"), (), words)
     cabinet, doc = opened(tmp_path, lab, [job("opengripC")], icons=(icon,))
     assert "makes a Complete application now" in str(cabinet.icon("tour").trouble)
-    found = cabinet.do(act.Draft(doc))
-    assert (found.picture, found.description) == ("".join(drawn("V").rows), "go")
-    assert tuple(map(str, found.warnings)) == ("its icon says Joint application, as it was before",)
-    cabinet.do(act.MakeJob(doc, found.picture, "go", overwrites=True))
+    drafted = cabinet.do(act.Draft(doc))
+    assert (drafted.picture, drafted.description) == ("".join(drawn("V").rows), "go")
+    assert tuple(map(str, drafted.warnings)) == ("its icon says Joint application, as it was before",)
+    cabinet.do(act.MakeJob(doc, drafted.picture, "go", overwrites=True))
     assert (str(cabinet.icon("tour").trouble), cabinet.icon("tour").words) == ("", {"es": "visita"})
-    cabinet.do(act.MakeJob(doc, found.picture, "stay", overwrites=True))
+    cabinet.do(act.MakeJob(doc, drafted.picture, "stay", overwrites=True))
     assert cabinet.icon("tour").words == {}
 
 

@@ -14,25 +14,25 @@ def numbers(gallery, doc, *names):
 
 
 def test_icons_are_copied_within_and_between_applications(gallery):  # R-D05
-    one, other = gallery.begun("move", "there", "grip"), gallery.begun("wait")
-    gallery.do(act.CopyIcons(one, numbers(gallery, one, "move", "there")))
+    first, other = gallery.begun("move", "there", "grip"), gallery.begun("wait")
+    gallery.do(act.CopyIcons(first, numbers(gallery, first, "move", "there")))
     assert str(gallery.environment.tree.icon_clipboard) == "2 icons"
     pasted = gallery.do(act.PasteIcons(other, "0", gallery.number(other, "wait")))
     assert gallery.flow(other) == "wait move there"
-    assert [gallery.view(other).steps[str(one)].name for one in pasted] == ["move", "there"]
-    gallery.do(act.PasteIcons(one))
-    assert gallery.flow(one) == "move there move there grip"
-    assert str(gallery.view(one).undo) == "pasting 2 icons"
+    assert [gallery.view(other).steps[str(number)].name for number in pasted] == ["move", "there"]
+    gallery.do(act.PasteIcons(first))
+    assert gallery.flow(first) == "move there move there grip"
+    assert str(gallery.view(first).undo) == "pasting 2 icons"
 
 
 def test_the_text_travels_by_mail(gallery):  # R-D05, R-D14
-    one, other = gallery.begun("move", "there"), gallery.begun()
-    gallery.do(act.SetBreakpoint(one, numbers(gallery, one, "move"), condition="LAMP == 1"))
-    text = gallery.do(act.CopyIcons(one, numbers(gallery, one, "move", "there")))
+    first, other = gallery.begun("move", "there"), gallery.begun()
+    gallery.do(act.SetBreakpoint(first, numbers(gallery, first, "move"), condition="LAMP == 1"))
+    text = gallery.do(act.CopyIcons(first, numbers(gallery, first, "move", "there")))
     gallery.do(act.PasteIcons(other, text="\n " + text.replace("\n", "\r\n") + "\n"))
     assert gallery.flow(other) == "move there"
     assert gallery.step(other, "move").break_if == "LAMP == 1"
-    assert gallery.step(other, "there").values == gallery.step(one, "there").values
+    assert gallery.step(other, "there").values == gallery.step(first, "there").values
 
 
 def test_holes_open_where_what_is_pasted_does_not_fit(gallery):  # R-D05, R-D19

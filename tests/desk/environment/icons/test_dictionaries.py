@@ -13,15 +13,15 @@ def cabinet(tmp_path):
 
 def far(tmp_path, *onikons):
     base = BaseDirectory(tmp_path / "far")
-    for one in onikons:
-        base.save_onikon(one)
+    for onikon in onikons:
+        base.save_onikon(onikon)
     return base
 
 
 def test_every_base_directory_of_the_search_path_with_a_dictionary_is_open(cabinet):  # R-D01
     tree = cabinet.environment.tree
-    assert [one.name for one in tree.dictionaries.values()][:2] == ["lab", "boxes"]
-    assert [one.order for one in tree.dictionaries.values()] == list(range(len(tree.dictionaries)))
+    assert [dictionary.name for dictionary in tree.dictionaries.values()][:2] == ["lab", "boxes"]
+    assert [dictionary.order for dictionary in tree.dictionaries.values()] == list(range(len(tree.dictionaries)))
     lab = tree.dictionaries[str(cabinet.base.path)]
     assert (lab.onikons, lab.is_shipped, lab.faults) == (2, False, ())
 
@@ -70,7 +70,7 @@ def test_files_that_others_write_are_in_the_dictionary_with_the_next_look(cabine
     cabinet.base.onikon_file("weld").write_text("NONSENSE\nEOF\n")
     cabinet.look()
     assert cabinet.names == ["grip", "open"]
-    assert {said.level for said in cabinet.says} == {"warning"} and "weld" in str(cabinet.says[0].text)
+    assert {say.level for say in cabinet.says} == {"warning"} and "weld" in str(cabinet.says[0].text)
     cabinet.base.onikon_file("weld").unlink()
     cabinet.look()
     assert cabinet.environment.tree.dictionaries[str(cabinet.base.path)].faults == ()
@@ -86,7 +86,11 @@ def test_only_files_in_a_dict_folder_are_icons():  # R-B08
 
 def test_a_dictionary_stands_where_the_search_path_has_it(cabinet, tmp_path):  # R-D01
     model = cabinet.environment.model
-    assert [one.path.name for one in in_order(model, cabinet.own, cabinet.site)][:3] == ["lab", "onika", "boxes"]
+    assert [dictionary.path.name for dictionary in in_order(model, cabinet.own, cabinet.site)][:3] == [
+        "lab",
+        "onika",
+        "boxes",
+    ]
     assert in_order(model, far(tmp_path), cabinet.site)[-1].path.name == "far"
 
 

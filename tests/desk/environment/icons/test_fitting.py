@@ -16,14 +16,14 @@ def test_whatever_is_offered_fits_and_whatever_fits_is_counted(gallery):  # R-X0
     for before in ("move", "slide", "grip", "arc"):
         for wish in ONIKONS:
             doc = gallery.begun(before)
-            asked = act.InsertIcon(doc, wish.name, "0", gallery.number(doc, before))
-            no = gallery.answer(asked).no
+            insertion = act.InsertIcon(doc, wish.name, "0", gallery.number(doc, before))
+            no = gallery.answer(insertion).no
             if no is None:
                 continue
-            assert 1 <= len(no.remedies) <= 4, asked
-            for one in no.remedies:
-                assert one.show or gallery.answer(one.act).no is None, one
-                if one.act:
+            assert 1 <= len(no.remedies) <= 4, insertion
+            for remedy in no.remedies:
+                assert remedy.show or gallery.answer(remedy.act).no is None, remedy
+                if remedy.act:
                     gallery.do(act.Undo(doc))
 
 
@@ -47,7 +47,7 @@ def test_a_type_that_stands_in_no_flow_is_told(gallery):  # R-D04
 
 def test_what_fits_behind_an_icon_has_its_edge(gallery):
     model = gallery.environment.model
-    names = {one.name for one in fitting_behind(model, model.syntax.find("Joint job"))}
+    names = {candidate.name for candidate in fitting_behind(model, model.syntax.find("Joint job"))}
     assert names == {"there", "here"}
 
 
@@ -74,4 +74,4 @@ def test_a_target_at_another_one_of_the_same_edges_may_take_its_place(gallery): 
 def test_a_target_of_other_edges_takes_no_place(gallery):  # R-X01
     doc = gallery.begun("move", "there")
     no = gallery.no(act.InsertIcon(doc, "spot", "0", gallery.number(doc, "there")))
-    assert "Put it in its place" not in [str(one.label) for one in no.remedies]
+    assert "Put it in its place" not in [str(remedy.label) for remedy in no.remedies]

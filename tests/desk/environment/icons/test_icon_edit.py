@@ -14,7 +14,7 @@ def gallery(tmp_path):
 def test_only_this_one_instance_is_changed(gallery):  # R-D17
     doc = gallery.begun("move", "there", "visit", "there")
     gallery.do(act.EditIcon(doc, gallery.number(doc, "there"), "over there", VALUES, "3" * 1024))
-    first, second = (one for one in gallery.view(doc).steps.values() if one.name == "there")
+    first, second = (step for step in gallery.view(doc).steps.values() if step.name == "there")
     assert (first.description, first.values) == ("over there", (("1", "2", "3", "4", "5", "6"), ("0.5",)))
     assert (second.description, first.picture == second.picture) == ("above triangle", False)
     assert str(gallery.view(doc).undo) == "changing above triangle"

@@ -33,7 +33,7 @@ def test_a_refusal_says_why_in_words_and_offers_what_fits(gallery):  # R-D03, R-
     number = gallery.number(doc, "move")
     no = gallery.no(act.InsertIcon(doc, "spot", "0", number))
     assert str(no.reason) == "a Cartesian target does not fit behind “move the joints”: it needs a Joint target"
-    labels = [str(one.label) for one in no.remedies]
+    labels = [str(remedy.label) for remedy in no.remedies]
     assert labels == [
         "Use beside the box",
         "Use above triangle",
@@ -61,7 +61,7 @@ def test_a_target_at_the_beginning_is_refused_and_so_is_an_unknown_name(gallery)
     doc = gallery.begun()
     no = gallery.no(act.InsertIcon(doc, "there"))
     assert str(no.reason) == "a Joint target does not fit behind the start: there is no action to give it to"
-    assert [one.act.onikon for one in no.remedies if one.act]
+    assert [remedy.act.onikon for remedy in no.remedies if remedy.act]
     assert str(gallery.no(act.InsertIcon(doc, "nobody")).reason) == "no open dictionary has an icon nobody"
     doc = gallery.begun("move", "there")
     no = gallery.no(act.InsertIcon(doc, "here", "0", gallery.number(doc, "there")))
@@ -176,9 +176,9 @@ def test_several_targets_of_one_job_follow_each_other(gallery):  # R-D13
 
 
 def test_every_kind_of_icon_can_be_inserted(gallery):  # R-D22
-    for one in ONIKONS:
+    for candidate in ONIKONS:
         doc = gallery.begun()
-        if "object" in one.type:
+        if "object" in candidate.type:
             continue
-        gallery.do(act.InsertIcon(doc, one.name))
-        assert gallery.flow(doc).split()[0] == one.name
+        gallery.do(act.InsertIcon(doc, candidate.name))
+        assert gallery.flow(doc).split()[0] == candidate.name

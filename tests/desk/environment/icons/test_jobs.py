@@ -40,8 +40,8 @@ def onikon(sitting, name="move"):
 
 def test_a_configuration_is_saved_first(sitting):  # R-C16
     doc = sitting.new("jmove")
-    for asked in (act.Draft(doc), act.MakeJob(doc, BLANK)):
-        assert [one.show for one in sitting.no(asked).remedies] == [ShowSaveAs()]
+    for request in (act.Draft(doc), act.MakeJob(doc, BLANK)):
+        assert [remedy.show for remedy in sitting.no(request).remedies] == [ShowSaveAs()]
     sitting.do(act.Save(doc, "move", str(sitting.base.path)))
     sitting.do(act.Place(doc, "pd", 0, 300))
     no = sitting.no(act.MakeJob(doc, BLANK))
@@ -74,7 +74,7 @@ def test_a_job_is_made_and_offered_again(sitting, doc):  # R-C16, R-D07
     assert made.picture.rows[16][:2] == "80"
     draft = sitting.do(act.Draft(doc))
     assert (draft.picture, draft.description) == ("".join(made.picture.rows), "moves the joints")
-    assert [one.level for one in sitting.says] == ["success"]
+    assert [say.level for say in sitting.says] == ["success"]
 
 
 def test_a_9_is_read_as_black(sitting, doc):  # reading 38

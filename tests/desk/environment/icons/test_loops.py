@@ -16,7 +16,9 @@ def gallery(tmp_path):
 
 def loops(gallery, doc):
     steps = gallery.application(doc).flows[0].steps
-    return [f"{one.while_tag}{'!' * one.while_test}" if one.while_tag else "" for one in steps if isinstance(one, Icon)]
+    return [
+        f"{step.while_tag}{'!' * step.while_test}" if step.while_tag else "" for step in steps if isinstance(step, Icon)
+    ]
 
 
 def test_two_actions_are_marked_as_a_loop(gallery):  # R-D06, reading 23
@@ -31,10 +33,10 @@ def test_two_actions_are_marked_as_a_loop(gallery):  # R-D06, reading 23
 
 def test_a_loop_may_go_on_while_a_condition_holds(gallery):  # R-D13
     doc = gallery.begun("grip", "open")
-    one, other = gallery.number(doc, "grip"), gallery.number(doc, "open")
-    gallery.do(act.SetLoop(doc, one, other, condition="COUNT < 3"))
+    first, other = gallery.number(doc, "grip"), gallery.number(doc, "open")
+    gallery.do(act.SetLoop(doc, first, other, condition="COUNT < 3"))
     assert (gallery.step(doc, "grip").loop_if, gallery.step(doc, "open").loop_if) == ("COUNT < 3", "")
-    assert "condition" in gallery.no(act.SetLoop(doc, one, other, condition="never")).fields
+    assert "condition" in gallery.no(act.SetLoop(doc, first, other, condition="never")).fields
 
 
 def test_a_new_loop_replaces_those_that_its_actions_had(gallery):  # reading 23
@@ -47,14 +49,14 @@ def test_a_new_loop_replaces_those_that_its_actions_had(gallery):  # reading 23
 
 def test_loops_lie_within_each_other_and_never_cross(gallery):  # reading 23, R-X01
     doc = gallery.begun("grip", "wait", "open", "whole")
-    one, two, three, four = (gallery.number(doc, name) for name in ("grip", "wait", "open", "whole"))
-    gallery.do(act.SetLoop(doc, three, one))
+    first, two, three, four = (gallery.number(doc, name) for name in ("grip", "wait", "open", "whole"))
+    gallery.do(act.SetLoop(doc, three, first))
     no = gallery.no(act.SetLoop(doc, four, two))
     assert str(no.reason) == "this loop would cross the loop A: one has to lie within the other"
     gallery.do(no.remedies[0].act)
     gallery.do(act.SetLoop(doc, four, two))
     gallery.do(act.RemoveLoop(doc, two))
-    gallery.do(act.SetLoop(doc, four, one))
+    gallery.do(act.SetLoop(doc, four, first))
     assert gallery.do(act.SetLoop(doc, three, two)) == "B"
 
 
@@ -69,8 +71,8 @@ def test_what_is_no_loop_is_refused(gallery):  # reading 23
 
 def test_a_tag_that_is_taken_is_refused_and_a_free_one_offered(gallery):  # R-X01
     doc = gallery.begun("grip", "wait", "open", "whole")
-    one, two, three, four = (gallery.number(doc, name) for name in ("grip", "wait", "open", "whole"))
-    gallery.do(act.SetLoop(doc, two, one, "again"))
+    first, two, three, four = (gallery.number(doc, name) for name in ("grip", "wait", "open", "whole"))
+    gallery.do(act.SetLoop(doc, two, first, "again"))
     no = gallery.no(act.SetLoop(doc, four, three, "again"))
     assert gallery.do(no.remedies[0].act) == "A"
 
@@ -80,10 +82,10 @@ def test_a_tag_that_is_taken_is_refused_and_a_free_one_offered(gallery):  # R-X0
 def test_whatever_is_marked_the_loops_of_a_flow_are_well_formed(gallery, acts):  # reading 23
     doc = gallery.begun(*["grip", "wait"] * 4)
     syntax = gallery.environment.model.syntax
-    for kind, one, other in acts:
+    for kind, first, other in acts:
         numbers = [step.number for step in gallery.application(doc).flows[0].steps]
-        asked = act.SetLoop(doc, numbers[one], numbers[other])
-        gallery.answer(act.RemoveLoop(doc, numbers[one]) if kind == "remove" else asked)
+        request = act.SetLoop(doc, numbers[first], numbers[other])
+        gallery.answer(act.RemoveLoop(doc, numbers[first]) if kind == "remove" else request)
         assert loop.faults(gallery.application(doc).flows[0], syntax, "", Place("")) == ()
 
 

@@ -17,7 +17,9 @@ KNOWING = replace(MODEL, libraries=replace(MODEL.libraries, sheets=SHEETS))
 
 
 def measures(name, model=KNOWING):
-    return [(one.item, one.variable, one.is_frame) for one in measures_of(model, model.syntax.find(name))]
+    return [
+        (measure.item, measure.variable, measure.is_frame) for measure in measures_of(model, model.syntax.find(name))
+    ]
 
 
 def test_what_a_task_goes_by_says_what_its_target_says():  # R-D13

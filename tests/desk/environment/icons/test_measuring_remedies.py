@@ -10,8 +10,8 @@ def test_configurations_that_measure_it_could_be_opened_the_smallest_first(tmp_p
     measures = measures_of(cabinet.environment.model, kind)
     ways = ways_to_measure(cabinet.environment.model, measures)
     assert 0 < len(ways) <= 3
-    assert all(isinstance(one.act, act.Open) for one in ways)
-    assert any(str(one.label) == "Open cmoveC" for one in ways)
+    assert all(isinstance(way.act, act.Open) for way in ways)
+    assert any(str(way.label) == "Open cmoveC" for way in ways)
     doc = cabinet.do(ways[0].act)
     ways = ways_to_measure(cabinet.environment.model, measures)
     assert ways[0].act == act.Connect(doc)

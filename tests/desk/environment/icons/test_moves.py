@@ -51,7 +51,7 @@ def test_a_move_that_would_be_illegal_is_refused_whole(gallery):  # R-D03
     steps = (gallery.number(doc, "grip"),)
     no = gallery.no(act.MoveIcons(doc, steps, "0", gallery.number(doc, "move")))
     assert str(no.reason) == "a Complete job does not fit behind “move the joints”: it needs a Joint target"
-    assert all(one.act is None for one in no.remedies)
+    assert all(remedy.act is None for remedy in no.remedies)
     target = (gallery.number(doc, "there"),)
     assert "no action" in str(gallery.no(act.MoveIcons(doc, target, "0", 0)).reason)
 

@@ -39,7 +39,10 @@ def test_a_file_that_somebody_else_changed_is_overwritten_only_where_that_is_mea
 
 def test_a_shipped_icon_is_copied_or_changed_where_that_is_meant(cabinet):  # R-X01, R-D15
     no = cabinet.no(act.EditOnikon("jmoveC", "go"))
-    assert [str(one.label) for one in no.remedies] == [f"Save a copy in {cabinet.own.path}", "Change the shipped one"]
+    assert [str(remedy.label) for remedy in no.remedies] == [
+        f"Save a copy in {cabinet.own.path}",
+        "Change the shipped one",
+    ]
     shipped = cabinet.icon("jmoveC")
     assert shipped.words == {"es": "mueve las articulaciones"}
     cabinet.do(no.remedies[0].act)

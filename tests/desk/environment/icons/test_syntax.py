@@ -42,7 +42,7 @@ def test_a_definition_at_fault_is_told_and_the_shipped_one_counts(cabinet):  # R
     path.write_text("ONIKON\n")
     cabinet.look()
     assert "Weld job" not in cabinet.environment.tree.types
-    assert any("OnikaUpperSetUp.dta" in str(said.text) for said in cabinet.says)
+    assert any("OnikaUpperSetUp.dta" in str(say.text) for say in cabinet.says)
     path.unlink()
     assert cabinet.look() == 0  # the types are the shipped ones already
 

@@ -51,17 +51,19 @@ def test_values_are_typed_and_in_their_bounds_and_everything_wrong_is_told_at_on
 def test_a_name_is_unique_over_all_dictionaries(cabinet):  # R-D15, R-X01
     no = cabinet.no(made("grip", base=str(cabinet.own.path)))
     assert "lab has an icon grip" in str(no.reason) and list(no.fields) == ["name"]
-    assert [str(one.label) for one in no.remedies] == ["Call it grip_2"]  # the other one comes first
+    assert [str(remedy.label) for remedy in no.remedies] == ["Call it grip_2"]  # the other one comes first
     cabinet.do(no.remedies[0].act)
     assert cabinet.icon("grip_2").dictionary == str(cabinet.own.path)
 
 
 def test_a_shipped_name_may_be_used_for_ones_own_where_that_is_meant(cabinet):  # R-D15
     no = cabinet.no(made("one_second"))
-    assert [str(one.label) for one in no.remedies] == ["Call it one_second_2", "Use it in place of that one"]
+    assert [str(remedy.label) for remedy in no.remedies] == ["Call it one_second_2", "Use it in place of that one"]
     cabinet.do(no.remedies[1].act)
     assert cabinet.icon("one_second").values == SECOND
-    generic = next(one for one in cabinet.environment.tree.dictionaries.values() if one.name == "generic")
+    generic = next(
+        dictionary for dictionary in cabinet.environment.tree.dictionaries.values() if dictionary.name == "generic"
+    )
     assert any("one_second" in str(fault) for fault in generic.faults)
     assert cabinet.site.onikon("one_second", cabinet.environment.model.syntax)[0].values == ((1.5,),)
 
@@ -74,7 +76,7 @@ def test_a_target_is_replaced_only_where_that_is_meant_and_an_action_never(cabin
     cabinet.do(no.remedies[1].act)
     assert cabinet.icon("rest").values == SECOND and "# by hand" in path.read_text()
     no = cabinet.no(made("grip", base=str(cabinet.base.path), overwrites=True))
-    assert "icon of the configuration" in str(no.reason) and [str(one.label) for one in no.remedies] == [
+    assert "icon of the configuration" in str(no.reason) and [str(remedy.label) for remedy in no.remedies] == [
         "Call it grip_2"
     ]
     cabinet.base.onikon_file("bad").write_text("NONSENSE\nEOF\n")
@@ -86,7 +88,9 @@ def test_a_target_is_replaced_only_where_that_is_meant_and_an_action_never(cabin
 
 
 def test_what_comes_with_onika_is_not_changed_by_the_way(cabinet):  # R-X01
-    generic = next(one.path for one in cabinet.environment.tree.dictionaries.values() if one.name == "generic")
+    generic = next(
+        dictionary.path for dictionary in cabinet.environment.tree.dictionaries.values() if dictionary.name == "generic"
+    )
     no = cabinet.no(made(base=generic))
     assert "part of Onika itself" in str(no.reason) and str(no.remedies[0].label).startswith("Save it in")
     cabinet.do(no.remedies[0].act)

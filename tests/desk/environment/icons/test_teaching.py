@@ -37,10 +37,10 @@ POSE = [[1.0, 0.0, 0.0, 0.5], [0.0, -1.0, 0.0, 0.6], [0.0, 0.0, -1.0, 0.7], [0.0
 
 
 class Reader(LiveRuntime):
-    def ask(self, asked):
-        if isinstance(asked, live.Describe):
-            return live.Described({one.digest: SHEETS[one.module] for one in asked.code})
-        return super().ask(asked)
+    def ask(self, wish):
+        if isinstance(wish, live.Describe):
+            return live.Described({code.digest: SHEETS[code.module] for code in wish.code})
+        return super().ask(wish)
 
 
 @pytest.fixture
@@ -60,16 +60,16 @@ def measuring(duet, *tasks):
 def test_joint_angles_are_taken_from_the_arm_as_it_stands_and_the_duration_is_left_to_the_user(duet):  # R-D13, R-D23
     doc, home = measuring(duet, "arm", "move")
     duet.do(act.Turn(doc, ("arm",), True))
-    found = duet.do(act.Teach("Joint object"))
-    assert found.values == {"endpoint": (0.1, 0.2, 0.3, 0.4, 0.5, 0.6)}
-    assert (str(found.source), found.subsystem, found.others) == (f"Q_MEZ, as arm measures it in {home}", home, ())
+    taught = duet.do(act.Teach("Joint object"))
+    assert taught.values == {"endpoint": (0.1, 0.2, 0.3, 0.4, 0.5, 0.6)}
+    assert (str(taught.source), taught.subsystem, taught.others) == (f"Q_MEZ, as arm measures it in {home}", home, ())
 
 
 def test_a_frame_is_given_as_the_nine_numbers_of_a_target(duet):  # R-D13, reading 44
     doc, _ = measuring(duet, "arm", "eye")
     duet.do(act.Turn(doc, ("arm", "eye"), True))
-    found = duet.do(act.Teach("Cartesian object"))
-    assert found.values == {"pose": (0.0, 0.0, -1.0, 1.0, 0.0, 0.0, 0.5, 0.6, 0.7)}
+    taught = duet.do(act.Teach("Cartesian object"))
+    assert taught.values == {"pose": (0.0, 0.0, -1.0, 1.0, 0.0, 0.0, 0.5, 0.6, 0.7)}
 
 
 def test_what_does_not_run_measures_nothing_and_could_be_turned_on(duet):  # R-D13, R-X01
@@ -89,7 +89,7 @@ def test_where_no_robot_is_connected_a_configuration_could_be(duet):  # R-X01
     duet.environment.become(lambda model: Done(replace(model, libraries=replace(model.libraries, sheets=SHEETS))))
     no = duet.no(act.Teach("Joint object"))
     assert "no robot is connected" in str(no.reason)
-    assert [one.act for one in no.remedies][:1] == [act.Connect(doc)]
+    assert [remedy.act for remedy in no.remedies][:1] == [act.Connect(doc)]
     duet.do(no.remedies[0].act)
 
 
@@ -100,8 +100,8 @@ def test_of_several_arms_the_one_that_is_named_is_asked(duet):  # R-K07
     duet.do(act.Connect(right, subsystem="right"))
     duet.runtime.variables["right"] = {"Q_MEZ": [6.0] * 6}
     duet.do(act.Turn(right, ("arm",), True))
-    found = duet.do(act.Teach("Joint object"))
-    assert (found.subsystem, found.others) == (home, ("right",))
+    taught = duet.do(act.Teach("Joint object"))
+    assert (taught.subsystem, taught.others) == (home, ("right",))
     assert duet.do(act.Teach("Joint object", "right")).values["endpoint"] == (6.0,) * 6
     assert "nothing in far" in str(duet.no(act.Teach("Joint object", "far")).reason)
 

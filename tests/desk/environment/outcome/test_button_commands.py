@@ -32,9 +32,9 @@ class Shown:
 
 @pytest.fixture
 def shown():
-    one = Shown()
-    yield one
-    one.commands.close()
+    shown = Shown()
+    yield shown
+    shown.commands.close()
 
 
 def test_output_is_shown_while_the_command_runs(shown):  # R-G02

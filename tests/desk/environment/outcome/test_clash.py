@@ -19,7 +19,7 @@ def test_a_pure_outvar_that_would_meet_a_pure_inconst_speaks_against_an_alias(tm
     (reason,) = clashes(model, model.libraries.edited({"w": aliased(W, "Q", "K")}), ("w",))
     name = model.documents[doc].name
     assert str(reason.text) == f"in {name}, `c` needs K at initialisation, `w` gives it only while it runs"
-    assert [str(one.label) for one in reason.remedies] == [f"Remove c from {name}", "Alias K of c…", "Show c"]
+    assert [str(remedy.label) for remedy in reason.remedies] == [f"Remove c from {name}", "Alias K of c…", "Show c"]
     assert reason.remedies[0].act == act.Remove(doc, ("c",))
 
 

@@ -21,8 +21,8 @@ def found(play, *flows, **words):
 
 
 def the(views, word):
-    (one,) = [view for view in views if word in str(view.text)]
-    return one
+    (match,) = [view for view in views if word in str(view.text)]
+    return match
 
 
 def test_nothing_is_wrong_with_what_can_run(play):  # R-E01
@@ -42,7 +42,7 @@ def test_a_hole_says_what_is_missing_and_what_fits(play):  # R-E01, R-D03
 def test_a_hole_for_a_target_offers_to_make_one(play):  # R-E01, R-D08
     hole = the(found(play, [job("bC"), job("aC", "Joint job"), HOLE]), "is missing here")
     assert (str(hole.text), hole.step) == ("a Joint target is missing here", 3)
-    assert [one.show for one in hole.remedies] == [ShowFits("0", 2), ShowTarget("Joint object")]
+    assert [remedy.show for remedy in hole.remedies] == [ShowFits("0", 2), ShowTarget("Joint object")]
 
 
 def test_what_is_not_there_is_named_without_file_and_line(play):  # R-E01, R-X01
@@ -67,7 +67,7 @@ def test_a_deadlock_is_told_before_the_run(play):  # R-X03
 
     flows = ([met("aC", "one"), met("bC", "two")], [met("bC", "two"), met("cC", "one")])
     views = found(play, *flows, parallel=True)
-    assert any(str(one.text).endswith("neither comes") and one.step for one in views)
+    assert any(str(view.text).endswith("neither comes") and view.step for view in views)
 
 
 def test_a_task_that_is_at_fault_leads_to_the_first_step_that_uses_it(play):  # R-E01
@@ -75,7 +75,7 @@ def test_a_task_that_is_at_fault_leads_to_the_first_step_that_uses_it(play):  # 
     play.files.task("a", "MODULE a\nDESC")
     views = found(play, [job("cC"), job("bC"), job("aC")])
     assert the(views, "nobody").step == 2
-    assert {one.step for one in views if str(one.text) != str(the(views, "nobody").text)} == {3}
+    assert {view.step for view in views if str(view.text) != str(the(views, "nobody").text)} == {3}
 
 
 def test_what_is_wrong_inside_leads_to_the_icon_that_runs_it(play):  # R-E06

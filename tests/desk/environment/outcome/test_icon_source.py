@@ -68,4 +68,4 @@ def test_what_stands_beside_the_icon_counts_before_the_search_path(tmp_path, lab
 
 def test_no_shipped_icon_is_in_trouble(tmp_path):  # R-B08
     icons = DictionaryFixture(tmp_path).environment.tree.onikons
-    assert {name: one.trouble for name, one in icons.items() if one.trouble} == {}
+    assert {name: icon.trouble for name, icon in icons.items() if icon.trouble} == {}

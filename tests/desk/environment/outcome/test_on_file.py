@@ -60,10 +60,10 @@ def test_nothing_is_changed_while_it_runs_but_breakpoints(gallery):  # R-D18
     doc = gallery.begun("grip")
     number = gallery.number(doc, "grip")
     performed(gallery, doc)
-    for asked in edits(doc, number):
-        no = gallery.no(asked)
-        assert "is running" in str(no.reason), asked
-        assert [str(one.label) for one in no.remedies] == ["Abort the run", "Save a copy…"]
+    for edit in edits(doc, number):
+        no = gallery.no(edit)
+        assert "is running" in str(no.reason), edit
+        assert [str(remedy.label) for remedy in no.remedies] == ["Abort the run", "Save a copy…"]
     gallery.do(act.SetBreakpoint(doc, (number,)))
     gallery.do(act.CopyIcons(doc, (number,)))
     gallery.do(act.Save(doc, "copy"))
@@ -84,8 +84,8 @@ def test_another_one_and_one_whose_run_is_over_are_changed_as_ever(gallery):  # 
 
 def test_what_somebody_else_has_closed_is_told_by_every_act(gallery):
     others = [act.CopyIcons("a99", (1,)), act.SetBreakpoint("a99", (1,)), act.Keep("a99"), act.Check("a99")]
-    for asked in [*edits("a99", 1), *others]:
-        assert str(gallery.no(asked).reason) == "this application is no longer open", asked
+    for edit in [*edits("a99", 1), *others]:
+        assert str(gallery.no(edit).reason) == "this application is no longer open", edit
 
 
 ON_CONFIGURATIONS = (
@@ -105,8 +105,8 @@ ON_CONFIGURATIONS = (
 )
 
 
-@pytest.mark.parametrize("asked", ON_CONFIGURATIONS, ids=lambda asked: type(asked).__name__)
-def test_an_act_on_a_configuration_that_was_closed_is_refused_in_one_sentence(tmp_path, asked):
+@pytest.mark.parametrize("wish", ON_CONFIGURATIONS, ids=lambda wish: type(wish).__name__)
+def test_an_act_on_a_configuration_that_was_closed_is_refused_in_one_sentence(tmp_path, wish):
     sitting = EnvironmentFixture(tmp_path)
-    result = HANDLERS[type(asked)](sitting.environment.model, asked, sitting.surroundings)
+    result = HANDLERS[type(wish)](sitting.environment.model, wish, sitting.surroundings)
     assert str(result.reason) == "this configuration is no longer open"

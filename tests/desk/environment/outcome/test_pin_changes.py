@@ -25,10 +25,10 @@ def test_the_second_task_of_a_variable_brings_its_locus_half_way_by_an_alias_too
     content = model.documents[doc].content
     libraries = model.libraries.edited({"b": B})
     joined = settled(content, model.libraries, libraries)
-    alone = {one.svar: one for one in content.configuration.loci}
+    alone = {locus.svar: locus for locus in content.configuration.loci}
     (locus,) = joined.configuration.loci
     assert (locus.svar, locus.conns) == ("Q", 2)
     assert (locus.x, locus.y) != (alone["Q"].x, alone["Q"].y)
     parted = settled(joined, libraries, model.libraries)
-    assert {one.svar for one in parted.configuration.loci} == {"Q", "R"}
+    assert {locus.svar for locus in parted.configuration.loci} == {"Q", "R"}
     assert isinstance(parted, Content)

@@ -22,7 +22,7 @@ def test_a_refusal_becomes_a_sentence_with_buttons():  # R-X01
 def test_another_alias_is_given_at_its_pin():  # R-X01, reading 9
     task = Task("t", "t", aliases=(("A", "B"),), outvar=("A", "B"))
     (reason,) = reasons(placement.alias_refusals(task, ()), "c1", task)
-    assert [(str(one.label), one.show) for one in reason.remedies] == [("Alias B…", ShowPin("t", "B"))]
+    assert [(str(remedy.label), remedy.show) for remedy in reason.remedies] == [("Alias B…", ShowPin("t", "B"))]
 
 
 def test_to_overwrite_is_offered_only_where_that_would_help():  # R-X01
@@ -41,7 +41,7 @@ def test_a_file_with_a_thousand_faults_is_refused_in_a_few_sentences():  # R-X01
         Fault(Place("many.appl", line), Reason.plain("expected a keyword, found none"), Reason.plain("it is left out"))
         for line in range(1, 1001)
     ]
-    said = str(unreadable("many.appl", faults))
-    assert "many.appl:4: expected a keyword" in said
-    assert said.endswith("; and 996 more, see onika check")
+    sentence = str(unreadable("many.appl", faults))
+    assert "many.appl:4: expected a keyword" in sentence
+    assert sentence.endswith("; and 996 more, see onika check")
     assert unreadable("many.appl", faults[:4]).key == "run.cannot_be_opened"

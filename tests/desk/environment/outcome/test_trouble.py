@@ -39,11 +39,11 @@ def problems(sitting, doc):
 
 def test_tasks_of_a_file_that_contradict_each_other_are_a_fault_with_ways_out(sitting):  # R-C26, R-X01
     doc = opened(sitting, "cubic", "trapez")
-    found = problems(sitting, doc)["conflict trapez cubic"]
-    assert found.level == "fault"
-    assert "its module `traj` is used already, by `cubic`" in str(found.text)
-    assert "writes Q_REF, which `cubic` already writes" in str(found.text)
-    removing = [remedy.act for remedy in found.remedies if remedy.act]
+    problem = problems(sitting, doc)["conflict trapez cubic"]
+    assert problem.level == "fault"
+    assert "its module `traj` is used already, by `cubic`" in str(problem.text)
+    assert "writes Q_REF, which `cubic` already writes" in str(problem.text)
+    removing = [remedy.act for remedy in problem.remedies if remedy.act]
     assert removing == [act.Remove(doc, ("trapez",)), act.Remove(doc, ("cubic",))]
     sitting.do(removing[0])
     assert "conflict trapez cubic" not in problems(sitting, doc)
@@ -57,16 +57,16 @@ def test_a_constant_that_is_only_given_while_running_is_a_fault(sitting):  # R-C
 
 def test_a_missing_task_can_be_removed_or_its_library_opened(sitting):  # reading 11
     doc = opened(sitting, "gone")
-    found = problems(sitting, doc)["missing gone"]
-    assert (found.level, found.show) == ("fault", ShowTask("gone"))
-    assert [remedy.show for remedy in found.remedies] == [ShowLibraries(), None]
-    sitting.do(found.remedies[1].act)
+    problem = problems(sitting, doc)["missing gone"]
+    assert (problem.level, problem.show) == ("fault", ShowTask("gone"))
+    assert [remedy.show for remedy in problem.remedies] == [ShowLibraries(), None]
+    sitting.do(problem.remedies[1].act)
     assert problems(sitting, doc) == {}
 
 
 def test_hanging_inputs_further_triggers_and_memories_are_told_and_never_forbidden(sitting):  # R-C08, R-C29
-    found = problems(sitting, sitting.new("cubic", "wait", "memory"))
-    assert {key: (one.level, one.show) for key, one in found.items()} == {
+    shown = problems(sitting, sitting.new("cubic", "wait", "memory"))
+    assert {key: (problem.level, problem.show) for key, problem in shown.items()} == {
         "hanging Q_MEZ": ("warning", ShowLocus("Q_MEZ")),
         "hanging T": ("warning", ShowLocus("T")),
         "trigger wait": ("warning", ShowTask("wait")),

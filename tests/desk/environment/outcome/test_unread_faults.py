@@ -22,12 +22,12 @@ def test_a_fault_is_told_at_the_step_in_whose_lines_it_stands():
             is_note=True,
         ),
     )
-    head, one, two = told(application, faults, is_partial=True)
-    assert (head.step, one.step, two.step) == (0, 1, 2)
+    head, first, two = told(application, faults, is_partial=True)
+    assert (head.step, first.step, two.step) == (0, 1, 2)
     assert (str(head.text), head.level) == ("line 3 of its file: expected conditional, found odd", "fault")
-    assert str(one.text).startswith("line 39 of its file: expected `x`")
+    assert str(first.text).startswith("line 39 of its file: expected `x`")
     assert (two.level, str(two.text).endswith("it acts as Complete job")) == ("warning", True)
-    assert {one.level for one in told(application, faults, is_partial=False)} == {"warning"}
+    assert {line.level for line in told(application, faults, is_partial=False)} == {"warning"}
 
 
 def test_what_could_be_read_only_in_part_is_not_run(tmp_path):  # issue: bad input

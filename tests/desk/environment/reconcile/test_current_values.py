@@ -25,10 +25,10 @@ SHEET = ModuleSheet(
 
 
 class Reader(LiveRuntime):
-    def ask(self, asked):
-        if isinstance(asked, live.Describe):
-            return live.Described({asked.code[0].digest: SHEET})
-        return super().ask(asked)
+    def ask(self, wish):
+        if isinstance(wish, live.Describe):
+            return live.Described({wish.code[0].digest: SHEET})
+        return super().ask(wish)
 
 
 @pytest.fixture

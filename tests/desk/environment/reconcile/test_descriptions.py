@@ -24,10 +24,10 @@ class Reader(LiveRuntime):
         self.unread = unread
         self.described = []
 
-    def ask(self, asked):
-        if not isinstance(asked, live.Describe):
-            return super().ask(asked)
-        (code,) = asked.code
+    def ask(self, wish):
+        if not isinstance(wish, live.Describe):
+            return super().ask(wish)
+        (code,) = wish.code
         self.described.append(code.module)
         if code.module == self.unread:
             return live.Described({}, {code.digest: "it raises"})
@@ -57,7 +57,7 @@ def test_a_module_that_cannot_be_read_is_an_objection_with_the_way_to_its_source
 
 def test_one_module_is_asked_for_at_a_time(duet):  # law 21
     duet.connected()
-    assert all(len(one.code) == 1 for one in duet.carried_out if isinstance(one, live.Describe))
+    assert all(len(message.code) == 1 for message in duet.carried_out if isinstance(message, live.Describe))
 
 
 def test_what_is_known_is_not_asked_again_and_what_has_changed_is(duet):
@@ -84,7 +84,7 @@ def test_a_module_without_a_file_is_not_asked_for(duet, tmp_path):
 def test_a_runtime_that_does_not_say_it_is_not_asked_further(duet):  # law 23
     duet.rebuffs = {live.Describe: request.Refused("code from another machine is not accepted")}
     duet.connected()
-    assert len([one for one in duet.carried_out if isinstance(one, live.Describe)]) == 1
+    assert len([message for message in duet.carried_out if isinstance(message, live.Describe)]) == 1
     assert duet.environment.model.libraries.sheets == {}
 
 

@@ -28,10 +28,10 @@ def state(duet, name, task="a"):
 
 
 def test_a_step_that_was_too_far_is_said_at_the_task_that_was_given_it(duet, doc):  # R-X04, R-C25
-    said = list(duet.says)
+    says = list(duet.says)
     duet.tell(event.Stepped("Untitled-1", "a", "A", "N m", 1, 3.0, 3.0, 9.76, 0, 1.0))
     duet.tell(event.Stepped("elsewhere", "a", "A", "N m", 1, 40.0, 9.0, 9.76, 6, 1.0))
-    assert duet.says == said
+    assert duet.says == says
     duet.tell(event.Stepped("Untitled-1", "a", "A", "N m", 1, 40.0, 9.0, 9.76, 6, 1.0))
     assert (duet.says[-1].level, duet.says[-1].where) == ("warning", ShowTask("a"))
     assert str(duet.says[-1].text).endswith("more than 9.76 N m a cycle: blended over 6 cycles")
@@ -71,4 +71,4 @@ def test_what_happens_in_a_subsystem_that_no_document_shows_is_nobodys_fact(duet
 def test_a_drive_that_gives_up_is_said(duet, doc, name, is_said):  # law 17
     count = len(duet.says)
     duet.tell(event.Drive("boxes:arm", name, 0, 0, 0, "no commands"))
-    assert [str(one.text) for one in duet.says[count:]] == [f"drive boxes:arm is {name}: no commands"] * is_said
+    assert [str(say.text) for say in duet.says[count:]] == [f"drive boxes:arm is {name}: no commands"] * is_said

@@ -35,7 +35,7 @@ def test_several_at_once_are_one_change(duet):  # R-X10
     doc = duet.connected("source", "filter", "other")
     before = len(duet.edits())
     duet.do(act.Remove(doc, ("source", "filter", "other")))
-    assert [one.kill for one in duet.edits()[before:]] == [("source", "filter", "other")]
+    assert [edit.kill for edit in duet.edits()[before:]] == [("source", "filter", "other")]
 
 
 def test_moving_an_icon_asks_nothing_of_the_runtime(duet):  # R-X09
@@ -49,7 +49,7 @@ def test_an_icon_that_takes_anothers_place_takes_its_life_in_one_change(duet):  
     doc = duet.connected("source")
     duet.do(act.Exchange(doc, "source", "other"))
     last = duet.edits()[-1]
-    assert last.kill == ("source",) and [one.name for one in last.spawn] == ["other"]
+    assert last.kill == ("source",) and [task.name for task in last.spawn] == ["other"]
 
 
 def test_a_changed_alias_reaches_the_living_task_in_every_document(duet):  # R-C04, reading 9
@@ -66,7 +66,7 @@ def test_hardware_is_not_switched_on_again_by_an_exchange(duet):  # law 12
     duet.do(act.Toggle(doc, "arm"))
     duet.alias("arm", "Y", "W")
     assert duet.state(doc, "arm") == "OFF"
-    assert any("stays OFF until you turn it on" in str(one.text) for one in duet.says)
+    assert any("stays OFF until you turn it on" in str(say.text) for say in duet.says)
 
 
 def test_undo_asks_before_anything_comes_on_again(duet):  # law 22

@@ -9,10 +9,10 @@ def standing(*subsystems):
 
 
 def test_what_was_told_of_a_holder_counts_as_long_as_he_holds_it():  # R-X12
-    known = {"main": HoldView("ann#1", since_at_s=5.0), "gone": HoldView("ann#1")}
-    same = holders.surveyed(known, standing(("main", "ann#1", "")))
+    holds = {"main": HoldView("ann#1", since_at_s=5.0), "gone": HoldView("ann#1")}
+    same = holders.surveyed(holds, standing(("main", "ann#1", "")))
     assert same == {"main": HoldView("ann#1", since_at_s=5.0)}
-    assert holders.surveyed(known, standing(("main", "bob#2", ""))) == {"main": HoldView("bob#2")}
+    assert holders.surveyed(holds, standing(("main", "bob#2", ""))) == {"main": HoldView("bob#2")}
 
 
 def test_who_was_silent_is_remembered_and_who_released_is_not():  # R-X12
@@ -70,8 +70,8 @@ def test_what_a_task_of_an_application_asks_is_known_until_it_asks_no_more():  #
 def test_whoever_comes_later_is_told_what_is_asked_and_what_a_loss_means():  # R-X12
     home = live.SubsystemStanding("flow0", "ann#1", "play", (), (ASKED,), "finish")
     there = live.Standing((home,), (), (), False, False, 0.0)
-    found = holders.surveyed({}, there)
-    assert (list(found["flow0"].asks), found["flow0"].on_loss) == (["servo"], "finish")
-    again = holders.surveyed(found, there)
-    assert again["flow0"].asks["servo"] is found["flow0"].asks["servo"]  # what is put aside stays aside
+    holds = holders.surveyed({}, there)
+    assert (list(holds["flow0"].asks), holds["flow0"].on_loss) == (["servo"], "finish")
+    again = holders.surveyed(holds, there)
+    assert again["flow0"].asks["servo"] is holds["flow0"].asks["servo"]  # what is put aside stays aside
     assert holders.surveyed(again, standing(("flow0", "ann#1", "")))["flow0"].asks == {}

@@ -41,10 +41,10 @@ def test_a_robots_bounds_are_known_as_soon_as_it_lives(duet):  # R-D08
     assert (endpoint(duet).low, endpoint(duet).high) == ((-1.0,) * 6, (1.0,) * 6)
     assert duet.environment.tree.types["Joint object"].items[0].high == (1.0,) * 6
     duet.do(act.Disconnect(doc))
-    asked = len(duet.carried_out)
+    count = len(duet.carried_out)
     duet.environment.become(lambda model: Done(replace(model, limits={})))
     duet.do(act.Connect(doc))  # it lives already, and tells nothing by itself
-    assert live.Read("Untitled-1", ("QMAX", "QMIN")) in duet.carried_out[asked:]
+    assert live.Read("Untitled-1", ("QMAX", "QMIN")) in duet.carried_out[count:]
     assert endpoint(duet).low == (-1.0,) * 6
 
 
@@ -56,4 +56,4 @@ def test_a_runtime_that_does_not_say_them_is_no_harm(duet):
 
 def test_a_task_that_tells_no_bounds_is_asked_for_nothing(duet):
     duet.connected("move")
-    assert not any(isinstance(one, live.Read) for one in duet.carried_out)
+    assert not any(isinstance(message, live.Read) for message in duet.carried_out)

@@ -22,8 +22,8 @@ def task(name, state, reason=""):
 
 
 def document(wanted, **states):
-    known = SubsystemFacts("main", "live", {name: TaskFacts(state) for name, state in states.items()})
-    return Document("c1", Content(Configuration("c"), wanted), live=known)
+    facts = SubsystemFacts("main", "live", {name: TaskFacts(state) for name, state in states.items()})
+    return Document("c1", Content(Configuration("c"), wanted), live=facts)
 
 
 def test_what_is_wanted_follows_the_facts():  # R-C11, law 22
@@ -35,11 +35,11 @@ def test_what_is_wanted_follows_the_facts():  # R-C11, law 22
 
 
 def test_nothing_follows_while_something_is_under_way_or_nothing_is_known():
-    one = document({"a": True}, a="OFF")
-    pending = Pending(one.content, one.content, History(), History())
-    assert settled(replace(one, live=replace(one.live, pending={1: pending}))).content is one.content
-    assert settled(replace(one, live=replace(one.live, state="lost"))).content is one.content
-    assert settled(replace(one, live=None)).content is one.content
+    shown = document({"a": True}, a="OFF")
+    pending = Pending(shown.content, shown.content, History(), History())
+    assert settled(replace(shown, live=replace(shown.live, pending={1: pending}))).content is shown.content
+    assert settled(replace(shown, live=replace(shown.live, state="lost"))).content is shown.content
+    assert settled(replace(shown, live=None)).content is shown.content
 
 
 def test_dead_tasks_are_not_alive():
@@ -48,27 +48,27 @@ def test_dead_tasks_are_not_alive():
 
 
 def test_the_facts_are_taken_over_and_a_question_is_kept_as_long_as_it_is_asked():
-    asked = event.Asked("main", "a", "too far", (), 0.0)
-    known = SubsystemFacts(
-        "main", "live", {"a": TaskFacts("ASKING", question=asked, warnings=3), "gone": TaskFacts("ON")}
+    question = event.Asked("main", "a", "too far", (), 0.0)
+    facts = SubsystemFacts(
+        "main", "live", {"a": TaskFacts("ASKING", question=question, warnings=3), "gone": TaskFacts("ON")}
     )
-    now = with_standing(known, standing(task("a", "ASKING", "asks for x"), task("b", "WAITING", "waits for N")))
-    assert now.tasks["a"] == TaskFacts("ASKING", rtpu="rt1", hz=20.0, question=asked, warnings=3)
+    now = with_standing(facts, standing(task("a", "ASKING", "asks for x"), task("b", "WAITING", "waits for N")))
+    assert now.tasks["a"] == TaskFacts("ASKING", rtpu="rt1", hz=20.0, question=question, warnings=3)
     assert str(now.tasks["b"].note) == "waits for N" and set(now.tasks) == {"a", "b"} and now.holder == "me"
     later = with_standing(now, standing(task("a", "OFF")))
     assert later.tasks["a"].question is None
 
 
 def test_a_question_that_was_asked_before_is_known_to_whoever_connects():  # R-X12, R-C13
-    asked = event.Asked("main", "a", "too far", (), 0.0)
-    home = live.SubsystemStanding("main", "me", "", (task("a", "ASKING", "asks for x"),), (asked,))
+    question = event.Asked("main", "a", "too far", (), 0.0)
+    home = live.SubsystemStanding("main", "me", "", (task("a", "ASKING", "asks for x"),), (question,))
     now = with_standing(SubsystemFacts("main", "live"), live.Standing((home,), (), (), True, False, 0.0))
-    assert (now.tasks["a"].question, str(now.tasks["a"].note)) == (asked, "")
+    assert (now.tasks["a"].question, str(now.tasks["a"].note)) == (question, "")
 
 
 def test_who_is_about_to_be_born_is_so_until_that_is_done():
     pending = Pending(Content(Configuration("c")), Content(Configuration("c")), History(), History())
-    known = SubsystemFacts("main", "live", {"a": TaskFacts("SPAWNING")}, pending={1: pending})
-    assert with_standing(known, standing()).state_of("a") == "SPAWNING"
-    assert with_standing(known, standing(task("a", "OFF"))).state_of("a") == "SPAWNING"
-    assert with_standing(replace(known, pending={}), standing(task("a", "OFF"))).state_of("a") == "OFF"
+    facts = SubsystemFacts("main", "live", {"a": TaskFacts("SPAWNING")}, pending={1: pending})
+    assert with_standing(facts, standing()).state_of("a") == "SPAWNING"
+    assert with_standing(facts, standing(task("a", "OFF"))).state_of("a") == "SPAWNING"
+    assert with_standing(replace(facts, pending={}), standing(task("a", "OFF"))).state_of("a") == "OFF"

@@ -62,8 +62,8 @@ def test_nothing_comes_of_a_survey_that_is_refused_or_too_late(duet):
 
 
 def test_a_task_that_leaves_for_one_that_runs_leaves_its_supermodule(duet):  # R-C12, R-C17
-    one = duet.connected("rival")
-    duet.do(act.Disconnect(one))
+    doc = duet.connected("rival")
+    duet.do(act.Disconnect(doc))
     doc = duet.new("a", "b")
     duet.do(act.Group(doc, "arm", ("b", "a")))
     duet.do(act.Connect(doc))

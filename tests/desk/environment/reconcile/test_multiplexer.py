@@ -16,16 +16,16 @@ class Wire:
         self.sent = []
         self.words = []
 
-    def send(self, asked):
-        self.sent.append(asked)
+    def send(self, wish):
+        self.sent.append(wish)
         return len(self.sent)
 
     def messages(self, timeout_s=0.0):
         words, self.words = self.words, []
-        for one in words:
-            if isinstance(one, LinkLost):
-                raise one
-            yield one
+        for word in words:
+            if isinstance(word, LinkLost):
+                raise word
+            yield word
 
     def readings(self):
         return {"main/X": b"1"}

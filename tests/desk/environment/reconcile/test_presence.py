@@ -20,7 +20,7 @@ def duet(tmp_path):
 def test_who_is_there_is_shown_as_soon_as_it_is_connected(duet):  # R-X12
     duet.connected("a")
     sessions = duet.environment.tree.runtime.sessions
-    assert {name: (one.role, one.is_here, one.is_you) for name, one in sessions.items()} == {
+    assert {name: (session.role, session.is_here, session.is_you) for name, session in sessions.items()} == {
         "you": ("owner", True, True),
         "anna#2": ("operator", False, False),
     }
@@ -42,7 +42,7 @@ def test_what_is_offered_here_is_shown_and_said_and_gone_with_its_end(duet):  # 
     duet.tell(event.Offered("Untitled-1", "anna#2", "you"))
     shown = duet.environment.tree.documents[doc]
     assert (shown.offered_by, shown.offered_to, shown.is_offered_here) == ("anna#2", "you", True)
-    assert "anna#2 offers Untitled-1: take it, or decline" in [str(one.text) for one in duet.says]
+    assert "anna#2 offers Untitled-1: take it, or decline" in [str(say.text) for say in duet.says]
     duet.tell(event.Offered("Untitled-1", "anna#2", "you", "withdrawn"))
     assert duet.environment.tree.documents[doc].offered_by == ""
 

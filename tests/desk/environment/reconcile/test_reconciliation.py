@@ -36,7 +36,7 @@ def test_a_change_that_fails_on_its_way_is_taken_back_and_told(duet):  # R-X10
     duet.runtime.lives["Untitled-1"].pop("a")  # so that killing it fails
     duet.do(act.Remove(doc, ("a",)))
     assert duet.document(doc).content.names == ("a",) and str(duet.document(doc).history.last.label) == "placing a"
-    assert [str(one.text) for one in duet.says if one.level == "error"] == ["nothing is changed: there is no task a"]
+    assert [str(say.text) for say in duet.says if say.level == "error"] == ["nothing is changed: there is no task a"]
 
 
 def test_what_was_done_meanwhile_stays_when_an_older_change_fails(duet):  # R-X10
@@ -48,7 +48,7 @@ def test_what_was_done_meanwhile_stays_when_an_older_change_fails(duet):  # R-X1
     duet.pump()
     now = duet.document(doc)
     assert now.content.names == ("a",) and (now.content.placed("a").x, now.content.placed("a").y) == (70, 70)
-    assert [str(one.label) for one in now.history.past] == ["placing a", "moving a"]
+    assert [str(entry.label) for entry in now.history.past] == ["placing a", "moving a"]
 
 
 def test_a_library_that_was_changed_for_it_is_as_it_was(duet):  # reading 9, R-X10
@@ -97,11 +97,11 @@ def test_a_task_that_is_done_before_its_change_is_told_is_wanted_no_more(duet):
     assert duet.document(doc).content.wanted == {"a": False}
 
 
-def answers_of(duet, *asked):
+def answers_of(duet, *requests):
     """The answers to acts that nobody waits for, one list each."""
-    given = [[] for _ in asked]
-    for one, answers in zip(asked, given, strict=True):
-        duet.environment.do(one, "me", answers.append)
+    given = [[] for _ in requests]
+    for wish, answers in zip(requests, given, strict=True):
+        duet.environment.do(wish, "me", answers.append)
     return given
 
 
@@ -123,8 +123,8 @@ def test_what_is_done_meanwhile_goes_out_as_one_change_and_is_answered_with_it(d
     first, second = answers_of(duet, act.Place(busy, "b", 0, 0), act.Place(busy, "c", 300, 0))
     assert not first and not second
     go(duet)
-    assert [one.no for one in (*first, *second)] == [None, None]
-    assert {one.name for one in duet.edits()[-1].spawn} == {"b", "c"}
+    assert [answer.no for answer in (*first, *second)] == [None, None]
+    assert {task.name for task in duet.edits()[-1].spawn} == {"b", "c"}
 
 
 def test_what_waited_is_refused_with_the_reason_of_the_change_that_carried_it(duet, busy):  # R-X01
@@ -135,21 +135,21 @@ def test_what_waited_is_refused_with_the_reason_of_the_change_that_carried_it(du
     duet.rebuffs = {live.Change: request.Prepared((FAULT,))}
     duet.hear()
     duet.pump()
-    assert [str(one.no.reason) for one in first] == ["b.py:7: expected a port X, found none"]
+    assert [str(answer.no.reason) for answer in first] == ["b.py:7: expected a port X, found none"]
     assert duet.document(busy).content.names == ()
 
 
 def test_what_takes_itself_back_before_it_goes_out_is_done(duet, busy):  # R-X10
     first, second = answers_of(duet, act.Place(busy, "b", 0, 0), act.Undo(busy))
     go(duet)
-    assert [one.no for one in (*first, *second)] == [None, None] and len(duet.edits()) == 2
+    assert [answer.no for answer in (*first, *second)] == [None, None] and len(duet.edits()) == 2
 
 
 def test_what_cannot_be_asked_any_more_is_refused_and_taken_back(duet, busy):  # law 27
     (first,) = answers_of(duet, act.Place(busy, "b", 0, 0))
     duet.environment.receive(event.Stopped(True, "enough"))
     go(duet)
-    assert [str(one.no.reason) for one in first] == ["everything is stopped: allow motion again first"]
+    assert [str(answer.no.reason) for answer in first] == ["everything is stopped: allow motion again first"]
     assert duet.document(busy).content.names == ()
 
 
@@ -157,7 +157,7 @@ def test_what_cannot_be_asked_any_more_is_refused_and_taken_back(duet, busy):  #
 def test_nobody_waits_for_a_document_that_is_left(duet, busy, ending):  # R-C06
     (first,) = answers_of(duet, act.Place(busy, "b", 0, 0))
     answers_of(duet, ending)
-    assert [str(one.no.reason) for one in first] == ["Untitled-1 is no longer connected"]
+    assert [str(answer.no.reason) for answer in first] == ["Untitled-1 is no longer connected"]
     go(duet)
 
 
@@ -169,7 +169,7 @@ def test_what_moves_no_task_waits_for_nothing(duet, busy):  # R-X09
     duet.is_held_back = True
     answers_of(duet, act.Place(doc, "c", 300, 0))
     (moved,) = answers_of(duet, act.Move(doc, {"b": (7, 7)}))
-    assert [one.no for one in moved] == [None]
+    assert [answer.no for answer in moved] == [None]
 
 
 class Moody(LiveRuntime):
@@ -179,17 +179,17 @@ class Moody(LiveRuntime):
         super().__init__()
         self.moods = list(moods)
 
-    def ask(self, asked):
-        mood = self.moods.pop(0) if self.moods and isinstance(asked, live.Change) else "done"
+    def ask(self, wish):
+        mood = self.moods.pop(0) if self.moods and isinstance(wish, live.Change) else "done"
         if mood == "refused":
             return request.Refused("not now")
         if mood == "faults":
             return request.Prepared((FAULT,))
         if mood == "fails":
             self._numbers += 1
-            self.tell(event.Edited(asked.subsystem, self._numbers, "no sensor", 0.0))
+            self.tell(event.Edited(wish.subsystem, self._numbers, "no sensor", 0.0))
             return live.Accepted(self._numbers)
-        return super().ask(asked)
+        return super().ask(wish)
 
 
 names = st.sampled_from("abc")
@@ -219,24 +219,24 @@ def test_whatever_fails_document_and_runtime_agree_in_the_end(tmp_path_factory, 
     doc, answers, count = duet.new(), [], 0
     duet.do(act.Connect(doc))
     duet.is_held_back = True
-    for one in done:
-        if one == "pump":
+    for entry in done:
+        if entry == "pump":
             duet.is_held_back = False
             duet.pump()
             duet.is_held_back = True
-        elif isinstance(one, tuple) and one[0] == "alias":
-            duet.alias(one[1], one[1].upper(), f"Z{len(answers)}")
-        elif isinstance(one, tuple):
-            finish(duet, one[1])
+        elif isinstance(entry, tuple) and entry[0] == "alias":
+            duet.alias(entry[1], entry[1].upper(), f"Z{len(answers)}")
+        elif isinstance(entry, tuple):
+            finish(duet, entry[1])
         else:
-            duet.environment.do(one, "me", answers.append)
+            duet.environment.do(entry, "me", answers.append)
             count += 1
     duet.is_held_back = False
     duet.pump()
     assert len(answers) == count
     document, lives = duet.document(doc), duet.runtime.lives["Untitled-1"]
     assert not document.live.pending and not document.live.early
-    assert {name: one.state.value for name, one in lives.items()} == {
+    assert {name: life.state.value for name, life in lives.items()} == {
         name: facts.state for name, facts in document.live.tasks.items()
     }
     assert set(document.content.names) == set(lives)

@@ -44,9 +44,9 @@ def test_what_is_placed_is_spawned_off_and_what_is_removed_is_killed(libraries):
     what = reconfiguration(
         content({"arm": True}), content({"source": False}), living(("arm", "ON")), libraries, (), UNITS
     )
-    assert (what.kill, [one.task.name for one in what.spawn], what.on, what.off) == (("arm",), ["source"], (), ())
+    assert (what.kill, [task.task.name for task in what.spawn], what.on, what.off) == (("arm",), ["source"], (), ())
     change = what.change("main")
-    assert isinstance(change, live.Change) and [one.module for one in change.code] == ["source"]
+    assert isinstance(change, live.Change) and [code.module for code in change.code] == ["source"]
     assert what.names == {"arm", "source"} and what.wakes
 
 
@@ -59,30 +59,30 @@ def test_nothing_comes_of_what_stays_as_it_was(libraries):
 def test_producers_come_on_before_their_consumers(libraries):  # law 1
     names = ("filter", "source", "arm")
     off, on = dict.fromkeys(names, False), dict.fromkeys(names, True)
-    known = living(*((name, "OFF") for name in names))
-    what = reconfiguration(content(off), content(on), known, libraries, (), UNITS)
-    assert [one.task for one in what.on] == ["source", "filter", "arm"]
+    lives = living(*((name, "OFF") for name in names))
+    what = reconfiguration(content(off), content(on), lives, libraries, (), UNITS)
+    assert [task.task for task in what.on] == ["source", "filter", "arm"]
 
 
 def test_an_argument_line_goes_with_the_task_it_is_for(libraries):
-    known = living(("once", "OFF"), turns={"once": "1 2"})
-    what = reconfiguration(content({"once": False}), content({"once": True}), known, libraries, (), UNITS)
+    lives = living(("once", "OFF"), turns={"once": "1 2"})
+    what = reconfiguration(content({"once": False}), content({"once": True}), lives, libraries, (), UNITS)
     assert what.on == (live.Turn("once", "1 2"),)
 
 
 def test_a_task_that_is_wanted_already_is_turned_on_where_that_is_asked_for(libraries):  # R-C11
     same = content({"source": True})
     assert reconfiguration(same, same, living(("source", "ERROR")), libraries, (), UNITS).is_nothing
-    known = living(("source", "ERROR"), turns={"source": ""})
-    assert reconfiguration(same, same, known, libraries, (), UNITS).on == (live.Turn("source"),)
+    lives = living(("source", "ERROR"), turns={"source": ""})
+    assert reconfiguration(same, same, lives, libraries, (), UNITS).on == (live.Turn("source"),)
 
 
 def test_a_rate_changes_in_place_and_no_rate_is_given_to_who_has_none(libraries):  # R-C11
     names = {"source": True, "once": False}
-    known = living(("source", "ON"), ("once", "OFF"))
+    lives = living(("source", "ON"), ("once", "OFF"))
     after = content(names, source={"frequency": 25.0}, once={"frequency": 25.0})
-    assert reconfiguration(content(names), after, known, libraries, (), UNITS).rates == (("source", 25.0),)
-    back = reconfiguration(after, content(names), known, libraries, (), UNITS)
+    assert reconfiguration(content(names), after, lives, libraries, (), UNITS).rates == (("source", 25.0),)
+    back = reconfiguration(after, content(names), lives, libraries, (), UNITS)
     assert back.rates == (("source", 10.0),)
 
 
@@ -100,10 +100,10 @@ def test_who_is_on_already_is_not_asked_to_come_on(libraries):
 
 def test_another_unit_or_a_changed_description_means_an_exchange(libraries):  # R-C04, reading 9
     names = {"source": True, "filter": False}
-    known = living(("source", "ON"), ("filter", "OFF"))
-    moved = reconfiguration(content(names), content(names, source={"rtpu": "rt1"}), known, libraries, (), UNITS)
+    lives = living(("source", "ON"), ("filter", "OFF"))
+    moved = reconfiguration(content(names), content(names, source={"rtpu": "rt1"}), lives, libraries, (), UNITS)
     assert moved.kill == ("source",) and moved.spawn[0].task.rtpu == "rt1" and moved.on == (live.Turn("source"),)
-    edited = reconfiguration(content(names), content(names), known, libraries, ("filter",), UNITS)
+    edited = reconfiguration(content(names), content(names), lives, libraries, ("filter",), UNITS)
     assert (edited.kill, edited.on) == (("filter",), ())
 
 
@@ -137,9 +137,9 @@ def test_who_has_no_code_is_a_fault_and_who_is_missing_is_left_out(libraries, tm
 def test_who_is_to_be_born_is_shown_so_at_once_on_its_unit(libraries):  # R-C11
     after = content({"source": False, "filter": False}, filter={"rtpu": "rt1"})
     what = reconfiguration(content({}), after, living(turns={"source": ""}), libraries, (), UNITS)
-    known = with_facts(living(turns={"source": ""}), what, UNITS)
-    assert known.tasks["source"] == TaskFacts("SPAWNING", rtpu="rt0", hz=10.0)
-    assert known.tasks["filter"].rtpu == "rt1" and known.turns == {}
+    lives = with_facts(living(turns={"source": ""}), what, UNITS)
+    assert lives.tasks["source"] == TaskFacts("SPAWNING", rtpu="rt0", hz=10.0)
+    assert lives.tasks["filter"].rtpu == "rt1" and lives.turns == {}
 
 
 def test_a_supermodule_is_spawned_and_turned_on_in_its_order_and_off_the_other_way_round(libraries):  # R-C17
@@ -150,9 +150,13 @@ def test_a_supermodule_is_spawned_and_turned_on_in_its_order_and_off_the_other_w
 
     names = ("source", "filter", "arm")
     off, on = grouped(dict.fromkeys(names, False)), grouped(dict.fromkeys(names, True))
-    known = living(*((name, "OFF") for name in names))
-    assert [one.task for one in reconfiguration(off, on, known, libraries, (), UNITS).on] == ["arm", "filter", "source"]
+    lives = living(*((name, "OFF") for name in names))
+    assert [task.task for task in reconfiguration(off, on, lives, libraries, (), UNITS).on] == [
+        "arm",
+        "filter",
+        "source",
+    ]
     moving = living(*((name, "ON") for name in names))
     assert reconfiguration(on, off, moving, libraries, (), UNITS).off == ("source", "filter", "arm")
     born = reconfiguration(grouped({}), off, living(), libraries, (), UNITS).spawn
-    assert [one.task.name for one in born] == ["arm", "filter", "source"]
+    assert [birth.task.name for birth in born] == ["arm", "filter", "source"]

@@ -13,7 +13,7 @@ def play(tmp_path):
 
 
 def lines(play):
-    return [(one.level, str(one.text), one.where) for one in play.says]
+    return [(say.level, str(say.text), say.where) for say in play.says]
 
 
 def test_the_end_is_said_as_a_success_or_with_its_cause(play):  # R-E14, R-G06
@@ -93,10 +93,10 @@ def test_where_flows_are_is_asked_where_one_can_go_round(play):  # R-E05
 
 def test_worlds_that_a_run_opens_are_seen(play):  # R-K05
     play.run(play.open([job("aC")]))
-    asked = len(play.carried(live.Survey))
+    count = len(play.carried(live.Survey))
     play.began(0)
     play.began(0)
-    assert len(play.carried(live.Survey)) == asked + 1
+    assert len(play.carried(live.Survey)) == count + 1
 
 
 def test_a_runtime_that_is_lost_aborts_the_run(play):  # R-E10

@@ -23,7 +23,7 @@ def test_a_simulator_has_the_units_it_is_asked_for_and_the_pace_of_the_wall():  
 
     with RuntimeLauncher()("", "", Simulator(("left",))) as runtime:
         standing = runtime.ask(live.Survey())
-    assert [one.name for one in standing.rtpus] == ["left"] and standing.is_virtual
+    assert [unit.name for unit in standing.rtpus] == ["left"] and standing.is_virtual
 
 
 @pytest.mark.site
@@ -32,4 +32,4 @@ def test_without_an_address_a_runtime_with_these_units_is_started():  # R-A15
 
     with RuntimeLauncher(("left", "right"), is_virtual=True)("", "") as runtime:
         standing = runtime.ask(live.Survey())
-    assert [one.name for one in standing.rtpus] == ["left", "right"] and standing.is_virtual
+    assert [unit.name for unit in standing.rtpus] == ["left", "right"] and standing.is_virtual

@@ -39,7 +39,7 @@ def test_what_a_runtime_printed_last_is_told_at_its_side_and_nowhere_else(tmp_pa
     play = RunFixture(tmp_path)
     play.run(play.open([job("aC")]))
     play.lose("the runtime is gone: it ended; it printed last: Traceback (most recent call last):")
-    assert not any("Traceback" in str(one.text) for one in play.says) and "Traceback" not in str(play.view.cause)
+    assert not any("Traceback" in str(say.text) for say in play.says) and "Traceback" not in str(play.view.cause)
     assert "Traceback" in str(play.environment.tree.runtime.text)
 
 
@@ -55,7 +55,7 @@ def test_what_runs_is_aborted_and_says_so_once(tmp_path):  # R-E10
     play.run(play.open([job("aC")]))
     play.lose("the cable")
     assert play.view.state == "over" and not play.view.is_completed
-    assert [str(one.text) for one in play.says if "aborted" in str(one.text)] == [
+    assert [str(say.text) for say in play.says if "aborted" in str(say.text)] == [
         "play was aborted after 0 actions: the runtime is lost: the cable"
     ]
     play.lose("again")

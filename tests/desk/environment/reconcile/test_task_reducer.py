@@ -70,7 +70,7 @@ def test_warnings_are_said_and_counted(duet, doc):  # R-A11
     duet.tell(event.Warned("Untitled-1", "a", "late", 1.0))
     duet.tell(event.Warned("Untitled-1", "", "nobody writes X", 1.0))
     assert shown(duet, doc).warnings == 1
-    assert [str(one.text) for one in duet.says[-2:]] == ["a: late", "nobody writes X"]
+    assert [str(say.text) for say in duet.says[-2:]] == ["a: late", "nobody writes X"]
 
 
 def test_a_task_that_dies_lives_no_more_and_stays_on_the_canvas(duet, doc):  # R-C25
@@ -90,6 +90,6 @@ def test_the_death_of_the_old_one_in_an_exchange_hides_nobody(duet, doc):
 
 
 def test_a_stranger_that_stirs_is_looked_at(duet, doc):  # R-C12
-    asked = len(duet.carried_out)
+    count = len(duet.carried_out)
     state(duet, "ON", "stranger")
-    assert isinstance(duet.carried_out[asked], live.Survey)
+    assert isinstance(duet.carried_out[count], live.Survey)

@@ -20,14 +20,14 @@ def test_each_variable_is_asked_for_under_its_subsystem(duet):  # R-C14
     watching = Watch(
         frozenset((f"{doc}/Q^_REF", f"{doc}/A", f"{other}/A", "c9/A", "A")), frozenset(("boxes",)), hz=30.0
     )
-    asked = watching.attend(duet.environment.model)
-    assert asked == live.Attend(("*",), ("Untitled-1/A", "Untitled-1/Q^_REF"), ("boxes",), 30.0)
+    attend = watching.attend(duet.environment.model)
+    assert attend == live.Attend(("*",), ("Untitled-1/A", "Untitled-1/Q^_REF"), ("boxes",), 30.0)
     assert homes_of(duet.environment.model) == {doc: "Untitled-1"}
 
 
-@pytest.mark.parametrize(("wished", "asked"), [(1000.0, 60.0), (0.0, 0.1), (-3.0, 0.1), (math.nan, 0.1)])
-def test_nobody_is_shown_more_than_a_screen_can_show(duet, wished, asked):  # R-C14
-    assert Watch(hz=wished).attend(duet.environment.model).hz == asked
+@pytest.mark.parametrize(("wished", "hz"), [(1000.0, 60.0), (0.0, 0.1), (-3.0, 0.1), (math.nan, 0.1)])
+def test_nobody_is_shown_more_than_a_screen_can_show(duet, wished, hz):  # R-C14
+    assert Watch(hz=wished).attend(duet.environment.model).hz == hz
 
 
 def test_variables_of_a_run_are_found_in_the_first_flow_that_has_them(tmp_path):  # R-E11, R-C14
@@ -36,8 +36,8 @@ def test_variables_of_a_run_are_found_in_the_first_flow_that_has_them(tmp_path):
     wished = frozenset((f"{doc}/A", f"{doc}/flow1/A", f"{doc}/B", f"{doc}/NONE", doc))
     assert Watch(wished).attend(play.environment.model) == live.Attend(("*",), hz=0.1)
     play.run(doc)
-    asked = Watch(wished).attend(play.environment.model)
-    assert set(asked.readings) == {"flow0/A", "flow1/A", "flow1/B"}
+    attend = Watch(wished).attend(play.environment.model)
+    assert set(attend.readings) == {"flow0/A", "flow1/A", "flow1/B"}
     model = play.environment.model
     assert keys_of(model, "flow0/A") == (f"{doc}/flow0/A", f"{doc}/A")
     assert keys_of(model, "flow1/A") == (f"{doc}/flow1/A",)

@@ -23,9 +23,9 @@ def compared(cinema, path, **tolerance):
 
 
 def test_the_first_difference_of_two_runs_is_found(watched):  # R-X05: side by side
-    found = compared(watched, watched.film(watched.doc, "other", step=2.0))
-    assert (found.at_s, found.variable) == (0.1, "flow0/A")
-    assert str(found.text) == "flow0/A: 0.1 s, in the other 0.2 s"
+    comparison_view = compared(watched, watched.film(watched.doc, "other", step=2.0))
+    assert (comparison_view.at_s, comparison_view.variable) == (0.1, "flow0/A")
+    assert str(comparison_view.text) == "flow0/A: 0.1 s, in the other 0.2 s"
     assert watched.environment.tree.review.other.name == "play"
     assert watched.glance(1.5, of_other=True).values["flow0/A"] == 3.0
     assert watched.later(act.Course("flow0/A", 0.0, 2.0, of_other=True)).value[0].most[-1] == 3.8
@@ -40,8 +40,13 @@ def test_what_lies_within_the_tolerance_is_no_difference(watched):  # R-X05
 
 def test_runs_in_wall_time_may_differ_as_such_runs_do_unless_it_is_said(watched):  # R-X05
     other = watched.film(watched.doc, "other", step=1.002)
-    found = compared(watched, other)
-    assert (str(found.text) != "", found.tolerance, found.part, found.time_s) == (True, 0.0, 0.0, 0.0)
+    comparison_view = compared(watched, other)
+    assert (
+        str(comparison_view.text) != "",
+        comparison_view.tolerance,
+        comparison_view.part,
+        comparison_view.time_s,
+    ) == (True, 0.0, 0.0, 0.0)
     watched.do(act.CompareWith(""))
     review_session = watched.environment.model.review_session
     view = structs.replace(review_session.subject.view, is_virtual=False)
@@ -49,18 +54,23 @@ def test_runs_in_wall_time_may_differ_as_such_runs_do_unless_it_is_said(watched)
     watched.environment.model = replace(
         watched.environment.model, review_session=replace(review_session, subject=subject)
     )
-    found = compared(watched, other)
-    assert (str(found.text), found.tolerance, found.part, found.time_s) == ("", 0.002, 0.001, 0.1)
-    assert found.is_of_places
+    comparison_view = compared(watched, other)
+    assert (str(comparison_view.text), comparison_view.tolerance, comparison_view.part, comparison_view.time_s) == (
+        "",
+        0.002,
+        0.001,
+        0.1,
+    )
+    assert comparison_view.is_of_places
     exactly = compared(watched, other, tolerance=0.0, part=0.0)
     assert (str(exactly.text) != "", exactly.is_of_places) == (True, False)
 
 
 def test_an_action_that_is_another_is_told_in_the_words_of_its_icon(watched):  # R-X05
     watched.do(act.RemoveIcons(watched.doc, (1,)))
-    found = compared(watched, watched.film(watched.doc, "other"))
-    assert (found.at_s, found.variable) == (0.0, "")
-    sides = [found.text.args[side].args["event"] for side in ("first", "second")]
+    comparison_view = compared(watched, watched.film(watched.doc, "other"))
+    assert (comparison_view.at_s, comparison_view.variable) == (0.0, "")
+    sides = [comparison_view.text.args[side].args["event"] for side in ("first", "second")]
     assert [str(side) for side in sides] == ["“a job” begins", "“a job” begins"]
 
 
@@ -99,8 +109,8 @@ def test_nobody_hears_of_a_difference_that_is_not_wanted_any_more(watched):
 
 def test_why_two_cannot_be_compared_is_told_in_place_of_a_difference(watched):
     watched.environment.model.review_session.subject.path.write_bytes(b"")
-    found = compared(watched, watched.film(watched.doc, "other"))
-    assert "cannot be compared" in str(found.text)
+    comparison_view = compared(watched, watched.film(watched.doc, "other"))
+    assert "cannot be compared" in str(comparison_view.text)
 
 
 def test_numbers_have_as_many_digits_as_tell_them_apart(cinema):  # R-X05
@@ -123,5 +133,5 @@ def test_arrays_of_other_sizes_are_told_by_how_many_values_there_are(cinema):  #
         tape.variable("DH", size, (0.0, values))
         tape.end()
     cinema.look(cinema.base.path / "four.mcap")
-    found = compared(cinema, cinema.base.path / "six.mcap")
-    assert str(found.text) == "flow0/DH: 4 × 4 values, in the other 6 × 4 values"
+    comparison_view = compared(cinema, cinema.base.path / "six.mcap")
+    assert str(comparison_view.text) == "flow0/DH: 4 × 4 values, in the other 6 × 4 values"

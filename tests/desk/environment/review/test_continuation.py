@@ -28,12 +28,12 @@ def play(tmp_path):
 
 @pytest.fixture
 def tape(tmp_path):
-    one = RecordingBuilder(tmp_path / "run.mcap")
-    one.tell(0.0, event.Began(0, 0, 2, "mass", 0.0))
-    one.ask(0.5, steer.Pause("flow0"))
-    one.ask(1.5, steer.Resume("flow0"))
-    one.variable("X", "double", (0.0, 1.0), (2.0, 2.0))
-    return one
+    tape = RecordingBuilder(tmp_path / "run.mcap")
+    tape.tell(0.0, event.Began(0, 0, 2, "mass", 0.0))
+    tape.ask(0.5, steer.Pause("flow0"))
+    tape.ask(1.5, steer.Resume("flow0"))
+    tape.variable("X", "double", (0.0, 1.0), (2.0, 2.0))
+    return tape
 
 
 def looked_at(play, tape, **ending):
@@ -54,7 +54,7 @@ def continued(play, at_s, **more):
 def test_the_plan_of_then_is_begun_in_a_simulator_with_what_was_asked_up_to_the_instant(play, tape):  # R-X05
     looked_at(play, tape)
     assert continued(play, 1.0).value == 1
-    order = next(one for one in play.orders if one.reach is not None and one.reach.is_anew)
+    order = next(order for order in play.orders if order.reach is not None and order.reach.is_anew)
     assert order.reach.simulator == Simulator(("rt0",)) and isinstance(order.asked, live.Survey)
     begin = play.carried(request.Begin)[-1]
     assert play.carried(request.Prepare)[-1] == recorded().prepare
@@ -67,7 +67,7 @@ def test_it_is_shown_as_a_run_and_the_recording_is_put_away(play, tape):  # R-X0
     continued(play, 1.0)
     assert (play.view.state, play.view.repeats_until_s, play.view.recording) == ("running", 1.0, "")
     assert list(play.view.flows) == ["flow0"] and play.environment.tree.review is None
-    assert any("up to 1.0 s" in str(one.text) for one in play.says)
+    assert any("up to 1.0 s" in str(say.text) for say in play.says)
 
 
 def test_what_was_ended_by_hand_goes_on_all_the_same(play, tape):  # R-X05
@@ -75,9 +75,9 @@ def test_what_was_ended_by_hand_goes_on_all_the_same(play, tape):  # R-X05
     looked_at(play, tape)
     assert continued(play, 2.0).no is None
     begin = play.carried(request.Begin)[-1]
-    asked = [request.decode_request(one.body) for one in begin.repeat]
-    assert asked == [steer.Pause("flow0"), steer.Resume("flow0")]
-    assert any("ended by hand" in str(one) for one in play.view.notes)
+    requests = [request.decode_request(line.body) for line in begin.repeat]
+    assert requests == [steer.Pause("flow0"), steer.Resume("flow0")]
+    assert any("ended by hand" in str(note) for note in play.view.notes)
 
 
 def test_what_lives_ends_only_when_the_user_wants_it(play, tape):  # R-X01, reading 30
@@ -88,7 +88,7 @@ def test_what_lives_ends_only_when_the_user_wants_it(play, tape):  # R-X01, read
     assert play.environment.tree.review is not None
     assert continued(play, 1.0, confirmed=True).no is None
     assert play.document(doc).live is None
-    assert any("Untitled-1 is no longer connected" in str(one.text) for one in play.says)
+    assert any("Untitled-1 is no longer connected" in str(say.text) for say in play.says)
 
 
 def test_a_configuration_in_which_nothing_lives_is_nothing_to_ask_about(play, tape):
@@ -159,18 +159,18 @@ class Real:
         self.station = RuntimeThread(RuntimeLauncher(), self.changes.put)
         model, _ = initial_model.opened(site, folder, {})
         self.environment = Environment(model, HANDLERS, outside, self.station)
-        heard = self.environment.receive
+        receive = self.environment.receive
 
-        def listen(one: event.Event) -> None:
-            self.results += [one] if isinstance(one, event.Result) else []
-            heard(one)
+        def listen(message: event.Event) -> None:
+            self.results += [message] if isinstance(message, event.Result) else []
+            receive(message)
 
         self.environment.receive = listen
         self.station.begin(self.environment)
 
-    def do(self, asked):
+    def do(self, wish):
         given = []
-        self.environment.do(asked, "me", given.append)
+        self.environment.do(wish, "me", given.append)
         self.until(lambda: given)
         assert given[0].no is None, given[0].no.reason
         return given[0].value
@@ -217,8 +217,8 @@ def test_where_nobody_steers_the_end_is_that_of_the_recorded_run(tmp_path):  # R
         view = real.environment.tree.run
         assert view is not None and view.doc == doc and real.environment.tree.runtime.is_virtual
         real.until(lambda: real.results)
-        assert [one.hash for one in real.results] == [outcome.result.hash]
+        assert [result.hash for result in real.results] == [outcome.result.hash]
         assert time.monotonic() - began > 0.4, "the rest passes as time on the wall does"
-        assert {one.state for one in real.environment.tree.run.steps.values()} == {"done"}
+        assert {step.state for step in real.environment.tree.run.steps.values()} == {"done"}
     finally:
         real.station.end()

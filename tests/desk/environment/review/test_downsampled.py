@@ -28,8 +28,8 @@ def test_words_have_no_course_and_what_was_not_recorded_is_refused(watched):
     ("begin_s", "end_s", "points"), [(3.0, 1.0, 10), (0.0, 3.0, 0), (0.0, 3.0, -7), (-9.0, -8.0, 5), (-1e308, 1e308, 1)]
 )
 def test_odd_stretches_are_answered_with_what_is_there(watched, begin_s, end_s, points):
-    (found,) = watched.later(act.Course("flow0/A", begin_s, end_s, points)).value
-    assert len(found.at_s) == len(found.least) == len(found.most) <= 1
+    (course,) = watched.later(act.Course("flow0/A", begin_s, end_s, points)).value
+    assert len(course.at_s) == len(course.least) == len(course.most) <= 1
 
 
 def test_a_file_that_is_put_away_meanwhile_is_read_to_its_end(watched):

@@ -13,7 +13,7 @@ def doc(cinema):
 
 
 def steps(view):
-    return [one.step for one in view.flows["flow0"].passages]
+    return [passage.step for passage in view.flows["flow0"].passages]
 
 
 def test_a_recorded_run_is_shown_with_its_flows_variables_and_worlds(cinema, doc):  # R-X05

@@ -12,12 +12,12 @@ def test_recordings_are_listed_newest_first_and_nothing_else(cinema):  # R-X05
     whole.rename(folder / "whole.mcap")
     cut.rename(folder / "cut.mcap")
     (folder / "odd.mcap").write_text("nothing")
-    found = cinema.later(act.Recordings()).value
-    assert found.folder == str(folder)
-    by_name = {one.path.rpartition("/")[2]: one for one in found.files}
+    listing = cinema.later(act.Recordings()).value
+    assert listing.folder == str(folder)
+    by_name = {file.path.rpartition("/")[2]: file for file in listing.files}
     assert sorted(by_name) == ["cut.mcap", "whole.mcap"]
-    one = by_name["whole.mcap"]
-    assert (one.name, one.took_s, one.is_whole) == ("play", 1.0, True)
+    file = by_name["whole.mcap"]
+    assert (file.name, file.took_s, file.is_whole) == ("play", 1.0, True)
     assert not by_name["cut.mcap"].is_whole
-    assert one.bytes == (folder / "whole.mcap").stat().st_size
-    assert one.began_at_s > 1.7e9
+    assert file.bytes == (folder / "whole.mcap").stat().st_size
+    assert file.began_at_s > 1.7e9

@@ -15,7 +15,7 @@ def doc(cinema):
 
 def shown(cinema):
     review = cinema.environment.tree.review
-    return review.recording, [one.step for one in review.recording.flows["flow0"].passages]
+    return review.recording, [passage.step for passage in review.recording.flows["flow0"].passages]
 
 
 def test_an_application_that_is_closed_and_opened_again_is_shown_at_its_icons(cinema, doc):  # R-X05
@@ -34,7 +34,7 @@ def test_one_that_was_recorded_from_another_folder_is_found_by_its_name(cinema, 
     film = cinema.tape(doc)
     film.end()
     there = structs.replace(film.plan, application="play")
-    actions = tuple(structs.replace(one, place="elsewhere/play.appl") for one in there.flows[0].actions)
+    actions = tuple(structs.replace(action, place="elsewhere/play.appl") for action in there.flows[0].actions)
     elsewhere = structs.replace(there, flows=(structs.replace(there.flows[0], actions=actions),))
     tape = RecordingBuilder(
         cinema.base.path / "elsewhere.mcap", structs.replace(run(), prepare=request.Prepare(elsewhere, ()))
@@ -55,7 +55,7 @@ def test_icons_that_were_read_again_are_the_ones_at_which_it_is_shown(cinema, do
     cinema.become()
     view, steps = shown(cinema)
     icons = cinema.environment.tree.applications[doc].steps
-    assert [icons[str(one)].name if one else "" for one in steps] == ["", "", "cC"]
+    assert [icons[str(step)].name if step else "" for step in steps] == ["", "", "cC"]
     assert "2 of 3 recorded actions have no icon now" in str(view.notes[0])
 
 

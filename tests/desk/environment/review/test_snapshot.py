@@ -18,7 +18,7 @@ def test_an_instant_is_what_was_shown_then(watched):  # R-X05: canvas, flows, pl
     instant = watched.glance(1.5)
     flow = instant.run.flows["flow0"]
     assert (flow.state, flow.step, flow.index, flow.done, flow.began_s) == ("running", 2, 1, 1, 1.0)
-    assert {key: (one.state, one.times) for key, one in instant.run.steps.items()} == {
+    assert {key: (step.state, step.times) for key, step in instant.run.steps.items()} == {
         "1": ("done", 1),
         "2": ("running", 0),
     }
@@ -51,7 +51,7 @@ def test_a_task_for_which_another_one_stood_is_shown_in_the_state_of_that_one(ci
     tape.end()
     view, name = cinema.look(tape.path), flow.tasks[0].name
     assert cinema.glance(1.0).tasks == {f"flow0/{name}": "ON", "flow0/puma": "ON"}
-    assert [(one.old, one.new, one.flow, one.homes) for one in view.redirects] == [
+    assert [(redirect.old, redirect.new, redirect.flow, redirect.homes) for redirect in view.redirects] == [
         ("puma", flow.tasks[0].name, "", ("flow0",))
     ]
 
@@ -67,7 +67,7 @@ def test_tasks_of_an_open_configuration_are_found_in_their_subsystem(watched):  
 
 def test_a_world_is_what_was_drawn_live(watched):  # R-X05: 3-D
     (shape,) = watched.do(act.RecordedScene("yard"))["shapes"]
-    assert shape == {key: list(one) if isinstance(one, tuple) else one for key, one in LAMP.items()}
+    assert shape == {key: list(value) if isinstance(value, tuple) else value for key, value in LAMP.items()}
     assert "nothing of a world moon" in str(watched.no(act.RecordedScene("moon")).reason)
 
 

@@ -6,19 +6,19 @@ from onika.wire import event, live, request, steer
 STOP = event.Explained("flow0", "b", "bC", 1, "", "b failed", "", 0, (), (), (("retry", "again"),), 1.5, "error")
 
 
-def marks(cinema, *, told=(), asked=()):
+def marks(cinema, *, messages=(), requests=()):
     doc = cinema.open([job("aC"), job("bC")])
     tape = cinema.tape(doc)
-    for at_s, one in told:
-        tape.tell(at_s, one)
-    for at_s, one in asked:
-        tape.ask(at_s, one)
+    for at_s, message in messages:
+        tape.tell(at_s, message)
+    for at_s, wish in requests:
+        tape.ask(at_s, wish)
     tape.end()
-    return [(one.at_s, one.kind, str(one.text)) for one in cinema.look(tape.path).marks]
+    return [(mark.at_s, mark.kind, str(mark.text)) for mark in cinema.look(tape.path).marks]
 
 
 def test_errors_standstills_meetings_and_ends_are_marked(cinema):  # R-X05
-    told = [
+    messages = [
         (2.0, event.Met("0 meet", ("flow0", "flow1"), 12.0, 2.0)),
         (1.0, event.Failed("flow0", "b", "ValueError: no", "b.py", 1, "", 1.0)),
         (1.5, STOP),
@@ -26,7 +26,7 @@ def test_errors_standstills_meetings_and_ends_are_marked(cinema):  # R-X05
         (3.0, event.Result(False, "aborted by the user", 0, 2, 3.0, 0.0, {}, (), "")),
         (0.5, event.Warned("flow0", "b", "hot", 0.5)),
     ]
-    assert marks(cinema, told=told) == [
+    assert marks(cinema, messages=messages) == [
         (1.0, "error", "b: ValueError: no"),
         (1.5, "stop", "flow0: b failed"),
         (2.0, "meet", "flow0 and flow1 met at meet"),
@@ -36,7 +36,7 @@ def test_errors_standstills_meetings_and_ends_are_marked(cinema):  # R-X05
 
 
 @pytest.mark.parametrize(
-    ("asked", "kind", "text"),
+    ("wish", "kind", "text"),
     [
         (steer.Pause(), "command", "pause"),
         (steer.Resume("flow0"), "command", "go on: flow0"),
@@ -52,5 +52,5 @@ def test_errors_standstills_meetings_and_ends_are_marked(cinema):  # R-X05
         (live.Reset(), "command", "allow motion again"),
     ],
 )
-def test_what_was_asked_is_marked(cinema, asked, kind, text):  # R-X05
-    assert marks(cinema, asked=[(0.5, asked)]) == [(0.5, kind, text)]
+def test_what_was_asked_is_marked(cinema, wish, kind, text):  # R-X05
+    assert marks(cinema, requests=[(0.5, wish)]) == [(0.5, kind, text)]

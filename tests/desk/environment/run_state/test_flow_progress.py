@@ -12,7 +12,7 @@ def play(tmp_path):
 
 
 def steps(play):
-    return {int(key): (one.state, one.times) for key, one in play.view.steps.items()}
+    return {int(key): (step.state, step.times) for key, step in play.view.steps.items()}
 
 
 def test_steps_are_under_way_and_then_done_with_their_times(play):  # R-E11

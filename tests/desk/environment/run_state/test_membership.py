@@ -16,11 +16,11 @@ def application(*steps):
 
 def test_a_target_or_the_hole_for_one_belongs_to_its_action():
     there = joints("there", *[0.0] * 6)
-    found = StepMembership.of(
+    membership = StepMembership.of(
         application(job("aC"), job("jC", "Joint job"), there, job("jC", "Joint job"), HOLE), SYNTAX
     )
-    assert found.owners == {3: 2, 5: 4}
-    assert found.meant(1) == {(1,)} and found.meant(3) == {(2,)}
+    assert membership.owners == {3: 2, 5: 4}
+    assert membership.meant(1) == {(1,)} and membership.meant(3) == {(2,)}
 
 
 def test_a_branch_means_all_that_stands_in_it():  # R-D13
@@ -28,9 +28,9 @@ def test_a_branch_means_all_that_stands_in_it():  # R-D13
     outer = ["BRANCH\nFLOW\n", job("aC"), *inner, "ENDFLOW\nFLOW\n", job("bC"), "ENDFLOW\nENDBRANCH\n"]
     here = application(*outer)
     numbers = {icon.onikon.name: icon.number for icon in icons(here)}
-    found = StepMembership.of(here, SYNTAX)
+    membership = StepMembership.of(here, SYNTAX)
     branch = here.flows[0].steps[0].number
     assert list(numbers) == ["aC", "cC", "dC", "bC"]
-    (inner_branch,) = (one for one in found.inside if one != branch)
-    assert found.meant(branch) == {(one,) for one in (*numbers.values(), inner_branch)}
-    assert found.meant(numbers["cC"]) == {(numbers["cC"],)}
+    (inner_branch,) = (step for step in membership.inside if step != branch)
+    assert membership.meant(branch) == {(number,) for number in (*numbers.values(), inner_branch)}
+    assert membership.meant(numbers["cC"]) == {(numbers["cC"],)}

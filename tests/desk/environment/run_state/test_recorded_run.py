@@ -14,7 +14,7 @@ def test_the_last_action_of_a_run_cut_short_has_no_end_and_one_that_was_left_has
     tape.tell(1.0, event.Began(0, 1, 2, "bC", 1.0))
     tape.cut()
     passages = cinema.look(tape.path).flows["flow0"].passages
-    assert [(one.begin_s, one.end_s) for one in passages] == [(0.0, 1.0), (1.0, None)]
+    assert [(passage.begin_s, passage.end_s) for passage in passages] == [(0.0, 1.0), (1.0, None)]
 
 
 def test_what_was_lost_is_told(cinema, tape):  # R-X05

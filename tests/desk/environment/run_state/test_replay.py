@@ -6,7 +6,7 @@ from onika.desk.environment.run_state.run import begun
 from onika.wire import event
 
 PLAN = run().prepare.plan
-NAMES = [one.name for one in PLAN.flows[0].actions]
+NAMES = [action.name for action in PLAN.flows[0].actions]
 
 
 def told(count):
@@ -21,8 +21,8 @@ def test_any_instant_is_what_was_told_up_to_it():  # R-X05
     replay = RunHistory(first, events)
     for at_s in (0.0, 0.49, 0.5, 31.9, 32.0, 63.7, 99.25, 199.0, 199.5, 1e6):
         expected = first
-        for at, _, one in events:
-            expected = flow_progress.after(expected, one) if at <= at_s * 1e9 else expected
+        for at, _, message in events:
+            expected = flow_progress.after(expected, message) if at <= at_s * 1e9 else expected
         assert replay.at(at_s) == expected.view
 
 

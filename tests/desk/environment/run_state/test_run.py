@@ -23,18 +23,18 @@ def run_of(name):
 @pytest.mark.parametrize("name", NAMES)
 def test_every_action_belongs_to_a_step_and_every_step_with_actions_finds_them(name):  # R-E11, R-E13
     application, run = run_of(name)
-    known = spots(application)
+    steps = spots(application)
     for number, flow in enumerate(run.plan.flows):
         for index in range(len(flow.actions)):
             step = run.step_at(flow.subsystem, index)
-            assert step in known, flow.actions[index]
+            assert step in steps, flow.actions[index]
             assert (number, index) in list(run.actions_of(step))
 
 
 def test_what_is_shown_before_it_begins():
     _, run = run_of("two_arms")
     assert (run.view.number, run.view.began_at_s, run.view.state) == (3, 5.0, "beginning")
-    assert run.homes == tuple(run.view.flows) and run.view.of == sum(len(one.actions) for one in run.plan.flows)
+    assert run.homes == tuple(run.view.flows) and run.view.of == sum(len(flow.actions) for flow in run.plan.flows)
 
 
 def test_what_is_not_in_the_plan_is_no_step():

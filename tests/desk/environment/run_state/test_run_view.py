@@ -35,7 +35,7 @@ def test_a_standstill_leads_to_its_step_and_its_code(run):  # R-X06
 
 def test_choices_are_words_of_steering_and_one_that_leaves_something_open_is_none_yet(run):  # R-E08
     shown = stop_view(run, explained((("clear", "repeats it"), ("skip flow9 N", "goes elsewhere"))))
-    assert [(str(one.label), one.act) for one in shown.choices] == [
+    assert [(str(choice.label), choice.act) for choice in shown.choices] == [
         ("clear", act.Steer("clear")),
         ("skip flow9 N", None),
     ]
@@ -43,15 +43,15 @@ def test_choices_are_words_of_steering_and_one_that_leaves_something_open_is_non
 
 
 def test_of_long_courses_the_newest_value_is_kept(run):  # R-X06
-    times = tuple(float(one) for one in range(1000))
+    times = tuple(float(index) for index in range(1000))
     (course,) = stop_view(run, explained(courses=(event.Course("Q", "rad", times, times),))).courses
     assert len(course.at_s) <= 120 and course.at_s[-1] == course.values[-1] == 999.0
 
 
 def test_a_choice_of_one_other_action_needs_no_choosing(run):  # R-E13
     skips = [explained(((words, "the same"),)) for words in ("skip N", "skip flow0 N", "skip flow7 N")]
-    found = [stop_view(run, one).choices[0].act for one in skips]
-    assert found == [act.Steer("skip flow0 1"), act.Steer("skip flow0 1"), None]
+    acts = [stop_view(run, skip).choices[0].act for skip in skips]
+    assert acts == [act.Steer("skip flow0 1"), act.Steer("skip flow0 1"), None]
 
 
 def test_a_stop_is_told_in_the_words_of_the_icons(play):  # R-X06

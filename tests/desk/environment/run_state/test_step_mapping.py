@@ -16,7 +16,7 @@ def plan(*flows, spots=False):
     def action(name):
         return PlannedAction(name, name, None, "p.appl", (), (), "", spot=(next(number),) if spots else (77,))
 
-    return Plan("p", tuple(PlannedFlow(f"flow{n}", (), tuple(map(action, one))) for n, one in enumerate(flows)), ())
+    return Plan("p", tuple(PlannedFlow(f"flow{n}", (), tuple(map(action, flow))) for n, flow in enumerate(flows)), ())
 
 
 def found(recorded, now):
@@ -25,7 +25,7 @@ def found(recorded, now):
 
 
 def spots(made):
-    return ["".join(str(one.spot[0]) if one.spot else "." for one in flow.actions) for flow in made.plan.flows]
+    return ["".join(str(action.spot[0]) if action.spot else "." for action in flow.actions) for flow in made.plan.flows]
 
 
 @pytest.mark.parametrize(

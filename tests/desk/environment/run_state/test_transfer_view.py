@@ -21,4 +21,4 @@ def test_a_step_that_is_too_far_is_a_note_of_the_run_and_stands_in_its_result(tm
     play.tell(event.Stepped("flow0", "puma", "TAU_REF", "N m", 1, 40.0, 9.0, 9.76, 6, 1.0))
     assert str(play.view.notes[-1]).endswith("blended over 6 cycles")
     play.tell(event.Result(True, "", 2, 2, 2.0, 2.0, {}, (), "", steps=(STEPS,)))
-    assert [one.variable for one in play.view.jumps] == ["TAU_REF[1]"]
+    assert [jump.variable for jump in play.view.jumps] == ["TAU_REF[1]"]

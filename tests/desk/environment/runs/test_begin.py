@@ -17,7 +17,7 @@ def test_a_run_is_prepared_and_begun_with_the_steps_as_lines(play):  # R-E07
     view = play.run(doc)
     assert (view.state, view.number, view.of, list(view.flows)) == ("running", 1, 2, ["flow0"])
     (prepared,) = play.carried(request.Prepare)
-    assert [one.spot for one in prepared.plan.flows[0].actions] == [(1,), (2,)]
+    assert [action.spot for action in prepared.plan.flows[0].actions] == [(1,), (2,)]
     (begin,) = play.carried(request.Begin)
     assert (begin.may_ask, begin.on_error, begin.on_loss) == (True, "wait", "stop")
     assert play.environment.tree.applications[doc].is_running
@@ -33,7 +33,7 @@ def test_what_is_here_runs_and_not_what_the_file_says(play):  # R-E12
     play.do(act.RemoveIcons(doc, (2,)))
     play.run(doc)
     (prepared,) = play.carried(request.Prepare)
-    assert [(one.name, one.spot) for one in prepared.plan.flows[0].actions] == [("aC", (1,)), ("cC", (3,))]
+    assert [(action.name, action.spot) for action in prepared.plan.flows[0].actions] == [("aC", (1,)), ("cC", (3,))]
 
 
 def test_everything_that_is_wrong_is_told_at_once(play):  # R-E01, R-X01
@@ -62,7 +62,7 @@ def test_a_configuration_that_is_not_saved_is_asked_about(play, tmp_path):  # R-
     play.do(act.Rate(conf, "a", 50.0))
     no = play.no(act.Run(doc))
     assert "aC is changed here and not saved" in str(no.reason)
-    save, as_filed = (one.act for one in no.remedies)
+    save, as_filed = (remedy.act for remedy in no.remedies)
     play.do(as_filed)
     assert play.carried(request.Prepare)[-1].plan.flows[0].actions[0].rates == (("a", 100.0),)
     play.end()
@@ -161,9 +161,11 @@ def test_breakpoints_are_passed_where_the_user_wants_it(play):  # R-D06
     play.run(doc)
     play.end()
     play.do(act.Run(doc, passes_breakpoints=True))
-    marked, passing = (one.plan.flows[0] for one in play.carried(request.Prepare))
-    assert [one.marker for one in marked.actions] == [True, False]
-    assert [one.marker for one in passing.actions] == [False, False] and len(passing.program) < len(marked.program)
+    marked, passing = (prepared_request.plan.flows[0] for prepared_request in play.carried(request.Prepare))
+    assert [action.marker for action in marked.actions] == [True, False]
+    assert [action.marker for action in passing.actions] == [False, False] and len(passing.program) < len(
+        marked.program
+    )
 
 
 def test_an_application_without_a_file_runs_too(play):  # R-E12

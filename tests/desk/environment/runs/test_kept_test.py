@@ -32,9 +32,9 @@ class Keeper:
 
 @pytest.fixture
 def keeper(monkeypatch):
-    one = Keeper()
-    monkeypatch.setattr(kept_test, "keep_in", one)
-    return one
+    keeper = Keeper()
+    monkeypatch.setattr(kept_test, "keep_in", keeper)
+    return keeper
 
 
 @pytest.fixture
@@ -46,9 +46,9 @@ def shown(play):
     return play.environment.tree.keeping
 
 
-def finished(play, asked):
+def finished(play, request):
     """What is shown when it has been kept, or not."""
-    play.do(asked)
+    play.do(request)
     while shown(play).state == "running":
         play.become()
     return shown(play)
@@ -68,11 +68,11 @@ def test_it_is_kept_aside_and_how_far_it_is_is_shown(play, keeper, tmp_path):  #
     assert (shown(play).run, shown(play).of) == (2, 5)
     play.become()
     assert (shown(play).state, str(shown(play).text)) == ("kept", "1 actions, 2 values")
-    assert any(str(one.text) == "play.test is kept: 1 actions, 2 values" for one in play.says)
+    assert any(str(say.text) == "play.test is kept: 1 actions, 2 values" for say in play.says)
     ((kept_at, settings, site),) = keeper.asked
     assert kept_at == path and path.parent.is_dir() and site.directories[0].path == tmp_path
     assert (settings.name, settings.is_virtual) == (str(tmp_path / "appl" / "play.appl"), True)
-    assert [str(one.text) for one in settings.expectations] == ["LAMP == 1"]
+    assert [str(expectation.text) for expectation in settings.expectations] == ["LAMP == 1"]
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only there a thread has a priority of its own")

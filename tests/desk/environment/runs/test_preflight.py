@@ -24,7 +24,7 @@ def shown(play, doc):
 
 
 def texts(play, doc):
-    return {(one.step, str(one.text)) for one in shown(play, doc).faults.values()}
+    return {(fault.step, str(fault.text)) for fault in shown(play, doc).faults.values()}
 
 
 def finds(play, *lines, file=None):
@@ -43,9 +43,9 @@ def test_what_a_runtime_finds_stands_at_its_steps_until_the_application_changes(
     doc = play.open([job("aC"), job("bC")])
     finds(play, 1, 2)
     assert play.do(act.Preflight(doc)) == 2
-    said = "home cannot be reached: joint 3 at 9.00 rad is beyond 3.93"
-    assert texts(play, doc) == {(1, said), (2, said)}
-    assert all(one.is_of_runtime for one in shown(play, doc).faults.values())
+    sentence = "home cannot be reached: joint 3 at 9.00 rad is beyond 3.93"
+    assert texts(play, doc) == {(1, sentence), (2, sentence)}
+    assert all(fault.is_of_runtime for fault in shown(play, doc).faults.values())
     play.do(act.SetBreakpoint(doc, (1,)))
     assert len(texts(play, doc)) == 2
     play.do(act.SetBreakpoint(doc, (1,), is_set=True, condition="A > 1"))
@@ -119,15 +119,15 @@ def test_what_is_only_worth_knowing_is_a_warning_at_its_step(play):  # R-X02
         "plain",
     )
 
-    def answered(asked):
-        answer = ask(asked)
+    def answered(wish):
+        answer = ask(wish)
         return replace(answer, notes=notes) if isinstance(answer, request.Prepared) else answer
 
     play.runtime.ask = answered
     assert play.do(act.Preflight(doc)) == 0
-    found = {(one.step, str(one.text), one.level) for one in shown(play, doc).faults.values()}
-    known = {(2, "b: LOCAL ODD is no parameter of module b; it is kept"), (1, "aC ends with a"), (0, "plain")}
-    assert found == {(*one, "warning") for one in known}
+    faults = {(fault.step, str(fault.text), fault.level) for fault in shown(play, doc).faults.values()}
+    expected = {(2, "b: LOCAL ODD is no parameter of module b; it is kept"), (1, "aC ends with a"), (0, "plain")}
+    assert faults == {(*row, "warning") for row in expected}
 
 
 def test_a_run_is_not_disturbed(play):

@@ -61,7 +61,7 @@ def test_a_target_is_named_by_its_icon_and_marked_there(play, tmp_path):  # R-X0
     )
     play.runtime.faults = (far,)
     play.do(act.Preflight(doc))
-    fault = next(one for one in play.environment.tree.applications[doc].faults.values() if one.is_of_runtime)
+    fault = next(fault for fault in play.environment.tree.applications[doc].faults.values() if fault.is_of_runtime)
     assert (fault.step, str(fault.text)) == (2, "“a target” cannot be reached: joint 3 at 9.00 rad is beyond 3.93")
     assert fault.remedies[0].show == ShowValues(2)
 

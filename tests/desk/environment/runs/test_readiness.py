@@ -28,7 +28,7 @@ def look(play, judge, cases):
 
 
 def shown(play, doc):
-    return sorted(str(one.text) for one in play.environment.tree.applications[doc].faults.values())
+    return sorted(str(fault.text) for fault in play.environment.tree.applications[doc].faults.values())
 
 
 def test_what_is_open_is_judged_once_and_again_after_a_change(play):  # R-E01
@@ -120,20 +120,20 @@ def test_whatever_stands_in_an_application_it_is_judged(seed):  # R-E01
     for _ in range(20):
         flows = tuple(some_flow() for _ in range(rng.randrange(4)))
         application, last = numbered(Application("odd", rng.random() < 0.5, flows), 0)
-        found = judge.judge(ReadinessCase(OpenApplication("a1", application, last), syntax, ()))
-        assert found.of is application
-        known = {0, *spots(application)}
-        assert all(fault.step in known and str(fault.text) for fault in found.faults)
+        verdict = judge.judge(ReadinessCase(OpenApplication("a1", application, last), syntax, ()))
+        assert verdict.of is application
+        places = {0, *spots(application)}
+        assert all(fault.step in places and str(fault.text) for fault in verdict.faults)
 
 
 def test_flows_that_nothing_chooses_are_told_with_what_would_choose(play):  # R-D04, R-X01
     judge = ReadinessJudge(play.site)
     doc = play.open([job("aC")], [job("bC")])
     look(play, judge, judge.cases(play.environment.model))
-    (told,) = play.environment.tree.applications[doc].faults.values()
+    (fault,) = play.environment.tree.applications[doc].faults.values()
     assert (
-        str(told.text) == "run by itself, only flow 0 runs: nothing before it chooses another"
-        and told.level == "warning"
+        str(fault.text) == "run by itself, only flow 0 runs: nothing before it chooses another"
+        and fault.level == "warning"
     )
-    play.do(told.remedies[0].act)
-    assert any(one.kind == "branch" for one in play.environment.tree.applications[doc].steps.values())
+    play.do(fault.remedies[0].act)
+    assert any(step.kind == "branch" for step in play.environment.tree.applications[doc].steps.values())

@@ -15,7 +15,7 @@ def test_everything_is_told_at_once_each_with_its_first_remedy():  # R-E01, R-X0
     no = refused(HERE, faults)
     assert str(no.reason).startswith("play cannot run: 12 things: fault 0; fault 1")
     assert str(no.reason).endswith("; and 4 more")
-    assert [str(one.label) for one in no.remedies] == [f"mend {n}" for n in range(6)]
+    assert [str(remedy.label) for remedy in no.remedies] == [f"mend {n}" for n in range(6)]
 
 
 def test_one_fault_is_told_alone():

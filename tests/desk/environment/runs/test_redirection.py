@@ -9,10 +9,10 @@ from onika.wire.view import RedirectView
 
 @pytest.fixture
 def play(tmp_path):
-    one = RunFixture(tmp_path)
-    one.files.module("twin", '"""Another way to do it."""\n')
-    one.files.plain_task("twin", writes="A MORE")
-    return one
+    play = RunFixture(tmp_path)
+    play.files.module("twin", '"""Another way to do it."""\n')
+    play.files.plain_task("twin", writes="A MORE")
+    return play
 
 
 def tasks(play):
@@ -77,9 +77,9 @@ def test_what_holds_for_all_flows_is_told_of_them_together(play):  # R-E09
     a, b = play.do(act.Seats(doc)).flows[""]
     assert (a.task, a.taken_by, a.is_hardware) == ("a", "", True)
     assert (b.task, b.taken_by, b.is_hardware) == ("b", "b", False)
-    assert [one.name for one in a.candidates] == ["twin"]
+    assert [candidate.name for candidate in a.candidates] == ["twin"]
     play.do(act.Redirect(doc, "", "a", "twin"))
-    assert [one.taken_by for one in play.do(act.Seats(doc)).flows[""]] == ["twin", "b"]
+    assert [flow.taken_by for flow in play.do(act.Seats(doc)).flows[""]] == ["twin", "b"]
 
 
 def test_a_wish_for_one_flow_leaves_the_others_as_they_are_and_one_for_all_ends_it(play):  # R-E09

@@ -23,9 +23,9 @@ def test_the_run_is_over_and_documents_are_connected_no_more(play):  # R-E10
     play.do(act.StartAnew(confirmed=True))
     assert play.view.state == "over" and "anew" in str(play.view.cause)
     assert play.document(doc).live is None and play.environment.tree.runtime.state == "linked"
-    order = next(one for one in play.orders if one.reach is not None and one.reach.is_anew)
+    order = next(order for order in play.orders if order.reach is not None and order.reach.is_anew)
     assert isinstance(order.asked, live.Survey)
-    assert any("Untitled-1 is no longer connected" in str(one.text) for one in play.says)
+    assert any("Untitled-1 is no longer connected" in str(say.text) for say in play.says)
 
 
 def test_where_nothing_lives_nothing_is_asked(play):

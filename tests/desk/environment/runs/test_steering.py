@@ -45,8 +45,8 @@ def test_where_nothing_pauses_it_is_told_what_lets_flows_go_on(play):  # R-E07, 
     play.moved("waiting", flow="flow1", tag="play meet")
     no = play.answer(act.Steer("continue")).no
     assert str(no.reason) == "nothing pauses: flow0 stands at an error; flow1 waits at meet for flow0"
-    assert [one.act.line for one in no.remedies] == ["clear flow0", "pass flow1"]
-    assert [one.act.line for one in play.answer(act.Steer("continue 1")).no.remedies] == ["pass flow1"]
+    assert [remedy.act.line for remedy in no.remedies] == ["clear flow0", "pass flow1"]
+    assert [remedy.act.line for remedy in play.answer(act.Steer("continue 1")).no.remedies] == ["pass flow1"]
 
 
 def test_who_is_a_line_too(play):  # R-X03

@@ -17,7 +17,7 @@ def gallery(tmp_path):
 def test_flows_have_their_steps_and_the_edges_of_start_and_end(gallery):  # R-D04
     doc = gallery.begun("grip", flows=2)
     view = gallery.view(doc)
-    assert [(one.start, one.end) for one in view.flows.values()] == [("1", "1"), ("1", "1")]
+    assert [(flow.start, flow.end) for flow in view.flows.values()] == [("1", "1"), ("1", "1")]
     assert view.flows["0"].steps == (gallery.number(doc, "grip"),)
     assert (view.holes, view.is_running, view.is_judged) == (0, False, False)
 
@@ -29,7 +29,7 @@ def test_a_change_of_one_icon_leaves_the_others_the_same_objects(gallery):
     gallery.do(act.InsertIcon(doc, "wait"))
     after = gallery.view(doc)
     assert after.flows["1"] is before.flows["1"]
-    assert all(after.steps[number] is one for number, one in before.steps.items())
+    assert all(after.steps[number] is step for number, step in before.steps.items())
 
 
 def test_a_mark_changes_no_flow(gallery):

@@ -41,22 +41,22 @@ def test_libraries_in_which_nothing_is_to_be_seen_come_last(tmp_path):  # R-C01
         (tmp_path / name / "module" / ("bad.rmod" if text else "note")).write_text(text)
         sitting.do(act.OpenLibrary(str(tmp_path / name)))
     libraries = sitting.environment.tree.libraries.values()
-    assert [one.name for one in sorted(libraries, key=lambda one: one.order)] == ["b", "a", "c"]
+    assert [library.name for library in sorted(libraries, key=lambda library: library.order)] == ["b", "a", "c"]
 
 
 def test_without_a_runtime_there_is_no_state_and_every_line_is_idle(tmp_path):  # R-C25
     sitting = EnvironmentFixture(tmp_path, TASKS)
     doc = sitting.new("a", "b")
     document = sitting.environment.tree.documents[doc]
-    assert {one.state for one in document.tasks.values()} == {""}
-    assert {one.line for one in document.loci.values()} == {"idle"}
+    assert {task.state for task in document.tasks.values()} == {""}
+    assert {locus.line for locus in document.loci.values()} == {"idle"}
 
 
 def test_constants_are_told_from_variables(tmp_path):  # R-C09
     sitting = EnvironmentFixture(tmp_path, TASKS)
     doc = sitting.new("a", "b")
     loci = sitting.environment.tree.documents[doc].loci
-    assert {svar: one.is_constant for svar, one in loci.items()} == {"KP": True, "Q": False}
+    assert {svar: locus.is_constant for svar, locus in loci.items()} == {"KP": True, "Q": False}
     assert (loci["KP"].writers, loci["KP"].readers) == (("b",), ("a",))
 
 

@@ -20,16 +20,18 @@ def task(name):
 
 
 shelves = st.tuples(*(task(name) for name in NAMES)).map(
-    lambda tasks: OpenLibraries((Library(BaseDirectory("x"), {one.name: RmodText(one) for one in tasks}, ()),))
+    lambda tasks: OpenLibraries((Library(BaseDirectory("x"), {task.name: RmodText(task) for task in tasks}, ()),))
 )
-several = st.tuples(st.permutations([*NAMES, "unknown"]), st.integers(0, 6)).map(lambda one: tuple(one[0][: one[1]]))
+several = st.tuples(st.permutations([*NAMES, "unknown"]), st.integers(0, 6)).map(
+    lambda drawn: tuple(drawn[0][: drawn[1]])
+)
 placements = st.lists(several)
 
 
 def plain(names, libraries):
     placed = [libraries.tasks[name] for name in names if name in libraries.tasks]
-    found = greyed(libraries.tasks.values(), placed)
-    return {name: reasons(refused, "c1", libraries.tasks[name]) for name, refused in found.items()}
+    grey = greyed(libraries.tasks.values(), placed)
+    return {name: reasons(refused, "c1", libraries.tasks[name]) for name, refused in grey.items()}
 
 
 @given(shelves, placements)
@@ -42,10 +44,10 @@ def test_the_set_is_what_it_would_be_made_anew_whatever_comes_and_goes(libraries
 
 @given(shelves, shelves, placements)
 @settings(max_examples=50, deadline=None)
-def test_it_follows_changed_libraries(one, other, placements):  # R-C01, R-C07
+def test_it_follows_changed_libraries(first, other, placements):  # R-C01, R-C07
     greying = GreyedTasks("c1")
     for names in placements:
-        for libraries in (one, other):
+        for libraries in (first, other):
             assert greying.greyed(names, libraries) == plain(names, libraries)
 
 

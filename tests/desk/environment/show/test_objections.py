@@ -50,11 +50,11 @@ def document(*names):
 
 
 def test_a_task_that_takes_a_variable_for_something_else_is_objected_to(libraries):  # law 7, R-X01
-    found = objections(document("reader"), libraries)
-    assert set(found) == {"writer"}
-    (reason,) = found["writer"]
+    views = objections(document("reader"), libraries)
+    assert set(views) == {"writer"}
+    (reason,) = views["writer"]
     assert str(reason.text) == "takes X for double[6] in m, `reader` for double[6] in rad"
-    assert [one.show for one in reason.remedies] == [ShowPin("writer", "OUT"), ShowTask("reader")]
+    assert [remedy.show for remedy in reason.remedies] == [ShowPin("writer", "OUT"), ShowTask("reader")]
 
 
 def test_a_second_master_of_a_device_is_objected_to(libraries):  # law 16

@@ -33,8 +33,8 @@ def test_a_configuration_is_seen_in_small_without_being_opened(sitting):  # R-G0
 def test_a_task_that_no_library_has_is_a_box_without_wires(sitting):  # R-G05
     path = sitting.do(act.Save(sitting.new("gives", "takes"), "both", str(sitting.base.path)))
     (sitting.base.path / "module" / "takes.rmod").unlink()
-    known = EnvironmentFixture(sitting.base.path, model=Model(OpenLibraries(open_libraries([sitting.base]))))
-    seen = known.do(act.Peek(path))
+    fixture = EnvironmentFixture(sitting.base.path, model=Model(OpenLibraries(open_libraries([sitting.base]))))
+    seen = fixture.do(act.Peek(path))
     assert (seen.tasks["takes"][2:], seen.wires) == ((136, 64), ())
 
 
@@ -50,4 +50,4 @@ def test_an_application_is_its_first_icons_with_their_edges(tmp_path):  # R-G05
     assert isinstance(seen, PeekView) and seen.name == "assemble"
     (flow,) = seen.flows
     assert len(flow) == 12 and all(len(icon.picture) == 1024 for icon in flow)
-    assert all(one.right for one in flow)
+    assert all(icon.right for icon in flow)

@@ -62,6 +62,6 @@ def test_marks_are_shown_where_they_are_set(gallery):  # R-D06
 def test_what_stands_as_it_did_is_the_same_object(gallery):
     doc = gallery.begun("grip", "move", "there")
     model, flow = gallery.environment.model, flow_at(gallery.application(doc), "0")
-    known = step_views(flow, "0", model, {})
-    again = step_views(flow, "0", model, known)
-    assert all(again[number] is one for number, one in known.items())
+    views = step_views(flow, "0", model, {})
+    again = step_views(flow, "0", model, views)
+    assert all(again[number] is view for number, view in views.items())

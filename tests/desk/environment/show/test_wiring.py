@@ -28,15 +28,15 @@ TASKS = (
     Task("c", "c", inconst=("P",), invar=("P", "Q")),
     Task("d", "d", invar=("Q",), aliases=(("Q", "P"),)),
 )
-LIBRARIES = OpenLibraries((Library(BaseDirectory("x"), {one.name: RmodText(one) for one in TASKS}, ()),))
+LIBRARIES = OpenLibraries((Library(BaseDirectory("x"), {task.name: RmodText(task) for task in TASKS}, ()),))
 OTHER = LIBRARIES.edited({"d": replace(TASKS[3], aliases=())})
-FEWER = OpenLibraries((Library(BaseDirectory("x"), {one.name: RmodText(one) for one in TASKS[:3]}, ()),))
+FEWER = OpenLibraries((Library(BaseDirectory("x"), {task.name: RmodText(task) for task in TASKS[:3]}, ()),))
 
 facts = st.dictionaries(st.sampled_from("abcd"), st.sampled_from(["ON", "OFF", "ERROR"]).map(TaskFacts))
 lives = st.none() | st.builds(SubsystemFacts, st.just("s"), st.sampled_from(["connecting", "live", "lost"]), facts)
 spots = st.permutations("abcde").flatmap(
     lambda names: st.lists(st.tuples(st.integers(0, 2), st.booleans()), max_size=5).map(
-        lambda found: tuple(Placed(name, 300 * x, 0, left) for name, (x, left) in zip(names, found, strict=False))
+        lambda places: tuple(Placed(name, 300 * x, 0, left) for name, (x, left) in zip(names, places, strict=False))
     )
 )
 libraries_examples = st.sampled_from([LIBRARIES, OTHER, FEWER])
@@ -45,9 +45,9 @@ libraries_examples = st.sampled_from([LIBRARIES, OTHER, FEWER])
 def document(placed, live, libraries, former=None):
     """A document after `former`, whose tasks and loci are the same objects where they are the same."""
     before = former.content.configuration if former else Configuration("c")
-    known = {one: one for one in before.placed}
-    configuration = replace(before, placed=tuple(known.get(one, one) for one in placed))
-    boxes = libraries.boxes(tuple(one.task for one in placed))
+    former = {placement: placement for placement in before.placed}
+    configuration = replace(before, placed=tuple(former.get(placement, placement) for placement in placed))
+    boxes = libraries.boxes(tuple(placement.task for placement in placed))
     return Document("c1", Content(loci.settled(configuration, boxes, before)), live=live)
 
 
@@ -74,12 +74,12 @@ def test_a_line_is_live_where_its_writer_is_on_and_stale_where_it_failed():  # R
     placed = (Placed("a"), Placed("b"), Placed("gone"))
     states = {"a": TaskFacts("ON"), "b": TaskFacts("ERROR")}
     live = document(placed, SubsystemFacts("s", "live", states), LIBRARIES)
-    found = locus_views(live, LIBRARIES, None)
-    assert {svar: one.line for svar, one in found.items()} == {"K": "live", "P": "live", "Q": "stale"}
-    assert (found["P"].writers, found["P"].readers, found["K"].is_constant) == (("a",), ("b",), True)
+    views = locus_views(live, LIBRARIES, None)
+    assert {svar: view.line for svar, view in views.items()} == {"K": "live", "P": "live", "Q": "stale"}
+    assert (views["P"].writers, views["P"].readers, views["K"].is_constant) == (("a",), ("b",), True)
     assert placed_views(live, LIBRARIES, None)["gone"].is_missing
     idle = locus_views(document(placed, SubsystemFacts("s", "lost", states), LIBRARIES), LIBRARIES, None)
-    assert {one.line for one in idle.values()} == {"idle"}
+    assert {view.line for view in idle.values()} == {"idle"}
 
 
 def test_one_task_that_moves_is_the_only_new_object():
@@ -90,9 +90,9 @@ def test_one_task_that_moves_is_the_only_new_object():
     moved = replace(configuration, placed=(Placed("a", 50), configuration.placed[1]))
     now = before.having(Content(moved))
     assert locus_views(now, LIBRARIES, seen) is lines
-    found = placed_views(now, LIBRARIES, seen)
-    assert found["a"].x == 50
-    assert found["b"] is tasks["b"]
+    views = placed_views(now, LIBRARIES, seen)
+    assert views["a"].x == 50
+    assert views["b"] is tasks["b"]
     assert placed_views(before, LIBRARIES, seen) is tasks
 
 

@@ -22,8 +22,8 @@ def test_only_the_chosen_tasks_and_the_loci_of_their_variables_are_copied():  # 
 
 def test_elsewhere_everything_keeps_its_place_to_the_upper_left_corner():  # R-C10
     moved = TAKEN.at(100, 200)
-    assert [(one.x, one.y) for one in moved.placed] == [(100, 200), (130, 225)]
-    assert [(one.x, one.y) for one in moved.loci] == [(97, 228)]
+    assert [(placed.x, placed.y) for placed in moved.placed] == [(100, 200), (130, 225)]
+    assert [(locus.x, locus.y) for locus in moved.loci] == [(97, 228)]
 
 
 TEXT = json.loads(write(TAKEN))
@@ -31,7 +31,7 @@ TASK = TEXT["tasks"][0]
 
 
 @pytest.mark.parametrize(
-    ("text", "found"),
+    ("text", "excerpt"),
     [
         (
             "dear colleague, here is what you asked for, and much more of it",
@@ -50,10 +50,10 @@ TASK = TEXT["tasks"][0]
         ("\ud800", "ud800"),
     ],
 )
-def test_another_text_is_named_by_what_it_is(text, found):  # R-B07
-    said = str(read(text))
-    assert said.startswith("expected")
-    assert found in said
+def test_another_text_is_named_by_what_it_is(text, excerpt):  # R-B07
+    sentence = str(read(text))
+    assert sentence.startswith("expected")
+    assert excerpt in sentence
 
 
 GROUPED = replace(TAKEN, groups=(Group("arm", ("robot", "pd")),))
@@ -69,7 +69,7 @@ def test_a_supermodule_is_copied_whole_or_not_at_all():  # R-C10, R-C17
 
 
 @pytest.mark.parametrize(
-    ("groups", "found"),
+    ("groups", "excerpt"),
     [
         ([{"name": "../x", "tasks": ["pd"]}], "'../x'"),
         ([{"name": "x", "tasks": []}], "length >= 1"),
@@ -78,6 +78,6 @@ def test_a_supermodule_is_copied_whole_or_not_at_all():  # R-C10, R-C17
         ([{"name": "x", "tasks": ["pd"]}, {"name": "x", "tasks": ["robot"]}], "'x'"),
     ],
 )
-def test_what_is_wrong_with_a_copied_supermodule_is_named(groups, found):  # R-B07, R-C17
-    said = read(json.dumps({**TEXT, "groups": groups}))
-    assert str(said).startswith("expected") and found in str(said)
+def test_what_is_wrong_with_a_copied_supermodule_is_named(groups, excerpt):  # R-B07, R-C17
+    refusal = read(json.dumps({**TEXT, "groups": groups}))
+    assert str(refusal).startswith("expected") and excerpt in str(refusal)

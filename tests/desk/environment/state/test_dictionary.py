@@ -9,24 +9,24 @@ PAUSE = plain("second", "Pause object", "for a second", (1.0,))
 
 def base_with(path, *onikons):
     base = BaseDirectory(path)
-    for one in onikons:
-        base.save_onikon(one)
+    for onikon in onikons:
+        base.save_onikon(onikon)
     return base
 
 
 def test_icons_are_grouped_by_type_in_the_order_of_the_syntax(tmp_path):  # R-D01
     base = base_with(tmp_path, PAUSE, plain("b"), plain("a"), plain("odd", "Weld job"), plain("whole", "Complete NOP"))
-    (found,) = open_dictionaries([base], SYNTAX)
-    assert list(found.onikons) == ["a", "b", "whole", "second", "odd"]
+    (dictionary,) = open_dictionaries([base], SYNTAX)
+    assert list(dictionary.onikons) == ["a", "b", "whole", "second", "odd"]
 
 
 def test_a_later_icon_of_a_name_is_not_added_and_is_told(tmp_path):  # R-D15
-    one, two = base_with(tmp_path / "one", plain("grip")), base_with(tmp_path / "two", plain("grip"), plain("open"))
-    first, second = open_dictionaries([one, two], SYNTAX)
+    near, far = base_with(tmp_path / "one", plain("grip")), base_with(tmp_path / "two", plain("grip"), plain("open"))
+    first, second = open_dictionaries([near, far], SYNTAX)
     assert (list(first.onikons), list(second.onikons)) == (["grip"], ["open"])
     (fault,) = second.faults
-    assert fault.is_note and fault.place.file == str(two.onikon_file("grip")) and str(one.path) in str(fault.reason)
-    assert find((first, second), "grip").path == one.onikon_file("grip")
+    assert fault.is_note and fault.place.file == str(far.onikon_file("grip")) and str(near.path) in str(fault.reason)
+    assert find((first, second), "grip").path == near.onikon_file("grip")
     assert home_of((first, second), "open") is second and home_of((first, second), "none") is None
 
 
@@ -36,10 +36,10 @@ def test_what_is_at_fault_or_of_an_unknown_target_type_is_left_out_and_told(tmp_
     (tmp_path / "dict" / "9.onk").write_text("")
     (tmp_path / "conf").mkdir()
     (tmp_path / "conf" / "9.conf").write_text("")
-    (found,) = open_dictionaries([base], SYNTAX)
-    assert list(found.onikons) == ["grip", "weld"]
-    told = {fault.place.file.rpartition("/")[2] for fault in found.faults}
-    assert told == {"bad.onk", "spark.onk", "weld.onk", "9.onk"}  # the job acts as a complete one, which is a note
+    (dictionary,) = open_dictionaries([base], SYNTAX)
+    assert list(dictionary.onikons) == ["grip", "weld"]
+    faults = {fault.place.file.rpartition("/")[2] for fault in dictionary.faults}
+    assert faults == {"bad.onk", "spark.onk", "weld.onk", "9.onk"}  # the job acts as a complete one, which is a note
 
 
 def test_only_what_has_changed_is_read_again_and_what_is_as_it_was_is_the_same(tmp_path):  # R-C01
@@ -48,11 +48,11 @@ def test_only_what_has_changed_is_read_again_and_what_is_as_it_was_is_the_same(t
     assert open_dictionaries([base], SYNTAX, former, frozenset([base.onikon_file("grip")]))[0] is former[0]
     base.save_onikon(plain("grip", description="close"), overwrites=True)
     assert open_dictionaries([base], SYNTAX, former)[0] is former[0]
-    (found,) = open_dictionaries([base], SYNTAX, former, frozenset([base.onikon_file("grip")]))
-    assert found.onikons["grip"].value.description == "close"
-    assert found.onikons["second"] is former[0].onikons["second"]
+    (dictionary,) = open_dictionaries([base], SYNTAX, former, frozenset([base.onikon_file("grip")]))
+    assert dictionary.onikons["grip"].value.description == "close"
+    assert dictionary.onikons["second"] is former[0].onikons["second"]
     base.onikon_file("grip").unlink()
-    assert list(open_dictionaries([base], SYNTAX, (found,))[0].onikons) == ["second"]
+    assert list(open_dictionaries([base], SYNTAX, (dictionary,))[0].onikons) == ["second"]
 
 
 def test_a_base_directory_has_a_dictionary_where_it_has_a_folder_of_that_name(tmp_path):  # R-B08

@@ -52,6 +52,6 @@ def test_a_blank_configuration_is_dirty_once_something_is_placed():  # R-C21
 
 
 def test_another_supermodule_or_order_is_a_change():  # R-C06, R-C17
-    one, other = (replace(SAVED, groups=(Group("arm", tasks),)) for tasks in (("pd", "diff"), ("diff", "pd")))
-    assert document(one).is_dirty
-    assert Document("c1", Content(other), opened=OpenedText(one, Path("c.conf"), "")).is_dirty
+    first, other = (replace(SAVED, groups=(Group("arm", tasks),)) for tasks in (("pd", "diff"), ("diff", "pd")))
+    assert document(first).is_dirty
+    assert Document("c1", Content(other), opened=OpenedText(first, Path("c.conf"), "")).is_dirty

@@ -18,5 +18,5 @@ def test_every_type_of_the_definition_is_shown_with_its_edges_and_what_it_takes(
     assert list(types)[:3] == ["Application start", "Application end", "Complete job"]
     job, thing = types["Joint job"], types["Joint object"]
     assert (job.role, job.takes, job.right) == ("job", "Joint object", thing.left)
-    assert types["Complete job"].takes == "" and [one.name for one in thing.items] == ["endpoint", "duration"]
+    assert types["Complete job"].takes == "" and [item.name for item in thing.items] == ["endpoint", "duration"]
     assert type_views(Model()) == {}

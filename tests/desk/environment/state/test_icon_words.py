@@ -29,4 +29,4 @@ def test_an_icon_that_says_something_else_says_nothing_in_other_languages():  # 
 
 def test_every_shipped_icon_speaks_spanish(tmp_path):  # R-X11
     icons = DictionaryFixture(tmp_path).environment.tree.onikons
-    assert [name for name, one in icons.items() if not one.words.get("es")] == []
+    assert [name for name, icon in icons.items() if not icon.words.get("es")] == []

@@ -9,6 +9,6 @@ def test_a_subsystem_is_held_here_only_under_our_own_name():  # R-X12
 
 
 def test_what_is_known_of_a_task_comes_and_goes():
-    known = SubsystemFacts("main").with_task("a", TaskFacts("ASKING"))
-    assert known.state_of("a") == "ASKING" and known.tasks["a"].is_moving
-    assert known.with_task("a", None).state_of("a") == ""
+    facts = SubsystemFacts("main").with_task("a", TaskFacts("ASKING"))
+    assert facts.state_of("a") == "ASKING" and facts.tasks["a"].is_moving
+    assert facts.with_task("a", None).state_of("a") == ""

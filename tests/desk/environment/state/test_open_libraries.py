@@ -16,9 +16,9 @@ def libraries(tmp_path):
 
 
 def test_the_first_library_with_a_name_counts(tmp_path):  # R-C01
-    found = libraries(tmp_path)
-    assert found.tasks["a"].description == ""
-    assert found.homes["a"].base.path.name == "one"
+    opened = libraries(tmp_path)
+    assert opened.tasks["a"].description == ""
+    assert opened.homes["a"].base.path.name == "one"
 
 
 def test_an_edit_stands_for_the_file_until_it_says_the_same(tmp_path):  # R-C04
@@ -37,23 +37,23 @@ def test_boxes_follow_the_edits(tmp_path):
 
 
 def test_an_edit_changes_what_a_user_can_change_and_the_rest_is_as_the_file_says(tmp_path):  # R-C04
-    found = libraries(tmp_path)
+    opened = libraries(tmp_path)
     stale = replace(A, description="old", aliases=(("Q", "R"), ("GONE", "S")))
-    assert found.edited({"a": stale}).tasks["a"] == replace(A, aliases=(("Q", "R"),))
+    assert opened.edited({"a": stale}).tasks["a"] == replace(A, aliases=(("Q", "R"),))
 
 
 def test_what_is_known_of_the_files_is_known_after_an_edit_and_nothing_of_the_edited(tmp_path):  # R-C04
-    found = libraries(tmp_path)
-    assert found.box("a") and found.company
-    edited = found.edited({"a": replace(A, aliases=(("Q", "R"),))})
-    assert edited.records is found.records
+    opened = libraries(tmp_path)
+    assert opened.box("a") and opened.company
+    edited = opened.edited({"a": replace(A, aliases=(("Q", "R"),))})
+    assert edited.records is opened.records
     tasks, box = edited.tasks, edited.box("a")
     rated = edited.rated({"a": 5.0})
     assert rated.tasks is tasks
     assert rated.box("a") is box
     assert rated.rates == {"a": 5.0}
     assert rated.rated({"a": None}).rates == {}
-    meets = [one.name for one, _ in edited.company.kept_out_by(Task("b", "b", outvar=("R",)))]
+    meets = [task.name for task, _ in edited.company.kept_out_by(Task("b", "b", outvar=("R",)))]
     assert meets == ["a"]
 
 

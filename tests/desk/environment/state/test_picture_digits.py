@@ -5,12 +5,12 @@ from onika.model.picture import Picture
 
 
 def test_a_picture_gets_its_black_border_and_a_nine_is_black():  # R-B11, reading 38
-    found = painted("7" * 500 + "9" + "7" * 523)
-    assert isinstance(found, Picture)
-    assert found.rows[0] == "8" * 32 and found.rows[15][20] == "8" and found.rows[1] == "8" + "7" * 30 + "8"
+    picture = painted("7" * 500 + "9" + "7" * 523)
+    assert isinstance(picture, Picture)
+    assert picture.rows[0] == "8" * 32 and picture.rows[15][20] == "8" and picture.rows[1] == "8" + "7" * 30 + "8"
 
 
 @pytest.mark.parametrize("digits", ["", "7" * 1023, "7" * 1023 + "x", "7" * 1023 + "٣"])
 def test_what_is_no_picture_is_told(digits):  # R-D07
-    found = painted(digits)
-    assert str(found).startswith("expected 1024 digits")
+    picture = painted(digits)
+    assert str(picture).startswith("expected 1024 digits")

@@ -9,8 +9,8 @@ def test_every_picture_is_sent_once_under_a_key_that_says_what_is_in_it(tmp_path
     tree = cabinet.environment.tree
     assert cabinet.icon("a").picture == cabinet.icon("b").picture == key_of(blank())
     assert tree.pictures[key_of(blank())] == "".join(blank().rows)
-    assert {len(one) for one in tree.pictures.values()} == {1024}
-    assert {one.picture for one in tree.onikons.values()} | {"start", "end"} == set(tree.pictures)
+    assert {len(picture) for picture in tree.pictures.values()} == {1024}
+    assert {onikon.picture for onikon in tree.onikons.values()} | {"start", "end"} == set(tree.pictures)
 
 
 def test_pictures_that_are_alike_have_one_key_and_others_have_others():
@@ -20,6 +20,6 @@ def test_pictures_that_are_alike_have_one_key_and_others_have_others():
 def test_where_nothing_is_new_it_is_the_same_album(tmp_path):
     album, model = PictureSet(), DictionaryFixture(tmp_path, plain("a")).environment.model
     assert PictureSet().shown((), {}, ("s", "e")) == {"start": "s", "end": "e"}
-    found = album.shown(model.dictionaries, model.applications, model.flow_pictures)
-    assert album.shown(model.dictionaries[:], {**model.applications}, model.flow_pictures) is found
-    assert album.shown(model.dictionaries[1:], model.applications, model.flow_pictures) != found
+    pictures = album.shown(model.dictionaries, model.applications, model.flow_pictures)
+    assert album.shown(model.dictionaries[:], {**model.applications}, model.flow_pictures) is pictures
+    assert album.shown(model.dictionaries[1:], model.applications, model.flow_pictures) != pictures

@@ -25,8 +25,8 @@ def test_the_environment_rules_over_the_file(tmp_path, value, shown):  # R-C20
 
 
 def test_what_only_this_session_said_is_not_kept(tmp_path):  # R-C20, R-G05
-    said, _ = read(tmp_path, {"ONIKA_LOWER": "no"})
-    assert not said.shows_lower
+    sentences, _ = read(tmp_path, {"ONIKA_LOWER": "no"})
+    assert not sentences.shows_lower
     keep(tmp_path, {"shows_warnings": False})
     assert read(tmp_path, {})[0] == Settings(shows_warnings=False, shows_lower=True)
 

@@ -40,12 +40,12 @@ def test_units_and_bounds_are_those_of_the_tasks_that_take_the_type_before_any_r
     assert (endpoint.low, endpoint.high) == (None, None)  # only a robot knows
     assert (time.unit, time.low, time.high, time.meaning) == ("s", (0.1,), (600.0,), "how long it takes")
     assert items_of(MODEL, "Joint job") == items_of(MODEL, "Weld object") == items_of(Model(), "Joint object") == ()
-    assert [one.unit for one in items_of(MODEL, "Force object")] == [""]  # no task takes one
+    assert [item.unit for item in items_of(MODEL, "Force object")] == [""]  # no task takes one
 
 
 def test_bounds_that_only_a_robot_knows_are_there_once_it_has_told_them():  # R-D08
-    known = replace(MODEL, limits={"QMIN": (-1.0,) * 6, "QMAX": (1.0,) * 6})
-    assert items_of(known, "Joint object")[0].low == (-1.0,) * 6
+    model = replace(MODEL, limits={"QMIN": (-1.0,) * 6, "QMAX": (1.0,) * 6})
+    assert items_of(model, "Joint object")[0].low == (-1.0,) * 6
     other = replace(MODEL, limits={"QMIN": (-1.0,) * 4})  # of another robot
     assert items_of(other, "Joint object")[0].low is None
 

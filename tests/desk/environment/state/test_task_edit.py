@@ -8,26 +8,26 @@ from onika.model.task import LocalLine, Task
 PINS = ("A", "B", "C")
 TASK = Task("t", "t", invar=PINS, frequency=1.0)
 aliases = st.dictionaries(st.sampled_from(PINS), st.sampled_from(["X", "Y", "A"])).map(
-    lambda found: tuple((pin, found[pin]) for pin in PINS if pin in found and found[pin] != pin)
+    lambda drawn: tuple((pin, drawn[pin]) for pin in PINS if pin in drawn and drawn[pin] != pin)
 )
-tasks = aliases.map(lambda found: replace(TASK, aliases=found))
+tasks = aliases.map(lambda drawn: replace(TASK, aliases=drawn))
 
 
 @given(tasks, st.sampled_from(PINS), st.sampled_from(["", "X", "A", "B"]))
 def test_an_alias_changes_one_pin_and_changed_back_all_is_as_it_was(filed, pin, svar):  # R-C04, R-C23
     changed = aliased(filed, pin, svar, filed)
     assert changed.svars((pin,)) == (svar or pin,)
-    others = tuple(one for one in PINS if one != pin)
+    others = tuple(other for other in PINS if other != pin)
     assert changed.svars(others) == filed.svars(others)
     assert aliased(changed, pin, filed.svars((pin,))[0], filed) == filed
 
 
 @given(tasks, tasks, tasks)
 def test_what_was_changed_here_stays_and_what_was_not_is_as_the_file_says_now(former, changed, filed):  # R-C04
-    found = dict(rebased(changed, former, filed).aliases)
+    aliases = dict(rebased(changed, former, filed).aliases)
     for pin in PINS:
         mine = dict(changed.aliases).get(pin) != dict(former.aliases).get(pin)
-        assert found.get(pin) == dict((changed if mine else filed).aliases).get(pin)
+        assert aliases.get(pin) == dict((changed if mine else filed).aliases).get(pin)
 
 
 @given(tasks, tasks)
