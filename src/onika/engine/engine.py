@@ -64,7 +64,7 @@ class Engine:
         stands_still: bool = False,
     ) -> None:
         if not plan.flows:
-            raise ValueError(f"expected a plan with at least one flow, found none in {plan.application}")
+            raise ValueError(Reason.of("engine.form_flow", application=plan.application))
         self._passive = frozenset(passive)
         self._cause: Text | None = None
         self._flows: list[Progress] = []

@@ -18,6 +18,7 @@ from onika.wire.plan import (
     Rest,
     Unless,
 )
+from onika.words.reason import Reason
 
 
 class ProgramLoop(NamedTuple):
@@ -86,7 +87,7 @@ class FlowProgram:
                 before = self.instructions[place - 1] if place else None
                 entries.setdefault(instruction.action, place - 1 if isinstance(before, Meet) else place)
         if len(entries) != actions:
-            raise ValueError(f"expected a Do for each of {actions} actions, found {len(entries)}")
+            raise ValueError(Reason.of("engine.form_actions", actions=actions, found=len(entries)))
         return entries
 
     def _loops(self) -> list[ProgramLoop]:
@@ -104,27 +105,28 @@ class FlowProgram:
                 open_forks.append(place)
             elif isinstance(instruction, Join):
                 if not open_forks:
-                    raise ValueError(f"expected a Fork before the Join at {place}, found none")
+                    raise ValueError(Reason.of("engine.form_fork", place=place))
                 pairs.append((open_forks.pop(), place))
         if open_forks:
-            raise ValueError(f"expected a Join for the Fork at {open_forks[0]}, found none")
+            raise ValueError(Reason.of("engine.form_join", place=open_forks[0]))
         return pairs
 
     def _check(self, actions: int) -> None:
         size = len(self.instructions)
         if not size or not isinstance(self.instructions[-1], Halt):
-            raise ValueError("expected a program that ends with a Halt")
+            raise ValueError(Reason.of("engine.form_halt"))
         for place, instruction in enumerate(self.instructions):
             for to in _leads_to(instruction):
                 if not 0 <= to < size:
-                    raise ValueError(f"expected a place below {size} at {place}, found {to}")
+                    raise ValueError(Reason.of("engine.form_place", size=size, place=place, to=to))
             if isinstance(instruction, Do) and not 0 <= instruction.action < actions:
-                raise ValueError(f"expected an action below {actions} at {place}, found {instruction.action}")
+                action = instruction.action
+                raise ValueError(Reason.of("engine.form_action", actions=actions, place=place, action=action))
             if isinstance(instruction, Choose) and (
                 not instruction.to
                 or (instruction.conditions and len(instruction.conditions) != len(instruction.to) - 1)
             ):
-                raise ValueError(f"expected one condition fewer than ways at {place}, found {instruction}")
+                raise ValueError(Reason.of("engine.form_conditions", place=place, instruction=str(instruction)))
 
 
 def straight(actions: Sequence[PlannedAction]) -> tuple[Instruction, ...]:

@@ -124,7 +124,7 @@ class Progress:
         """The next instruction is a Do: switch to its action. `number` is that of the case that did so already."""
         instruction = self.next
         if not isinstance(instruction, Do):
-            raise ValueError(f"expected a Do to begin, found {instruction}")
+            raise ValueError(Reason.of("engine.form_begin", instruction=str(instruction)))
         self.current = instruction.action
         self._pc += 1
         return self.repeat(number)

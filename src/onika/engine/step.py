@@ -50,7 +50,8 @@ def _step(
     usual: Mapping[str, float | None],
 ) -> ActionStep:
     if trigger is not None and trigger not in action.tasks:
-        raise ValueError(f"{action.place}: expected a trigger out of {action.tasks}, found {trigger}")
+        place = str(action.place)
+        raise ValueError(Reason.of("engine.form_trigger", place=place, tasks=tuple(action.tasks), trigger=trigger))
     others = (task for task in action.tasks if task in other_triggers and task != trigger)
     return ActionStep(
         name=action.name,

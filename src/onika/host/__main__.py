@@ -29,7 +29,7 @@ from onika.link.launcher import die_with_parent, inherit
 from onika.link.sessions import Sessions
 from onika.wire import event
 from onika.words.own_language import own_language
-from onika.words.reason import Reason, in_language
+from onika.words.reason import Reason, in_language, reason_of
 
 _SLICE_NS = 20_000_000
 _REST_NS = 300_000_000
@@ -142,7 +142,7 @@ def _listener(given: argparse.Namespace) -> ListenerProcess | None:
         listener.open()
     except OSError as wrong:
         listener.close()
-        sys.stderr.write(f"{wrong}\n")
+        _print(reason_of(wrong))
         raise SystemExit(2) from None
     # one line and one write, so that whoever waits for it reads it whole
     token = f", token in {token_at}" if token_at else ""

@@ -133,7 +133,7 @@ class Reader:
         at, size = self._attachments[name]
         record = self._stored.read(at, size)
         if (check := int.from_bytes(record[-4:], "little")) and crc32(record[:-4]) != check:
-            raise ValueError(f"{self.path}: it is spoilt: its part {name} is not what was written")
+            raise unfit(self.path, Reason.of("record.part_spoilt", part=name))
         data: bytes = Attachment.read(ReadDataStream(BytesIO(record))).data
         return data
 
@@ -265,7 +265,7 @@ class Reader:
         """The message of this time that begins there in an unpacked chunk."""
         opcode, length, _, _, time, _ = _MESSAGE.unpack_from(data, offset)
         if opcode != Opcode.MESSAGE or time != at:
-            raise ValueError(f"{self.path}: it is spoilt: a message is not where its index says")
+            raise unfit(self.path, Reason.of("record.message_misplaced"))
         return data[offset + _MESSAGE.size : offset + _RECORD.size + length]
 
     def _unpacked(self, number: int) -> bytes:
@@ -276,7 +276,7 @@ class Reader:
             raise self._too_large(told, chunk.size)
         data: bytes = zstandard.ZstdDecompressor().decompress(packed, max_output_size=chunk.size)
         if chunk.sum and crc32(data) != chunk.sum:
-            raise ValueError(f"{self.path}: it is spoilt: the part at byte {chunk.at} is not what was written")
+            raise unfit(self.path, Reason.of("record.bytes_spoilt", at=chunk.at))
         return data
 
     def _too_large(self, size: int, most: int) -> ValueError:

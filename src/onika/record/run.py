@@ -89,7 +89,7 @@ class RunRecord(Struct, frozen=True):
             prepare = msgspec.json.decode(plan, type=Prepare)
             begin_request = msgspec.json.decode(begin, type=Begin)
         except msgspec.MsgspecError as wrong:
-            raise ValueError(f"{reader.path}: expected the plan of a run, found something else: {wrong}") from None
+            raise unfit(reader.path, Reason.of("record.no_plan", why=Reason.plain(str(wrong)))) from None
         prepare = structs.replace(prepare, plan=structs.replace(prepare.plan, code=tuple(code)))
         return cls(
             prepare,
@@ -136,7 +136,7 @@ def _code(reader: Reader, digest: str, module: str, path: str) -> Code:
     if source is None:
         if not reader.is_whole:
             raise unfit(reader.path, Reason.of("record.no_run", given=_TOO_SHORT))
-        raise ValueError(f"{reader.path}: expected the source of module {module}, found none")
+        raise unfit(reader.path, Reason.of("record.no_source", module=module))
     return Code(digest, module, path, source.decode())
 
 

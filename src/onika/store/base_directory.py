@@ -195,7 +195,7 @@ class BaseDirectory:
 
     def _file(self, folder: str, name: str, ending: str) -> Path:
         if not _is_name(name):
-            raise ValueError(f"expected a name of letters, digits and _ . - that begins with a letter, found {name!r}")
+            raise ValueError(Reason.of("store.name_form", stem=repr(name)))
         return self.path / folder / (name + ending)
 
     def _files(self, folder: str, ending: str) -> list[Path]:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from onika.host.sessions.users import User, Users
 from onika.link.address import is_near, split_host
 from onika.link.channel import Channel
+from onika.words.reason import NOTHING, Reason
 
 IN_THE_DOOR = 256
 """Connections without a greeting at most; the oldest has to go."""
@@ -23,7 +24,7 @@ class TurnedAway:
     """Turned away: an HTTP status and why."""
 
     status: int
-    reason: str
+    reason: Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,37 +73,37 @@ class Admission:
         for name, value in headers:
             asked.setdefault(name.lower(), []).append(value)
         if self._is_barred(address, now_ns):
-            return TurnedAway(429, "too many wrong tokens came from this address; try again in a minute")
+            return TurnedAway(429, Reason.of("host.too_many_tokens"))
         wrong = self._wrong_name(asked) or self._wrong_origin(asked)
         if wrong:
             return TurnedAway(403, wrong)
         if path not in _PATHS:
-            return TurnedAway(404, f"expected one of {', '.join(_PATHS)}")
+            return TurnedAway(404, Reason.of("host.no_such_path", paths=tuple(_PATHS)))
         user = self._user(asked.get("authorization", []))
         if user is None:
             self._note_wrong(address, now_ns)
-            return TurnedAway(401, "the token is wrong or missing")
+            return TurnedAway(401, Reason.of("host.wrong_token"))
         self._wrong.pop(address, None)
         return LetIn(user, _PATHS[path])
 
-    def _wrong_name(self, message: dict[str, list[str]]) -> str:
+    def _wrong_name(self, message: dict[str, list[str]]) -> Reason:
         """Against pages that have their own name resolved to this machine: a number cannot be resolved anew."""
         hosts = message.get("host", [])
         try:
             (host,) = [split_host(value)[0] for value in hosts]
         except ValueError:
-            return "expected one Host header"
+            return Reason.of("host.one_host")
         if host in self._names or _is_number(host):
-            return ""
-        return "this runtime is not called by that name"
+            return NOTHING
+        return Reason.of("host.other_name")
 
-    def _wrong_origin(self, message: dict[str, list[str]]) -> str:
+    def _wrong_origin(self, message: dict[str, list[str]]) -> Reason:
         """Against foreign pages in somebody's browser: only programs, which have none, or a page from here."""
         own = f"{'https' if self._is_private else 'http'}://{message['host'][0]}"
         fine = all(origin == own for origin in message.get("origin", []))
         if fine:
-            return ""
-        return "pages of another origin have no access"
+            return NOTHING
+        return Reason.of("host.other_origin")
 
     def _user(self, values: list[str]) -> User | None:
         if len(values) != 1:

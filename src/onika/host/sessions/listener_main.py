@@ -34,6 +34,7 @@ from onika.host.units.process_socket import ProcessSocket
 from onika.link.heartbeat import LENGTH
 from onika.link.launcher import die_with_parent
 from onika.wire.packet import Hello
+from onika.words.reason import Reason
 
 GREETING_S = 5.0
 """How long everything may take until the greeting is there: TLS, HTTP, WebSocket, hello."""
@@ -228,7 +229,8 @@ def main(words: list[str]) -> None:
         beats = hear_beats(listener)
         acceptor = Acceptor(listening, post)
     except OSError as wrong:
-        reason = f"cannot listen on {listening.host} port {listening.port}: {wrong.strerror or wrong}"
+        why = Reason.plain(wrong.strerror or str(wrong))
+        reason = Reason.of("host.cannot_listen", host=listening.host, port=listening.port, why=why)
         post.send(encode(ListenFailed(reason)))
         return
     post.send(encode(ListenerReady(listener.getsockname()[1])))

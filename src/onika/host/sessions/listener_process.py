@@ -33,7 +33,7 @@ class ListenerReady(Struct, frozen=True, tag=True):
 class ListenFailed(Struct, frozen=True, tag=True):
     """It cannot listen."""
 
-    reason: str
+    reason: Reason
 
 
 class ConnectionArrived(Struct, frozen=True, tag=True):

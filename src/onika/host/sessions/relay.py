@@ -107,7 +107,7 @@ class Relay:
         if response.status_code == 101:
             answer = admission.judge(request.path, request.headers.raw_items(), self._address, monotonic_ns())
             if isinstance(answer, TurnedAway):
-                response = self._protocol.reject(answer.status, answer.reason + "\n")
+                response = self._protocol.reject(answer.status, f"{answer.reason}\n")
             elif answer.channel.asks:
                 self._agree(response)
         self._protocol.send_response(response)
