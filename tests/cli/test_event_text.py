@@ -19,7 +19,7 @@ def result(**changes):
     return event.Result(**(fields | changes))
 
 
-def said(outcome, drawn):
+def english(outcome, drawn):
     """The summary in English."""
     return [str(line.reason) for line in summary(outcome, drawn)]
 
@@ -69,13 +69,13 @@ def test_an_event_is_told_in_one_line_or_not_at_all(happening, line):  # R-E11
 
 def test_a_refused_run_lists_every_fault_and_says_that_nothing_moved():  # R-E01
     fault = Fault(Place("a.rmod", 3), Reason.plain("expected one, found two"), Reason.plain("left out"))
-    lines = said(Outcome("go", [fault, fault], ["by the way"]), NOTHING)
+    lines = english(Outcome("go", [fault, fault], ["by the way"]), NOTHING)
     assert lines == [str(fault), str(fault), "note: by the way", "go: refused, nothing moved (2 faults)"]
-    assert said(Outcome("go", [fault]), NOTHING)[-1] == "go: refused, nothing moved (1 fault)"
+    assert english(Outcome("go", [fault]), NOTHING)[-1] == "go: refused, nothing moved (1 fault)"
 
 
 def test_a_virtual_run_tells_its_pace_and_its_hash_and_no_misses():  # R-X08
-    lines = said(Outcome("go", result=result(hash="abc")), Reason.plain("picture: out.png"))
+    lines = english(Outcome("go", result=result(hash="abc")), Reason.plain("picture: out.png"))
     assert lines == [
         "go: completed, 2 actions, 20.00 s, in 1.00 s of wall time (20x)",
         "hash: abc",
@@ -84,17 +84,17 @@ def test_a_virtual_run_tells_its_pace_and_its_hash_and_no_misses():  # R-X08
 
 
 def test_a_virtual_run_that_had_to_do_with_the_outside_says_so():  # law 15
-    lines = said(Outcome("go", result=result(hash="abc", outside=("flow0/view",))), NOTHING)
+    lines = english(Outcome("go", result=result(hash="abc", outside=("flow0/view",))), NOTHING)
     assert lines[1:] == ["hash: abc", "not reproducible: flow0/view had to do with the outside"]
 
 
 def test_a_run_in_wall_time_tells_its_cycles_and_misses():  # R-A17
-    assert said(Outcome("go", result=result()), NOTHING)[1:] == ["cycles: 1000, missed 3"]
+    assert english(Outcome("go", result=result()), NOTHING)[1:] == ["cycles: 1000, missed 3"]
 
 
 def test_an_aborted_run_tells_its_cause_and_what_was_printed_last():  # R-E14, R-E10
     printed = "\n".join(f"line {number}" for number in range(30))
-    lines = said(Outcome("go", result=result(completed=False, cause="it fell"), printed=printed), NOTHING)
+    lines = english(Outcome("go", result=result(completed=False, cause="it fell"), printed=printed), NOTHING)
     assert lines[0].startswith("go: aborted, 2 of 3 actions")
     assert lines[1:4] == ["cause: it fell", "the runtime printed:", "  line 10"]
     assert lines[-2] == "  line 29"
@@ -104,7 +104,7 @@ def test_each_expectation_is_told_with_what_was_found():  # R-X07
     expectations = [
         (Condition.parse("LAMP == 1"), value, holds) for value, holds in ((1, True), (0, False), (None, False))
     ]
-    lines = said(Outcome("go", result=result(wall_s=0.0), expectations=expectations), NOTHING)
+    lines = english(Outcome("go", result=result(wall_s=0.0), expectations=expectations), NOTHING)
     assert lines[2:] == [
         "expect LAMP == 1: yes",
         "expect LAMP == 1: NO, found 0",
@@ -149,4 +149,4 @@ def test_a_script_that_failed_after_the_end_is_told():  # R-E07
         failed=(Fault(Place("s", 3), Reason.plain("expected one, found two"), Reason.plain("no")),),
     )
     assert outcome.exit_code == 1
-    assert "script: s:3: expected one, found two; instead: no" in said(outcome, NOTHING)
+    assert "script: s:3: expected one, found two; instead: no" in english(outcome, NOTHING)

@@ -119,14 +119,14 @@ class ExecutiveRig:
         """A live task; raises KeyError where there is none."""
         return self.executive.tasks[HOME, name]
 
-    def heard(self, kind: type[_Kind]) -> list[_Kind]:
+    def news_of(self, kind: type[_Kind]) -> list[_Kind]:
         """The news of one kind, in English."""
         in_english = (news.in_english(entry) for _, entry in self.news)
         return [entry for entry in in_english if isinstance(entry, kind)]
 
     def last(self, kind: type[_Kind]) -> _Kind:
         """The last news of one kind."""
-        return self.heard(kind)[-1]
+        return self.news_of(kind)[-1]
 
     # Inner
 

@@ -76,7 +76,7 @@ def test_names_and_shapes_are_those_the_test_says():
 
 
 def test_a_source_that_cannot_be_loaded_is_refused_as_on_a_unit():
-    assert "expected Python" in ExecutiveRig().spawn("bad", "class :").heard(news.Refused)[0].reason
+    assert "expected Python" in ExecutiveRig().spawn("bad", "class :").news_of(news.Refused)[0].reason
 
 
 def test_a_rig_gives_its_memory_back_with_its_last_use():
@@ -93,5 +93,5 @@ def test_a_rig_gives_its_memory_back_with_its_last_use():
 
 def test_the_last_news_of_a_kind_of_a_rig_with_one_task():
     rig = rig_of(COUNTER).switch(on=["one"]).switch(off=["one"])
-    assert [change.state for change in rig.heard(news.Changed)] == ["ON", "OFF"]
+    assert [change.state for change in rig.news_of(news.Changed)] == ["ON", "OFF"]
     assert rig.last(news.Changed).state == "OFF"

@@ -63,7 +63,7 @@ def new_page(chromium: Browser, excused: list[str]) -> Iterator[Callable[[], Pag
     errors: list[str] = []
     pages: list[Page] = []
 
-    def heard(message: ConsoleMessage) -> None:
+    def note_console(message: ConsoleMessage) -> None:
         if message.type == "error":
             errors.append(f"{message.text} ({message.location['url']}:{message.location['lineNumber']})")
 
@@ -72,7 +72,7 @@ def new_page(chromium: Browser, excused: list[str]) -> Iterator[Callable[[], Pag
 
     def opened() -> Page:
         page = chromium.new_context(viewport={"width": 1440, "height": 900}).new_page()
-        page.on("console", heard)
+        page.on("console", note_console)
         page.on("pageerror", thrown)
         pages.append(page)
         return page

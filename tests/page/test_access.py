@@ -16,7 +16,7 @@ def program(begin, lab):
     return begin(f"--base={lab.path}")
 
 
-def found(page):
+def violations_on(page):
     page.evaluate(AXE.read_text() + "; undefined")
     page.evaluate("Promise.all(document.getAnimations().map((one) => one.finished.catch(() => undefined)))")
     results = page.evaluate("axe.run(document, { resultTypes: ['violations'] })")
@@ -87,6 +87,6 @@ def test_nothing_stands_in_the_way_of_those_who_see_hear_or_move_otherwise(progr
         pytest.skip("axe-core is not installed: npm ci in browser/")
     me = people(program.enter(page))
     screen(me)
-    light = found(page)
+    light = violations_on(page)
     page.emulate_media(color_scheme="dark")
-    assert (light, found(page)) == ([], [])
+    assert (light, violations_on(page)) == ([], [])

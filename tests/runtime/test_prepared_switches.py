@@ -95,20 +95,20 @@ def test_the_story_is_that_of_a_runner_who_answers_in_no_time():  # law 1
 )
 def test_the_first_case_that_fits_the_value_counts(cases, number):  # R-D10
     rig = rig_of().do(prepared(*cases)).run(50 * MS)
-    assert rig.heard(news.Finished)[0].switched == number
+    assert rig.news_of(news.Finished)[0].switched == number
     assert states(rig) == (["OFF", "OFF", "ON"] if number else ["OFF", "ON", "OFF"])
 
 
 @pytest.mark.parametrize("order", [prepared(activation=6), prepared(task="beside")])
 def test_what_was_prepared_for_another_finish_is_not_carried_out(order):
     rig = rig_of().do(order).run(50 * MS)
-    assert (rig.heard(news.Finished)[0].switched, states(rig)) == (0, ["OFF", "ON", "OFF"])
+    assert (rig.news_of(news.Finished)[0].switched, states(rig)) == (0, ["OFF", "ON", "OFF"])
 
 
 def test_the_same_trigger_may_come_on_again_by_it():
     rig = rig_of(ENDS.replace("end = 0.02", "end = 0.0"))
     rig.do(prepared(case(1, on=[command.Launch("end", "", None, 8)], off=()))).run(10 * MS)
-    assert [(event.activation, event.switched) for event in rig.heard(news.Finished)] == [(7, 1), (8, 0)]
+    assert [(event.activation, event.switched) for event in rig.news_of(news.Finished)] == [(7, 1), (8, 0)]
 
 
 def test_a_task_that_comes_on_by_it_gets_its_input_or_asks():  # R-A10
@@ -116,7 +116,7 @@ def test_a_task_that_comes_on_by_it_gets_its_input_or_asks():  # R-A10
         rig = rig_of().spawn("goes", GOAL)
         rig.do(prepared(case(1, on=[command.Launch("goes", line, None, 9)]))).run(20 * MS)
         assert rig.task("goes").state is state
-    assert rig.heard(news.Asked)[0].activation == 9
+    assert rig.news_of(news.Asked)[0].activation == 9
 
 
 def test_what_it_names_and_is_still_to_come_comes_on_when_it_is_there():  # law 21
@@ -147,7 +147,7 @@ def test_what_it_names_and_is_still_to_come_comes_on_when_it_is_there():  # law 
 )
 def test_what_was_prepared_is_forgotten_with(order):  # law 6
     rig = rig_of().do(prepared()).do(order).run(50 * MS)
-    assert rig.heard(news.Finished)[0].switched == 0
+    assert rig.news_of(news.Finished)[0].switched == 0
 
 
 @pytest.mark.parametrize(
@@ -155,13 +155,13 @@ def test_what_was_prepared_is_forgotten_with(order):  # law 6
 )
 def test_what_was_prepared_stays_with(order):
     rig = rig_of().do(prepared()).do(order).run(50 * MS)
-    assert rig.heard(news.Finished)[0].switched == 1
+    assert rig.news_of(news.Finished)[0].switched == 1
 
 
 def test_after_a_stop_and_a_reset_nothing_comes_on_by_what_was_prepared():  # law 27
     rig = rig_of().do(prepared()).do(command.Stop("button")).do(command.Reset()).run(50 * MS)
     rig.switch(on=[command.Launch("end", "", None, 7)]).run(90 * MS)
-    assert rig.heard(news.Finished)[0].switched == 0
+    assert rig.news_of(news.Finished)[0].switched == 0
     assert rig.task("next").state is State.OFF
 
 
@@ -170,26 +170,26 @@ def test_a_task_that_fails_takes_with_it_what_was_prepared(name):  # R-E08
     rig = rig_of().spawn("other", COUNTER, aliases={"N": "N_OTHER"}).switch(on=["other"]).do(prepared())
     rig.task(name).module.cycle = lambda: 1 / 0
     rig.run(50 * MS)
-    assert rig.heard(news.Failed)[0].task == name
-    assert rig.heard(news.Finished)[0].switched == 0
+    assert rig.news_of(news.Failed)[0].task == name
+    assert rig.news_of(news.Finished)[0].switched == 0
 
 
 def test_a_task_that_switches_itself_off_takes_with_it_what_was_prepared():  # R-A08
     rig = rig_of().spawn("quiet", cycle("return off()", passive=True)).switch(on=["quiet"]).do(prepared())
     rig.run(50 * MS)
-    assert rig.heard(news.Finished)[0].switched == 0
+    assert rig.news_of(news.Finished)[0].switched == 0
 
 
 def test_that_nothing_is_prepared_any_more_is_told_behind_what_was_carried_out():
     rig = rig_of().do(prepared()).run(20 * MS).do(command.PreparedSwitch(HOME, "end", 7, ()))
-    assert rig.heard(news.Finished)[0].switched == 1
+    assert rig.news_of(news.Finished)[0].switched == 1
     assert rig.news[-1][1] == news.Unprepared(HOME)
 
 
 def test_a_trigger_that_fails_on_its_way_out_leads_to_nothing():  # R-A09
     body = "    def cycle(self):\n        return finish()\n    def off(self):\n        1 / 0"
     rig = rig_of(module(body, trigger=True)).do(prepared(task="end")).run(20 * MS)
-    assert rig.heard(news.Finished) == []
+    assert rig.news_of(news.Finished) == []
     assert states(rig) == ["ERROR", "ON", "OFF"]
 
 

@@ -70,7 +70,7 @@ def loading():
     return ModuleFacts()
 
 
-def told(loading, name, local=(), redirects=()):
+def sentences_before_the_run(loading, name, local=(), redirects=()):
     """Everything that is said of a program before it runs."""
     site = open_site(local, {}, None)
     prepared = prepare_run(str(name), site, tuple(map(Redirect.parse, redirects)))
@@ -101,7 +101,7 @@ def test_a_program_on_another_robot_is_refused_for_what_is_wrong_and_for_nothing
     loading, robot, program, expected
 ):  # R-X02, R-E09
     redirects = () if robot == "puma" else (f"puma={robot}",)
-    assert_told(told(loading, program, redirects=redirects), expected)
+    assert_told(sentences_before_the_run(loading, program, redirects=redirects), expected)
 
 
 # ---- planted
@@ -354,7 +354,7 @@ PLANTED = {
 @pytest.mark.parametrize("case", PLANTED)
 def test_what_is_planted_is_told_with_its_place_and_nothing_else_is(loading, tmp_path, case):  # R-X02
     make, redirects, expected = PLANTED[case]
-    assert_told(told(loading, make(tmp_path), [tmp_path], redirects), expected)
+    assert_told(sentences_before_the_run(loading, make(tmp_path), [tmp_path], redirects), expected)
 
 
 def test_there_are_more_than_fifty_pairs_and_many_of_them_are_sound():  # R-X02
@@ -366,7 +366,7 @@ def test_there_are_more_than_fifty_pairs_and_many_of_them_are_sound():  # R-X02
 def test_everything_is_told_at_once_whatever_it_is(loading, tmp_path):  # R-X02
     steps = [*moved(joints("far", *BEYOND)), *lined("0 0 -1 0 1 0 1.9 0.2 -0.3"), job("nowhereC")]
     path = own("p", steps, puma={"BASE": "0.1 0 0 0"}, led_monitor={"DEVICE": "boxes:bulb"})(tmp_path)
-    sentences = told(loading, path, [tmp_path])
+    sentences = sentences_before_the_run(loading, path, [tmp_path])
     elsewhere, nowhere = "expected frame 0 of the robot at", "the configuration nowhereC"
     assert_told(sentences, ["far: joint 3", "p0: out of reach", elsewhere, "boxes:bulb", nowhere])
 

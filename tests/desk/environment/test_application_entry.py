@@ -11,7 +11,7 @@ def gallery(tmp_path):
     return AppFixture(tmp_path)
 
 
-def said(gallery, request):
+def line_of(gallery, request):
     """The line of an act, after it was carried out; names as they were known then."""
     doc = getattr(request, "doc", "")
     names = ApplicationNames()
@@ -23,9 +23,16 @@ def said(gallery, request):
 
 def test_an_insertion_names_the_icon_and_what_it_was_put_behind(gallery):  # R-H01, §E.2
     doc = gallery.begun()
-    assert said(gallery, act.InsertIcon(doc, "grip")) == ["insert_icon", "grip", "a1/1", "Start", "a1/0", "appl"]
-    assert said(gallery, act.InsertIcon(doc, "open", "0", 1)) == ["insert_icon", "open", "a1/2", "grip", "a1/1", "appl"]
-    refused = said(gallery, act.InsertIcon(doc, "there", "0", 1))
+    assert line_of(gallery, act.InsertIcon(doc, "grip")) == ["insert_icon", "grip", "a1/1", "Start", "a1/0", "appl"]
+    assert line_of(gallery, act.InsertIcon(doc, "open", "0", 1)) == [
+        "insert_icon",
+        "open",
+        "a1/2",
+        "grip",
+        "a1/1",
+        "appl",
+    ]
+    refused = line_of(gallery, act.InsertIcon(doc, "there", "0", 1))
     assert refused == ["try_insert_icon", "there", "there", "grip", "a1/1", "appl"]
 
 
@@ -33,9 +40,9 @@ def test_what_is_done_to_icons_names_them(gallery):  # R-H01
     doc = gallery.begun("grip", "open")
     first, two = gallery.number(doc, "grip"), gallery.number(doc, "open")
     ids = f"{doc}/{first},{doc}/{two}"
-    assert said(gallery, act.SetBreakpoint(doc, (first, two)))[:3] == ["set_marker", "grip,open", ids]
-    assert said(gallery, act.SetLoop(doc, two, first)) == ["set_whiletag", "open", "a1/2", "grip", "a1/1", "appl"]
-    assert said(gallery, act.MoveIcons(doc, (first,), "0", two)) == [
+    assert line_of(gallery, act.SetBreakpoint(doc, (first, two)))[:3] == ["set_marker", "grip,open", ids]
+    assert line_of(gallery, act.SetLoop(doc, two, first)) == ["set_whiletag", "open", "a1/2", "grip", "a1/1", "appl"]
+    assert line_of(gallery, act.MoveIcons(doc, (first,), "0", two)) == [
         "move_icon",
         "grip",
         "a1/1",
@@ -44,18 +51,18 @@ def test_what_is_done_to_icons_names_them(gallery):  # R-H01
         "appl",
     ]
     gallery.do(act.CopyIcons(doc, (first, two)))
-    assert said(gallery, act.PasteIcons(doc))[:3] == ["paste_icon", "open,grip", "a1/3,a1/4"]
-    assert said(gallery, act.EditIcon(doc, first, "x")) == ["edit_icon", "grip", "a1/1", "Untitled-1", "a1", "appl"]
-    assert said(gallery, act.RemoveIcons(doc, (first, two)))[:3] == ["delete_icon", "grip,open", ids]
+    assert line_of(gallery, act.PasteIcons(doc))[:3] == ["paste_icon", "open,grip", "a1/3,a1/4"]
+    assert line_of(gallery, act.EditIcon(doc, first, "x")) == ["edit_icon", "grip", "a1/1", "Untitled-1", "a1", "appl"]
+    assert line_of(gallery, act.RemoveIcons(doc, (first, two)))[:3] == ["delete_icon", "grip,open", ids]
 
 
 def test_documents_of_both_kinds_are_told_apart(gallery):  # R-H01
     doc = gallery.begun("grip")
-    assert said(gallery, act.Undo(doc)) == ["undo", "Untitled-1", "a1", "none", "0", "appl"]
-    assert said(gallery, act.Save(doc, "mine"))[0] == "save_appl"
-    assert said(gallery, act.Close(doc)) == ["close_appl", "mine", "a1", "none", "0", "appl"]
-    assert said(gallery, act.Open("mine"))[:3] == ["try_open_conf", "mine", "0"]
-    assert said(gallery, act.NewApplication()) == ["new_appl", "Untitled-1", "a2", "none", "0", "appl"]
+    assert line_of(gallery, act.Undo(doc)) == ["undo", "Untitled-1", "a1", "none", "0", "appl"]
+    assert line_of(gallery, act.Save(doc, "mine"))[0] == "save_appl"
+    assert line_of(gallery, act.Close(doc)) == ["close_appl", "mine", "a1", "none", "0", "appl"]
+    assert line_of(gallery, act.Open("mine"))[:3] == ["try_open_conf", "mine", "0"]
+    assert line_of(gallery, act.NewApplication()) == ["new_appl", "Untitled-1", "a2", "none", "0", "appl"]
 
 
 def test_an_act_on_an_application_alone_is_about_that():

@@ -15,7 +15,7 @@ def shared(tmp_path):
     return fixture
 
 
-def said(sitting):
+def notices(sitting):
     return [say.text.key for say in sitting.says if say.text.key in ("run.undone_elsewhere", "run.redone_elsewhere")]
 
 
@@ -23,9 +23,9 @@ def test_taking_back_what_another_did_is_told_to_both(shared):  # R-X10
     doc = shared.begun()
     shared.do(act.InsertIcon(doc, "open", "0", 0), by="first")
     shared.do(act.Undo(doc), by="second")
-    assert said(shared) == ["run.undone_elsewhere"]
+    assert notices(shared) == ["run.undone_elsewhere"]
     shared.do(act.Redo(doc), by="second")
-    assert said(shared)[1] == "run.redone_elsewhere"
+    assert notices(shared)[1] == "run.redone_elsewhere"
 
 
 def test_taking_back_what_one_did_oneself_needs_no_word(shared):  # R-X10
@@ -33,7 +33,7 @@ def test_taking_back_what_one_did_oneself_needs_no_word(shared):  # R-X10
     shared.add(doc, "open")
     shared.do(act.Undo(doc))
     shared.do(act.Redo(doc))
-    assert not said(shared)
+    assert not notices(shared)
 
 
 def test_who_is_alone_has_nobody_to_tell(shared):
@@ -41,4 +41,4 @@ def test_who_is_alone_has_nobody_to_tell(shared):
     shared.add(doc, "open")
     shared.environment.become(lambda model: Done(replace(model, people=1)))
     shared.do(act.Undo(doc), by="the same, with the page loaded anew")
-    assert not said(shared)
+    assert not notices(shared)

@@ -54,13 +54,13 @@ class Scene:
             self.history.look(look * 50 * MS)
         return self
 
-    def told(self, **changes):
+    def explanation(self, **changes):
         fields = {"kind": CauseKind.ERROR, "text": "no", "subsystem": "flow0", "task": "arm"} | changes
         places = [Position("flow0", "stopped", 0, failed=("arm",)), Position("flow1", "running", 0)]
         return explain(self.prepared, Cause(**fields), places, self.history, 1.5)
 
     def shown(self, **changes):
-        return [course.variable for course in self.told(**changes).courses]
+        return [course.variable for course in self.explanation(**changes).courses]
 
 
 @pytest.fixture
@@ -70,7 +70,7 @@ def scene():
 
 def test_a_tasks_own_variables_come_first_then_what_feeds_it(scene):  # R-X06
     assert scene.shown() == ["TAU", "Q", "Q_GOAL"]
-    assert [course.unit for course in scene.told().courses] == ["N.m", "rad", "rad"]
+    assert [course.unit for course in scene.explanation().courses] == ["N.m", "rad", "rad"]
 
 
 @pytest.mark.parametrize("changes", [{"entry": "init"}, {"kind": CauseKind.ASKING}])
@@ -81,12 +81,12 @@ def test_constants_matter_where_they_are_read(scene, changes):  # R-X06
 def test_the_way_of_what_is_no_number_is_shown_before_all_else():  # R-X06, law 5
     scene = Scene().write(Q_GOAL=float("nan"), TAU=float("nan"), Q=3.0).lives()
     assert scene.shown() == ["TAU", "Q_GOAL", "Q"]
-    assert scene.told().suspect == "goal"
+    assert scene.explanation().suspect == "goal"
 
 
 def test_only_an_error_raises_a_suspicion():  # R-X06
     scene = Scene().write(TAU=float("nan")).lives()
-    assert scene.told(kind=CauseKind.PRESSED).suspect == ""
+    assert scene.explanation(kind=CauseKind.PRESSED).suspect == ""
 
 
 def test_of_what_was_never_written_nothing_is_said():  # R-X06
@@ -95,7 +95,7 @@ def test_of_what_was_never_written_nothing_is_said():  # R-X06
 
 
 def test_a_cause_without_a_task_shows_no_variables(scene):  # R-X06
-    diagnosis = scene.told(kind=CauseKind.USER, subsystem="", task="", text="enough")
+    diagnosis = scene.explanation(kind=CauseKind.USER, subsystem="", task="", text="enough")
     assert (diagnosis.courses, diagnosis.waiting, diagnosis.action, diagnosis.index, diagnosis.place) == (
         (),
         (),
@@ -114,7 +114,7 @@ def test_before_the_first_action_the_tasks_own_file_is_the_place(scene):  # R-X0
 def test_an_explanation_is_bounded_however_much_there_is(monkeypatch):  # R-X06
     scene = Scene().write(Q_GOAL=1.0, TAU=2.0, Q=3.0, BIG=[1.0] * 60).lives(100)
     assert scene.shown() == ["TAU", "Q", "Q_GOAL", "BIG"]
-    assert len(encode(scene.told())) < 1 << 16
+    assert len(encode(scene.explanation())) < 1 << 16
     monkeypatch.setattr(explanation, "MOST_NUMBERS", 3 * 61)
     assert scene.shown() == ["TAU", "Q", "Q_GOAL"]
     monkeypatch.setattr(explanation, "MOST_COURSES", 2)
@@ -122,5 +122,5 @@ def test_an_explanation_is_bounded_however_much_there_is(monkeypatch):  # R-X06
 
 
 def test_it_travels(scene):
-    diagnosis = scene.told(path="arm.py", line=7)
+    diagnosis = scene.explanation(path="arm.py", line=7)
     assert decode(encode(diagnosis)) == diagnosis

@@ -54,7 +54,7 @@ def say(hand, word, times):
     hand.let_pass(0.5)
 
 
-def heard(hand):
+def summaries(hand):
     """What sessions are told, without times."""
     return [
         (
@@ -87,7 +87,7 @@ GOES_ON = {
 @pytest.mark.parametrize("word", GOES_ON)
 def test_a_signal_that_ends_nothing_is_told_as_often_as_it_is_said(speaker, word, times):  # R-A07, Table 9
     say(speaker, word, times)
-    assert heard(speaker) == GOES_ON[word] * times
+    assert summaries(speaker) == GOES_ON[word] * times
     assert speaker.states == {"speaker": "ON"}
 
 
@@ -95,7 +95,7 @@ def test_a_signal_that_ends_nothing_is_told_as_often_as_it_is_said(speaker, word
 @pytest.mark.parametrize("word", ENDS)
 def test_a_signal_that_ends_a_task_is_told_once(speaker, word, times):  # R-A07, Table 9
     say(speaker, word, times)
-    assert heard(speaker) == ENDS[word]
+    assert summaries(speaker) == ENDS[word]
     assert speaker.states == {"speaker": "ERROR" if word == "ERROR" else "OFF"}
 
 

@@ -19,7 +19,7 @@ class Arm(Module):
 """
 
 
-def told(*program, subsystem="flow0"):
+def wrong_in(*program, subsystem="flow0"):
     shop = PlanBuilder()
     shop.task("arm", ARM)
     plan = shop.plan([action("arm"), action("arm")])
@@ -29,7 +29,7 @@ def told(*program, subsystem="flow0"):
 
 
 def rest(condition):
-    return told(Do(0), Rest(0, condition), Do(1), Halt())
+    return wrong_in(Do(0), Rest(0, condition), Do(1), Halt())
 
 
 @pytest.mark.parametrize("condition", ["LAMP == 1", "Q_MEZ[5] > 0.5", "flow0/LAMP != 0", "NDOF == 6", ""])
@@ -59,6 +59,6 @@ def test_what_could_never_hold_is_told_with_its_action(condition, expected):  # 
 
 def test_loops_and_branches_are_looked_at_too():  # R-D13
     wrong = "Q_MEZ[9] > 0"
-    assert len(told(Choose((1, 3), (wrong,)), Do(0), Jump(3), Do(1), Halt())) == 1
-    assert len(told(Do(0), Again("l", 0, wrong), Do(1), Halt())) == 1
-    assert len(told(Do(0), Unless("l", 4, wrong), Do(1), Jump(0, "l"), Halt())) == 1
+    assert len(wrong_in(Choose((1, 3), (wrong,)), Do(0), Jump(3), Do(1), Halt())) == 1
+    assert len(wrong_in(Do(0), Again("l", 0, wrong), Do(1), Halt())) == 1
+    assert len(wrong_in(Do(0), Unless("l", 4, wrong), Do(1), Jump(0, "l"), Halt())) == 1

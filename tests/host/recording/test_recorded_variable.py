@@ -28,7 +28,7 @@ class Bench:
     def write(self, name, *numbers):
         self.table.ring(name).write(np.array(numbers, dtype=float).tobytes())
 
-    def said(self):
+    def entries(self):
         self.writer.finish()
         self.stream.seek(0)
         return [(entry.log_time, entry.data) for _, _, entry in make_reader(self.stream).iter_messages()]
@@ -47,7 +47,7 @@ def test_what_is_taken_at_each_look_is_written_down_at_once_later(bench):  # R-X
         watch.take(4 * MS * (look + 1), 4 * MS * look)
     watch.settle()
     watch.settle()
-    assert bench.said() == [(2 * MS * (n + 1), b'{"value":%d.0}' % n) for n in range(10)]
+    assert bench.entries() == [(2 * MS * (n + 1), b'{"value":%d.0}' % n) for n in range(10)]
     assert watch.missed == 0
 
 
@@ -57,14 +57,14 @@ def test_what_does_not_change_is_written_down_once(bench):
         bench.write("X", 1.0, 2.0)
         watch.take(look, look - 1)
     watch.settle()
-    assert bench.said() == [(0, b'{"value":[1.0,2.0]}')]
+    assert bench.entries() == [(0, b'{"value":[1.0,2.0]}')]
 
 
 def test_a_long_value_is_not_kept_until_there_are_more(bench):  # bounded
     watch = bench.watch("IMAGE", "double[100]")
     bench.write("IMAGE", *range(100))
     watch.take(0, -1)
-    assert len(bench.said()) == 1
+    assert len(bench.entries()) == 1
 
 
 def test_an_entry_that_was_made_anew_is_read_from_its_beginning(bench):
@@ -76,4 +76,4 @@ def test_an_entry_that_was_made_anew_is_read_from_its_beginning(bench):
     bench.write("X", 9.0)
     watch.take(1, 0)
     watch.settle()
-    assert (bench.said()[-1], watch.missed) == ((1, b'{"value":9.0}'), 0)
+    assert (bench.entries()[-1], watch.missed) == ((1, b'{"value":9.0}'), 0)

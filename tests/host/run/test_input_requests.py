@@ -6,7 +6,7 @@ from onika.wire.request import Begin
 ITEM = AskedItem("goal", "double", 1, "m", "where to", None, None, None)
 
 
-def asked(*items, task="servo", reason=""):
+def question_with(*items, task="servo", reason=""):
     return news.Asked("flow0", task, reason, items or (ITEM,), 5)
 
 
@@ -18,7 +18,7 @@ class Desk:
         )
 
     def ask(self, *items, **what):
-        self.requests.ask(asked(*items, **what))
+        self.requests.ask(question_with(*items, **what))
         return self
 
 

@@ -93,7 +93,7 @@ def ask(connection, message):
     return request.decode_response(connection.request(request.encode(message)))
 
 
-def heard(connection):
+def signals(connection):
     return [event.decode(message.body) for message in connection.poll() if isinstance(message, SignalReceived)]
 
 
@@ -134,7 +134,7 @@ def test_events_arrive_in_their_order(house):  # R-F01
     for step in steps:
         house.server.tell(step)
     house.serve()
-    assert heard(parent) == steps
+    assert signals(parent) == steps
 
 
 def test_an_event_goes_to_those_who_attend_and_to_the_one_it_is_for(house):  # R-F01
@@ -147,9 +147,9 @@ def test_an_event_goes_to_those_who_attend_and_to_the_one_it_is_for(house):  # R
     house.server.attend("owner#3", ("*",))
     house.server.tell(steps[3], "right")
     house.serve()
-    assert heard(parent) == [steps[2]]
-    assert heard(near) == [steps[0], steps[2]]
-    assert heard(far) == [steps[1], steps[2], steps[3]]
+    assert signals(parent) == [steps[2]]
+    assert signals(near) == [steps[0], steps[2]]
+    assert signals(far) == [steps[1], steps[2], steps[3]]
 
 
 def test_a_reading_is_shown_to_one_session_and_only_the_newest(house):
@@ -243,7 +243,7 @@ def test_the_porters_end_is_told_and_those_who_are_there_stay(house):
     house.road.end = Reason.of("host.porter_killed", signal=9)
     house.serve()
     house.serve()
-    (lost,) = heard(guest)
+    (lost,) = signals(guest)
     assert lost.name == "porter"
     assert lost.cause == Reason.of("host.porter_killed", signal=9)
     assert ask(guest, request.Abort("")) == request.Done()

@@ -6,7 +6,7 @@ from onika.host.units.process_socket import ProcessSocket
 MS = 1_000_000
 
 
-def heard(post):
+def words_at(post):
     words = []
     while not post.is_closed and (received := post.receive()) is not None:
         words.append(decode_word(received[0]))
@@ -25,7 +25,7 @@ def test_everybody_who_asked_is_told_thirty_times_a_second():  # law 29
             stream.tell(now, now - 7, b"rows", ("lamp",))
     for _, end in posts:
         far = ProcessSocket(end)
-        poses = heard(far)
+        poses = words_at(far)
         far.close()
         assert [(each.world, each.at_ns, each.rows, each.lit, each.left_out) for each in poses] == [
             ("yard", at * MS - 7, b"rows", ("lamp",), 0) for at in (0, 34, 68)
@@ -55,6 +55,6 @@ def test_who_does_not_come_to_take_them_is_told_how_many_were_left_out(monkeypat
     monkeypatch.undo()
     stream.tell(2, 2, b"", ())
     stream.tell(3, 3, b"", ())
-    assert [(each.at_ns, each.left_out) for each in heard(far)] == [(2, 2), (3, 0)]
+    assert [(each.at_ns, each.left_out) for each in words_at(far)] == [(2, 2), (3, 0)]
     near.close()
     far.close()

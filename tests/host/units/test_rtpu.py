@@ -49,7 +49,7 @@ class Unit:
     def say(self, order):
         self.post.send(room.encode(order))
 
-    def told(self, number):
+    def batches(self, number):
         """The next datagrams, each a list of news."""
         batches = []
         while len(batches) < number:
@@ -116,7 +116,7 @@ def test_a_prepared_switch_and_what_it_led_to_come_in_one_datagram(unit):  # law
     unit.say(command.Switch("flow0", (), (), (command.Launch("count", "", None, 1),)))
     unit.say(command.PreparedSwitch("flow0", "count", 1, (command.Case(0, None, 4, follows),)))
     unit.hear(news.Cycled)
-    reports, later = unit.told(2)
+    reports, later = unit.batches(2)
     finished = reports[0]
     assert (finished.task, finished.switched) == ("count", 4)
     followed = [(type(report), report.task) for report in reports[1:]]
@@ -132,7 +132,7 @@ def test_a_finish_that_somebody_has_to_answer_waits_for_no_other_cycle(unit):  #
     unit._heard.clear()
     finishes = []
     while len(finishes) < 2:
-        (reports,) = unit.told(1)
+        (reports,) = unit.batches(1)
         finishes += [reports] if any(isinstance(report, news.Finished) for report in reports) else []
     assert [len(batch) for batch in finishes] == [1, 1]
 

@@ -44,7 +44,7 @@ def up(supervisor, *arguments):
     return process
 
 
-def heard(process):
+def first_word(process):
     while (received := process.post.receive()) is None:
         assert process.process.poll() is None
     return received[0].decode()
@@ -56,7 +56,7 @@ def beat(process, now):
 
 def test_a_process_is_started_with_what_it_needs(supervisor):  # law 30
     process = supervisor.launch("rt0", "rt0", "puppet", ("--name", "rt0"))
-    assert heard(process) == "123 True rt0"
+    assert first_word(process) == "123 True rt0"
     assert supervisor.processes == {"rt0": process}
     assert (process.is_up, process.is_lost) == (False, False)
 
@@ -95,7 +95,7 @@ def test_the_task_whose_code_never_returned_is_named(supervisor, clock):  # law 
 
 def test_no_task_is_blamed_for_a_process_that_somebody_stopped(supervisor, clock):  # R-X06
     process = up(supervisor)
-    heard(process)
+    first_word(process)
     beat(process, clock)
     process.heartbeat.watch("flow0/innocent")
     os.kill(process.process.pid, signal.SIGSTOP)
@@ -124,7 +124,7 @@ def test_a_killed_process_is_told_with_its_signal(supervisor, clock, blow, sente
 
 def test_a_process_that_ends_is_told_with_its_code(supervisor, clock):  # R-E10
     process = up(supervisor)
-    heard(process)
+    first_word(process)
     process.post.close()  # then the puppet goes
     os.waitid(os.P_PID, process.process.pid, os.WEXITED | os.WNOWAIT)
     assert str(supervisor.troubles()[0][1]) == "rt0 ended with code 0"

@@ -78,7 +78,7 @@ def test_without_a_gap_it_is_refused_with_the_numbers(rig):  # law 21
         assert work(rig, now) == []
     rig.run(PATIENCE_NS + 9 * MS)
     assert work(rig, PATIENCE_NS + 95 * MS // 10) == ["Refused"]
-    assert rig.heard(news.Refused)[-1] == news.Refused(
+    assert rig.news_of(news.Refused)[-1] == news.Refused(
         HOME, "one", "spawn", "needs 3.1 ms; the largest gap here is 0.8 ms"
     )
     assert not rig.executive.has_work
@@ -116,7 +116,7 @@ def test_what_goes_off_makes_room(rig):  # law 21
 def test_a_module_that_does_not_load_is_refused_when_its_time_comes(rig):  # R-B07
     rig.do(late(rig, source="class :")).do(command.Reinit(HOME, "one"))
     assert work(rig, MS) == ["Refused", "Refused"]
-    assert [event.command for event in rig.heard(news.Refused)] == ["spawn", "reinit"]
+    assert [event.command for event in rig.news_of(news.Refused)] == ["spawn", "reinit"]
 
 
 # What comes meanwhile
@@ -147,7 +147,7 @@ def test_a_kill_takes_a_spawn_back(rig):  # law 21
 
 def test_a_second_spawn_of_one_name_is_refused(rig):  # R-A06
     rig.do(late(rig)).do(late(rig))
-    assert rig.heard(news.Refused)[-1].reason == "a task of this name is on its way already"
+    assert rig.news_of(news.Refused)[-1].reason == "a task of this name is on its way already"
     assert work(rig, MS) == ["Initialised"]
 
 
@@ -158,7 +158,7 @@ def test_after_a_kill_the_same_name_may_come_again(rig):  # law 21
 
 def test_a_stop_drops_what_waits(rig):  # law 27
     rig.do(late(rig)).do(command.Stop("panic"))
-    assert rig.heard(news.Refused)[-1].reason == "this unit was stopped"
+    assert rig.news_of(news.Refused)[-1].reason == "this unit was stopped"
     assert work(rig, MS) == []
 
 
@@ -185,7 +185,7 @@ def test_the_old_module_is_turned_off_at_once_while_an_exchange_waits(rig):  # l
 
 def test_a_kill_takes_an_exchange_back(rig):  # law 21
     rig.do(command.Swap(late(rig, COUNTER, "busy", aliases={"N": "BUSY"}))).do(command.Kill(HOME, "busy"))
-    assert rig.heard(news.Refused)[-1].command == "swap"
+    assert rig.news_of(news.Refused)[-1].command == "swap"
     assert (rig.executive.has_work, rig.executive.tasks) == (False, {})
 
 

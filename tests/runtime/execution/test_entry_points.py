@@ -29,7 +29,7 @@ def test_an_error_is_told_with_file_line_and_traceback():  # R-A18
 def test_the_modules_error_entry_comes_first_and_may_mend():  # R-A09
     source = module(FAILS + "    def error(self, fault):\n        return str(fault) == 'planted'")
     rig = rig_of(source).switch(on=["one"]).run(30 * MS)
-    assert rig.heard(news.Failed) == []
+    assert rig.news_of(news.Failed) == []
     assert rig.task("one").state is State.ON
 
 
@@ -41,7 +41,7 @@ def test_an_error_entry_that_gives_up_or_raises_leaves_the_error_as_it_was(answe
 
 def test_a_task_in_error_cycles_no_more_and_the_others_go_on():  # R-A05
     rig = ExecutiveRig().spawn("bad", module(FAILS)).spawn("good", COUNTER).switch(on=["bad", "good"]).run(50 * MS)
-    assert len(rig.heard(news.Failed)) == 1
+    assert len(rig.news_of(news.Failed)) == 1
     assert rig["N"] == 6
 
 
@@ -70,7 +70,7 @@ def test_what_raises_in_another_entry_is_an_error_by_its_name(entry):  # R-A05
 def test_a_finish_whose_off_raises_is_an_error_and_no_finish():  # R-A08
     source = cycle("return finish()", trigger=True) + "    def off(self):\n        raise ValueError\n"
     rig = rig_of(source).switch(on=["one"]).run(0)
-    assert rig.heard(news.Finished) == []
+    assert rig.news_of(news.Finished) == []
     assert rig.task("one").state is State.ERROR
 
 

@@ -113,7 +113,7 @@ def test_a_stop_turns_everything_off_and_is_latched():  # law 27
     rig = arm_rig().switch(on=["arm", "force"]).run(50 * MS).do(command.Stop("panic"))
     assert {task.state for task in rig.executive.tasks.values()} == {State.OFF}
     rig.switch(on=["arm"]).spawn("more", module())
-    assert [event.reason for event in rig.heard(news.Refused)] == ["this unit was stopped"] * 2
+    assert [event.reason for event in rig.news_of(news.Refused)] == ["this unit was stopped"] * 2
     assert rig.run(100 * MS).executive.next_release() is None
 
 

@@ -15,7 +15,7 @@ MS = 1_000_000
 
 def test_a_trigger_that_finishes_goes_off_and_says_where_to_go():  # R-A07, R-A08
     rig = rig_of(cycle("return finish(flow=2, loop=True)", trigger=True)).switch(on=["one"]).run(50 * MS)
-    assert rig.heard(news.Finished) == [news.Finished(HOME, "one", 2, True, 0)]
+    assert rig.news_of(news.Finished) == [news.Finished(HOME, "one", 2, True, 0)]
     assert rig.task("one").state is State.OFF
 
 
@@ -38,7 +38,7 @@ def test_numbers_of_numpy_in_a_signal_travel(flow):
 def test_what_a_task_may_not_return_is_an_error(flags, returned, text):  # R-A08
     rig = rig_of(cycle(f"return {returned}", **flags)).switch(on=["one"]).run(0)
     assert rig.last(news.Failed).text.startswith(text)
-    assert rig.heard(news.Finished) == []
+    assert rig.news_of(news.Finished) == []
 
 
 def test_a_task_may_switch_itself_off():  # R-A08
@@ -57,7 +57,7 @@ def test_a_task_may_switch_itself_off():  # R-A08
 )
 def test_other_signals_are_passed_on_and_the_task_stays_on(returned, kind, number, text):  # R-A07
     rig = rig_of(cycle(f"return {returned}")).switch(on=["one"]).run(0)
-    assert rig.heard(news.Signalled) == [news.Signalled(HOME, "one", kind, number, text, 0)]
+    assert rig.news_of(news.Signalled) == [news.Signalled(HOME, "one", kind, number, text, 0)]
     assert rig.task("one").state is State.ON
 
 
@@ -69,7 +69,7 @@ def test_a_warning_of_every_entry_point_is_passed_on(entry):  # R-A07
         body += "\n    def cycle(self):\n        raise ValueError"
     rig = rig_of(module(body)).switch(on=["one"]).run(0).do(command.Clear(HOME, "one"))
     rig.switch(off=["one"]).do(command.Kill(HOME, "one"))
-    assert [event.text for event in rig.heard(news.Warned)] == ["mind"]
+    assert [event.text for event in rig.news_of(news.Warned)] == ["mind"]
 
 
 # Table 9: every signal, once, twice, and when the task is off already

@@ -53,7 +53,7 @@ def test_a_module_without_take_comes_on_anew_in_the_old_ones_place():  # law 21
     assert rig.task("one").module.log == ["init", "on"]
     assert old.log == ["init", "on", "off", "kill"]
     assert rig["N"] == 3 + 200
-    assert [event.at_ns for event in rig.heard(news.Cycled)] == [0, 30 * MS]
+    assert [event.at_ns for event in rig.news_of(news.Cycled)] == [0, 30 * MS]
 
 
 def test_the_others_keep_cycling_in_their_order():  # R-X15
@@ -164,7 +164,7 @@ def test_what_the_old_module_raises_on_its_way_out_is_a_warning():  # law 21
         module("    def off(self):\n        raise ValueError('o')\n    def kill(self):\n        raise KeyError('k')")
     )
     rig.do(swap_of(rig, COUNTER))
-    assert [event.text.split(" (")[0] for event in rig.heard(news.Warned)] == [
+    assert [event.text.split(" (")[0] for event in rig.news_of(news.Warned)] == [
         "off: ValueError: o",
         "kill: KeyError: 'k'",
     ]

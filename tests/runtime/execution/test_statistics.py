@@ -83,7 +83,7 @@ def test_a_profile_shorter_than_a_period_makes_no_high_rate(rig):  # R-A11
 @pytest.mark.parametrize(("kind", "letter"), [("periodic", "P"), ("synchronous", "Y"), ("aperiodic", "A")])
 def test_the_kind_of_a_task_is_one_letter(kind, letter):  # R-A11
     figures = ExecutiveRig().spawn("one", SOURCE, kind=kind, frequency=100.0).do(command.Report())
-    assert figures.heard(news.Statuses)[0].tasks[0].letter == letter
+    assert figures.news_of(news.Statuses)[0].tasks[0].letter == letter
 
 
 def test_numbers_of_tasks_are_never_given_twice(rig):  # R-A11
@@ -102,19 +102,19 @@ def test_a_load_resets_nothing_and_outlives_a_status(rig):  # R-X13
     assert latest.cycles == 4
     rig.do(command.Report())
     assert load_of(rig.task("one")) == latest
-    assert rig.do(command.Load()).heard(news.Loads) == [news.Loads("unit", (latest, load_of(rig.task("two"))))]
+    assert rig.do(command.Load()).news_of(news.Loads) == [news.Loads("unit", (latest, load_of(rig.task("two"))))]
     assert load_of(rig.task("two")).use == 0.0
 
 
 def test_a_failure_tells_the_values_of_that_cycle(rig):  # R-A18
     rig.table.ring("IMAGE").write(bytes(range(200)) * 2)
     rig.switch(on=["one"]).run(100 * MS)
-    values = rig.heard(news.Failed)[0].values
+    values = rig.news_of(news.Failed)[0].values
     assert rig.task("one").state is State.ERROR
     assert (values["N^"], values["Q"], values["NAME"], values["FLAG"]) == (5, [1.5, float("inf")], "cube", "x")
     assert values["IMAGE"] == [*range(64), "… 400 in all"]
     assert rig["N^"] == 4  # what failed was not published
-    assert news.decode(news.encode(rig.heard(news.Failed)[0])).values == values
+    assert news.decode(news.encode(rig.news_of(news.Failed)[0])).values == values
 
 
 def test_short_vectors_keep_their_shape(rig):  # R-A18

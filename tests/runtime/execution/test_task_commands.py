@@ -18,13 +18,13 @@ def test_a_module_answers_get_and_set():  # R-A05
     body = "    gain = 1.0\n    def get(self, name):\n        return getattr(self, name)\n"
     body += "    def set(self, name, value):\n        setattr(self, name, float(value))"
     rig = rig_of(module(body)).do(command.Set(HOME, "one", "gain", "2.5")).do(command.Get(HOME, "one", "gain"))
-    assert rig.heard(news.Got) == [news.Got(HOME, "one", "gain", "2.5"), news.Got(HOME, "one", "gain", 2.5)]
+    assert rig.news_of(news.Got) == [news.Got(HOME, "one", "gain", "2.5"), news.Got(HOME, "one", "gain", 2.5)]
 
 
 @pytest.mark.parametrize("body", ["    pass", "    def get(self, name):\n        sys.exit()"])
 def test_a_get_that_raises_is_refused_and_the_task_lives_on(body):  # R-A05
     rig = rig_of(module(body)).do(command.Get(HOME, "one", "gain"))
-    assert rig.heard(news.Got) == []
+    assert rig.news_of(news.Got) == []
     assert rig.last(news.Refused).command == "get or set"
     assert rig.task("one").state is State.OFF
 
@@ -48,7 +48,7 @@ def test_ranks_are_taken_over_between_cycles_without_losing_a_release():  # law 
     assert (rig["A"], rig["B"]) == (3, 2)
     assert [rig.task(name).counters.cycles for name in "ab"] == [2, 2]
     assert [rig.task(name).slot.missed for name in "ab"] == [0, 0]
-    assert rig.heard(news.Refused) == [news.Refused(HOME, "nobody", "rank", "no such task")]
+    assert rig.news_of(news.Refused) == [news.Refused(HOME, "nobody", "rank", "no such task")]
 
 
 # Constants that change
@@ -75,7 +75,7 @@ def test_a_changed_constant_reaches_its_consumer_with_a_reinit():  # R-A01, law 
     assert (rig["NDOF"], rig["M"]) == (3, 20)
     rig.do(command.Reinit(HOME, "one"))
     assert rig["M"] == 30
-    assert rig.heard(news.Reinitialised) == [news.Reinitialised(HOME, name) for name in ("robot", "one")]
+    assert rig.news_of(news.Reinitialised) == [news.Reinitialised(HOME, name) for name in ("robot", "one")]
 
 
 def test_a_change_of_ndof_binds_the_ports_anew_and_the_instance_lives_on():  # R-A03, law 12
@@ -83,7 +83,7 @@ def test_a_change_of_ndof_binds_the_ports_anew_and_the_instance_lives_on():  # R
     module_, entry = rig.task("one").module, rig.table.entry("Q(3)", Shape.parse("double[3]"))
     rig.switch(off=["one"]).do(command.Rebind(HOME, "robot", (), (("VALUE", ("3",)),)))
     rig.do(command.Rebind(HOME, "one", (command.BoundPort("Q", "Q", "double[3]", entry.offset),)))
-    assert rig.heard(news.Rebound) == [news.Rebound(HOME, name) for name in ("robot", "one")]
+    assert rig.news_of(news.Rebound) == [news.Rebound(HOME, name) for name in ("robot", "one")]
     rig.do(command.Reinit(HOME, "robot")).do(command.Reinit(HOME, "one")).switch(on=["one"]).run(10 * MS)
     assert rig["Q(3)"].tolist() == [0.0, 1.0, 2.0]
     assert rig.task("one").module is module_
@@ -105,7 +105,7 @@ def test_a_reinit_that_raises_is_an_error_and_clear_initialises():  # R-A05
     rig.do(command.Reinit(HOME, "one"))
     assert (rig.last(news.Failed).entry, rig.task("one").state) == ("reinit", State.ERROR)
     rig.do(command.Clear(HOME, "one"))
-    assert (len(rig.heard(news.Initialised)), rig.task("one").state) == (2, State.OFF)
+    assert (len(rig.news_of(news.Initialised)), rig.task("one").state) == (2, State.OFF)
 
 
 def test_a_bad_parameter_is_refused_and_nothing_has_changed():  # R-B07

@@ -16,7 +16,7 @@ MS = 1_000_000
 
 def test_a_task_is_off_after_it_was_spawned():  # R-A05
     rig = rig_of(module())
-    assert rig.heard(news.Initialised) == [news.Initialised(HOME, "one")]
+    assert rig.news_of(news.Initialised) == [news.Initialised(HOME, "one")]
     assert rig.task("one").state is State.OFF
 
 
@@ -59,7 +59,7 @@ def test_an_init_that_raises_is_an_error_and_clear_initialises_anew():  # R-A05
     rig = rig_of(source)
     assert (rig.last(news.Failed).entry, rig.task("one").state) == ("init", State.ERROR)
     rig.do(command.Clear(HOME, "one"))
-    assert rig.heard(news.Initialised) == [news.Initialised(HOME, "one")]
+    assert rig.news_of(news.Initialised) == [news.Initialised(HOME, "one")]
     assert rig.task("one").module.tried == [1, 1]
 
 
@@ -123,7 +123,9 @@ def test_a_command_does_what_the_table_says_or_is_refused_and_changes_nothing(na
 
 @pytest.mark.parametrize("order", [command.Get(HOME, "nobody", "x"), command.Set(HOME, "nobody", "x", "1")])
 def test_a_task_that_is_not_there_is_refused_by_name(order):
-    assert ExecutiveRig().do(order).heard(news.Refused) == [news.Refused(HOME, "nobody", "get or set", "no such task")]
+    assert ExecutiveRig().do(order).news_of(news.Refused) == [
+        news.Refused(HOME, "nobody", "get or set", "no such task")
+    ]
 
 
 # Switches
@@ -132,14 +134,14 @@ def test_a_task_that_is_not_there_is_refused_by_name(order):
 def test_a_switch_turns_off_before_it_turns_on_with_no_cycle_in_between():  # laws 2, 3
     rig = ExecutiveRig().spawn("a", COUNTER).spawn("b", COUNTER).switch(on=["a"]).run(5 * MS)
     rig.switch(off=["a"], on=["b"])
-    changes = [(event.task, event.state) for event in rig.heard(news.Changed)]
+    changes = [(event.task, event.state) for event in rig.news_of(news.Changed)]
     assert changes == [("a", "ON"), ("a", "OFF"), ("b", "ON")]
     assert rig.run(15 * MS)["N"] == 1 + 2
 
 
 def test_the_first_cycle_after_on_is_told_once():
     rig = rig_of(COUNTER).switch(on=["one"]).run(30 * MS).switch(off=["one"]).switch(on=["one"]).run(50 * MS)
-    assert [event.at_ns for event in rig.heard(news.Cycled)] == [0, 30 * MS]
+    assert [event.at_ns for event in rig.news_of(news.Cycled)] == [0, 30 * MS]
 
 
 def test_a_reference_stays_in_force_while_it_is_read_and_a_stale_one_does_not():  # law 3, reading 45
@@ -184,7 +186,7 @@ def test_flows_that_are_switched_together_cycle_from_one_instant_the_first_of_ea
     rig = meeting_rig()
     rig.now = 3 * MS
     rig.do(together(on="abc")).run(3 * MS)
-    first = rig.heard(news.Cycled)
+    first = rig.news_of(news.Cycled)
     assert {event.at_ns for event in first} == {3 * MS}
     expected = [(flow, name) for name in "cba" for flow in ("f0", "f1", "f2")]
     assert [(event.subsystem, event.task) for event in first] == expected
@@ -194,7 +196,7 @@ def test_flows_that_come_on_slowly_still_cycle_first_at_one_instant():  # R-E04:
     rig = meeting_rig().do(together(on="abc"))
     rig.now = 37 * MS
     rig.run(37 * MS)
-    assert {event.at_ns for event in rig.heard(news.Cycled)} == {37 * MS}
+    assert {event.at_ns for event in rig.news_of(news.Cycled)} == {37 * MS}
     assert {task.slot.missed for task in rig.executive.tasks.values()} == {0}
 
 
@@ -202,15 +204,15 @@ def test_of_flows_that_are_switched_together_all_go_off_before_one_comes_on():  
     rig = meeting_rig().do(together(on="a")).run(0)
     rig.news.clear()
     rig.do(together(on="b", off="a"))
-    assert [(event.task, event.state) for event in rig.heard(news.Changed)] == [("a", "OFF")] * 3 + [("b", "ON")] * 3
+    assert [(event.task, event.state) for event in rig.news_of(news.Changed)] == [("a", "OFF")] * 3 + [("b", "ON")] * 3
 
 
 def test_a_flow_that_asks_does_not_hold_up_those_it_is_switched_with():  # R-E04, R-A10
     rig = meeting_rig().spawn("asks", module("    G = Input('double', 'm', 'goal')"))
     asks = command.Switch(HOME, (), (), (command.Launch("asks"),))
     rig.do(command.Together((asks, *together(on="a").switches))).run(0)
-    assert len(rig.heard(news.Asked)) == 1
-    assert len(rig.heard(news.Cycled)) == 3
+    assert len(rig.news_of(news.Asked)) == 1
+    assert len(rig.news_of(news.Cycled)) == 3
 
 
 def test_what_another_subsystem_forgets_is_none_of_ours():  # R-A06
@@ -230,7 +232,7 @@ def test_a_rate_given_at_on_holds_from_then_on():  # R-A04
     rig = rig_of(COUNTER).switch(on=[command.Launch("one", "", 200.0)]).run(20 * MS)
     assert rig["N"] == 5
     assert rig.task("one").module.dt == 0.005
-    assert rig.switch(rates=[("nobody", 5.0)]).heard(news.Refused)[0].reason == "no such task"
+    assert rig.switch(rates=[("nobody", 5.0)]).news_of(news.Refused)[0].reason == "no such task"
 
 
 # Kinds of tasks

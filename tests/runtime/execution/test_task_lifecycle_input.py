@@ -56,7 +56,7 @@ def test_a_task_that_asks_can_be_turned_off_and_its_off_is_not_run():  # R-A10
     source = ASKS + "\n    def off(self):\n        raise ValueError('never was on')"
     rig = ExecutiveRig().spawn("limit", module("    QMAX = OutConst('double[2]')")).spawn("one", source)
     rig.switch(on=["one"]).switch(off=["one"])
-    assert (rig.task("one").state, rig.heard(news.Failed)) == (State.OFF, [])
+    assert (rig.task("one").state, rig.news_of(news.Failed)) == (State.OFF, [])
 
 
 # Activations

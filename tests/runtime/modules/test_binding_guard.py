@@ -49,7 +49,7 @@ def test_whatever_a_module_does_to_itself_is_an_error_that_names_it(line, senten
     rig = ExecutiveRig().spawn("good", COUNTER).spawn("owner", module("    FOREIGN = OutVar('double')"))
     rig.spawn("one", other_class(tricky(line, at)), frequency=1000.0).switch(on=["good", "one"]).run(1100 * MS)
     assert rig.task("one").state is State.ERROR
-    failed = rig.heard(news.Failed)[0]
+    failed = rig.news_of(news.Failed)[0]
     assert sentence in failed.text
     assert (failed.now_ns // MS) == (0 if at == 1 else CHECKED_EVERY + 1)
     assert (rig["N"], rig.task("good").state) == (111, State.ON)
@@ -63,7 +63,7 @@ def test_no_error_entry_mends_it():  # R-A12
 def test_whoever_writes_a_foreign_name_before_it_lives_is_named_too():  # R-A12
     body = "    def init(self):\n        self.FOREIGN = 1.0"
     rig = ExecutiveRig().spawn("owner", module("    FOREIGN = OutVar('double')")).spawn("one", module(body))
-    assert "FOREIGN is a variable of other tasks" in rig.heard(news.Failed)[0].text
+    assert "FOREIGN is a variable of other tasks" in rig.news_of(news.Failed)[0].text
 
 
 def test_a_module_that_does_nothing_of_the_kind_is_left_alone():

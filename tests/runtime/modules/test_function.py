@@ -171,7 +171,7 @@ def test_an_edited_function_takes_over_memory_and_input_while_others_cycle(tmp_p
     assert rig["X"] == pytest.approx(0.04)
     assert rig.task("ramp").module._memories["memory"].more == 7
     rig.run(200 * MS)
-    assert rig.heard(news.Finished)[0].now_ns == 40 * MS
+    assert rig.news_of(news.Finished)[0].now_ns == 40 * MS
     assert (rig.task("other").slot.missed, rig.task("other").counters.cycles) == (0, 21)
 
 
@@ -179,7 +179,7 @@ def test_a_new_input_cannot_be_taken_over():  # law 21
     rig = ExecutiveRig().spawn("ramp", STATEFUL).switch(on=[command.Launch("ramp", "0.05")]).run(0)
     more = STATEFUL.replace("    dt,\n", "    dt,\n    other: Input('int'),\n")
     rig.do(command.Swap(rig.spawn_of("ramp", more)))
-    assert "other was not asked for yet: turn the task off and on" in rig.heard(news.Refused)[-1].reason
+    assert "other was not asked for yet: turn the task off and on" in rig.news_of(news.Refused)[-1].reason
     assert rig.task("ramp").state is State.ON
 
 

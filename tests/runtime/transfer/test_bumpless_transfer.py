@@ -92,7 +92,7 @@ def driven(rig: ExecutiveRig, level: float, **given) -> ExecutiveRig:
 
 
 def steps(rig: ExecutiveRig) -> list[news.Stepped]:
-    return rig.heard(news.Stepped)
+    return rig.news_of(news.Stepped)
 
 
 def largest_step(rig: ExecutiveRig) -> float:
@@ -134,7 +134,7 @@ def test_what_comes_through_other_tasks_is_blended_too():  # R-X04
 def test_what_on_leaves_for_a_device_and_cannot_be_blended_is_refused_before_anybody_sees_it():  # R-X04
     rig = driven(hand_rig(), 0.0)
     rig.spawn("second", source("second", 100.0), rank=1).switch(off=["first"], on=["second"]).run(rig.now + 200 * MS)
-    (refused,) = rig.heard(news.Refused)
+    (refused,) = rig.news_of(news.Refused)
     assert refused.command == "on"
     assert refused.reason == (
         "REF[0] would step by 100 N: a cycle may change it by 0.1 N, 0.1 s by 5 N; "
@@ -159,7 +159,7 @@ def test_what_nobody_could_foresee_and_cannot_be_blended_makes_the_device_hold()
     rig = driven(hand_rig(), 0.0)
     rig.spawn("second", source("second", 100.0, at_once=False), rank=1)
     rig.switch(off=["first"], on=["second"]).run(rig.now + 200 * MS)
-    (failed,) = rig.heard(news.Failed)
+    (failed,) = rig.news_of(news.Failed)
     assert failed.task == "hand"
     assert "REF[0] would step by 100 N: a cycle may change it by 0.1 N, 0.1 s by 5 N;" in failed.text
     assert "turn off what came on" in failed.text
@@ -183,7 +183,7 @@ def test_an_exchange_of_code_is_blended_or_refused_as_a_switch_is():  # R-X04 R-
     far = rig.spawn_of("first", source("first", 100.0), rank=1)
     near = rig.spawn_of("first", source("first", 1.0), rank=1)
     rig.do(command.Swap(far)).run(rig.now + 200 * MS)
-    (refused,) = rig.heard(news.Refused)
+    (refused,) = rig.news_of(news.Refused)
     assert (refused.command, "would step by 100 N" in refused.reason) == ("swap", True)
     assert rig.task("hand").state is State.ON
     rig.do(command.Swap(near)).run(rig.now + 200 * MS)
@@ -232,7 +232,7 @@ def test_another_rate_in_the_midst_of_a_blend_takes_it_to_its_end():  # R-X04
 
 def test_a_bad_limit_is_an_error_of_init():  # R-X04
     rig = hand_rig(local=(("LIMIT", ("-1",)),))
-    (failed,) = rig.heard(news.Failed)
+    (failed,) = rig.news_of(news.Failed)
     assert (failed.entry, "expected a step above 0, found LIMIT = -1.0" in failed.text) == ("init", True)
 
 

@@ -18,7 +18,7 @@ def duet(tmp_path):
     return duet
 
 
-def told(duet, holder="", cause="its holder anna#2 has been silent for 1.0 s"):
+def lose_holder(duet, holder="", cause="its holder anna#2 has been silent for 1.0 s"):
     for name in ("flow0", "flow1"):
         duet.tell(event.Held(name, "anna#2"))
         duet.tell(event.Held(name, holder, cause))
@@ -35,7 +35,7 @@ def test_what_runs_and_where_is_asked_anew(duet):  # R-X12
 
 
 def test_a_run_that_is_nobodys_is_taken_only_when_that_is_meant(duet):  # R-X12
-    told(duet)
+    lose_holder(duet)
     refusal = duet.no(act.Take(subsystem="flow0"))
     assert "anna#2 began it and is gone" in str(refusal.reason) and "starts nothing" in str(refusal.reason)
     assert refusal.remedies[0].act == act.Take(subsystem="flow0", confirmed=True)
@@ -47,16 +47,16 @@ def test_a_run_that_is_nobodys_is_taken_only_when_that_is_meant(duet):  # R-X12
 
 
 def test_what_is_lost_is_said_whoever_held_it(duet):  # R-X12
-    told(duet)
+    lose_holder(duet)
     assert "flow0: its holder anna#2 has been silent for 1.0 s" in [str(say.text) for say in duet.says]
     assert holds(duet)["flow0"].former == "anna#2" and not holds(duet)["flow0"].was_here
 
 
 def test_a_run_is_steered_only_by_who_has_taken_it(duet):  # R-X12
-    told(duet)
+    lose_holder(duet)
     no = duet.no(act.SteerTaken("flow0", "pause"))
     assert "nobody" in str(no.reason) and no.remedies[0].act == act.Take(subsystem="flow0")
-    told(duet, "bob#3")
+    lose_holder(duet, "bob#3")
     no = duet.no(act.SteerTaken("flow0", "pause"))
     assert "held by bob#3" in str(no.reason) and not no.remedies
     assert str(duet.no(act.SteerTaken("far", "pause")).reason) == "no application runs in far any more"
@@ -71,7 +71,7 @@ def test_a_run_is_steered_only_by_who_has_taken_it(duet):  # R-X12
     ],
 )
 def test_what_moves_or_ends_a_run_that_was_taken_is_asked_back_first(duet, wish, action):  # R-X12
-    told(duet, "you")
+    lose_holder(duet, "you")
     no = duet.no(act.SteerTaken("flow0", wish))
     assert no.remedies[0].act == act.SteerTaken("flow0", wish, confirmed=True) and action not in duet.carried_out
     duet.do(act.SteerTaken("flow0", wish, confirmed=True))
@@ -79,7 +79,7 @@ def test_what_moves_or_ends_a_run_that_was_taken_is_asked_back_first(duet, wish,
 
 
 def test_a_pause_needs_no_word_and_a_refusal_is_shown(duet):  # R-X12
-    told(duet, "you")
+    lose_holder(duet, "you")
     duet.do(act.SteerTaken("flow0", "pause"))
     assert steer.Pause() in duet.carried_out
     duet.rebuffs = {steer.Pause: request.Refused("nothing runs")}
@@ -87,14 +87,14 @@ def test_a_pause_needs_no_word_and_a_refusal_is_shown(duet):  # R-X12
 
 
 def test_one_run_is_held_here_at_a_time(duet):  # R-X12
-    told(duet, "you")
+    lose_holder(duet, "you")
     assert held_subsystems.run_here(duet.environment.model) == "flow0"
     duet.tell(event.Held("flow1", "", "gone"))
     assert "one application runs at a time" in str(duet.no(act.Take(subsystem="flow1")).reason)
 
 
 def test_what_is_offered_here_is_taken_without_a_word_and_declined_by_its_name(duet):  # R-X12
-    told(duet, "anna#2")
+    lose_holder(duet, "anna#2")
     assert str(duet.no(act.Decline(subsystem="flow0")).reason) == "nobody offers flow0 to this environment"
     duet.tell(event.Offered("flow0", "anna#2", "you"))
     duet.do(act.Decline(subsystem="flow0"))
@@ -105,11 +105,11 @@ def test_what_is_offered_here_is_taken_without_a_word_and_declined_by_its_name(d
 
 
 def test_what_is_held_is_handed_over_and_released_by_its_name(duet):  # R-X12
-    told(duet, "you")
+    lose_holder(duet, "you")
     duet.do(act.Hand(subsystem="flow0", to="anna#2"))
     assert holding.Hand("flow0", "anna#2") in duet.carried_out
     assert holds(duet)["flow0"].offered_to == "anna#2"
-    told(duet, "bob#3")
+    lose_holder(duet, "bob#3")
     assert str(duet.no(act.Release(subsystem="flow0")).reason) == "flow0 is held by bob#3"
     assert "not held here" in str(duet.no(act.Hand(subsystem="flow0", to="anna#2")).reason)
 
@@ -121,15 +121,15 @@ def test_of_what_is_gone_nothing_is_taken(duet):
 
 
 def test_what_a_run_asks_is_answered_by_who_has_taken_it(duet):  # R-X12, R-C13
-    told(duet)
+    lose_holder(duet)
     answer = act.Answer("", "flow0/servo", "1.5")
     duet.rebuffs = {request.Reply: request.Done()}
     duet.tell(event.Asked("flow0", "servo", "", (), 1.0))
     no = duet.no(answer)
     assert "nobody" in str(no.reason) and no.remedies[0].act == act.Take(subsystem="flow0")
-    told(duet, "bob#3")
+    lose_holder(duet, "bob#3")
     assert "only its holder answers it" in str(duet.no(answer).reason)
-    told(duet, "you")
+    lose_holder(duet, "you")
     duet.do(answer)
     assert request.Reply("flow0", "servo", "1.5") in duet.carried_out
     duet.tell(event.TaskState("flow0", "servo", "ON", 1.0))

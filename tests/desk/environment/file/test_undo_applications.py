@@ -40,7 +40,7 @@ def test_what_is_done_after_undo_leaves_nothing_to_redo(gallery):  # R-X10
     assert gallery.view(doc).redo == ""
 
 
-def asked(gallery, doc, kind, first, other, name):
+def edit(gallery, doc, kind, first, other, name):
     """An act on what is there now; any of them may be refused."""
     every = spots(gallery.application(doc))
     numbers = [0, *every]
@@ -82,7 +82,7 @@ def test_whatever_is_done_flows_fit_numbers_are_unique_and_undo_leads_back(galle
     doc = gallery.begun(flows=2)
     beginning = gallery.application(doc)
     for deed in deeds:
-        gallery.answer(asked(gallery, doc, *deed))
+        gallery.answer(edit(gallery, doc, *deed))
         model, application = gallery.environment.model, gallery.application(doc)
         numbers = [step.number for _, flow in flows_by_path(application) for step in flow.steps]
         assert 0 not in numbers

@@ -14,7 +14,7 @@ def play(tmp_path):
     return RunFixture(tmp_path)
 
 
-def found(play, *flows, **words):
+def faults_of(play, *flows, **words):
     doc = play.open(*flows, **words)
     model = play.environment.model
     return ReadinessJudge(play.site).judge(ReadinessCase(model.applications[doc], model.syntax, ())).faults
@@ -26,11 +26,11 @@ def the(views, word):
 
 
 def test_nothing_is_wrong_with_what_can_run(play):  # R-E01
-    assert found(play, [job("aC"), job("bC")]) == ()
+    assert faults_of(play, [job("aC"), job("bC")]) == ()
 
 
 def test_a_hole_says_what_is_missing_and_what_fits(play):  # R-E01, R-D03
-    views = found(play, [job("aC"), HOLE, job("bC")])
+    views = faults_of(play, [job("aC"), HOLE, job("bC")])
     (hole,) = views
     assert (str(hole.text), hole.level, hole.remedies[0].show) == (
         "an action is missing here",
@@ -40,24 +40,24 @@ def test_a_hole_says_what_is_missing_and_what_fits(play):  # R-E01, R-D03
 
 
 def test_a_hole_for_a_target_offers_to_make_one(play):  # R-E01, R-D08
-    hole = the(found(play, [job("bC"), job("aC", "Joint job"), HOLE]), "is missing here")
+    hole = the(faults_of(play, [job("bC"), job("aC", "Joint job"), HOLE]), "is missing here")
     assert (str(hole.text), hole.step) == ("a Joint target is missing here", 3)
     assert [remedy.show for remedy in hole.remedies] == [ShowFits("0", 2), ShowTarget("Joint object")]
 
 
 def test_what_is_not_there_is_named_without_file_and_line(play):  # R-E01, R-X01
-    gone = the(found(play, [job("aC"), job("goneC")]), "goneC")
+    gone = the(faults_of(play, [job("aC"), job("goneC")]), "goneC")
     assert (str(gone.text), gone.step) == ("there is no configuration goneC", 2)
     assert gone.remedies[0].act == act.RemoveIcons("a1", (2,)) and gone.remedies[-1].show == ShowStep(2)
 
 
 def test_a_loop_that_is_none_can_be_taken_away(play):  # R-E05
-    loop = the(found(play, [job("aC", "Complete job", "WHILETAG    round", "WHILETEST   yes")]), "the loop")
+    loop = the(faults_of(play, [job("aC", "Complete job", "WHILETAG    round", "WHILETEST   yes")]), "the loop")
     assert loop.remedies[0].act == act.RemoveLoop("a1", 1) and loop.remedies[1].show == ShowLoop(1)
 
 
 def test_a_tag_that_nobody_meets_can_be_taken_away(play):  # R-E04, R-X03
-    tag = the(found(play, [job("aC", "Complete job", TAG)], [job("bC")], parallel=True), "tag meet")
+    tag = the(faults_of(play, [job("aC", "Complete job", TAG)], [job("bC")], parallel=True), "tag meet")
     assert tag.remedies[0].act == act.SetSynchTag("a1", 1)
 
 
@@ -66,36 +66,36 @@ def test_a_deadlock_is_told_before_the_run(play):  # R-X03
         return job(name, "Complete job", f"SYNCHTAG    {tag}")
 
     flows = ([met("aC", "one"), met("bC", "two")], [met("bC", "two"), met("cC", "one")])
-    views = found(play, *flows, parallel=True)
+    views = faults_of(play, *flows, parallel=True)
     assert any(str(view.text).endswith("neither comes") and view.step for view in views)
 
 
 def test_a_task_that_is_at_fault_leads_to_the_first_step_that_uses_it(play):  # R-E01
     play.files.configuration("bC", "b 100", "nobody 100")
     play.files.task("a", "MODULE a\nDESC")
-    views = found(play, [job("cC"), job("bC"), job("aC")])
+    views = faults_of(play, [job("cC"), job("bC"), job("aC")])
     assert the(views, "nobody").step == 2
     assert {view.step for view in views if str(view.text) != str(the(views, "nobody").text)} == {3}
 
 
 def test_what_is_wrong_inside_leads_to_the_icon_that_runs_it(play):  # R-E06
     play.files.application("inner", [job("aC"), job("goneC")])
-    views = found(play, [job("bC"), job("inner", "Complete application")])
+    views = faults_of(play, [job("bC"), job("inner", "Complete application")])
     assert the(views, "goneC").step == 2
 
 
 def test_an_icon_of_another_type_than_its_trigger_says_is_taken_anew(play):  # reading 36
     text = "MODULE a\nDESC a\nINCONST none\nOUTCONST none\nINVAR none\nOUTVAR A\nTASKTYPE periodic\nFREQ 10\n\nONIKA\n"
     play.files.task("a", f"{text}OBJECT Joint job")
-    wrong = the(found(play, [job("aC")]), "its trigger")
+    wrong = the(faults_of(play, [job("aC")]), "its trigger")
     assert wrong.remedies[0].act == act.ExchangeIcon("a1", 1, "aC")
 
 
 def test_notes_are_warnings(play):  # R-E01
-    note = the(found(play, [job("aC", "Complete job", TAG)]), "tag")
+    note = the(faults_of(play, [job("aC", "Complete job", TAG)]), "tag")
     assert note.level == "warning"
 
 
 def test_a_stray_target_can_be_removed(play):
-    stray = the(found(play, [job("aC"), HOLE, joints("home", *[0.0] * 6)]), "no action before")
+    stray = the(faults_of(play, [job("aC"), HOLE, joints("home", *[0.0] * 6)]), "no action before")
     assert stray.remedies[0].act == act.RemoveIcons("a1", (3,))

@@ -9,7 +9,7 @@ PLAN = run().prepare.plan
 NAMES = [action.name for action in PLAN.flows[0].actions]
 
 
-def told(count):
+def turns(count):
     """Both actions, one after the other, many times."""
     for k in range(count):
         yield round(k * 1e9), "flow0", event.Began(0, k % 2, 2, NAMES[k % 2], float(k))
@@ -17,7 +17,7 @@ def told(count):
 
 
 def test_any_instant_is_what_was_told_up_to_it():  # R-X05
-    first, events = begun("a1", PLAN, 0, 0.0, StepMembership({}, {})), list(told(200))
+    first, events = begun("a1", PLAN, 0, 0.0, StepMembership({}, {})), list(turns(200))
     replay = RunHistory(first, events)
     for at_s in (0.0, 0.49, 0.5, 31.9, 32.0, 63.7, 99.25, 199.0, 199.5, 1e6):
         expected = first

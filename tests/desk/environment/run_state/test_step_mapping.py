@@ -19,7 +19,7 @@ def plan(*flows, spots=False):
     return Plan("p", tuple(PlannedFlow(f"flow{n}", (), tuple(map(action, flow))) for n, flow in enumerate(flows)), ())
 
 
-def found(recorded, now):
+def recast_on(recorded, now):
     present = CurrentApplication("a1", "p", now, StepMembership({}, {}), IconWording())
     return recast(recorded, present)
 
@@ -43,19 +43,19 @@ def spots(made):
     ],
 )
 def test_actions_are_found_again_by_their_names(then, now, expected):  # R-X05
-    assert spots(found(plan(*then), plan(*now, spots=True))) == expected
+    assert spots(recast_on(plan(*then), plan(*now, spots=True))) == expected
 
 
 def test_what_is_as_it_was_needs_no_word():
-    assert found(plan("abc"), plan("abc", spots=True)).notes == ()
+    assert recast_on(plan("abc"), plan("abc", spots=True)).notes == ()
 
 
 def test_what_has_changed_since_is_told():  # R-X05: icons that are others now
-    (lost,) = found(plan("abcde"), plan("a", spots=True)).notes
+    (lost,) = recast_on(plan("abcde"), plan("a", spots=True)).notes
     assert str(lost) == "p has changed since it was recorded: 4 of 5 recorded actions have no icon now: b, c, d, …"
-    (more,) = found(plan("ab"), plan("abc", spots=True)).notes
+    (more,) = recast_on(plan("ab"), plan("abc", spots=True)).notes
     assert str(more) == "p has changed since it was recorded: 1 action of it now was not there"
-    (broken,) = found(plan("ab"), None).notes
+    (broken,) = recast_on(plan("ab"), None).notes
     assert broken.key == "run.not_compiled"
 
 

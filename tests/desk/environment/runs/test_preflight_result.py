@@ -15,16 +15,16 @@ def play(tmp_path):
     return RunFixture(tmp_path)
 
 
-def found(play, doc):
+def result_of(play, doc):
     opened = play.environment.model.applications[doc]
     return opened.looked_at(play.environment.model.runtime.address)
 
 
 def test_what_was_found_is_of_the_content_the_redirections_and_the_runtime_of_then(play):  # R-X02
     doc = play.open([job("aC")])
-    assert found(play, doc) is None
+    assert result_of(play, doc) is None
     play.do(act.Preflight(doc))
-    assert isinstance(found(play, doc), PreflightResult)
+    assert isinstance(result_of(play, doc), PreflightResult)
     opened = play.environment.model.applications[doc]
     assert opened.looked_at("ws://elsewhere") is None
 
@@ -43,11 +43,11 @@ def test_what_was_found_in_files_that_have_changed_is_forgotten(play, tmp_path):
     model, judge = play.environment.model, ReadinessJudge(play.site)
     before = ReadinessCase(model.applications[doc], model.syntax, ())
     play.environment.become(lambda model: judged(model, doc, judge.judge(before)))
-    assert found(play, doc) is not None
+    assert result_of(play, doc) is not None
     (tmp_path / "module" / "a.rmod").write_text((tmp_path / "module" / "a.rmod").read_text() + "# mended\n")
     (case,) = judge.stale(play.environment.model)
     play.environment.become(lambda model: judged(model, doc, judge.judge(case)))
-    assert found(play, doc) is None
+    assert result_of(play, doc) is None
 
 
 def test_a_target_is_named_by_its_icon_and_marked_there(play, tmp_path):  # R-X02
