@@ -34,11 +34,19 @@ def english():
     return {f"{domain}.{name}": text for domain in domains("en") for name, text in sentences("en", domain).items()}
 
 
-def calls_of(source):
-    """The calls `Reason.of(key, …)` of a file."""
+def calls_of(source, maker="Reason.of"):
+    """The calls `Reason.of(key, …)` of a file, or those of another maker of sentences."""
     for node in ast.walk(ast.parse(source)):
-        if isinstance(node, ast.Call) and ast.unparse(node.func) == "Reason.of":
+        if isinstance(node, ast.Call) and ast.unparse(node.func) == maker:
             yield node
+
+
+def law_sentences():
+    """What the control laws say, who know no catalogue: key, English and names of arguments of each sentence."""
+    for path, source in sources():
+        for call in calls_of(source, "LawSentence") if path.parent.name == "laws" else ():
+            key, text = (ast.literal_eval(argument) for argument in call.args)
+            yield key, text, {keyword.arg for keyword in call.keywords}
 
 
 @functools.cache
@@ -83,3 +91,9 @@ def test_a_reason_is_made_with_the_arguments_of_its_sentence():
     given = [(place, key, names) for place, key, names in literal_calls() if names is not None and key in english()]
     assert [(place, key, names) for place, key, names in given if names != gaps(english()[key])] == []
     assert given
+
+
+def test_the_laws_say_the_english_of_the_catalogue_with_its_arguments():
+    said = {key: (text, names) for key, text, names in law_sentences()}
+    assert said == {key: (text, gaps(text)) for key, text in english().items() if key.startswith("laws.")}
+    assert len(said) == len(list(law_sentences())), "a sentence is written in one place"

@@ -56,7 +56,7 @@ def test_all_arms_of_a_place_hang_on_one_drive():
 def test_a_hand_that_no_arm_of_a_flow_bears_is_remarked():  # R-X02
     world = BoxesWorld()
     (remark,) = world.remarks(("arm_right", "gripper_left", "lamp"))
-    assert remark == "gripper_left is the hand at the left, and the arm that moves is arm_right"
+    assert str(remark) == "gripper_left is the hand at the left, and the arm that moves is arm_right"
     assert len(world.remarks(("scara_left", "gripper_right"))) == 1
     for sound in (("arm_right", "gripper_right"), ("scara_left_kin", "gripper_left"), ("gripper_left",), ("arm_left",)):
         assert world.remarks(sound) == ()

@@ -8,6 +8,7 @@ import numpy as np
 
 from onika.laws.arm import SerialArm
 from onika.laws.frames import Array, Numbers, rotation_log
+from onika.laws.sentence import LawSentence
 
 _TOLERANCE = 1e-8  # m and rad together
 _ITERATIONS = 60
@@ -27,11 +28,11 @@ class DampedInverse:
         self._starts = qmin + share * (qmax - qmin)
         self._pose, self._jacobian = np.eye(4), np.empty((6, self._arm.n))
 
-    def nearest(self, pose: Array, q_near: Numbers) -> Array | str:
+    def nearest(self, pose: Array, q_near: Numbers) -> Array | LawSentence:
         """A solution within limits, from `q_near` if the way leads there, else the nearest one found; or the reason."""
         near = np.clip(np.asarray(q_near, dtype=np.float64), self._low, self._high)
         if not np.isfinite(pose).all():
-            return "the pose is not finite"
+            return LawSentence("laws.pose_infinite", "the pose is not finite")
         q, error = self._descend(pose, near)
         if _size(error) <= _TOLERANCE:
             return q
@@ -41,7 +42,12 @@ class DampedInverse:
             return min(solved, key=lambda q: float((q - near) @ (q - near)))
         _, error = min(solutions, key=lambda pair: _size(pair[1]))
         metres, radians = float(np.linalg.norm(error[:3])), float(np.linalg.norm(error[3:]))
-        return f"out of reach: the nearest posture found within limits is {metres:.3f} m and {radians:.3f} rad away"
+        return LawSentence(
+            "laws.posture_away",
+            "out of reach: the nearest posture found within limits is {metres:.3f} m and {radians:.3f} rad away",
+            metres=metres,
+            radians=radians,
+        )
 
     def _descend(self, pose: Array, start: Array) -> tuple[Array, Array]:
         q = start.copy()

@@ -5,6 +5,7 @@ import math
 import numpy as np
 
 from onika.laws.frames import Array, Numbers
+from onika.laws.sentence import LawSentence
 
 
 class Derivative:
@@ -16,7 +17,14 @@ class Derivative:
 
     def __init__(self, n: int, dt: float, cutoff: float) -> None:
         if not (dt > 0.0 and cutoff > 0.0):
-            raise ValueError(f"expected dt and cutoff above 0, found {dt} s and {cutoff} Hz")
+            raise ValueError(
+                LawSentence(
+                    "laws.filter_unfit",
+                    "expected dt and cutoff above 0, found {dt} s and {cutoff} Hz",
+                    dt=str(dt),
+                    cutoff=str(cutoff),
+                )
+            )
         tau = 1.0 / (2.0 * math.pi * cutoff)
         # arrays, because NumPy multiplies two arrays quicker than an array and a number
         self._keep, self._take = np.array([tau / (tau + dt)] * n), np.array([1.0 / (tau + dt)] * n)

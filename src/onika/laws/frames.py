@@ -11,6 +11,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from onika.laws.sentence import LawSentence
+
 Array = npt.NDArray[np.float64]
 """Any array of doubles."""
 
@@ -45,7 +47,13 @@ def pose_of_nine(nine: Numbers, out: Array | None = None) -> Array:
     _unit_length(nx, ny, nz, "normal")
     along = ax * nx + ay * ny + az * nz
     if not abs(along) <= SQUARE_TOLERANCE:
-        raise ValueError(f"expected approach and normal square to each other, found a · n = {along:.3g}")
+        raise ValueError(
+            LawSentence(
+                "laws.pose_askew",
+                "expected approach and normal square to each other, found a · n = {along:.3g}",
+                along=float(along),
+            )
+        )
     nx, ny, nz = nx - along * ax, ny - along * ay, nz - along * az
     length = math.sqrt(nx * nx + ny * ny + nz * nz)
     nx, ny, nz = nx / length, ny / length, nz / length
@@ -179,7 +187,14 @@ def rpy_of_rotation(rotation: Array) -> tuple[float, float, float]:
 def _unit_length(x: float, y: float, z: float, what: str) -> float:
     length = math.sqrt(x * x + y * y + z * z)
     if not abs(length - 1.0) <= SQUARE_TOLERANCE:
-        raise ValueError(f"expected {what} as a vector of length 1, found length {length:.3g}")
+        raise ValueError(
+            LawSentence(
+                "laws.vector_long",
+                "expected {what} as a vector of length 1, found length {length:.3g}",
+                what=what,
+                length=length,
+            )
+        )
     return length
 
 
@@ -187,5 +202,12 @@ def as_array(numbers: Any, shape: tuple[int, ...]) -> Array:
     """Constants as a contiguous array of doubles of that shape; raises ValueError that names both shapes."""
     array = np.array(numbers, dtype=np.float64)
     if array.size != math.prod(shape):
-        raise ValueError(f"expected {shape} numbers, found {array.shape}")
+        raise ValueError(
+            LawSentence(
+                "laws.shape_unlike",
+                "expected {shape} numbers, found {found}",
+                shape=str(shape),
+                found=str(array.shape),
+            )
+        )
     return array.reshape(shape)

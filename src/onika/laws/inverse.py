@@ -9,12 +9,13 @@ from onika.laws.damped import DampedInverse
 from onika.laws.frames import Array, Numbers, as_array
 from onika.laws.puma_inverse import PumaInverse, is_puma_family
 from onika.laws.scara_inverse import ScaraInverse, is_scara_family
+from onika.laws.sentence import LawSentence
 
 
 class Inverse(Protocol):
     """Joint angles of a pose."""
 
-    def nearest(self, pose: Array, q_near: Numbers) -> Array | str:
+    def nearest(self, pose: Array, q_near: Numbers) -> Array | LawSentence:
         """The solution double[n] within limits that is nearest to `q_near`, or the reason why there is none.
 
         `pose` double[4,4] is the tool in the world. Nearest is the smallest sum of squared differences.

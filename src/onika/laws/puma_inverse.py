@@ -12,6 +12,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from onika.laws.frames import Array, Numbers, inverse_pose
+from onika.laws.sentence import LawSentence, joint_beyond
 
 _ALPHAS = np.array([-math.pi / 2, 0.0, math.pi / 2, -math.pi / 2, math.pi / 2, 0.0])
 _TURN = 2.0 * math.pi
@@ -44,7 +45,7 @@ class PumaInverse:
         self._to_flange = None if unturned else _flat(inverse_pose(tool))
         self._tool = tool[:3, 3].tolist()
 
-    def nearest(self, pose: Array, q_near: Numbers) -> Array | str:
+    def nearest(self, pose: Array, q_near: Numbers) -> Array | LawSentence:
         """The solution double[6] within limits nearest to `q_near`, or the reason why there is none."""
         near = q_near.tolist() if isinstance(q_near, np.ndarray) else [float(x) for x in q_near]
         flange = self._flange(pose)
@@ -89,20 +90,29 @@ class PumaInverse:
             *(x[8], x[9], x[10], x[11] - x[8] * tx - x[9] * ty - x[10] * tz),
         )
 
-    def _arm_branches(self, x: _Flat) -> list[list[float]] | str:
+    def _arm_branches(self, x: _Flat) -> list[list[float]] | LawSentence:
         """The four (q1, q2, q3) that bring the wrist to its place, or why there is none."""
         wx, wy, wz = x[3] - self._d6 * x[2], x[7] - self._d6 * x[6], x[11] - self._d6 * x[10]
         side, upper, lower = self._side, self._upper, self._lower
         square = wx * wx + wy * wy - side * side
         if not square >= -_ROUNDING:
             radius = math.hypot(wx, wy)
-            return f"out of reach: the wrist would be {radius:.3f} m from joint 1's axis, nearest is {abs(side):.3f} m"
+            return LawSentence(
+                "laws.wrist_near",
+                "out of reach: the wrist would be {radius:.3f} m from joint 1's axis, nearest is {nearest:.3f} m",
+                radius=radius,
+                nearest=abs(side),
+            )
         forward, down = math.sqrt(max(square, 0.0)), self._d1 - wz
         along = (forward * forward + down * down - upper * upper - lower * lower) / (2.0 * upper)
         if not abs(along) <= lower * (1.0 + _ROUNDING):
-            return (
-                f"out of reach: the wrist would be {math.hypot(forward, down):.3f} m from the shoulder, "
-                f"possible are {abs(upper - lower):.3f}..{upper + lower:.3f} m"
+            return LawSentence(
+                "laws.wrist_far",
+                "out of reach: the wrist would be {distance:.3f} m from the shoulder, "
+                "possible are {low:.3f}..{high:.3f} m",
+                distance=math.hypot(forward, down),
+                low=abs(upper - lower),
+                high=upper + lower,
             )
         bend = math.acos(max(-1.0, min(1.0, along / lower)))
         lean = math.atan2(lower * math.sin(bend), upper + along)
@@ -160,15 +170,11 @@ class PumaInverse:
                 for wrist in self._wrist_branches(flange, arm, near):
                     yield arm + wrist
 
-    def _why(self, flange: _Flat, near: list[float]) -> str:
+    def _why(self, flange: _Flat, near: list[float]) -> LawSentence:
         """Which joint stops the branch that comes nearest to being possible."""
-        mildest, reason = math.inf, ""
-        for branch in self._all_branches(flange, near):
-            excess, k, q = max(self._excess(k, q) for k, q in enumerate(branch))
-            if excess < mildest:
-                mildest = excess
-                reason = f"joint {k + 1} would stand at {q:.3f} rad, beyond {self._low[k]:.3f}..{self._high[k]:.3f}"
-        return reason
+        worst = (max(self._excess(k, q) for k, q in enumerate(branch)) for branch in self._all_branches(flange, near))
+        _, k, q = min(worst, key=lambda excess: excess[0])
+        return joint_beyond(k + 1, q, "rad", self._low[k], self._high[k])
 
     def _excess(self, k: int, q: float) -> tuple[float, int, float]:
         middle = 0.5 * (self._low[k] + self._high[k])

@@ -12,6 +12,7 @@ from onika.laws.arm import SerialArm
 from onika.laws.chain import kinds_of
 from onika.laws.frames import Array, Numbers, as_array, nine_of_pose, pose_of_nine
 from onika.laws.inverse import Inverse, inverse_for
+from onika.laws.sentence import LawSentence, sentence_of
 
 Constants = Mapping[str, Any]
 _DIGITS = 17
@@ -42,9 +43,9 @@ def postures(constants: Constants, nines: Sequence[Numbers], near: Numbers | Non
     results: list[Array | str] = []
     for nine in nines:
         try:
-            posture = inverse.nearest(pose_of_nine(nine[:9]), here)
+            posture: Array | str = inverse.nearest(pose_of_nine(nine[:9]), here)
         except ValueError as wrong:
-            posture = str(wrong)
+            posture = sentence_of(wrong)
         here = here if isinstance(posture, str) else posture
         results.append(posture)
     return results
@@ -73,7 +74,7 @@ def _inverse(constants: Constants) -> Inverse:
 def _why_no_posture(constants: Constants, _: Inverse, values: Sequence[Any]) -> str | None:
     n = constants["NDOF"]
     if len(values) < n:
-        return f"expected {n} joint values, found {len(values)}"
+        return LawSentence("laws.joint_values", "expected {n} joint values, found {count}", n=int(n), count=len(values))
     slides = kinds_of(as_array(constants["DH"], (n, 4)))
     for k, (q, low, high) in enumerate(zip(values, constants["QMIN"], constants["QMAX"], strict=False), 1):
         if not low <= q <= high:
@@ -81,7 +82,14 @@ def _why_no_posture(constants: Constants, _: Inverse, values: Sequence[Any]) -> 
             limit = low if q < low else high
             while digits < _DIGITS and f"{q:.{digits}f}" == f"{limit:.{digits}f}":
                 digits += 1  # a little beyond is beyond, and nobody would believe equal numbers
-            return f"joint {k} at {q:.{digits}f} {unit} is beyond {limit:.{digits}f}"
+            return LawSentence(
+                "laws.joint_value_beyond",
+                "joint {joint} at {value} {unit} is beyond {limit}",
+                joint=k,
+                value=f"{q:.{digits}f}",
+                unit=unit,
+                limit=f"{limit:.{digits}f}",
+            )
     return None
 
 
@@ -89,5 +97,5 @@ def _why_no_pose(constants: Constants, inverse: Inverse, values: Sequence[Any]) 
     try:
         posture = inverse.nearest(pose_of_nine(values[:9]), [0.0] * constants["NDOF"])
     except ValueError as wrong:
-        return str(wrong)
+        return sentence_of(wrong)
     return posture if isinstance(posture, str) else None

@@ -7,6 +7,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from onika.laws.frames import Array, rotation_of_rpy
+from onika.laws.sentence import LawSentence
 
 
 class Robot(Protocol):
@@ -38,16 +39,36 @@ def published(robot: Robot, x: float, y: float, z: float, degrees: float) -> dic
     return {"BASE": base, "Q^_MAX": robot.QDMAX} | {name: getattr(robot, name) for name in _PUBLISHED}
 
 
-def unlike(name: str, constants: Mapping[str, Any], local_values: Mapping[str, Any]) -> str | None:
+def unlike(name: str, constants: Mapping[str, Any], local_values: Mapping[str, Any]) -> LawSentence | None:
     """Why what a device says of itself is not the robot `name` with these constants: another one, or elsewhere."""
-    if local_values.get("ROBOT") != name:
-        return f"expected the robot {name} behind the device, found {local_values.get('ROBOT', 'another device')}"
+    if "ROBOT" not in local_values:
+        return LawSentence(
+            "laws.robot_no_robot", "expected the robot {name} behind the device, found another device", name=name
+        )
+    if local_values["ROBOT"] != name:
+        return LawSentence(
+            "laws.robot_another",
+            "expected the robot {name} behind the device, found {other}",
+            name=name,
+            other=str(local_values["ROBOT"]),
+        )
     if np.allclose(np.ravel(local_values["BASE"]), np.ravel(constants["BASE"]), atol=1e-6):
         return None
-    return f"expected frame 0 of the robot at {_place(constants['BASE'])}, found it at {_place(local_values['BASE'])}"
+    place, turned = _place(constants["BASE"])
+    found_place, found_turned = _place(local_values["BASE"])
+    return LawSentence(
+        "laws.robot_elsewhere",
+        "expected frame 0 of the robot at {place} m, turned by {turned:.4g} degrees, "
+        "found it at {found_place} m, turned by {found_turned:.4g} degrees",
+        place=place,
+        turned=turned,
+        found_place=found_place,
+        found_turned=found_turned,
+    )
 
 
-def _place(base: Any) -> str:
+def _place(base: Any) -> tuple[str, float]:
+    """Place of frame 0 in metres as text, and its turn about z in degrees."""
     frame = np.reshape(base, (4, 4))
     turned = math.degrees(math.atan2(frame[1, 0], frame[0, 0]))
-    return " ".join(f"{value + 0.0:.4g}" for value in frame[:3, 3]) + f" m, turned by {turned + 0.0:.4g} degrees"
+    return " ".join(f"{value + 0.0:.4g}" for value in frame[:3, 3]), turned + 0.0

@@ -2,6 +2,7 @@
 
 from onika.laws import adept_one, puma560
 from onika.laws.robot import Robot
+from onika.laws.sentence import LawSentence
 
 _ROBOTS: dict[str, Robot] = {robot.ROBOT: robot for robot in (puma560, adept_one)}
 
@@ -10,5 +11,8 @@ def robot_of(name: str) -> Robot:
     """The constants of the robot of this name; raises ValueError where there is none."""
     robot = _ROBOTS.get(name)
     if robot is None:
-        raise ValueError(f"expected one of {', '.join(_ROBOTS)}, found {name}")
+        names = ", ".join(_ROBOTS)
+        raise ValueError(
+            LawSentence("laws.robot_unknown", "expected one of {names}, found {name}", names=names, name=name)
+        )
     return robot

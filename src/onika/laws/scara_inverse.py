@@ -9,6 +9,7 @@ import math
 import numpy as np
 
 from onika.laws.frames import Array, Numbers, inverse_pose
+from onika.laws.sentence import LawSentence, joint_beyond
 
 LEAN = 0.05
 """How far a pose may lean from what the arm can do, in rad: 3 degrees, which at the fingers' tips are under 2 mm."""
@@ -42,7 +43,7 @@ class ScaraInverse:
         self._from_base = inverse_pose(base)
         self._untool, self._tip = tool[:3, :3].T.copy(), tool[:3, 3].tolist()
 
-    def nearest(self, pose: Array, q_near: Numbers) -> Array | str:
+    def nearest(self, pose: Array, q_near: Numbers) -> Array | LawSentence:
         """The solution double[4] within limits nearest to `q_near`, or the reason why there is none."""
         solved = self._solved(pose)
         if isinstance(solved, str):
@@ -53,16 +54,20 @@ class ScaraInverse:
         if branches:
             return np.array(min(branches, key=lambda q: math.dist(q, near)))
         # of both elbows the one that is stopped later in the chain tells more
-        return max((branch for branch in placed if isinstance(branch, str)), key=lambda why: why.split()[1])
+        return max((branch for branch in placed if isinstance(branch, str)), key=lambda why: why.arguments["joint"])
 
-    def _solved(self, pose: Array) -> list[list[float]] | str:
+    def _solved(self, pose: Array) -> list[list[float]] | LawSentence:
         """The two elbows' (q1, q2, q3, q4), limits or not, or why there are none."""
         wanted = self._from_base @ pose
         turned = wanted[:3, :3] @ self._untool
         upright = turned[2, 2] * self._down
         if not upright >= math.cos(LEAN):
             lean = math.degrees(math.acos(max(-1.0, min(1.0, upright))))
-            return f"the hand would lean {lean:.0f} degrees; this arm only holds it upright, fingers down"
+            return LawSentence(
+                "laws.hand_leans",
+                "the hand would lean {lean:.0f} degrees; this arm only holds it upright, fingers down",
+                lean=lean,
+            )
         yaw = math.atan2(turned[1, 0], turned[0, 0])
         cos, sin, (tx, ty, tz) = math.cos(yaw), math.sin(yaw), self._tip
         ty, tz = self._down * ty, self._down * tz
@@ -70,9 +75,13 @@ class ScaraInverse:
         inner, outer = self._inner, self._outer
         bend = (x * x + y * y - inner * inner - outer * outer) / (2.0 * inner * outer)
         if not abs(bend) <= 1.0 + _ROUNDING:
-            return (
-                f"out of reach: the quill would be {math.hypot(x, y):.3f} m from joint 1's axis, "
-                f"possible are {abs(inner - outer):.3f}..{inner + outer:.3f} m"
+            return LawSentence(
+                "laws.quill_away",
+                "out of reach: the quill would be {distance:.3f} m from joint 1's axis, "
+                "possible are {low:.3f}..{high:.3f} m",
+                distance=math.hypot(x, y),
+                low=abs(inner - outer),
+                high=inner + outer,
             )
         q3 = self._down * (z - self._level) - self._quill
         elbow = math.acos(max(-1.0, min(1.0, bend)))
@@ -84,7 +93,7 @@ class ScaraInverse:
         shoulder = math.atan2(y, x) - math.atan2(side, reach)
         return [shoulder - o1, elbow - o2, q3, self._down * (yaw - shoulder - elbow) - o3 - o4]
 
-    def _placed(self, branch: list[float], near: list[float]) -> list[float] | str:
+    def _placed(self, branch: list[float], near: list[float]) -> list[float] | LawSentence:
         """A branch turned by whole turns to within limits, as near to `near` as that allows; or which joint stops."""
         placed = []
         for k, wanted in enumerate(branch):
@@ -92,7 +101,7 @@ class ScaraInverse:
             q = wanted if k == _QUILL else _turned(wanted, near[k], low, high)
             if not low - _ROUNDING <= q <= high + _ROUNDING:
                 unit = "m" if k == _QUILL else "rad"
-                return f"joint {k + 1} would stand at {q:.3f} {unit}, beyond {low:.3f}..{high:.3f}"
+                return joint_beyond(k + 1, q, unit, low, high)
             placed.append(min(max(q, low), high))
         return placed
 

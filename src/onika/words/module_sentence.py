@@ -7,7 +7,7 @@ program needs one to understand the reason. A sentence without arguments has no 
 from collections.abc import Mapping
 from numbers import Integral, Real
 
-from onika.words.reason import Argument, Reason
+from onika.words.reason import Argument, KeyedSentence, Reason, as_reason
 from onika.words.sentence import fill, gaps
 
 PREFIX = "module:"
@@ -23,8 +23,8 @@ def key_of(module: str, sentence: str) -> str:
 
 def of_sentence(sentence: object, arguments: Mapping[str, object]) -> Reason:
     """The reason of a sentence whose module is not named yet; one that cannot be filled is taken as it is."""
-    if isinstance(sentence, Reason):
-        return sentence
+    if isinstance(sentence, Reason | KeyedSentence):
+        return as_reason(sentence)
     text = str(sentence)
     if not text:
         return Reason.plain("")

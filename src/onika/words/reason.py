@@ -6,7 +6,7 @@ gaps; `str()` of a reason is its English. Programs look at `key` and `args`, nev
 
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
-from typing import Self
+from typing import Protocol, Self, runtime_checkable
 
 from msgspec import Struct
 
@@ -54,6 +54,15 @@ Argument = str | int | float | bool | Reason | tuple[str | int | float | bool | 
 Text = Reason | str
 """What is said to people."""
 
+
+@runtime_checkable
+class KeyedSentence(Protocol):
+    """A sentence in English that has its key and its arguments with it, as those of the control laws do."""
+
+    key: str
+    arguments: Mapping[str, str | int | float]
+
+
 NOTHING = Reason("", "")
 """The reason that says nothing."""
 
@@ -97,6 +106,15 @@ def every(text: Text) -> Iterator[Reason]:
 def reason_of(error: Exception) -> Reason:
     """Why something was raised: the reason it was raised with, else its text."""
     first = error.args[0] if error.args else None
-    if isinstance(first, Reason):
-        return first
+    if isinstance(first, Reason | KeyedSentence):
+        return as_reason(first)
     return Reason.plain(str(error))
+
+
+def as_reason(sentence: object) -> Reason:
+    """What somebody said, as a reason: with the key that it has, else plain."""
+    if isinstance(sentence, Reason):
+        return sentence
+    if isinstance(sentence, KeyedSentence):
+        return Reason(sentence.key, str(sentence), dict(sentence.arguments))
+    return Reason.plain(str(sentence))

@@ -7,6 +7,7 @@ are in one mode (law 18). Whoever asks for another arm than the one in use there
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 
+from onika.words.reason import Reason
 from onika.workcell.arm_unit import ArmUnit
 from onika.workcell.kinematic_unit import KinematicUnit
 from onika.workcell.layout import KINDS, SIDES, STANDARD, base
@@ -42,23 +43,29 @@ class Arms:
         """The kind of arm at each side."""
         return {side: unit.kind for side, unit in self.acting.items()}
 
-    def objections(self, devices: Sequence[str]) -> Iterator[str]:
+    def objections(self, devices: Sequence[str]) -> Iterator[Reason]:
         """Why arms of these devices cannot be used together: two at one side, or two modes (law 18)."""
         wanted = [unit for unit in self.units if unit.sheet.name in devices]
         for first, other in combinations(wanted, 2):
             if first.side == other.side:
-                yield f"{first.sheet.name!r} and {other.sheet.name!r} stand at one place"
+                yield Reason.of("workcell.one_place", first=first.sheet.name, other=other.sheet.name)
             elif first.mode != other.mode:
-                modes = f"{first.sheet.name!r} is {_MODES[first.mode]}, {other.sheet.name!r} is {_MODES[other.mode]}"
-                yield f"{modes}; all arms of a world are of one mode"
+                yield Reason.of(
+                    "workcell.modes_unlike",
+                    first=first.sheet.name,
+                    mode=_mode(first),
+                    other=other.sheet.name,
+                    other_mode=_mode(other),
+                )
 
-    def remarks(self, devices: Sequence[str], hands: Sequence[DeviceUnit]) -> Iterator[str]:
+    def remarks(self, devices: Sequence[str], hands: Sequence[DeviceUnit]) -> Iterator[Reason]:
         """Hands of which none is borne by an arm of these devices."""
         arms = [unit for unit in self.units if unit.sheet.name in devices]
         if arms and not {unit.side for unit in arms} & {unit.side for unit in hands}:
-            names = " and ".join(unit.sheet.name for unit in arms)
+            names = tuple(unit.sheet.name for unit in arms)
             for hand in hands:
-                yield f"{hand.sheet.name} is the hand at the {hand.side}, and the arm that moves is {names}"
+                side = Reason.of("workcell.left") if hand.side == "left" else Reason.of("workcell.right")
+                yield Reason.of("workcell.hand_apart", hand=hand.sheet.name, side=side, arms=names)
 
     def admit(self, unit: ArmUnit) -> bool:
         """Let this arm act; whether anything changed by that. Raises ValueError where one in use stands against it."""
@@ -66,11 +73,17 @@ class Arms:
             if other is unit or other.epoch is None:
                 continue
             if other.side == unit.side:
-                raise ValueError(f"expected a free place for {unit.sheet.name!r}, found {other.sheet.name!r} in use")
+                raise ValueError(Reason.of("workcell.place_taken", device=unit.sheet.name, other=other.sheet.name))
             if other.mode != unit.mode:
-                modes = [_MODES[arm.mode] for arm in (unit, other)]
-                conflict = f"found {other.sheet.name!r} in use, which is {modes[1]}"
-                raise ValueError(f"expected arms of one mode: {unit.sheet.name!r} is {modes[0]}, {conflict}")
+                raise ValueError(
+                    Reason.of(
+                        "workcell.mode_in_use",
+                        device=unit.sheet.name,
+                        mode=_mode(unit),
+                        other=other.sheet.name,
+                        other_mode=_mode(other),
+                    )
+                )
         if self.acting[unit.side] is unit:
             return False
         self.acting[unit.side] = unit
@@ -84,4 +97,5 @@ class Arms:
         return next(unit for unit in self.units if (unit.side, unit.kind, unit.mode) == (side, kind, mode))
 
 
-_MODES = {ArmUnit.mode: "physical", KinematicUnit.mode: "kinematic"}
+def _mode(unit: ArmUnit) -> Reason:
+    return Reason.of("workcell.kinematic") if unit.mode else Reason.of("workcell.physical")

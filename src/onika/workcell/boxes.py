@@ -10,6 +10,7 @@ from mujoco import mj_step
 
 from onika.laws.frames import Array
 from onika.ring.device import DeviceOrder, DeviceSheet, DriveEvent
+from onika.words.reason import Reason
 from onika.workcell import layout
 from onika.workcell.arm_unit import ArmUnit
 from onika.workcell.arms import Arms
@@ -66,11 +67,11 @@ class BoxesWorld:
         """All devices there are or can be."""
         return tuple(unit.sheet for unit in self._units.values())
 
-    def objections(self, devices: Sequence[str]) -> tuple[str, ...]:
+    def objections(self, devices: Sequence[str]) -> tuple[Reason, ...]:
         """Why these devices cannot be used together; none: they can."""
         return tuple(self._arms.objections(devices))
 
-    def remarks(self, devices: Sequence[str]) -> tuple[str, ...]:
+    def remarks(self, devices: Sequence[str]) -> tuple[Reason, ...]:
         """What is odd about these devices in one flow, and forbids nothing: hands, and arms that do not bear them."""
         hands = [unit for unit in self._hands.values() if unit.sheet.name in devices]
         return tuple(self._arms.remarks(devices, hands))
@@ -79,9 +80,9 @@ class BoxesWorld:
         """Give the device to the writer `epoch`; raises ValueError for one unknown or taken, and for a dead writer."""
         unit = self._unit(device)
         if unit.epoch is not None:
-            raise ValueError(f"expected a free device, found {device!r} claimed already")
+            raise ValueError(Reason.of("workcell.device_claimed", device=device))
         if epoch in self._fenced:
-            raise ValueError(f"expected a living writer, found epoch {epoch}, which died")
+            raise ValueError(Reason.of("workcell.writer_died", epoch=epoch))
         self._admit(unit)
         unit.epoch, unit.drive.last_ns = epoch, -1
         return unit.sheet
@@ -163,14 +164,16 @@ class BoxesWorld:
 
     def parts(self) -> Mapping[str, str]:
         """What a hand can touch in this world, and the values that it takes."""
-        return {button.name: button.takes for button in self._buttons.values()}
+        return {button.name: str(button.takes) for button in self._buttons.values()}
 
     def touch(self, part: str, value: float) -> None:
         """Touch a part between two steps; raises ValueError for an unknown part or a value that it does not take."""
         button = self._buttons.get(part)
         if button is None:
-            parts = "; ".join(f"{name}: {takes}" for name, takes in self.parts().items())
-            raise ValueError(f"expected a part of the world ({parts}), found {part!r}")
+            parts = tuple(
+                Reason.of("workcell.part", name=other.name, takes=other.takes) for other in self._buttons.values()
+            )
+            raise ValueError(Reason.of("workcell.no_such_part", parts=parts, part=part))
         self._feed(button.unit, button.put(value))
 
     def take_events(self) -> list[DriveEvent]:
@@ -204,16 +207,17 @@ class BoxesWorld:
     def _unit(self, device: str) -> DeviceUnit:
         unit = self._units.get(device)
         if unit is None:
-            raise ValueError(f"expected one of {', '.join(self._units)}, found {device!r}")
+            raise ValueError(Reason.of("workcell.no_such_device", devices=tuple(self._units), device=device))
         return unit
 
     def _obey(self, unit: DeviceUnit, order: int, values: Sequence[float] | Array) -> None:
         """A command that may change the drive's mode."""
         if not unit.count:
-            raise ValueError(f"expected a device that takes commands, found {unit.sheet.name!r}")
+            raise ValueError(Reason.of("workcell.no_commands", device=unit.sheet.name))
         drive_input = input_of(order)
         if drive_input is DriveInput.DRIVE and len(values) != unit.count:
-            raise ValueError(f"expected {unit.count} values for {unit.sheet.name!r}, found {len(values)}")
+            found = len(values)
+            raise ValueError(Reason.of("workcell.values", count=unit.count, device=unit.sheet.name, found=found))
         if drive_input is DriveInput.DRIVE and not np.isfinite(values).all():
             drive_input = DriveInput.UNSOUND
         self._feed(unit, drive_input)

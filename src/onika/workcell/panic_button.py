@@ -1,5 +1,6 @@
 """The panic button of an arm: pressed, its drive holds; let go, it has tripped and has to be cleared (§4.5.2)."""
 
+from onika.words.reason import Reason
 from onika.workcell.drive import DriveInput
 from onika.workcell.unit import DeviceUnit
 
@@ -9,7 +10,7 @@ PRESSED, LET_GO = 1.0, 0.0
 class PanicButton:
     """A button that stays as it was put. `name` is what it is called in its world, `unit` whose drive it stops."""
 
-    takes = "1 pressed, 0 let go"
+    takes = Reason.of("workcell.button_takes")
 
     def __init__(self, unit: DeviceUnit) -> None:
         self.name = f"panic_{unit.side}"
@@ -19,7 +20,7 @@ class PanicButton:
     def put(self, value: float) -> DriveInput:
         """Press it (1) or let it go (0): what then happens to the drive. Raises ValueError for any other number."""
         if value not in (PRESSED, LET_GO):
-            raise ValueError(f"expected {self.takes} for {self.name}, found {value:g}")
+            raise ValueError(Reason.of("workcell.button_value", takes=self.takes, button=self.name, value=value))
         self.is_pressed = value == PRESSED
         if self.is_pressed:
             return DriveInput.PRESS

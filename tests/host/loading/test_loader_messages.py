@@ -30,11 +30,11 @@ def test_every_question_arrives_as_it_was_asked(question):  # law 21
     "sentence",
     [
         room.Constants({"N": 2}),
-        room.Reach([None, "too far"]),
+        room.Reach([None, Reason.plain("too far")]),
         room.KnownPoses([[0.5] * 9]),
         room.KnownPoses(None),
-        room.Postures([[0.1], "too far"]),
-        room.Objections(("another robot",)),
+        room.Postures([[0.1], Reason.plain("too far")]),
+        room.Objections((Reason.plain("another robot"),)),
         room.Devices(("d",)),
         room.UnusableModule(
             FaultText("a.py", 3, Reason.plain("expected one, found two"), Reason.plain("three"), "flow0", ("mend it",))

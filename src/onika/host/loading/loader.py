@@ -126,7 +126,7 @@ def _fact(question: Question, facts: ModuleFacts) -> tuple[Any, Callable[[Any], 
             return facts.postures(question.code, question.constants, question.nines), Postures
         case AskFit():
             objection = facts.fits(question.code, question.constants, question.device)
-            return objection, lambda text: Objections((text,) if text else ())
+            return objection, lambda reason: Objections((reason,) if reason else ())
         case AskCompany():
             return facts.company(question.world, question.devices, is_of_flow=question.is_of_flow), Objections
 

@@ -33,6 +33,7 @@ from onika.host.units.process_socket import ProcessSocket
 from onika.wire.plan import Code
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault
+from onika.words.reason import NOTHING, Reason
 
 _KEPT = 2000
 """Answers that are remembered; a module's answer changes only with its source, which is part of the question."""
@@ -84,7 +85,7 @@ class LoaderClient:
 
     def resolve(
         self, code: Code, constants: dict[str, Any], targets: list[tuple[str, list[Any]]]
-    ) -> list[str | None] | Fault:
+    ) -> list[Reason | None] | Fault:
         """Why each target is out of reach, or None."""
         answer = self._ask(AskReach(code, constants, targets), code)
         if isinstance(answer, Reach):
@@ -102,21 +103,21 @@ class LoaderClient:
 
     def postures(
         self, code: Code, constants: dict[str, Any], nines: list[list[float]]
-    ) -> list[list[float] | str] | Fault | None:
+    ) -> list[list[float] | Reason] | Fault | None:
         """Joint values for Cartesian targets, each nearest to those before it, or why there are none."""
         answer = self._ask(AskPostures(code, constants, nines), code)
         if isinstance(answer, Postures):
             return answer.found
         return fault_of(answer)
 
-    def fits(self, code: Code, constants: dict[str, Any], device: str) -> str | Fault:
-        """Why a device is not the one that a hardware module means; empty: nothing is wrong."""
+    def fits(self, code: Code, constants: dict[str, Any], device: str) -> Reason | Fault:
+        """Why a device is not the one that a hardware module means; NOTHING: nothing is wrong."""
         answer = self._ask(AskFit(code, constants, device), code)
         if isinstance(answer, Objections):
-            return "; ".join(answer.reasons)
+            return next(iter(answer.reasons), NOTHING)
         return fault_of(answer)
 
-    def company(self, world: str, devices: tuple[str, ...], *, is_of_flow: bool = False) -> tuple[str, ...] | Fault:
+    def company(self, world: str, devices: tuple[str, ...], *, is_of_flow: bool = False) -> tuple[Reason, ...] | Fault:
         """Why these devices of a world cannot be used together, or are odd in one flow; none: nothing is said."""
         answer = self._ask(AskCompany(world, devices, is_of_flow), Code("", world, world, ""))
         if isinstance(answer, Objections):

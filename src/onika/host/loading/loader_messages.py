@@ -7,6 +7,7 @@ from msgspec import Struct
 from onika.wire.plan import Code
 from onika.wire.request import FaultText
 from onika.wire.sheet import ModuleSheet
+from onika.words.reason import Reason
 
 Lines = tuple[tuple[str, tuple[str, ...]], ...]
 
@@ -86,7 +87,7 @@ class Constants(Struct, frozen=True, tag=True):
 class Reach(Struct, frozen=True, tag=True):
     """The answer to AskReach: a reason for each target out of reach."""
 
-    reasons: list[str | None]
+    reasons: list[Reason | None]
 
 
 class KnownPoses(Struct, frozen=True, tag=True):
@@ -98,13 +99,13 @@ class KnownPoses(Struct, frozen=True, tag=True):
 class Postures(Struct, frozen=True, tag=True):
     """The answer to AskPostures: values, or a reason, for each; None: the robot knows of no poses."""
 
-    found: list[list[float] | str] | None
+    found: list[list[float] | Reason] | None
 
 
 class Objections(Struct, frozen=True, tag=True):
     """The answer to AskFit and AskCompany; none: nothing is wrong."""
 
-    reasons: tuple[str, ...]
+    reasons: tuple[Reason, ...]
 
 
 class Devices(Struct, frozen=True, tag=True):

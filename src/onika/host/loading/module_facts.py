@@ -9,12 +9,13 @@ import numpy as np
 from onika.host.units.world_registry import open_world
 from onika.runtime.bus import World
 from onika.runtime.modules.binding import locals_of
-from onika.runtime.modules.code import line_in, load, traceback_text
+from onika.runtime.modules.code import line_in, load, sayable, traceback_text
 from onika.runtime.modules.sheet import sheet_of
 from onika.wire.plan import Code
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
-from onika.words.reason import Reason, reason_of
+from onika.words.module_sentence import of_sentence
+from onika.words.reason import NOTHING, Reason, as_reason, reason_of
 
 Lines = tuple[tuple[str, tuple[str, ...]], ...]
 
@@ -67,13 +68,14 @@ class ModuleFacts:
 
     def resolve(
         self, code: Code, constants: dict[str, Any], targets: list[tuple[str, list[Any]]]
-    ) -> list[str | None] | Fault:
+    ) -> list[Reason | None] | Fault:
         """Why each target is out of reach, or None."""
         cls = load(code.source, code.path, code.module)
         if isinstance(cls, Fault):
             return cls
         try:
-            return list(cls.resolve(constants, list(targets)))
+            reasons = cls.resolve(constants, list(targets))
+            return [None if reason is None else _said(reason, code) for reason in reasons]
         except Exception as wrong:
             return self._fault(code, Reason.of("host.reach_failed", why=traceback_text(wrong)), wrong)
 
@@ -94,7 +96,7 @@ class ModuleFacts:
 
     def postures(
         self, code: Code, constants: dict[str, Any], nines: list[list[float]]
-    ) -> list[list[float] | str] | Fault | None:
+    ) -> list[list[float] | Reason] | Fault | None:
         """Joint values for Cartesian targets, each nearest to those before it, or why there are none."""
         cls = load(code.source, code.path, code.module)
         if isinstance(cls, Fault):
@@ -103,30 +105,28 @@ class ModuleFacts:
             postures = cls.postures(constants, list(nines))
             if postures is None:
                 return None
-            return [
-                posture if isinstance(posture, str) else [float(value) for value in posture] for posture in postures
-            ]
+            return [_posture(posture, code) for posture in postures]
         except Exception as wrong:
             return self._fault(code, Reason.of("host.postures_failed", why=traceback_text(wrong)), wrong)
 
-    def fits(self, code: Code, constants: dict[str, Any], device: str) -> str | Fault:
-        """Why a device is not the one that a hardware module means; empty: nothing is wrong."""
+    def fits(self, code: Code, constants: dict[str, Any], device: str) -> Reason | Fault:
+        """Why a device is not the one that a hardware module means; NOTHING: nothing is wrong."""
         cls = load(code.source, code.path, code.module)
         if isinstance(cls, Fault):
             return cls
         try:
             identity = self._identity(device)
             if identity is None:
-                return ""
-            return cls.fits(constants, dict(identity)) or ""
+                return NOTHING
+            return _said(cls.fits(constants, dict(identity)) or NOTHING, code)
         except Exception as wrong:
             return self._fault(code, Reason.of("host.fit_failed", why=traceback_text(wrong)), wrong)
 
-    def company(self, world: str, devices: tuple[str, ...], *, is_of_flow: bool = False) -> tuple[str, ...] | Fault:
+    def company(self, world: str, devices: tuple[str, ...], *, is_of_flow: bool = False) -> tuple[Reason, ...] | Fault:
         """Why these devices of a world cannot be used together, or are odd in one flow; none: nothing is said."""
         try:
             ask = getattr(self._world(world), "remarks" if is_of_flow else "objections", None)
-            return () if ask is None else tuple(ask(devices))
+            return () if ask is None else tuple(as_reason(remark) for remark in ask(devices))
         except Exception:
             return ()  # a world that cannot be opened is told with its devices
 
@@ -148,6 +148,17 @@ class ModuleFacts:
     def _fault(self, code: Code, reason: Reason, wrong: Exception) -> Fault:
         place = Place(code.path, line_in(code.path, wrong))
         return Fault(place, reason, Reason.of("host.module_not_used", module=code.module))
+
+
+def _posture(posture: Any, code: Code) -> list[float] | Reason:
+    """The values of a posture, or why there is none."""
+    if isinstance(posture, str | Reason):
+        return _said(posture, code)
+    return [float(value) for value in posture]
+
+
+def _said(sentence: str | Reason, code: Code) -> Reason:
+    return sayable(of_sentence(sentence, {}), code.module)
 
 
 def _plain(value: Any) -> Any:

@@ -5,6 +5,7 @@ from typing import Any, Protocol
 from onika.wire.plan import Code
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 
 class ModuleQuestions(Protocol):
@@ -32,7 +33,7 @@ class ModuleQuestions(Protocol):
 
     def resolve(
         self, code: Code, constants: dict[str, Any], targets: list[tuple[str, list[Any]]]
-    ) -> list[str | None] | Fault:
+    ) -> list[Reason | None] | Fault:
         """Why each target is out of reach, or None."""
         ...
 
@@ -44,14 +45,14 @@ class ModuleQuestions(Protocol):
 
     def postures(
         self, code: Code, constants: dict[str, Any], nines: list[list[float]]
-    ) -> list[list[float] | str] | Fault | None:
+    ) -> list[list[float] | Reason] | Fault | None:
         """Joint values for Cartesian targets, each nearest to those before it, or why there are none."""
         ...
 
-    def fits(self, code: Code, constants: dict[str, Any], device: str) -> str | Fault:
-        """Why a device is not the one that a hardware module means; empty: nothing is wrong."""
+    def fits(self, code: Code, constants: dict[str, Any], device: str) -> Reason | Fault:
+        """Why a device is not the one that a hardware module means; NOTHING: nothing is wrong."""
         ...
 
-    def company(self, world: str, devices: tuple[str, ...], *, is_of_flow: bool = False) -> tuple[str, ...] | Fault:
+    def company(self, world: str, devices: tuple[str, ...], *, is_of_flow: bool = False) -> tuple[Reason, ...] | Fault:
         """Why these devices of a world cannot be used together, or are odd in one flow; none: nothing is said."""
         ...

@@ -146,7 +146,9 @@ def remarks(tasks: Sequence[WiredTask], loading: ModuleQuestions) -> list[Reason
     for world, claimed in worlds.items():
         objections = loading.company(world, tuple(sorted(claimed)), is_of_flow=True) if len(claimed) > 1 else ()
         for remark in objections if isinstance(objections, tuple) else ():
-            place = next((wired_task.task.place for name, wired_task in claimed.items() if name in remark), world)
+            place = next(
+                (wired_task.task.place for name, wired_task in claimed.items() if name in remark.args.values()), world
+            )
             notes.append(note_at(Place(place), remark))
     return notes
 

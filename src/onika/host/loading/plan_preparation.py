@@ -262,7 +262,7 @@ def _coded(wired: WiredTask) -> dict[str, str]:
 def _reach(
     number: int,
     users: Sequence[TargetValues],
-    reasons: list[str | None] | Fault,
+    reasons: list[Reason | None] | Fault,
     preparation: Preparation,
     wrong: dict[int, Fault],
 ) -> None:

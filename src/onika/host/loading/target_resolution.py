@@ -175,8 +175,8 @@ class _Pair:
             if why[k] is None and max(abs(a - b) for a, b in zip(mine, theirs, strict=True)) <= _SAME
         }
 
-    def _take(self, at: int, aim: TargetValues, posture: list[float] | str, joints: int) -> None:
-        if isinstance(posture, str):
+    def _take(self, at: int, aim: TargetValues, posture: list[float] | Reason, joints: int) -> None:
+        if isinstance(posture, Reason):
             new, old = self._new.name, self._old.name
             self._refuse(
                 [(at, aim)],

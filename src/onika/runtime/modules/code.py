@@ -7,7 +7,7 @@ import types
 from onika.runtime.modules.module import Module
 from onika.words.fault import Fault, Place
 from onika.words.module_sentence import of_module
-from onika.words.reason import Reason, Text, reason_of
+from onika.words.reason import KeyedSentence, Reason, Text, as_reason, reason_of
 
 
 def compiled(source: str, path: str, module: str) -> types.CodeType | Fault:
@@ -85,10 +85,10 @@ def traceback_text(wrong: BaseException) -> str:
 
 def raised(wrong: BaseException, module: str) -> Text:
     """An exception of a module as a reason that can be shown: its kind and what it says."""
-    reason = wrong.args[0] if wrong.args else None
-    if not isinstance(reason, Reason) or not reason:
+    sentence = wrong.args[0] if wrong.args else None
+    if not isinstance(sentence, Reason | KeyedSentence) or not sentence:
         return traceback_text(wrong)
-    return Reason.of("runtime.raised", kind=type(wrong).__name__, why=sayable(reason, module))
+    return Reason.of("runtime.raised", kind=type(wrong).__name__, why=sayable(as_reason(sentence), module))
 
 
 def sayable(text: Text, module: str) -> Reason:

@@ -1,6 +1,7 @@
 """The module: a plain class with typed port declarations and a fixed set of entry points (dissertation §3.2.1)."""
 
 import random
+from collections.abc import Sequence
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -187,7 +188,7 @@ class Module:
         return {}
 
     @classmethod
-    def resolve(cls, constants: dict[str, Any], targets: list[Any]) -> list[str | None]:
+    def resolve(cls, constants: dict[str, Any], targets: list[Any]) -> Sequence[Text | None]:
         """Of a robot module: for each target (its type in lower case and its values) why it is out of reach, or None.
 
         A target of a type the robot knows nothing of is none of its business: None.
@@ -211,7 +212,7 @@ class Module:
         return None
 
     @classmethod
-    def fits(cls, constants: dict[str, Any], local_values: dict[str, Any]) -> str | None:
+    def fits(cls, constants: dict[str, Any], local_values: dict[str, Any]) -> Text | None:
         """Of a hardware module: why the device that says this of itself is not the one meant; None: nothing is wrong.
 
         Asked before a run, so that it is told before anything moves; `init` has the last word.

@@ -4,6 +4,7 @@ import numpy as np
 
 from onika.laws.frames import pose_of_nine
 from onika.laws.path import StraightLine, quintic
+from onika.laws.sentence import sentence_of
 from onika.module import AskAgain, Input, InVar, Local, Module, OutVar, finish
 
 NEAR = 1e-3  # m, and parts of unit vectors
@@ -46,7 +47,7 @@ class Ctraj(Module):
         try:
             self._end = pose_of_nine(inputs.pose)
         except ValueError as wrong:
-            raise AskAgain(str(wrong)) from None
+            raise AskAgain(sentence_of(wrong)) from None
         start = (self.X_REF if self.continues("X_REF") else self.X_MEZ).copy()
         self._line = StraightLine(start, self._end)
         shortest = self._line.duration(self.SPEED, self.TURN)
