@@ -30,7 +30,7 @@ COMMANDS = [
     command.Report(),
     command.Load(),
     command.Reset(),
-    command.Stop("panic button"),
+    command.Stop(),
     command.Fail("device server is gone"),
     command.Quit(),
 ]  # fmt: skip

@@ -159,7 +159,7 @@ def test_what_was_prepared_stays_with(order):
 
 
 def test_after_a_stop_and_a_reset_nothing_comes_on_by_what_was_prepared():  # law 27
-    rig = rig_of().do(prepared()).do(command.Stop("button")).do(command.Reset()).run(50 * MS)
+    rig = rig_of().do(prepared()).do(command.Stop()).do(command.Reset()).run(50 * MS)
     rig.switch(on=[command.Launch("end", "", None, 7)]).run(90 * MS)
     assert rig.news_of(news.Finished)[0].switched == 0
     assert rig.task("next").state is State.OFF

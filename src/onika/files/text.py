@@ -63,9 +63,20 @@ def _data(path: Path) -> bytes:
 
 
 def _size(status: os.stat_result) -> int:
-    kinds = {stat.S_IFDIR: "a directory", stat.S_IFIFO: "a pipe", stat.S_IFSOCK: "a socket"}
     if not stat.S_ISREG(status.st_mode):
-        raise ValueError(kinds.get(stat.S_IFMT(status.st_mode), "a device"))
+        raise ValueError(_kind(status.st_mode))
     if status.st_size > LARGEST:
-        raise ValueError(f"{status.st_size} bytes, more than {LARGEST}")
+        raise ValueError(Reason.of("files.too_large", size=status.st_size, most=LARGEST))
     return status.st_size
+
+
+def _kind(mode: int) -> Reason:
+    """What it is that is no plain file."""
+    match stat.S_IFMT(mode):
+        case stat.S_IFDIR:
+            return Reason.of("files.a_directory")
+        case stat.S_IFIFO:
+            return Reason.of("files.a_pipe")
+        case stat.S_IFSOCK:
+            return Reason.of("files.a_socket")
+    return Reason.of("files.a_device")

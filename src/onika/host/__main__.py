@@ -113,15 +113,15 @@ def _audit(given: argparse.Namespace) -> AuditTrail | None:
     try:
         return open_for(given.audit)
     except OSError as wrong:
-        _print(Reason.of("host.no_audit_trail", why=Reason.plain(str(wrong))))
+        _print(Reason.of("host.no_audit_trail", why=reason_of(wrong)))
         if given.audit:
             raise SystemExit(2) from None
     return None
 
 
 def _watch(server: RequestServer, audit: AuditTrail) -> None:
-    def complain(text: str) -> None:
-        server.tell(event.Lost("audit trail", Reason.of("host.audit_unwritable", why=text), 0.0))
+    def complain(why: Reason) -> None:
+        server.tell(event.Lost("audit trail", Reason.of("host.audit_unwritable", why=why), 0.0))
 
     audit.note("the runtime begins", True, about=f"process {os.getpid()}")
     server.watcher = AuditLog(audit, complain)

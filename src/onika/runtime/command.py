@@ -181,8 +181,6 @@ class Load(Struct, frozen=True, tag=True):
 class Stop(Struct, frozen=True, tag=True):
     """Everything off at once, devices in hold (law 27)."""
 
-    cause: str
-
 
 class Reset(Struct, frozen=True, tag=True):
     """After a Stop: tasks may be spawned and come on again."""

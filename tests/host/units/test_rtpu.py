@@ -150,7 +150,7 @@ def test_it_says_that_it_is_alive_and_whose_code_runs(unit):  # law 30
 
 def test_code_that_cannot_be_loaded_is_refused(unit):  # law 21
     unit.spawn("class (")
-    assert "count.py:1" in unit.hear(news.Refused).reason
+    assert "count.py:1" in str(unit.hear(news.Refused).reason)
 
 
 def test_commands_are_answered_while_tasks_cycle(unit):  # law 2

@@ -157,7 +157,7 @@ def test_after_a_kill_the_same_name_may_come_again(rig):  # law 21
 
 
 def test_a_stop_drops_what_waits(rig):  # law 27
-    rig.do(late(rig)).do(command.Stop("panic"))
+    rig.do(late(rig)).do(command.Stop())
     assert rig.news_of(news.Refused)[-1].reason == "this unit was stopped"
     assert work(rig, MS) == []
 

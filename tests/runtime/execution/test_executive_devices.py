@@ -97,7 +97,7 @@ def test_a_device_that_falls_silent_is_an_error():  # law 17
     [
         command.Switch(HOME, ("arm",), (), ()),
         command.Kill(HOME, "arm"),
-        command.Stop("panic"),
+        command.Stop(),
         command.Quit(),
         command.Fail("server gone"),
     ],
@@ -110,7 +110,7 @@ def test_a_device_is_left_in_hold_whatever_ends_the_task(order):  # laws 17, 27
 
 
 def test_a_stop_turns_everything_off_and_is_latched():  # law 27
-    rig = arm_rig().switch(on=["arm", "force"]).run(50 * MS).do(command.Stop("panic"))
+    rig = arm_rig().switch(on=["arm", "force"]).run(50 * MS).do(command.Stop())
     assert {task.state for task in rig.executive.tasks.values()} == {State.OFF}
     rig.switch(on=["arm"]).spawn("more", module())
     assert [event.reason for event in rig.news_of(news.Refused)] == ["this unit was stopped"] * 2

@@ -145,7 +145,7 @@ def test_a_signal_that_comes_late_is_no_word_of_a_task_that_is_off(signal):  # R
 def test_a_signal_in_the_cycle_in_which_everything_is_stopped_is_told_first(signal):  # R-A07, law 27
     kind, _ = TABLE_9[signal]
     rig = said_rig(signal)
-    rig._react = lambda event: [command.Stop("panic")] if isinstance(event, news.Cycled) else []
+    rig._react = lambda event: [command.Stop()] if isinstance(event, news.Cycled) else []
     rig.run(50 * MS)
     assert any(isinstance(event, kind) for _, event in rig.news)
     assert rig.task("one").state in (State.OFF, State.ERROR)

@@ -313,6 +313,6 @@ def test_an_error_in_sync_is_one_of_the_cycle():  # R-A09
 
 
 def test_after_a_reset_tasks_come_on_again():  # law 27
-    rig = rig_of(COUNTER).do(command.Stop("panic")).switch(on=["one"])
+    rig = rig_of(COUNTER).do(command.Stop()).switch(on=["one"])
     assert rig.task("one").state is State.OFF
     assert rig.do(command.Reset()).switch(on=["one"]).task("one").state is State.ON

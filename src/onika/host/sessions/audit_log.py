@@ -12,7 +12,7 @@ from onika.host.sessions.request_server import SessionRequest
 from onika.link.sessions import Introduction
 from onika.wire import event, holding, live, request, steer
 from onika.wire.plan import Code, Plan, PlannedTask
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 _PASSING = (steer.Onward, live.Advance)
 _MOST = 12
@@ -23,7 +23,7 @@ class AuditWriter(Protocol):
     """Where lines are written."""
 
     @property
-    def trouble(self) -> str:
+    def trouble(self) -> Reason:
         """Why that does not succeed; empty: it does."""
         ...
 
@@ -35,10 +35,10 @@ class AuditWriter(Protocol):
 class AuditLog:
     """Writes to a book; `complain` is told once when that no longer succeeds."""
 
-    def __init__(self, audit_writer: AuditWriter, complain: Callable[[str], None] = lambda _text: None) -> None:
+    def __init__(self, audit_writer: AuditWriter, complain: Callable[[Reason], None] = lambda _text: None) -> None:
         self._audit_writer = audit_writer
         self._complain = complain
-        self._trouble = ""
+        self._trouble = NOTHING
 
     def answered(self, call: SessionRequest, response: request.Response) -> None:
         """A request was answered."""

@@ -13,6 +13,7 @@ from pathlib import Path
 from threading import Event, Lock, Thread
 
 from onika.files.trail import head_of, line, torn_hash, usual_path
+from onika.words.reason import NOTHING, Reason, reason_of
 
 OFF = "off"
 """In place of a file: there is to be no trail."""
@@ -33,7 +34,7 @@ def open_for(named: str) -> "AuditTrail":
             return AuditTrail(Path(named))
         return open_free(usual_path(os.environ))
     except BlockingIOError:
-        raise OSError(f"another runtime writes {named}") from None
+        raise OSError(Reason.of("host.audit_taken", path=named)) from None
 
 
 def open_free(path: Path) -> "AuditTrail":
@@ -58,7 +59,7 @@ class AuditTrail:
     ) -> None:
         self.path = path
         self.head = ""
-        self.trouble = ""
+        self.trouble = NOTHING
         """Why a line could not be written, as long as that is so."""
         self._clock = clock
         self._limit, self._kept = limit, kept
@@ -81,9 +82,9 @@ class AuditTrail:
             if self._size >= self._limit:
                 self._next_file()
             self._write(what, about)
-            self.trouble = ""
+            self.trouble = NOTHING
         except OSError as wrong:
-            self.trouble = str(wrong)
+            self.trouble = reason_of(wrong)
         if weighs:
             self._wanted.set()
 
@@ -118,7 +119,7 @@ class AuditTrail:
         if written < len(text):  # the disk is full: what is there is a torn line, as after a crash
             self._torn = text[:written]
             self._size += os.write(self._file, b"\n")
-            raise OSError("no room for a whole line")
+            raise OSError(Reason.of("host.audit_no_room"))
         self.head, self._torn = head, b""
 
     def _next_file(self) -> None:

@@ -82,7 +82,7 @@ class Rtpu:
                 self._note(run_next)
                 self._take_events(0.0)
             self._take_commands()
-        self._executive.handle(command.Stop("the runtime ends"), self._now())
+        self._executive.handle(command.Stop(), self._now())
 
     def _now(self) -> int:
         return monotonic_ns() - self._zero

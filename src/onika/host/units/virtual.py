@@ -167,7 +167,7 @@ class VirtualDriver:
         """Everything off and every drive in hold, latched (law 27)."""
         self._buses.stop()
         for name in sorted(self._rtpus):
-            self.send(name, command.Stop("stop"))
+            self.send(name, command.Stop())
         self._deliver()
 
     def reset(self) -> None:

@@ -184,7 +184,7 @@ class WallDriver:
         """Every drive in hold and everything off, straight to the processes (law 27)."""
         self._devices.post.send(device_server.encode(device_server.StopAll()))
         for name in self._rtpus:
-            self.send(name, command.Stop("stop"))
+            self.send(name, command.Stop())
 
     def reset(self) -> None:
         """After a stop: motion is allowed again; nothing moves by itself."""
