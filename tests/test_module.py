@@ -26,5 +26,5 @@ def test_a_module_has_exactly_these_entry_points():  # R-A01
     entries |= {"take", "held"}
     calls = {"warn", "continues", "buffer", "constants", "resolve", "poses", "postures", "fits"}
     calls |= {"check_drive", "clear_drive", "state_constants"}
-    found = {name for name, one in vars(Module).items() if not name.startswith("_") and hasattr(one, "__get__")}
-    assert found == entries | calls
+    names = {name for name, member in vars(Module).items() if not name.startswith("_") and hasattr(member, "__get__")}
+    assert names == entries | calls

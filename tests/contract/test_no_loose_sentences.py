@@ -33,9 +33,9 @@ def docstrings(tree):
 def loose(source):
     """The sentences in a source that are no docstrings, with their lines."""
     tree = ast.parse(source)
-    told = docstrings(tree)
+    excused = docstrings(tree)
     for node in ast.walk(tree):
-        is_text = isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in told
+        is_text = isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in excused
         if is_text and PROSE.search(node.value) and not NO_SENTENCES.match(node.value):
             yield node.lineno, node.value
 
@@ -44,13 +44,13 @@ def loose(source):
 def test_a_room_that_prints_holds_no_sentence(room):  # R-G03
     files = [path for path in sorted((SOURCES / room).rglob("*.py")) if "static" not in path.parts]
     names = {path: path.relative_to(SOURCES).as_posix() for path in files}
-    found = {
+    sentences = {
         f"{name}:{line}": text
         for path, name in names.items()
         if name not in TEMPLATES
         for line, text in loose(path.read_text(encoding="utf-8"))
     }
-    assert found == {}
+    assert sentences == {}
     assert files
 
 

@@ -14,13 +14,13 @@ from onika.wire.steer import Leave, Mark, Pause, Resume, Skip
 NEXT = Switch(0, (), (Launch("move", "", 100.0),))
 
 
-def case(choice, loop, told):
+def case(choice, loop, arguments):
     """The case in which the action follows that is told this."""
-    return Case("move", choice, loop, Switch(0, (), (Launch("move", told, 100.0),)))
+    return Case("move", choice, loop, Switch(0, (), (Launch("move", arguments, 100.0),)))
 
 
-def jobs(*told):
-    return [build.job("move", trigger="move", arguments=each) for each in told]
+def jobs(*arguments):
+    return [build.job("move", trigger="move", arguments=each) for each in arguments]
 
 
 def begun(flow, **given):
@@ -84,8 +84,8 @@ def test_a_loop_that_is_to_be_left_has_one_case():  # R-E07
 def test_behind_no_ops_the_case_is_that_of_the_next_job():  # R-D11
     play = begun([*jobs("1"), NOOP, *jobs("2")])
     assert play.cases(0) == [case(None, None, "2")]
-    told = [Done(0, 0), *passes(0, 1), Switch(0, (), (Launch("move", "2", 100.0),), number=1), Began(0, 2)]
-    assert play >> ends(0, switched=1) << told
+    orders = [Done(0, 0), *passes(0, 1), Switch(0, (), (Launch("move", "2", 100.0),), number=1), Began(0, 2)]
+    assert play >> ends(0, switched=1) << orders
 
 
 SCRIPTS = {
@@ -184,8 +184,8 @@ def test_a_case_says_what_then_happens(choice, loop):  # reading 19
     assert len(fits) == 1
     switch = fits[0].switch
     index = 3 if not loop else 1 + choice
-    told = Switch(0, switch.off, switch.on, switch.kept_rates, number=1)
-    assert play >> ends(0, choice, loop, switched=1) << Done(0, 0) << told << Began(0, index)
+    following = Switch(0, switch.off, switch.on, switch.kept_rates, number=1)
+    assert play >> ends(0, choice, loop, switched=1) << Done(0, 0) << following << Began(0, index)
 
 
 def test_the_revision_changes_with_everything_that_may_change_the_cases():

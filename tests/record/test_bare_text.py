@@ -22,8 +22,8 @@ READ = decoder(Told)
 
 
 def test_reasons_are_read_as_they_are():
-    told = Told(Reason.of("words.nothing_run"), (Reason.plain("a"),), {"x": Reason.plain("b")}, Reason.plain("c"), "d")
-    assert READ(msgspec.json.encode(told)) == told
+    texts = Told(Reason.of("words.nothing_run"), (Reason.plain("a"),), {"x": Reason.plain("b")}, Reason.plain("c"), "d")
+    assert READ(msgspec.json.encode(texts)) == texts
 
 
 def test_bare_texts_in_the_place_of_reasons_are_reasons_without_a_key():  # R-X05

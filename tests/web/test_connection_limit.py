@@ -46,7 +46,7 @@ def served(body, limit_s=60.0):
     return asyncio.run(run())
 
 
-async def asked(port):
+async def answer_at(port):
     reader, writer = await asyncio.open_connection("127.0.0.1", port)
     writer.write(b"GET / HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n")
     whole = await reader.read()
@@ -61,7 +61,7 @@ def test_a_crowd_that_shows_nothing_keeps_nobody_out(first_words):  # R-F01
             crowd = [await asyncio.open_connection("127.0.0.1", port) for _ in range(10 * MOST)]
             for _, writer in crowd:
                 writer.write(first_words)
-            response = await asked(port)
+            response = await answer_at(port)
             await inside.send("still here")
             word = await inside.recv()
             ends = [reader.read() for reader, _ in crowd[: 9 * MOST]]
