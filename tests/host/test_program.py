@@ -1,11 +1,14 @@
 import pytest
+from msgspec.structs import replace
 
 from kit.direct_client import DirectClient
 from kit.plan_builder import action
 from kit.rail_world import YardLoading, rail_tasks
 from onika.host.loading.loader_client import NotYet
 from onika.wire import event, live, request
+from onika.wire.plan import Again, Do, Halt
 from onika.wire.request import TargetValues
+from onika.words.reason import Reason
 
 SECOND = 1_000_000_000
 
@@ -219,3 +222,15 @@ def test_motion_is_allowed_again_whatever_waits_for_the_loader(monkeypatch):  # 
     desk.send(live.Change("s0", spawn=(shop.planned("servo"),), code=(shop.code("servo"),)), "first")
     assert desk.ask(request.Stop("now"), "first") == request.Done() and desk.program.is_stopped
     assert desk.ask(live.Reset(), "first") == request.Done() and not desk.program.is_stopped
+
+
+def test_a_loop_that_takes_no_time_can_be_ended(desk):  # R-E07, R-D13
+    straight = plan("0.0")
+    endless = (Do(0), Again("again", 0, "X[0] < 3"), Halt())
+    flow = replace(straight.flows[0], program=endless)
+    desk.ask(request.Prepare(replace(straight, flows=(flow,)), ()))
+    assert desk.ask(request.Begin()) == request.Done()
+    for _ in range(3):
+        desk.program.advance(1_000_000)
+    assert desk.ask(request.Abort(Reason.plain("enough"))) == request.Done()
+    assert str(desk.to_the_end().cause) == "enough"

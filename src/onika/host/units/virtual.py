@@ -18,6 +18,9 @@ from onika.runtime.bus import Poses, World
 from onika.runtime.execution.executive import Executive
 from onika.wire import event
 
+_ROUNDS = 200
+"""Tasks that run one after the other at one instant before somebody else is listened to: a loop whose jobs end as soon
+as they begin takes no time at all, and it has to be possible to end it."""
 _AT_ONCE = 1000  # cycles without news that are run before anybody is asked
 
 
@@ -235,7 +238,10 @@ class VirtualDriver:
             listener.tick(now)
             self._deliver()
         self._take_events()
-        while (run_due := self._executive.run_due(now, _AT_ONCE)) is not None:
+        for _ in range(_ROUNDS):
+            run_due = self._executive.run_due(now, _AT_ONCE)
+            if run_due is None:
+                break
             self._hear(run_due)
             self._deliver()
         self.turn += 1
