@@ -14,7 +14,7 @@ from kit.laboratory import Laboratory, job, target
 from kit.small_tasks import small_laboratory
 from onika.link.token import digest, new_token
 
-from .test_access import found
+from .test_access import violations_on
 
 pytestmark = pytest.mark.page
 
@@ -158,7 +158,7 @@ def test_the_robots_change_hands_by_offers_and_never_have_two_holders(two):  # R
     ann.holds("It is yours until then")
     expect(bob.cards).to_contain_text(re.compile(r"ann#\d+ offers you home"))
     expect(bob.cards).to_contain_text(re.compile(r"0:[45]\d left"))
-    assert [found(bob.page), found(ann.page)] == [[], []]
+    assert [violations_on(bob.page), violations_on(ann.page)] == [[], []]
     bob.cards.get_by_role("button", name="Decline").click()
     expect(bob.cards).to_have_count(0)
     ann.holds("Held by you")

@@ -128,7 +128,7 @@ def test_random_numbers_follow_the_seed_of_the_run(capsys, tmp_path):  # R-X08, 
 def test_without_a_terminal_the_run_is_told_in_plain_lines(capsys):  # R-E11
     assert main(["run", "go_home", "--virtual", "--expect", "Q_MEZ[1] < -1.5"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert lines[0] == "go_home: 1 actions"
+    assert lines[0] == "go_home: 1 action"
     assert lines[1].split() == ["0.00", "s", "1/1", "jmoveC", "home"]
     assert lines[2].startswith("go_home: completed, 1 of 1 actions, ")
     assert "expect Q_MEZ[1] < -1.5: yes" in lines

@@ -63,7 +63,7 @@ def bare(with_fifo: bool, seconds: float) -> list[int]:
 def tasks(with_fifo: bool, seconds: float) -> tuple[dict[float, list[int]], dict[float, int]]:
     """Lateness and missed cycles of each task, by its rate."""
     supervisor = Supervisor(monotonic_ns(), with_fifo)
-    unit = supervisor.launch("rt0", "onika.host.units.rtpu", ("--name", "rt0"))
+    unit = supervisor.launch("rt0", "rt0", "onika.host.units.rtpu", ("--name", "rt0"))
     table = Segment.create("table", SIZE)
     try:
         hear(unit, rtpu.UnitReady)

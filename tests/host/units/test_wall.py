@@ -99,7 +99,7 @@ def test_a_lost_unit_is_fenced_and_ends_the_run(start):  # R-E10, law 17
     run.driven()
     os.kill(run.driver._supervisor.processes["rt0"].process.pid, signal.SIGKILL)
     # where the blow meets a task in its call, the cause names that task as well
-    assert run.over().cause.startswith("processing unit rt0 was killed by signal 9")
+    assert str(run.over().cause).startswith("processing unit rt0 was killed by signal 9")
     assert run.drives == ["DRIVEN", "TRIPPED"]
     assert run.driver.posts() == [run.driver._supervisor.processes[DEVICES]]
 
@@ -108,7 +108,7 @@ def test_a_lost_device_server_ends_the_run_and_leaves_nothing_to_draw(start):  #
     run = start(most="60")
     run.driven()
     os.kill(run.driver._supervisor.processes[DEVICES].process.pid, signal.SIGKILL)
-    assert run.over().cause == "the device server was killed by signal 9"
+    assert str(run.over().cause) == "the device server was killed by signal 9"
     assert any(isinstance(message, event.Failed) and message.task == "gripper" for message in run.told)
     assert run.driver.snapshots() == {}
     with pytest.raises(ValueError, match="gone"):

@@ -51,7 +51,7 @@ class Unit:
     """A processing unit as the runtime starts it, and its post. Raises RuntimeError where it refuses or is gone."""
 
     def __init__(self, supervisor: Supervisor, name: str, house: Household) -> None:
-        self._unit: Supervised = supervisor.launch(name, "onika.host.units.rtpu", ("--name", name))
+        self._unit: Supervised = supervisor.launch(name, name, "onika.host.units.rtpu", ("--name", name))
         self.granted = self.hear(rtpu.UnitReady).granted
         self._unit.post.send(rtpu.encode(rtpu.Share(f"table:{HOME}")), (house.segment.fd,))
 
