@@ -1,6 +1,7 @@
 // The one connection to the environment: acts go out, each comes back answered once; everything else is passed on.
 import type { AnyAct, AnyMessage } from '../api.gen'
 import { applyPatch, applySnapshot, desk } from './desk.svelte'
+import { message } from './message'
 import { Refusal } from './refusal'
 import { t } from '../texts/index.svelte'
 
@@ -45,7 +46,7 @@ export class Link {
       return this.again()
     }
     this.carrier = carrier
-    carrier.onmessage = ({ data }) => this.take(JSON.parse(data) as AnyMessage)
+    carrier.onmessage = ({ data }) => this.take(message(data))
     carrier.onclose = () => this.lost(carrier)
   }
 
