@@ -6,6 +6,7 @@ from hypothesis import given, strategies as st
 
 from onika.desk.environment.show.tree_difference import difference
 from onika.wire.view import DocumentView, LocusView, PlacedView, Tree
+from onika.words.reason import Reason
 
 leaves = st.one_of(st.integers(), st.text(max_size=3), st.lists(st.integers(), max_size=2), st.booleans())
 names = st.text(max_size=2)
@@ -53,3 +54,8 @@ def test_what_is_new_travels_whole_and_what_is_gone_as_nothing():
         (("tasks", "pd"), None),
         (("loci", "Q"), msgspec.to_builtins(LocusView(3, 4))),
     ]
+
+
+def test_a_sentence_is_replaced_whole():  # R-X01
+    before, after = Tree(icon_clipboard=Reason.plain("two icons")), Tree(icon_clipboard=Reason.plain("one icon"))
+    assert difference(before, after) == [(("icon_clipboard",), {"key": "plain", "text": "one icon"})]

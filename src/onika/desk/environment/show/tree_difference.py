@@ -7,6 +7,7 @@ import msgspec
 from msgspec import Struct
 
 from onika.wire.page import Change
+from onika.words.reason import Reason
 
 
 def difference(before: Any, after: Any) -> list[Change]:
@@ -17,7 +18,8 @@ def difference(before: Any, after: Any) -> list[Change]:
 def _walk(path: tuple[str, ...], before: Any, after: Any) -> Iterator[Change]:
     if before is after:
         return
-    if isinstance(after, Struct) and type(before) is type(after):
+    is_parted = not isinstance(after, Reason)  # a sentence is replaced whole, never a word of it
+    if is_parted and isinstance(after, Struct) and type(before) is type(after):
         for field in after.__struct_fields__:
             old, new = getattr(before, field), getattr(after, field)
             if old is not new:
