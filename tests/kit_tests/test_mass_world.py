@@ -43,7 +43,7 @@ def test_a_drive_holds_after_50_ms_without_a_command_and_trips_after_250(world):
     assert drive(world) == DriveState.HELD
     world.step(TRIP_NS + 2 * MS)
     assert drive(world) == DriveState.TRIPPED
-    assert [event.cause for event in world.take_events()] == ["DRIVE", "silence", "long silence"]
+    assert [str(event.cause) for event in world.take_events()] == ["DRIVE", "silence", "long silence"]
 
 
 def test_a_hold_that_was_commanded_lasts(world):  # law 17

@@ -118,7 +118,7 @@ def test_a_module_is_asked_and_told(hand):  # R-A05
     assert hand.asker.ask(live.Set("s0", "giver", "value", "2.5")) == live.Value("2.5")
     hand.let_pass(0.1)
     assert hand.values("OUT") == {"OUT": 2.5}
-    assert "expected value, found other" in hand.asker.ask(live.Get("s0", "giver", "other")).reason
+    assert "expected value, found other" in str(hand.asker.ask(live.Get("s0", "giver", "other")).reason)
     assert "could not convert" in hand.asker.ask(live.Set("s0", "giver", "value", "much")).reason
 
 
@@ -139,7 +139,7 @@ def test_an_answer_out_of_bounds_is_asked_for_again_with_the_reason():  # R-A10
     hand.asker.ask(request.Reply("s0", "servo", "99"))
     hand.work()
     assert hand.states["servo"] == "ASKING"
-    assert "99" in hand.asker.of(event.Asked)[-1].reason
+    assert "99" in str(hand.asker.of(event.Asked)[-1].reason)
     hand.asker.ask(request.Reply("s0", "servo", "1"))
     hand.work()
     assert hand.states["servo"] == "ON"
