@@ -22,6 +22,8 @@ _LISTS = ("", "and", "or", ";")
 _GAP = re.compile(r"\{\{|\}\}|\{(\w+)(?::([^{}]*))?\}")
 _NUMBER_FORMAT = re.compile(r"\+?(\.\d+)?[gf]\Z")
 
+_TEXTS = {str}
+
 Show = Callable[[object], str]
 
 
@@ -30,21 +32,32 @@ def fill(sentence: str, arguments: Mapping[str, object], language: str, show: Sh
 
     Raises KeyError where an argument is missing, ValueError where a rule is unknown or does not suit its value.
     """
+    template, names = _template(sentence)
+    if names:  # most sentences: a click on a canvas makes thousands
+        values = tuple(map(arguments.__getitem__, names))
+        if {*map(type, values)} == _TEXTS:
+            return template % values
     parts = []
     for text, name, rule in _parts(sentence):
         parts.append(text)
         if name:
-            value = arguments[name]
-            if not rule and isinstance(value, str):  # most are: a click on a canvas makes hundreds of sentences
-                parts.append(value)
-            else:
-                parts.append(_filled(value, rule, language, show))
+            parts.append(_filled(arguments[name], rule, language, show))
     return "".join(parts)
 
 
 def gaps(sentence: str) -> frozenset[str]:
     """The names of the arguments that a sentence takes."""
     return frozenset(name for _, name, _ in _parts(sentence) if name)
+
+
+@cache
+def _template(sentence: str) -> tuple[str, tuple[str, ...]]:
+    """The sentence in Python's `%` format and the names of its gaps; no names where a gap has a rule."""
+    parts = _parts(sentence)
+    if any(rule for _, _, rule in parts):
+        return "", ()
+    texts = (text.replace("%", "%%") + ("%s" if name else "") for text, name, _ in parts)
+    return "".join(texts), tuple(name for _, name, _ in parts if name)
 
 
 @cache

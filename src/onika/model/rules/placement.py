@@ -1,10 +1,14 @@
 """Which tasks may stand in one configuration, Equations (2) and (3) (dissertation §5.3.3, §4.2.2)."""
 
 from collections.abc import Iterable, Iterator, Mapping
+from functools import lru_cache
 
 from onika.model.task import Task
 from onika.words.fault import Refusal
 from onika.words.reason import Reason
+
+_KEPT = 4096
+"""Remedies that are made once: a library of a thousand tasks is judged anew at every click, with the same few words."""
 
 
 def refusals(task: Task, placed: Iterable[Task]) -> tuple[Refusal, ...]:
@@ -110,22 +114,37 @@ def _meet(task: Task, other: Task) -> bool:
 
 
 def _between(task: Task, other: Task) -> list[Refusal]:
-    show = Reason.of("rules.show", task=other.name)
+    show = _show(other.name)
     if task.name == other.name:
         return [Refusal(Reason.of("rules.task_placed", task=task.name), (show,))]
     refusals = []
-    replace = Reason.of("rules.replace", task=other.name)
+    replace = _replace(other.name)
     if task.module == other.module:
         reason = Reason.of("rules.module_used", module=task.module, other=other.name)
         refusals.append(Refusal(reason, (replace, show)))
     for svar in sorted(task.outputs & other.outputs):
         reason = Reason.of("rules.output_written", svar=svar, other=other.name)
-        refusals.append(Refusal(reason, (replace, Reason.of("rules.alias", svar=svar), show)))
+        refusals.append(Refusal(reason, (replace, _alias(svar), show)))
     for writer, reader in ((task, other), (other, task)):
         for svar in sorted(meets_constant(writer, reader)):
             reason = Reason.of("rules.constant_while_running", reader=reader.name, svar=svar, writer=writer.name)
-            refusals.append(Refusal(reason, (replace, Reason.of("rules.alias", svar=svar), show)))
+            refusals.append(Refusal(reason, (replace, _alias(svar), show)))
     return refusals
+
+
+@lru_cache(_KEPT)
+def _show(task: str) -> Reason:
+    return Reason.of("rules.show", task=task)
+
+
+@lru_cache(_KEPT)
+def _replace(task: str) -> Reason:
+    return Reason.of("rules.replace", task=task)
+
+
+@lru_cache(_KEPT)
+def _alias(svar: str) -> Reason:
+    return Reason.of("rules.alias", svar=svar)
 
 
 def _writers(task: Task) -> dict[str, list[str]]:
