@@ -9,8 +9,8 @@ from kit.assembler import DT, Assembler
 from onika.laws import puma560
 from onika.laws.path import quintic
 from onika.ring.device import DeviceOrder, DriveEvent, DriveState
+from onika.ring.drive import DriveInput
 from onika.workcell.boxes import BoxesWorld
-from onika.workcell.drive import DriveInput
 
 MS = 1_000_000
 

@@ -1,7 +1,7 @@
 import pytest
 
+from onika.ring.drive import DriveInput
 from onika.workcell.arm_unit import ArmUnit
-from onika.workcell.drive import DriveInput
 from onika.workcell.layout import base
 from onika.workcell.panic_button import PanicButton
 

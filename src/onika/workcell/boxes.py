@@ -10,11 +10,11 @@ from mujoco import mj_step
 
 from onika.laws.frames import Array
 from onika.ring.device import DeviceOrder, DeviceSheet, DriveEvent
+from onika.ring.drive import NEVER_NS, DriveInput, DriveMode, input_of
 from onika.words.reason import Reason
 from onika.workcell import layout
 from onika.workcell.arm_unit import ArmUnit
 from onika.workcell.arms import Arms
-from onika.workcell.drive import NEVER_NS, DriveInput, DriveMode, input_of
 from onika.workcell.gripper_unit import GripperUnit
 from onika.workcell.kinematics import Kinematics
 from onika.workcell.lamp_unit import LampUnit

@@ -1,7 +1,7 @@
 """The panic button of an arm: pressed, its drive holds; let go, it has tripped and has to be cleared (§4.5.2)."""
 
+from onika.ring.drive import DriveInput
 from onika.words.reason import Reason
-from onika.workcell.drive import DriveInput
 from onika.workcell.unit import DeviceUnit
 
 PRESSED, LET_GO = 1.0, 0.0

@@ -10,7 +10,7 @@ import numpy as np
 
 from onika.laws.frames import Array
 from onika.ring.device import DeviceSheet
-from onika.workcell.drive import DriveUnit
+from onika.ring.drive import DriveUnit
 from onika.workcell.plant import Plant
 
 

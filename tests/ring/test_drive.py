@@ -1,7 +1,7 @@
 import pytest
 
 from onika.ring.device import DeviceOrder, DriveState
-from onika.workcell.drive import NEVER_NS, SILENCE_NS, TABLE, TRIP_NS, DriveInput, DriveMode, DriveUnit, input_of
+from onika.ring.drive import NEVER_NS, SILENCE_NS, TABLE, TRIP_NS, DriveInput, DriveMode, DriveUnit, input_of
 
 D, H, S, T, P, X = (
     DriveMode.DRIVEN,
