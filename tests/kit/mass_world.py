@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from onika.ring.device import DeviceOrder, DeviceSheet, DriveEvent, DriveState
+from onika.ring.drive import DriveMode
 from onika.words.reason import Reason
 
 HOLD_NS = 50_000_000
@@ -101,6 +102,10 @@ class MassWorld:
         """Hear again; every drive holds until it is commanded."""
         self._is_stopped = False
 
+    def modes(self) -> Mapping[str, DriveMode]:
+        """As the drives of any world."""
+        return {name: mass.mode(self._is_stopped) for name, mass in self._masses.items()}
+
     def parts(self) -> Mapping[str, str]:
         """The one button."""
         return {"panic": "1 pressed, 0 let go"}
@@ -173,6 +178,14 @@ class _Mass:
         self.heard_ns = -1
         self.force = 0.0
         self.is_silent = False
+
+    def mode(self, is_stopped: bool) -> DriveMode:
+        """How its drive stands."""
+        if is_stopped:
+            return DriveMode.STOPPED
+        if self.drive is DriveState.HELD:
+            return DriveMode.SILENT if self.is_silent else DriveMode.HELD
+        return DriveMode[self.drive.name]
 
     def move(self, dt: float) -> None:
         """One step of x'' = F, if the drive is driven: speed first, then position (semi-implicit Euler)."""

@@ -9,7 +9,7 @@ from kit.assembler import DT, Assembler
 from onika.laws import puma560
 from onika.laws.path import quintic
 from onika.ring.device import DeviceOrder, DriveEvent, DriveState
-from onika.ring.drive import DriveInput
+from onika.ring.drive import DriveInput, DriveMode
 from onika.workcell.boxes import BoxesWorld
 
 MS = 1_000_000
@@ -191,3 +191,11 @@ def test_nobody_drives_what_nobody_claims():
         world.command("arm_left", epoch, DeviceOrder.DRIVE, np.zeros(6))
     assert world.state("arm_left")[1] == DriveState.HELD
     assert not world.take_events()
+
+
+def test_the_world_says_how_the_drives_of_its_arms_and_hands_stand():  # R-X24, law 17
+    world = claimed("arm_left", "gripper_left")
+    world.command("arm_left", 1, DeviceOrder.DRIVE, np.zeros(6))
+    assert world.modes() == {"arm_left": DriveMode.DRIVEN, "gripper_left": DriveMode.HELD}
+    world.stop()
+    assert set(world.modes().values()) == {DriveMode.STOPPED}

@@ -1,11 +1,13 @@
 """The driver of a runtime, as its program sees it: where everything happens, in wall or in virtual time."""
 
+from collections.abc import Callable, Mapping
 from typing import Protocol
 
 from onika.host.inspection import InspectedDriver
 from onika.host.recording.recorder import RecordedDriver
 from onika.host.subsystems.subsystem_registry import Tables
 from onika.host.units.unit_listener import UnitListener
+from onika.ring.drive import DriveMode
 
 
 class Driver(Tables, InspectedDriver, RecordedDriver, Protocol):
@@ -39,6 +41,10 @@ class Driver(Tables, InspectedDriver, RecordedDriver, Protocol):
 
     def reset(self) -> None:
         """Motion is allowed again; nothing moves by itself."""
+        ...
+
+    def ask_modes(self, answer: Callable[[Mapping[str, DriveMode]], None]) -> None:
+        """Say how every drive stands from within, by `world:device`, as soon as that is there; never waits."""
         ...
 
     def touch(self, world: str, part: str, value: float) -> None:

@@ -10,6 +10,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from onika.ring.device import DeviceSheet, DriveEvent
+from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring
 from onika.runtime.command import DeviceGrant
@@ -58,6 +59,10 @@ class World(Protocol):
 
     def go_on(self) -> None:
         """Leave a stop without moving anything: drives hold until they are commanded."""
+        ...
+
+    def modes(self) -> Mapping[str, DriveMode]:
+        """How the drive of every device that takes commands stands from within."""
         ...
 
     def parts(self) -> Mapping[str, str]:
@@ -160,6 +165,10 @@ class Bus:
         self.world.touch(part, value)
         for publish in self._publishers.values():
             publish()
+
+    def modes(self) -> dict[str, DriveMode]:
+        """How the drives of its world stand, by `world:device`."""
+        return {f"{self.name}:{device}": mode for device, mode in self.world.modes().items()}
 
     def scene(self) -> dict[str, Any]:
         """What there is to draw and to touch, as plain values that travel."""

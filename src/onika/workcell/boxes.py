@@ -162,6 +162,10 @@ class BoxesWorld:
         self._sense_ns = self.now_ns
         self._begin()
 
+    def modes(self) -> Mapping[str, DriveMode]:
+        """How the drives of the arms and hands that are there stand."""
+        return {unit.sheet.name: unit.drive.mode for unit in self._present if unit.count}
+
     def parts(self) -> Mapping[str, str]:
         """What a hand can touch in this world, and the values that it takes."""
         return {button.name: str(button.takes) for button in self._buttons.values()}

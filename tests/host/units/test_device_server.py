@@ -12,6 +12,7 @@ from onika.host.units.device_server import DeviceServer
 from onika.host.units.heartbeat import SIZE, Heartbeat
 from onika.host.units.process_socket import ProcessSocket
 from onika.ring.device import DeviceOrder, DriveState
+from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring
 from onika.runtime.bus import SEGMENT_SIZE
@@ -177,3 +178,11 @@ def test_poses_are_told_to_whoever_brings_a_socket_and_not_to_the_runner(server)
     far.close()
     server.say(room.TouchPart("yard", "bell", 1.0))
     assert isinstance(server.hear(room.Word.__args__), room.Denied)
+
+
+def test_it_says_how_every_drive_stands(server):  # R-X24, law 17
+    server.open()
+    server.claim()
+    assert server.ask(room.TakeModes(), room.ModesTaken).modes == {"yard:m0": DriveMode.HELD, "yard:m1": DriveMode.HELD}
+    server.say(room.StopAll())
+    assert set(server.ask(room.TakeModes(), room.ModesTaken).modes.values()) == {DriveMode.STOPPED}

@@ -2,6 +2,7 @@ import pytest
 
 from kit.mass_world import MassWorld
 from onika.host.units.world_buses import Buses
+from onika.ring.drive import DriveMode
 
 MS = 1_000_000
 
@@ -73,3 +74,11 @@ def test_one_step_moves_every_world_on(buses):
     buses.grant("yard:m0", 0)
     buses.step_once()
     assert [world.now_ns for world in buses.worlds] == [MassWorld.step_ns]
+
+
+def test_drives_say_how_they_stand_by_world_and_device(buses):  # R-X24, law 17
+    buses.grant("yard:m0", 0)
+    buses.touch("yard", "panic", 1.0)
+    assert buses.modes() == {"yard:m0": DriveMode.PRESSED, "yard:m1": DriveMode.PRESSED}
+    buses.touch("yard", "panic", 0.0)
+    assert buses.modes()["yard:m0"] is DriveMode.TRIPPED

@@ -5,14 +5,15 @@ from time import monotonic_ns
 
 from msgspec import structs
 
+from onika.engine.news import Abort
 from onika.host.loading.plan_preparation import Preparation
+from onika.host.run.departure import after_departure
 from onika.host.run.runner import Runner
 from onika.host.units.unit_registry import Units
 from onika.runtime import news
 from onika.runtime.subsystem import Member, RunningSubsystem
 from onika.wire import event
 from onika.wire.request import Begin
-from onika.wire.steer import Pause
 from onika.words.reason import Text
 
 _REST_NS = 300_000_000
@@ -53,11 +54,11 @@ class ApplicationRun:
 
     def abandon(self, cause: Text, now: int) -> None:
         """The session that began it is gone: it ends, finishes its actions and pauses, or runs on, as it was begun."""
-        if self.on_loss == "stop":
-            self.runner.abort(cause, now)
-        elif self.on_loss == "finish":
-            for name in self.names:
-                self.runner.steer(Pause(name), now, lambda _refusal: None)
+        for message in after_departure(self.on_loss, self.names, cause):
+            if isinstance(message, Abort):
+                self.runner.abort(message.cause, now)
+            else:
+                self.runner.steer(message, now, lambda _refusal: None)
 
     def is_through(self, is_at_rest: Callable[[], bool]) -> bool:
         """Whether it is over, and every drive holds or had the time to."""

@@ -24,6 +24,7 @@ from onika.host.run.run_events import FlowNote, RunEvents
 from onika.host.run.run_statistics import RunStatistics
 from onika.host.run.settling import Settling
 from onika.host.run.switches import Switches
+from onika.host.units.unit_loss import ends_with
 from onika.host.units.unit_registry import Units
 from onika.model.lifecycle import State
 from onika.runtime import command, news
@@ -119,14 +120,14 @@ class Runner:
         """A process is gone, and so are the tasks of a unit; the run ends where it needs it."""
         self._now = now
         self._settling.lost(rtpu)
-        if not rtpu or self._uses(rtpu):
+        if ends_with(rtpu, self._homes()):
             self.abort(reason, now, CauseKind.LOST)
         for executor in self._executors.values():
             executor.lost(rtpu, now)
 
-    def _uses(self, rtpu: str) -> bool:
-        members = (member for executor in self._executors.values() for member in executor.members.values())
-        return any(member.rtpu == rtpu for member in members)
+    def _homes(self) -> set[str]:
+        """The units of its tasks."""
+        return {member.rtpu for executor in self._executors.values() for member in executor.members.values()}
 
     # Steering
 

@@ -5,6 +5,7 @@ from typing import get_args
 
 from onika.host.edit import transactions
 from onika.host.run.application_run import ApplicationRun
+from onika.host.sessions.dependents import runs_of, subsystems_of
 from onika.host.sessions.handover import Offer, Offers
 from onika.host.sessions.permission import changes_nothing
 from onika.host.subsystems.run_commands import RunCommands
@@ -153,17 +154,15 @@ class ControlAuthority:
         """
         self._lapsed.add(session)
         cause = Reason.of("host.holder_silent", session=session, seconds=silent_ns * 1e-9)
-        for run in self._subsystems.runs:
-            if run.session == session and run.on_loss != "run":
-                self._abandon(run, cause, session, now)
+        for run in runs_of(session, self._subsystems.runs, is_silent=True):
+            self._abandon(run, cause, session, now)
         self._rest(session, cause)
 
     def lost(self, session: str, now: int) -> None:
         """A session is gone: its runs end unless they were begun to go on; what it held by hand comes to rest."""
         cause = Reason.of("host.run_deserted", session=session)
-        for run in self._subsystems.runs:
-            if run.session == session:
-                self._abandon(run, cause, session, now)
+        for run in runs_of(session, self._subsystems.runs, is_silent=False):
+            self._abandon(run, cause, session, now)
         self._rest(session, Reason.of("host.holder_gone", session=session))
 
     def _abandon(self, run: ApplicationRun, cause: Reason, session: str, now: int) -> None:
@@ -176,10 +175,11 @@ class ControlAuthority:
     def _rest(self, session: str, cause: Reason) -> None:
         """What a session held by hand comes to rest, and is nobody's."""
         self._offers.leave(session)
-        for name, subsystem in list(self._subsystems.live.items()):
-            if subsystem.holder == session:
-                subsystem.begin(0, transactions.rest(subsystem))
-                self._leave(name, cause)
+        holders = {name: subsystem.holder for name, subsystem in self._subsystems.live.items()}
+        for name in subsystems_of(session, holders):
+            subsystem = self._subsystems.live[name]
+            subsystem.begin(0, transactions.rest(subsystem))
+            self._leave(name, cause)
 
     def _take(self, session: str, name: str) -> Reason:
         """Take what is offered, what nobody holds, or a run that is nobody's any more; why not, or nothing."""

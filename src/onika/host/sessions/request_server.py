@@ -233,6 +233,11 @@ class RequestServer:
             now - find.heard_ns, link_quality.beats, now - link_quality.last_ns, link_quality.round_trip_us
         )
 
+    @property
+    def launcher(self) -> str:
+        """The session of the program that launched this runtime, with whose end it ends; empty: nobody did."""
+        return "" if self._parent is None else self._parent.name
+
     def deaf_ns(self) -> int:
         """For how long nothing could be heard, whoever spoke."""
         if self._listener is None:

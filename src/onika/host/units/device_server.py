@@ -19,6 +19,7 @@ from onika.host.units.rtpu import preload
 from onika.host.units.world_registry import open_world, split
 from onika.link.launcher import die_with_parent
 from onika.ring.device import DriveEvent
+from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.runtime.bus import Bus
 from onika.runtime.command import DeviceGrant
@@ -69,6 +70,10 @@ class TouchPart(Struct, frozen=True, tag=True):
     world: str
     part: str
     value: float
+
+
+class TakeModes(Struct, frozen=True, tag=True):
+    """Ask how every drive stands from within."""
 
 
 class TakeSnapshots(Struct, frozen=True, tag=True):
@@ -123,6 +128,12 @@ class DriveChanged(Struct, frozen=True, tag=True):
     """How far the world's time is behind the runtime's."""
 
 
+class ModesTaken(Struct, frozen=True, tag=True):
+    """The answer to TakeModes, by `world:device`."""
+
+    modes: dict[str, DriveMode]
+
+
 class SnapshotsTaken(Struct, frozen=True, tag=True):
     """The answer to Draw."""
 
@@ -149,6 +160,7 @@ Order = (
     | StopAll
     | AllowMotion
     | TouchPart
+    | TakeModes
     | TakeSnapshots
     | DescribeWorld
     | StreamPoses
@@ -159,6 +171,7 @@ Word = (
     | WorldOpened
     | PartTouched
     | DriveChanged
+    | ModesTaken
     | SnapshotsTaken
     | WorldDescribed
     | WorldPoses
@@ -233,11 +246,7 @@ class DeviceServer:
             case OpenWorld():
                 return self._open(order.world, descriptors[0])
             case ClaimDevice():
-                world, device = split(order.device)
-                try:
-                    return Granted(self._buses[world].grant(device, order.epoch))
-                except ValueError as wrong:
-                    return Denied(reason_of(wrong))
+                return self._claim(order)
             case ReleaseDevice():
                 world, device = split(order.device)
                 self._buses[world].release(device, order.epoch)
@@ -249,16 +258,28 @@ class DeviceServer:
                 except ValueError as wrong:
                     return Denied(reason_of(wrong))
                 return PartTouched()
-            case DescribeWorld():
-                if order.world in self._buses:
-                    return WorldDescribed(self._buses[order.world].scene())
-                return Denied(Reason.of("host.not_open"))
             case StreamPoses():
                 post = ProcessSocket(socket.socket(fileno=descriptors[0])) if descriptors else self._post
                 self._posing.setdefault(order.world, PoseStream(order.world)).add(post)
-            case TakeSnapshots():
-                return SnapshotsTaken({name: bus.world.snapshot() for name, bus in self._buses.items()})
+            case DescribeWorld() | TakeModes() | TakeSnapshots():
+                return self._look(order)
         return None
+
+    def _claim(self, order: ClaimDevice) -> Word:
+        world, device = split(order.device)
+        try:
+            return Granted(self._buses[world].grant(device, order.epoch))
+        except ValueError as wrong:
+            return Denied(reason_of(wrong))
+
+    def _look(self, order: DescribeWorld | TakeModes | TakeSnapshots) -> Word:
+        """What a world consists of, or what all of them are like now."""
+        if isinstance(order, DescribeWorld):
+            bus = self._buses.get(order.world)
+            return Denied(Reason.of("host.not_open")) if bus is None else WorldDescribed(bus.scene())
+        if isinstance(order, TakeSnapshots):
+            return SnapshotsTaken({name: bus.world.snapshot() for name, bus in self._buses.items()})
+        return ModesTaken({device: mode for bus in self._buses.values() for device, mode in bus.modes().items()})
 
     def _tell_all(self, order: FenceWriter | StopAll | AllowMotion) -> None:
         self._is_stopped = isinstance(order, StopAll) or (self._is_stopped and not isinstance(order, AllowMotion))

@@ -2,7 +2,7 @@
 
 import select
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from time import monotonic_ns
 
 from msgspec import structs
@@ -12,6 +12,7 @@ from onika.host.units.run_digest import Digest
 from onika.host.units.unit_listener import UnitListener
 from onika.host.units.world_buses import Buses
 from onika.host.units.world_registry import open_world
+from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.runtime import command, news
 from onika.runtime.bus import Poses, World
@@ -99,6 +100,10 @@ class VirtualDriver:
     def poses(self, world: str) -> Poses | None:
         """Where the bodies of an open world are."""
         return self._buses.poses(world)
+
+    def ask_modes(self, answer: Callable[[Mapping[str, DriveMode]], None]) -> None:
+        """How every drive stands; answered at once."""
+        answer(self._buses.modes())
 
     def touch(self, world: str, part: str, value: float) -> None:
         """Touch a part of an open world; raises ValueError with the reason why not."""

@@ -2,15 +2,17 @@
 
 import select
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from time import monotonic_ns
 
 from onika.host.units import device_server, rtpu
 from onika.host.units.pose_stream import WorldPoses
 from onika.host.units.supervisor import Supervised, Supervisor
 from onika.host.units.unit_listener import UnitListener
+from onika.host.units.unit_loss import dead_writers
 from onika.host.units.world_registry import refuse_unknown, split
 from onika.ring.device import DriveState
+from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.runtime import command, news
 from onika.runtime.bus import SEGMENT_SIZE, Poses
@@ -39,6 +41,7 @@ class WallDriver:
         self._epoch = 0
         self._listener: UnitListener | None = None
         self._answers: deque[device_server.Word] = deque()
+        self._mode_askers: deque[Callable[[Mapping[str, DriveMode]], None]] = deque()
         self._heard: deque[tuple[str, news.News]] = deque()
         self._drives: dict[str, int] = {}
         self.granted: dict[str, dict[str, bool]] = {}
@@ -128,6 +131,14 @@ class WallDriver:
     def pose_to(self, world: str, inlet: int) -> None:
         """From now on the device server says the same at this socket too."""
         self._devices.post.send(device_server.encode(device_server.StreamPoses(world)), (inlet,))
+
+    def ask_modes(self, answer: Callable[[Mapping[str, DriveMode]], None]) -> None:
+        """How every drive stands; answered when the device server has said it, or is gone: then there are none."""
+        if self._devices.is_lost:
+            answer({})
+            return
+        self._mode_askers.append(answer)
+        self._devices.post.send(device_server.encode(device_server.TakeModes()))
 
     def touch(self, world: str, part: str, value: float) -> None:
         """Touch a part of an open world; raises ValueError with the reason why not."""
@@ -245,6 +256,8 @@ class WallDriver:
                 self._tell(self._driven(word))
             case WorldPoses():
                 self._poses[word.world] = (word.at_ns, word.rows, word.lit)
+            case device_server.ModesTaken():
+                self._mode_askers.popleft()(word.modes)
             case _:
                 self._answers.append(word)
 
@@ -259,12 +272,15 @@ class WallDriver:
     def _lost(self, supervised: Supervised, reason: Reason) -> None:
         """A process is gone: fence its claims, let hardware tasks know, name the cause."""
         if supervised is self._devices:
+            while self._mode_askers:
+                self._mode_askers.popleft()({})
             for name in self._rtpus:
                 self.send(name, command.Fail(reason))
         else:
-            for epoch, holder in self._claims.values():
-                if holder == supervised.name:
-                    self._devices.post.send(device_server.encode(device_server.FenceWriter(epoch)))
+            homes = {device: home for device, (_, home) in self._claims.items()}
+            for device in dead_writers(supervised.name, homes):
+                epoch, _ = self._claims[device]
+                self._devices.post.send(device_server.encode(device_server.FenceWriter(epoch)))
         if self._listener is not None:
             unit = "" if supervised is self._devices else supervised.name
             self._listener.lost(unit, reason, self.now)

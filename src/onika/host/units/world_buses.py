@@ -5,6 +5,7 @@ from typing import Any
 
 from onika.host.units.world_registry import refuse_unknown, split
 from onika.ring.device import DriveState
+from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.runtime.bus import SEGMENT_SIZE, Bus, Poses, World
 from onika.runtime.command import DeviceGrant
@@ -60,6 +61,10 @@ class Buses:
         if world in self._buses:
             return self._buses[world].poses()
         return None
+
+    def modes(self) -> dict[str, DriveMode]:
+        """How the drives of all open worlds stand, by `world:device`."""
+        return {device: mode for bus in self._buses.values() for device, mode in bus.modes().items()}
 
     def snapshots(self) -> dict[str, bytes]:
         """The worlds as they stand."""
