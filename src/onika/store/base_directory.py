@@ -200,11 +200,12 @@ class BaseDirectory:
 
     def _files(self, folder: str, ending: str) -> list[Path]:
         """The files with this ending; hidden ones are nobody's, a folder that cannot be read holds none."""
+        inside = self.path / folder
         try:
-            paths = sorted((self.path / folder).iterdir(), key=lambda path: path.name)
+            names = os.listdir(inside)  # noqa: PTH208 - most files of a large folder have another ending
         except OSError:
             return []
-        return [path for path in paths if path.name.endswith(ending) and not path.name.startswith(".")]
+        return [inside / name for name in sorted(names) if name.endswith(ending) and name[0] != "."]
 
     def _names(self, folder: str, ending: str) -> tuple[str, ...]:
         names = (path.name.removesuffix(ending) for path in self._files(folder, ending))

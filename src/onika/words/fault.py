@@ -1,12 +1,16 @@
 """What is wrong with something a user gave us, as values that are collected and shown (requirement B07)."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 from onika.words.reason import NOTHING, Reason, Text
 
 NOT_RUN = Reason.of("words.application_not_run")
 """What happens instead of running an application with faults."""
+
+_KEPT = 4096
+"""Sentences that are made once: an icon that stays greyed says the same at every click."""
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -73,7 +77,8 @@ class Refusal:
         return str(self.sentence)
 
 
-def _with_remedies(reason: Reason, remedies: Sequence[Text]) -> Reason:
+@lru_cache(_KEPT)
+def _with_remedies(reason: Reason, remedies: tuple[Text, ...]) -> Reason:
     if remedies:
-        return Reason.of("words.with_remedies", reason=reason, remedies=tuple(remedies))
+        return Reason.of("words.with_remedies", reason=reason, remedies=remedies)
     return reason

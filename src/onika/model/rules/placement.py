@@ -8,7 +8,7 @@ from onika.words.fault import Refusal
 from onika.words.reason import Reason
 
 _KEPT = 4096
-"""Remedies that are made once: a library of a thousand tasks is judged anew at every click, with the same few words."""
+"""Refusals that are made once: a library of a thousand tasks is judged anew at every click, with the same few words."""
 
 
 def refusals(task: Task, placed: Iterable[Task]) -> tuple[Refusal, ...]:
@@ -114,22 +114,39 @@ def _meet(task: Task, other: Task) -> bool:
 
 
 def _between(task: Task, other: Task) -> list[Refusal]:
-    show = _show(other.name)
     if task.name == other.name:
-        return [Refusal(Reason.of("rules.task_placed", task=task.name), (show,))]
+        return [_task_placed(task.name)]
     refusals = []
-    replace = _replace(other.name)
     if task.module == other.module:
-        reason = Reason.of("rules.module_used", module=task.module, other=other.name)
-        refusals.append(Refusal(reason, (replace, show)))
-    for svar in sorted(task.outputs & other.outputs):
-        reason = Reason.of("rules.output_written", svar=svar, other=other.name)
-        refusals.append(Refusal(reason, (replace, _alias(svar), show)))
+        refusals.append(_module_used(task.module, other.name))
+    refusals += [_output_written(svar, other.name) for svar in sorted(task.outputs & other.outputs)]
     for writer, reader in ((task, other), (other, task)):
-        for svar in sorted(meets_constant(writer, reader)):
-            reason = Reason.of("rules.constant_while_running", reader=reader.name, svar=svar, writer=writer.name)
-            refusals.append(Refusal(reason, (replace, _alias(svar), show)))
+        constants = sorted(meets_constant(writer, reader))
+        refusals += [_constant_while_running(svar, writer.name, reader.name, other.name) for svar in constants]
     return refusals
+
+
+@lru_cache(_KEPT)
+def _task_placed(task: str) -> Refusal:
+    return Refusal(Reason.of("rules.task_placed", task=task), (_show(task),))
+
+
+@lru_cache(_KEPT)
+def _module_used(module: str, other: str) -> Refusal:
+    reason = Reason.of("rules.module_used", module=module, other=other)
+    return Refusal(reason, (_replace(other), _show(other)))
+
+
+@lru_cache(_KEPT)
+def _output_written(svar: str, other: str) -> Refusal:
+    reason = Reason.of("rules.output_written", svar=svar, other=other)
+    return Refusal(reason, (_replace(other), _alias(svar), _show(other)))
+
+
+@lru_cache(_KEPT)
+def _constant_while_running(svar: str, writer: str, reader: str, other: str) -> Refusal:
+    reason = Reason.of("rules.constant_while_running", reader=reader, svar=svar, writer=writer)
+    return Refusal(reason, (_replace(other), _alias(svar), _show(other)))
 
 
 @lru_cache(_KEPT)

@@ -6,6 +6,12 @@ from onika.model.task import Task
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
 
+USED_AS_IT_IS = Reason.of("rules.used_as_it_is")
+"""What happens with a task that reads what it writes."""
+
+KEEPS_LAST_VALUE = Reason.of("rules.keeps_last_value")
+"""What happens with a variable that nobody writes."""
+
 
 def self_fed(task: Task, place: Place) -> tuple[Fault, ...]:
     """Equation (5): each variable that the task both reads and writes."""
@@ -13,7 +19,7 @@ def self_fed(task: Task, place: Place) -> tuple[Fault, ...]:
         Fault(
             place,
             Reason.of("rules.self_fed", task=task.name, svar=svar),
-            Reason.of("rules.used_as_it_is"),
+            USED_AS_IT_IS,
             is_note=True,
         )
         for svar in sorted(task.inputs & task.outputs)
@@ -31,7 +37,7 @@ def hanging(tasks: Sequence[Task], place: Place) -> tuple[Fault, ...]:
         Fault(
             place,
             Reason.of("rules.hanging", svar=svar, tasks=tuple(names)),
-            Reason.of("rules.keeps_last_value"),
+            KEEPS_LAST_VALUE,
             is_note=True,
         )
         for svar, names in sorted(readers.items())
