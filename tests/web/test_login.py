@@ -1,8 +1,9 @@
 import pytest
 
-from onika.web.login import COOKIE, Login
+from onika.web.login import Login
 
 HOST = "127.0.0.1:8420"
+COOKIE = "onika-8420"
 
 
 def test_a_key_works_once_and_the_next_is_told():  # R-X11
@@ -52,3 +53,9 @@ def test_only_a_page_that_came_from_here_may_talk(headers):
 def test_a_page_of_another_of_our_names_may_not_talk():
     login = Login((HOST, "localhost:8420"))
     assert not login.is_own_page({"host": HOST, "origin": "http://localhost:8420"})
+
+
+def test_two_environments_of_a_machine_have_cookies_of_their_own():  # R-X11
+    logins = [Login((f"127.0.0.1:{port}", f"localhost:{port}")) for port in (8420, 8421)]
+    browser = {login.cookie_name: login.enter(login.key) for login in logins}
+    assert [login.knows(browser) for login in logins] == [True, True]

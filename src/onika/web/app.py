@@ -13,7 +13,7 @@ from starlette.websockets import WebSocket
 
 from onika.web.headers import StrictHeaders
 from onika.web.hub import Hub
-from onika.web.login import COOKIE, Login
+from onika.web.login import Login
 from onika.words.reason import Reason, in_language
 from onika.words.sentence import LANGUAGES
 
@@ -34,7 +34,7 @@ def application(login: Login, hub: Hub, static: Path = STATIC) -> Starlette:
             cookie = login.enter(key)
             if cookie is None:
                 return _text(request, Reason.of("desk.page_without_key"), 403)
-            return _with_cookie(RedirectResponse("/", 303), cookie)
+            return _with_cookie(RedirectResponse("/", 303), login.cookie_name, cookie)
         if key is not None:
             return RedirectResponse("/", 303)
         if not login.knows(request.cookies):
@@ -81,6 +81,6 @@ def _text(request: Request, reason: Reason, code: int) -> Response:
     return PlainTextResponse(f"{in_language(reason, language)}\n", code)
 
 
-def _with_cookie(response: Response, cookie: str) -> Response:
-    response.set_cookie(COOKIE, cookie, httponly=True, samesite="strict", path="/")
+def _with_cookie(response: Response, name: str, cookie: str) -> Response:
+    response.set_cookie(name, cookie, httponly=True, samesite="strict", path="/")
     return response

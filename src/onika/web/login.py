@@ -4,8 +4,6 @@ import hmac
 import secrets
 from collections.abc import Callable, Mapping
 
-COOKIE = "onika"
-
 
 class Login:
     """Keeps the key and the cookies of one environment, and knows the addresses at which it is reached.
@@ -16,6 +14,8 @@ class Login:
 
     def __init__(self, addresses: tuple[str, ...], on_key: Callable[[str], None] = lambda _key: None) -> None:
         self._addresses = frozenset(addresses)
+        self.cookie_name = f"onika-{addresses[0].rpartition(':')[2]}"
+        """With the port: browsers keep cookies by host, and two environments of a machine have one host."""
         self._on_key = on_key
         self._cookies: set[str] = set()
         self.key = secrets.token_urlsafe(24)
@@ -32,7 +32,7 @@ class Login:
 
     def knows(self, cookies: Mapping[str, str]) -> bool:
         """Whether a browser came in before."""
-        given = cookies.get(COOKIE, "").encode()
+        given = cookies.get(self.cookie_name, "").encode()
         return any(hmac.compare_digest(given, cookie.encode()) for cookie in self._cookies)
 
     def is_ours(self, headers: Mapping[str, str]) -> bool:
