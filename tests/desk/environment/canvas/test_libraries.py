@@ -54,6 +54,18 @@ def test_what_is_no_base_directory_is_refused_with_what_was_found(sitting, far, 
     assert "path" in sitting.no(act.OpenLibrary("~nobody-of-that-name/x")).fields
 
 
+def test_a_relative_path_begins_in_the_users_own_base_directory(sitting, tmp_path, monkeypatch):  # R-C01, R-C06
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    monkeypatch.chdir(elsewhere)
+    own = sitting.home / "onika" / "lab"
+    (own / "module").mkdir(parents=True)
+    assert sitting.do(act.OpenLibrary("lab")) == str(own)
+    doc = sitting.new("own")
+    assert sitting.do(act.Save(doc, "job2", "lab")) == str(own / "conf" / "job2.conf")
+    assert list(elsewhere.iterdir()) == []
+
+
 def test_a_task_at_fault_is_left_out_and_told(sitting, far):  # R-C01
     (far.path / "module" / "bad.rmod").write_text("MODULE\n")
     sitting.do(act.OpenLibrary(str(far.path)))

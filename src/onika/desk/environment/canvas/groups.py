@@ -68,7 +68,7 @@ def save_group(model: Model, command: act.SaveGroup, outside: Services) -> Done 
     if isinstance(group_place, No):
         return group_place
     document, group = group_place
-    base = user_path(command.base) if command.base else document.base
+    base = user_path(command.base, outside.site.own) if command.base else document.base
     if isinstance(base, Reason):
         return No(base, fields={"base": base})
     if base is None:

@@ -18,6 +18,7 @@ from onika.model.rules import placement
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
 from onika.store.library import Library, reopen_libraries
+from onika.store.user_path import user_path
 from onika.wire import act, page
 from onika.wire.view import Remedy
 from onika.words.reason import Reason, reason_of
@@ -25,13 +26,15 @@ from onika.words.reason import Reason, reason_of
 _FOLDERS = ("module", "conf", "dict", "appl")
 
 
-def open_library(model: Model, command: act.OpenLibrary, _outside: Services) -> Done | No:
+def open_library(model: Model, command: act.OpenLibrary, outside: Services) -> Done | No:
     """Open a base directory behind the others; one that is open already is shown."""
+    path = user_path(command.path, outside.site.own)
+    if isinstance(path, Reason):
+        return No(Reason.of("desk.path_unopened", path=command.path, why=path), fields={"path": path})
     try:
-        path = Path(command.path).expanduser().absolute()
         whole = path.resolve()
         refused = _no_base(path)
-    except (OSError, RuntimeError, ValueError) as error:  # a name that no system allows, or no such user
+    except (OSError, RuntimeError) as error:  # no access, or links that lead to themselves
         return No(
             Reason.of("desk.path_unopened", path=command.path, why=reason_of(error)), fields={"path": reason_of(error)}
         )

@@ -52,7 +52,7 @@ def save(model: Model, file: AnyFile, command: act.Save, outside: Services) -> D
         form = Reason.of("run.file_name_form")
         return No(Reason.of("run.no_file_name", name=name), fields={"name": Reason.of("run.expected", form=form)})
     own = outside.site.own
-    base = user_path(command.base) if command.base else file.base or (own if command.name else None)
+    base = user_path(command.base, own) if command.base else file.base or (own if command.name else None)
     if isinstance(base, Reason):
         return No(base, fields={"base": base})
     if base is None:

@@ -12,6 +12,7 @@ from onika.desk.environment.state.model import Model
 from onika.files import onk
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import Site
+from onika.store.user_path import user_path
 from onika.wire import act
 from onika.wire.view import Remedy
 from onika.words.reason import Reason, reason_of
@@ -19,12 +20,14 @@ from onika.words.reason import Reason, reason_of
 
 def open_dictionary(model: Model, command: act.OpenDictionary, outside: Services) -> Done | No:
     """Open the dictionary of a base directory, named itself or by its `dict/`; one that is open already is shown."""
+    path = user_path(command.path, outside.site.own)
+    if isinstance(path, Reason):
+        return No(Reason.of("desk.path_unopened", path=command.path, why=path), fields={"path": path})
     try:
-        path = Path(command.path).expanduser().absolute()
         path = path.parent if path.name == "dict" and path.is_dir() else path
         whole = path.resolve()
         refused = _no_dictionary(path)
-    except (OSError, RuntimeError, ValueError) as error:  # a name that no system allows, or no such user
+    except (OSError, RuntimeError) as error:  # no access, or links that lead to themselves
         return No(
             Reason.of("desk.path_unopened", path=command.path, why=reason_of(error)), fields={"path": reason_of(error)}
         )

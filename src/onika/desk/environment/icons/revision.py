@@ -37,7 +37,7 @@ def edit_onikon(model: Model, command: act.EditOnikon, outside: Services) -> Don
     if isinstance(place, No):
         return place
     home, opened = place
-    other = user_path(command.base) if command.base else home.path
+    other = user_path(command.base, outside.site.own) if command.base else home.path
     if isinstance(other, Reason):
         return No(other, fields={"base": other})
     target = BaseDirectory(other)

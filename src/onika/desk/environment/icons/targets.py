@@ -33,7 +33,7 @@ def make_target(model: Model, command: act.MakeTarget, outside: Services) -> Don
     kind = _kind(model, command.type)
     if isinstance(kind, No):
         return kind
-    base = user_path(command.base) if command.base else outside.site.own
+    base = user_path(command.base, outside.site.own) if command.base else outside.site.own
     if isinstance(base, Reason):
         return No(base, fields={"base": base})
     if base is None:

@@ -72,7 +72,7 @@ def read(
     model: Model, path: str, outside: Services, aside: BackgroundWorker, *, opens: bool
 ) -> Steps[tuple[Model, ReviewedRun | No]]:
     """Read a recording; its application is opened where that is wanted and it is not open, and then compiled."""
-    file = user_path(path)
+    file = user_path(path, outside.site.own)
     if isinstance(file, Reason):
         return model, No(file)
     model, review = yield Work(model, aside, partial(_review, file))

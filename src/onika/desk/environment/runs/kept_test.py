@@ -87,7 +87,7 @@ def _expectations(texts: Sequence[str]) -> tuple[Condition, ...] | No:
 def _path(opened: OpenApplication, wanted: str, outside: Services) -> Path | No:
     """The file; a name alone is one in the folder of tests beside the application, or of the user's own."""
     text = wanted.strip() or opened.name
-    whole = user_path(text)
+    whole = user_path(text, outside.site.own)
     if isinstance(whole, Reason):
         return _unnamed(whole)
     given = whole if text.startswith(("/", "~")) else Path(text)
