@@ -43,7 +43,7 @@ def test_a_file_that_is_far_too_large_is_not_read(tmp_path: Path) -> None:
         file.truncate(LARGEST + 1)
     text, (fault,) = load(path, "here")
     assert text is None
-    assert str(fault.reason) == "expected a file that can be read, found 67108865 bytes, more than 67108864"
+    assert str(fault.reason) == "expected a file that can be read, found 25165825 bytes, more than 25165824"
 
 
 def test_a_large_file_and_one_that_a_link_leads_to_are_read(tmp_path: Path) -> None:

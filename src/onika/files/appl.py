@@ -12,6 +12,8 @@ from onika.words.reason import Reason
 ENDING = ".appl"
 
 _HEAD = (KeywordSlot("VERSION", Need.OPTIONAL), KeywordSlot("APPLTYPE", Need.SINCE_1_3))
+_MOST_LINES = 500_000
+"""An application of ten thousand icons has four fifths of them."""
 
 
 def read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Application | None, tuple[Fault, ...]]:
@@ -29,15 +31,17 @@ def read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Applica
 def salvage(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Application | None, tuple[Fault, ...]]:
     """The same as far as the text can be read, also with faults: an icon that cannot leaves a hole with its lines.
 
-    None where there is no flow, where branches stand within each other too deep, and where the text is of a newer
-    version. Never to be run.
+    None where there is no flow, where branches stand within each other too deep, where so much is wrong that the rest
+    was not read, and where the text is of a newer version. Never to be run.
     """
     application, reading = _read(text, name, place_file, syntax)
-    return (None if application is None or depth(application.flows) > DEEPEST else application), reading.faults
+    if application is None or reading.is_full or depth(application.flows) > DEEPEST:
+        return None, reading.faults
+    return application, reading.faults
 
 
 def _read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Application | None, TextReading]:
-    reading = TextReading(place_file, Reason.of("files.application_left_out"))
+    reading = TextReading(place_file, Reason.of("files.application_left_out"), _MOST_LINES)
     reading.open_versioned(text, extended=True)
     if reading.is_over:
         return None, reading

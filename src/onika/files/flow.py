@@ -24,6 +24,8 @@ def read_flows(blocks: Sequence[Sequence[FileLine]], syntax: Syntax, reading: Te
     """The flows of the blocks of an application, which begin with the words of `HEADS`."""
     nest = _Nest(syntax, reading)
     for block in blocks:
+        if reading.is_full:
+            break
         nest.take(block)
     if blocks:
         nest.end(blocks[-1][-1].number)
@@ -118,14 +120,15 @@ class _Nest:
 
     def end(self, number: int) -> None:
         """The end of the application, in line `number`; nothing may be open."""
-        if self._open:
+        if self._open and not self._reading.is_full:
             missing = "ENDFLOW" if isinstance(self._open[-1], _OpenFlow) else "ENDBRANCH"
             self._reading.fault(number, Reason.of("files.flow_unclosed", missing=missing))
         while self._open:
             self._close()
 
     def _alone(self, block: Sequence[FileLine], need: Need = Need.ALWAYS, *, is_bare: bool = True) -> None:
-        self._reading.arrange(block, (KeywordSlot(block[0].keyword, need),))
+        if len(block) > 1 or need is not Need.ALWAYS:
+            self._reading.arrange(block, (KeywordSlot(block[0].keyword, need),))
         if is_bare:
             self._reading.bare(block[0])
 
@@ -157,8 +160,9 @@ class _Nest:
     def _begin_branch(self, line: FileLine) -> None:
         self._flow(line)
         self._open.append(_OpenBranch(line))
-        if sum(isinstance(opening, _OpenBranch) for opening in self._open) == DEEPEST + 1:
+        if sum(isinstance(opening, _OpenBranch) for opening in self._open) > DEEPEST:
             self._reading.fault(line.number, Reason.of("files.branches_too_deep", deepest=DEEPEST))
+            self._reading.is_full = True
 
     def _end_branch(self, line: FileLine) -> None:
         if not any(isinstance(opening, _OpenBranch) for opening in self._open):

@@ -22,6 +22,15 @@ _STRANGE = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?\Z")
 _WHOLE = re.compile(r"[+-]?[0-9]{1,18}\Z")
 
+MOST_LINES = 100_000
+"""Lines of a text; a configuration of ten thousand tasks has half of them."""
+LONGEST_LINE = 1_000_000
+"""Letters of a line."""
+MOST_FAULTS = 1_000
+"""Faults of one text, beyond which it is not looked at any further: nobody reads more, and it is left out anyway."""
+_SHOWN = 200
+"""Letters of a line that are looked at to show it."""
+
 
 class FileLine(NamedTuple):
     """One line that is no comment: its number from 1, its keyword and what follows, with inner blanks as they are."""
@@ -41,7 +50,8 @@ class FileLine(NamedTuple):
         return " ".join(self.words)
 
     def __str__(self) -> str:
-        return show(f"{self.keyword} {self.text}".strip())
+        rest = " ".join(_BLANK.split(self.rest[:_SHOWN]))
+        return show(f"{self.keyword[:_SHOWN]} {rest}".strip())
 
 
 class Need(Enum):
@@ -67,13 +77,16 @@ class TextReading:
 
     `broken` tells that nothing may be made of it, `is_over` that there is nothing more to find, as it is empty or of
     a newer version, `is_old` that lines may be lacking, `is_extended` that there may be lines of version 2.0. `end` is
-    the number of the line with EOF, or else the last.
+    the number of the line with EOF, or else the last. `is_full` tells that the rest is not read, as too much is wrong.
     """
 
-    def __init__(self, file: str, instead: Reason) -> None:
+    def __init__(self, file: str, instead: Reason, most_lines: int = MOST_LINES) -> None:
         self.file = file
         self.instead = instead
+        self._most_lines = most_lines
+        self._broken_lines = 0
         self.broken = False
+        self.is_full = False
         self.is_over = False
         self.is_old = False
         self.is_extended = False
@@ -89,7 +102,12 @@ class TextReading:
     def fault(self, number: int, reason: Reason) -> None:
         """Report something for which the whole text is left out; `number` is its line."""
         self.broken = True
-        self.part(number, reason, self.instead)
+        self._broken_lines += 1
+        if self._broken_lines < MOST_FAULTS:
+            self.part(number, reason, self.instead)
+        elif not self.is_full:
+            self.is_full = True
+            self.part(number, Reason.of("files.faults_many", most=MOST_FAULTS), self.instead)
 
     def part(self, number: int, reason: Reason, instead: Reason) -> None:
         """Report something for which a part is left out, as `instead` says."""
@@ -103,9 +121,15 @@ class TextReading:
 
     def open(self, text: str) -> None:
         """Take the lines of a text and see that it ends with EOF."""
+        count = text.count("\n")
+        if count > self._most_lines:
+            self.fault(0, Reason.of("files.lines_many", most=self._most_lines, count=count))
+            self.is_over = True
+            return
         self.lines = _content(text, self)
         if not self.lines:
-            self.fault(0, Reason.of("files.empty"))
+            if not self.broken:
+                self.fault(0, Reason.of("files.empty"))
             self.is_over = True
             return
         self.end = self.lines[-1].number
@@ -115,7 +139,7 @@ class TextReading:
             return
         self.end = self.lines[end].number
         self.bare(self.lines[end])
-        for line in self.lines[end + 1 :]:
+        for line in self.lines[end + 1 : end + 1 + MOST_FAULTS]:
             self.fault(line.number, Reason.of("files.nothing_after_eof", line=str(line)))
         self.lines = self.lines[:end]
 
@@ -136,16 +160,22 @@ class TextReading:
         self.is_extended = version.is_extended(line.rest)
         if not version.is_known(line.rest, extended=extended):
             self._faults.clear()
+            self._broken_lines, self.is_full = 0, False
             self.fault(line.number, _newer(line.rest, is_extended=extended))
             self.is_over = True
 
     def arrange(self, block: Sequence[FileLine], slots: Sequence[KeywordSlot]) -> Mapping[str, list[FileLine]]:
-        """Check a block of lines against its slots; gives the lines of every keyword, lists empty where none is."""
+        """Check a block of lines against its slots; gives the lines of every keyword, lists empty where none is.
+
+        Where the reading is full, all are empty.
+        """
         places = {slot.keyword: place for place, slot in enumerate(slots)}
         by_keyword: dict[str, list[FileLine]] = {slot.keyword: [] for slot in slots}
         reported: set[str] = set()
         reached = -1
         for line in block:
+            if self.is_full:
+                return {keyword: [] for keyword in places}
             place = places.get(line.keyword)
             if place is None:
                 expected = self._expected(slots, reached)
@@ -313,6 +343,11 @@ def _content(text: str, reading: TextReading) -> list[FileLine]:
     is_clean = _STRANGE.search(text) is None
     for number, raw in enumerate(text.removeprefix("\ufeff").split("\n"), start=1):
         line = raw.removesuffix("\r")
+        if len(line) > LONGEST_LINE:
+            reading.fault(number, Reason.of("files.line_long", most=LONGEST_LINE, count=len(line)))
+            line = ""
+        if reading.is_full:
+            break
         if not is_clean and _CONTROL.search(line):
             reading.fault(number, Reason.of("files.printable_text", line=show(line)))
             line = _CONTROL.sub("", line)

@@ -7,8 +7,8 @@ from pathlib import Path
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
 
-LARGEST = 64 * 2**20
-"""Bytes of the largest file that is read; an application of ten thousand icons has a quarter of it."""
+LARGEST = 24 * 2**20
+"""Bytes of the largest file that is read; an application of ten thousand icons has two thirds of it."""
 
 _HOW = os.O_RDONLY | os.O_CLOEXEC | os.O_NOCTTY | os.O_NONBLOCK
 

@@ -16,6 +16,8 @@ _SIGN = re.compile(
 )
 _WHERE = re.compile(r"^[ \t]*WHERE[ \t\r]*(?:\n|\Z)", re.MULTILINE)
 _CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
+_MOST_TOKENS = 10_000
+"""Tokens of a statement."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +74,8 @@ def sentences(text: str, reading: TextReading) -> tuple[list[Statement], int]:
     where = _WHERE.search(text)
     content = text[: where.start()] if where else text
     for number, line in enumerate(content.split("\n"), start=1):
+        if reading.is_full:
+            break
         if _CONTROL.search(line.removesuffix("\r")):
             reading.fault(number, Reason.of("files.printable_text", line=show(line)))
     reading.end = content.rstrip().count("\n") + 1
@@ -87,6 +91,10 @@ def _grouped(text: str, reading: TextReading) -> Iterator[Statement]:
             yield _whole(tokens, depth, reading)
             tokens, depth = [], 0
         tokens.append(token)
+        if len(tokens) > _MOST_TOKENS:
+            reading.fault(token.line, Reason.of("files.statement_long", most=_MOST_TOKENS))
+            reading.is_full = True
+            return
         depth += token.says("(") - token.says(")")
     if tokens:
         yield _whole(tokens, depth, reading)
@@ -101,7 +109,7 @@ def _whole(tokens: Sequence[Token], depth: int, reading: TextReading) -> Stateme
 
 def _tokens(text: str, reading: TextReading) -> Iterator[Token]:
     at, number, last = 0, 1, 0
-    while match := _SIGN.match(text, at):
+    while not reading.is_full and (match := _SIGN.match(text, at)):
         kind, value, at = str(match.lastgroup), match[0], match.end()
         if kind == "wrong":
             at = _pass_over(text, match.start(), number, None if number == last else reading)

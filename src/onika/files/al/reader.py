@@ -13,6 +13,9 @@ from onika.words.reason import Reason
 
 ENDING = ".al"
 
+_LONGEST = 1_000_000
+"""Letters of a text; one of ten thousand actions has half of them."""
+
 
 def read(
     text: str, name: str, place_file: str, syntax: Syntax, dictionary: Dictionary = lambda _: None
@@ -24,10 +27,15 @@ def read(
     """
     reading = TextReading(place_file, Reason.of("files.application_left_out"))
     text = text.removeprefix("\ufeff")
+    if len(text) > _LONGEST:
+        reading.fault(0, Reason.of("files.text_long", most=_LONGEST, count=len(text)))
+        return None, reading.faults
     statements, start = sentences(text, reading)
     where = where_section.read(text, start, syntax, dictionary, reading)
     program = TextProgram(syntax, where, reading)
     for sentence in statements:
+        if reading.is_full:
+            break
         program.take(sentence)
     flows = program.end()
     if reading.broken or flows is None:
