@@ -156,3 +156,60 @@ def test_a_runtime_can_be_asked_to_end(tmp_path):
 
 def test_the_command_of_a_runtime_is_this_python_with_the_host():
     assert list(launcher.RUNTIME) == [sys.executable, "-m", "onika.host"]
+
+
+LEAVES = """
+import os, sys, time
+if os.fork() == 0:
+    os.setsid()
+    if os.fork() == 0:
+        print(os.getpid(), flush=True)
+        time.sleep(600)
+    os._exit(0)
+"""
+
+
+@pytest.mark.parametrize("end", ["sys.exit(3)", "time.sleep(600)"])
+def test_nothing_is_left_of_what_a_runtime_has_started(tmp_path, end):  # R-X12
+    with launch([], command(tmp_path, LEAVES + end)) as child:
+        while not child.tail().endswith("\n"):
+            wait_for([child.carrier], 0.01)
+        child.close(grace_s=0.01)
+    assert not is_running(int(child.tail()))
+
+
+def test_nothing_is_left_of_a_runtime_whose_program_is_killed(tmp_path):  # R-X12
+    parent = f"""
+import os
+from onika.link.launcher import launch
+child = launch([], {command(tmp_path, LEAVES + "time.sleep(600)")!r})
+while not child.tail().endswith("\\n"): pass
+print(child.pid, child.tail(), flush=True)
+os.kill(os.getpid(), 9)
+"""
+    done = subprocess.run([sys.executable, "-c", parent], capture_output=True, check=False, timeout=60)
+    deadline = time.monotonic() + 60
+    while any(map(is_running, map(int, done.stdout.split()))):
+        assert time.monotonic() < deadline, "what the runtime had started outlived it"
+
+
+def test_a_runtime_does_not_outlive_its_guard(tmp_path):  # R-X12
+    text = (
+        "import os, sys, time\nfrom onika.link.launcher import die_with_parent\n"
+        "die_with_parent(int(sys.argv[4]))\nprint(os.getppid(), flush=True)\ntime.sleep(600)"
+    )
+    with launch([], command(tmp_path, text)) as child:
+        while not child.tail().endswith("\n"):
+            wait_for([child.carrier], 0.01)
+        os.kill(int(child.tail()), signal.SIGKILL)
+        assert child.wait(60) == -signal.SIGKILL
+        deadline = time.monotonic() + 60
+        while is_running(child.pid):
+            assert time.monotonic() < deadline, "the runtime outlived its guard"
+
+
+def test_a_runtime_may_have_a_group_of_its_own(tmp_path):  # R-X12
+    text = "import os\nprint(os.getpgid(0) == os.getpid(), flush=True)"
+    with launch([], command(tmp_path, text), own_group=True) as child:
+        child.wait(60)
+        assert child.tail() == "True\n"

@@ -2,6 +2,8 @@
 
 import gc
 import os
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -57,3 +59,19 @@ def test_a_segment_that_nobody_holds_any_more_leaves_no_descriptor_behind():
     gc.collect()
     with pytest.raises(OSError, match="Bad file descriptor"):
         os.fstat(fd)
+
+
+def test_a_copy_of_the_process_cannot_write_the_memory():  # R-X12
+    script = """
+import os, signal
+from onika.ring.segment import Segment
+segment = Segment.create("test", 4096)
+copy = os.fork()
+if copy == 0:
+    segment.view[0] = 7
+    os._exit(0)
+_, status = os.waitpid(copy, 0)
+print(os.waitstatus_to_exitcode(status) == -signal.SIGSEGV, segment.view[0])
+"""
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True, timeout=60)
+    assert done.stdout == "True 0\n"

@@ -1,4 +1,4 @@
-"""The launcher: a runtime as a child process of the environment, on a link of its own (A15)."""
+"""The launcher: a runtime as a process under a guard of its own, on a link of its own (A15)."""
 
 import ctypes
 import os
@@ -7,10 +7,14 @@ import socket
 import subprocess
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
+from pathlib import Path
+from select import select
 from types import TracebackType
 
 from onika.link.carrier import SocketCarrier
 from onika.link.output_tail import OutputTail
+from onika.process import guard
 from onika.wire.frame import FRAME_LIMIT
 
 RUNTIME = (sys.executable, "-m", "onika.host")
@@ -20,32 +24,45 @@ ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_
 """Linear algebra in one thread: the same sums in the same order every time (law 14)."""
 
 _PR_SET_PDEATHSIG = 1
+_GUARD = str(Path(guard.__file__))
+_GUARD_S = 5.0
+"""How long the guard may take to leave nothing of a runtime; it takes far less."""
 
 
 class RuntimeProcess:
-    """A runtime that was launched: its connection, its life and the last it printed."""
+    """A runtime that was launched: its connection, its life and the last it printed.
 
-    def __init__(self, process: "subprocess.Popen[bytes]", carrier: SocketCarrier, tail: OutputTail) -> None:
+    Between it and this program is its guard, which leaves nothing of what the runtime or a module has started.
+    """
+
+    def __init__(
+        self,
+        guard_process: "subprocess.Popen[bytes]",
+        lifeline: socket.socket,
+        carrier: SocketCarrier,
+        tail: OutputTail,
+    ) -> None:
         self.carrier = carrier
-        self._process = process
+        self._guard = guard_process
+        self._lifeline = lifeline
         self._tail = tail
+        self._code: int | None = None
+        self._pid = self._started()
 
     @property
     def pid(self) -> int:
         """Its process id."""
-        return self._process.pid
+        return self._pid
 
     def alive(self) -> bool:
-        """Whether it runs; one that has ended is no zombie after this call."""
-        return self._process.poll() is None
+        """Whether it runs."""
+        return self._ended(0.0) is None
 
     def wait(self, timeout_s: float) -> int | None:
         """Its exit code, negative for the signal that ended it; None when it still runs after the time-out."""
-        try:
-            code = self._process.wait(timeout_s)
-        except subprocess.TimeoutExpired:
-            return None
-        self._tail.close()
+        code = self._ended(timeout_s)
+        if code is not None:
+            self._tail.close()
         return code
 
     def tail(self) -> str:
@@ -54,20 +71,27 @@ class RuntimeProcess:
 
     def terminate(self) -> None:
         """Ask it to end."""
-        self._process.terminate()
+        self._guard.terminate()
 
     def kill(self) -> int:
-        """End it now, whatever it does; its exit code."""
-        self._process.kill()
-        code = self._process.wait()
+        """End it now, whatever it does; its exit code. Nothing of it is left."""
+        if self._ended(0.0) is None:
+            with suppress(ProcessLookupError):
+                os.kill(self._pid, signal.SIGKILL)
+        code = self._ended(_GUARD_S)
+        self._leave_nothing()
         self._tail.close()
-        return code
+        return -signal.SIGKILL if code is None else code
 
     def close(self, grace_s: float = 2.0) -> int:
         """Close the connection, which ends a runtime by itself; kill it after the grace. Its exit code."""
         self.carrier.close()
-        code = self.wait(grace_s)
-        return self.kill() if code is None else code
+        code = self._ended(grace_s)
+        if code is None:
+            return self.kill()
+        self._leave_nothing()
+        self._tail.close()
+        return code
 
     def __enter__(self) -> "RuntimeProcess":
         return self
@@ -77,34 +101,91 @@ class RuntimeProcess:
     ) -> None:
         self.close()
 
+    # Inner
+
+    def _started(self) -> int:
+        """The process id that the guard says; raises OSError when the runtime could not be started.
+
+        A guard that is ended or frozen so early says nothing: the runtime counts as killed, and the link says so.
+        """
+        word, _, number = (self._words(_GUARD_S) or "").partition(" ")
+        if word == "pid":
+            return int(number)
+        self._code = -signal.SIGKILL
+        if word == "unstartable":
+            self.close()
+            raise OSError(int(number), os.strerror(int(number)))
+        self._guard.kill()
+        return self._guard.pid
+
+    def _words(self, timeout_s: float) -> str | None:
+        """What the guard says within this time: nothing at its end; None where it is silent."""
+        if not select([self._lifeline], [], [], timeout_s)[0]:
+            return None
+        return self._lifeline.recv(100).decode()
+
+    def _ended(self, timeout_s: float) -> int | None:
+        """The exit code, as the guard says it; None while it says nothing for so long."""
+        words = self._words(timeout_s) if self._code is None else None
+        if words is not None:
+            word, _, number = words.partition(" ")
+            match word:
+                case "exit":
+                    self._code = int(number)
+                case "signal":
+                    self._code = -int(number)
+                case _:  # the guard is gone, and the runtime with it: the kernel sees to that
+                    self._code = -signal.SIGKILL
+        return self._code
+
+    def _leave_nothing(self) -> None:
+        """Let the guard end whoever is left; one that cannot is ended itself."""
+        self._lifeline.close()
+        try:
+            self._guard.wait(_GUARD_S)
+        except subprocess.TimeoutExpired:
+            self._guard.kill()
+            self._guard.wait()
+
 
 def launch(
-    arguments: Sequence[str] = (), command: Sequence[str] = RUNTIME, frame_limit: int = FRAME_LIMIT
+    arguments: Sequence[str] = (),
+    command: Sequence[str] = RUNTIME,
+    frame_limit: int = FRAME_LIMIT,
+    *,
+    own_group: bool = False,
 ) -> RuntimeProcess:
     """Start a runtime: the command, `--link-fd N --parent PID`, the arguments. Raises OSError when it cannot start.
 
-    The child inherits its end of the link under the number N and nothing else; its input is empty.
+    It inherits its end of the link under the number N and nothing else; its input is empty. With a group of its own it
+    does not get the signals of the terminal, and modules that it executes cannot end this program with their group.
     """
     ours, theirs = socket.socketpair()
-    words = [*command, "--link-fd", str(theirs.fileno()), "--parent", str(os.getpid()), *arguments]
+    lifeline, guard_lifeline = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+    number = theirs.fileno()
+    words = [*command, "--link-fd", str(number), "--parent", guard.OWN_PID, *arguments]
+    order = "\0".join(("own group" if own_group else "", str(number), *words))
     output, child_output = os.pipe()
     try:
+        lifeline.send(order.encode("utf-8", "surrogateescape"))
         process = subprocess.Popen(  # noqa: S603  the command is ours or the caller's
-            words,
+            [sys.executable, "-I", "-S", _GUARD, "runtime", str(guard_lifeline.fileno())],
             stdin=subprocess.DEVNULL,
             stdout=child_output,
             stderr=child_output,
-            pass_fds=(theirs.fileno(),),
+            pass_fds=(number, guard_lifeline.fileno()),
             env=os.environ | ONE_THREAD,
         )
     except OSError:
         ours.close()
+        lifeline.close()
         os.close(output)
         raise
     finally:
         theirs.close()
+        guard_lifeline.close()
         os.close(child_output)
-    return RuntimeProcess(process, SocketCarrier(ours, frame_limit), OutputTail(output))
+    return RuntimeProcess(process, lifeline, SocketCarrier(ours, frame_limit), OutputTail(output))
 
 
 def inherit(descriptor: int, frame_limit: int = FRAME_LIMIT) -> SocketCarrier:

@@ -13,6 +13,7 @@ class Segment:
         self.size = size
         self._end = weakref.finalize(self, os.close, fd)  # whoever forgets to close it leaves no descriptor behind
         self._map = mmap.mmap(fd, size)
+        self._keep_from_copies()
         self.view = memoryview(self._map)
 
     @classmethod
@@ -26,6 +27,11 @@ class Segment:
     def attach(cls, fd: int) -> "Segment":
         """Memory that another process made, by a file descriptor of our own for it."""
         return cls(fd, os.fstat(fd).st_size)
+
+    def _keep_from_copies(self) -> None:
+        """A copy of this process, which a module makes by forking, would write it too: there it is not mapped."""
+        if hasattr(mmap, "MADV_DONTFORK"):
+            self._map.madvise(mmap.MADV_DONTFORK)
 
     def close(self) -> None:
         """Give the memory back; views of it that are still in use keep the map alive until they go."""

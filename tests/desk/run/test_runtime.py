@@ -34,7 +34,7 @@ def puppet(monkeypatch):
     """A runtime that is a few lines of Python."""
 
     def use(code):
-        monkeypatch.setattr(room, "launch", lambda words: launch(words, (sys.executable, "-c", code)))
+        monkeypatch.setattr(room, "launch", lambda words, **_: launch(words, (sys.executable, "-c", code)))
 
     return use
 

@@ -179,7 +179,7 @@ class LaunchedRuntime(RuntimeConversation):
             words.append("--virtual")
         if not with_fifo:
             words.append("--no-fifo")
-        self._child: RuntimeProcess = launch([*words, *options])
+        self._child: RuntimeProcess = launch([*words, *options], own_group=is_virtual)
         super().__init__(Connection(self._child.carrier, monotonic_ns, CHILD))
         self._stop_patience_s = _STOP_PATIENCE_S
 

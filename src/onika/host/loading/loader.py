@@ -64,7 +64,7 @@ class Loader:
 
     def _start(self) -> tuple[ProcessSocket, "subprocess.Popen[bytes]"]:
         ours, theirs = ProcessSocket.pair()
-        return ours, start("onika.host.loading.loader", theirs)
+        return ours, start("onika.host.loading.loader", theirs, own_group=True)
 
     @property
     def post(self) -> ProcessSocket:

@@ -67,13 +67,15 @@ class Supervisor:
         self._with_fifo = with_fifo
         self.processes: dict[str, Supervised] = {}
 
-    def launch(self, name: str, title: Text, module: str, arguments: tuple[str, ...] = ()) -> Supervised:
-        """Start one; it says when it is up. People are told of it as of `title`."""
+    def launch(
+        self, name: str, title: Text, module: str, arguments: tuple[str, ...] = (), *, has_modules: bool = False
+    ) -> Supervised:
+        """Start one; it says when it is up. People are told of it as of `title`; one that has modules is a group."""
         segment = Segment.create(f"beat-{name}", SIZE)
         ours, theirs = ProcessSocket.pair()
         words = ("--beat-fd", str(segment.fd), "--zero", str(self._zero), *arguments)
         fifo = ("--fifo",) if self._with_fifo else ()
-        process = start(module, theirs, words + fifo, (segment.fd,))
+        process = start(module, theirs, words + fifo, (segment.fd,), own_group=has_modules)
         self.processes[name] = Supervised(name, ours, Heartbeat(segment), process, title)
         return self.processes[name]
 

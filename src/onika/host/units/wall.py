@@ -47,10 +47,7 @@ class WallDriver:
         self.granted: dict[str, dict[str, bool]] = {}
         the_server = Reason.of("host.the_device_server")
         self._devices = self._supervisor.launch(DEVICES, the_server, "onika.host.units.device_server")
-        self._rtpus = {
-            name: self._supervisor.launch(name, _title(name), "onika.host.units.rtpu", ("--name", name))
-            for name in sorted(rtpus)
-        }
+        self._rtpus = {name: self._launch_unit(name) for name in sorted(rtpus)}
         processes = self._supervisor.processes
         self._await(
             lambda: all(process.is_up for process in processes.values()), Reason.of("host.the_processes_to_start")
@@ -227,6 +224,10 @@ class WallDriver:
 
     # Inner
 
+    def _launch_unit(self, name: str) -> Supervised:
+        title = Reason.of("host.processing_unit", name=name)
+        return self._supervisor.launch(name, title, "onika.host.units.rtpu", ("--name", name), has_modules=True)
+
     def _receive(self) -> None:
         for post in self.posts():
             post.post.flush()
@@ -319,7 +320,3 @@ class WallDriver:
             )
             if failed is not None:
                 raise ValueError(Reason.of("host.ended_meanwhile", name=failed.name, what=what))
-
-
-def _title(name: str) -> Reason:
-    return Reason.of("host.processing_unit", name=name)

@@ -8,10 +8,10 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from onika.runtime.partner import child_guard
+from onika.process import guard
 from onika.words.reason import NOTHING, Reason
 
-_KEEPER = str(Path(child_guard.__file__))
+_GUARD = str(Path(guard.__file__))
 _DEFAULT = (signal.SIGINT, signal.SIGTERM, signal.SIGPIPE)
 """Signals that an RTPU ignores or treats in its own way, and a program of its own does not."""
 
@@ -57,8 +57,8 @@ class GuardedChild:
             actions = [(os.POSIX_SPAWN_OPEN, 0, os.devnull, os.O_RDONLY, 0), (os.POSIX_SPAWN_DUP2, 2, 1)]
         else:
             actions = [(os.POSIX_SPAWN_DUP2, conversation, 0), (os.POSIX_SPAWN_DUP2, conversation, 1)]
-        actions.append((os.POSIX_SPAWN_DUP2, lifeline, child_guard.LIFELINE))
-        words = [sys.executable, "-I", "-S", _KEEPER, *self.command]
+        actions.append((os.POSIX_SPAWN_DUP2, lifeline, guard.LIFELINE))
+        words = [sys.executable, "-I", "-S", _GUARD, "partner", *self.command]
         self._pid = os.posix_spawn(
             sys.executable,
             words,

@@ -1,4 +1,4 @@
-"""The keeper of a started program, run as the script it is."""
+"""The guard of a started program, run as the script it is."""
 
 import os
 import select
@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from onika.runtime.partner import child_guard
+from onika.process import guard
 
 PATIENCE_S = 20.0
 
@@ -23,10 +23,10 @@ class Kept:
         self.output, child_output = os.pipe()
 
         def third():
-            os.dup2(theirs.fileno(), child_guard.LIFELINE)
+            os.dup2(theirs.fileno(), guard.LIFELINE)
 
         subprocess.run(
-            [sys.executable, "-I", "-S", child_guard.__file__, *command],
+            [sys.executable, "-I", "-S", guard.__file__, "partner", *command],
             stdin=subprocess.DEVNULL,
             stdout=child_output,
             preexec_fn=third,
@@ -127,5 +127,5 @@ def test_the_program_is_in_a_session_of_its_own_and_may_use_all_processors(keep)
 
 
 def test_it_knows_nothing_of_onika():
-    assert "import onika" not in Path(child_guard.__file__).read_text()
-    assert "from onika" not in Path(child_guard.__file__).read_text()
+    assert "import onika" not in Path(guard.__file__).read_text()
+    assert "from onika" not in Path(guard.__file__).read_text()
