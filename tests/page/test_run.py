@@ -3,12 +3,12 @@
 import os
 import re
 import signal
-from pathlib import Path
 
 import pytest
 from playwright.sync_api import expect
 
 from kit.laboratory import Laboratory, job, target
+from kit.process_tree import runtime_of
 
 pytestmark = pytest.mark.page
 
@@ -231,16 +231,3 @@ def test_a_browser_that_comes_back_in_mid_run_sees_it(me):  # R-E11, R-X10
     expect(me.flow(0)).to_contain_text("1 of 4")
     me.press("Abort")
     me.ended_early("aborted by the user")
-
-
-def runtime_of(program):
-    """The process id of the runtime that a program has started."""
-    for status in Path("/proc").glob("[0-9]*/status"):
-        try:
-            words = status.read_text()
-            command = (status.parent / "cmdline").read_bytes()
-        except OSError:  # it has ended meanwhile
-            continue
-        if f"\nPPid:\t{program}\n" in words and b"onika.host" in command:
-            return int(status.parent.name)
-    raise AssertionError("the program has no runtime")

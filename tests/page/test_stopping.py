@@ -3,10 +3,11 @@
 import os
 import re
 import signal
-from pathlib import Path
 
 import pytest
 from playwright.sync_api import expect
+
+from kit.process_tree import runtime_of
 
 pytestmark = pytest.mark.page
 
@@ -98,10 +99,3 @@ def test_a_frozen_runtime_is_told_at_once_and_can_be_ended(me, program):  # R-X1
     late.get_by_role("button", name="End the runtime").click()
     expect(me.page.get_by_text(re.compile("a new runtime is there")).first).to_be_visible(timeout=30_000)
     expect(late).to_have_count(0)
-
-
-def runtime_of(program):
-    """The process id of the runtime that a program has started."""
-    children = Path(f"/proc/{program}/task").glob("*/children")
-    pids = [int(pid) for each in children for pid in each.read_text().split()]
-    return next(pid for pid in pids if b"onika.host" in Path(f"/proc/{pid}/cmdline").read_bytes())

@@ -7,11 +7,11 @@ import select
 import signal
 import subprocess
 import time
-from pathlib import Path
 
 import pytest
 
 from kit.cli_process import ONIKA, CliProcess
+from kit.process_tree import runtime_of
 
 pytestmark = pytest.mark.site
 
@@ -137,9 +137,7 @@ def test_a_runtime_that_dies_is_told_and_ends_its_console():  # R-E10
         console.stdin.flush()
         while b"main/jtraj ON" not in console.stdout.readline():
             pass
-        children = Path(f"/proc/{console.pid}/task/{console.pid}/children").read_text().split()
-        (runtime,) = [pid for pid in children if b"onika.host" in Path(f"/proc/{pid}/cmdline").read_bytes()]
-        os.kill(int(runtime), signal.SIGKILL)
+        os.kill(runtime_of(console.pid), signal.SIGKILL)
         output = console.stdout.read().decode()  # its end, with the input still open
         assert console.wait(30) == 1
     assert "the runtime is gone" in output
