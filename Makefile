@@ -7,7 +7,7 @@ BIN    := $(VENV)/bin
 PEERS  := .venv-bench
 
 .DEFAULT_GOAL := help
-.PHONY: help demo assemble page page-check test check soak bench bench-peers clean
+.PHONY: help demo assemble page page-check test check mutants soak bench bench-peers clean
 
 help: ## say what can be made
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST)
@@ -43,6 +43,9 @@ test: check ## the checks and all tests but the soak
 	$(BIN)/pytest -m "not slow and not site and not page" --hypothesis-profile=ci --numprocesses=2 --dist=loadfile
 	$(BIN)/pytest -m "site and not slow" --hypothesis-profile=ci --numprocesses=2 --dist=loadfile --reruns 1 -rR
 	$(BIN)/pytest -m "page and not slow" --hypothesis-profile=ci --numprocesses=2 --dist=loadfile --reruns 1 -rR
+
+mutants: $(VENV)/.installed-dev ## plant a mutant in the safety core, thousands of times: a test has to notice each
+	PYTHONPATH=tools $(BIN)/python -m mutation
 
 soak: $(VENV)/.installed-dev ## the long tests, and every property on new examples
 	$(BIN)/pytest -m slow

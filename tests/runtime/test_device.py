@@ -1,10 +1,13 @@
 """A task's end of a device."""
 
+import re
+
 import pytest
 from hypothesis import given, strategies as st
 
+from onika.ring import drive
 from onika.ring.device import DeviceOrder, DriveState
-from onika.runtime.device import Device
+from onika.runtime.device import SILENCE_NS, Device
 from onika.runtime.modules.binding import attach
 from onika.testing.bench_device import SEGMENT, BenchDevice
 
@@ -51,7 +54,7 @@ def test_nan_and_infinity_never_reach_an_actuator_and_the_drive_holds(far, near,
     near.write([1.0, 1.0])
     values = [0.5, 0.5]
     values[place] = bad
-    with pytest.raises(ValueError, match="expected finite commands for bench"):
+    with pytest.raises(ValueError, match=re.escape(f"expected finite commands for bench, found {values}")):
         near.write(values)
     assert (far.order, far.commands.tolist()) == (DeviceOrder.HOLD, [0.0, 0.0])
 
@@ -76,10 +79,24 @@ def test_while_inputs_are_not_fresh_every_command_is_a_hold(far, near):  # law 4
     assert far.order == DeviceOrder.DRIVE
 
 
+def test_what_was_commanded_is_over_when_the_task_waits_for_fresh_inputs_again(far, near):  # law 4
+    near.write([1.0, 2.0])
+    near.holding(True)
+    near.write([3.0, 4.0])
+    assert (far.order, far.commands.tolist()) == (DeviceOrder.HOLD, [0.0, 0.0])
+
+
+def test_every_command_says_whose_it_is(far, near):  # law 17
+    near.write([1.0, 2.0])
+    assert far.epoch == far.grant().epoch
+    near.hold()
+    assert far.epoch == far.grant().epoch
+
+
 def test_the_drive_is_seen_as_of_the_last_read(far, near):  # law 17
     seen = []
-    for drive in (DriveState.DRIVEN, DriveState.HELD, DriveState.TRIPPED, DriveState.PRESSED):
-        far.values[1] = drive
+    for state in (DriveState.DRIVEN, DriveState.HELD, DriveState.TRIPPED, DriveState.PRESSED):
+        far.values[1] = state
         far.publish(0)
         near.read()
         seen.append((near.is_held, near.is_tripped, near.is_pressed))
@@ -120,6 +137,20 @@ def test_a_device_that_does_not_come_back_is_tripped_again(far, near):  # law 17
     assert near.is_tripped
 
 
+def test_a_clear_looks_at_the_drive_itself_not_at_what_was_read_before(far, near):  # law 17
+    near.read()
+    far.values[1] = DriveState.TRIPPED
+    far.publish(0)
+    near.clear()
+    assert far.order == DeviceOrder.CLEAR
+
+
+def test_nobody_clears_a_tripped_drive_by_holding(far, near):  # law 17
+    tripped(far, near)
+    near.hold()
+    assert far.order == DeviceOrder.HOLD
+
+
 def test_a_clear_of_a_drive_that_has_not_tripped_holds(far, near):
     near.write([1.0, 1.0])
     near.clear()
@@ -144,6 +175,14 @@ def test_silence_is_counted_from_the_last_thing_that_was_new(far, near):  # law 
     assert near.silent_ns(30) == 0
 
 
+def test_a_device_that_has_published_nothing_yet_is_silent_from_the_first_look_on(near):  # law 17
+    assert [near.silent_ns(now) for now in (100, 130)] == [0, 30]
+
+
+def test_a_device_is_taken_for_dead_after_its_drive_holds():  # law 17
+    assert SILENCE_NS == 60_000_000 > drive.SILENCE_NS
+
+
 def test_silence_before_the_task_came_on_does_not_count(far, near):
     far.publish(0)
     near.silent_ns(0)
@@ -155,3 +194,7 @@ def test_silence_before_the_task_came_on_does_not_count(far, near):
 def test_a_task_without_a_device_is_told_so_at_every_use(use):
     with pytest.raises(AttributeError, match="this task has no device: its LOCAL block names none"):
         getattr(Device.absent(), use)
+
+
+def test_what_stands_for_no_device_can_be_looked_at():
+    assert Device.absent().__class__ is type(Device.absent())

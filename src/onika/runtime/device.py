@@ -13,7 +13,7 @@ from onika.words.reason import Reason
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-_HOLD, _DRIVE = float(DeviceOrder.HOLD), float(DeviceOrder.DRIVE)
+_DRIVE = float(DeviceOrder.DRIVE)
 _DRIVEN, _TRIPPED, _PRESSED = (
     int(state) for state in (DriveState.DRIVEN, DriveState.TRIPPED, DriveState.PRESSED)
 )  # plain numbers compare quicker than names
@@ -40,9 +40,8 @@ class Device:
         self._values = self._state[_HEADER:]
         self._values.flags.writeable = False
         self._seen = -1
-        self._fresh_at_ns = -1
+        self._fresh_at_ns = 0
         self._holding = False
-        self._is_clearing = False
         self._clears_until = 0
 
     @classmethod
@@ -86,7 +85,7 @@ class Device:
         """
         if self._send is None:
             raise ValueError(Reason.of("runtime.takes_no_commands", name=self.sheet.name))
-        if self._holding or (self._is_clearing and self._still_clears()):
+        if self._holding or self._still_clears():
             self.hold()
             return
         self._wanted[:] = values
@@ -104,7 +103,6 @@ class Device:
 
     def clear(self) -> None:
         """Bring a tripped drive back to hold. Whatever is commanded next waits until the device has heard of it."""
-        self._is_clearing = True
         self._clears_until = self._words[0] + _HEARD_AFTER
         self.hold()
 
@@ -117,7 +115,7 @@ class Device:
     def silent_ns(self, now_ns: int) -> int:
         """How long the device has published nothing new, as far as calls of this function could see."""
         count = self._words[0]
-        if count != self._seen or self._fresh_at_ns < 0:
+        if count != self._seen:
             self._seen, self._fresh_at_ns = count, now_ns
         return now_ns - self._fresh_at_ns
 
@@ -127,9 +125,7 @@ class Device:
 
     def _still_clears(self) -> bool:
         """Only the newest command reaches a device: a clear stays the newest one until it has been heard."""
-        if self._is_clearing and self._words[0] >= self._clears_until:
-            self._is_clearing = False
-        return self._is_clearing
+        return bool(self._words[0] < self._clears_until)
 
     def _plain(self, order: DeviceOrder) -> None:
         if self._send is not None:

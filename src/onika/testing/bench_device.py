@@ -38,6 +38,11 @@ class BenchDevice:
         return self.values[2:]
 
     @property
+    def epoch(self) -> int:
+        """Whose the last command was."""
+        return int(self._last()[0])
+
+    @property
     def order(self) -> int:
         """The last command's order: 0 hold, 1 drive, 2 clear."""
         return int(self._last()[1])

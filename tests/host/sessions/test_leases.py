@@ -1,6 +1,6 @@
 import pytest
 
-from onika.host.sessions.leases import FAR_NS, LEASE_NS, NEAR_NS, Leases, SessionSilence
+from onika.host.sessions.leases import Leases, SessionSilence
 
 MS = 1_000_000
 SECOND = 1000 * MS
@@ -80,13 +80,14 @@ def test_without_a_length_there_is_none(held):  # law 15
 @pytest.mark.parametrize(
     ("silences", "length_ns"),
     [
-        (SessionSilence(0), LEASE_NS),
-        (SessionSilence(0, 4, 0, 100), LEASE_NS),
-        (SessionSilence(0, **STEADY, round_trip_us=19_999), NEAR_NS),
-        (SessionSilence(0, **STEADY, round_trip_us=20_000), FAR_NS),
-        (SessionSilence(0, 999, 1000 * MS, 100), LEASE_NS),
+        (SessionSilence(0), 1000 * MS),
+        (SessionSilence(0, 4, 0, 100), 1000 * MS),
+        (SessionSilence(0, **STEADY, round_trip_us=19_999), 250 * MS),
+        (SessionSilence(0, **STEADY, round_trip_us=20_000), 500 * MS),
+        (SessionSilence(0, 999, 1000 * MS - 1, 100), 250 * MS),
+        (SessionSilence(0, 999, 1000 * MS, 100), 1000 * MS),
     ],
-    ids=["over TCP", "not relied on yet", "a short way", "a long way", "no more through"],
+    ids=["over TCP", "not relied on yet", "a short way", "a long way", "just through", "no more through"],
 )
 def test_a_lease_follows_from_the_way_that_beats_take(held, silences, length_ns):  # network.md D4
     assert Leases(held, lambda _: silences, None, Clock()).of("one") == length_ns
@@ -98,7 +99,7 @@ def test_who_beats_by_datagram_is_missed_after_a_quarter_of_a_second(held):  # R
     silences = {"silent": 249 * MS}
     leases = Leases(held, lambda _: SessionSilence(silences["silent"], 99, silences["silent"], 100), None, Clock())
     assert leases.judge(0) == []
-    silences["silent"] = NEAR_NS
+    silences["silent"] = 250 * MS
     assert leases.judge(0) == ["one"]
 
 
@@ -143,4 +144,64 @@ def test_a_porter_that_never_listens_again_does_not_keep_a_holder(held):  # R-X1
     while not held.lapsed:
         clock.now_ns += 50 * MS
         leases.judge(0)
-    assert clock.now_ns == 2 * NEAR_NS
+    assert clock.now_ns == 500 * MS
+
+
+def test_who_says_nothing_of_beats_has_none():  # network.md D4
+    assert SessionSilence(5) == SessionSilence(5, beats=0, beats_silent_ns=0, round_trip_us=-1)
+
+
+class Silence:
+    """A session that was heard last at an instant of the clock."""
+
+    def __init__(self, held, begin_ns):
+        held.needed = {"one"}
+        self.clock = Clock()
+        self.clock.now_ns = self.heard_ns = begin_ns
+        self.leases = Leases(held, lambda _: SessionSilence(self.clock.now_ns - self.heard_ns), SECOND, self.clock)
+
+    def look(self, now_ns):
+        self.clock.now_ns = now_ns
+        return self.leases.judge(0)
+
+    def look_until(self, now_ns):
+        """Look every 50 ms; at which of these instants the lease ended, or None."""
+        while self.clock.now_ns < now_ns:
+            if self.look(min(self.clock.now_ns + 50 * MS, now_ns)):
+                return self.clock.now_ns
+        return None
+
+
+@pytest.mark.parametrize("begin_ns", [0, 10 * SECOND])
+def test_a_lease_is_no_longer_for_being_looked_at_often(held, begin_ns):  # R-X12
+    silence = Silence(held, begin_ns)
+    assert silence.look_until(begin_ns + 980 * MS) is None
+    assert silence.leases.due_ns() == 20 * MS
+    assert silence.look_until(begin_ns + SECOND - 1) is None
+    assert silence.look(begin_ns + SECOND) == ["one"]
+
+
+@pytest.mark.parametrize("begin_ns", [0, 10 * SECOND])
+def test_of_a_pause_of_the_runtime_all_but_two_looks_is_excused(held, begin_ns):  # R-X12
+    silence = Silence(held, begin_ns)
+    assert silence.look(begin_ns + 400 * MS) == []
+    assert silence.look_until(begin_ns + 1280 * MS) is None
+    assert silence.leases.due_ns() == 20 * MS
+    assert silence.look_until(begin_ns + 1300 * MS - 1) is None
+    assert silence.look(begin_ns + 1300 * MS) == ["one"]
+
+
+@pytest.mark.parametrize("again_ns", [MS, 500 * MS])
+def test_what_was_excused_of_one_silence_is_not_excused_of_the_next(held, again_ns):  # R-X12
+    silence = Silence(held, 10 * SECOND)
+    silence.look(10 * SECOND + 400 * MS)
+    silence.look_until(10 * SECOND + 500 * MS)
+    silence.heard_ns += again_ns
+    assert silence.look_until(11 * SECOND + again_ns - 1) is None
+    assert silence.look(11 * SECOND + again_ns) == ["one"]
+
+
+def test_a_deaf_runtime_looks_again_soon(held):  # R-X12
+    silences = {"one": 2 * SECOND, "two": 0}
+    leases = Leases(held, lambda session: SessionSilence(silences[session]), SECOND, Clock(), lambda: 1)
+    assert leases.due_ns() == 10 * MS

@@ -42,8 +42,10 @@ class HeartbeatRegistry:
     def take(self, datagram: bytes) -> bool:
         """A datagram came; whether it is a beat that was not there before. A late one counts no more."""
         line = self._lines.get(name_in(datagram))
-        count = None if line is None else line.heartbeat_key.count_in(datagram)
-        if line is None or count is None or count <= line.last:
+        if line is None:
+            return False
+        count = line.heartbeat_key.count_in(datagram)
+        if count is None or count <= line.last:
             return False
         line.last = count
         line.came(count)

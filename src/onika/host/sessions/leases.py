@@ -100,7 +100,7 @@ class Leases:
 
     def of(self, session: str) -> int:
         """For how long a session may be silent now, in ns; 0: for ever."""
-        hearing = self._hearing(session) if self._length_ns != 0 else None
+        hearing = self._hearing(session)
         return 0 if hearing is None else self._length(hearing)
 
     def _left(self, session: str, heard: SessionSilence) -> int:

@@ -33,7 +33,7 @@ def refusal(caller: Caller, message: request.Request, accepts_code: bool) -> Rea
     """
     if isinstance(message, request.Begin):
         repeated = (refusal(caller, request.decode_request(recorded.body), accepts_code) for recorded in message.repeat)
-        denied = next((reason for reason in repeated if reason), NOTHING)  # what is repeated is asked in his name
+        denied = next(filter(None, repeated), None)  # what is repeated is asked in his name
         if denied:
             return denied
     least = _least(message)
