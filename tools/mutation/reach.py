@@ -43,6 +43,7 @@ def reach(session: pytest.Session, path: Path) -> Reach:
     """Carry out all tests of the session, and see what they reach in the file."""
     measured = Reach()
     trace = coverage.Coverage(data_file=None, config_file=False, branch=True, include=[str(path)], messages=False)
+    trace.set_option("run:disable_warnings", ["no-data-collected"])
     trace.exclude(r"^\s*\.\.\.$")
     trace.exclude("if TYPE_CHECKING:")
     trace.start()
