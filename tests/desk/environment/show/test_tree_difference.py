@@ -56,6 +56,15 @@ def test_what_is_new_travels_whole_and_what_is_gone_as_nothing():
     ]
 
 
+def test_what_is_as_by_default_travels_as_nothing():  # R-C12: a snapshot leaves it out, too
+    before = Tree(documents={"c1": DocumentView("a", 0, redo="placing", tasks={"pd": PlacedView(1, 2, rtpu="rt1")})})
+    after = Tree(documents={"c1": DocumentView("a", 0, tasks={"pd": PlacedView(1, 2)})})
+    assert dict(difference(before, after)) == {
+        ("documents", "c1", "redo"): None,
+        ("documents", "c1", "tasks", "pd", "rtpu"): None,
+    }
+
+
 def test_a_sentence_is_replaced_whole():  # R-X01
     before, after = Tree(icon_clipboard=Reason.plain("two icons")), Tree(icon_clipboard=Reason.plain("one icon"))
     assert difference(before, after) == [(("icon_clipboard",), {"key": "plain", "text": "one icon"})]
