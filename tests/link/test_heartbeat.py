@@ -84,7 +84,7 @@ def there():
     """Where beats arrive."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as there:
         there.bind(("127.0.0.1", 0))
-        there.settimeout(10)
+        there.settimeout(3)
         yield there
 
 
@@ -112,7 +112,7 @@ def test_who_is_not_served_is_silent_and_beats_once_he_is(there, sender):  # R-X
     there.settimeout(0.2)
     with pytest.raises(TimeoutError):
         there.recv(100)
-    there.settimeout(10)
+    there.settimeout(3)
     sender.served()
     assert sender.heartbeat_key.count_in(there.recv(100)) == 1
 
@@ -132,7 +132,7 @@ def test_where_nobody_listens_it_beats_on(there, sender):  # R-X12
             silent.recv(1)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as again:
         again.bind(("127.0.0.1", port))
-        again.settimeout(10)
+        again.settimeout(3)
         sender.served()
         assert sender.heartbeat_key.count_in(again.recv(100)) > 1
 

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from kit.mass_world import MassWorld
-from onika.ring.device import DeviceOrder, DriveState
+from onika.ring.device import DeviceOrder, DeviceSheet, DriveState
+from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring
 from onika.runtime.bus import SEGMENT_SIZE, Bus
@@ -62,6 +63,54 @@ def test_an_unknown_device_is_denied_with_the_known_ones(bus):
         bus.grant("m9", 1)
 
 
+def test_it_says_how_the_drives_of_its_world_stand(bus, segment):  # law 17
+    device(bus, segment).write([1.0])
+    bus.step(1 * MS)
+    assert bus.modes() == {"masses:m0": DriveMode.DRIVEN, "masses:m1": DriveMode.HELD}
+
+
+def test_a_world_is_drawn_and_touched_by_plain_values(segment):  # R-K06
+    bus = Bus("w", BoxesWorld(), segment)
+    scene = bus.scene()
+    assert {shape["name"] for shape in scene["shapes"]} >= {shape.name for shape in bus.world.scene()}
+    assert scene["parts"] == dict(bus.world.parts())
+    assert bus.poses() == (bus.world.now_ns, bus.world.poses().tobytes(), bus.world.lit)
+
+
+def test_devices_lie_one_behind_the_other_from_the_beginning(segment):  # law 16
+    bus = Bus("w", MassWorld(), segment)
+    grants = [bus.grant(name, number) for number, name in enumerate(("m0", "m1", "scale"), 1)]
+    state, command = Ring.footprint(8 * 4), Ring.footprint(8 * 3)
+    assert [grant.state_offset for grant in grants] == [0, state + command, 2 * (state + command)]
+    assert [grant.command_offset for grant in grants] == [state, 2 * state + command, None]
+    assert SEGMENT_SIZE == 1_048_576
+
+
+class Store:
+    """A world of devices of all sizes, which only lie there."""
+
+    def __init__(self, *sizes):
+        self.sheets = [DeviceSheet(f"d{k}", ("x",) * state, ("c",) * command, {}) for k, (state, command) in sizes]
+
+    def devices(self):
+        return tuple(self.sheets)
+
+    def claim(self, device, epoch):
+        return next(sheet for sheet in self.sheets if sheet.name == device)
+
+    def state(self, device):
+        return np.zeros(len(self.claim(device, 0).state))
+
+
+def test_each_device_has_as_much_room_as_its_values_take(segment):  # law 16
+    sizes = [(state, command) for state in (2, 7, 8, 9, 15, 16, 17) for command in (1, 5, 6, 7, 13, 14, 15)]
+    bus, end = Bus("w", Store(*enumerate(sizes)), segment), 0
+    for number, (state, command) in enumerate(sizes):
+        grant = bus.grant(f"d{number}", number)
+        assert (grant.state_offset, grant.command_offset) == (end, end + Ring.footprint(8 * state))
+        end = grant.command_offset + Ring.footprint(8 * (2 + command))
+
+
 @pytest.mark.parametrize("world", [MassWorld, BoxesWorld])
 def test_the_rings_of_a_world_do_not_overlap_and_fit(world, segment):  # law 16
     bus, spans = Bus("w", world(), segment), []
@@ -106,6 +155,48 @@ def test_the_newest_command_is_delivered_once(bus, segment):
     bus.deliver()
     bus.deliver()
     assert results == [("m0", 1, DeviceOrder.DRIVE, [2.0])]
+
+
+def commands_of(bus):
+    """What the bus delivers to its world from now on."""
+    delivered = []
+    command = bus.world.command
+
+    def note(device, epoch, order, values):
+        delivered.append((device, epoch, order, list(values)))
+        command(device, epoch, order, values)
+
+    bus.world.command = note
+    return delivered
+
+
+def test_a_step_delivers_what_is_new_and_nothing_twice(bus, segment):  # law 1
+    claimed_device, delivered = device(bus, segment), commands_of(bus)
+    bus.step(1 * MS)
+    claimed_device.write([1.0])
+    bus.step(2 * MS)
+    bus.step(3 * MS)
+    assert delivered == [("m0", 1, DeviceOrder.DRIVE, [1.0])]
+
+
+def test_a_release_delivers_what_was_still_to_come_and_nothing_after_it(bus, segment):  # law 18
+    claimed_device, delivered = device(bus, segment), commands_of(bus)
+    claimed_device.write([1.0])
+    bus.release("m0", 1)
+    claimed_device.write([2.0])
+    bus.step(1 * MS)
+    bus.deliver()
+    assert delivered == [("m0", 1, DeviceOrder.DRIVE, [1.0])]
+
+
+def test_a_release_by_somebody_else_takes_nothing_from_who_holds_it(bus, segment):  # law 17
+    claimed_device, delivered = device(bus, segment, epoch=2), commands_of(bus)
+    claimed_device.write([1.0])
+    bus.release("m0", 1)
+    bus.release("scale", 1)
+    assert delivered == []
+    bus.step(1 * MS)
+    assert delivered == [("m0", 2, DeviceOrder.DRIVE, [1.0])]
 
 
 def test_a_command_from_before_the_claim_is_not_delivered(bus, segment):

@@ -7,14 +7,23 @@ from onika.workcell.panic_button import PanicButton
 
 
 @pytest.fixture
-def button():
-    return PanicButton(ArmUnit("right", base("right")))
+def unit():
+    return ArmUnit("right", base("right"))
+
+
+@pytest.fixture
+def button(unit):
+    return PanicButton(unit)
 
 
 def test_it_stays_as_it_was_put(button):  # R-K06
     assert (button.name, button.is_pressed) == ("panic_right", False)
     assert (button.put(1), button.is_pressed) == (DriveInput.PRESS, True)
     assert (button.put(0.0), button.is_pressed) == (DriveInput.LET_GO, False)
+
+
+def test_it_knows_whose_drive_it_stops(button, unit):  # R-K06
+    assert button.unit is unit
 
 
 @pytest.mark.parametrize("value", [0.5, -1.0, 2.0, float("nan")])

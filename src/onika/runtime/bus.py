@@ -146,19 +146,15 @@ class Bus:
 
     def step(self, until_ns: int) -> None:
         """Deliver fresh commands, advance the world, publish its devices' states."""
-        world = self.world
-        for commands in self._commands.values():
-            if commands.words[0] != commands.seen:
-                commands.pump(world)
-        world.step(until_ns)
+        self.deliver()
+        self.world.step(until_ns)
         for publish in self._publishers.values():
             publish()
 
     def deliver(self) -> None:
         """Hand the commands written since the last call to the world."""
         for commands in self._commands.values():
-            if commands.words[0] != commands.seen:
-                commands.pump(self.world)
+            commands.pump(self.world)
 
     def touch(self, part: str, value: float) -> None:
         """Touch a part of the world, and publish what that changes; raises ValueError as the world does."""
@@ -194,13 +190,13 @@ class _Commands:
         self._head = data[:2]
         self._values = data[2:]
         self._fetch = ring.reader(data.cast("B"))
-        self.words = ring.words
-        self.seen = ring.count
+        self._words = ring.words
+        self._seen = ring.count
 
     def pump(self, world: World) -> None:
         """Deliver the newest command, once."""
-        if self.words[0] != self.seen:
-            self.seen = self._fetch()
+        if self._words[0] != self._seen:
+            self._seen = self._fetch()
             epoch, order = self._head
             world.command(self._device, int(epoch), int(order), self._values)
 

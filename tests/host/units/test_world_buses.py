@@ -2,7 +2,11 @@ import pytest
 
 from kit.mass_world import MassWorld
 from onika.host.units.world_buses import Buses
+from onika.ring.device import DeviceOrder
 from onika.ring.drive import DriveMode
+from onika.runtime.bus import SEGMENT_SIZE
+from onika.wire import event
+from onika.words.reason import Reason
 
 MS = 1_000_000
 
@@ -50,8 +54,53 @@ def test_what_a_touch_does_to_a_drive_is_told_at_once(buses, messages):  # R-K06
     assert [(message.device, message.state) for message in messages] == [("yard:m0", "PRESSED"), ("yard:m1", "PRESSED")]
 
 
+def test_what_a_drive_does_is_told_with_its_instants_and_its_cause(buses, messages):  # R-X06
+    buses.grant("yard:m0", 0)
+    buses.step(20 * MS)
+    buses.touch("yard", "panic", 1.0)
+    assert messages[0] == event.Drive("yard:m0", "PRESSED", 20 * MS, 19 * MS, -1, Reason.plain("pressed"))
+
+
+@pytest.mark.parametrize("step", [lambda buses: buses.step(1 * MS), lambda buses: buses.step_once()])
+def test_what_a_step_does_to_a_drive_is_told(buses, messages, step):  # R-X06
+    grant = buses.grant("yard:m0", 0)
+    (world,) = buses.worlds
+    world.command("m0", grant.epoch, DeviceOrder.DRIVE, [1.0])
+    step(buses)
+    assert [(message.device, message.state) for message in messages] == [("yard:m0", "DRIVEN")]
+
+
+def test_every_grant_has_an_epoch_of_its_own(buses):  # law 17
+    assert [buses.grant(device, 0).epoch for device in ("yard:m0", "yard:m1", "field:m0")] == [1, 2, 3]
+
+
+def test_a_world_is_opened_by_its_name_and_its_memory_found_by_it(messages):  # law 16
+    views, opened = {}, []
+
+    def open_world(name):
+        opened.append(name)
+        return MassWorld()
+
+    buses = Buses(views, open_world, messages.append)
+    assert buses.grant("yard:m0", 0).segment == "bus:yard"
+    assert (list(views), opened) == (["bus:yard"], ["yard"])
+    assert len(views["bus:yard"]) == SEGMENT_SIZE
+    with pytest.raises(ValueError, match="of world yard"):
+        buses.grant("yard:m9", 0)
+
+
+def test_an_open_world_shows_what_it_is_and_where(buses):  # R-K06
+    buses.grant("yard:m0", 20 * MS)
+    (world,) = buses.worlds
+    assert buses.scene("yard") == {"shapes": [], "parts": {"panic": "1 pressed, 0 let go"}}
+    assert buses.poses("yard") == (20 * MS, world.poses().tobytes(), ())
+    assert buses.snapshots() == {"yard": world.snapshot()}
+
+
 class Obedient(MassWorld):
     """A world that says what it was told."""
+
+    order = ""
 
     def stop(self):
         self.order = "stop"
@@ -68,6 +117,17 @@ def test_a_world_that_is_opened_after_a_stop_is_stopped_too():  # law 27
     assert world.order == "stop"
     buses.go_on()
     assert world.order == "go on"
+    buses.grant("field:m0", 0)
+    assert [world.order for world in buses.worlds] == ["go on", ""]
+
+
+def test_a_stop_stops_every_world_that_is_open():  # law 27
+    buses = Buses({}, lambda _name: Obedient(), lambda _event: None)
+    buses.grant("yard:m0", 0)
+    buses.grant("field:m0", 0)
+    assert [world.order for world in buses.worlds] == ["", ""]
+    buses.stop()
+    assert [world.order for world in buses.worlds] == ["stop", "stop"]
 
 
 def test_one_step_moves_every_world_on(buses):

@@ -4,6 +4,7 @@ from onika.model.application import AppFlow, Application, Hole, Icon
 from onika.model.configuration import Configuration, Placed
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
+from onika.model.redirect import Redirect
 from onika.model.rules.readiness import faults
 from onika.model.syntax import IconType, Syntax
 from onika.model.task import Task
@@ -188,3 +189,66 @@ def test_recursion_is_refused_naming_the_cycle() -> None:
     part = Application("part", False, (AppFlow((icon("work", "Complete application"),)),))  # R-E06
     (fault,) = result((PART,), applications={"part": part})
     assert fault.startswith("expected no application within itself, found work in part in work, at `work`")
+
+
+def test_where_no_application_is_given_a_nested_one_is_missed() -> None:
+    assert result((PART,)) == ["expected the application part, found none for `part`, step 0 of flow 0"]  # R-E06
+
+
+def test_a_fault_of_a_nested_application_names_its_own_file() -> None:
+    part = Application("part", False, (AppFlow((Hole(),)),))  # R-E01
+    application = Application("work", False, (AppFlow((PART,)),))
+    given = faults(
+        application, SYNTAX, {}, {}, PLACE, applications={"part": part}, files={"part": "lab/appl/part.appl"}
+    )
+    assert {fault.place.file for fault in given} == {"lab/appl/part.appl"}
+
+
+def test_a_target_that_a_nested_application_needs_is_missed_where_it_stands() -> None:
+    part = Application("part", False, (AppFlow((MOVE, Hole())),))  # R-D09
+    assert result((PART,), applications={"part": part}) == [
+        "expected a Joint object for the holes of `part`, found none behind `part`, step 0 of flow 0"
+    ]
+
+
+def test_a_loop_that_takes_no_time_is_named() -> None:
+    begin = Icon(NOP.onikon, while_tag="a")  # R-E05
+    end = Icon(NOP.onikon, while_tag="a", while_test=True)
+    (fault,) = result((begin, end))
+    assert fault.startswith("expected a job on every way round the loop a")
+
+
+def test_a_tag_that_stands_alone_is_named() -> None:
+    tagged = Icon(CLOSE.onikon, synch_tag="meet")  # R-E04
+    (fault,) = result((tagged,), (CLOSE,))
+    assert "meet" in fault
+
+
+def test_a_configuration_of_two_flows_is_judged_where_it_stands_first() -> None:
+    assert result((CLOSE,), (NOP, CLOSE), configurations={"close": conf("close")}) == [
+        "expected tasks, found none in `close`, step 0 of flow 0"
+    ]
+
+
+def test_what_is_nested_too_deep_is_not_looked_at_in_line() -> None:
+    applications = {  # R-E06
+        f"part{k}": Application(f"part{k}", False, (AppFlow((icon(f"part{k + 1}", "Complete application"),)),))
+        for k in range(100)
+    }
+    applications["part100"] = Application("part100", False, (AppFlow((CLOSE,)),))
+    deep = (icon("part0", "Complete application"),)
+    (fault,) = result(deep, configurations={"close": conf("close")}, applications=applications)
+    assert "100" in fault
+    shallow = (icon("part2", "Complete application"),)
+    wrong = result(shallow, configurations={"close": conf("close")}, applications=applications)
+    assert "tasks" in wrong[-1]
+
+
+def test_a_task_that_stands_for_another_is_judged_in_its_place() -> None:
+    application = Application("work", False, (AppFlow((CLOSE,)),))  # R-E09
+    tasks = {**TASKS, "other": Task("other", "other", outvar=("LAMP",))}
+    configurations = {"close": conf("close", "grip", "other")}
+    assert faults(application, SYNTAX, configurations, tasks, PLACE) == ()
+    clashing = {**tasks, "double": Task("double", "double", outvar=("LAMP",))}
+    given = faults(application, SYNTAX, configurations, clashing, PLACE, redirects=(Redirect("grip", "double"),))
+    assert any("LAMP" in f"{fault.reason}" for fault in given)

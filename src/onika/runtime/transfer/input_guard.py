@@ -20,8 +20,6 @@ class InputGuard:
         self._module = module
         self._period_ns = period_ns
         self._watched_until = table[:8].cast("q")
-        self._marks: list[int] = []
-        self._patient_until = 0
 
     def bind(self, binding: Binding) -> None:
         """Take in the inputs of this binding."""
