@@ -25,18 +25,7 @@ def _walk(path: tuple[str, ...], before: Any, after: Any) -> Iterator[Change]:
         return
     is_parted = not isinstance(after, Reason)  # a sentence is replaced whole, never a word of it
     if is_parted and isinstance(after, Struct) and type(before) is type(after):
-        defaults = _defaults(type(after))
-        for field in after.__struct_fields__:
-            old, new = getattr(before, field), getattr(after, field)
-            default = defaults.get(field, NODEFAULT)
-            if old is new:
-                continue
-            if new is default:
-                yield (*path, field), None
-            elif old is default:
-                yield (*path, field), _plain(new)
-            else:
-                yield from _walk((*path, field), old, new)
+        yield from _fields(path, before, after)
     elif isinstance(after, dict) and isinstance(before, dict):
         yield from (((*path, key), None) for key in before if key not in after)
         for key, value in after.items():
@@ -46,6 +35,22 @@ def _walk(path: tuple[str, ...], before: Any, after: Any) -> Iterator[Change]:
                 yield from _walk((*path, key), before[key], value)
     elif before != after:
         yield path, _plain(after)
+
+
+def _fields(path: tuple[str, ...], before: Struct, after: Struct) -> Iterator[Change]:
+    """The same of two structs of one type, field by field."""
+    defaults = _defaults(type(after))
+    for field in after.__struct_fields__:
+        default = defaults.get(field, NODEFAULT)
+        old, new = getattr(before, field), getattr(after, field)
+        if old is new:
+            continue
+        if new is default:
+            yield (*path, field), None
+        elif old is default:
+            yield (*path, field), _plain(new)
+        else:
+            yield from _walk((*path, field), old, new)
 
 
 @cache
