@@ -1,12 +1,17 @@
 """A plan: an application compiled to what a runtime needs to execute it, without any file (decision 7)."""
 
-from msgspec import Struct
+from typing import Annotated
+
+from msgspec import Meta, Struct
+
+Index = Annotated[int, Meta(ge=-1, le=2**31 - 1)]
+"""The number of an action, a flow, an instruction or a line, from 0; -1 where none of them is meant."""
 
 
 class Do(Struct, frozen=True, tag=True):
     """Carry out an action; what it returns is the value that what follows looks at."""
 
-    action: int
+    action: Index
 
 
 class Meet(Struct, frozen=True, tag=True):
@@ -19,14 +24,14 @@ class Meet(Struct, frozen=True, tag=True):
 class Rest(Struct, frozen=True, tag=True):
     """A breakpoint after an action: pause if the condition holds; empty: always."""
 
-    action: int
+    action: Index
     condition: str = ""
 
 
 class Choose(Struct, frozen=True, tag=True):
     """Go to one of several places: by the value, or where the first condition holds, else the last (D10, D13)."""
 
-    to: tuple[int, ...]
+    to: tuple[Index, ...]
     conditions: tuple[str, ...] = ()
     name: str = ""
 
@@ -35,7 +40,7 @@ class Again(Struct, frozen=True, tag=True):
     """The end of a bottom-test loop: back to `to` while the value, or the condition, says so."""
 
     loop: str
-    to: int
+    to: Index
     condition: str = ""
 
 
@@ -43,28 +48,28 @@ class Unless(Struct, frozen=True, tag=True):
     """The top of a top-test loop, behind its test: on to `to` unless the value, or the condition, says go on."""
 
     loop: str
-    to: int
+    to: Index
     condition: str = ""
 
 
 class Jump(Struct, frozen=True, tag=True):
     """Go to `to`; where it closes the top-test loop `loop`, not while that is being left."""
 
-    to: int
+    to: Index
     loop: str = ""
 
 
 class Fork(Struct, frozen=True, tag=True):
     """Begin other flows, each at a place of its own program, and go on (a nested parallel application, D13)."""
 
-    flows: tuple[tuple[int, int], ...]
+    flows: tuple[tuple[Index, Index], ...]
     name: str = ""
 
 
 class Join(Struct, frozen=True, tag=True):
     """Wait until these flows have come to their Halt."""
 
-    flows: tuple[int, ...]
+    flows: tuple[Index, ...]
 
 
 class Halt(Struct, frozen=True, tag=True):
@@ -117,7 +122,7 @@ class PlannedAction(Struct, frozen=True):
     rates: tuple[tuple[str, float], ...]
     arguments: str
     """The target's values as the trigger's argument line; empty without a target."""
-    line: int = 0
+    line: Index = 0
     """Where the job stands in that file."""
     lacks_tasks: bool = False
     """Whether the configuration has tasks that could not be planned; their faults are told elsewhere."""
@@ -127,7 +132,7 @@ class PlannedAction(Struct, frozen=True):
     """Whether it does nothing and takes no time (requirement D11); it has no tasks."""
     within: tuple[str, ...] = ()
     """The nested applications and branches it stands in, outermost first."""
-    spot: tuple[int, ...] = ()
+    spot: tuple[Index, ...] = ()
     """Its line in its file, behind those of the icons that run the applications around it, outermost first."""
 
 
@@ -139,7 +144,7 @@ class PlannedFlow(Struct, frozen=True):
     actions: tuple[PlannedAction, ...]
     program: tuple[Instruction, ...] = ()
     """Empty: the actions one after the other, each with its tag and its breakpoint."""
-    parent: int | None = None
+    parent: Index | None = None
     """The flow that begins this one again and again, where it belongs to a nested parallel application."""
     replaced: tuple[tuple[str, PlannedTask], ...] = ()
     """Of a redirected flow: the names of tasks that stand for others, each with the task that it stands for."""

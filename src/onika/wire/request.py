@@ -5,7 +5,7 @@ from msgspec import Struct
 
 from onika.wire.holding import Company, HoldingRequest
 from onika.wire.live import LiveRequest, LiveResponse
-from onika.wire.plan import Code, Plan, PlannedTask
+from onika.wire.plan import Code, Index, Plan, PlannedTask
 from onika.wire.steer import Positions, SteerRequest
 from onika.words.reason import NOTHING, Reason, Text
 
@@ -32,8 +32,8 @@ class Prepare(Struct, frozen=True, tag=True):
 class TargetValues(Struct, frozen=True):
     """A target by its place in the plan, for the check of reach: its type in lower case, its values flat."""
 
-    flow: int
-    action: int
+    flow: Index
+    action: Index
     kind: str
     values: tuple[float | int | str, ...]
     name: str = ""

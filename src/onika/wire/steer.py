@@ -5,6 +5,8 @@ A flow is named by its subsystem; an empty name means every flow of the one appl
 
 from msgspec import Struct
 
+from onika.wire.plan import Index
+
 
 class Pause(Struct, frozen=True, tag=True):
     """Pause after the current action; a flow that waits at a tag pauses at once, and is waited for."""
@@ -28,7 +30,7 @@ class Skip(Struct, frozen=True, tag=True):
     """Leave the current action at once and go to this one; none: to the next. Nothing else is carried out between."""
 
     subsystem: str
-    action: int | None = None
+    action: Index | None = None
 
 
 class Pass(Struct, frozen=True, tag=True):
@@ -47,7 +49,7 @@ class Mark(Struct, frozen=True, tag=True):
     """Set or remove the breakpoint after an action, for this run; with a condition it pauses only where that holds."""
 
     subsystem: str
-    action: int
+    action: Index
     is_set: bool = True
     condition: str = ""
 

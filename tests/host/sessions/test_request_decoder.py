@@ -51,3 +51,9 @@ def test_a_request_that_means_nothing_is_refused_with_its_reason(message, key):
     with pytest.raises(ValueError) as refused:
         decode(request.encode(message))
     assert refused.value.args[0].args["why"].key == key
+
+
+@pytest.mark.parametrize("number", [2**64 - 1, 2**31, -2])
+def test_a_number_that_no_action_can_have_is_refused(number):  # R-F01: its successor could not even be told
+    with pytest.raises(ValueError, match="int"):
+        decode(request.encode(steer.Mark("flow0", number)))
