@@ -9,9 +9,10 @@ from msgspec.structs import replace
 from kit.direct_client import DirectClient
 from kit.message_fuzz import MessageFuzz
 from kit.plan_builder import action
-from kit.rail_world import MASS, SERVO, rail_tasks
+from kit.rail_world import rail_tasks
+from kit.request_crowd import honest_requests, names_of
 from onika.host.sessions.request_decoder import decode
-from onika.wire import event, holding, live, request, steer
+from onika.wire import event, holding, live, request
 from onika.wire.plan import Again, Choose, Do, Fork, Halt, Join, Jump, Meet, Plan, Rest, Unless
 
 _SLICE_NS = 400_000
@@ -36,34 +37,6 @@ def _plans() -> list[Plan]:
     return [straight, *programmed, replace(straight, flows=(outer, inner))]
 
 
-def _honest(plans: list[Plan]) -> list[request.Request]:
-    """What an environment asks in a day's work."""
-    straight = plans[0]
-    tasks, code = straight.flows[0].tasks, straight.code
-    repeated = (request.Recorded(10**8, 0, request.encode(steer.Pause())),)
-    return [
-        *(request.Prepare(plan, (request.TargetValues(0, 0, "joint object", (1.0,)),)) for plan in plans),
-        request.Begin(watch=("X",)),
-        request.Begin(is_held=True, on_error="wait"),
-        request.Begin(repeat=repeated, repeat_until_ns=10**9),
-        request.Inspect(tasks, code),
-        request.Abort("enough"),
-        live.Change("s0", spawn=tasks, code=code),
-        live.Change("s0", on=(live.Turn("mass"), live.Turn("servo", "1.0"))),
-        live.Change("s0", off=("servo",), rates=(("mass", 250.0),)),
-        live.Change("s0", kill=("servo",)),
-        live.Describe(code),
-        live.Swap("s0", "servo", code[1]),
-        live.Reinit("s0", "mass", tasks[0].local),
-        live.Get("s0", "servo", "x"),
-        live.Advance(0.1),
-        live.Read("s0"),
-        live.Attend(("*",), ("s0/*",), ("yard",)),
-        live.Close("s0"),
-        live.Reset(),
-    ]
-
-
 @dataclass
 class _Crowd:
     """Sessions that come and go at one runtime and ask whatever comes to their minds."""
@@ -75,24 +48,8 @@ class _Crowd:
 
     def __post_init__(self) -> None:
         plans = _plans()
-        self.honest = _honest(plans)
-        names = {
-            "subsystem": ("s0", "flow0", "flow0.0"),
-            "task": ("mass", "servo"),
-            "name": ("mass", "servo", "X", "FORCE"),
-            "world": ("yard",),
-            "part": ("panic",),
-            "digest": tuple(code.digest for code in plans[0].code),
-            "source": (MASS, SERVO, "x = 1", ""),
-            "module": ("mass", "servo"),
-            "type": ("periodic", "synchronous", "aperiodic"),
-            "readings": ("s0/*",),
-            "condition": ("X[0] > 1", "X > 1", "Q >", "flow0/X[0] < 2"),
-            "conditions": ("X[0] > 1",),
-            "on_loss": ("stop", "finish", "run"),
-            "on_error": ("abort", "wait"),
-            "to": ("session 0", "session 1"),
-        }
+        self.honest = honest_requests(plans, ("mass", "servo"))
+        names = names_of(plans[0], "yard")
         self.fuzz = MessageFuzz(get_args(request.Request), request.encode, self.seed, names)
 
     def ask(self, number: int) -> None:

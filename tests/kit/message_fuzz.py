@@ -164,7 +164,7 @@ class MessageFuzz:
         if isinstance(value, bool):
             return not value
         if isinstance(value, int):
-            return self.random.choice((value + 1, value - 1, *_NUMBERS))
+            return self.random.choice((min(value + 1, _NUMBERS[-1]), max(value - 1, -(2**63)), *_NUMBERS))
         if isinstance(value, float):
             return self.random.choice((value * 2, -value, *_REALS))
         if isinstance(value, list):
