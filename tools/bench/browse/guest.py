@@ -4,6 +4,7 @@ import json
 import time
 import urllib.error
 import urllib.request
+from typing import Any
 
 import msgspec
 from websockets.sync.client import connect
@@ -35,12 +36,17 @@ class Guest:
         self.cid += 1
         began = time.perf_counter()
         self.socket.send(msgspec.json.encode(messages.Ordered(self.cid, asked)).decode())
+        answer = self.answer(self.cid)
+        if answer["t"] == "Refused":
+            raise RuntimeError(answer["reason"])
+        return time.perf_counter() - began
+
+    def answer(self, cid: int) -> dict[str, Any]:
+        """The answer to the act of this number."""
         while True:
-            found = json.loads(self.socket.recv())
-            if found.get("cid") == self.cid:
-                if found["t"] == "Refused":
-                    raise RuntimeError(found["reason"])
-                return time.perf_counter() - began
+            message: dict[str, Any] = json.loads(self.socket.recv())
+            if message.get("cid") == cid:
+                return message
 
     def until(self, asked: act.AnyAct) -> None:
         """Ask again until it is done: a runtime takes a moment to begin."""
