@@ -138,6 +138,8 @@ def _is_left_out(site: Site) -> bool:
             return True
         case ast.Assign(value=ast.Subscript(value=ast.Name(id="Callable" | "tuple"))):
             return True
+        case ast.Assign(value=ast.Call(func=ast.Name(id="TypeVar"))):
+            return True
         case ast.ClassDef():
             return any(isinstance(base, ast.Name) and base.id == "Protocol" for base in node.bases)
     return False

@@ -125,8 +125,8 @@ def _value(node: ast.Constant) -> Iterator[ast.AST]:
             yield _constant(node.value + 1)
             yield _constant(node.value - 1)
         case float():
-            yield _constant(node.value + 1.0)
-            yield _constant(node.value * 2.0 or -1.0)
+            others = dict.fromkeys((node.value + 1.0, node.value * 2.0 or -1.0))
+            yield from map(_constant, others)
         case str():
             yield _constant(f"~{node.value}")
         case bytes():

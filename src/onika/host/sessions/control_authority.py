@@ -108,7 +108,7 @@ class ControlAuthority:
         """Offer a subsystem to another session, or offer it no more."""
         name = message.subsystem
         holder, _ = self._holder(name)
-        if not holder or holder != session:
+        if holder != session:
             hand_held = Reason.of("host.hand_held", subsystem=name, holder=holder)
             return request.Refused(hand_held if holder else Reason.of("host.hand_free", subsystem=name))
         if not message.to:
@@ -227,9 +227,10 @@ class ControlAuthority:
             names = tuple(standing.name for standing in matches or others)
             handed_to = Reason.of("host.handed_to", names=names, to=to)
             return "", handed_to if names else Reason.of("host.handed_alone", to=to)
-        if matches[0].role == Role.VIEWER.word or matches[0].only_watches:
-            return "", Reason.of("host.takes_nothing", name=matches[0].name)
-        return matches[0].name, NOTHING
+        (match,) = matches
+        if match.role == Role.VIEWER.word or match.only_watches:
+            return "", Reason.of("host.takes_nothing", name=match.name)
+        return match.name, NOTHING
 
     def _holder(self, subsystem: str) -> tuple[str, str]:
         """The session that holds it and the application that runs in it."""

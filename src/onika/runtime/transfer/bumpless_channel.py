@@ -40,7 +40,6 @@ class BumplessChannel:
         self.allow(limit)
         self._offset: NDArray[np.float64] | None = None
         self._left = self._cycles = 0
-        self._index = self._at = 0
         self._worst = self._most_given = -1.0
         self._wanted = self._given = 0.0
 
@@ -67,13 +66,14 @@ class BumplessChannel:
         self._last[:] = self._target if held is None else np.ravel(held)
         return not self._has_limit or self._measure(self._target)[0] <= 1.0
 
-    def pass_on(self, now: int, most: int, is_bounded: bool = True) -> bool:
+    def pass_on(self, now: int, most: int, is_bounded: bool) -> bool:
         """Pass the newest value on; whether it is being blended.
 
         is_bounded   it goes no farther than it may; else what was begun comes to its end, whatever comes meanwhile
         """
         self._fetch()
-        if self._offset is None:
+        offset = self._offset
+        if offset is None:
             worst, index = self._measure(self._target)
             if worst > self._worst:
                 self._worst, self._index, self._wanted, self._at = worst, index, float(abs(self._step[index])), now
@@ -82,8 +82,8 @@ class BumplessChannel:
                     self._most_given, self._given = worst, float(abs(self._step[index]))
                 self._data[:] = self._target
                 return False
-            self._begin(worst, most)
-        self._blend(most, is_bounded)
+            offset = self._begin(worst, most)
+        self._blend(offset, most, is_bounded)
         return self._offset is not None
 
     def take(self, subsystem: str, task: str) -> news.Stepped | None:
@@ -125,18 +125,16 @@ class BumplessChannel:
         index = int(ratio.argmax())
         return float(ratio[index]), index
 
-    def _begin(self, worst: float, most: int) -> None:
+    def _begin(self, worst: float, most: int) -> "NDArray[np.float64]":
         """From the old value to the new one in so many cycles: twice as many as it takes, for the new one moves too."""
         if worst > most:
             raise LawBroken(Reason.of("runtime.begins_from_hold", why=self._why_not(self._index, most)))
         self._left = min(2 * ceil(worst), most)
         self._offset = self._last - self._target
+        return self._offset
 
-    def _blend(self, most: int, is_bounded: bool) -> None:
+    def _blend(self, offset: "NDArray[np.float64]", most: int, is_bounded: bool) -> None:
         """The newest value and what is left of the difference."""
-        offset = self._offset
-        if offset is None:
-            return
         self._cycles += 1
         self._left -= 1
         offset *= self._left / (self._left + 1)
@@ -144,7 +142,7 @@ class BumplessChannel:
         worst, index = self._measure(value)
         if worst > 1.0 and is_bounded:
             value = self._cut(offset, most)
-            worst, index = 1.0, int(np.abs(self._step * self._share).argmax())
+            worst = 1.0
         if worst > self._most_given:
             self._most_given, self._given = worst, float(abs(self._step[index]))
         self._data[:] = value

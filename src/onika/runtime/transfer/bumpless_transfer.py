@@ -36,11 +36,11 @@ def limit_of(module: Module, step: Step) -> Any:
     if step is None:
         return None
     factors = step if isinstance(step, tuple) else (step,)
-    attributes = {declared.name or name: name for name, declared in type(module).declared_ports.items()}
+    attributes = {declared.name: name for name, declared in type(module).declared_ports.items()}
     values = [
         getattr(module, attributes.get(factor, factor)) if isinstance(factor, str) else factor for factor in factors
     ]
-    limit = prod((np.asarray(value, dtype=np.float64) for value in values), start=np.float64(1.0))
+    limit = prod(np.asarray(value, dtype=np.float64) for value in values)
     if not np.all(limit > 0.0):  # NaN too
         product = " * ".join(map(str, factors))
         raise ValueError(Reason.of("runtime.step_not_positive", product=product, limit=str(limit)))
