@@ -381,9 +381,7 @@ def test_a_run_of_nobody_is_taken_with_all_its_subsystems(bench):  # R-X12
     assert bench.told == [(event.Held(name, "two", cause), name, "two") for name in ("flow0", "flow1")]
     held = request.Refused(Reason.of("host.held_by", subsystem="flow0", holder="two"))
     assert bench.take("one", "flow0") == held
-    assert bench.take("two", "flow0") == request.Refused(
-        Reason.of("host.held_by", subsystem="flow0", holder="two")
-    )
+    assert bench.take("two", "flow0") == request.Refused(Reason.of("host.held_by", subsystem="flow0", holder="two"))
 
 
 def test_a_run_is_handed_over_with_all_its_subsystems_and_what_was_offered_of_them(bench):  # R-X12

@@ -1,7 +1,7 @@
 """The transfer of one task by itself: what it asks of its channels, with time handed in (law 33)."""
 
 from math import inf
-from types import SimpleNamespace
+from types import MappingProxyType, SimpleNamespace
 
 import numpy as np
 import pytest
@@ -17,7 +17,7 @@ MS = 1_000_000
 class Servo:
     """A module with a port whose name is not that of its attribute, and a parameter."""
 
-    declared_ports = {"torque": SimpleNamespace(name="TAU_MAX"), "SHARE": SimpleNamespace(name="")}
+    declared_ports = MappingProxyType({"torque": SimpleNamespace(name="TAU_MAX"), "SHARE": SimpleNamespace(name="")})
 
     torque = (10, 20)
     SHARE = 0.5
