@@ -36,7 +36,11 @@ class LetIn:
 
 
 class Admission:
-    """Judges requests by address, name, origin, path and token, the cheap questions first."""
+    """Judges requests by name, origin, path, token and address, the cheap questions first.
+
+    Whoever has the right token is let in, whatever others from his address have tried: on one machine all users have
+    one address, and tokens are too long to be guessed.
+    """
 
     def __init__(self, users: Users, names: Iterable[str], is_private: bool) -> None:
         self._users = users
@@ -72,14 +76,14 @@ class Admission:
         asked: dict[str, list[str]] = {}
         for name, value in headers:
             asked.setdefault(name.lower(), []).append(value)
-        if self._is_barred(address, now_ns):
-            return TurnedAway(429, Reason.of("host.too_many_tokens"))
         wrong = self._wrong_name(asked) or self._wrong_origin(asked)
         if wrong:
             return TurnedAway(403, wrong)
         if path not in _PATHS:
             return TurnedAway(404, Reason.of("host.no_such_path", paths=tuple(_PATHS)))
         user = self._user(asked.get("authorization", []))
+        if user is None and self._is_barred(address, now_ns):
+            return TurnedAway(429, Reason.of("host.too_many_tokens"))
         if user is None:
             self._note_wrong(address, now_ns)
             return TurnedAway(401, Reason.of("host.wrong_token"))
