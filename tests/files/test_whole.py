@@ -139,7 +139,7 @@ def test_a_failure_leaves_the_old_file_and_no_other(
         return fail() or 0 if flags & os.O_CREAT else works(name, flags, *rest, **at)
 
     monkeypatch.setattr(os, failing, fail_new if failing == "open" else fail)
-    assert refused(path, "new", ANYTHING) == f"{path} cannot be saved: No space left on device"
+    assert refused(path, "new", ANYTHING) == f"{path} cannot be saved: no space is left on that disk"
     assert path.read_text() == "old"
 
 
@@ -162,7 +162,7 @@ def test_a_file_longer_than_the_system_allows_leaves_the_old_one(tmp_path: Path)
         "print(whole.write(Path(sys.argv[1]), 'x' * 100_000, '*'))"
     )
     ran = subprocess.run([sys.executable, "-c", code, str(path)], capture_output=True, text=True, check=True)
-    assert ran.stdout.startswith(f"{path} cannot be saved: File too large")
+    assert ran.stdout.startswith(f"{path} cannot be saved: the file would be larger")
     assert (path.read_text(), list(tmp_path.iterdir())) == ("old", [path])
 
 

@@ -24,6 +24,7 @@ from onika.cli.language import say, speaking
 from onika.link.lost import LinkLost
 from onika.words.reason import Reason, reason_of
 from onika.words.sentence import LANGUAGES
+from onika.words.system_error import system_reason_with_place
 
 COMMANDS = {
     "page": page,
@@ -68,7 +69,7 @@ def _ended(ending: BaseException) -> int:
             return _say_last(reason_of(ending), 1)
         case OSError():
             _drop_output()
-            return _say_last(Reason.of("cli.system_error", why=Reason.plain(str(ending))), 1)
+            return _say_last(Reason.of("cli.system_error", why=system_reason_with_place(ending)), 1)
         case _:
             return _say_last(Reason.of("cli.letters_lack", why=Reason.plain(str(ending))), 1)
 

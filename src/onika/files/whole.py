@@ -18,6 +18,7 @@ from pathlib import Path
 from onika.files import text as texts
 from onika.words.fault import Fault, Refusal
 from onika.words.reason import Reason
+from onika.words.system_error import system_reason
 
 Stamp = str
 """What a file holds: the SHA-256 of its bytes."""
@@ -63,8 +64,7 @@ def write(path: Path, text: str, expected: Stamp) -> Stamp | Refusal:
             if refusal is None:
                 _exchange(target.name, data, folder)
     except OSError as error:
-        why = error.strerror or type(error).__name__
-        return Refusal(Reason.of("files.not_savable", path=str(path), why=why), (ELSEWHERE,))
+        return Refusal(Reason.of("files.not_savable", path=str(path), why=system_reason(error)), (ELSEWHERE,))
     except RuntimeError:  # Python 3.11 and 3.12 say so of links that lead to themselves
         return Refusal(Reason.of("files.is_linked_to_itself", path=str(path)), (ELSEWHERE,))
     return refusal or sha256(data).hexdigest()

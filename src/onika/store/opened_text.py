@@ -8,6 +8,7 @@ from typing import Generic, TypeVar
 from onika.files import text, whole
 from onika.words.fault import Fault, Refusal
 from onika.words.reason import Reason
+from onika.words.system_error import system_reason
 
 _T = TypeVar("_T")
 Faults = tuple[Fault, ...]
@@ -53,7 +54,7 @@ def put(path: Path, value: _T, content: str, expected: whole.Stamp) -> OpenedTex
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        reason = Reason.of("files.not_savable", path=str(path), why=error.strerror or type(error).__name__)
+        reason = Reason.of("files.not_savable", path=str(path), why=system_reason(error))
         return Refusal(reason, (whole.ELSEWHERE,))
     written = whole.write(path, content, expected)
     if isinstance(written, Refusal):

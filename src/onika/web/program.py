@@ -32,6 +32,7 @@ from onika.web.login import Login
 from onika.web.server import addresses, serve
 from onika.wire import act, page
 from onika.words.reason import NOTHING, Reason
+from onika.words.system_error import system_reason_with_place
 
 _LOOK_S = 1.0
 """Between two looks at the files."""
@@ -148,7 +149,7 @@ class EnvironmentProgram:
             kept = Recovery(self._state)
             rescued = kept.recovered()
         except OSError as wrong:
-            environment.say(page.Say("warning", Reason.of("desk.no_recovery", why=Reason.plain(str(wrong)))))
+            environment.say(page.Say("warning", Reason.of("desk.no_recovery", why=system_reason_with_place(wrong))))
             return None
         if rescued:
             environment.become(lambda model: reopened(model, rescued))

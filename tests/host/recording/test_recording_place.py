@@ -43,7 +43,7 @@ def test_a_full_disk_ends_a_recording_and_no_run():  # R-X05
     writer._sink._stream = writer._sink._writer._stream = writer._stream
     writer.take(TELL)
     writer.look(10**12)
-    assert "No space left" in str(writer.reason)
+    assert "no space is left" in str(writer.reason)
     assert writer.is_done
     writer.close()
 

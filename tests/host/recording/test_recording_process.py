@@ -102,5 +102,5 @@ def test_poses_come_straight_from_whoever_steps_the_world_and_stand_at_their_own
 def test_a_file_that_cannot_take_any_more_is_told_with_its_reason(tmp_path):  # R-X05: a full disk
     (tmp_path / "full").symlink_to("/dev/full")
     beside = Beside(tmp_path / "full")
-    assert "No space left" in str(beside.word().reason)
+    assert "no space is left" in str(beside.word().reason)
     beside.close()

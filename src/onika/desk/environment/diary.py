@@ -15,6 +15,7 @@ from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.wire import act, page
 from onika.words.reason import NOTHING, Reason
+from onika.words.system_error import system_reason
 
 
 def note(model: Model, _asked: act.Note, _outside: Services) -> Done:
@@ -88,5 +89,4 @@ class Diary:
                     file.flush()
                     line = self._lines.get()
         except OSError as error:
-            why = error.strerror or type(error).__name__
-            self._wrong = Reason.of("run.diary_unwritten", path=str(self.path), why=why)
+            self._wrong = Reason.of("run.diary_unwritten", path=str(self.path), why=system_reason(error))

@@ -25,7 +25,8 @@ from onika.record import topics
 from onika.record.run import RunRecord, ending
 from onika.runtime.bus import Poses
 from onika.wire import event, request
-from onika.words.reason import NOTHING, Reason, reason_of
+from onika.words.reason import NOTHING, Reason
+from onika.words.system_error import system_reason_with_place
 
 _POSED_EVERY_NS = 33_000_000
 _LOOKS = 4
@@ -225,7 +226,7 @@ class Recorder:
             else:
                 self._writer = WriterProcess(message.record, run, _every_ns(prepared), self._seen.with_fifo)
         except OSError as wrong:
-            return Reason.of("host.no_recording", why=reason_of(wrong))
+            return Reason.of("host.no_recording", why=system_reason_with_place(wrong))
         self._session, self._path, self._was_up = session, message.record, False
         return NOTHING
 

@@ -14,7 +14,8 @@ from onika.host.units.process_socket import ProcessSocket
 from onika.record.run import RunRecord
 from onika.record.writer import Writer
 from onika.ring.segment import Segment
-from onika.words.reason import NOTHING, Reason, Text, reason_of
+from onika.words.reason import NOTHING, Reason, Text
+from onika.words.system_error import system_reason
 
 _BUFFER = 1 << 18
 _MOST_WAITING = 2000
@@ -109,7 +110,7 @@ class InProcessWriter:
             try:
                 self._sink.take(order, None if segment is None else segment.view)
             except OSError as wrong:
-                self.reason = reason_of(wrong)
+                self.reason = system_reason(wrong)
 
     def look(self, now: int) -> None:
         """Write down what variables have changed."""
@@ -117,7 +118,7 @@ class InProcessWriter:
             try:
                 self._sink.look(now)
             except OSError as wrong:
-                self.reason = reason_of(wrong)
+                self.reason = system_reason(wrong)
 
     def serve(self) -> None:
         """While the clock stands nothing else lets out what was seen."""
@@ -126,7 +127,7 @@ class InProcessWriter:
             try:
                 self._sink.flush()
             except OSError as wrong:
-                self.reason = reason_of(wrong)
+                self.reason = system_reason(wrong)
 
     def readers(self) -> Sequence[ProcessSocket]:
         """Nothing."""
@@ -137,7 +138,7 @@ class InProcessWriter:
         try:
             self._stream.close()
         except OSError as wrong:
-            self.reason = self.reason or reason_of(wrong)
+            self.reason = self.reason or system_reason(wrong)
 
 
 _BESIDES_NS = 500_000_000

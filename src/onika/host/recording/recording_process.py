@@ -30,7 +30,8 @@ from onika.host.units.realtime_scheduling import fine_timers, first_in_first_out
 from onika.record.run import RunRecord
 from onika.record.writer import Writer
 from onika.ring.segment import Segment
-from onika.words.reason import NOTHING, Text, reason_of
+from onika.words.reason import NOTHING, Text
+from onika.words.system_error import system_reason
 
 PRIORITY = 1
 """Below everything that moves something, above everything that is not real time: else it would look too late."""
@@ -75,7 +76,7 @@ def record(post: ProcessSocket, every_ns: int) -> None:
             post.send(encode_word(RecordingBegun()))
             _follow(post, inlet, sink, every_ns)
     except OSError as wrong:
-        reason = reason_of(wrong)
+        reason = system_reason(wrong)
     inlet.close()
     post.send(encode_word(RecordingEnded(sink.missed, reason, sink.untold) if sink else RecordingEnded(reason=reason)))
 

@@ -13,7 +13,8 @@ from pathlib import Path
 from threading import Event, Lock, Thread
 
 from onika.files.trail import head_of, line, torn_hash, usual_path
-from onika.words.reason import NOTHING, Reason, reason_of
+from onika.words.reason import NOTHING, Reason
+from onika.words.system_error import system_reason
 
 OFF = "off"
 """In place of a file: there is to be no trail."""
@@ -84,7 +85,7 @@ class AuditTrail:
             self._write(what, about)
             self.trouble = NOTHING
         except OSError as wrong:
-            self.trouble = reason_of(wrong)
+            self.trouble = system_reason(wrong)
         if weighs:
             self._wanted.set()
 

@@ -13,6 +13,7 @@ from onika.desk.environment.state.model import Model
 from onika.wire import act
 from onika.wire.view import Remedy
 from onika.words.reason import NOTHING, Argument, Reason
+from onika.words.system_error import system_reason
 
 LEAST_BYTES = 50_000_000
 """So much room must be there: some minutes of a robot with all that is measured at it."""
@@ -46,7 +47,7 @@ def _unwritable(folder: Path) -> Reason:
         with tempfile.TemporaryFile(dir=folder):
             free = shutil.disk_usage(folder).free
     except OSError as wrong:
-        return Reason.of("run.record_unwritable", folder=str(folder), why=wrong.strerror or str(wrong))
+        return Reason.of("run.record_unwritable", folder=str(folder), why=system_reason(wrong))
     if free < LEAST_BYTES:
         free_mb, wanted_mb = free // _MEGA, LEAST_BYTES // _MEGA
         return Reason.of("run.record_no_room", folder=str(folder), free=free_mb, wanted=wanted_mb)

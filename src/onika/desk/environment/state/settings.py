@@ -12,6 +12,7 @@ import msgspec
 from onika.files import text, whole
 from onika.words.fault import Refusal
 from onika.words.reason import NOTHING, Reason
+from onika.words.system_error import system_reason
 
 NAME = "habits.json"
 
@@ -43,7 +44,7 @@ def keep(state: Path | None, values: Mapping[str, bool]) -> Refusal | None:
     try:
         state.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        return Refusal(Reason.of("run.folder_not_made", path=str(state), why=error.strerror or str(error)))
+        return Refusal(Reason.of("run.folder_not_made", path=str(state), why=system_reason(error)))
     done = whole.write(state / NAME, msgspec.json.encode(asdict(settings)).decode() + "\n", whole.ANYTHING)
     return done if isinstance(done, Refusal) else None
 

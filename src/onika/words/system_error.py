@@ -1,0 +1,32 @@
+"""Why the operating system has refused something, in words that say what is used up and where that is set."""
+
+import errno
+from collections.abc import Mapping
+
+from onika.words.reason import Reason, reason_of
+
+_REASONS: Mapping[int, Reason] = {
+    errno.ENOSPC: Reason.of("words.disk_full"),
+    errno.EDQUOT: Reason.of("words.quota_used"),
+    errno.EROFS: Reason.of("words.disk_read_only"),
+    errno.EFBIG: Reason.of("words.file_limit"),
+    errno.EMFILE: Reason.of("words.descriptors_used"),
+    errno.ENFILE: Reason.of("words.descriptors_used_by_all"),
+    errno.ENOMEM: Reason.of("words.memory_used"),
+    errno.EACCES: Reason.of("words.not_permitted"),
+    errno.EPERM: Reason.of("words.not_permitted"),
+}
+
+
+def system_reason(error: OSError) -> Reason:
+    """The reason, without the name of the file: whoever says it has named that already."""
+    if error.errno is None:
+        return reason_of(error)
+    return _REASONS.get(error.errno) or Reason.plain(error.strerror or type(error).__name__)
+
+
+def system_reason_with_place(error: OSError) -> Reason:
+    """The same with the name of the file, where there is one."""
+    if error.filename is None:
+        return system_reason(error)
+    return Reason.of("words.system_place", place=str(error.filename), why=system_reason(error))
