@@ -5,6 +5,7 @@ from kit.direct_client import DirectClient
 from kit.plan_builder import action
 from kit.rail_world import YardLoading, rail_tasks
 from onika.host.loading.loader_client import NotYet
+from onika.ring.segment import Segment, SharedMemoryRefused
 from onika.wire import event, live, request
 from onika.wire.plan import Again, Do, Halt
 from onika.wire.request import TargetValues
@@ -234,3 +235,21 @@ def test_a_loop_that_takes_no_time_can_be_ended(desk):  # R-E07, R-D13
         desk.program.advance(1_000_000)
     assert desk.ask(request.Abort(Reason.plain("enough"))) == request.Done()
     assert str(desk.to_the_end().cause) == "enough"
+
+
+def test_a_run_for_which_there_is_no_memory_is_refused_and_begins_when_there_is(desk, monkeypatch, tmp_path):  # R-B07
+    def refuse(_name, _size):
+        raise SharedMemoryRefused(Reason.of("words.shared_memory", why=Reason.of("words.memory_used")))
+
+    desk.ask(request.Prepare(plan("1.0"), ()))
+    begin = request.Begin(record=str(tmp_path / "run.mcap"))
+    with monkeypatch.context() as short:
+        short.setattr(Segment, "create", refuse)
+        assert desk.ask(begin).reason.key == "words.shared_memory"
+        assert (
+            desk.ask(live.Change("s0", spawn=plan("1.0").flows[0].tasks, code=plan("1.0").code)).reason.key
+            == "words.shared_memory"
+        )
+    assert not desk.program.is_running
+    assert desk.ask(begin) == request.Done()
+    assert desk.to_the_end().completed

@@ -1,5 +1,6 @@
 """Shared memory."""
 
+import errno
 import gc
 import os
 import subprocess
@@ -9,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from onika.ring.segment import Segment
+from onika.ring.segment import Segment, SharedMemoryRefused
 
 
 def test_new_memory_is_zeroed_and_as_large_as_asked_for():
@@ -64,7 +65,7 @@ def test_a_segment_that_nobody_holds_any_more_leaves_no_descriptor_behind():
 def test_a_copy_of_the_process_cannot_write_the_memory():  # R-X12
     script = """
 import os, signal
-from onika.ring.segment import Segment
+from onika.ring.segment import Segment, SharedMemoryRefused
 segment = Segment.create("test", 4096)
 copy = os.fork()
 if copy == 0:
@@ -75,3 +76,14 @@ print(os.waitstatus_to_exitcode(status) == -signal.SIGSEGV, segment.view[0])
 """
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True, timeout=60)
     assert done.stdout == "True 0\n"
+
+
+def test_memory_that_the_system_refuses_is_told_and_leaves_no_descriptor(monkeypatch):  # R-B07, law 31
+    def refuse(_descriptor, _size):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    before = len(list(Path("/proc/self/fd").iterdir()))
+    monkeypatch.setattr(os, "ftruncate", refuse)
+    with pytest.raises(SharedMemoryRefused, match="no more shared memory: no space is left"):
+        Segment.create("test", 64)
+    assert len(list(Path("/proc/self/fd").iterdir())) == before

@@ -114,3 +114,16 @@ def test_a_directory_or_file_that_is_closed_to_the_user_keeps_the_old_file(tmp_p
     path.chmod(0o666)
     save()
     assert path.read_text() == "new"
+
+
+@pytest.mark.parametrize(
+    ("limit", "words"),
+    [("RLIMIT_NOFILE, (12, 12)", "too many files and connections"), ("RLIMIT_FSIZE, (10**6, 10**6)", "shared memory")],
+)
+def test_a_run_without_descriptors_or_memory_is_told_why(limit, words):  # R-B07, R-X01
+    code = f"import resource; resource.setrlimit(resource.{limit}); from onika.cli.commands import carry_out; "
+    code += "raise SystemExit(carry_out(['run', 'go_home', '--no-fifo']))"
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=60)
+    assert ran.returncode == 1
+    assert words in ran.stdout + ran.stderr
+    assert "Traceback" not in ran.stdout + ran.stderr

@@ -4,7 +4,7 @@ import os
 import pytest
 
 from onika.words.reason import Reason
-from onika.words.system_error import system_reason, system_reason_with_place
+from onika.words.system_error import is_used_up, system_reason, system_reason_with_place
 
 
 @pytest.mark.parametrize(
@@ -33,3 +33,9 @@ def test_the_file_is_named_where_there_is_one():
     full = OSError(errno.ENOSPC, "No space left on device", "/disk/a")
     assert str(system_reason_with_place(full)) == "/disk/a: no space is left on that disk"
     assert str(system_reason_with_place(OSError(errno.ENOSPC, "x"))) == "no space is left on that disk"
+
+
+def test_what_the_system_has_no_more_of_is_told_from_what_it_does_not_allow():
+    assert is_used_up(OSError(errno.EMFILE, "x"))
+    assert not is_used_up(OSError(errno.EACCES, "x"))
+    assert not is_used_up(OSError("x"))

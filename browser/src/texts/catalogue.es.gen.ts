@@ -2338,6 +2338,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "words.one_character": "se esperaba un carácter; hay {text:quoted}",
   "words.quota_used": "está usado todo lo que este usuario puede guardar en ese disco",
   "words.shape": "se esperaba un tipo como double, int o double[NDOF,4]; hay {text:quoted}",
+  "words.shared_memory": "no queda memoria compartida: {why}",
   "words.system_place": "{place}: {why}",
   "words.text_count": "se esperaban {size} de tipo {value}; hay {count}",
   "words.text_too_long": "se esperaban como máximo {size} bytes de texto; hay {count}",

@@ -30,13 +30,24 @@ from onika.link.sessions import Sessions
 from onika.wire import event
 from onika.words.own_language import own_language
 from onika.words.reason import Reason, in_language, reason_of
+from onika.words.system_error import is_used_up, system_reason
 
 _SLICE_NS = 20_000_000
 _REST_NS = 300_000_000
 
 
 def main(words: list[str]) -> None:
-    """The process."""
+    """The process; where the system has nothing more to give, it ends with the reason."""
+    try:
+        _run(words)
+    except OSError as refused:
+        if not is_used_up(refused):
+            raise
+        _print(system_reason(refused))
+        raise SystemExit(2) from None
+
+
+def _run(words: list[str]) -> None:
     given = _given(words)
     if given.parent is not None:
         die_with_parent(given.parent)

@@ -22,6 +22,7 @@ from onika.host.subsystems.run_commands import RunCommands
 from onika.host.subsystems.subsystem_registry import Subsystems, Tell
 from onika.host.units.process_socket import ProcessSocket
 from onika.link.caller import Role
+from onika.ring.segment import SharedMemoryRefused
 from onika.runtime.subsystem import RunningSubsystem
 from onika.wire import event, holding, live, request, steer
 from onika.words.reason import NOTHING, Reason, Text, reason_of
@@ -121,7 +122,11 @@ class RuntimeProgram:
         refusal = self._refusal_of_run(session, prepared) or self._recorder.begin(session, message, prepared)
         if refusal:
             return request.Refused(refusal)
-        running = self._running_subsystems(prepared)
+        try:
+            running = self._running_subsystems(prepared)
+        except SharedMemoryRefused as refused:
+            self._recorder.give_up()
+            return request.Refused(reason_of(refused))
         if not self.subsystems.runs:
             self._driver.begin()
         tell: Tell = self._server.tell
@@ -184,6 +189,8 @@ class RuntimeProgram:
                 self._recorder.command(call.session, call.asked)
         except NotYet:
             self._backlog.keep(call, answer)
+        except SharedMemoryRefused as refused:
+            answer(request.Refused(reason_of(refused)))
 
     def _repeat(self) -> None:
         """What is due of a run that is repeated is asked in the name of who began it."""

@@ -4,6 +4,13 @@ import mmap
 import os
 import weakref
 
+from onika.words.reason import Reason
+from onika.words.system_error import system_reason
+
+
+class SharedMemoryRefused(OSError):
+    """There is no more shared memory, or no descriptor for it; raised with the reason."""
+
 
 class Segment:
     """Zeroed shared memory; untouched pages cost nothing. Hand `fd` to another process to share it."""
@@ -18,9 +25,20 @@ class Segment:
 
     @classmethod
     def create(cls, name: str, size: int) -> "Segment":
-        """New memory of `size` bytes; the name is only seen in the process's list of files."""
-        fd = os.memfd_create(f"onika-{name}", os.MFD_CLOEXEC)
-        os.ftruncate(fd, size)
+        """New memory of `size` bytes; the name is only seen in the process's list of files.
+
+        Raises SharedMemoryRefused.
+        """
+        fd = -1
+        try:
+            fd = os.memfd_create(f"onika-{name}", os.MFD_CLOEXEC)
+            os.ftruncate(fd, size)
+        except OSError as error:
+            if fd >= 0:
+                os.close(fd)
+            refused = SharedMemoryRefused(Reason.of("words.shared_memory", why=system_reason(error)))
+            refused.errno = error.errno
+            raise refused from None
         return cls(fd, size)
 
     @classmethod

@@ -18,9 +18,17 @@ _REASONS: Mapping[int, Reason] = {
 }
 
 
+_USED_UP = frozenset((errno.ENOSPC, errno.EDQUOT, errno.EMFILE, errno.ENFILE, errno.ENOMEM, errno.EFBIG))
+
+
+def is_used_up(error: OSError) -> bool:
+    """Whether the system has nothing more to give, which is no fault of whoever asked for it."""
+    return error.errno in _USED_UP
+
+
 def system_reason(error: OSError) -> Reason:
     """The reason, without the name of the file: whoever says it has named that already."""
-    if error.errno is None:
+    if error.errno is None or not isinstance(error.args[0], int):
         return reason_of(error)
     return _REASONS.get(error.errno) or Reason.plain(error.strerror or type(error).__name__)
 

@@ -139,6 +139,11 @@ class Recorder:
         self._start(prepared)
         return NOTHING
 
+    def give_up(self) -> None:
+        """The run does not begin after all."""
+        if self._writer is not None:
+            self._close()
+
     def _refusal_of_pen(self) -> Reason:
         """Why whoever writes cannot; raises NotYet until it is up."""
         writer = self._writer

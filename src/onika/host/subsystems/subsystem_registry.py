@@ -73,10 +73,11 @@ class Subsystems:
     # Who lives where
 
     def table(self, name: str) -> Table:
-        """A new zeroed table for a subsystem, in place of any old one (law 4)."""
+        """A new zeroed table for a subsystem, in place of any old one (law 4); raises SharedMemoryRefused."""
+        segment = Segment.create(f"table-{name}", SIZE)
         if name in self.tables:
             self.tables[name].segment.close()
-        table = self.tables[name] = Table(Segment.create(f"table-{name}", SIZE))
+        table = self.tables[name] = Table(segment)
         self._units.share(f"table:{name}", table.segment)
         return table
 

@@ -13,11 +13,11 @@ from onika.host.units.unit_loss import dead_writers
 from onika.host.units.world_registry import refuse_unknown, split
 from onika.ring.device import DriveState
 from onika.ring.drive import DriveMode
-from onika.ring.segment import Segment
+from onika.ring.segment import Segment, SharedMemoryRefused
 from onika.runtime import command, news
 from onika.runtime.bus import SEGMENT_SIZE, Poses
 from onika.wire import event
-from onika.words.reason import Reason
+from onika.words.reason import Reason, reason_of
 
 DEVICES = "device server"
 _PATIENCE_S = 15.0
@@ -287,7 +287,10 @@ class WallDriver:
             self._listener.lost(unit, reason, self.now)
 
     def _open(self, world: str) -> None:
-        segment = Segment.create(f"bus-{world}", SEGMENT_SIZE)
+        try:
+            segment = Segment.create(f"bus-{world}", SEGMENT_SIZE)
+        except SharedMemoryRefused as refused:
+            raise ValueError(reason_of(refused)) from None
         self._segments.append(segment)
         self._devices.post.send(device_server.encode(device_server.OpenWorld(world)), (segment.fd,))
         answer = self._answer_of_devices()
