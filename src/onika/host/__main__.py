@@ -76,7 +76,7 @@ def _run(words: list[str]) -> None:
             still_garbage()
             _virtual(RuntimeProgram(server, virtual, loader_client, rtpus), server, virtual, ending)
         else:
-            wall = WallDriver(rtpus, server.tell, with_fifo=not given.no_fifo)
+            wall = _wall_driver(rtpus, server, with_fifo=not given.no_fifo)
             fine_timers()
             if not given.no_fifo:
                 first_in_first_out(RUNNER_PRIORITY)
@@ -160,6 +160,15 @@ def _listener(given: argparse.Namespace) -> ListenerProcess | None:
     sys.stdout.write(f"onika runtime: listening on {listener.address}{token}\n")
     sys.stdout.flush()
     return listener
+
+
+def _wall_driver(rtpus: tuple[str, ...], server: RequestServer, *, with_fifo: bool) -> WallDriver:
+    """The processes of wall time; the end, with the reason, where one of them does not come up."""
+    try:
+        return WallDriver(rtpus, server.tell, with_fifo=with_fifo)
+    except ValueError as wrong:
+        _print(reason_of(wrong))
+        raise SystemExit(1) from None
 
 
 def _print(reason: Reason) -> None:

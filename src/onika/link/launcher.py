@@ -28,6 +28,10 @@ _GUARD = str(Path(guard.__file__))
 _GUARD_S = 5.0
 """How long the guard may take to leave nothing of a runtime; it takes far less."""
 
+UNDRAWN = {"MUJOCO_GL": "disable"}
+"""A runtime draws nothing: else each of its processes, when it loads MuJoCo, would start another to look for a screen.
+Whoever has named a way to draw gets it all the same."""
+
 
 class RuntimeProcess:
     """A runtime that was launched: its connection, its life and the last it printed.
@@ -73,20 +77,29 @@ class RuntimeProcess:
         """Ask it to end."""
         self._guard.terminate()
 
+    def end_at_once(self) -> None:
+        """End it now, whatever it does, from any thread; somebody else will see that it is gone."""
+        guard.wake(self._guard.pid)
+        with suppress(ProcessLookupError):
+            os.kill(self._pid, signal.SIGKILL)
+
     def kill(self) -> int:
         """End it now, whatever it does; its exit code. Nothing of it is left."""
         if self._ended(0.0) is None:
-            with suppress(ProcessLookupError):
-                os.kill(self._pid, signal.SIGKILL)
+            self.end_at_once()
         code = self._ended(_GUARD_S)
         self._leave_nothing()
         self._tail.close()
         return -signal.SIGKILL if code is None else code
 
     def close(self, grace_s: float = 2.0) -> int:
-        """Close the connection, which ends a runtime by itself; kill it after the grace. Its exit code."""
+        """Close the connection, which ends a runtime by itself; kill it after the grace. Its exit code.
+
+        One that is frozen would not see it: it is killed at once. A guard that is frozen is woken.
+        """
         self.carrier.close()
-        code = self._ended(grace_s)
+        guard.wake(self._guard.pid)
+        code = self._ended(0.0 if guard.is_stopped(self._pid) else grace_s)
         if code is None:
             return self.kill()
         self._leave_nothing()
@@ -108,7 +121,11 @@ class RuntimeProcess:
 
         A guard that is ended or frozen so early says nothing: the runtime counts as killed, and the link says so.
         """
-        word, _, number = (self._words(_GUARD_S) or "").partition(" ")
+        try:
+            word, _, number = (self._words(_GUARD_S) or "").partition(" ")
+        except BaseException:
+            self._guard.kill()  # not wanted any more, and perhaps frozen
+            raise
         if word == "pid":
             return int(number)
         self._code = -signal.SIGKILL
@@ -174,7 +191,7 @@ def launch(
             stdout=child_output,
             stderr=child_output,
             pass_fds=(number, guard_lifeline.fileno()),
-            env=os.environ | ONE_THREAD,
+            env=UNDRAWN | os.environ | ONE_THREAD,
         )
     except OSError:
         ours.close()

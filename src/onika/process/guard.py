@@ -60,6 +60,8 @@ def keep_runtime(lifeline: int) -> None:
     passed = [int(number) for number in descriptors.split()]
     command = [str(os.getpid()) if word == OWN_PID else word for word in command]
     deaths = note_deaths()
+    parent = os.getppid()
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the runtime begins so, else a Ctrl-C would tear its start
     try:
         runtime = subprocess.Popen(command, pass_fds=passed, start_new_session=own_group == "own group")  # noqa: S603
     except OSError as wrong:
@@ -69,6 +71,7 @@ def keep_runtime(lifeline: int) -> None:
         os.close(number)
     mute()
     forward(signal.SIGTERM, runtime.pid)
+    signal.signal(signal.SIGINT, lambda _number, _frame: wake(parent))
     say(lifeline, f"pid {runtime.pid}")
     code = runtime_ended(runtime.pid, deaths, lifeline)
     if code is not None:
@@ -105,6 +108,21 @@ def forward(signum: int, pid: int) -> None:
             os.kill(pid, number)
 
     signal.signal(signum, pass_on)
+
+
+def wake(pid: int) -> None:
+    """Have a process go on that the system holds: a Ctrl-C is for it to answer, and it could not."""
+    if is_stopped(pid):
+        with contextlib.suppress(OSError):
+            os.kill(pid, signal.SIGCONT)
+
+
+def is_stopped(pid: int) -> bool:
+    """Whether the operating system holds a process (SIGSTOP, a debugger), so that it does nothing."""
+    try:
+        return (Path("/proc") / str(pid) / "stat").read_bytes().rpartition(b")")[2].split()[0] in (b"T", b"t")
+    except (OSError, IndexError):
+        return False
 
 
 def runtime_ended(pid: int, deaths: int, lifeline: int) -> int | None:

@@ -1,4 +1,5 @@
 import select
+import signal
 from pathlib import Path
 from time import monotonic
 
@@ -67,6 +68,18 @@ def test_a_process_that_dies_is_noticed(tmp_path):  # R-X05
     assert served(writer, lambda: writer.is_done)
     assert "ended with code -9" in str(writer.reason)
     writer.close()
+
+
+def test_a_process_that_is_frozen_is_ended_and_told_and_its_file_reads(tmp_path):  # R-X05
+    path = tmp_path / "run.mcap"
+    writer = WriterProcess(str(path), run(), 4_000_000, with_fifo=False)
+    assert served(writer, lambda: writer.is_up)
+    writer._process.send_signal(signal.SIGSTOP)
+    assert served(writer, lambda: writer.is_done)
+    assert str(writer.reason) == "the process that writes it was frozen, and has been ended"
+    assert writer._process.returncode == -signal.SIGKILL
+    writer.close()
+    assert not Reader(path).is_whole
 
 
 def test_where_too_much_waits_it_is_counted_and_left_out(tmp_path, monkeypatch):  # bounded, and told

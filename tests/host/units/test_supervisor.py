@@ -4,7 +4,8 @@ import signal
 import pytest
 
 from onika.host.units import supervisor as room
-from onika.host.units.supervisor import SILENT_NS, SLOW_NS, Supervisor
+from onika.host.units.supervisor import HELD_NS, SILENT_NS, SLOW_NS, Supervisor
+from onika.words.reason import NOTHING
 
 PUPPET = """
 import argparse, select, socket
@@ -24,7 +25,7 @@ while post.recv(10):
 @pytest.fixture
 def supervisor(tmp_path, monkeypatch):
     (tmp_path / "puppet.py").write_text(PUPPET)
-    monkeypatch.setenv("PYTHONPATH", str(tmp_path))
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path), prepend=os.pathsep)
     supervisor = Supervisor(zero_ns=123, with_fifo=True)
     yield supervisor
     supervisor.end()
@@ -71,6 +72,17 @@ def test_a_process_that_is_well_makes_no_trouble(supervisor, clock):  # law 30
 def test_a_process_that_is_not_up_yet_may_be_silent(supervisor, clock):  # law 30
     supervisor.launch("rt0", "rt0", "puppet")
     assert supervisor.troubles() == []
+
+
+def test_a_process_that_is_held_while_it_starts_is_ended_and_told(supervisor, clock):  # law 30
+    process = supervisor.launch("rt0", "rt0", "puppet")
+    os.kill(process.process.pid, signal.SIGSTOP)
+    os.waitid(os.P_PID, process.process.pid, os.WSTOPPED | os.WNOWAIT)
+    assert supervisor.trouble() == NOTHING
+    clock[0] += HELD_NS
+    assert str(supervisor.trouble()) == "rt0 has not answered for 0.4 s: stopped"
+    assert [lost.name for lost, _ in supervisor.troubles()] == ["rt0"]
+    assert process.process.returncode == -signal.SIGKILL
 
 
 def test_a_silent_process_is_ended_and_told_once(supervisor, clock):  # law 30

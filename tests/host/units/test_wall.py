@@ -8,6 +8,7 @@ from kit.plan_builder import PlanBuilder, action
 from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare
 from onika.host.run.runner import Runner
+from onika.host.units.supervisor import Supervisor
 from onika.host.units.wall import DEVICES, WallDriver
 from onika.ring.segment import Segment
 from onika.runtime.subsystem import RunningSubsystem
@@ -120,3 +121,19 @@ def test_a_device_that_is_not_there_is_refused_with_the_reason(start):  # law 16
     for device, reason in (("sea:m0", "'sea'"), ("boxes:tail", "'tail'"), ("boxes", "WORLD:DEVICE")):
         with pytest.raises(ValueError, match=reason):
             run.driver.grant("rt0", device)
+
+
+def test_a_unit_that_cannot_start_is_the_end_of_all(monkeypatch):  # R-E10
+    kept = []
+
+    def start_and_kill(supervisor, *arguments):
+        kept.append(launch(supervisor, *arguments))
+        kept[-1].process.kill()
+        return kept[-1]
+
+    launch = Supervisor.launch
+    monkeypatch.setattr(Supervisor, "launch", start_and_kill)
+    with pytest.raises(ValueError, match="was killed by signal 9, while waiting for the processes to start"):
+        WallDriver(("rt0",), lambda _: None, with_fifo=False)
+    assert len(kept) == 2
+    assert all(supervised.process.returncode is not None for supervised in kept)

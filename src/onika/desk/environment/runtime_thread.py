@@ -16,10 +16,13 @@ from onika.desk.environment.reconcile import runtime_loss
 from onika.desk.environment.reconcile.loop_watchdog import LoopWatchdog
 from onika.desk.environment.reconcile.multiplexer import Multiplexer
 from onika.desk.environment.reconcile.watches import Watch
-from onika.desk.run.runtime import RuntimeConversation, in_short
+from onika.desk.run.runtime import LaunchedRuntime, RuntimeConversation, in_short
 from onika.link.lost import LinkLost
 from onika.wire import event, page, request
 from onika.words.reason import NOTHING, Reason, reason_of
+
+_PATIENCE_S = 1.0
+"""How long the thread has to end, and as long again once a runtime that was launched here has been killed."""
 
 Post = Callable[[Callable[[], None]], None]
 """Has something done in the environment's own thread, after what was posted before."""
@@ -96,9 +99,20 @@ class RuntimeThread:
         self._is_over = True
         self._ring()
         if self._thread is not None:
-            self._thread.join()
+            self._thread.join(_PATIENCE_S)
+            if self._thread.is_alive():
+                self._end_launched()
+                self._thread.join(_PATIENCE_S)
+            if self._thread.is_alive():
+                return  # it waits for a runtime elsewhere; it ends with this program
         self._bell.close()
         self._door.close()
+
+    def _end_launched(self) -> None:
+        """The thread waits for a runtime that does not answer, perhaps not even when it starts."""
+        entered = self._entered
+        if isinstance(entered, LaunchedRuntime):
+            entered.end_at_once()
 
     # -- in the thread
 

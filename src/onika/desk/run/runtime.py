@@ -32,6 +32,8 @@ from onika.words.reason import NOTHING, Reason, Text
 _PATIENCE_S = 60.0
 _STOP_PATIENCE_S = 1.5
 """How long a runtime that was launched here may leave Stop or Abort without an answer before it is ended."""
+_START_GRACE_S = 0.5
+"""How long a runtime that is not wanted any more while it starts has to end by itself: nothing has moved yet."""
 _PRINTED = "; it printed last: "
 _AWAY_NS = 10 * 1_000_000_000
 """How long a link to another machine may be cut before it is given up."""
@@ -200,6 +202,9 @@ class LaunchedRuntime(RuntimeConversation):
         except (LinkLost, TimeoutError) as lost:
             self._child.close()
             raise self._explained(lost) from None
+        except BaseException:
+            self._child.close(_START_GRACE_S)
+            raise
         return self
 
     def __exit__(
@@ -212,6 +217,10 @@ class LaunchedRuntime(RuntimeConversation):
     def pid(self) -> int | None:
         """The process id of the runtime program."""
         return self._child.pid
+
+    def end_at_once(self) -> None:
+        """Kill it, from any thread: whoever waits for it finds that it is gone."""
+        self._child.end_at_once()
 
     def printed(self) -> str:
         """What the runtime and its processes printed last."""

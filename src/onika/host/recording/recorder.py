@@ -14,7 +14,7 @@ from msgspec.structs import replace
 from onika.host.loading.loader_client import NotYet
 from onika.host.loading.plan_preparation import Preparation
 from onika.host.recording.recorded_variable import VariablePlace
-from onika.host.recording.recording_place import InProcessWriter, RecordingWriter, WriterProcess, complaints
+from onika.host.recording.recording_place import InProcessWriter, RecordingWriter, WriterProcess, complaints, not_whole
 from onika.host.recording.recording_sink import AddMessage, AddScene, AddVariables, BeginRecording, FinishRecording
 from onika.host.run.application_run import ApplicationRun
 from onika.host.sessions.request_server import RequestServer
@@ -107,6 +107,10 @@ class Recorder:
         self._met: dict[str, int] = {}
         self._shown: dict[str, int] = {}
         self._end_at = 0
+        self._complaint = NOTHING
+
+    def _at_s(self) -> float:
+        return round((self._seen.now - self._began) * 1e-9, 9)
 
     def keep(self, session: str, message: request.Prepare) -> None:
         """The plan that a session has prepared, as it came."""
@@ -191,6 +195,9 @@ class Recorder:
         if self._writer is not None and self._began >= 0:
             self._look()
             self._writer.serve()
+            if self._writer.reason and not self._complaint:
+                self._complaint = not_whole(self._writer.reason)
+                self._server.tell(event.Warned(self._names[0], "", self._complaint, self._at_s()), self._names[0])
 
     def may_end(self, run: ApplicationRun, result: event.Result) -> bool:
         """Whether the end of a run may be told: its recording, if one is made, has to be finished by then."""
@@ -206,7 +213,8 @@ class Recorder:
         if not writer.is_done and monotonic_ns() < self._end_at:
             return False
         for text in complaints(writer):
-            run.warn(text, round((self._seen.now - self._began) * 1e-9, 9))
+            if text != self._complaint:  # that one was told at once
+                run.warn(text, self._at_s())
         self._close()
         return True
 

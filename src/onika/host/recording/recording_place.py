@@ -11,6 +11,7 @@ from onika.host.recording import recording_process
 from onika.host.recording.recording_sink import AddMessage, Order, RecordingSink, encode
 from onika.host.units.child_process import start
 from onika.host.units.process_socket import ProcessSocket
+from onika.process.guard import is_stopped
 from onika.record.run import RunRecord
 from onika.record.writer import Writer
 from onika.ring.segment import Segment
@@ -22,6 +23,7 @@ _MOST_WAITING = 2000
 """Datagrams that may wait for a recording process that does not come to take them; more are counted and thrown away."""
 _PATIENCE_NS = 5_000_000_000
 _ENDED_NS = 2_000_000_000
+_LOOK_NS, _FROZEN_NS = 100_000_000, 500_000_000
 
 
 class RecordingWriter(Protocol):
@@ -161,8 +163,7 @@ class WriterProcess:
         os.close(descriptor)
         memory.close()
         self._since = monotonic_ns()
-        self._ending_since = 0
-        self._known: set[str] = set()
+        self._look_at = self._stopped_ns = 0
         self._is_done = False
         self.is_up = False
         self.reason: Text = NOTHING
@@ -206,10 +207,25 @@ class WriterProcess:
             self._judge()
 
     def _judge(self) -> None:
-        if self._post.is_closed or self._process.poll() is not None:
-            self.reason = Reason.of("host.writer_ended", code=self._process.wait())
-        elif not self.is_up and monotonic_ns() - self._since > _PATIENCE_NS:
+        now = monotonic_ns()
+        if self._process.poll() is not None:
+            self.reason = Reason.of("host.writer_ended", code=self._process.returncode)
+        elif self._is_frozen(now):
+            self.reason = Reason.of("host.writer_frozen")
+            self._end()
+        elif not self.is_up and now - self._since > _PATIENCE_NS:
             self.reason = Reason.of("host.writer_not_up", seconds=_PATIENCE_NS / 1e9)
+
+    def _is_frozen(self, now: int) -> bool:
+        """Whether the system holds the process for longer than a look; looked at now and then only."""
+        if now < self._look_at:
+            return False
+        self._look_at = now + _LOOK_NS
+        if not is_stopped(self._process.pid):
+            self._stopped_ns = 0
+            return False
+        self._stopped_ns = self._stopped_ns or now
+        return now - self._stopped_ns >= _FROZEN_NS
 
     def readers(self) -> Sequence[ProcessSocket]:
         """Its post, as long as it lives."""
@@ -222,15 +238,24 @@ class WriterProcess:
         try:
             self._process.wait(_ENDED_NS / 1e9)
         except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
+            self._end()
+
+    def _end(self) -> None:
+        """What it has written out is in the file, and reads."""
+        self._process.kill()
+        self._process.wait()
+
+
+def not_whole(why: Text) -> Reason:
+    """What the user has to know as soon as nothing more is written."""
+    return Reason.of("host.recording_not_whole", why=why)
 
 
 def complaints(writer: RecordingWriter) -> list[Reason]:
     """What the user has to know of a recording that is not what was asked for."""
     found = []
     if writer.reason or not writer.is_done:
-        found.append(Reason.of("host.recording_not_whole", why=writer.reason or Reason.of("host.writer_does_not_end")))
+        found.append(not_whole(writer.reason or Reason.of("host.writer_does_not_end")))
     if writer.missed:
         found.append(Reason.of("host.values_missed", count=writer.missed))
     if writer.untold:

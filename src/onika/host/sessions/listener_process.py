@@ -20,6 +20,7 @@ from onika.link.sessions import Introduction
 from onika.words.reason import NOTHING, Reason
 
 _START_S = 20.0
+_END_S = 0.5
 AWAKE_NS = 50_000_000
 """How often it says that it listens."""
 
@@ -121,7 +122,7 @@ class ListenerProcess:
         """End it."""
         self._post.close()
         try:
-            self._process.wait(2.0)
+            self._process.wait(_END_S)
         except subprocess.TimeoutExpired:
             self._process.kill()
             self._process.wait()

@@ -5,7 +5,7 @@ import socket
 import subprocess
 import sys
 
-from onika.link.launcher import ONE_THREAD
+from onika.link.launcher import ONE_THREAD, UNDRAWN
 
 
 def start(
@@ -21,7 +21,7 @@ def start(
     A process that executes modules has a group of its own: one that ends its group ends nobody else.
     """
     words = [sys.executable, "-m", module, "--fd", str(end.fileno()), "--parent", str(os.getpid()), *arguments]
-    environment = os.environ | ONE_THREAD
+    environment = UNDRAWN | os.environ | ONE_THREAD
     process = subprocess.Popen(  # noqa: S603 - our own code, no shell
         words,
         stdin=subprocess.DEVNULL,

@@ -2,17 +2,20 @@
 
 import subprocess
 from dataclasses import dataclass
-from pathlib import Path
 from time import monotonic_ns
 
 from onika.host.units.child_process import start
 from onika.host.units.heartbeat import SIZE, Heartbeat
 from onika.host.units.process_socket import ProcessSocket
+from onika.process.guard import is_stopped
 from onika.ring.segment import Segment
 from onika.words.reason import NOTHING, Reason, Text
 
 SILENT_NS = 1_000_000_000
 """A process without a heartbeat for so long is stopped or caught in code that never returns."""
+
+HELD_NS = 400_000_000
+"""The same while it starts and the system holds it."""
 
 SLOW_NS = 15_000_000_000
 """The same while it has announced long work."""
@@ -30,19 +33,34 @@ class Supervised:
     """What it is called where it is named to people."""
     is_up: bool = False
     is_lost: bool = False
+    _stopped_ns: int = 0
+    """Since when it was seen stopped while it starts; 0: it is not."""
 
     def trouble(self, now_ns: int) -> Reason:
         """Why this process has to be given up; empty if it is well."""
         code = self.process.poll()
         if code is not None:
             return self._ended(code)
+        if not self.is_up:
+            return self._stopped_at_start(now_ns)
         silent = now_ns - self.heartbeat.last_ns
         patience = SLOW_NS if self.heartbeat.takes_long else SILENT_NS
-        if not self.is_up or silent <= patience:
+        if silent <= patience:
             return NOTHING
-        task = "" if _is_stopped(self.process.pid) else self.heartbeat.task
+        task = "" if is_stopped(self.process.pid) else self.heartbeat.task
         if task:
             return Reason.of("host.call_silent", name=self.title, seconds=silent / 1e9, task=task)
+        return Reason.of("host.process_silent", name=self.title, seconds=silent / 1e9)
+
+    def _stopped_at_start(self, now_ns: int) -> Reason:
+        """To start may take long; but one that the system holds does not even try."""
+        if not is_stopped(self.process.pid):
+            self._stopped_ns = 0
+            return NOTHING
+        self._stopped_ns = self._stopped_ns or now_ns
+        silent = now_ns - self._stopped_ns
+        if silent < HELD_NS:
+            return NOTHING
         return Reason.of("host.process_silent", name=self.title, seconds=silent / 1e9)
 
     def _ended(self, code: int) -> Reason:
@@ -79,6 +97,12 @@ class Supervisor:
         self.processes[name] = Supervised(name, ours, Heartbeat(segment), process, title)
         return self.processes[name]
 
+    def trouble(self) -> Reason:
+        """Why the first process that has failed has to be given up; empty if all are well."""
+        now = monotonic_ns()
+        found = (process.trouble(now) for process in self.processes.values() if not process.is_lost)
+        return next((reason for reason in found if reason), NOTHING)
+
     def troubles(self) -> list[tuple[Supervised, Reason]]:
         """Every process that has failed since the last call, with the reason; it is ended."""
         now, found = monotonic_ns(), []
@@ -96,11 +120,3 @@ class Supervisor:
             if not process.is_lost:
                 process.is_lost = True
                 process.end()
-
-
-def _is_stopped(pid: int) -> bool:
-    """Whether the operating system holds the process (SIGSTOP, a debugger), so that no task is to blame."""
-    try:
-        return Path(f"/proc/{pid}/stat").read_text().rpartition(") ")[2][:1] in ("T", "t")
-    except OSError:
-        return False

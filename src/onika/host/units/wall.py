@@ -24,7 +24,10 @@ _PATIENCE_S = 15.0
 
 
 class WallDriver:
-    """Waits for nothing but grants of devices, before anything moves."""
+    """Waits for nothing but its processes and grants of devices, before anything moves.
+
+    Raises ValueError with the reason where a process does not come up; then none is left.
+    """
 
     def __init__(self, rtpus: Sequence[str], tell: Callable[[event.Event], None], with_fifo: bool) -> None:
         self._zero = monotonic_ns()
@@ -49,9 +52,13 @@ class WallDriver:
         self._devices = self._supervisor.launch(DEVICES, the_server, "onika.host.units.device_server")
         self._rtpus = {name: self._launch_unit(name) for name in sorted(rtpus)}
         processes = self._supervisor.processes
-        self._await(
-            lambda: all(process.is_up for process in processes.values()), Reason.of("host.the_processes_to_start")
-        )
+        try:
+            self._await(
+                lambda: all(process.is_up for process in processes.values()), Reason.of("host.the_processes_to_start")
+            )
+        except BaseException:
+            self.close()
+            raise
 
     @property
     def digest(self) -> str:
@@ -318,8 +325,6 @@ class WallDriver:
                 raise ValueError(Reason.of("host.waited", seconds=_PATIENCE_S, what=what))
             select.select([post.post for post in self.posts()], [], [], 0.02)
             self._receive()
-            failed = next(
-                (process for process in self._supervisor.processes.values() if process.process.poll() is not None), None
-            )
-            if failed is not None:
-                raise ValueError(Reason.of("host.ended_meanwhile", name=failed.name, what=what))
+            trouble = self._supervisor.trouble()
+            if trouble:
+                raise ValueError(Reason.of("host.failed_meanwhile", why=trouble, what=what))

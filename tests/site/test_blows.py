@@ -1,0 +1,42 @@
+"""Every kind of process is killed and frozen, also while it starts: nothing stays behind, and every recording reads.
+
+The limits in s are those of a machine that has time (`make soak`); here they are stretched.
+"""
+
+import signal
+
+import pytest
+
+from kit.blows import FREEZES, KINDS, Blow, Kind, Stage, blows, strike
+
+pytestmark = pytest.mark.site
+
+PATIENCE = 6.0
+KILLS = (signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
+CASES = (
+    (Stage.RECORDED, Blow(Kind.COMMAND, signal.SIGKILL, 3.0)),
+    (Stage.RECORDED, Blow(Kind.UNIT, signal.SIGSTOP, 0.0)),
+    (Stage.RECORDED, Blow(Kind.RECORDING, signal.SIGSTOP, 0.5)),
+    (Stage.PAGE, Blow(Kind.RUNTIME, signal.SIGSTOP, 0.2)),
+)
+
+
+@pytest.mark.parametrize(("stage", "blow"), CASES, ids=[f"{stage} {blow}" for stage, blow in CASES])
+def test_nothing_stays_behind_after_a_blow(tmp_path, stage, blow):  # R-E10, R-F01, R-X05
+    aftermath = strike(stage, blow, tmp_path)
+    assert aftermath.has_hit
+    assert aftermath.faults(PATIENCE) == [], aftermath.output[-5:]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("is_freeze", [False, True], ids=["kills", "freezes"])
+@pytest.mark.parametrize(("stage", "kind"), [(stage, kind) for stage in Stage for kind in KINDS[stage]])
+def test_nothing_stays_behind_after_many_blows(tmp_path, stage, kind, is_freeze):  # R-E10, R-F01, R-X05
+    is_usual = stage is Stage.RECORDED or kind is Kind.LISTENER
+    signals = FREEZES if is_freeze else KILLS
+    faults = {}
+    for number, blow in enumerate(blows(stage, kind, 30 if is_usual else 4, signals, seed=0)):
+        aftermath = strike(stage, blow, tmp_path / str(number))
+        if aftermath.faults():
+            faults[str(blow)] = aftermath.faults(), aftermath.output[-3:]
+    assert faults == {}
