@@ -51,6 +51,7 @@ class RuntimeProcess:
         self._lifeline = lifeline
         self._tail = tail
         self._code: int | None = None
+        self._pid = guard_process.pid  # until it says that of the runtime
         self._pid = self._started()
 
     @property

@@ -126,8 +126,8 @@ def test_a_device_that_is_not_there_is_refused_with_the_reason(start):  # law 16
 def test_a_unit_that_cannot_start_is_the_end_of_all(monkeypatch):  # R-E10
     kept = []
 
-    def start_and_kill(supervisor, *arguments):
-        kept.append(launch(supervisor, *arguments))
+    def start_and_kill(supervisor, *arguments, **settings):
+        kept.append(launch(supervisor, *arguments, **settings))
         kept[-1].process.kill()
         return kept[-1]
 
