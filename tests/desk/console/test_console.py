@@ -1,5 +1,8 @@
+from random import Random
+
 import pytest
 
+from kit.message_fuzz import TEXTS
 from onika.desk.console.display import Tone
 from onika.wire import live, request
 from onika.words.fault import Place
@@ -158,3 +161,51 @@ def test_a_script_shows_its_lines(sit, tmp_path):
     sitting.does(f"source {path}")
     assert sitting.lines[-2:] == ["> echo here", "here"]
     assert sitting.tones[-2:] == [Tone.DIM, Tone.PLAIN]
+
+
+def _anything(sitting, seed, count):
+    """So many lines of known words and of others, each carried out or refused with its reason."""
+    random = Random(seed)
+    names = [command.name for command in sitting.console._commands if command.name not in ("source", "open", "listen")]
+    words = [
+        *names,
+        "puma",
+        "jtraj",
+        "main",
+        "all",
+        "of",
+        "on",
+        "as",
+        "at",
+        "rt0",
+        "50",
+        "-1",
+        "X",
+        "X[0]",
+        "==",
+        *TEXTS,
+    ]
+    for _ in range(count):
+        first = random.choice(names) if random.random() < 0.8 else random.choice(words)
+        line = " ".join([first, *random.choices(words, k=random.randrange(5))])
+        line = line[: random.randrange(len(line) + 1)] if random.random() < 0.1 else line
+        for fault in sitting.console.carry_out(line):
+            assert str(fault.reason)
+        sitting.console.completion.candidates(line[:200])
+        sitting.session.hear()
+        sitting.console.is_over = False
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_no_line_ends_a_console(sit, tmp_path, monkeypatch, seed):  # R-A16, R-F01
+    folder = tmp_path / "elsewhere"
+    folder.mkdir()
+    monkeypatch.chdir(folder)
+    _anything(sit(), seed, 300)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(3, 9))
+def test_no_line_ends_a_console_in_a_long_time(sit, tmp_path, monkeypatch, seed):  # R-A16, R-F01
+    monkeypatch.chdir(tmp_path)
+    _anything(sit(), seed, 10_000)
