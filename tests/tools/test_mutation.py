@@ -44,6 +44,8 @@ class Brake:
     def press(self) -> None:
         """Once more."""
         self.count += 1
+        if self.count > 9:
+            self.count = 0
 '''
 
 
@@ -160,24 +162,29 @@ def test_it_is_worn_the_second_time():
 """
 
 
-@pytest.fixture(scope="module")
-def tried(tmp_path_factory):
-    """The trial of the brake: by name what came of it."""
+def trial_of_brake(root, functions=()):
+    """What comes of the trial of the brake, or of some of its functions."""
     if "CI" not in os.environ:
         pytest.importorskip("coverage")
-    root = tmp_path_factory.mktemp("brake")
     (root / "brake.py").write_text(BRAKE)
     (root / "test_brake.py").write_text(TESTS)
     (root / "pyproject.toml").write_text("[tool.pytest.ini_options]\npythonpath = ['.']\n")
     program = (
         "import json, sys; from dataclasses import asdict; from pathlib import Path; from mutation.trial import trial\n"
-        "print(json.dumps(asdict(trial(Path.cwd(), 'brake.py', ['test_brake.py']))), file=sys.stderr)"
+        "from mutation.safety_core import CoreFile\n"
+        f"core_file = CoreFile('brake.py', ['test_brake.py'], {functions!r})\n"
+        "print(json.dumps(asdict(trial(Path.cwd(), core_file))), file=sys.stderr)"
     )
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(ROOT / "tools"), *sys.path])}
     command = [sys.executable, "-c", program]
     ended = subprocess.run(command, cwd=root, env=environment, capture_output=True, text=True, check=False)
     assert ended.returncode == 0, ended.stderr
     return json.loads(ended.stderr.splitlines()[-1])
+
+
+@pytest.fixture(scope="module")
+def tried(tmp_path_factory):
+    return trial_of_brake(tmp_path_factory.mktemp("brake"))
 
 
 def test_a_mutant_that_no_test_notices_survives_and_no_other(tried):  # R-X24
@@ -189,8 +196,14 @@ def test_a_mutant_that_no_test_notices_survives_and_no_other(tried):  # R-X24
     assert {"holds: speed > LIMIT and (not is_pressed) -> speed > LIMIT", "module: 'held' -> '~held'"} <= survivors
 
 
-def test_what_no_test_carries_out_is_named(tmp_path, tried):  # R-X24
-    assert tried["missing"] == []
+def test_what_no_test_carries_out_is_named(tried):  # R-X24
+    assert tried["missing"] == ["line: self.count = 0", "branch: if self.count > 9: -> self.count = 0"]
+    assert any(name.startswith("Brake.press: 9 -> ") for name in tried["survivors"])
+
+
+def test_of_a_file_that_does_much_else_only_its_core_is_tried(tmp_path):  # R-X24
+    tried = trial_of_brake(tmp_path, ["Brake.is_worn"])
+    assert (tried["mutants"], tried["survivors"], tried["missing"], tried["failure"]) == (5, [], [], "")
 
 
 def test_survivors_without_a_reason_and_reasons_without_a_survivor_are_wrong():  # R-X24
@@ -213,5 +226,5 @@ def test_a_trial_that_fails_is_wrong_whatever_survives():
 
 def test_every_file_of_the_core_is_there_with_its_tests_and_every_reason_says_something():  # R-X24
     core = safety_core.files(ROOT)
-    assert all((ROOT / path).is_file() for path, tests in core.items() for path in (path, *tests))
+    assert all((ROOT / path).is_file() for core_file in core.values() for path in (core_file.path, *core_file.tests))
     assert all(len(reason) >= 8 for named in safety_core.reasons().values() for reason in named.values())

@@ -30,7 +30,7 @@ def main(words: Sequence[str]) -> int:
     for name in _HEAVY:
         import_module(name)
     trials: list[Findings] = []
-    works = [_work(path, core[path], asked.every) for path in paths]
+    works = [_work(core[path], asked.every) for path in paths]
     for tried in child.answers(works, asked.jobs, _WALL_S, _CPU_S):
         if tried is None:
             print("a trial has ended without a word", file=sys.stderr)
@@ -51,11 +51,11 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _work(path: str, tests: Sequence[str], every: int) -> Callable[[], Findings]:
+def _work(core_file: safety_core.CoreFile, every: int) -> Callable[[], Findings]:
     def choice(mutants: Sequence[Mutant]) -> list[Mutant]:
         return list(mutants[::every])
 
-    return partial(trial, _ROOT, path, tests, choice)
+    return partial(trial, _ROOT, core_file, choice)
 
 
 if __name__ == "__main__":

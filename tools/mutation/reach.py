@@ -12,6 +12,14 @@ import coverage
 import pytest
 
 
+@dataclass(frozen=True, slots=True)
+class Untaken:
+    """A line, or a branch from one line to another, that no test carries out; `scope` is where it stands."""
+
+    name: str
+    scope: tuple[str, ...]
+
+
 @dataclass(slots=True)
 class Reach:
     """By line the numbers of the tests, by test its seconds; `missing` says what no test carries out.
@@ -21,7 +29,7 @@ class Reach:
 
     lines: dict[int, list[int]] = field(default_factory=dict)
     seconds: list[float] = field(default_factory=list)
-    missing: list[str] = field(default_factory=list)
+    missing: list[Untaken] = field(default_factory=list)
     failure: str = ""
 
     def tests(self, first: int, last: int) -> list[int]:
@@ -63,21 +71,26 @@ def reach(session: pytest.Session, path: Path) -> Reach:
     return measured
 
 
-def _missing(trace: coverage.Coverage, path: Path) -> Iterable[str]:
+def _missing(trace: coverage.Coverage, path: Path) -> Iterable[Untaken]:
     """Lines of functions, and branches from one line to another, that nothing has carried out."""
     with TemporaryDirectory() as folder:
         report = Path(folder) / "report.json"
         trace.json_report(outfile=str(report))
         [measured] = json.loads(report.read_text(encoding="utf-8"))["files"].values()
     text = path.read_text(encoding="utf-8")
-    within = _lines_of_functions(text)
+    scopes = dict(_scopes(ast.parse(text), ()))
     shown = [line.strip() for line in ["", *text.splitlines()]]
-    yield from (f"line {line}: {shown[line]}" for line in measured["missing_lines"] if line in within)
+    yield from (Untaken(f"line: {shown[line]}", scopes[line]) for line in measured["missing_lines"] if line in scopes)
     for line, then in measured["missing_branches"]:
-        if line in within:
-            yield f"branch {line}: {shown[line]} -> {shown[then] if then > 0 else 'the end'}"
+        if line in scopes:
+            name = f"branch: {shown[line]} -> {shown[then] if then > 0 else 'the end'}"
+            yield Untaken(name, scopes[line])
 
 
-def _lines_of_functions(text: str) -> set[int]:
-    functions = (node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.FunctionDef))
-    return {line for node in functions for line in range(node.body[0].lineno, (node.end_lineno or 0) + 1)}
+def _scopes(parent: ast.AST, scope: tuple[str, ...]) -> Iterable[tuple[int, tuple[str, ...]]]:
+    """The lines of functions, each with the classes and functions it stands in; inner ones come last."""
+    for node in ast.iter_child_nodes(parent):
+        inner = (*scope, node.name) if isinstance(node, ast.FunctionDef | ast.ClassDef) else scope
+        if isinstance(node, ast.FunctionDef):
+            yield from ((line, inner) for line in range(node.body[0].lineno, (node.end_lineno or 0) + 1))
+        yield from _scopes(node, inner)

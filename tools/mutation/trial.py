@@ -20,6 +20,7 @@ from mutation import child
 from mutation.findings import Findings
 from mutation.mutant import Mutant, MutatedFile
 from mutation.reach import Reach, passes, reach
+from mutation.safety_core import CoreFile
 
 _OPTIONS = ("--assert=plain", "--capture=sys", "-p", "_hypothesis_pytestplugin", "--hypothesis-profile=ci")
 _QUICK = ("-m", "not page and not site and not slow", "-p", "no:cacheprovider", "-p", "no:faulthandler")
@@ -30,17 +31,17 @@ _PATIENCE = 20
 Choice = Callable[[Sequence[Mutant]], list[Mutant]]
 
 
-def trial(root: Path, path: str, tests: Sequence[str], choice: Choice = list) -> Findings:
+def trial(root: Path, core_file: CoreFile, choice: Choice = list) -> Findings:
     """Try a file of the safety core with its tests; `choice` picks the mutants. Nothing of ours may be loaded yet."""
     begun = time.monotonic()
-    file = root / path
+    path, file = core_file.path, root / core_file.path
     mutated_file = MutatedFile(file.read_text(encoding="utf-8"), str(file))
-    mutants = choice(mutated_file.mutants)
+    mutants = choice([mutant for mutant in mutated_file.mutants if core_file.covers(mutant.place.scope)])
     tried = Findings(path, len(mutants))
-    arguments = [*_OPTIONS, *_QUICK, *_QUIET, f"--rootdir={root}", *(str(root / test) for test in tests)]
+    arguments = [*_OPTIONS, *_QUICK, *_QUIET, f"--rootdir={root}", *(str(root / test) for test in core_file.tests)]
     with TemporaryDirectory(prefix="mutants-") as folder:
         os.environ |= {"PYTEST_DEBUG_TEMPROOT": folder, "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
-        pytest.main(arguments, plugins=[_Plan(file, mutated_file, mutants, tried)])
+        pytest.main(arguments, plugins=[_Plan(core_file, file, mutated_file, mutants, tried)])
     tried.survivors.sort(key=[mutant.name for mutant in mutants].index)
     tried.seconds = time.monotonic() - begun
     return tried
@@ -49,7 +50,10 @@ def trial(root: Path, path: str, tests: Sequence[str], choice: Choice = list) ->
 class _Plan:
     """Takes the place of pytest's own loop over the tests."""
 
-    def __init__(self, file: Path, mutated_file: MutatedFile, mutants: Sequence[Mutant], tried: Findings) -> None:
+    def __init__(
+        self, core_file: CoreFile, file: Path, mutated_file: MutatedFile, mutants: Sequence[Mutant], tried: Findings
+    ) -> None:
+        self._core_file = core_file
         self._file = file
         self._mutated_file = mutated_file
         self._local = [mutant for mutant in mutants if mutated_file.is_local(mutant)]
@@ -75,7 +79,7 @@ class _Plan:
             self._tried.failure = "the tests end the process" if measured is None else measured.failure or "no test"
             return True
         self._reach = measured
-        self._tried.missing = measured.missing
+        self._tried.missing = [line.name for line in measured.missing if self._core_file.covers(line.scope)]
         functions = _functions(str(self._file))
         gc.freeze()  # forks share what is there
         for mutant in self._local:
