@@ -40,6 +40,7 @@ def trial(root: Path, core_file: CoreFile, choice: Choice = list) -> Findings:
     tried = Findings(path, len(mutants))
     arguments = [*_OPTIONS, *_QUICK, *_QUIET, f"--rootdir={root}", *(str(root / test) for test in core_file.tests)]
     with TemporaryDirectory(prefix="mutants-") as folder:
+        os.chdir(folder)  # what a mutant leaves behind is left there
         os.environ |= {"PYTEST_DEBUG_TEMPROOT": folder, "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
         pytest.main(arguments, plugins=[_Plan(core_file, file, mutated_file, mutants, tried)])
     tried.survivors.sort(key=[mutant.name for mutant in mutants].index)
