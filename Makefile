@@ -2,12 +2,13 @@
 # Another Python: make PYTHON=python3.12 demo
 
 PYTHON ?= python3
+SECONDS ?= 600
 VENV   := .venv
 BIN    := $(VENV)/bin
 PEERS  := .venv-bench
 
 .DEFAULT_GOAL := help
-.PHONY: help demo assemble page page-check test check mutants soak bench bench-peers clean
+.PHONY: help demo assemble page page-check test check mutants fuzz soak bench bench-peers clean
 
 help: ## say what can be made
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST)
@@ -51,9 +52,13 @@ test: check ## the checks and all tests but the soak
 mutants: $(VENV)/.installed-dev ## plant a mutant in the safety core, thousands of times: a test has to notice each
 	PYTHONPATH=tools $(BIN)/python -m mutation
 
+fuzz: $(VENV)/.installed-dev ## random messages at every boundary, with new seeds, for SECONDS (600)
+	$(BIN)/python tools/fuzz.py $(SECONDS)
+
 soak: $(VENV)/.installed-dev ## the long tests, and every property on new examples
 	$(BIN)/pytest -m slow
 	$(BIN)/pytest -m "hypothesis and not slow"
+	$(BIN)/python tools/fuzz.py $(SECONDS)
 
 bench: $(VENV)/.installed-dev ## measure, and print what was measured
 	@set -e; for each in $(sort $(wildcard tools/bench/*.py)); do echo "$$each"; $(BIN)/python "$$each"; done

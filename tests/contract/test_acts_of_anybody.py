@@ -37,7 +37,7 @@ _WATCH = act.Watch
 """What the web server itself carries out."""
 
 
-class _Pages:
+class Pages:
     """An environment with tasks and icons, and a page whose copy of its tree is compared after every change."""
 
     def __init__(self, folder, seed):
@@ -110,7 +110,7 @@ def _elsewhere(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("seed", [1, 2])
 def test_no_act_ends_an_environment_and_all_pages_hold_one_tree(tmp_path, seed):  # R-C12, R-F01
-    pages = _Pages(tmp_path, seed)
+    pages = Pages(tmp_path, seed)
     for number in range(2_500):
         pages.send(number)
     assert min(pages.refused, pages.carried_out) > 500
@@ -119,14 +119,14 @@ def test_no_act_ends_an_environment_and_all_pages_hold_one_tree(tmp_path, seed):
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(3, 13))
 def test_no_act_ends_an_environment_in_a_long_time(tmp_path, seed):  # R-C12, R-F01
-    pages = _Pages(tmp_path, seed)
+    pages = Pages(tmp_path, seed)
     for number in range(25_000):
         pages.send(number)
 
 
 @pytest.mark.parametrize("kind", get_args(act.AnyAct), ids=lambda kind: kind.__name__)
 def test_every_text_of_an_act_may_be_any_text(tmp_path, kind):  # R-B07, R-F01
-    pages = _Pages(tmp_path, 1)
+    pages = Pages(tmp_path, 1)
     struct = inspect.type_info(kind)
     confirmed = {field.name: True for field in struct.fields if field.name == "confirmed"}
     for number, field in enumerate(struct.fields):

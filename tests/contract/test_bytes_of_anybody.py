@@ -52,7 +52,7 @@ def garbled(body: bytes, random: Random) -> bytes:
     return bytes(flipped)
 
 
-def _link(seed: int, count: int) -> None:
+def link_hears(seed: int, count: int) -> None:
     random = Random(seed)
     for _ in range(count):
         end = ServerEnd(SignalJournal("e1"), ReplyLog())
@@ -71,13 +71,13 @@ def _link(seed: int, count: int) -> None:
 
 
 def test_no_packet_ends_the_end_of_a_link():  # R-F01
-    _link(1, 1_500)
+    link_hears(1, 1_500)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(2, 8))
 def test_no_packet_ends_the_end_of_a_link_in_a_long_time(seed):  # R-F01
-    _link(seed, 50_000)
+    link_hears(seed, 50_000)
 
 
 def test_no_datagram_counts_for_anybody_who_has_no_key():  # R-F01

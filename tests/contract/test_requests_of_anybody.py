@@ -95,7 +95,7 @@ class _Crowd:
         assert all("no number" not in str(cause) for cause in causes)
 
 
-def _crowd(seed: int, count: int) -> _Crowd:
+def crowd_asks(seed: int, count: int) -> _Crowd:
     crowd = _Crowd(seed)
     for number in range(count):
         crowd.ask(number)
@@ -105,11 +105,11 @@ def _crowd(seed: int, count: int) -> _Crowd:
 
 @pytest.mark.parametrize("seed", [1, 2])
 def test_no_request_ends_a_runtime(seed):  # R-F01
-    crowd = _crowd(seed, 2_500)
+    crowd = crowd_asks(seed, 2_500)
     assert min(crowd.refused, crowd.carried_out) > 500
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(3, 23))
 def test_no_request_ends_a_runtime_in_a_long_time(seed):  # R-F01
-    _crowd(seed, 25_000)
+    crowd_asks(seed, 25_000)

@@ -57,7 +57,7 @@ class _Late(FakeRuntimeEnv):
             self.hear()
 
 
-class _Editors:
+class Editors:
     """Several people at one environment, who do whatever comes to their minds."""
 
     def __init__(self, folder: Path, seed: int) -> None:
@@ -207,7 +207,7 @@ def _elsewhere(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("seed", [1])
 def test_several_people_are_answered_once_each_and_see_one_tree(tmp_path, seed):  # R-C12, R-F01, R-C06
-    editors = _Editors(tmp_path, seed)
+    editors = Editors(tmp_path, seed)
     for number in range(600):
         editors.step(number)
     editors.end()
@@ -218,7 +218,7 @@ def test_several_people_are_answered_once_each_and_see_one_tree(tmp_path, seed):
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(2, 22))
 def test_several_people_are_answered_once_each_in_a_long_time(tmp_path, seed):  # R-C12, R-F01
-    editors = _Editors(tmp_path, seed)
+    editors = Editors(tmp_path, seed)
     for number in range(6_000):
         editors.step(number)
     editors.end()

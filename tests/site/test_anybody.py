@@ -167,7 +167,7 @@ def test_who_may_only_look_changes_nothing_of_a_run(site):  # R-F01, R-X12
     assert "Traceback" not in printed
 
 
-def _by_owner(site, seed, count):
+def owner_asks(site, seed, count):
     anybody = Anybody(site, "owner", seed)
     for _ in range(0, count, 1000):
         with site.connect() as owner:
@@ -183,10 +183,10 @@ def _by_owner(site, seed, count):
 
 
 def test_no_request_ends_a_runtime_in_wall_time(site):  # R-F01
-    _by_owner(site, 1, 600)
+    owner_asks(site, 1, 600)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(2, 12))
 def test_no_request_ends_a_runtime_in_wall_time_in_a_long_time(site, seed):  # R-F01
-    _by_owner(site, seed, 10_000)
+    owner_asks(site, seed, 10_000)
