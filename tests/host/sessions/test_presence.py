@@ -37,6 +37,15 @@ def test_who_asks_learns_its_own_name():  # R-X12
     assert (answer.you, [session.name for session in answer.sessions]) == ("two", ["one", "two"])
 
 
+def test_where_nobody_is_nothing_is_told_and_who_has_no_lease_may_be_silent_for_ever():  # R-X12
+    session_source = Doorway()
+    company = Presence(session_source, set)
+    company.look()
+    assert session_source.told == []
+    session_source.names.append("one")
+    assert [session.lease_s for session in company.sessions()] == [0.0]
+
+
 def test_how_long_each_may_be_silent_is_told_too():  # R-X12, network.md D4
     leases = {"one": 250_000_000, "two": 0}
     assert [session.lease_s for session in Presence(Doorway("one", "two"), set, leases.get).sessions()] == [0.25, 0.0]

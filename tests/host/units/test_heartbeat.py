@@ -21,7 +21,7 @@ def test_the_supervisor_sees_when_the_process_was_last_alive():  # law 30
 
 def test_whose_code_runs_is_seen_until_it_returns():  # law 15
     process, supervisor = pair()
-    for task in ("flow0/jtraj", "flow0/a", ""):
+    for task in ("flow0/jtraj", "flow0/a", "flow0/jtraj", "flow0/a~", ""):
         process.watch(task)
         assert supervisor.task == task
 
@@ -32,6 +32,16 @@ def test_a_name_longer_than_its_place_is_cut():
     assert supervisor.task == "x" * 256
     process.watch("é" * 1000)
     assert supervisor.task == "é" * 128
+    process.watch("x" * 255 + "é")
+    assert supervisor.task == "x" * 255 + "\N{REPLACEMENT CHARACTER}"
+
+
+def test_it_is_a_page_of_memory_with_the_name_behind_a_line_of_words():
+    segment = Segment.create("beat", SIZE)
+    Heartbeat(segment).watch("flow0/a")
+    assert len(segment.view) == 4096
+    assert bytes(segment.view[:64]) == bytes(64)
+    assert bytes(segment.view[64:71]) == b"flow0/a"
 
 
 def test_long_work_is_announced_and_ends():
