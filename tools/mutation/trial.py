@@ -83,6 +83,9 @@ class _Plan:
         self._tried.missing = [line.name for line in measured.missing if self._core_file.covers(line.scope)]
         functions = _functions(str(self._file))
         gc.freeze()  # forks share what is there
+        if not child.passes(lambda: passes(session, session.items), 600.0, 600):
+            self._tried.failure = "the tests do not pass on the file as it is when they are carried out again"
+            return True
         for mutant in self._local:
             if self._passes_exchanged(session, mutant, functions[mutant.place.function]):
                 self._tried.survivors.append(mutant.name)
