@@ -35,7 +35,7 @@ def sits(monkeypatch):
 
 def test_a_runtime_is_started_for_this_console_alone_unless_said_otherwise(sits):  # R-A16
     assert main(["runtime"]) == 0
-    assert Launched.seen == [(("rt0",), False, True, ())]
+    assert Launched.seen == [(("rt0",), False, True, (), True)]
     ((_, script, given),) = sits
     assert (script, given) == (None, {"has_console": True})
 
@@ -43,9 +43,20 @@ def test_a_runtime_is_started_for_this_console_alone_unless_said_otherwise(sits)
 def test_every_option_reaches_the_runtime_or_the_console(sits, tmp_path):  # R-A06, R-A16
     path = tmp_path / "start"
     path.write_text("")
-    words = ["--virtual", "--rtpu", "a", "--rtpu", "b", "--no-fifo", "--script", str(path), "--no-console"]
+    words = [
+        "--virtual",
+        "--rtpu",
+        "a",
+        "--rtpu",
+        "b",
+        "--no-fifo",
+        "--no-black-box",
+        "--script",
+        str(path),
+        "--no-console",
+    ]
     assert main(["runtime", *words, "--base", str(tmp_path)]) == 0
-    assert Launched.seen == [(("a", "b"), True, False, ())]
+    assert Launched.seen == [(("a", "b"), True, False, (), False)]
     ((site, script, given),) = sits
     assert (site.directories[0].path, script, given["has_console"]) == (tmp_path, path, False)
 

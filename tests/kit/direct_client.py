@@ -31,7 +31,7 @@ class OpenGate:
         self.launcher = ""
         self.silent: dict[str, int] = {}
         """By session: for how long it has not been heard, in ns."""
-        self.overhear(None)
+        self.ears: list[Callable[[event.Event, str], None]] = []
 
     def requests(self) -> list[SessionRequest]:
         """What was asked."""
@@ -65,11 +65,16 @@ class OpenGate:
         event.decode(event.encode(message))
         self.told.append(message)
         self.heard.append((subsystem, session, message))
-        self.ear(message, subsystem)
+        for ear in self.ears:
+            ear(message, subsystem)
 
-    def overhear(self, ear: Callable[[event.Event, str], None] | None) -> None:
+    def overhear(self, ear: Callable[[event.Event, str], None]) -> None:
         """From now on this one hears everything too."""
-        self.ear = ear or (lambda _one, _subsystem: None)
+        self.ears.append(ear)
+
+    def leave(self, ear: Callable[[event.Event, str], None]) -> None:
+        """It hears nothing more."""
+        self.ears.remove(ear)
 
     def attend(self, session: str, subsystems: tuple[str, ...]) -> None:
         """What a session hears."""

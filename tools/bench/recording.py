@@ -14,6 +14,7 @@ import tempfile
 import time
 from pathlib import Path
 from statistics import median
+from typing import Any
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "src"))
 
@@ -41,16 +42,9 @@ def main() -> None:
 
 def _shares(given: argparse.Namespace, path: Path | None) -> float:
     """Print how a run went; what share of a core all its processes used."""
-    words = [sys.executable, "-c", "from onika.cli import main; raise SystemExit(main())", "run", given.application]
-    words += ["--json", *(("--no-fifo",) if given.no_fifo else ()), *(("--record", str(path)) if path else ())]
-    program = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-    seen: list[tuple[float, dict[str, float]]] = []
-    while program.poll() is None:
-        seen.append((time.monotonic(), _used(program.pid)))
-        time.sleep(0.1)
-    said, _ = program.communicate()
-    result = json.loads(said.splitlines()[-1])
-    shares, before = _between(seen)
+    words = [given.application, "--json"]
+    words += [*(("--no-fifo",) if given.no_fifo else ()), *(("--record", str(path)) if path else ())]
+    result, shares, before = shares_of(words)
     cycles, missed = (sum(one[key] for one in result["tasks"]) for key in ("cycles", "missed"))
     total = sum(shares.values())
     parts = "  ".join(f"{name} {share:.1f} %" for name, share in sorted(shares.items()))
@@ -64,6 +58,24 @@ def _shares(given: argparse.Namespace, path: Path | None) -> float:
         text += f", {before.get('scribe_process', 0.0):.2f} s to come up"
     print(text, flush=True)
     return total
+
+
+def onika_words() -> list[str]:
+    """The words that start the command line of this tree."""
+    return [sys.executable, "-c", "from onika.cli import main; raise SystemExit(main())"]
+
+
+def shares_of(words: list[str]) -> tuple[dict[str, Any], dict[str, float], dict[str, float]]:
+    """The result of a run with `--json`, what share of a core in % each of its processes used, and the seconds each
+    had used before everything ran."""
+    program = subprocess.Popen([*onika_words(), "run", *words], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    seen: list[tuple[float, dict[str, float]]] = []
+    while program.poll() is None:
+        seen.append((time.monotonic(), _used(program.pid)))
+        time.sleep(0.1)
+    output, _ = program.communicate()
+    shares, before = _between(seen)
+    return json.loads(output.splitlines()[-1]), shares, before
 
 
 def _between(seen: list[tuple[float, dict[str, float]]]) -> tuple[dict[str, float], dict[str, float]]:

@@ -89,6 +89,7 @@ class JsonLines:
                 "failed": _plain(outcome.failed),
                 "hash": result.hash,
                 "outside": list(result.outside),
+                "black_box": result.black_box,
                 "printed": outcome.printed,
             }
         if drawn:

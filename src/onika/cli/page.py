@@ -37,6 +37,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
         help=say(Reason.of("cli.page_rtpu")),
     )  # fmt: skip
     parser.add_argument("--no-fifo", action="store_true", help=say(Reason.of("cli.page_no_fifo")))
+    parser.add_argument("--no-black-box", action="store_true", help=say(Reason.of("cli.no_black_box")))
     parser.add_argument("--upper", action="store_true", help=say(Reason.of("cli.page_upper")))
     parser.add_argument("--no-diary", action="store_true", help=say(Reason.of("cli.page_no_diary")))
     add_base(parser)
@@ -61,6 +62,7 @@ def carry_out(given: argparse.Namespace) -> int:
         is_connected=not given.no_connect,
         rtpus=tuple(dict.fromkeys(given.rtpu)) or ("rt0",),
         with_fifo=not given.no_fifo,
+        has_black_box=not given.no_black_box,
         has_diary=not given.no_diary,
         is_upper_only=given.upper,
     )

@@ -66,6 +66,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
         "--local", action="append", default=[], type=directory, metavar="DIR", help=say(Reason.of("cli.check_local"))
     )
     parser.add_argument("--no-fifo", action="store_true", help=say(Reason.of("cli.page_no_fifo")))
+    parser.add_argument("--no-black-box", action="store_true", help=say(Reason.of("cli.no_black_box")))
     parser.add_argument("--runtime", type=_address, metavar="URL", help=say(Reason.of("cli.run_runtime")))
     parser.add_argument(
         "--token-file", dest="token", type=_token, metavar="FILE", help=say(Reason.of("cli.run_token_file"))
@@ -132,6 +133,7 @@ def _settings(given: argparse.Namespace, can_steer: bool) -> RunSettings:
         may_ask=_is_terminal(sys.stdin) and not given.json,
         wants_picture=given.picture is not None,
         with_fifo=not given.no_fifo,
+        has_black_box=not given.no_black_box,
         scale=given.scale,
         subsystems=tuple(given.subsystem),
         on_loss=given.on_loss,

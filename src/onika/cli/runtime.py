@@ -43,6 +43,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--audit", metavar="FILE", help=say(Reason.of("cli.runtime_audit")))
     parser.add_argument("--lease", type=lease, metavar="SECONDS", help=say(Reason.of("cli.runtime_lease")))
     parser.add_argument("--no-fifo", action="store_true", help=say(Reason.of("cli.page_no_fifo")))
+    parser.add_argument("--no-black-box", action="store_true", help=say(Reason.of("cli.no_black_box")))
     add_base(parser)
 
 
@@ -55,7 +56,8 @@ def carry_out(given: argparse.Namespace) -> int:
     site = site_here(given.base)
     scaled = () if given.scale is None else ("--scale", f"{given.scale:g}")
     is_virtual = given.virtual or given.scale is not None
-    launched = LaunchedRuntime(rtpus, is_virtual, not given.no_fifo, (*listen, *scaled, *_held(given)))
+    options = (*listen, *scaled, *_held(given))
+    launched = LaunchedRuntime(rtpus, is_virtual, not given.no_fifo, options, not given.no_black_box)
     with ExitStack() as stack:
         try:
             runtime = stack.enter_context(launched)

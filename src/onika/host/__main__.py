@@ -5,12 +5,14 @@ import os
 import secrets
 import select
 import sys
+from collections.abc import Callable
 from functools import partial
 from time import monotonic_ns
 
 from onika.host.loading.loader import Loader
 from onika.host.loading.loader_client import LoaderClient
 from onika.host.program import RuntimeProgram
+from onika.host.recording.black_box_holder import BlackBoxHolder, HolderProcess, InProcessHolder
 from onika.host.sessions.audit_log import AuditLog
 from onika.host.sessions.audit_trail import OFF, AuditTrail, open_for
 from onika.host.sessions.listen_options import ListenOptions, judge
@@ -27,6 +29,7 @@ from onika.host.units.wall import WallDriver
 from onika.host.units.world_registry import open_world
 from onika.link.launcher import die_with_parent, inherit
 from onika.link.sessions import Sessions
+from onika.record.black_box_folder import black_box_folder
 from onika.wire import event
 from onika.words.own_language import own_language
 from onika.words.reason import Reason, in_language, reason_of
@@ -58,13 +61,7 @@ def _run(words: list[str]) -> None:
     rtpus = tuple(given.rtpu) or ("rt0",)
     loader = Loader()
     loader_client = LoaderClient(loader)
-    server = RequestServer(Sessions(secrets.token_hex(16)), monotonic_ns, listener, given.accept_code)
-    if listener is not None:
-        server.addresses = (listener.address,)
-    if audit is not None:
-        _watch(server, audit)
-    if given.link_fd is not None:
-        server.adopt(inherit(given.link_fd))
+    server = _server(given, listener, audit)
     try:
         if given.virtual:
             preload()
@@ -74,15 +71,20 @@ def _run(words: list[str]) -> None:
             virtual.options = () if given.shake is None else ("--shake", str(given.shake))
             bound()
             still_garbage()
-            _virtual(RuntimeProgram(server, virtual, loader_client, rtpus), server, virtual, ending)
+            program = RuntimeProgram(server, virtual, loader_client, rtpus)
+            _keep_last_seconds(program, None if given.no_black_box else InProcessHolder(), InProcessHolder)
+            _virtual(program, server, virtual, ending)
         else:
+            holder = None if given.no_black_box else HolderProcess()  # it comes up beside the others
             wall = _wall_driver(rtpus, server, with_fifo=not given.no_fifo)
             fine_timers()
             if not given.no_fifo:
                 first_in_first_out(RUNNER_PRIORITY)
             try:
                 lease_ns = None if given.lease is None else round(given.lease * 1e9)
-                _wall(RuntimeProgram(server, wall, loader_client, rtpus, lease_ns), server, wall, ending)
+                program = RuntimeProgram(server, wall, loader_client, rtpus, lease_ns)
+                _keep_last_seconds(program, holder, HolderProcess)
+                _wall(program, server, wall, ending)
             finally:
                 wall.close()
     finally:
@@ -102,6 +104,7 @@ def _given(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--scale", type=float)
     parser.add_argument("--shake", type=int)
     parser.add_argument("--no-fifo", action="store_true")
+    parser.add_argument("--no-black-box", action="store_true")
     parser.add_argument("--audit", default="")
     parser.add_argument("--lease", type=float)
     parser.add_argument("--rtpu", action="append", default=[])
@@ -136,6 +139,24 @@ def _watch(server: RequestServer, audit: AuditTrail) -> None:
 
     audit.note("the runtime begins", True, about=f"process {os.getpid()}")
     server.watcher = AuditLog(audit, complain)
+
+
+def _server(given: argparse.Namespace, listener: ListenerProcess | None, audit: AuditTrail | None) -> RequestServer:
+    server = RequestServer(Sessions(secrets.token_hex(16)), monotonic_ns, listener, given.accept_code)
+    if listener is not None:
+        server.addresses = (listener.address,)
+    if audit is not None:
+        _watch(server, audit)
+    if given.link_fd is not None:
+        server.adopt(inherit(given.link_fd))
+    return server
+
+
+def _keep_last_seconds(
+    program: RuntimeProgram, holder: BlackBoxHolder | None, make_holder: Callable[[], BlackBoxHolder]
+) -> None:
+    if holder is not None:
+        program.keep_last_seconds(black_box_folder(os.environ), holder, make_holder)
 
 
 def _listener(given: argparse.Namespace) -> ListenerProcess | None:
@@ -184,6 +205,7 @@ def _virtual(program: RuntimeProgram, server: RequestServer, driver: VirtualDriv
         select.select([*server.readers(), *program.readers()], server.writers(), [], wait_s)
         program.serve()
     _say_last(server)
+    program.close()
 
 
 def _wall(program: RuntimeProgram, server: RequestServer, driver: WallDriver, ending: ShutdownSignals) -> None:
@@ -196,6 +218,7 @@ def _wall(program: RuntimeProgram, server: RequestServer, driver: WallDriver, en
         program.serve()
     _come_to_rest(server, driver)
     _say_last(server)
+    program.close()
 
 
 def _come_to_rest(server: RequestServer, driver: WallDriver) -> None:

@@ -1,5 +1,7 @@
 """The runtime program: takes what sessions ask to where it is answered, and lets what runs go on."""
 
+from collections.abc import Callable
+from pathlib import Path
 from time import monotonic_ns
 
 from msgspec.structs import replace
@@ -11,7 +13,10 @@ from onika.host.loading.loader_client import LoaderClient, NotYet
 from onika.host.loading.module_description import describe
 from onika.host.loading.module_questions import ModuleQuestions
 from onika.host.loading.plan_preparation import Preparation, inspect, prepare
+from onika.host.recording.black_box import BlackBox
+from onika.host.recording.black_box_holder import BlackBoxHolder
 from onika.host.recording.recorder import Recorder
+from onika.host.recording.run_description import RunDescriptions
 from onika.host.run.application_run import ApplicationRun
 from onika.host.sessions.control_authority import ControlAuthority
 from onika.host.sessions.leases import Leases
@@ -52,7 +57,9 @@ class RuntimeProgram:
         self.authority = ControlAuthority(self.subsystems, server.tell, self._run_commands, self._presence.sessions)
         self.leases = Leases(self.authority, server.hearing, lease_ns, deaf=server.deaf_ns)
         self._look = Inspection(self.subsystems, driver, server, rtpus)
-        self._recorder = Recorder(self.subsystems, driver, server, rtpus)
+        self._descriptions = RunDescriptions(self.subsystems, driver, rtpus)
+        self._recorder = Recorder(self.subsystems, driver, server, self._descriptions)
+        self._black_box: BlackBox | None = None
         self.is_stopped = False
         self.is_over = False
 
@@ -62,8 +69,22 @@ class RuntimeProgram:
         return bool(self.subsystems.runs)
 
     def readers(self) -> list[ProcessSocket]:
-        """What to wait for besides the request server and the driver: the loader, and who writes a recording."""
-        return [*([self._loading.post] if isinstance(self._loading, LoaderClient) else []), *self._recorder.readers()]
+        """What to wait for besides the request server and the driver: the loader, and who writes recordings."""
+        loader = [self._loading.post] if isinstance(self._loading, LoaderClient) else []
+        black_box = self._black_box.readers() if self._black_box is not None else ()
+        return [*loader, *self._recorder.readers(), *black_box]
+
+    def keep_last_seconds(
+        self, folder: Path, holder: BlackBoxHolder, make_holder: Callable[[], BlackBoxHolder]
+    ) -> None:
+        """From now on the last seconds of a run that ends badly are written into this folder."""
+        self._black_box = BlackBox(folder, holder, make_holder, self.subsystems, self._driver)
+        self._server.overhear(self._black_box.hear)
+
+    def close(self) -> None:
+        """The runtime ends: what is still to be written of its runs is written."""
+        if self._black_box is not None:
+            self._black_box.finish()
 
     def wait_s(self, most_s: float) -> float:
         """How long to wait at most, where nothing else is to be done for so long."""
@@ -85,6 +106,7 @@ class RuntimeProgram:
             self._prepared.pop(session, None)
             self.subsystems.hold.release(session)
             self.subsystems.repeat.end(session)
+            self._descriptions.lost(session)
             self._recorder.lost(session)
             self._look.forget(session)
             self.authority.lost(session, self._driver.now)
@@ -96,17 +118,26 @@ class RuntimeProgram:
         if not self.subsystems.repeat.is_on(self._driver.now):
             self.subsystems.hold.say(self._driver.now)
         self._recorder.serve()
+        if self._black_box is not None:
+            self._black_box.serve()
         for run in list(self.subsystems.runs):
             if run.is_through(self._driver.is_at_rest):
-                result = run.result(self._driver.digest, self._driver.outside)
-                if not self._recorder.may_end(run, result):
-                    continue
-                self.subsystems.runs.remove(run)
-                self.subsystems.hold.release(run.session)
-                self.subsystems.repeat.end(run.session)
-                run.end(result)
+                self._end(run)
         self._look.show(monotonic_ns())
         return goes_on
+
+    def _end(self, run: ApplicationRun) -> None:
+        """Tell the result, as soon as what is recorded of the run is written."""
+        result = run.result(self._driver.digest, self._driver.outside)
+        if not self._recorder.may_end(run, result):
+            return
+        black_box = "" if self._black_box is None else self._black_box.end(run, result)
+        if black_box is None:
+            return
+        self.subsystems.runs.remove(run)
+        self.subsystems.hold.release(run.session)
+        self.subsystems.repeat.end(run.session)
+        run.end(replace(result, black_box=black_box))
 
     def take(self, session: str, prepared: Preparation) -> None:
         """The next plan of a session to run; one with faults leaves nothing to run."""
@@ -122,20 +153,23 @@ class RuntimeProgram:
         refusal = self._refusal_of_run(session, prepared) or self._recorder.begin(session, message, prepared)
         if refusal:
             return request.Refused(refusal)
+        about = self._descriptions.describe(session, message)
         try:
             running = self._running_subsystems(prepared)
         except SharedMemoryRefused as refused:
             self._recorder.give_up()
             return request.Refused(reason_of(refused))
+        self._descriptions.began()
         if not self.subsystems.runs:
             self._driver.begin()
         tell: Tell = self._server.tell
         if message.is_held and self._driver.is_virtual:
             tell = self.subsystems.hold.begin(session, prepared.plan.flows[0].subsystem, self._driver.now)
         self.subsystems.repeat.begin(session, message, self._driver.now)
-        self.subsystems.perform(
-            ApplicationRun(session, prepared, message, running, self._driver, tell, self.subsystems.lost_units)
-        )
+        run = ApplicationRun(session, prepared, message, running, self._driver, tell, self.subsystems.lost_units)
+        if self._black_box is not None and about is not None:
+            self._black_box.begin(run, about)
+        self.subsystems.perform(run)
         self.authority.began(session)
         return request.Done()
 
@@ -186,7 +220,7 @@ class RuntimeProgram:
                 answer(request.Refused(refusal))
             else:
                 self._carry_out(call, answer)
-                self._recorder.command(call.session, call.asked)
+                self._note_command(call.session, call.asked)
         except NotYet:
             self._backlog.keep(call, answer)
         except SharedMemoryRefused as refused:
@@ -198,7 +232,13 @@ class RuntimeProgram:
         due = repeat.take(driver.now, driver.turn, self.subsystems.is_asking)
         if due is not None:
             self._carry_out(SessionRequest(0, repeat.session, Role.OWNER, due), lambda _: None)
-            self._recorder.command(repeat.session, due)
+            self._note_command(repeat.session, due)
+
+    def _note_command(self, session: str, message: request.Request) -> None:
+        """What was carried out is recorded."""
+        self._recorder.command(session, message)
+        if self._black_box is not None:
+            self._black_box.command(session, message)
 
     def _carry_out(self, call: SessionRequest, answer: Answer) -> None:
         match call.asked:
@@ -236,7 +276,7 @@ class RuntimeProgram:
             case request.Prepare():
                 prepared = prepare(message.plan, message.targets, self._loading)
                 self.take(session, prepared)
-                self._recorder.keep(session, message)
+                self._descriptions.keep(session, message)
                 return replace(refused(prepared.faults, prepared.notes), resolved=tuple(prepared.resolved))
             case request.Inspect():
                 return refused(*inspect(message.tasks, message.code, self._loading))
@@ -304,7 +344,7 @@ class RuntimeProgram:
         meant = [run for run in self.subsystems.runs if message.subsystem in ("", *run.names)]
         own = [performance for performance in meant if performance.session in (session, "")]
         for run in own:
-            run.runner.abort(message.cause, self._driver.now)
+            run.end_at_wish(message.cause, self._driver.now)
         if meant and not own:
             other = meant[0]
             return request.Refused(Reason.of("host.begun_by", application=other.application, session=other.session))

@@ -17,7 +17,7 @@ from onika.wire.request import Begin, Prepare
 from onika.words.name import TASK_NAME
 from onika.words.reason import Reason
 
-NOTE, END = "onika", "end"
+NOTE, END, BLACK_BOX = "onika", "end", "black box"
 _TOO_SHORT = Reason.of("record.cut_short")
 _MOST_UNITS = 64
 _OPTIONS = re.compile(r"--shake [0-9]{1,18}", re.ASCII)

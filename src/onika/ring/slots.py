@@ -51,6 +51,8 @@ class Ring:
         if offset < 0 or offset + Ring.footprint(size) > len(view):
             raise ValueError(f"expected {Ring.footprint(size)} bytes of room at {offset}, found {len(view)} in all")
         self.size = size
+        self.stride = stride
+        """Bytes from one slot to the next."""
         self.offset = offset
         self._guard = view[offset : offset + _WORD].cast("Q")
         self.words = view[offset + _WORD : offset + LINE].cast("Q")
@@ -170,6 +172,22 @@ class Ring:
             values = [bytes(slots[n & last]) for n in range(first, count + 1)]
             if words[0] - first < last:
                 return count, values
+
+    def stretch(self, seen: int) -> tuple[int, int, bytes]:
+        """The same as `since` in one piece: the count, how many values, and their slots as they lie, oldest first.
+
+        A slot takes `stride` bytes. To copy them so costs a tenth of what it costs to take them apart.
+        """
+        words, memory, last, stride = self.words, self._memory, self._last, self.stride
+        while True:
+            count: int = words[0]
+            first = max(seen + 1, count - last + 1)
+            if first > count:
+                return count, 0, b""
+            begin, end = (first & last) * stride, ((count & last) + 1) * stride
+            slots = bytes(memory[begin:end]) if begin < end else bytes(memory[begin:]) + bytes(memory[:end])
+            if words[0] - first < last:
+                return count, count - first + 1, slots
 
     def writer(self, source: memoryview) -> Callable[[], None]:
         """A fast function that publishes what lies in `source` (bytes, `size` of them) at the time of the call."""

@@ -62,6 +62,7 @@ class EnvironmentOptions:
     is_connected: bool = True
     rtpus: tuple[str, ...] = ("rt0",)
     with_fifo: bool = True
+    has_black_box: bool = True
     has_diary: bool = True
     is_upper_only: bool = False
 
@@ -90,7 +91,9 @@ class EnvironmentProgram:
         surroundings = Services(
             self._site, time.monotonic, self._state, commands, reading=reading, comparing=comparing, keeping=keeping
         )
-        launching = RuntimeLauncher(self._options.rtpus, with_fifo=self._options.with_fifo)
+        launching = RuntimeLauncher(
+            self._options.rtpus, with_fifo=self._options.with_fifo, has_black_box=self._options.has_black_box
+        )
         runtime_thread = RuntimeThread(launching, post)
         disk = DiskWatch(self._site)  # before the files are read: what is written meanwhile is seen at the first look
         model, says = initial_model.opened(self._site, self._state, self._settings())

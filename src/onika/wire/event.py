@@ -270,6 +270,8 @@ class Result(Struct, frozen=True, tag=True):
     """Of a virtual run: the tasks, SUBSYSTEM/TASK, that had to do with the outside, so that it may not repeat."""
     steps: tuple[VariableSteps, ...] = ()
     """What the inputs of hardware tasks have stepped by where what drives them was exchanged (X04)."""
+    black_box: str = ""
+    """The file on the runtime's machine in which the last seconds of a run stand that ended badly; empty: none."""
 
 
 Event = (

@@ -37,7 +37,7 @@ class FakeRuntime:
     refusals: ClassVar = {}
     made = None
 
-    def __init__(self, rtpus, is_virtual, with_fifo, options=()):
+    def __init__(self, rtpus, is_virtual, with_fifo, options=(), has_black_box=True):
         self.given = (rtpus, is_virtual, with_fifo)
         self.options = options
         self.requests = []
@@ -79,6 +79,9 @@ class FakeRuntime:
 
     def printed(self):
         return "it printed this"
+
+    def black_box(self):
+        return "/state/last.mcap"
 
 
 class Watcher:

@@ -29,7 +29,7 @@ def folder(workshop, tmp_path, monkeypatch):
 def test_a_test_asks_for_the_run_that_was_kept():  # R-X07
     kept_run = KeptRun("stack", "", (), (), 3, 0.25, (("a", "b", "1"),), ("LAMP == 1",), ("puma=scara",))
     lit, other = Condition.parse("LAMP == 1"), Redirect.parse("puma=scara")
-    expected = RunSettings("stack", True, (lit,), 0.25, 3, (("a", "b", "1"),), redirects=(other,))
+    expected = RunSettings("stack", True, (lit,), 0.25, 3, (("a", "b", "1"),), redirects=(other,), has_black_box=False)
     assert settings_of(kept_run) == expected
     assert (settings_of(kept_run, 2).seed, settings_of(kept_run, 2).shake) == (5, 2)
 

@@ -303,8 +303,12 @@ def test_who_is_there_and_how_long_he_was_silent(house):  # R-X12
 
 def test_whoever_overhears_is_told_everything_at_once(house):  # law 29
     messages = []
-    house.server.overhear(lambda message, subsystem: messages.append((message, subsystem)))
+
+    def hear(message, subsystem):
+        messages.append((message, subsystem))
+
+    house.server.overhear(hear)
     house.server.tell(event.Stopped(True, "x"), "flow0")
-    house.server.overhear(None)
+    house.server.leave(hear)
     house.server.tell(event.Stopped(False, ""))
     assert messages == [(event.Stopped(True, "x"), "flow0")]

@@ -235,12 +235,12 @@ def _unrecorded(settings: RunSettings) -> tuple[Fault, ...]:
 
 def _runtime(settings: RunSettings, plan: Plan, recorded: RecordedRun | None) -> LaunchedRuntime | RemoteRuntime:
     if recorded is not None:
-        return LaunchedRuntime(recorded.run.rtpus, True, False, recorded.run.options)
+        return LaunchedRuntime(recorded.run.rtpus, True, False, recorded.run.options, has_black_box=False)
     if settings.elsewhere is not None:
         return connect(settings.elsewhere.url, settings.elsewhere.token, settings.elsewhere.ca)
     given = {"--scale": settings.scale, "--shake": settings.shake}
     options = tuple(word for key, value in given.items() if value is not None for word in (key, f"{value:.15g}"))
-    return LaunchedRuntime(rtpus_of(plan), settings.is_virtual, settings.with_fifo, options)
+    return LaunchedRuntime(rtpus_of(plan), settings.is_virtual, settings.with_fifo, options, settings.has_black_box)
 
 
 def _is_virtual(runtime: RuntimeConversation) -> bool:

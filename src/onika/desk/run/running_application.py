@@ -14,6 +14,8 @@ from collections import deque
 from collections.abc import Callable, Iterator
 from time import monotonic
 
+from msgspec import structs
+
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.preparation import PreparedRun
 from onika.desk.run import steering
@@ -316,6 +318,7 @@ class Running:
         actions = sum(len(flow.actions) for flow in self.plan.flows)
         lasted = (self.now_s, self._clock() - self._began)
         self.outcome.result = event.Result(False, cause, self.flow_tracker.done, actions, *lasted, {}, (), "")
+        self.outcome.result = structs.replace(self.outcome.result, black_box=self._runtime.black_box())
 
     # -- its end
 

@@ -5,7 +5,7 @@ from collections import deque
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from time import monotonic_ns
+from time import monotonic_ns, sleep
 from types import TracebackType
 
 from onika.link.address import Address
@@ -26,6 +26,7 @@ from onika.link.lost import LinkLost, LossCause
 from onika.link.state import LinkState
 from onika.link.token import read_token, token_path
 from onika.link.websocket_opening import WebSocketOpening
+from onika.record.black_box_folder import black_box_folder, black_box_of
 from onika.wire import event, live, request
 from onika.words.reason import NOTHING, Reason, Text
 
@@ -35,6 +36,9 @@ _STOP_PATIENCE_S = 1.5
 _START_GRACE_S = 0.5
 """How long a runtime that is not wanted any more while it starts has to end by itself: nothing has moved yet."""
 _PRINTED = "; it printed last: "
+_BLACK_BOX_NS = 1_000_000_000
+"""How long to wait for the black box of a runtime that has died."""
+_LOOK_S = 0.02
 _AWAY_NS = 10 * 1_000_000_000
 """How long a link to another machine may be cut before it is given up."""
 _AGAIN = (
@@ -72,6 +76,8 @@ class RuntimeConversation:
         self._readings: dict[str, bytes] = {}
         self._epoch = ""
         self._away_since = 0
+        self._has_begun = False
+        """Whether a run was asked for."""
 
     @property
     def pid(self) -> int | None:
@@ -87,6 +93,7 @@ class RuntimeConversation:
         """Ask and wait for the response; raises LinkLost with what the runtime printed last, or TimeoutError."""
         once = not isinstance(message, _AGAIN)
         urgent = isinstance(message, request.Stop | request.Abort)
+        self._has_begun |= isinstance(message, request.Begin)
         try:
             patience_s = self._stop_patience_s if urgent else _PATIENCE_S
             body = self._connection.request(request.encode(message), patience_s, once=once, urgent=urgent or once)
@@ -99,6 +106,7 @@ class RuntimeConversation:
         """Ask without waiting, what ends motion before all that waits; `told` has the reply under this number."""
         once = not isinstance(message, _AGAIN)
         urgent = isinstance(message, request.Stop | request.Abort)
+        self._has_begun |= isinstance(message, request.Begin)
         return self._connection.ask(request.encode(message), _PATIENCE_S, once=once, urgent=urgent or once)
 
     def readers(self) -> list[int]:
@@ -150,9 +158,14 @@ class RuntimeConversation:
         """What the runtime and its processes printed last, as far as that can be known here."""
         return ""
 
+    def black_box(self) -> str:
+        """The file in which the last seconds of a run stand whose runtime has died; empty: none is known here."""
+        return ""
+
     def _explained(self, lost: LinkLost | TimeoutError) -> LinkLost:
         cause = lost.cause if isinstance(lost, LinkLost) else LossCause.TIMEOUT
-        return LinkLost(cause, Reason.of("link.runtime_gone", why=_why(lost), how=NOTHING, printed=NOTHING))
+        gone = Reason.of("link.runtime_gone", why=_why(lost), how=NOTHING, kept=NOTHING, printed=NOTHING)
+        return LinkLost(cause, gone)
 
     def _judge_absence(self) -> None:
         now = monotonic_ns()
@@ -174,13 +187,23 @@ class LaunchedRuntime(RuntimeConversation):
     """A runtime that is launched here; ends with the `with` block, and so do all its processes."""
 
     def __init__(
-        self, rtpus: Sequence[str], is_virtual: bool, with_fifo: bool = True, options: Sequence[str] = ()
+        self,
+        rtpus: Sequence[str],
+        is_virtual: bool,
+        with_fifo: bool = True,
+        options: Sequence[str] = (),
+        has_black_box: bool = True,
     ) -> None:
         words = [word for name in rtpus for word in ("--rtpu", name)]
         if is_virtual:
             words.append("--virtual")
         if not with_fifo:
             words.append("--no-fifo")
+        if not has_black_box:
+            words.append("--no-black-box")
+        self._has_black_box = has_black_box and not is_virtual
+        """Whether there is one that outlives a runtime."""
+        self._black_box: str | None = None
         self._child: RuntimeProcess = launch([*words, *options], own_group=is_virtual)
         super().__init__(Connection(self._child.carrier, monotonic_ns, CHILD))
         self._stop_patience_s = _STOP_PATIENCE_S
@@ -226,13 +249,32 @@ class LaunchedRuntime(RuntimeConversation):
         """What the runtime and its processes printed last."""
         return self._child.tail()
 
+    def black_box(self) -> str:
+        """The file in which the last seconds of its run stand, if it has died; it is written just now."""
+        if self._black_box is None:
+            self._black_box = self._find_black_box() if self._has_black_box and self._has_begun else ""
+        return self._black_box
+
+    def _find_black_box(self) -> str:
+        """Wait for it: whoever is told that the runtime is gone is told in the same sentence where to look."""
+        folder, until = black_box_folder(os.environ), monotonic_ns() + _BLACK_BOX_NS
+        while monotonic_ns() < until:
+            path = black_box_of(folder, self._child.pid)
+            if path is not None:
+                return str(path)
+            sleep(_LOOK_S)
+        return ""
+
     def _explained(self, lost: LinkLost | TimeoutError) -> LinkLost:
         cause = lost.cause if isinstance(lost, LinkLost) else LossCause.SILENT
         code = self._child.wait(0.5)
         how = NOTHING if code is None else _ended(code)
         output = self._child.tail().strip()[-2000:]
         printed = Reason.of("link.printed_last", output=output) if output else NOTHING
-        return LinkLost(cause, Reason.of("link.runtime_gone", why=_why(lost), how=how, printed=printed))
+        black_box = "" if code == 0 else self.black_box()
+        kept = Reason.of("link.black_box", path=black_box) if black_box else NOTHING
+        gone = Reason.of("link.runtime_gone", why=_why(lost), how=how, kept=kept, printed=printed)
+        return LinkLost(cause, gone)
 
 
 class RemoteRuntime(RuntimeConversation):
@@ -275,7 +317,8 @@ def in_short(reason: Text) -> Text:
         return reason.partition(_PRINTED)[0]
     if reason.key != "link.runtime_gone":
         return reason
-    return Reason.of("link.runtime_gone", why=reason.args["why"], how=reason.args["how"], printed=NOTHING)
+    why, how, kept = (reason.args[name] for name in ("why", "how", "kept"))
+    return Reason.of("link.runtime_gone", why=why, how=how, kept=kept, printed=NOTHING)
 
 
 def _token(address: Address) -> str:

@@ -32,6 +32,8 @@ class RunSettings:
     may_ask: bool = False
     wants_picture: bool = False
     with_fifo: bool = True
+    has_black_box: bool = True
+    """Whether a runtime that is launched here keeps the last seconds of a run that ends badly."""
     elsewhere: RuntimeLocation | None = None
     """The runtime to run on; else one is launched here."""
     scale: float | None = None

@@ -181,6 +181,7 @@ def _plain(settings: RunSettings) -> RunSettings:
     return RunSettings(
         name=settings.name,
         is_virtual=True,
+        has_black_box=False,
         expectations=settings.expectations,
         settle_s=settings.settle_s,
         seed=settings.seed,

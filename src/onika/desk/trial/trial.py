@@ -63,6 +63,7 @@ def settings_of(kept_run: KeptRun, shake: int | None = None) -> RunSettings:
     return RunSettings(
         name=kept_run.application,
         is_virtual=True,
+        has_black_box=False,
         expectations=tuple(map(Condition.parse, kept_run.expectations)),
         settle_s=kept_run.settle_s,
         seed=kept_run.seed + (shake or 0),

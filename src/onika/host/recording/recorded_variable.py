@@ -1,10 +1,14 @@
 """A variable that is recorded: what was written is taken at each look, and put into words later, many at once."""
 
+from collections.abc import Mapping
+from itertools import islice
+
 from msgspec import Struct
 
 from onika.record import topics, value
 from onika.record.writer import Writer
 from onika.ring.slots import Ring
+from onika.runtime.table import Table
 from onika.words.shape import Shape
 
 _LONG = 512
@@ -18,6 +22,14 @@ class VariablePlace(Struct, frozen=True):
     shape: str
     unit: str
     offset: int
+
+
+def places_of(table: Table, first: int, units: Mapping[str, str]) -> tuple[VariablePlace, ...]:
+    """The variables of a table from this number on, in the order in which they came."""
+    entries = islice(table.entries.values(), first, None)
+    return tuple(
+        VariablePlace(entry.name, str(entry.shape), units.get(entry.name, ""), entry.offset) for entry in entries
+    )
 
 
 class VariableRecorder:

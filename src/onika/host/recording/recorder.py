@@ -5,24 +5,22 @@ told goes by, and the poses of worlds as the device server says them.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from datetime import UTC, datetime
 from time import monotonic_ns
 from typing import Protocol
 
-from msgspec.structs import replace
-
 from onika.host.loading.loader_client import NotYet
 from onika.host.loading.plan_preparation import Preparation
-from onika.host.recording.recorded_variable import VariablePlace
+from onika.host.recording.recorded_variable import places_of
 from onika.host.recording.recording_place import InProcessWriter, RecordingWriter, WriterProcess, complaints, not_whole
 from onika.host.recording.recording_sink import AddMessage, AddScene, AddVariables, BeginRecording, FinishRecording
-from onika.host.run.application_run import ApplicationRun
+from onika.host.recording.run_description import RunDescriptions
+from onika.host.run.application_run import ApplicationRun, variable_units
 from onika.host.sessions.request_server import RequestServer
 from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.host.units.pose_stream import WorldPoses
 from onika.host.units.process_socket import ProcessSocket
 from onika.record import topics
-from onika.record.run import RunRecord, ending
+from onika.record.run import ending
 from onika.runtime.bus import Poses
 from onika.wire import event, request
 from onika.words.reason import NOTHING, Reason
@@ -78,8 +76,12 @@ class RecordedDriver(Protocol):
         """Have whoever steps an open world say its poses at this socket, where that is another process."""
         ...
 
-    def each_instant(self, look: Callable[[], None] | None) -> None:
-        """In virtual time: call this one at the end of every instant."""
+    def each_instant(self, look: Callable[[], None]) -> None:
+        """In virtual time: call this one too at the end of every instant."""
+        ...
+
+    def leave_instants(self, look: Callable[[], None]) -> None:
+        """Call it no more."""
         ...
 
 
@@ -87,17 +89,15 @@ class Recorder:
     """`begin` raises NotYet until whoever writes is up; `has_come` says when to try again."""
 
     def __init__(
-        self, subsystems: Subsystems, seen: RecordedDriver, server: RequestServer, rtpus: tuple[str, ...]
+        self, subsystems: Subsystems, seen: RecordedDriver, server: RequestServer, descriptions: RunDescriptions
     ) -> None:
         self._subsystems = subsystems
         self._seen = seen
         self._server = server
-        self._rtpus = rtpus
-        self._asked: dict[str, request.Prepare] = {}
+        self._descriptions = descriptions
         self._writer: RecordingWriter | None = None
         self._session = self._path = ""
         self._was_up = False
-        self._has_run = False
         self._forget()
 
     def _forget(self) -> None:
@@ -112,26 +112,19 @@ class Recorder:
     def _at_s(self) -> float:
         return round((self._seen.now - self._began) * 1e-9, 9)
 
-    def keep(self, session: str, message: request.Prepare) -> None:
-        """The plan that a session has prepared, as it came."""
-        self._asked[session] = message
-
     def lost(self, session: str) -> None:
         """A session is gone."""
-        self._asked.pop(session, None)
         if self._writer is not None and self._session == session and self._began < 0:
             self._close()  # it never began
 
     def begin(self, session: str, message: request.Begin, prepared: Preparation) -> Reason:
         """Open the recording of a run that is to begin now; why that cannot be, or nothing."""
-        is_first, self._has_run = self._is_first(), True
         if self._session == session and self._began < 0 and self._path != message.record:
             self._close()  # it was asked for once, and the run refused
         if not message.record:
             return NOTHING
         if self._writer is None:
-            self._has_run = not is_first
-            refusal = self._open(session, message, prepared, is_first)
+            refusal = self._open(session, message, prepared)
             if refusal:
                 return refusal
         elif self._session != session or self._began >= 0:
@@ -160,17 +153,12 @@ class Recorder:
     def _start(self, prepared: Preparation) -> None:
         """The recording begins, with the run."""
         self._names = tuple(flow.subsystem for flow in prepared.plan.flows)
-        self._units = {
-            flow.subsystem: {port.svar: port.unit for wired in tasks for port in wired.ports}
-            for flow, tasks in zip(prepared.plan.flows, prepared.flows, strict=True)
-        }
+        self._units = variable_units(prepared)
         self._began = self._seen.now
-        self._has_run = True
         if self._writer is not None:
             self._writer.take(BeginRecording(monotonic_ns()))
         self._server.overhear(self._hear)
-        if self._seen.is_virtual:
-            self._seen.each_instant(self._look)
+        self._seen.each_instant(self._look)
 
     def has_come(self) -> bool:
         """Whether whoever writes has come up, or failed, since the last call."""
@@ -220,19 +208,10 @@ class Recorder:
 
     # Inner
 
-    def _is_first(self) -> bool:
-        lives = not all(one.is_empty for one in self._subsystems.live.values())  # one that is only held changes nothing
-        return not (self._has_run or lives or self._seen.worlds) and (self._seen.now == 0 or not self._seen.is_virtual)
-
-    def _open(self, session: str, message: request.Begin, prepared: Preparation, is_first: bool) -> Reason:
-        original = self._asked.get(session)
-        if original is None:
+    def _open(self, session: str, message: request.Begin, prepared: Preparation) -> Reason:
+        run = self._descriptions.describe(session, message)
+        if run is None:
             return Reason.of("host.none_prepared")
-        bare = replace(message, record="", repeat=(), repeat_until_ns=0, is_held=False)
-        began = datetime.now(UTC).isoformat(timespec="milliseconds")
-        run = RunRecord(
-            original, bare, self._rtpus, self._seen.is_virtual, is_first, began, options=tuple(self._seen.options)
-        )
         try:
             if self._seen.is_virtual:
                 self._writer = InProcessWriter(message.record, run)
@@ -244,9 +223,9 @@ class Recorder:
         return NOTHING
 
     def _close(self) -> None:
-        self._server.overhear(None)
-        if self._seen.is_virtual:
-            self._seen.each_instant(None)
+        if self._began >= 0:
+            self._server.leave(self._hear)
+        self._seen.leave_instants(self._look)
         if self._writer is not None:
             self._writer.close()
         self._writer, self._session = None, ""
@@ -276,12 +255,8 @@ class Recorder:
 
     def _meet(self, writer: RecordingWriter, name: str) -> None:
         table, known = self._subsystems.tables[name], self._met.get(name, 0)
-        new = list(table.entries.values())[known:]
-        self._met[name] = known + len(new)
-        units = self._units.get(name, {})
-        variables = tuple(
-            VariablePlace(entry.name, str(entry.shape), units.get(entry.name, ""), entry.offset) for entry in new
-        )
+        variables = places_of(table, known, self._units.get(name, {}))
+        self._met[name] = known + len(variables)
         is_needed = not known or self._seen.is_virtual
         writer.take(AddVariables(name, variables), table.segment if is_needed else None)
 

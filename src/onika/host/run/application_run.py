@@ -35,14 +35,23 @@ class ApplicationRun:
     ) -> None:
         self.session = session
         self.on_loss = begin.on_loss
+        self.is_ended_at_wish = False
+        """Whether whoever may end it has said so."""
         self.application = prepared.plan.application
         self.names = tuple(flow.subsystem for flow in prepared.plan.flows)
+        self.variable_units = variable_units(prepared)
+        """By subsystem, the units of its variables by name."""
         self.runner = Runner(prepared, begin, subsystems, units, self._tell, lost)
         self._tell_all = tell
         self._subsystems = subsystems
         self._actions = sum(len(flow.actions) for flow in prepared.plan.flows)
         self._began_wall = monotonic_ns()
         self._over_since = 0
+
+    def end_at_wish(self, cause: Text, now: int) -> None:
+        """Somebody who may end it wants it to end."""
+        self.is_ended_at_wish = True
+        self.runner.abort(cause, now)
 
     def members(self, subsystem: str) -> Mapping[str, Member]:
         """The tasks of one of its subsystems."""
@@ -86,3 +95,11 @@ class ApplicationRun:
     def _tell(self, message: event.Event) -> None:
         flow = getattr(message, "flow", 0)
         self._tell_all(message, getattr(message, "subsystem", "") or self.names[flow], self.session)
+
+
+def variable_units(prepared: Preparation) -> dict[str, dict[str, str]]:
+    """By subsystem, the units of its variables by name, as the modules say them."""
+    return {
+        flow.subsystem: {port.svar: port.unit for wired in tasks for port in wired.ports}
+        for flow, tasks in zip(prepared.plan.flows, prepared.flows, strict=True)
+    }

@@ -67,6 +67,10 @@ class ConnectionSource(Protocol):
         ...
 
 
+EventObserver = Callable[[event.Event, str], None]
+"""Hears an event, and the subsystem it is about."""
+
+
 class RequestObserver(Protocol):
     """Sees what is asked and told, and what came of it; see `host.sessions.audit_log`."""
 
@@ -109,7 +113,7 @@ class RequestServer:
         """Where others reach this runtime."""
         self._parent: EnvironmentSession | None = None
         self._told: list[tuple[event.Event, str, str]] = []
-        self._event_observer: Callable[[event.Event, str], None] | None = None
+        self._event_observers: tuple[EventObserver, ...] = ()
         self._tickets: dict[int, tuple[EnvironmentSession, int]] = {}
         self._calls: dict[int, SessionRequest] = {}
         self.watcher: RequestObserver | None = None
@@ -162,12 +166,16 @@ class RequestServer:
         self._told.append((message, subsystem, session))
         if self.watcher is not None:
             self.watcher.told(message)
-        if self._event_observer is not None:
-            self._event_observer(message, subsystem)
+        for observer in self._event_observers:
+            observer(message, subsystem)
 
-    def overhear(self, observer: Callable[[event.Event, str], None] | None) -> None:
-        """From now on this one hears every event as it is told, and the subsystem it is about; none: nobody does."""
-        self._event_observer = observer
+    def overhear(self, observer: EventObserver) -> None:
+        """From now on this one too hears every event as it is told, and the subsystem it is about."""
+        self._event_observers = (*self._event_observers, observer)
+
+    def leave(self, observer: EventObserver) -> None:
+        """It hears no more."""
+        self._event_observers = tuple(other for other in self._event_observers if other != observer)
 
     def flush(self) -> None:
         """Send what was told."""

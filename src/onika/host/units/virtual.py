@@ -54,7 +54,7 @@ class VirtualDriver:
         self.with_fifo = False
         self.options: tuple[str, ...] = ()
         """What the runtime was started with beside, which changes what happens."""
-        self._look: Callable[[], None] | None = None
+        self._looks: tuple[Callable[[], None], ...] = ()
         self.turn = 0
         """How often everything that was due at the present instant has been carried out."""
 
@@ -137,9 +137,13 @@ class VirtualDriver:
     def pose_to(self, world: str, inlet: int) -> None:
         """Nobody says them: here whoever wants to know them can look."""
 
-    def each_instant(self, look: Callable[[], None] | None) -> None:
-        """Call this one at the end of every instant; none: nobody."""
-        self._look = look
+    def each_instant(self, look: Callable[[], None]) -> None:
+        """Call this one too at the end of every instant."""
+        self._looks = (*self._looks, look)
+
+    def leave_instants(self, look: Callable[[], None]) -> None:
+        """Call it no more."""
+        self._looks = tuple(other for other in self._looks if other != look)
 
     def advance(self, wall_ns: int) -> bool:
         """Run for about so much wall time; False when there is nothing to do until somebody says something."""
@@ -250,8 +254,8 @@ class VirtualDriver:
             self._hear(run_due)
             self._deliver()
         self.turn += 1
-        if self._look is not None:
-            self._look()
+        for look in self._looks:
+            look()
         return True
 
     def _answered(self, until: int) -> bool:

@@ -168,8 +168,11 @@ class WallDriver:
     def begin(self) -> None:
         """A run starts now; wall time has no digest."""
 
-    def each_instant(self, look: Callable[[], None] | None) -> None:
+    def each_instant(self, look: Callable[[], None]) -> None:
         """Nobody is called: instants of wall time have no end."""
+
+    def leave_instants(self, look: Callable[[], None]) -> None:
+        """Nobody was called."""
 
     def advance(self, wall_ns: int) -> bool:
         """Let time pass; never waits. False: nothing has to be done before somebody says something."""

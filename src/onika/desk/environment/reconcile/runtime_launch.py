@@ -24,11 +24,13 @@ class RuntimeLauncher:
         is_virtual: bool = False,
         with_fifo: bool = True,
         options: Sequence[str] = (),
+        has_black_box: bool = True,
     ) -> None:
         self._rtpus = tuple(rtpus)
         self._is_virtual = is_virtual
         self._with_fifo = with_fifo
         self._options = tuple(options)
+        self._has_black_box = has_black_box
 
     def __call__(
         self, url: str, token: str, simulator: Simulator | None = None
@@ -37,5 +39,6 @@ class RuntimeLauncher:
         if url:
             return connect(url, token)
         if simulator is not None:
-            return LaunchedRuntime(simulator.rtpus, True, False, (*_AS_WALL_TIME, *simulator.options))
-        return LaunchedRuntime(self._rtpus, self._is_virtual, self._with_fifo, self._options)
+            options = (*_AS_WALL_TIME, *simulator.options)
+            return LaunchedRuntime(simulator.rtpus, True, False, options, self._has_black_box)
+        return LaunchedRuntime(self._rtpus, self._is_virtual, self._with_fifo, self._options, self._has_black_box)

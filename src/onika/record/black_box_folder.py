@@ -1,0 +1,80 @@
+"""Where black boxes lie: recordings of the last seconds of runs that ended badly, few and bounded (requirement X05)."""
+
+import os
+import re
+import tempfile
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+from datetime import datetime
+from pathlib import Path
+from typing import BinaryIO
+
+KEPT = 20
+"""Black boxes that are kept; with one more the oldest goes."""
+MOST_BYTES = 256 * 2**20
+"""What all of them may take together; the newest is kept in any case."""
+ENDING = ".mcap"
+_UNFINISHED = ".unfinished"
+_STRANGE = re.compile(r"[^A-Za-z0-9_.-]+", re.ASCII)
+_LONGEST = 60
+
+
+def black_box_folder(environment: Mapping[str, str]) -> Path:
+    """The folder in the user's state directory, as the XDG says it; it need not be there yet."""
+    state = environment.get("XDG_STATE_HOME", "")
+    home = Path(state) if state.startswith("/") else Path(environment.get("HOME", "/")) / ".local" / "state"
+    return home / "onika" / "black-boxes"
+
+
+def black_box_path(folder: Path, application: str, began: datetime, process: int, number: int) -> Path:
+    """The file of the run with this number of a runtime: `NAME-20261121-231500-PROCESS-NUMBER.mcap`.
+
+    An application may be called as somebody elsewhere likes; what no file should be called is left out of the name.
+    """
+    name = _STRANGE.sub("_", application)[:_LONGEST].lstrip(".") or "run"
+    return folder / f"{name}-{began:%Y%m%d-%H%M%S}-{process}-{number}{ENDING}"
+
+
+def black_box_of(folder: Path, process: int) -> Path | None:
+    """The newest black box that the runtime of this process id has left."""
+    boxes = [path for path in black_boxes(folder) if path.stem.rsplit("-", 2)[-2:-1] == [str(process)]]
+    return boxes[0] if boxes else None
+
+
+def black_boxes(folder: Path) -> list[Path]:
+    """All that are there, newest first."""
+    dated = []
+    for path in folder.glob(f"*{ENDING}"):
+        with suppress(OSError):  # somebody else has thrown it away
+            dated.append((path.stat().st_mtime_ns, path))
+    return [path for _, path in sorted(dated, reverse=True)]
+
+
+def write_black_box(path: Path, write: Callable[[BinaryIO], None]) -> None:
+    """Write a black box whole or not at all, for the user's eyes only; then the oldest go. Raises OSError."""
+    path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+    descriptor, unfinished = tempfile.mkstemp(_UNFINISHED, path.name, path.parent)  # of mode 0600
+    try:
+        with os.fdopen(descriptor, "wb") as stream:
+            write(stream)
+        Path(unfinished).replace(path)
+    except BaseException:
+        Path(unfinished).unlink(missing_ok=True)
+        raise
+    rotate(path.parent)
+
+
+def rotate(folder: Path, kept: int = KEPT, most_bytes: int = MOST_BYTES, longest_s: float = 3600.0) -> None:
+    """Throw away the oldest beyond `kept` and `most_bytes`, and what was left unfinished `longest_s` ago."""
+    size = 0
+    boxes = black_boxes(folder)
+    newest_at = boxes[0].stat().st_mtime if boxes else 0.0
+    for number, path in enumerate(boxes):
+        with suppress(OSError):
+            size += path.stat().st_size
+            if number and (number >= kept or size > most_bytes):
+                path.unlink()
+    for path in folder.glob(f"*{_UNFINISHED}"):
+        with suppress(OSError):
+            if path.stat().st_mtime < newest_at - longest_s:
+                path.unlink()
