@@ -9,15 +9,9 @@ from types import ModuleType
 from msgspec import NODEFAULT, Struct, inspect
 
 from onika.wire import act, page, view
-from onika.words.reason import Reason
 
 _HEAD = "// Drawn from src/onika/wire/{act,view,page}.py by tools/generate.py: change those.\n"
-_TEXT = """\
-import type { Reason } from './texts/say';
-
-/** What is said to people: a reason, which `say` puts into their language, or a text as it is. */
-export type Text = Reason | string;
-"""
+_IMPORTS = "import type { Reason } from './texts/say';\n"
 _UNIONS = {"AnyAct": act.AnyAct, "AnyMessage": page.AnyMessage, "AnyShow": view.AnyShow}
 _BASES = (act.Act, view.View, view.Destination, page.Message)
 
@@ -26,7 +20,7 @@ def source() -> str:
     """The whole file."""
     structs = [one for module in (act, view, page) for one in _structs(module)]
     unions = [f"export type {name} = {_union(kinds)};" for name, kinds in _UNIONS.items()]
-    return "\n".join((_HEAD, _TEXT, *map(_interface, structs), *unions)) + "\n"
+    return "\n".join((_HEAD, _IMPORTS, *map(_interface, structs), *unions)) + "\n"
 
 
 def _structs(module: ModuleType) -> Iterator[type[Struct]]:
@@ -81,8 +75,6 @@ def _type(kind: inspect.Type) -> str:
 
 
 def _of_union(kind: inspect.UnionType) -> str:
-    if any(isinstance(one, inspect.StructType) and one.cls is Reason for one in kind.types):
-        return "Text"
     structs = {one.cls for one in kind.types if isinstance(one, inspect.StructType)}
     for name, kinds in _UNIONS.items():
         if structs == set(typing.get_args(kinds)):

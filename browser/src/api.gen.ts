@@ -2,9 +2,6 @@
 
 import type { Reason } from './texts/say';
 
-/** What is said to people: a reason, which `say` puts into their language, or a text as it is. */
-export type Text = Reason | string;
-
 /** One more flow, of the application or of the branch that is this step. */
 export interface AddFlow {
   t: 'AddFlow';
@@ -817,8 +814,8 @@ export interface ApplicationView {
   base?: string;
   is_dirty?: boolean;
   has_changed_on_disk?: boolean;
-  undo?: Text;
-  redo?: Text;
+  undo?: Reason;
+  redo?: Reason;
   is_parallel?: boolean;
   flows?: Record<string, AppFlowView>;
   steps?: Record<string, StepView>;
@@ -832,7 +829,7 @@ export interface ApplicationView {
 
 /** Something that keeps an application from running, or is worth knowing; `step` is where, 0: nowhere in it. */
 export interface FaultView {
-  text: Text;
+  text: Reason;
   level?: 'fault' | 'warning';
   step?: number;
   remedies?: (Remedy)[];
@@ -869,7 +866,7 @@ export interface StepView {
   loop_if?: string;
   conditions?: (string)[];
   flows?: (string)[];
-  note?: Text;
+  note?: Reason;
 }
 
 /** One value or vector that a task asks for. */
@@ -887,13 +884,13 @@ export interface AskItem {
 /** What a task waits to be told before it comes on. */
 export interface AskView {
   items: (AskItem)[];
-  reason?: Text;
+  reason?: Reason;
   present?: Record<string, (number)[]>;
 }
 
 /** Why a task is in ERROR, and the ways out. */
 export interface ErrorView {
-  text: Text;
+  text: Reason;
   entry?: string;
   path?: string;
   line?: number;
@@ -909,7 +906,7 @@ export interface DictionaryView {
   path: string;
   order: number;
   onikons: number;
-  faults?: (Text)[];
+  faults?: (Reason)[];
   is_shipped?: boolean;
 }
 
@@ -941,13 +938,13 @@ export interface OnikonView {
   takes?: (string)[];
   path?: string;
   source?: string;
-  trouble?: Text;
+  trouble?: Reason;
 }
 
 /** What is measured now, as the values of a target. */
 export interface TaughtView {
   values: Record<string, (number)[]>;
-  source?: Text;
+  source?: Reason;
   subsystem?: string;
   others?: (string)[];
 }
@@ -971,8 +968,8 @@ export interface DocumentView {
   is_dirty?: boolean;
   is_moved?: boolean;
   has_changed_on_disk?: boolean;
-  undo?: Text;
-  redo?: Text;
+  undo?: Reason;
+  redo?: Reason;
   tasks?: Record<string, PlacedView>;
   loci?: Record<string, LocusView>;
   groups?: Record<string, GroupView>;
@@ -1012,7 +1009,7 @@ export interface PlacedView {
   hz?: number;
   rtpu?: string;
   state?: '' | 'ASKING' | 'ERROR' | 'KILLING' | 'OFF' | 'ON' | 'SPAWNING' | 'WAITING';
-  note?: Text;
+  note?: Reason;
   is_missing?: boolean;
   ask?: AskView | null;
   error?: ErrorView | null;
@@ -1021,7 +1018,7 @@ export interface PlacedView {
 
 /** Something wrong with a document, or worth knowing; `show` is where it is. */
 export interface ProblemView {
-  text: Text;
+  text: Reason;
   level: 'fault' | 'note' | 'warning';
   show?: AnyShow | null;
   remedies?: (Remedy)[];
@@ -1033,7 +1030,7 @@ export interface LibraryView {
   path: string;
   order: number;
   tasks: number;
-  faults?: (Text)[];
+  faults?: (Reason)[];
   is_shipped?: boolean;
 }
 
@@ -1074,7 +1071,7 @@ export interface CandidateView {
   name: string;
   description?: string;
   more?: (string)[];
-  reasons?: (Text)[];
+  reasons?: (Reason)[];
 }
 
 /** The job that a configuration would make. */
@@ -1083,7 +1080,7 @@ export interface DraftView {
   type: string;
   left_edge: string;
   right_edge: string;
-  warnings?: (Text)[];
+  warnings?: (Reason)[];
   picture?: string;
   description?: string;
   path?: string;
@@ -1123,13 +1120,13 @@ export interface TextView {
   path: string;
   text: string;
   stamp: string;
-  faults?: ([number, Text])[];
+  faults?: ([number, Reason])[];
   is_read_only?: boolean;
 }
 
 /** The first difference of two recorded runs, or why they cannot be compared; without a text there is none. */
 export interface DifferenceView {
-  text?: Text;
+  text?: Reason;
   at_s?: number;
   variable?: string;
   tolerance?: number;
@@ -1153,7 +1150,7 @@ export interface KeepingView {
   doc: string;
   path: string;
   state?: 'failed' | 'kept' | 'running';
-  text?: Text;
+  text?: Reason;
   run?: number;
   of?: number;
 }
@@ -1162,7 +1159,7 @@ export interface KeepingView {
 export interface MarkView {
   at_s: number;
   kind: 'command' | 'error' | 'meet' | 'stop';
-  text: Text;
+  text: Reason;
 }
 
 /** An action that was carried out; the last one of a run cut short has no end. */
@@ -1209,15 +1206,15 @@ export interface RecordingView {
   is_virtual?: boolean;
   is_whole?: boolean;
   is_completed?: boolean;
-  cause?: Text;
+  cause?: Reason;
   begin_s?: number;
   end_s?: number;
   flows?: Record<string, RecordedFlowView>;
   variables?: Record<string, RecordedVariableView>;
   worlds?: (string)[];
   marks?: (MarkView)[];
-  notes?: (Text)[];
-  cannot_continue?: Text;
+  notes?: (Reason)[];
+  cannot_continue?: Reason;
   doc?: string;
   began_at_s?: number;
   redirects?: (RedirectView)[];
@@ -1265,7 +1262,7 @@ export interface FlowRunView {
   waits_since_s?: number;
   loops?: (string)[];
   is_nested?: boolean;
-  text?: Text;
+  text?: Reason;
 }
 
 /** The largest step of an input of a hardware task where what drives it was exchanged, and what became of them. */
@@ -1303,9 +1300,9 @@ export interface RunView {
   asks?: Record<string, AskView>;
   stops?: Record<string, StopView>;
   meets?: (MeetView)[];
-  notes?: (Text)[];
+  notes?: (Reason)[];
   is_completed?: boolean;
-  cause?: Text;
+  cause?: Reason;
   done?: number;
   of?: number;
   took_s?: number;
@@ -1325,7 +1322,7 @@ export interface StepRunView {
 
 /** Why a flow stands still or the run has ended, and what can be done (X06). */
 export interface StopView {
-  text: Text;
+  text: Reason;
   kind: string;
   at_s: number;
   subsystem?: string;
@@ -1339,9 +1336,8 @@ export interface StopView {
   traceback?: string;
   waiting?: ([string, string])[];
   courses?: (CourseView)[];
-  choices?: (Remedy)[];
-  meanings?: (Text)[];
-  short?: Text;
+  choices?: (ChoiceView)[];
+  short?: Reason;
 }
 
 /** Who may change a subsystem that lives (law 27, X12). */
@@ -1350,7 +1346,7 @@ export interface HoldView {
   application?: string;
   state?: string;
   since_at_s?: number;
-  cause?: Text;
+  cause?: Reason;
   former?: string;
   was_here?: boolean;
   offered_to?: string;
@@ -1363,10 +1359,10 @@ export interface HoldView {
 export interface RuntimeView {
   state?: 'linked' | 'lost' | 'none' | 'starting';
   address?: string;
-  text?: Text;
+  text?: Reason;
   is_virtual?: boolean;
   is_stopped?: boolean;
-  stop_text?: Text;
+  stop_text?: Reason;
   units?: Record<string, UnitView>;
   worlds?: Record<string, boolean>;
   subsystems?: Record<string, string>;
@@ -1521,22 +1517,30 @@ export interface Tree {
   onikons?: Record<string, OnikonView>;
   types?: Record<string, TypeView>;
   pictures?: Record<string, string>;
-  icon_clipboard?: Text;
+  icon_clipboard?: Reason;
   run?: RunView | null;
   review?: ReviewView | null;
   keeping?: KeepingView | null;
   people?: number;
 }
 
+/** What can be done with a run that stands still. */
+export interface ChoiceView {
+  verb: string;
+  meaning: Reason;
+  subsystem?: string;
+  act?: AnyAct | null;
+}
+
 /** Why something is refused or worth a warning, in words, with what could be done, likeliest first (X01). */
 export interface Objection {
-  text: Text;
+  text: Reason;
   remedies?: (Remedy)[];
 }
 
 /** A button beside a refusal: it sends `act`, or goes to what `show` names. */
 export interface Remedy {
-  label: Text;
+  label: Reason;
   act?: AnyAct | null;
   show?: AnyShow | null;
 }
@@ -1576,9 +1580,9 @@ export interface Ok {
 export interface Refused {
   t: 'Refused';
   cid: number;
-  reason: Text;
+  reason: Reason;
   remedies?: (Remedy)[];
-  fields?: Record<string, Text>;
+  fields?: Record<string, Reason>;
 }
 
 /** The newest values of what this browser watches; late ones are dropped. */
@@ -1594,7 +1598,7 @@ export interface Frame {
 export interface Say {
   t: 'Say';
   level: 'end' | 'error' | 'info' | 'success' | 'warning';
-  text: Text;
+  text: Reason;
   doc?: string;
   where?: AnyShow | null;
   at_s?: number;

@@ -23,7 +23,7 @@ import { carriedTask } from '../src/gesture/carry.svelte'
 import ReasonCard from '../src/library/ReasonCard.svelte'
 import { desk, fullTree } from '../src/link/desk.svelte'
 import { Refusal } from '../src/link/refusal'
-import { filtered, plain } from '../src/monitor/lines'
+import { copied, filtered } from '../src/monitor/lines'
 import Log from '../src/monitor/Log.svelte'
 import Problems from '../src/monitor/Problems.svelte'
 import { shownStop } from '../src/progress/shownStop.svelte'
@@ -67,7 +67,16 @@ const run: RunView = {
   number: 1,
   state: 'running',
   flows: { flow0: { order: 0, state: 'waiting', text: reason, waits_for: ['flow1'] }, flow1: { order: 1 } },
-  stops: { flow0: { text: reason, kind: 'error', at_s: 1, subsystem: 'flow0', task: 'wave', choices: remedies } },
+  stops: {
+    flow0: {
+      text: reason,
+      kind: 'error',
+      at_s: 1,
+      subsystem: 'flow0',
+      task: 'wave',
+      choices: [{ verb: 'clear', meaning: reason }],
+    },
+  },
   notes: [reason],
   cause: reason,
 }
@@ -172,7 +181,7 @@ describe('a reason is shown as its sentence', () => {
     const line = addLine({ t: 'Say', level: 'error', text: reason })
     expect(shown(Log, { tabs })).toContain('flow 2 stands still')
     expect(filtered([line], 'stands')).toEqual([line])
-    expect(plain([line])).toContain('flow 2 stands still')
+    expect(copied([line])).toContain('flow 2 stands still')
   })
 
   test('in news, where the same sentence is shown once', () => {

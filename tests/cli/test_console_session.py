@@ -10,6 +10,7 @@ from onika.cli.console_session import sit_down
 from onika.cli.plain_console import PlainConsole
 from onika.cli.terminal import Terminal
 from onika.store.site import open_site
+from onika.words.reason import Reason
 
 SITE = open_site([], {}, None)
 
@@ -42,7 +43,7 @@ def test_a_console_says_where_it_is_and_carries_out_lines(lines, capsys):  # R-A
 
 def test_a_runtime_that_cannot_be_operated_is_told(lines, capsys):
     runtime = LiveRuntime()
-    runtime.refusals["Attend"] = "an older runtime"
+    runtime.refusals["Attend"] = Reason.plain("an older runtime")
     assert sit_down(runtime, SITE, None) == 1
     assert "an older runtime" in capsys.readouterr().out
     lines("")

@@ -2,9 +2,10 @@ import pytest
 
 from onika.cli import doctor as room, main
 from onika.desk.run.machine import Feature
+from onika.words.reason import Reason
 
-GOOD = Feature("python", True, "3.11.7", "Onika needs it")
-BAD = Feature("graphics", False, "none [bold]", "no pictures")
+GOOD = Feature(Reason.plain("python"), True, Reason.plain("3.11.7"), Reason.plain("Onika needs it"))
+BAD = Feature(Reason.plain("graphics"), False, Reason.plain("none [bold]"), Reason.plain("no pictures"))
 
 
 @pytest.mark.parametrize(("is_there", "code"), [([GOOD], 0), ([GOOD, BAD], 1)])

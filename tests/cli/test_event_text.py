@@ -28,33 +28,39 @@ def english(outcome, drawn):
     ("happening", "line"),
     [
         (event.Began(0, 4, 12, "jmoveC home", 3.14159), "    3.14 s   5/12  jmoveC home"),
-        (event.Warned("flow0", "jtraj", "too fast", 1.0), "    1.00 s  note: jtraj: too fast"),
-        (event.Warned("flow0", "", "waits", 1.0), "    1.00 s  note: waits"),
+        (event.Warned("flow0", "jtraj", Reason.plain("too fast"), 1.0), "    1.00 s  note: jtraj: too fast"),
+        (event.Warned("flow0", "", Reason.plain("waits"), 1.0), "    1.00 s  note: waits"),
         (
             event.Stepped("flow0", "puma", "TAU_REF", "N m", 1, 40.0, 9.0, 9.76, 6, 1.0),
             "    1.00 s  note: flow0/puma: TAU_REF[1] stepped by 40 N m at a switch, more than 9.76 N m a cycle: "
             "blended over 6 cycles",
         ),
         (
-            event.Failed("flow0", "pd", "cycle: no", "pd.py", 7, "", 0.5),
+            event.Failed("flow0", "pd", Reason.plain("cycle: no"), "pd.py", 7, "", 0.5),
             "    0.50 s  ERROR flow0/pd: cycle: no (pd.py:7)",
         ),
-        (event.Failed("flow0", "pd", "cycle: no", "pd.py", 0, "", 0.5), "    0.50 s  ERROR flow0/pd: cycle: no"),
         (
-            event.Drive("boxes:arm_left", "PRESSED", 9, 0, 0, "panic button pressed", 2.5),
+            event.Failed("flow0", "pd", Reason.plain("cycle: no"), "pd.py", 0, "", 0.5),
+            "    0.50 s  ERROR flow0/pd: cycle: no",
+        ),
+        (
+            event.Drive("boxes:arm_left", "PRESSED", 9, 0, 0, Reason.plain("panic button pressed"), 2.5),
             "    2.50 s  boxes:arm_left holds: panic button pressed",
         ),
         (
-            event.Drive("boxes:arm_left", "TRIPPED", 9, 0, 0, "its writer died", 2.5),
+            event.Drive("boxes:arm_left", "TRIPPED", 9, 0, 0, Reason.plain("its writer died"), 2.5),
             "    2.50 s  boxes:arm_left has tripped: its writer died",
         ),
-        (event.Drive("boxes:arm_left", "HELD", 9, 0, 0, "stop", 2.5), ""),
+        (event.Drive("boxes:arm_left", "HELD", 9, 0, 0, Reason.plain("stop"), 2.5), ""),
         (event.Done(0, 0, 1.0), ""),
         (event.Moved("flow1", "waiting", 0, 1.0, "t a", ("flow0",)), "    1.00 s  flow1 waits at a for flow0"),
         (event.Moved("flow0", "paused", 1, 1.0), "    1.00 s  flow0 is paused after 2"),
         (event.Moved("flow0", "paused", -1, 1.0), "    1.00 s  flow0 is paused before its first action"),
-        (event.Moved("flow0", "paused", 1, 1.0, text="why"), "    1.00 s  flow0 is paused after 2 (why)"),
-        (event.Moved("flow0", "running", 1, 1.0, text="does not pause"), "    1.00 s  flow0 does not pause"),
+        (event.Moved("flow0", "paused", 1, 1.0, text=Reason.plain("why")), "    1.00 s  flow0 is paused after 2 (why)"),
+        (
+            event.Moved("flow0", "running", 1, 1.0, text=Reason.plain("does not pause")),
+            "    1.00 s  flow0 does not pause",
+        ),
         (event.Moved("flow0", "running", 1, 1.0), ""),
         (
             event.Met("t a", ("flow0", "flow1"), 12.4, 1.0),
@@ -69,7 +75,7 @@ def test_an_event_is_told_in_one_line_or_not_at_all(happening, line):  # R-E11
 
 def test_a_refused_run_lists_every_fault_and_says_that_nothing_moved():  # R-E01
     fault = Fault(Place("a.rmod", 3), Reason.plain("expected one, found two"), Reason.plain("left out"))
-    lines = english(Outcome("go", [fault, fault], ["by the way"]), NOTHING)
+    lines = english(Outcome("go", [fault, fault], [Reason.plain("by the way")]), NOTHING)
     assert lines == [str(fault), str(fault), "note: by the way", "go: refused, nothing moved (2 faults)"]
     assert english(Outcome("go", [fault]), NOTHING)[-1] == "go: refused, nothing moved (1 fault)"
 
@@ -134,8 +140,10 @@ def test_where_there_are_several_flows_each_action_says_whose_it_is():  # R-E11
 
 
 def test_why_a_flow_stands_still_takes_several_lines():  # R-X06
-    choices = (("clear", "clear the error and repeat"),)
-    happening = event.Explained("flow0", "pd", "move", 1, "a.appl:3", "it broke", "", 0, (), (), choices, 4.0)
+    choices = (("clear", Reason.plain("clear the error and repeat")),)
+    happening = event.Explained(
+        "flow0", "pd", "move", 1, "a.appl:3", Reason.plain("it broke"), "", 0, (), (), choices, 4.0
+    )
     printed = list(event_lines(happening, 12, ("flow0",), 100))
     assert len(printed) > 1
     assert "it broke" in printed[0]

@@ -9,10 +9,10 @@ from onika.wire.figures import TaskFigures
 from onika.wire.steer import Position
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 FIGURES = TaskFigures("flow0", "pd", "rt0", 500.0, 1000, 3, 4.5, 20.0)
-RESULT = event.Result(True, "", 1, 1, 2.0, 0.12345, {"Q": [1.5], "NAME": "é"}, (FIGURES,), "abc", (3.5,))
+RESULT = event.Result(True, NOTHING, 1, 1, 2.0, 0.12345, {"Q": [1.5], "NAME": "é"}, (FIGURES,), "abc", (3.5,))
 
 SAID = {"key": "plain", "text": "expected one, found two"}
 
@@ -25,19 +25,19 @@ def test_every_event_is_one_object_on_one_line(capsys):  # R-E11
     with JsonLines() as out:
         out.begins(prepare_run("go_home", open_site([], {}, None)), 4711)
         out.happens(event.Began(0, 1, 2, "jmoveC home", 0.5))
-        out.happens(event.Warned("flow0", "", "two\nlines \u2028", 0.5))
-        out.happens(event.Drive("boxes:arm_left", "HELD", 4, 2, -1, "stop"))
+        out.happens(event.Warned("flow0", "", Reason.plain("two\nlines \u2028"), 0.5))
+        out.happens(event.Drive("boxes:arm_left", "HELD", 4, 2, -1, Reason.plain("stop")))
         out.happens(RESULT)
     begins, began, warned, drive = lines(capsys)
     assert begins == {"event": "begins", "application": "go_home", "runtime_pid": 4711}
     assert began == {"event": "began", "flow": 0, "index": 1, "of": 2, "action": "jmoveC home", "at_s": 0.5}
-    assert warned["text"] == "two\nlines \u2028"
+    assert warned["text"] == {"key": "plain", "text": "two\nlines \u2028"}
     assert (drive["event"], drive["at_ns"], drive["previous_step_ns"], drive["last_command_ns"]) == ("drive", 4, 2, -1)
 
 
 def test_the_result_comes_last_with_everything(capsys):  # R-E14, R-X07, R-X08, R-A17
     expectation = Condition.parse("Q[0] > 1")
-    outcome = Outcome("go", [], ["by the way"], RESULT, [(expectation, 1.5, True)], printed="it printed")
+    outcome = Outcome("go", [], [Reason.plain("by the way")], RESULT, [(expectation, 1.5, True)], printed="it printed")
     JsonLines().ended(outcome, Reason.plain("picture: out.png"))
     (line,) = lines(capsys)
     assert line == {
@@ -46,7 +46,7 @@ def test_the_result_comes_last_with_everything(capsys):  # R-E14, R-X07, R-X08, 
         "state": "completed",
         "faults": [],
         "notes": ["by the way"],
-        "cause": "",
+        "cause": {"key": "", "text": ""},
         "actions_done": 1,
         "actions": 1,
         "runtime_s": 2.0,
@@ -74,7 +74,7 @@ def test_the_result_comes_last_with_everything(capsys):  # R-E14, R-X07, R-X08, 
 def test_a_refused_run_lists_its_faults(capsys):  # R-E01
     JsonLines().ended(
         Outcome("go", [Fault(Place("a.rmod", 3), Reason.plain("expected one, found two"), Reason.plain("left out"))]),
-        "",
+        NOTHING,
     )
     (line,) = lines(capsys)
     assert (line["state"], line["exit"]) == ("refused", 2)
@@ -87,12 +87,12 @@ def test_a_refused_run_lists_its_faults(capsys):  # R-E01
 
 def test_values_that_are_no_numbers_are_still_json(capsys):
     values = {"X": float("nan"), "Y": float("inf")}
-    JsonLines().ended(Outcome("go", result=event.Result(True, "", 1, 1, 1.0, 1.0, values, (), "")), "")
+    JsonLines().ended(Outcome("go", result=event.Result(True, NOTHING, 1, 1, 1.0, 1.0, values, (), "")), NOTHING)
     assert lines(capsys)[0]["values"] == {"X": None, "Y": None}
 
 
 def test_nobody_is_there_to_answer():  # law 25
-    assert JsonLines().answer(event.Asked("flow0", "gauge", "", (), 0.0)) is None
+    assert JsonLines().answer(event.Asked("flow0", "gauge", NOTHING, (), 0.0)) is None
 
 
 def test_a_line_of_a_script_is_an_object_too(capsys):  # R-E07, R-X03
@@ -111,8 +111,12 @@ def test_what_flows_do_is_carried_whole(capsys):  # R-E11, R-X03, R-X06
     out = JsonLines()
     out.happens(event.Moved("flow1", "waiting", 0, 1.0, "t a", ("flow0",)))
     out.happens(event.Met("t a", ("flow0", "flow1"), 12.0, 3.0))
-    out.happens(event.Explained("flow0", "pd", "move", 1, "a:3", "broke", "", 0, (), (), (("clear", "so"),), 4.0))
+    out.happens(
+        event.Explained(
+            "flow0", "pd", "move", 1, "a:3", Reason.plain("broke"), "", 0, (), (), (("clear", Reason.plain("so")),), 4.0
+        )
+    )
     moved, met, explained = lines(capsys)
     assert (moved["event"], moved["waits_for"], moved["tag"]) == ("moved", ["flow0"], "t a")
     assert (met["event"], met["skew_us"]) == ("met", 12.0)
-    assert (explained["event"], explained["choices"]) == ("explained", [["clear", "so"]])
+    assert (explained["event"], explained["choices"]) == ("explained", [["clear", {"key": "plain", "text": "so"}]])

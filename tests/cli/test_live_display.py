@@ -13,14 +13,14 @@ from onika.store.site import open_site
 from onika.wire import event
 from onika.wire.steer import Position
 from onika.words.fault import Fault, Place
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 PREPARED = prepare_run("two_arms", open_site([], {}, None))
 ITEMS = (
     event.Item("level", "double", 2, "m", "how high", None, None, None),
     event.Item("name", "string", 1, "-", "of whom", None, None, None),
 )
-RESULT = event.Result(True, "", 4, 4, 5.0, 5.0, {}, (), "")
+RESULT = event.Result(True, NOTHING, 4, 4, 5.0, 5.0, {}, (), "")
 
 
 class Answers:
@@ -57,8 +57,8 @@ def test_actions_scroll_by_and_the_panel_shows_what_goes_on(screen):  # R-E11
             event.TaskState("flow0", "pd", "KILLED", 0.0),
             event.Began(0, 0, 2, "jmoveC aside", 0.0),
             event.Done(0, 0, 2.0),
-            event.Warned("flow0", "jtraj", "too fast", 2.0),
-            event.Failed("flow0", "jtraj", "cycle: no", "jtraj.py", 7, "", 2.0),
+            event.Warned("flow0", "jtraj", Reason.plain("too fast"), 2.0),
+            event.Failed("flow0", "jtraj", Reason.plain("cycle: no"), "jtraj.py", 7, "", 2.0),
         ):
             live.happens(happening)
         live._screen.refresh()
@@ -80,7 +80,7 @@ def test_before_the_run_it_says_that_it_prepares(screen):
 def test_each_value_is_asked_for_with_what_it_means_and_the_answers_are_joined(screen, monkeypatch):  # R-A10
     monkeypatch.setattr(room, "Terminal", lambda complete: contextlib.nullcontext(Answers("0.5 0.75", None, "me")))
     with LiveDisplay() as live:
-        assert live.answer(event.Asked("flow0", "gauge", "too low", ITEMS, 0.0)) == "0.5 0.75 me"
+        assert live.answer(event.Asked("flow0", "gauge", Reason.plain("too low"), ITEMS, 0.0)) == "0.5 0.75 me"
     assert "too low" in screen.getvalue()
     assert Answers.prompts == [
         "gauge asks for level (2 values), how high, in m: ",
@@ -94,7 +94,7 @@ def test_what_was_asked_and_answered_stays_above_the_panel(screen, monkeypatch):
     with LiveDisplay() as live:
         live.begins(PREPARED, 4711)
         live._screen.refresh()
-        live.answer(event.Asked("flow0", "gauge", "", ITEMS, 0.0))
+        live.answer(event.Asked("flow0", "gauge", NOTHING, ITEMS, 0.0))
         position = screen.tell()
         live._screen.refresh()
         assert "\x1b[1A" not in screen.getvalue()[position:]  # no row above is touched
@@ -103,12 +103,12 @@ def test_what_was_asked_and_answered_stays_above_the_panel(screen, monkeypatch):
 def test_at_the_end_of_the_input_nobody_answers(screen, monkeypatch):  # R-A10
     monkeypatch.setattr(room, "Terminal", lambda complete: contextlib.nullcontext(Answers()))
     with LiveDisplay() as live:
-        assert live.answer(event.Asked("flow0", "gauge", "", ITEMS, 0.0)) is None
+        assert live.answer(event.Asked("flow0", "gauge", NOTHING, ITEMS, 0.0)) is None
 
 
 def test_signs_that_mean_colours_elsewhere_are_shown_as_they_are(screen):
     with LiveDisplay() as live:
-        live.happens(event.Warned("flow0", "jtraj", "[red]danger[/red]", 0.0))
+        live.happens(event.Warned("flow0", "jtraj", Reason.plain("[red]danger[/red]"), 0.0))
     assert "[red]danger[/red]" in screen.getvalue()
 
 
@@ -182,5 +182,5 @@ def test_a_question_waits_until_the_program_has_the_terminal_again(screen, monke
     monkeypatch.setattr(room, "sleep", lambda s: None)
     monkeypatch.setattr(room.Keyboard, "is_in_background", property(lambda _: next(turns)))
     with LiveDisplay() as live:
-        assert live.answer(event.Asked("flow0", "gauge", "", ITEMS, 0.0)) == "1 me"
+        assert live.answer(event.Asked("flow0", "gauge", NOTHING, ITEMS, 0.0)) == "1 me"
     assert next(turns, None) is None

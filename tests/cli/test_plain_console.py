@@ -4,6 +4,7 @@ import pytest
 
 from onika.cli.plain_console import PlainConsole
 from onika.desk.console.display import Tone
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -33,7 +34,7 @@ def test_nothing_is_waited_for_longer_than_said(pipe):
 
 def test_lines_are_plain_and_no_prompt_goes_to_a_file(pipe, capsys):
     desk = PlainConsole()
-    desk.say("\x1b[2Jred", Tone.FAULT)
+    desk.say(Reason.plain("\x1b[2Jred"), Tone.FAULT)
     desk.line("main> ", 0.0)
     desk.drop()
     assert capsys.readouterr().out == "�[2Jred\n"

@@ -9,7 +9,7 @@ from onika.store.site import open_site
 from onika.wire import event
 from onika.wire.steer import Position
 from onika.words.fault import Fault, Place
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 PREPARED = prepare_run("two_arms", open_site([], {}, None))
 ITEM = event.Item("level", "double", 2, "m", "how high", None, None, None)
@@ -34,7 +34,7 @@ def test_a_run_is_told_line_by_line(capsys):  # R-E11
         plain.begins(PREPARED, 4711)
         plain.happens(event.Began(0, 0, 2, "jmoveC aside", 0.0))
         plain.happens(event.TaskState("flow0", "pd", "ON", 0.0))
-    plain.ended(Outcome("two_arms"), "")
+    plain.ended(Outcome("two_arms"), NOTHING)
     assert capsys.readouterr().out.splitlines() == [
         "two_arms: 4 actions",
         "    0.00 s  flow0  1/2  jmoveC aside",
@@ -57,7 +57,7 @@ def test_a_question_is_asked_and_one_line_read(capsys, keys, reason, line):  # R
 
 def test_at_the_end_of_the_input_nobody_answers(keys):  # R-A10
     keys(b"")
-    assert PlainDisplay().answer(event.Asked("flow0", "gauge", "", (ITEM,), 0.0)) is None
+    assert PlainDisplay().answer(event.Asked("flow0", "gauge", NOTHING, (ITEM,), 0.0)) is None
 
 
 def test_a_line_of_a_script_is_told_with_what_came_of_it(capsys):  # R-E07, R-X03

@@ -3,9 +3,9 @@ import pytest
 from onika.cli import main, run as room
 from onika.desk.run.outcome import Outcome
 from onika.wire import event
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
-RESULT = event.Result(True, "", 1, 1, 2.0, 0.1, {}, (), "")
+RESULT = event.Result(True, NOTHING, 1, 1, 2.0, 0.1, {}, (), "")
 
 
 @pytest.fixture
@@ -115,10 +115,10 @@ def test_a_script_that_is_not_there_is_refused(runs, capsys):  # R-E07
 
 
 def test_a_picture_is_drawn_of_the_first_world(runs, monkeypatch, capsys, tmp_path):
-    monkeypatch.setattr(room.world_picture, "draw", lambda snapshot, path: f"{snapshot!r} to {path.name}")
+    monkeypatch.setattr(room.world_picture, "draw", lambda snapshot, path: Reason.plain(f"{snapshot!r} to {path.name}"))
     settings_of(runs, "go_home", "--picture", str(tmp_path / "out.png"))
     assert capsys.readouterr().out.splitlines()[-1] == "b'drawn' to out.png"
-    monkeypatch.setattr(room.world_picture, "draw", lambda snapshot, path: "")
+    monkeypatch.setattr(room.world_picture, "draw", lambda snapshot, path: NOTHING)
     settings_of(runs, "go_home", "--picture", "out.png")
     assert capsys.readouterr().out.splitlines()[-1] == "picture: out.png"
 

@@ -4,6 +4,7 @@ import pytest
 
 from onika.cli import main, runtime as room
 from onika.link.lost import LinkLost, LossCause
+from onika.words.reason import Reason
 
 
 class Launched:
@@ -78,7 +79,7 @@ def test_how_long_a_holder_may_be_silent_and_where_all_is_written_down_is_said_t
 def test_a_runtime_that_does_not_start_says_why(sits, monkeypatch, capsys, words, code, sentence):
     class Stillborn(Launched):
         def __enter__(self):
-            raise LinkLost(LossCause.CLOSED, "the runtime is gone: it ended")
+            raise LinkLost(LossCause.CLOSED, Reason.plain("the runtime is gone: it ended"))
 
         def printed(self):
             return "--users: expected a file\n"

@@ -14,6 +14,7 @@ import pytest
 from onika.cli import terminal as room
 from onika.cli.terminal import Terminal
 from onika.desk.console.display import Tone
+from onika.words.reason import Reason
 
 ESCAPES = re.compile(r"\x1b\[[?0-9;]*[A-Za-z]")
 DRAWN = "\x1b[?7h\x1b[0m\x1b[?12l\x1b[?25h"
@@ -86,15 +87,15 @@ def test_a_line_is_typed_at_the_prompt_and_stays_above(screen):  # R-A16
         screen.shown("main>")
         screen.type("spawn\r")
         assert next_line(terminal) == "spawn"
-        terminal.say("there")
+        terminal.say(Reason.plain("there"))
     assert re.search(r"main> spawn\s+there\n$", ESCAPES.sub("", screen.shown("there\r\n")))
 
 
 def test_what_happens_goes_by_above_the_line_that_is_typed(screen):  # R-A16
     with typed(screen, "spaw") as terminal:
         screen.shown("spaw")
-        terminal.say("main/puma ON", Tone.GOOD)
-        terminal.say("main/diff ON")
+        terminal.say(Reason.plain("main/puma ON"), Tone.GOOD)
+        terminal.say(Reason.plain("main/diff ON"))
         terminal.line("main> ", 0.05)
         text = screen.shown("main> spaw")
         assert "\x1b[32mmain/puma ON\x1b[0m" in text
@@ -107,7 +108,7 @@ def test_the_line_goes_and_comes_back_in_one_piece(screen):  # R-A16
     with typed(screen, "spaw") as terminal:
         screen.shown("spaw" + DRAWN)
         screen.rest()
-        terminal.say("main/puma ON")
+        terminal.say(Reason.plain("main/puma ON"))
         assert screen.rest() == ""
         terminal.line("main> ", 0.05)
         assert lines(screen.shown(DRAWN)) == ["main/puma ON", "main> spaw"]
@@ -117,15 +118,15 @@ def test_what_is_said_after_a_stop_does_not_wait_for_the_line(screen):  # decisi
     with typed(screen, "spaw") as terminal:
         screen.shown("spaw" + DRAWN)
         screen.rest()
-        terminal.say("main/puma ON")
+        terminal.say(Reason.plain("main/puma ON"))
         terminal.drop()
-        terminal.say("STOPPED")
+        terminal.say(Reason.plain("STOPPED"))
         assert lines(screen.shown("STOPPED\r\n")) == ["main/puma ON", "STOPPED", ""]
 
 
 def test_another_prompt_leaves_what_is_typed(screen):
     with typed(screen, "0.5") as terminal:
-        terminal.say("diff asks")
+        terminal.say(Reason.plain("diff asks"))
         terminal.line("diff? ", 0.05)
         screen.shown("diff? 0.5")
 
@@ -133,7 +134,7 @@ def test_another_prompt_leaves_what_is_typed(screen):
 def test_colour_is_left_out_where_none_is_wanted_and_no_escape_gets_through(screen, monkeypatch):
     monkeypatch.setenv("NO_COLOR", "1")
     with Terminal(lambda before: []) as terminal:
-        terminal.say("\x1b[2Jred", Tone.FAULT)
+        terminal.say(Reason.plain("\x1b[2Jred"), Tone.FAULT)
     text = screen.shown("�[2Jred\r\n")
     assert not re.search(r"\x1b\[[0-9;]*[mJ]", text)
 
@@ -167,7 +168,7 @@ def test_only_what_stands_before_the_cursor_is_completed(screen):
 
 
 def test_what_is_said_while_a_word_is_completed_goes_by_above(screen):  # R-A16
-    with Terminal(lambda before: terminal.say("the link is slow") or ["spawn"]) as terminal:
+    with Terminal(lambda before: terminal.say(Reason.plain("the link is slow")) or ["spawn"]) as terminal:
         screen.type("sp\t")
         terminal.line("main> ", 1.0)
         screen.shown("the link is slow\r\n")

@@ -5,9 +5,10 @@ import pytest
 from onika.cli import main, test as room
 from onika.desk.trial.judging import Verdict
 from onika.desk.trial.trial import Trial
+from onika.words.reason import Reason
 
-GOOD = Trial("tests/a.test", Verdict((), ("a lift is left out",), 23.3), 1.5)
-BAD = Trial("tests/b.test", Verdict(("flow0: LAMP at the end: expected 1, found 0",), (), 23.3), 2.0)
+GOOD = Trial("tests/a.test", Verdict((), (Reason.plain("a lift is left out"),), 23.3), 1.5)
+BAD = Trial("tests/b.test", Verdict((Reason.plain("flow0: LAMP at the end: expected 1, found 0"),), (), 23.3), 2.0)
 
 
 @pytest.fixture

@@ -73,6 +73,6 @@ def test_what_is_judged_and_what_can_be_done(tmp_path):  # R-X01, R-E01
 def test_how_a_run_begins_and_ends(tmp_path):  # R-E10, R-E14
     play = RunFixture(tmp_path)
     play.run(play.open([job("aC")]))
-    play.environment.become(lambda model: lost(model, "the runtime is gone: it ended"))
+    play.environment.become(lambda model: lost(model, Reason.plain("the runtime is gone: it ended")))
     assert len(play.says) > 2 and all(is_known(say.text) for say in play.says)
     assert is_known(play.no(act.Steer("abort")).reason)

@@ -7,6 +7,7 @@ from kit.play import Play
 from onika.engine.engine import Engine
 from onika.engine.news import Abort, Finished, Killed, Run, Settled, Spawned, TurnedOn
 from onika.engine.orders import Began, Done, End, Launch, Moved, RunNote, Settle, Spawn, Switch
+from onika.words.reason import Reason
 
 REACH = build.job("move", trigger="move", arguments="1 2")
 
@@ -40,7 +41,7 @@ def test_news_of_an_unknown_task_is_noted():
     play = (
         Play(build.engine([REACH]))
         >> Run() << Spawn(0, "move")
-        >> Finished(0, "ghost") << RunNote(0, "ghost is no task of this flow: ignored")
+        >> Finished(0, "ghost") << RunNote(0, Reason.plain("ghost is no task of this flow: ignored"))
     )  # fmt: skip
     assert play
 
@@ -62,12 +63,24 @@ def test_the_end_waits_for_all_flows():  # R-E14
 
 
 def test_an_abort_before_the_run_ends_it_and_a_later_run_does_nothing():
-    assert Play(build.engine([REACH])) >> Abort("changed my mind") << End(False, "changed my mind") >> Run()
+    assert (
+        Play(build.engine([REACH]))
+        >> Abort(Reason.plain("changed my mind"))
+        << End(False, Reason.plain("changed my mind"))
+        >> Run()
+    )
 
 
 def test_news_after_the_end_is_harmless():
-    play = Play(build.engine([REACH])) >> Abort("no") << End(False, "no")
-    assert play >> Killed(0, "move") >> Spawned(0, "move") >> Finished(0, "move") >> Settled() >> Abort("again")
+    play = Play(build.engine([REACH])) >> Abort(Reason.plain("no")) << End(False, Reason.plain("no"))
+    assert (
+        play
+        >> Killed(0, "move")
+        >> Spawned(0, "move")
+        >> Finished(0, "move")
+        >> Settled()
+        >> Abort(Reason.plain("again"))
+    )
 
 
 def steps_of_feed(actions):

@@ -47,7 +47,7 @@ def brought(state):
     }.get(state, ([JOB, JOB],))
     spawned = [Spawned(spawn.flow, spawn.task) for spawn in build.spawns(*flows)]
     begun = [Run(), *spawned, TurnedOn(0, "move")]
-    stopped = [*begun, Failed(0, "move", "x")]
+    stopped = [*begun, Failed(0, "move", Reason.plain("x"))]
     story = {
         "ready": [],
         "spawning": [Run()],
@@ -57,7 +57,7 @@ def brought(state):
         "stopped": stopped,
         "clearing": [*stopped, Recover("0")],
         "done": [*begun, *ends(0), *ends(0)],
-        "killing": [*begun, Abort("stop")],
+        "killing": [*begun, Abort(Reason.plain("stop"))],
     }.get(state, begun)
     engine = build.engine(*flows, stands_still=True)
     for news in story:

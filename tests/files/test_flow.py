@@ -6,6 +6,7 @@ from onika.model.application import AppFlow, Branch, Hole, Icon
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.model.syntax import IconType, Syntax
+from onika.words.reason import Reason
 
 SYNTAX = Syntax(tuple(IconType(name, 0, 0) for name in ("Complete job", "Joint job", "Joint object")), ())
 OPEN = Icon(Onikon("open", "Complete job", "", (), blank()))
@@ -14,7 +15,7 @@ DEEP = AppFlow((OPEN, Branch((AppFlow((CHOICE, OPEN)), AppFlow(())))))
 
 
 def read(text: str, version: str = "2.0") -> tuple[tuple[AppFlow, ...], list[str]]:
-    reading = TextReading("f", "it is left out")
+    reading = TextReading("f", Reason.plain("it is left out"))
     reading.open_versioned(f"VERSION {version}\n{text}EOF\n", extended=True)
     flows = read_flows(split(reading.lines, HEADS)[1:], SYNTAX, reading)
     return flows, [f"{fault.place.line}: {fault.reason}" for fault in reading.faults]

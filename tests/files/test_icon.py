@@ -5,6 +5,7 @@ from onika.files.line import TextReading
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.model.syntax import DataItem, IconType, Syntax
+from onika.words.reason import NOTHING
 from onika.words.value import ValueType
 
 ITEMS = (
@@ -20,7 +21,7 @@ UI = 'UI 1 2.5 -3e-1\nUI a.txt "b c"\nUI turn  left\n'
 
 
 def given(lines: str) -> tuple[Onikon | None, list[str], bool]:
-    reading = TextReading("f", "")
+    reading = TextReading("f", NOTHING)
     reading.open(lines + "EOF")
     onikon = read_icon("x", reading.arrange(reading.lines, SLOTS), SYNTAX, reading)
     faults = [f"{fault.place.line}: {fault.reason}" for fault in reading.faults]

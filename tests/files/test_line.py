@@ -25,7 +25,7 @@ REASON = Reason.plain("expected a, found b")
 
 
 def opened(text: str, versioned: bool = False) -> TextReading:
-    reading = TextReading("f", "it is left out")
+    reading = TextReading("f", Reason.plain("it is left out"))
     (reading.open_versioned if versioned else reading.open)(text)
     return reading
 
@@ -164,7 +164,7 @@ def test_the_words_of_a_line_are_checked_and_a_default_stands_for_wrong_ones() -
     assert reading.wholes(FileLine(5, "XY", "1 99999999999"), (5, 6)) == (5, 6)
     assert reading.yes(FileLine(6, "Y", "yes"), default=False) is True
     assert reading.yes(FileLine(7, "Y", "Yes"), default=False) is False
-    assert reading.word(FileLine(8, "W", "one two"), "a tag", "d") == "d"
+    assert reading.word(FileLine(8, "W", "one two"), Reason.plain("a tag"), "d") == "d"
     assert result(reading) == [
         "2: expected a whole number after N, found 'N x'",
         "3: expected a whole number of at least 0 after N, found 'N -1'",

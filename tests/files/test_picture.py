@@ -1,6 +1,7 @@
 from onika.files.line import TextReading
 from onika.files.picture import read, read_rows, write
 from onika.model.picture import SIZE, blank
+from onika.words.reason import NOTHING
 
 TEXT = write(blank())
 
@@ -39,7 +40,7 @@ def test_missing_and_wrong_rows_are_faults() -> None:
 
 
 def test_rows_of_icons_go_the_same_way() -> None:
-    reading = TextReading("f", "")
+    reading = TextReading("f", NOTHING)
     rows = [(number + 5, row) for number, row in enumerate(blank().rows)]
     assert read_rows(rows, 36, reading) == blank()
     read_rows(rows[:-1], 36, reading)

@@ -8,6 +8,7 @@ from onika.model.application import Hole, Icon
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.model.syntax import IconType, Syntax
+from onika.words.reason import Reason
 
 SYNTAX = Syntax(tuple(IconType(name, 0, 0) for name in ("Complete job", "Joint job", "Joint object")), ())
 OPEN = Icon(Onikon("open", "Complete job", "", (), blank()))
@@ -19,7 +20,7 @@ CONDITIONAL = replace(
 
 
 def opened(text: str, version: str = "2.0") -> TextReading:
-    reading = TextReading("f", "it is left out")
+    reading = TextReading("f", Reason.plain("it is left out"))
     reading.open_versioned(f"VERSION {version}\n{text}EOF\n", extended=True)
     reading.lines = reading.lines[1:]
     return reading

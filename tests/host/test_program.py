@@ -57,7 +57,7 @@ def test_a_world_is_touched_and_what_is_not_there_refused(desk):  # R-K06
     assert str(refused.reason) == "expected 1 or 0 for panic, found 1 for 'bell'"
     desk.program.advance(0)
     assert desk.of(event.Drive)[-1].state == "PRESSED"
-    desk.ask(request.Abort("enough"))
+    desk.ask(request.Abort(Reason.plain("enough")))
     assert desk.to_the_end().cause == "enough"
 
 
@@ -94,7 +94,7 @@ def test_runs_follow_one_another_each_with_its_own_time_and_empty_table(desk):  
     assert results[1].runtime_s < results[0].runtime_s
 
 
-@pytest.mark.parametrize("wish", [request.Abort("enough"), request.Stop("enough")])
+@pytest.mark.parametrize("wish", [request.Abort(Reason.plain("enough")), request.Stop(Reason.plain("enough"))])
 def test_a_run_is_ended_from_outside_with_the_cause(desk, wish):  # R-E07, law 27
     desk.ask(request.Prepare(plan("1.0"), ()))
     desk.ask(request.Begin())
@@ -109,7 +109,7 @@ def test_a_run_is_ended_from_outside_with_the_cause(desk, wish):  # R-E07, law 2
 def test_after_a_stop_nothing_begins_before_a_deliberate_reset(desk):  # law 27
     desk.ask(request.Prepare(plan("1.0"), ()))
     desk.ask(request.Begin())
-    desk.ask(request.Stop("enough"))
+    desk.ask(request.Stop(Reason.plain("enough")))
     assert not desk.to_the_end().completed
     assert str(desk.ask(request.Begin()).reason) == "the runtime is stopped; reset it first"
     assert desk.ask(live.Reset()) == request.Done()
@@ -159,7 +159,7 @@ def test_quit_ends_the_program(desk):
 
 
 def test_to_abort_what_does_not_run_is_harmless(desk):
-    assert desk.ask(request.Abort("x")) == request.Done()
+    assert desk.ask(request.Abort(Reason.plain("x"))) == request.Done()
     assert isinstance(desk.ask(request.Reply("flow0", "servo", "1")), request.Refused)
 
 
@@ -168,7 +168,7 @@ def test_a_run_that_goes_on_without_its_session_can_be_ended_by_others(desk):  #
     desk.ask(request.Begin(on_loss="run"), "gone")
     desk.server.gone.append("gone")
     desk.program.serve()
-    assert desk.ask(request.Abort("enough"), "another") == request.Done()
+    assert desk.ask(request.Abort(Reason.plain("enough")), "another") == request.Done()
     assert desk.to_the_end().cause == "enough"
 
 
@@ -221,7 +221,7 @@ def test_motion_is_allowed_again_whatever_waits_for_the_loader(monkeypatch):  # 
     monkeypatch.setattr(desk.program._editor, "_loading", desk.program._loading)
     shop = rail_tasks()
     desk.send(live.Change("s0", spawn=(shop.planned("servo"),), code=(shop.code("servo"),)), "first")
-    assert desk.ask(request.Stop("now"), "first") == request.Done() and desk.program.is_stopped
+    assert desk.ask(request.Stop(Reason.plain("now")), "first") == request.Done() and desk.program.is_stopped
     assert desk.ask(live.Reset(), "first") == request.Done() and not desk.program.is_stopped
 
 

@@ -20,6 +20,7 @@ from onika.link.link_terms import LinkTerms
 from onika.link.sessions import Sessions
 from onika.store.site import open_site
 from onika.wire import event, request
+from onika.words.reason import Reason
 
 TERMS = LinkTerms(beat_ns=10**9, suspect_ns=10**10, lost_ns=10**11, greeting_ns=10**10)
 
@@ -110,7 +111,7 @@ def test_a_run_is_aborted_over_the_link(tmp_path, site):  # R-E07
     journey.ask(request.Prepare(journey.prepared.plan, journey.prepared.targets))
     journey.program._driver.advance = slowly(journey.program._driver.advance)
     journey.ask(request.Begin())
-    assert journey.ask(request.Abort("the user has changed her mind")) == request.Done()
+    assert journey.ask(request.Abort(Reason.plain("the user has changed her mind"))) == request.Done()
     *_, result = journey.events()
     assert (result.completed, result.cause, result.done) == (False, "the user has changed her mind", 0)
 

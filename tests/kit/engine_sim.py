@@ -32,6 +32,7 @@ from onika.engine.orders import (
 )
 from onika.wire import steer
 from onika.wire.plan import Plan, PlannedAction
+from onika.words.reason import Reason
 
 Address = tuple[int, str]
 RUNTIME: Address = (-1, "")
@@ -290,7 +291,7 @@ class EngineSim:
             address, task = (flow, start.task), self.tasks[flow, start.task]
             mail = tuple(letter for letter in task.mail if isinstance(letter, told.Failed | told.Killed))
             if mail:
-                refused = told.Refused(flow, start.task, "it is in error")
+                refused = told.Refused(flow, start.task, Reason.plain("it is in error"))
                 self.tasks[address] = replace(task, mail=(*mail, refused))
                 continue
             is_known = not any(isinstance(letter, told.Cleared) for letter in task.mail)
@@ -300,7 +301,7 @@ class EngineSim:
 
     def _clear(self, address: Address) -> None:
         if any(isinstance(letter, told.Cleared) for letter in self.tasks[address].mail):
-            self.say(address, told.Refused(*address, "it is OFF"), "off")
+            self.say(address, told.Refused(*address, Reason.plain("it is OFF")), "off")
         else:
             self._change(address, "error", "off", told.Cleared(*address))
 

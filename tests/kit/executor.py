@@ -8,6 +8,7 @@ from onika.host.execution.subsystem_executor import Client, SubsystemExecutor
 from onika.host.units.unit_registry import Units
 from onika.runtime.subsystem import RunningSubsystem
 from onika.wire import event
+from onika.words.reason import Reason
 
 
 def executor(
@@ -15,7 +16,7 @@ def executor(
     units: Units,
     client: Client = lambda _message, _before: None,
     tell: Callable[[event.Event], None] = lambda _event: None,
-    lost: Mapping[str, str] | None = None,
+    lost: Mapping[str, Reason] | None = None,
 ) -> SubsystemExecutor:
     """An executor that has no code; `executor.spawner` takes it."""
     gone = lost if lost is not None else {}

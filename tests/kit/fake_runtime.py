@@ -41,6 +41,7 @@ from onika.engine.orders import (
     Switch,
     Together,
 )
+from onika.words.reason import Reason
 
 Address = tuple[int, str]
 """A flow's number and the name of a task."""
@@ -103,7 +104,7 @@ class FakeRuntime:
         count = 0
         while True:
             if count == abort_after:
-                self._feed(Abort("the user said so"))
+                self._feed(Abort(Reason.plain("the user said so")))
             count += 1
             if not self._news:
                 return
@@ -179,14 +180,14 @@ class FakeRuntime:
         """What a task says when it is turned ON; a trigger finishes at once."""
         fault = self._faults(address)
         if fault is Fault.ASK:
-            self._say(address, Asked(*address, "how far?"))
+            self._say(address, Asked(*address, Reason.plain("how far?")))
         if fault is Fault.REFUSE or address in self._in_error:
-            self._fall(address, Refused(*address, "it will not"))
+            self._fall(address, Refused(*address, Reason.plain("it will not")))
             return
         self._say(address, TurnedOn(*address))
         if fault is Fault.FAIL:
             self._in_error.add(address)
-            self._fall(address, Failed(*address, "it broke"))
+            self._fall(address, Failed(*address, Reason.plain("it broke")))
         elif fault is Fault.SWITCH_OFF:
             self._fall(address, SwitchedOff(*address))
         elif address in self._triggers:

@@ -13,7 +13,7 @@ from onika.runtime.execution.running_task import RunningTask
 from onika.wire import event, live
 from onika.wire.plan import Code, PlannedTask
 from onika.wire.request import Response
-from onika.words.reason import Text
+from onika.words.reason import Reason
 
 SOURCE = """
 from onika.module import Local, Module, OutConst, OutVar
@@ -120,7 +120,7 @@ class LossyDriver(VirtualDriver):
         for (subsystem, task), home in list(self._homes.items()):
             if home == rtpu:
                 super().send(rtpu, command.Kill(subsystem, task))
-        self.lost(rtpu, f"processing unit {rtpu} was lost", self.now)
+        self.lost(rtpu, Reason.plain(f"processing unit {rtpu} was lost"), self.now)
 
     # As the listener
 
@@ -157,7 +157,7 @@ class LossyDriver(VirtualDriver):
             if self.fatal is None:
                 self.lose(unit)
 
-    def lost(self, rtpu: str, reason: Text, now: int) -> None:
+    def lost(self, rtpu: str, reason: Reason, now: int) -> None:
         """Pass it on."""
         self._program.subsystems.lost(rtpu, reason, now)
 

@@ -16,7 +16,7 @@ from typing import Any
 from onika.model.lifecycle import IllegalTransition, LifecycleInput, State, after
 from onika.wire import event, holding, live, request, steer
 from onika.wire.plan import PlannedTask
-from onika.words.reason import Text
+from onika.words.reason import NOTHING, Reason
 
 
 @dataclass(slots=True)
@@ -61,7 +61,7 @@ class LiveRuntime:
         self.variables: dict[str, dict[str, Any]] = {}
         self.scenes: dict[str, dict[str, Any]] = {}
         self.findings: dict[str, tuple[str, ...]] = {}
-        self.refusals: dict[str, Text] = {}
+        self.refusals: dict[str, Reason] = {}
         """Kinds of requests that are refused, by their class's name, with the reason."""
         self.positions: tuple[steer.Position, ...] = ()
         """Where flows are said to be; an application runs in them."""
@@ -76,7 +76,7 @@ class LiveRuntime:
         while self._told:
             yield self._told.popleft()
         if self.running:
-            self._told.append(event.Result(True, "", 1, 1, self.now_s, 0.0, {}, (), ""))
+            self._told.append(event.Result(True, NOTHING, 1, 1, self.now_s, 0.0, {}, (), ""))
             self.running = ""
 
     def tell(self, message: event.Event) -> None:
@@ -117,11 +117,11 @@ class LiveRuntime:
             case live.Read():
                 values = self.variables.get(message.subsystem)
                 if values is None:
-                    return request.Refused(f"there is no subsystem {message.subsystem}")
+                    return request.Refused(Reason.plain(f"there is no subsystem {message.subsystem}"))
                 names = message.names or tuple(values)
                 return live.Values({name: values[name] for name in names if name in values}, self.now_s)
             case live.Check():
-                return live.Findings(self.findings.get(message.subsystem, ()))
+                return live.Findings(tuple(map(Reason.plain, self.findings.get(message.subsystem, ()))))
 
     def _survey(self) -> live.Standing:
         subsystems = tuple(
@@ -159,7 +159,7 @@ class LiveRuntime:
                 self._carry_out(message)
             except (IllegalTransition, KeyError, ValueError) as wrong:
                 cause = str(wrong)
-        self._told.append(event.Edited(message.subsystem, number, cause, self.now_s))
+        self._told.append(event.Edited(message.subsystem, number, Reason.plain(cause), self.now_s))
         return live.Accepted(number)
 
     def _carry_out(self, message: live.Change | live.Clear | live.Reinit | live.Swap | live.Close) -> None:
@@ -212,7 +212,7 @@ class LiveRuntime:
         items = self._asks.get(life.task.name)
         if items and not arguments:
             self._step(home, life, LifecycleInput.ASK)
-            self._told.append(event.Asked(home, life.task.name, "", items, self.now_s))
+            self._told.append(event.Asked(home, life.task.name, NOTHING, items, self.now_s))
         else:
             self._step(home, life, LifecycleInput.ON if life.state is State.OFF else LifecycleInput.ANSWERED)
 
@@ -230,7 +230,7 @@ class LiveRuntime:
             parameters[message.name] = message.value
             return live.Value(None)
         if message.name not in parameters:
-            return request.Refused(f"there is nothing called {message.name!r} to get")
+            return request.Refused(Reason.plain(f"there is nothing called {message.name!r} to get"))
         return live.Value(parameters[message.name])
 
     # -- the whole
@@ -239,7 +239,7 @@ class LiveRuntime:
         match message:
             case request.Begin():
                 if not self._prepared:
-                    return request.Refused("no plan is prepared")
+                    return request.Refused(Reason.plain("no plan is prepared"))
                 self.running = self._prepared
                 self._told.append(event.Began(0, 0, 1, self.running, self.now_s))
             case request.Reply():
@@ -249,7 +249,7 @@ class LiveRuntime:
                 self._told.append(event.Result(False, message.cause, 0, 1, self.now_s, 0.0, {}, (), ""))
             case request.Stop() | live.Reset():
                 self.is_stopped = isinstance(message, request.Stop)
-                self._told.append(event.Stopped(self.is_stopped, getattr(message, "cause", "")))
+                self._told.append(event.Stopped(self.is_stopped, getattr(message, "cause", NOTHING)))
             case live.Take() | live.Release():
                 self._hand(message)
                 holder = "you" if isinstance(message, live.Take) else ""
@@ -258,13 +258,17 @@ class LiveRuntime:
                 return holding.Company("you", self.sessions)
             case holding.Hand():
                 self._told.append(
-                    event.Offered(message.subsystem, "you", message.to, "" if message.to else "withdrawn")
+                    event.Offered(message.subsystem, "you", message.to, Reason.plain("" if message.to else "withdrawn"))
                 )
             case holding.Decline():
-                self._told.append(event.Offered(message.subsystem, "anna#2", "you", "you declines"))
+                self._told.append(event.Offered(message.subsystem, "anna#2", "you", Reason.plain("you declines")))
             case live.Scene():
                 scene = self.scenes.get(message.world)
-                return request.Refused(f"no world {message.world} is open") if scene is None else live.Scenery(scene)
+                return (
+                    request.Refused(Reason.plain(f"no world {message.world} is open"))
+                    if scene is None
+                    else live.Scenery(scene)
+                )
             case live.Advance():
                 self._pass(message.seconds)
             case request.Quit():

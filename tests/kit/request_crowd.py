@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from onika.wire import live, request, steer
 from onika.wire.plan import Plan
+from onika.words.reason import Reason
 
 
 def honest_requests(plans: Sequence[Plan], tasks: tuple[str, str]) -> list[request.Request]:
@@ -21,7 +22,7 @@ def honest_requests(plans: Sequence[Plan], tasks: tuple[str, str]) -> list[reque
         request.Begin(is_held=True, on_error="wait"),
         request.Begin(repeat=repeated, repeat_until_ns=10**9),
         request.Inspect(planned, code),
-        request.Abort("enough"),
+        request.Abort(Reason.plain("enough")),
         live.Change("s0", spawn=planned, code=code),
         live.Change("s0", on=(live.Turn(first), live.Turn(second, "1.0"))),
         live.Change("s0", off=(second,), rates=((first, 250.0),)),

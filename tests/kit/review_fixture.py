@@ -22,6 +22,7 @@ from onika.record import foxglove, topics
 from onika.record.run import RunRecord
 from onika.wire import act, event, request
 from onika.wire.view import InstantView, RecordingView
+from onika.words.reason import NOTHING
 from onika.words.shape import Shape
 
 LAMP = {
@@ -44,7 +45,7 @@ class ReviewFixture(RunFixture):
         tape.variable("WORD", "string", (0.0, b"on".ljust(Shape.parse("string").size, b"\0")))
         self._draw(tape, count)
         if ends:
-            result = event.Result(True, "", count, count, float(count), 0.0, {}, (), "")
+            result = event.Result(True, NOTHING, count, count, float(count), 0.0, {}, (), "")
             tape.tell(float(count), result, "")
             tape.end(completed="yes", cause="")
         else:

@@ -22,6 +22,7 @@ from onika.desk.environment.reconcile import runtime_loss
 from onika.desk.environment.state.model import Model
 from onika.wire import act, event, request
 from onika.wire.view import RunView
+from onika.words.reason import Reason, as_reason
 
 
 class RunFixture(FakeRuntimeEnv):
@@ -77,13 +78,13 @@ class RunFixture(FakeRuntimeEnv):
         other = ("flow1" if flow == "flow0" else "flow0",) if tag else ()
         self.tell(event.Moved(flow, state, action, at_s, tag, other))
 
-    def end(self, cause: str = "", runtime_s: float = 9.0) -> None:
+    def end(self, cause: Reason | str = "", runtime_s: float = 9.0) -> None:
         """Let the run come to its end; with a cause before its time."""
-        self.tell(event.Result(not cause, cause, self.view.done, self.view.of, runtime_s, 0.0, {}, (), ""))
+        self.tell(event.Result(not cause, as_reason(cause), self.view.done, self.view.of, runtime_s, 0.0, {}, (), ""))
 
-    def lose(self, reason: str) -> None:
+    def lose(self, reason: Reason | str) -> None:
         """Let the runtime be gone."""
-        self.environment.become(lambda model: runtime_loss.lost(model, reason))
+        self.environment.become(lambda model: runtime_loss.lost(model, as_reason(reason)))
 
     def carried(self, kind: type) -> list[request.Request]:
         """What the runtime was asked of a kind, in order."""

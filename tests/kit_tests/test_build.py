@@ -4,6 +4,7 @@ from kit import build
 from onika.engine.news import Failed, Run, Spawned
 from onika.engine.orders import Spawn
 from onika.wire.plan import Do, Halt
+from onika.words.reason import Reason
 
 REACH = build.job("move", "puma", trigger="move", arguments="1 2", rates={"puma": 50.0}, synch_tag="meet")
 GRASP = build.job("grip", "puma", trigger="grip")
@@ -54,4 +55,4 @@ def test_an_engine_stands_still_at_an_error_if_that_is_said(stands_still, orders
     engine = build.engine([GRASP], stands_still=stands_still)
     for news in (Run(), Spawned(0, "grip"), Spawned(0, "puma")):
         engine.feed(news)
-    assert [type(order).__name__ for order in engine.feed(Failed(0, "grip", "x"))] == orders
+    assert [type(order).__name__ for order in engine.feed(Failed(0, "grip", Reason.plain("x")))] == orders

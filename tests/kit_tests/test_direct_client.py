@@ -2,6 +2,7 @@ import pytest
 
 from kit.direct_client import DirectClient, OpenGate
 from onika.wire import event, live, request
+from onika.words.reason import Reason
 
 
 def test_a_request_is_answered_once():
@@ -20,7 +21,7 @@ def test_who_asks_gets_the_answer_that_belongs_to_it():
 
 def test_the_outcome_of_a_request_is_its_reason_or_nothing():
     asker = DirectClient()
-    assert asker.outcome(request.Refused("no")) == "no"
+    assert asker.outcome(request.Refused(Reason.plain("no"))) == "no"
     assert "one of no task, found x" in asker.change(kill=("x",))
     with pytest.raises(TypeError, match="expected Accepted"):
         asker.outcome(request.Done())
@@ -30,6 +31,6 @@ def test_the_outcome_of_a_request_is_its_reason_or_nothing():
 
 def test_events_are_found_by_kind():
     asker = DirectClient()
-    asker.ask(request.Stop("enough"))
-    assert asker.of(event.Stopped) == [event.Stopped(True, "enough")]
+    asker.ask(request.Stop(Reason.plain("enough")))
+    assert asker.of(event.Stopped) == [event.Stopped(True, Reason.plain("enough"))]
     assert asker.result is None

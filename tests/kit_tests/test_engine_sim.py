@@ -8,6 +8,7 @@ from onika.engine import news
 from onika.engine.engine import Engine
 from onika.engine.orders import Began, Case, Done, Launch, Off, RunNote, Switch
 from onika.wire import steer
+from onika.words.reason import Reason
 
 MOVE = (0, "move")
 
@@ -38,7 +39,7 @@ def test_a_run_goes_through_its_actions_to_its_end(theatre):
 
 def test_what_was_taken_can_be_put_back(theatre):
     taken, key, story = theatre.take(), theatre.key(), theatre.story
-    theatre.feed(news.Abort("stop"))
+    theatre.feed(news.Abort(Reason.plain("stop")))
     hear_all(theatre)
     assert theatre.end
     theatre.put_back(taken)
@@ -48,7 +49,7 @@ def test_what_was_taken_can_be_put_back(theatre):
 @pytest.mark.parametrize(
     ("orders", "wrong"),
     [
-        ([RunNote(0, "lost")], "are ON in flow 0, expected"),
+        ([RunNote(0, Reason.plain("lost"))], "are ON in flow 0, expected"),
         ([Began(0, 1)], "but 0 is open"),
         ([Done(0, 1)], "but 0 is open"),
         ([Done(0, 0), Switch(0, (), (Launch("arm"),)), Began(0, 1)], "is turned on and is on"),

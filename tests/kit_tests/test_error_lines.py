@@ -2,22 +2,23 @@ from kit.error_lines import AGAIN, REACH, clearing, finish, on, paused, running,
 from onika.engine.news import Cleared, Failed, Finished, TurnedOn
 from onika.engine.orders import Began, Clear, Launch, Moved, Off, RunNote, Switch
 from onika.wire.steer import Recover
+from onika.words.reason import Reason
 
 
 def test_a_mishap_begins_in_the_first_action_of_every_flow_with_all_tasks_on():
     play = started([REACH], [REACH, AGAIN])
     assert [play.position(flow).state for flow in (0, 1)] == ["running", "running"]
-    moved = Moved(1, "stopped", 0, text=f"{where(1, 0)}: puma is in error: joint limit")
-    assert play >> Failed(1, "puma", "joint limit") << Off(1, "move") << moved
+    moved = Moved(1, "stopped", 0, text=Reason.plain(f"{where(1, 0)}: puma is in error: joint limit"))
+    assert play >> Failed(1, "puma", Reason.plain("joint limit")) << Off(1, "move") << moved
 
 
 def test_passive_tasks_and_further_triggers_are_as_they_are_given():
     play = started([REACH], passive=[(0, "puma")], others=[(0, "puma")])
     assert play.cases(0) == []
     failed = started([REACH], passive=[(0, "puma")])
-    failed = failed >> Finished(0, "ghost") << RunNote(0, "ghost is no task of this flow: ignored")
+    failed = failed >> Finished(0, "ghost") << RunNote(0, Reason.plain("ghost is no task of this flow: ignored"))
     sentence = f"{where(0, 0)}: puma is in error and stays off, the job goes on: x"
-    assert failed >> Failed(0, "puma", "x") << RunNote(0, sentence)
+    assert failed >> Failed(0, "puma", Reason.plain("x")) << RunNote(0, Reason.plain(sentence))
 
 
 def test_the_lines_are_what_they_say():
@@ -31,6 +32,6 @@ def test_the_lines_are_what_they_say():
 
 
 def test_a_mishap_can_be_cleared():
-    play = started() >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
+    play = started() >> Failed(0, "puma", Reason.plain("joint limit")) << Off(0, "move") << stopped()
     play = play >> Recover("0") << clearing() << Clear(0, "puma")
     assert play >> Cleared(0, "puma") << Switch(0, (), on("move", "puma")) << running(0)

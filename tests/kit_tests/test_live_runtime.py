@@ -3,12 +3,16 @@ import pytest
 from kit.build import task
 from kit.live_runtime import LiveRuntime
 from onika.wire import event, live, request
+from onika.words.reason import NOTHING, Reason
 
 
 def test_a_change_is_accepted_and_its_outcome_an_event():
     runtime = LiveRuntime()
     assert runtime.ask(live.Change("main", spawn=(task("a"),))) == live.Accepted(1)
-    assert list(runtime.events(0.0)) == [event.TaskState("main", "a", "OFF", 0.0), event.Edited("main", 1, "", 0.0)]
+    assert list(runtime.events(0.0)) == [
+        event.TaskState("main", "a", "OFF", 0.0),
+        event.Edited("main", 1, NOTHING, 0.0),
+    ]
 
 
 @pytest.mark.parametrize(
@@ -54,7 +58,7 @@ def test_everything_that_can_be_asked_is_answered():
         live.Clear("main", "a"),
         live.Swap("main", "a", None),
         live.Close("main"),
-        request.Stop("x"),
+        request.Stop(Reason.plain("x")),
         request.Snapshot(),
     )
     for order in requests:

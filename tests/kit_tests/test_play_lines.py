@@ -4,6 +4,7 @@ from kit.play_lines import JOB, NOOP, begins, ends, goes_on, opened, passes, sta
 from onika.engine.news import Failed, Finished, TurnedOn
 from onika.engine.orders import Began, Done, Launch, Moved, Switch, Together
 from onika.wire.plan import Do
+from onika.words.reason import Reason
 
 MOVE = Launch("move", "", 100.0)
 
@@ -26,7 +27,7 @@ def test_a_scene_stands_still_at_an_error_and_judges_as_it_is_told():
     play = started(flow, judge=lambda number, condition: (number, condition) == (0, "X"))
     play = play >> ends(0) << Done(0, 0) << begins(0, 0)
     text = "test.appl flow 0 action 0: move is in error: x"
-    assert play >> Failed(0, "move", "x") << Moved(0, "stopped", 0, text=text)
+    assert play >> Failed(0, "move", Reason.plain("x")) << Moved(0, "stopped", 0, text=Reason.plain(text))
 
 
 def test_the_lines_are_what_they_say():

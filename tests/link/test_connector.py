@@ -4,6 +4,7 @@ from onika.link.carrier import memory_pair, wait_for
 from onika.link.channel import Channel
 from onika.link.connector import ThreadConnector
 from onika.link.lost import LinkLost, LossCause
+from onika.words.reason import Reason
 
 
 def test_what_was_opened_and_what_was_not_is_told_and_wakes_the_waiting():
@@ -11,7 +12,7 @@ def test_what_was_opened_and_what_was_not_is_told_and_wakes_the_waiting():
 
     def opening(channel):
         if channel is Channel.SIGNAL:
-            raise LinkLost(LossCause.TOKEN, "wrong")
+            raise LinkLost(LossCause.TOKEN, Reason.plain("wrong"))
         return here
 
     connector = ThreadConnector(opening)

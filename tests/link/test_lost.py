@@ -1,6 +1,6 @@
 from onika.link import lost
 from onika.link.lost import LinkLost, LossCause
-from onika.words.reason import in_language
+from onika.words.reason import NOTHING, in_language
 
 
 def test_each_cause_says_distinctly_what_happened():  # R-F01
@@ -25,7 +25,7 @@ def test_each_cause_says_distinctly_what_happened():  # R-F01
 
 
 def test_what_trying_again_does_not_mend_is_final():
-    final = {cause for cause in LossCause if LinkLost(cause, "").is_final}
+    final = {cause for cause in LossCause if LinkLost(cause, NOTHING).is_final}
     assert final == {LossCause.VERSION, LossCause.CERTIFICATE, LossCause.TOKEN, LossCause.FORBIDDEN}
 
 

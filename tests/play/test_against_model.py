@@ -21,6 +21,7 @@ from kit.reference_engine import ReferenceEngine
 from onika.engine import news
 from onika.engine.orders import Began, Done, Settle
 from onika.wire import steer
+from onika.words.reason import Reason
 
 NOOP = Act(tasks=(), is_noop=True)
 TASKS = (("move", "arm"), ("grip", "arm"), ("move", "view"), ("arm", "view"))
@@ -143,7 +144,7 @@ class Comparison(RuleBasedStateMachine):
         on = self.theatre.on()
         if on and which < len(on):
             flow, task = on[which]
-            self.theatre.say((flow, task), news.Failed(flow, task, "broke"), "error")
+            self.theatre.say((flow, task), news.Failed(flow, task, Reason.plain("broke")), "error")
             self.feed_mail()
             self.small.failed(flow, task)
 

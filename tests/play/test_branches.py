@@ -9,6 +9,7 @@ from onika.engine.news import TurnedOn
 from onika.engine.orders import Done, Moved, Off, RunNote, Settle, Together
 from onika.wire.plan import Do, Halt
 from onika.wire.steer import Pause, Resume, Skip
+from onika.words.reason import Reason
 
 THREE = program(Do(0), branch([Do(1)], [Do(2)], [Do(3)], name="sort"), Do(4))
 
@@ -28,7 +29,11 @@ def test_a_value_beyond_the_number_of_flows_takes_flow_0_and_both_numbers_are_to
         f"test.appl flow 0 action 0: sort has 3 flows and the action before it asks for flow {choice}: flow 0 is taken"
     )
     assert (
-        started(build.flow([JOB] * 5, THREE)) >> ends(0, choice) << Done(0, 0) << RunNote(0, sentence) << begins(0, 1)
+        started(build.flow([JOB] * 5, THREE))
+        >> ends(0, choice)
+        << Done(0, 0)
+        << RunNote(0, Reason.plain(sentence))
+        << begins(0, 1)
     )
 
 
@@ -49,7 +54,7 @@ def test_a_conditional_that_comes_first_takes_flow_0():  # reading 21, R-D10
 
 def test_a_conditional_after_a_skip_takes_flow_0():  # reading 21
     play = started(build.flow([JOB] * 5, THREE)) >> TurnedOn(0, "move")
-    left = RunNote(0, "test.appl flow 0 action 0: left by the user")
+    left = RunNote(0, Reason.plain("test.appl flow 0 action 0: left by the user"))
     assert play >> Skip("0") << left << Off(0, "move") << begins(0, 1)
 
 
@@ -101,7 +106,7 @@ def together_at_a_fork(flow, index, child):
 def test_the_value_is_remembered_in_a_pause():  # R-E07, R-D10
     assert (
         started(build.flow([JOB] * 5, THREE))
-        >> Pause("0") << Moved(0, "running", 0, text="pauses after its current action")
+        >> Pause("0") << Moved(0, "running", 0, text=Reason.plain("pauses after its current action"))
         >> ends(0, 2) << Done(0, 0) << Moved(0, "paused", 0)
         >> Resume("0") << goes_on(0, 3)
     )  # fmt: skip

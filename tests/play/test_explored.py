@@ -16,6 +16,7 @@ from onika.engine import news as told
 from onika.engine.flow import FlowState
 from onika.model.rules import meetings
 from onika.wire import steer
+from onika.words.reason import Reason
 
 NOOP = Act(tasks=(), is_noop=True)
 GRIP = Act(tasks=("grip", "arm"))
@@ -218,7 +219,7 @@ class Explorer:
 
     def can_be_ended(self):
         theatre = self.theatre
-        theatre.feed(told.Abort("stop"))
+        theatre.feed(told.Abort(Reason.plain("stop")))
         self.hear_all()
         assert theatre.end, theatre.story
         assert not any(task.life in ("on", "off", "error") for a, task in theatre.tasks.items() if a != RUNTIME)

@@ -9,6 +9,7 @@ from onika.engine.news import Abort, Killed, Run, Spawned, TurnedOn
 from onika.engine.orders import Done, End, Kill, Moved, Off, RunNote, Settle
 from onika.wire.plan import Do
 from onika.wire.steer import Leave, Skip
+from onika.words.reason import Reason
 
 TWO_THEN_ONE = program(bottom("round", Do(0), Do(1)), Do(2))
 TESTED = program(top("round", Do(0), Do(1)), Do(2))
@@ -89,7 +90,7 @@ def test_a_no_op_as_the_test_makes_a_loop_without_an_end():  # R-E05, R-D11
         play = play >> ends(0) << Done(0, 0) << passes(0, 1) << begins(0, 0)
     assert (
         play
-        >> Leave("0") << Moved(0, "running", 0, text="leaves the loop round at its next test")
+        >> Leave("0") << Moved(0, "running", 0, text=Reason.plain("leaves the loop round at its next test"))
         >> ends(0) << Done(0, 0) << passes(0, 1) << begins(0, 2)
     )  # fmt: skip
 
@@ -100,14 +101,14 @@ def test_a_no_op_as_the_test_at_the_top_makes_a_loop_without_an_end():  # R-E05,
     )
     for _ in range(3):
         play = play >> ends(0, loop=False) << Done(0, 1) << passes(0, 0) << begins(0, 1)
-    assert play >> Abort("enough") << Kill(0, "move")
+    assert play >> Abort(Reason.plain("enough")) << Kill(0, "move")
 
 
 def test_a_loop_that_takes_no_time_at_all_ends_the_run():  # R-E05
     script = program(Do(0), bottom("round", Do(1)), Do(2))
     cause = "flow 0 goes round for ever without taking any time"
     play = started(build.flow([JOB, NOOP, JOB], script)) >> ends(0) << Done(0, 0) << passes(0, 1) * 2 << Kill(0, "move")
-    assert play >> Killed(0, "move") << End(False, cause)
+    assert play >> Killed(0, "move") << End(False, Reason.plain(cause))
 
 
 def test_a_loop_in_a_loop_begins_anew_in_each_round():  # reading 23
@@ -138,9 +139,9 @@ def test_the_inner_loop_is_left_first_then_the_outer_one():  # R-E07
     assert (
         play
         >> Leave("0")
-        << Moved(0, "running", 1, text="leaves the loop inner at its next test")
+        << Moved(0, "running", 1, text=Reason.plain("leaves the loop inner at its next test"))
         >> Leave("0")
-        << Moved(0, "running", 1, text="leaves the loop outer at its next test")
+        << Moved(0, "running", 1, text=Reason.plain("leaves the loop outer at its next test"))
     ).refuses(Leave("0"), "in a loop that it is not leaving yet")
     assert (
         play
@@ -153,7 +154,7 @@ def test_a_loop_that_was_left_is_a_loop_again_when_the_flow_comes_back():  # R-E
     assert (
         started(build.flow([JOB] * 4, INNER))
         >> ends(0) << Done(0, 0) << begins(0, 1)
-        >> Leave("0") << Moved(0, "running", 1, text="leaves the loop inner at its next test")
+        >> Leave("0") << Moved(0, "running", 1, text=Reason.plain("leaves the loop inner at its next test"))
         >> ends(0, loop=True) << Done(0, 1) << begins(0, 2)
         >> ends(0, loop=True) << Done(0, 2) << begins(0, 0)
         >> ends(0) << Done(0, 0) << begins(0, 1)
@@ -167,7 +168,7 @@ def test_a_top_test_loop_is_left_from_its_test_and_from_its_body(index):  # R-E0
     play = play if index == 0 else play >> ends(0, loop=True) << Done(0, 0) << begins(0, 1)
     assert (
         play
-        >> Leave("0") << Moved(0, "running", index, text="leaves the loop round at its next test")
+        >> Leave("0") << Moved(0, "running", index, text=Reason.plain("leaves the loop round at its next test"))
         >> ends(0, loop=True) << Done(0, index) << begins(0, 2)
     )  # fmt: skip
 
@@ -176,7 +177,7 @@ def test_a_loop_with_a_condition_is_left_whatever_that_says():  # R-E07, R-D13
     script = program(bottom("round", Do(0), condition="X > 1"), Do(1))
     assert (
         started(build.flow([JOB] * 2, script), judge=lambda _flow, _condition: True)
-        >> Leave("0") << Moved(0, "running", 0, text="leaves the loop round at its next test")
+        >> Leave("0") << Moved(0, "running", 0, text=Reason.plain("leaves the loop round at its next test"))
         >> ends(0, loop=True) << Done(0, 0) << begins(0, 1)
     )  # fmt: skip
 
@@ -188,18 +189,19 @@ def test_outside_of_a_loop_there_is_none_to_leave():  # R-E07
 
 def test_a_skipped_test_leaves_the_loop():  # reading 22
     play = started(build.flow([JOB] * 3, TWO_THEN_ONE)) >> ends(0) << Done(0, 0) << begins(0, 1) >> TurnedOn(0, "move")
-    left = RunNote(0, "test.appl flow 0 action 1: left by the user")
+    left = RunNote(0, Reason.plain("test.appl flow 0 action 1: left by the user"))
     assert play >> Skip("0") << left << Off(0, "move") << begins(0, 2)
 
 
 def test_a_skip_out_of_a_loop_forgets_that_it_was_to_be_left():  # R-E13
     play = started(build.flow([JOB] * 3, TWO_THEN_ONE)) >> TurnedOn(0, "move")
-    left = RunNote(0, "test.appl flow 0 action 0: left by the user")
+    left = RunNote(0, Reason.plain("test.appl flow 0 action 0: left by the user"))
     assert (
         play
-        >> Leave("0") << Moved(0, "running", 0, text="leaves the loop round at its next test")
+        >> Leave("0") << Moved(0, "running", 0, text=Reason.plain("leaves the loop round at its next test"))
         >> Skip("0", 2) << left << Off(0, "move") << begins(0, 2) >> TurnedOn(0, "move")
-        >> Skip("0", 1) << RunNote(0, "test.appl flow 0 action 2: left by the user") << Off(0, "move") << begins(0, 1)
+        >> Skip("0", 1)
+            << RunNote(0, Reason.plain("test.appl flow 0 action 2: left by the user")) << Off(0, "move") << begins(0, 1)
         >> ends(0, loop=True) << Done(0, 1) << begins(0, 0)
     )  # fmt: skip
 
@@ -208,7 +210,8 @@ def test_a_skip_within_a_loop_remembers_that_it_is_to_be_left():  # R-E07, R-E13
     play = started(build.flow([JOB] * 3, TWO_THEN_ONE)) >> TurnedOn(0, "move")
     assert (
         play
-        >> Leave("0") << Moved(0, "running", 0, text="leaves the loop round at its next test")
-        >> Skip("0") << RunNote(0, "test.appl flow 0 action 0: left by the user") << Off(0, "move") << begins(0, 1)
+        >> Leave("0") << Moved(0, "running", 0, text=Reason.plain("leaves the loop round at its next test"))
+        >> Skip("0")
+            << RunNote(0, Reason.plain("test.appl flow 0 action 0: left by the user")) << Off(0, "move") << begins(0, 1)
         >> ends(0, loop=True) << Done(0, 1) << begins(0, 2)
     )  # fmt: skip

@@ -10,6 +10,7 @@ from onika.engine.news import Cleared, Failed, Killed, Run, Settled, Spawned, Tu
 from onika.engine.orders import Clear, Done, End, Kill, Moved, Off, Order, RunNote, Settle, Together
 from onika.wire.plan import Do, Halt, Meet
 from onika.wire.steer import Pass, Pause, Recover, Resume, Skip
+from onika.words.reason import Reason
 
 ONE = (Do(0), Halt())
 
@@ -108,7 +109,7 @@ def test_a_visit_that_was_let_pass_in_one_round_does_not_count_in_the_next():  #
     flow = parent([JOB, JOB], bottom("round", nested([(1, 0)], Do(0), Meet("meet a"), Do(1))))
     play = opened(flow, child(JOB, JOB, script=MEETS)) >> Spawned(1, "move")
     play = play << [Together("", (0, 1)), *begins(0, 0), *goes_on(1, 0)]
-    skipped = RunNote(1, "test.appl flow 1 action 0: left by the user")
+    skipped = RunNote(1, Reason.plain("test.appl flow 1 action 0: left by the user"))
     assert (
         play
         >> ends(0) << Done(0, 0) << Moved(0, "waiting", 0, "meet a", (1,))
@@ -220,7 +221,7 @@ def test_a_flow_that_waits_for_nested_ones_waits_again_after_a_pause():  # R-E07
 def test_a_nested_flow_that_pauses_is_waited_for():  # R-E07
     assert (
         joined()
-        >> Pause("1") << Moved(1, "running", 0, text="pauses after its current action")
+        >> Pause("1") << Moved(1, "running", 0, text=Reason.plain("pauses after its current action"))
         >> ends(1) << Done(1, 0) << Moved(1, "paused", 0)
         >> Resume("1") << done(1, 0) << goes_on(0, 2)
     )  # fmt: skip
@@ -230,7 +231,7 @@ def test_a_nested_flow_that_was_to_pause_before_its_first_action_does_so_when_it
     flow = parent([JOB, JOB], Do(0), nested([(1, 0)], Do(1)))
     assert (
         opened(flow, child())
-        >> Pause("1") << Moved(1, "spawning", -1, text="pauses before its first action")
+        >> Pause("1") << Moved(1, "spawning", -1, text=Reason.plain("pauses before its first action"))
         >> Spawned(1, "move") << begins(0, 0)
         >> ends(0) << Done(0, 0) << Moved(1, "paused", -1) << begins(0, 1)
         >> ends(0) << Done(0, 1) << joining(0, 1, 1)
@@ -268,7 +269,7 @@ def test_nobody_is_sent_to_a_stretch_that_the_flow_above_begins():  # R-E13
 
 def test_the_next_action_of_a_flow_may_be_the_end_of_a_nested_application():  # R-E07
     play = started(SIMPLE, child()) >> ends(0) << Done(0, 0) << forked(0, 1, 1) >> TurnedOn(0, "move")
-    left = RunNote(0, "test.appl flow 0 action 1: left by the user")
+    left = RunNote(0, Reason.plain("test.appl flow 0 action 1: left by the user"))
     assert play >> Skip("0") << left << Off(0, "move") << joining(0, 1, 1)
 
 
@@ -277,13 +278,13 @@ def test_the_next_action_of_a_flow_may_be_the_end_of_a_nested_application():  # 
 
 def stopped(flow, index):
     where = f"test.appl flow {flow} action {index}"
-    return Moved(flow, "stopped", index, text=f"{where}: move is in error: it broke")
+    return Moved(flow, "stopped", index, text=Reason.plain(f"{where}: move is in error: it broke"))
 
 
 def test_a_nested_flow_in_error_is_waited_for():  # R-E08, reading 28
     assert (
         joined() >> TurnedOn(1, "move")
-        >> Failed(1, "move", "it broke") << stopped(1, 0)
+        >> Failed(1, "move", Reason.plain("it broke")) << stopped(1, 0)
         >> Recover("1") << Moved(1, "clearing", 0) << Clear(1, "move")
         >> Cleared(1, "move") << goes_on(1, 0)
         >> ends(1) << Done(1, 0) << done(1, 0) << goes_on(0, 2)
@@ -293,7 +294,7 @@ def test_a_nested_flow_in_error_is_waited_for():  # R-E08, reading 28
 def test_an_error_while_a_flow_waits_for_nested_ones_is_cleared_and_it_waits_on():  # R-E08
     assert (
         joined()
-        >> Failed(0, "move", "it broke") << stopped(0, 1)
+        >> Failed(0, "move", Reason.plain("it broke")) << stopped(0, 1)
         >> Recover("0") << Moved(0, "clearing", 1) << Clear(0, "move")
         >> Cleared(0, "move") << joining(0, 1, 1)
         >> ends(1) << Done(1, 0) << done(1, 0) << goes_on(0, 2)
@@ -303,7 +304,7 @@ def test_an_error_while_a_flow_waits_for_nested_ones_is_cleared_and_it_waits_on(
 def test_nested_flows_may_end_while_the_one_above_is_in_error():  # R-E08
     assert (
         joined()
-        >> Failed(0, "move", "it broke") << stopped(0, 1)
+        >> Failed(0, "move", Reason.plain("it broke")) << stopped(0, 1)
         >> ends(1) << Done(1, 0) << done(1, 0)
         >> Recover("0") << Moved(0, "clearing", 1) << Clear(0, "move")
         >> Cleared(0, "move") << goes_on(0, 2)
@@ -314,7 +315,7 @@ def test_a_nested_flow_that_fails_before_it_is_begun_is_cleared_and_does_not_beg
     text = "move.rmod: move is in error: it broke"
     assert (
         started(SIMPLE, child())
-        >> Failed(1, "move", "it broke") << Moved(1, "stopped", -1, text=text)
+        >> Failed(1, "move", Reason.plain("it broke")) << Moved(1, "stopped", -1, text=Reason.plain(text))
         >> ends(0) << Done(0, 0) << joining(0, 0, 1)
         >> Recover("1") << Moved(1, "clearing", -1) << Clear(1, "move")
         >> Cleared(1, "move") << done(1, -1) << Together("", (0, 1)) << goes_on(0, 1) << goes_on(1, 0)

@@ -6,6 +6,7 @@ from kit.play_lines import JOB, NOOP, begins, ends, goes_on, opened, passes, sta
 from onika.engine.news import Run, Settled, Spawned
 from onika.engine.orders import Done, End, Moved, Settle, Together
 from onika.wire.steer import Pause, Resume
+from onika.words.reason import Reason
 
 
 def test_no_ops_are_told_and_take_no_time():  # R-D11
@@ -42,7 +43,7 @@ def test_a_breakpoint_after_a_no_op_pauses_behind_it():  # R-D11, reading 25
 def test_a_pause_that_is_asked_for_comes_before_the_next_no_op():  # R-E07, R-D11
     assert (
         started([JOB, NOOP, JOB])
-        >> Pause("0") << Moved(0, "running", 0, text="pauses after its current action")
+        >> Pause("0") << Moved(0, "running", 0, text=Reason.plain("pauses after its current action"))
         >> ends(0) << Done(0, 0) << Moved(0, "paused", 0)
         >> Resume("0") << passes(0, 1) << goes_on(0, 2)
     )  # fmt: skip

@@ -4,6 +4,7 @@ from kit import build
 from kit.play import Play
 from onika.engine.news import Failed, Finished, Refused, Run, Spawned, SwitchedOff, TurnedOn
 from onika.engine.orders import Began, Done, Launch, Moved, RunNote, Settle, Switch
+from onika.words.reason import Reason
 
 SHOW = build.job("move", "view", trigger="move")
 WHERE = "test.appl flow 0 action"
@@ -24,7 +25,8 @@ def started(*jobs):
 def test_a_passive_task_that_switches_itself_off_is_tried_again_with_the_next_action():  # R-A08
     assert (
         started()
-        >> SwitchedOff(0, "view") << RunNote(0, f"{WHERE} 0: view has switched itself off: the job goes on")
+        >> SwitchedOff(0, "view")
+            << RunNote(0, Reason.plain(f"{WHERE} 0: view has switched itself off: the job goes on"))
         >> Finished(0, "move") << Done(0, 0) << Switch(0, (), BOTH) << Began(0, 1)
     )  # fmt: skip
 
@@ -32,8 +34,8 @@ def test_a_passive_task_that_switches_itself_off_is_tried_again_with_the_next_ac
 def test_a_passive_task_in_error_is_left_off_for_the_rest_of_the_run():  # reading 17
     assert (
         started()
-        >> Failed(0, "view", "no screen")
-        << RunNote(0, f"{WHERE} 0: view is in error and stays off, the job goes on: no screen")
+        >> Failed(0, "view", Reason.plain("no screen"))
+        << RunNote(0, Reason.plain(f"{WHERE} 0: view is in error and stays off, the job goes on: no screen"))
         >> Finished(0, "move") << Done(0, 0) << Switch(0, (), MOVE) << Began(0, 1)
         >> TurnedOn(0, "move")
         >> Finished(0, "move") << Done(0, 1) << Moved(0, "done", 1) << Settle()
@@ -44,7 +46,8 @@ def test_a_passive_task_that_will_not_come_on_is_left_off():
     alone = build.job("move", trigger="move")
     assert (
         started(SHOW, alone, SHOW)
-        >> Refused(0, "view", "broken") << RunNote(0, f"{WHERE} 0: view stays off, the job goes on: broken")
+        >> Refused(0, "view", Reason.plain("broken"))
+            << RunNote(0, Reason.plain(f"{WHERE} 0: view stays off, the job goes on: broken"))
         >> Finished(0, "move") << Done(0, 0) << Switch(0, (), MOVE) << Began(0, 1)
         >> TurnedOn(0, "move")
         >> Finished(0, "move") << Done(0, 1) << Switch(0, (), MOVE) << Began(0, 2)
@@ -56,8 +59,8 @@ def test_a_passive_task_that_fails_at_its_spawn_holds_up_nobody():
         Play(build.engine([SHOW], passive=[(0, "view")]))
         >> Run() << build.spawns([SHOW])
         >> Spawned(0, "move")
-        >> Failed(0, "view", "no screen")
-        << RunNote(0, "view.rmod: view is in error and stays off, the job goes on: no screen")
+        >> Failed(0, "view", Reason.plain("no screen"))
+        << RunNote(0, Reason.plain("view.rmod: view is in error and stays off, the job goes on: no screen"))
         << Switch(0, (), MOVE) << Began(0, 0)
     )  # fmt: skip
 
@@ -70,6 +73,6 @@ def test_another_task_that_switches_itself_off_is_noted_and_the_run_goes_on():  
         >> [Spawned(0, "move"), Spawned(0, "view")] << Switch(0, (), BOTH) << Began(0, 0)
         >> [TurnedOn(0, "move"), TurnedOn(0, "view")]
         >> SwitchedOff(0, "view")
-        << RunNote(0, f"{WHERE} 0: view has switched itself off: ignored, though it is not passive")
+        << RunNote(0, Reason.plain(f"{WHERE} 0: view has switched itself off: ignored, though it is not passive"))
         >> Finished(0, "move") << Done(0, 0) << Moved(0, "done", 0) << Settle()
     )  # fmt: skip

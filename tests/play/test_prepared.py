@@ -10,6 +10,7 @@ from onika.engine.news import Asked, Failed, Finished, Refused, Run, Spawned, Sw
 from onika.engine.orders import Began, Case, Done, Launch, Moved, Settle, Switch
 from onika.wire.plan import Do, Rest
 from onika.wire.steer import Leave, Mark, Pause, Resume, Skip
+from onika.words.reason import Reason
 
 NEXT = Switch(0, (), (Launch("move", "", 100.0),))
 
@@ -77,7 +78,7 @@ def test_loop_and_choice_together_make_a_case_for_each_pair_that_matters():  # r
 
 def test_a_loop_that_is_to_be_left_has_one_case():  # R-E07
     play = begun(build.flow(jobs("1", "2"), program(bottom("round", Do(0)), Do(1))))
-    play = play >> Leave("0") << Moved(0, "running", 0, text="leaves the loop round at its next test")
+    play = play >> Leave("0") << Moved(0, "running", 0, text=Reason.plain("leaves the loop round at its next test"))
     assert play.cases(0) == [case(None, None, "2")]
 
 
@@ -112,9 +113,15 @@ def test_what_cannot_be_foreseen_is_not_prepared(before):
 
 
 def test_a_flow_that_will_pause_has_no_case_until_the_pause_is_taken_back():  # R-E07
-    play = begun(jobs("1", "2")) >> Pause("0") << Moved(0, "running", 0, text="pauses after its current action")
+    play = (
+        begun(jobs("1", "2"))
+        >> Pause("0")
+        << Moved(0, "running", 0, text=Reason.plain("pauses after its current action"))
+    )
     assert play.cases(0) == []
-    assert (play >> Resume("0") << Moved(0, "running", 0, text="does not pause")).cases(0) == [case(None, None, "2")]
+    assert (play >> Resume("0") << Moved(0, "running", 0, text=Reason.plain("does not pause"))).cases(0) == [
+        case(None, None, "2")
+    ]
 
 
 def test_a_breakpoint_set_in_the_run_takes_the_case_away():  # R-E07
@@ -122,7 +129,11 @@ def test_a_breakpoint_set_in_the_run_takes_the_case_away():  # R-E07
 
 
 def test_a_flow_that_does_not_run_has_no_case():
-    play = begun(jobs("1", "2")) >> Pause("0") << Moved(0, "running", 0, text="pauses after its current action")
+    play = (
+        begun(jobs("1", "2"))
+        >> Pause("0")
+        << Moved(0, "running", 0, text=Reason.plain("pauses after its current action"))
+    )
     assert (play >> ends(0) << Done(0, 0) << Moved(0, "paused", 0)).cases(0) == []
     assert opened(jobs("1", "2")).cases(0) == []
 
@@ -213,14 +224,18 @@ def test_what_changes_nothing_leaves_the_revision_as_it_is():
     for news in (Run(), Spawned(0, "move"), TurnedOn(0, "move")):
         engine.feed(news)
     before = engine.revision(0)
-    for news in (TurnedOn(0, "move"), Asked(0, "move", "how far?"), Finished(0, "ghost")):
+    for news in (TurnedOn(0, "move"), Asked(0, "move", Reason.plain("how far?")), Finished(0, "ghost")):
         engine.feed(news)
     assert engine.revision(0) == before
 
 
 @pytest.mark.parametrize(
     ("news", "comes_back"),
-    [(SwitchedOff(0, "view"), True), (Failed(0, "view", "no screen"), False), (Refused(0, "view", "broken"), False)],
+    [
+        (SwitchedOff(0, "view"), True),
+        (Failed(0, "view", Reason.plain("no screen")), False),
+        (Refused(0, "view", Reason.plain("broken")), False),
+    ],
 )
 def test_a_passive_task_that_falls_silent_changes_what_follows(news, comes_back):  # reading 17
     job = build.job("move", "view", trigger="move")

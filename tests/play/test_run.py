@@ -4,6 +4,7 @@ from kit import build
 from kit.play import Play
 from onika.engine.news import Asked, Finished, Killed, Run, Settled, Spawned, TurnedOn
 from onika.engine.orders import Began, Done, End, Kill, Launch, Moved, RunNote, Settle, Spawn, Switch, Together
+from onika.words.reason import Reason
 
 REACH = build.job("move", "pd", "puma", trigger="move", arguments="1 2")
 AGAIN = build.job("move", "pd", "puma", trigger="move", arguments="3 4")
@@ -97,8 +98,8 @@ def test_a_flow_waits_while_its_trigger_asks():  # R-E03, R-A10
     play = started(REACH, GRASP)
     assert (
         play
-        >> Asked(0, "move", "endpoint 9 is above 3.1")
-        << RunNote(0, "test.appl flow 0 action 0: move asks: endpoint 9 is above 3.1")
+        >> Asked(0, "move", Reason.plain("endpoint 9 is above 3.1"))
+        << RunNote(0, Reason.plain("test.appl flow 0 action 0: move asks: endpoint 9 is above 3.1"))
         >> TurnedOn(0, "move")
         >> Finished(0, "move") << Done(0, 0) << Switch(0, (), on("grip")) << Began(0, 1)
     )  # fmt: skip
@@ -106,8 +107,8 @@ def test_a_flow_waits_while_its_trigger_asks():  # R-E03, R-A10
 
 def test_any_task_may_ask_in_mid_run():  # R-E15
     assert (
-        started(REACH) >> Asked(0, "puma", "power up the robot")
-        << RunNote(0, "test.appl flow 0 action 0: puma asks: power up the robot")
+        started(REACH) >> Asked(0, "puma", Reason.plain("power up the robot"))
+        << RunNote(0, Reason.plain("test.appl flow 0 action 0: puma asks: power up the robot"))
     )  # fmt: skip
 
 
@@ -117,7 +118,7 @@ def test_a_job_without_a_trigger_goes_on_and_says_so():
         Play(build.engine([hold, REACH]))
         >> Run() << build.spawns([hold, REACH])
         >> spawned("puma", "move", "pd") << Switch(0, (), on("puma")) << Began(0, 0)
-        << RunNote(0, "test.appl flow 0 action 0: action 0 has no trigger: it goes on until you skip it")
+        << RunNote(0, Reason.plain("test.appl flow 0 action 0: action 0 has no trigger: it goes on until you skip it"))
         >> TurnedOn(0, "puma")
     )  # fmt: skip
 
@@ -125,7 +126,7 @@ def test_a_job_without_a_trigger_goes_on_and_says_so():
 def test_a_finish_of_a_task_that_is_no_trigger_of_the_action_is_ignored():  # reading 16
     assert (
         started(REACH) >> TurnedOn(0, "puma") >> Finished(0, "puma")
-        << RunNote(0, "test.appl flow 0 action 0: puma has finished, which ends no action now: ignored")
+        << RunNote(0, Reason.plain("test.appl flow 0 action 0: puma has finished, which ends no action now: ignored"))
     )  # fmt: skip
 
 
@@ -135,7 +136,7 @@ def test_the_second_finish_of_a_trigger_does_not_end_the_next_action():  # readi
         >> TurnedOn(0, "move")
         >> Finished(0, "move") << Done(0, 0) << Switch(0, (), on("move", arguments="3 4")) << Began(0, 1)
         >> Finished(0, "move")
-        << RunNote(0, "test.appl flow 0 action 1: move has finished, which ends no action now: ignored")
+        << RunNote(0, Reason.plain("test.appl flow 0 action 1: move has finished, which ends no action now: ignored"))
         >> TurnedOn(0, "move")
         >> Finished(0, "move") << Done(0, 1) << Moved(0, "done", 1) << Settle()
     )  # fmt: skip
@@ -151,7 +152,7 @@ def test_of_several_triggers_the_first_to_finish_ends_the_action():  # reading 1
         >> Finished(0, "timer")
         << [Done(0, 0), Switch(0, ("move",), on("grip", "pd", "puma")), Began(0, 1)]
         >> Finished(0, "move")
-        << RunNote(0, "test.appl flow 0 action 1: move has finished, which ends no action now: ignored")
+        << RunNote(0, Reason.plain("test.appl flow 0 action 1: move has finished, which ends no action now: ignored"))
     )  # fmt: skip
 
 

@@ -10,13 +10,14 @@ from onika.engine.news import Abort, Killed, Run, Spawned, TurnedOn
 from onika.engine.orders import Done, End, Kill, Launch, Moved, Off, RunNote, Settle, Switch, Together
 from onika.wire.plan import Do
 from onika.wire.steer import Leave, Mark, Pass, Pause, Recover, Resume, Skip, Step
+from onika.words.reason import Reason
 
 MEET = build.job("move", trigger="move", synch_tag="meet")
 WILL_PAUSE = "pauses after its current action"
 
 
 def will_pause(flow, index, state="running"):
-    return Moved(flow, state, index, text=WILL_PAUSE)
+    return Moved(flow, state, index, text=Reason.plain(WILL_PAUSE))
 
 
 def paused(flow, index):
@@ -25,7 +26,7 @@ def paused(flow, index):
 
 def left(flow, index):
     """The user leaves an action whose trigger is ON."""
-    return [RunNote(flow, f"test.appl flow {flow} action {index}: left by the user"), Off(flow, "move")]
+    return [RunNote(flow, Reason.plain(f"test.appl flow {flow} action {index}: left by the user")), Off(flow, "move")]
 
 
 # Pause
@@ -45,7 +46,7 @@ def test_a_pause_can_be_taken_back_before_it_comes():  # R-E07
     assert (
         started([JOB, JOB])
         >> Pause("0") << will_pause(0, 0)
-        >> Resume("0") << Moved(0, "running", 0, text="does not pause")
+        >> Resume("0") << Moved(0, "running", 0, text=Reason.plain("does not pause"))
         >> ends(0) << Done(0, 0) << begins(0, 1)
     )  # fmt: skip
 
@@ -53,7 +54,7 @@ def test_a_pause_can_be_taken_back_before_it_comes():  # R-E07
 def test_a_pause_before_the_first_action_holds_the_flow_when_its_tasks_live():  # R-E07
     assert (
         opened([JOB])
-        >> Pause("0") << Moved(0, "spawning", -1, text="pauses before its first action")
+        >> Pause("0") << Moved(0, "spawning", -1, text=Reason.plain("pauses before its first action"))
         >> Spawned(0, "move") << paused(0, -1)
         >> Resume("0") << goes_on(0, 0)
     )  # fmt: skip
@@ -220,19 +221,21 @@ def test_a_skip_ends_an_action_without_a_trigger():  # R-E07
         Play(build.engine([hold, hold]))
         >> Run() << build.spawns([hold])
         >> Spawned(0, "puma") << Switch(0, (), (Launch("puma", "", 100.0),)) << begins(0, 0)[1:]
-        << RunNote(0, "test.appl flow 0 action 0: action 0 has no trigger: it goes on until you skip it")
+        << RunNote(0, Reason.plain("test.appl flow 0 action 0: action 0 has no trigger: it goes on until you skip it"))
     )  # fmt: skip
     assert (
         play >> TurnedOn(0, "puma")
-        >> Skip("0") << RunNote(0, "test.appl flow 0 action 0: left by the user")
+        >> Skip("0") << RunNote(0, Reason.plain("test.appl flow 0 action 0: left by the user"))
         << Switch(0, (), ()) << begins(0, 1)[1:]
-        << RunNote(0, "test.appl flow 0 action 1: action 1 has no trigger: it goes on until you skip it")
+        << RunNote(0, Reason.plain("test.appl flow 0 action 1: action 1 has no trigger: it goes on until you skip it"))
     )  # fmt: skip
 
 
 def test_a_trigger_that_finishes_after_the_skip_ends_nothing():  # R-E07
     play = started([JOB, JOB, JOB]) >> TurnedOn(0, "move") >> Skip("0") << left(0, 0) << begins(0, 1)
-    ignored = RunNote(0, "test.appl flow 0 action 1: move has finished, which ends no action now: ignored")
+    ignored = RunNote(
+        0, Reason.plain("test.appl flow 0 action 1: move has finished, which ends no action now: ignored")
+    )
     assert play >> ends(0)[1:] << ignored >> ends(0) << Done(0, 1) << begins(0, 2)
 
 
@@ -301,8 +304,8 @@ def test_a_flow_that_is_done_is_not_steered(news):  # R-E07
 
 @pytest.mark.parametrize("news", EVERYTHING)
 def test_after_an_abort_nothing_is_steered_not_even_a_pause_that_was_to_come(news):  # R-E07
-    play = started([JOB, JOB]) >> Pause("0") << will_pause(0, 0) >> Abort("stop") << Kill(0, "move")
-    assert play.refuses(news, "found it killing") >> Killed(0, "move") << End(False, "stop")
+    play = started([JOB, JOB]) >> Pause("0") << will_pause(0, 0) >> Abort(Reason.plain("stop")) << Kill(0, "move")
+    assert play.refuses(news, "found it killing") >> Killed(0, "move") << End(False, Reason.plain("stop"))
 
 
 @pytest.mark.parametrize("flow", ["", "1"])

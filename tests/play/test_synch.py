@@ -145,9 +145,9 @@ def test_a_waiting_flow_can_be_aborted():  # R-E07
     assert (
         play
         >> Finished(0, "move") << Done(0, 0) << waits(0, 1)
-        >> Abort("stop") << Kill(0, "move") << Kill(1, "move")
+        >> Abort(Reason.plain("stop")) << Kill(0, "move") << Kill(1, "move")
         >> Killed(0, "move")
-        >> Killed(1, "move") << End(False, "stop")
+        >> Killed(1, "move") << End(False, Reason.plain("stop"))
     )  # fmt: skip
 
 
@@ -195,5 +195,5 @@ def met(*flows):
 
 def test_a_flow_that_waited_and_is_killed_waits_for_nobody():  # R-X03
     play = started([FREE, MEET], [FREE, MEET]) >> Finished(0, "move") << Done(0, 0) << waits(0, 1)
-    position = (play >> Abort("stop") << Kill(0, "move") << Kill(1, "move")).position(0)
+    position = (play >> Abort(Reason.plain("stop")) << Kill(0, "move") << Kill(1, "move")).position(0)
     assert (position.state, position.tag, position.waits_for) == ("killing", "", ())

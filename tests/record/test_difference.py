@@ -7,6 +7,7 @@ from onika.record.reader import Reader
 from onika.record.tolerance import WALL, Tolerance
 from onika.wire import event
 from onika.wire.figures import VariableSteps
+from onika.words.reason import NOTHING
 
 COURSE = ((0.0, [0.0, 0.0]), (1.0, [1.0, 2.0]), (2.0, [3.0, 4.0]))
 
@@ -113,7 +114,7 @@ def test_the_steps_that_a_run_measured_at_its_end_are_no_difference_by_themselve
     def ended(name, step):
         recording = RecordingBuilder(tmp_path / f"{name}.mcap")
         steps = (VariableSteps("flow0", "puma", "TAU", "N m", 1, 0, step, step, 18.0, 0.5),)
-        recording.tell(1.0, event.Result(True, "", 1, 1, 1.0, 1.0, {}, (), "", steps=steps), "")
+        recording.tell(1.0, event.Result(True, NOTHING, 1, 1, 1.0, 1.0, {}, (), "", steps=steps), "")
         return recording.end()
 
     assert first_difference(ended("a", 1.0), ended("b", 1.1), Tolerance()) is None
@@ -122,7 +123,7 @@ def test_the_steps_that_a_run_measured_at_its_end_are_no_difference_by_themselve
 def test_what_was_expected_of_a_run_is_no_difference(tmp_path):  # R-X05: only looked at, told by its variable
     def ended(name, values):
         recording = RecordingBuilder(tmp_path / f"{name}.mcap")
-        recording.tell(1.0, event.Result(True, "", 1, 1, 1.0, 1.0, values, (), "abc"), "")
+        recording.tell(1.0, event.Result(True, NOTHING, 1, 1, 1.0, 1.0, values, (), "abc"), "")
         return recording.end()
 
     assert first_difference(ended("a", {}), ended("b", {"X": [1.0]}), Tolerance()) is None

@@ -8,6 +8,7 @@ from onika.record.writer import Writer
 from onika.wire import steer
 from onika.wire.event import Result
 from onika.wire.request import Recorded, encode
+from onika.words.reason import Reason
 
 
 def test_a_run_comes_back_as_it_was_with_its_code(tmp_path):  # law 29
@@ -39,7 +40,7 @@ def test_a_file_without_a_run_is_refused(tmp_path):  # R-E01
 
 
 def test_how_a_run_ended_is_noted():  # R-X05
-    result = Result(False, "enough", 1, 2, 1.25, 9.0, {}, (), "abc", outside=("flow0/planner",))
+    result = Result(False, Reason.plain("enough"), 1, 2, 1.25, 9.0, {}, (), "abc", outside=("flow0/planner",))
     assert ending(result) == {
         "completed": "no", "cause": "enough", "hash": "abc", "seconds": "1.25", "outside": "flow0/planner"
     }  # fmt: skip

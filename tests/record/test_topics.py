@@ -2,6 +2,7 @@ import math
 
 from onika.record import topics
 from onika.wire import event, live, request
+from onika.words.reason import Reason
 
 
 def test_an_event_comes_back_as_it_was():  # R-X05
@@ -10,13 +11,17 @@ def test_an_event_comes_back_as_it_was():  # R-X05
 
 
 def test_a_request_comes_back_as_it_was():  # law 29
-    for order in (request.Reply("flow0", "gauge", '0.5 "two"'), live.Touch("boxes", "panic", 1.0), request.Abort("x")):
+    for order in (
+        request.Reply("flow0", "gauge", '0.5 "two"'),
+        live.Touch("boxes", "panic", 1.0),
+        request.Abort(Reason.plain("x")),
+    ):
         message = topics.RequestRecord(2, "me", order)
         assert topics.decode_wanted(topics.encode(message)) == message
 
 
 def test_what_json_does_not_know_is_written_all_the_same():
-    failed = event.Failed("s", "t", "x", "p", 1, "", 0.0, "cycle", {"X": math.nan, "Y": object})
+    failed = event.Failed("s", "t", Reason.plain("x"), "p", 1, "", 0.0, "cycle", {"X": math.nan, "Y": object})
     assert topics.decode_happened(topics.encode(topics.EventRecord("s", failed))).event.values["X"] is None
 
 

@@ -4,6 +4,7 @@ import msgspec
 import pytest
 
 from onika.runtime import command
+from onika.words.reason import Reason
 
 GRANT = command.DeviceGrant("bus:w", "m0", ("time", "drive", "x"), ("force",), {"KIND": "mass", "AT": (1.0,)}, 3, 0, 64)
 COMMANDS = [
@@ -31,7 +32,7 @@ COMMANDS = [
     command.Load(),
     command.Reset(),
     command.Stop(),
-    command.Fail("device server is gone"),
+    command.Fail(Reason.plain("device server is gone")),
     command.Quit(),
 ]  # fmt: skip
 

@@ -6,6 +6,7 @@ import pytest
 from onika.runtime import news
 from onika.runtime.load import TaskLoad
 from onika.runtime.user_input import AskedItem
+from onika.words.reason import Reason
 
 ITEM = AskedItem("endpoint", "double", 2, "rad", "where to", (0.0, 0.0), (-1.0, -2.0), None)
 STATUS = news.TaskStatus("s", "t", "m", "ON", "periodic", 0, 5, 1, 0, 100.0, 99.0, 1.0, 10.0, 1.0, 2.0, 4.0)
@@ -19,15 +20,15 @@ NEWS = [
     news.Changed("s", "t", "OFF", 5, "OFF"),
     news.Cycled("s", "t", 5),
     news.Finished("s", "t", 1, True, 5),
-    news.Failed("s", "t", "cycle", "ValueError: x", "m.py", 3, "trace", 5),
-    news.Failed("s", "t", "cycle", "x", "m.py", 3, "trace", 5, 2, {"Q": [1.0, 2.0], "NAME": "cube"}),
-    news.Warned("s", "t", "slow", 5),
+    news.Failed("s", "t", "cycle", Reason.plain("ValueError: x"), "m.py", 3, "trace", 5),
+    news.Failed("s", "t", "cycle", Reason.plain("x"), "m.py", 3, "trace", 5, 2, {"Q": [1.0, 2.0], "NAME": "cube"}),
+    news.Warned("s", "t", Reason.plain("slow"), 5),
     news.Finished("s", "t", 1, True, 5, 7, 2),
     news.Unprepared("s"),
-    news.Signalled("s", "t", "ILLEGAL", 0, "door open", 5),
+    news.Signalled("s", "t", "ILLEGAL", 0, Reason.plain("door open"), 5),
     news.Stepped("s", "t", "TAU_REF", "N m", 1, 30.0, 10.0, 18.64, 4, 5),
-    news.Asked("s", "t", "too far", (ITEM,), 5),
-    news.Refused("s", "t", "on", "no such task"),
+    news.Asked("s", "t", Reason.plain("too far"), (ITEM,), 5),
+    news.Refused("s", "t", "on", Reason.plain("no such task")),
     news.Got("s", "t", "progress", 0.5),
     news.Statuses("control", 0.25, (STATUS,)),
     news.Loads("control", (TaskLoad("s", "t", True, 100.0, 5.0, 9.0, 3),)),

@@ -9,6 +9,7 @@ from onika.model.lifecycle import State
 from onika.model.signal import Signal, SignalKind
 from onika.runtime import command, news
 from onika.runtime.prepared_switches import PreparedSwitches, lines
+from onika.words.reason import Reason
 
 MS = 1_000_000
 GOAL = module("    G = Input('double', 'm', 'goal')\n    def on(self, inputs):\n        self.goal = inputs.G")
@@ -141,7 +142,7 @@ def test_what_it_names_and_is_still_to_come_comes_on_when_it_is_there():  # law 
         command.Together((switch(),)),
         command.Kill(HOME, "next"),
         command.Kill(HOME, "other"),
-        command.Fail("the server is gone"),
+        command.Fail(Reason.plain("the server is gone")),
     ],
     ids=lambda message: f"{type(message).__name__} {getattr(message, 'task', '')}",
 )

@@ -14,6 +14,7 @@ import pytest
 from onika.desk.run.runtime import connect
 from onika.files import trail
 from onika.wire import event, holding, live, request
+from onika.words.reason import Reason
 
 pytestmark = pytest.mark.site
 
@@ -136,6 +137,6 @@ def test_of_two_real_sessions_one_writes_and_hands_it_to_the_other(there):  # R-
         assert wait_for(two, event.Offered).to == other
         assert two.ask(live.Take("s0")) == request.Done()
         assert "only its holder" in str(first.ask(holding.Hand("s0", other)).reason)
-        assert two.ask(request.Stop("seen enough")) == request.Done()
+        assert two.ask(request.Stop(Reason.plain("seen enough"))) == request.Done()
     assert [record.get("who") for record in there.records("held")][:2] == [me, other]
     assert there.records("Stop")[0]["role"] == "owner"

@@ -23,6 +23,7 @@ from onika.link.lost import LinkLost, LossCause
 from onika.link.websocket_opening import WebSocketOpening
 from onika.wire import event, live, request, steer
 from onika.wire.packet import Hello, RequestPacket, encode
+from onika.words.reason import Reason
 
 pytestmark = pytest.mark.site
 
@@ -224,11 +225,11 @@ def test_what_becomes_of_a_run_whose_client_is_killed_was_chosen_at_its_start(re
             assert watcher.ask(steer.Resume("flow0")) == request.Done()
             assert wait_for(watcher, event.Began).index == paused.action + 1
         else:
-            refused = watcher.ask(request.Abort("not mine"))
+            refused = watcher.ask(request.Abort(Reason.plain("not mine")))
             assert "was begun by" in str(refused.reason)
             wait_for(watcher, event.Began, when=lambda began: began.at_s > LEASE_S)
             assert [flow.state for flow in watcher.ask(steer.Who()).flows] == ["running"]
-        watcher.ask(request.Abort("seen enough"))
+        watcher.ask(request.Abort(Reason.plain("seen enough")))
         assert str(wait_for(watcher, event.Result).cause) == "seen enough"
 
 
@@ -286,8 +287,8 @@ def test_over_tls_a_user_is_known_by_his_token_and_has_his_role(reachable, tmp_p
     url = f"wss://127.0.0.1:{there.port}"
     with connect(url, token, cert) as runtime:
         assert isinstance(runtime.ask(live.Survey()), live.Standing)
-        assert "ann, who is viewer" in str(runtime.ask(request.Abort("no")).reason)
-        assert not isinstance(runtime.ask(request.Stop("everybody may")), request.Refused)
+        assert "ann, who is viewer" in str(runtime.ask(request.Abort(Reason.plain("no"))).reason)
+        assert not isinstance(runtime.ask(request.Stop(Reason.plain("everybody may"))), request.Refused)
     with pytest.raises(LinkLost) as untrusted, connect(url, token):
         pass
     assert untrusted.value.cause is LossCause.CERTIFICATE

@@ -7,6 +7,7 @@ from kit.environment_fixture import EnvironmentFixture
 from onika.model.task import Task
 from onika.web.hub import Hub
 from onika.wire import act, page
+from onika.words.reason import Reason
 
 TASKS = (Task("a", "a", outvar=("Q",), frequency=1.0),)
 
@@ -147,10 +148,10 @@ def test_each_browser_gets_the_values_it_watches_and_no_others(hub):  # R-C14, R
 def test_a_line_is_told_at_once_with_its_time_and_again_to_whoever_comes(hub):
     talk = Talk(hub)
     talk.messages()
-    hub.remember((page.Say("warning", "from before"),))
-    hub.say(page.Say("info", "a word"))
-    assert [(message["text"], message["at_s"]) for message in talk.messages()] == [("a word", 12.5)]
-    late = [message["text"] for message in Talk(hub).messages() if message["t"] == "Say"]
+    hub.remember((page.Say("warning", Reason.plain("from before")),))
+    hub.say(page.Say("info", Reason.plain("a word")))
+    assert [(message["text"]["text"], message["at_s"]) for message in talk.messages()] == [("a word", 12.5)]
+    late = [message["text"]["text"] for message in Talk(hub).messages() if message["t"] == "Say"]
     assert late == ["from before", "a word"]
 
 

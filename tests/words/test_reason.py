@@ -3,7 +3,7 @@
 import msgspec
 import pytest
 
-from onika.words.reason import NOTHING, Reason, Text, in_language
+from onika.words.reason import NOTHING, Reason, in_language
 
 OPTION = Reason.of("cli.language_option", languages=("en", "es"), default="en")
 
@@ -28,7 +28,11 @@ def test_a_reason_within_a_reason_is_said_in_the_same_language():
 
 
 def test_a_text_of_others_is_shown_as_it_is():
-    assert in_language(Reason.plain("no such file"), "es") == "no such file" == in_language("no such file", "es")
+    assert (
+        in_language(Reason.plain("no such file"), "es")
+        == "no such file"
+        == in_language(Reason.plain("no such file"), "es")
+    )
 
 
 @pytest.mark.parametrize(
@@ -59,7 +63,7 @@ def test_reasons_are_ordered_by_what_they_say_and_may_be_keys():
 @pytest.mark.parametrize("reason", [OPTION, NOTHING, Reason.of(OPTION.key, languages=(OPTION,), default=2.5), "a text"])
 def test_a_reason_travels(reason):
     for coder in (msgspec.json, msgspec.msgpack):
-        assert coder.decode(coder.encode(reason), type=Text) == reason
+        assert coder.decode(coder.encode(reason), type=Reason) == reason
 
 
 def test_a_key_that_nobody_wrote_is_the_programmers_error():

@@ -7,6 +7,7 @@ import { pickSteps, workspace, type Place } from '../state/workspace.svelte'
 import { Refusal } from '../link/refusal'
 import { showRefusal } from './refused.svelte'
 import { t } from '../texts/index.svelte'
+import { plain } from '../texts/say'
 
 export type Opened = DocumentView | ApplicationView
 
@@ -36,8 +37,8 @@ export function goTo(level: Level): void {
   if (level === 'applications' || !look.isUpperOnly) look.level = level
   else
     showRefusal(
-      new Refusal(t('levels.hidden'), [
-        { label: t('levels.showLower'), act: { t: 'Prefer', values: { shows_lower: true } } },
+      new Refusal(plain(t('levels.hidden')), [
+        { label: plain(t('levels.showLower')), act: { t: 'Prefer', values: { shows_lower: true } } },
       ]),
     )
 }

@@ -4,6 +4,7 @@ import type { AnyAct } from '../api.gen'
 import { desk } from '../link/desk.svelte'
 import { Refusal } from '../link/refusal'
 import { t } from '../texts/index.svelte'
+import { plain } from '../texts/say'
 
 const MOVES: ReadonlySet<AnyAct['t']> = new Set([
   'Turn',
@@ -40,5 +41,5 @@ export function reviewLock(act: AnyAct): Refusal | undefined {
   if (!desk.live.review) return undefined
   const lives = 'doc' in act && (desk.live.documents[act.doc ?? '']?.connection ?? 'none') !== 'none'
   if (!MOVES.has(act.t) && !(lives && CHANGES.has(act.t))) return undefined
-  return new Refusal(t('review.hinders'), [{ label: t('review.close'), act: { t: 'CloseRecording' } }])
+  return new Refusal(plain(t('review.hinders')), [{ label: plain(t('review.close')), act: { t: 'CloseRecording' } }])
 }

@@ -34,7 +34,7 @@ export function menuOf(name: string, at: Point): Item[] {
 /** What stands behind an action. */
 function behind(onikon: OnikonView): Item[] {
   const source = onikon.source ?? ''
-  const note = source || say(onikon.trouble ?? '') || undefined
+  const note = source || say(onikon.trouble) || undefined
   if (onikon.role === 'application')
     return [
       {

@@ -8,6 +8,7 @@ import { showRefusal } from '../act/refused.svelte'
 import { t } from '../texts/index.svelte'
 import { goTo } from '../act/documents.svelte'
 import { open } from '../act/opening'
+import { plain } from '../texts/say'
 
 /** A piece of a configuration has its place at the lower level. */
 function atTasks(): boolean {
@@ -23,7 +24,7 @@ export async function takeFile(file: File): Promise<void> {
     (file) => file.name === name,
   )
   if (listed) await open(listed.path)
-  else if (isApplication) showRefusal(new Refusal(t('drop.unknown', { name: file.name })))
+  else if (isApplication) showRefusal(new Refusal(plain(t('drop.unknown', { name: file.name }))))
   else if (atTasks())
     await act({
       t: 'Paste',

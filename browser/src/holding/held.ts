@@ -1,6 +1,6 @@
 // Who holds what, as one list: a configuration's subsystem each, an application with all its flows.
-import type { AskView, DocumentView, HoldView, RuntimeView, SessionView, Text } from '../api.gen'
-import { every } from '../texts/say'
+import type { AskView, DocumentView, HoldView, RuntimeView, SessionView } from '../api.gen'
+import { every, type Reason } from '../texts/say'
 
 export interface Held {
   /** What it is called: the application, else the subsystem. */
@@ -18,7 +18,7 @@ export interface Held {
   /** Seconds since 1970; 0: it was so before this environment came. */
   since: number
   /** Why the holder changed last. */
-  cause: Text
+  cause: Reason | undefined
   /** Who held it and is gone, or fell silent. */
   former: string
   wasHere: boolean
@@ -68,7 +68,7 @@ function heldOf(subsystem: string, hold: HoldView, documents: Documents, own: re
     holder,
     isMine: (me !== '' && holder === me) || home?.[1].is_held_here === true,
     since: hold.since_at_s ?? 0,
-    cause: hold.cause ?? '',
+    cause: hold.cause,
     former: hold.former ?? '',
     wasHere: hold.was_here === true,
     offeredTo: hold.offered_to ?? '',
@@ -105,7 +105,8 @@ export function left(until: number, now: number): string {
 }
 
 /** For how long a holder was not heard, in seconds, where that is why it holds nothing any more; empty: it is not. */
-export function silence(cause: Text): string {
+export function silence(cause: Reason | undefined): string {
+  if (!cause) return ''
   const seconds = every(cause).find((reason) => reason.key === 'host.holder_silent')?.args?.seconds
   return typeof seconds === 'number' ? seconds.toFixed(2) : ''
 }

@@ -19,7 +19,7 @@ export function find(
   const wanted = words.trim().toLowerCase()
   const ranked = Object.values(tasks).flatMap((task) => {
     const rank = rankOf(task, wanted)
-    return rank < 0 ? [] : [{ task, why: say(document?.greyed?.[task.name]?.[0]?.text ?? ''), rank }]
+    return rank < 0 ? [] : [{ task, why: say(document?.greyed?.[task.name]?.[0]?.text), rank }]
   })
   ranked.sort(
     (a, b) => Number(a.why !== '') - Number(b.why !== '') || a.rank - b.rank || (a.task.name < b.task.name ? -1 : 1),

@@ -45,7 +45,7 @@ export function iconHeight(task: TaskView): number {
 }
 
 function cellOf(task: TaskView, reasons: readonly Objection[] | undefined): Cell {
-  const why = say(reasons?.[0]?.text ?? '')
+  const why = say(reasons?.[0]?.text)
   const lines = Math.min(MOST_LINES, Math.ceil(why.length / LETTERS_A_LINE))
   return { task, why, lines, height: iconHeight(task) + ICON.frame + lines * CELL.line }
 }

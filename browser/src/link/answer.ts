@@ -1,6 +1,7 @@
 // What the stand-in does with acts: a few are shown for real, the others are only accepted.
 import type { AnyAct, AnyMessage } from '../api.gen'
 import { desk } from './desk.svelte'
+import { plain } from '../texts/say'
 
 type SayTo = (message: AnyMessage) => void
 type Changes = [string[], unknown][]
@@ -15,12 +16,12 @@ export function answer(act: AnyAct, cid: number, say: SayTo): void {
     return
   }
   if (act.t === 'Save')
-    say({ t: 'Say', level: 'success', text: `${documentsOf()[act.doc]?.name} is saved.`, doc: act.doc })
+    say({ t: 'Say', level: 'success', text: plain(`${documentsOf()[act.doc]?.name} is saved.`), doc: act.doc })
   if (act.t === 'SaveTask')
     say({
       t: 'Say',
       level: 'error',
-      text: `${act.task}.rmod could not be written.`,
+      text: plain(`${act.task}.rmod could not be written.`),
       doc: 'd1',
       where: { t: 'ShowTask', task: act.task },
     })

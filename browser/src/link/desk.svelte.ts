@@ -1,6 +1,6 @@
 // The copy of the environment's tree that this page draws from. Only what the environment sends changes it.
 import type { Patch, Snapshot, Tree } from '../api.gen'
-import { modules } from '../texts/say'
+import { modules, plain } from '../texts/say'
 import { Exchange, withParts } from './treeParts'
 
 /** A tree whose maps are all there. What is optional inside a document or a task stays optional. */
@@ -29,7 +29,7 @@ export function fullTree(tree: Tree): FullTree {
     onikons: {},
     types: {},
     pictures: {},
-    icon_clipboard: '',
+    icon_clipboard: plain(''),
     run: null,
     review: null,
     keeping: null,

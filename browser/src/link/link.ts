@@ -4,6 +4,7 @@ import { applyPatch, applySnapshot, desk } from './desk.svelte'
 import { message } from './message'
 import { Refusal } from './refusal'
 import { t } from '../texts/index.svelte'
+import { plain } from '../texts/say'
 
 /** What a WebSocket offers that is used here. */
 export interface Carrier {
@@ -53,7 +54,7 @@ export class Link {
   /** Resolves with the value of the answer, or rejects with a Refusal. */
   send(act: AnyAct): Promise<unknown> {
     const carrier = this.carrier
-    if (!desk.isLinked || !carrier) return Promise.reject(new Refusal(t('link.lost')))
+    if (!desk.isLinked || !carrier) return Promise.reject(new Refusal(plain(t('link.lost'))))
     const cid = ++this.lastCid
     return new Promise((done, refused) => {
       this.waiting.set(cid, { done, refused })
@@ -94,7 +95,7 @@ export class Link {
     this.carrier = undefined
     if (!desk.isLinked) void this.isLocked().then((is) => (desk.isLocked = is))
     desk.isLinked = false
-    for (const { refused } of this.waiting.values()) refused(new Refusal(t('link.unanswered')))
+    for (const { refused } of this.waiting.values()) refused(new Refusal(plain(t('link.unanswered'))))
     this.waiting.clear()
     this.again()
   }

@@ -1,14 +1,14 @@
 // An act that changed nothing: why, and what could be done instead, in the language of who reads it.
-import type { Refused, Remedy, Text } from '../api.gen'
-import { say } from '../texts/say'
+import type { Refused, Remedy } from '../api.gen'
+import { say, type Reason } from '../texts/say'
 
 export class Refusal extends Error {
   readonly remedies: readonly Remedy[]
-  private readonly why: Text
-  private readonly wrong: Readonly<Record<string, Text>>
+  private readonly why: Reason
+  private readonly wrong: Readonly<Record<string, Reason>>
 
-  constructor(why: Text, remedies: readonly Remedy[] = [], wrong: Readonly<Record<string, Text>> = {}) {
-    super(typeof why === 'string' ? why : why.text)
+  constructor(why: Reason, remedies: readonly Remedy[] = [], wrong: Readonly<Record<string, Reason>> = {}) {
+    super(why.text)
     this.name = 'Refusal'
     this.why = why
     this.remedies = remedies

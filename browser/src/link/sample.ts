@@ -2,6 +2,7 @@
 import type { AnyAct, AnyMessage, LocusView, PinView, PlacedView, Objection, TaskView, Tree } from '../api.gen'
 import type { Carrier } from './link'
 import { answer } from './answer'
+import { plain } from '../texts/say'
 
 type Kinds = Record<string, PinView['kind']>
 const KIND: Kinds = { c: 'INCONST', v: 'INVAR', b: 'INBOTH', C: 'OUTCONST', V: 'OUTVAR', B: 'OUTBOTH' }
@@ -121,7 +122,7 @@ const PLACED: Record<string, PlacedView> = {
     in_left: false,
     warnings: 1,
     error: {
-      text: 'Q_MEZ[3] jumped 0.41 rad in one cycle; at most 0.10 is believed.',
+      text: plain('Q_MEZ[3] jumped 0.41 rad in one cycle; at most 0.10 is believed.'),
       entry: 'cycle',
       line: 41,
       at_s: 42.318,
@@ -129,8 +130,8 @@ const PLACED: Record<string, PlacedView> = {
       values: { Q_MEZ: [0.1, -0.7, 2.9, 0.86, 0, 0], LIMIT: 0.1 },
       traceback: 'Traceback (most recent call last):\n  File "zdiff.py", line 41, in cycle\n    raise ModuleError(...)',
       remedies: [
-        { label: 'Clear, switch on', act: { t: 'Clear', doc: 'd1', task: 'diff', turns_on: true } },
-        { label: 'Show source', show: { t: 'ShowSource', task: 'diff' } },
+        { label: plain('Clear, switch on'), act: { t: 'Clear', doc: 'd1', task: 'diff', turns_on: true } },
+        { label: plain('Show source'), show: { t: 'ShowSource', task: 'diff' } },
       ],
     },
   }),
@@ -170,14 +171,14 @@ const LOCI: Record<string, LocusView> = {
   KD: constant(['pd']),
 }
 
-const onCanvas: Objection[] = [{ text: 'on the canvas', remedies: [] }]
+const onCanvas: Objection[] = [{ text: plain('on the canvas'), remedies: [] }]
 const writes = (svar: string, other: string, mine: string): Objection[] => [
   {
-    text: `writes ${svar}, which ${other} already writes`,
+    text: plain(`writes ${svar}, which ${other} already writes`),
     remedies: [
-      { label: `Replace ${other}`, act: { t: 'Exchange', doc: 'd1', old: other, new: mine } },
-      { label: 'Alias…', show: { t: 'ShowLibraryTask', task: mine } },
-      { label: `Show ${other}`, show: { t: 'ShowTask', task: other } },
+      { label: plain(`Replace ${other}`), act: { t: 'Exchange', doc: 'd1', old: other, new: mine } },
+      { label: plain('Alias…'), show: { t: 'ShowLibraryTask', task: mine } },
+      { label: plain(`Show ${other}`), show: { t: 'ShowTask', task: other } },
     ],
   },
 ]
@@ -190,7 +191,7 @@ export function sampleTree(): Tree {
         path: '/lab/generic',
         order: 1,
         tasks: 14,
-        faults: ['old.rmod:3: expected FREQ or PERIOD, found "FRQ"; the task is left out'],
+        faults: [plain('old.rmod:3: expected FREQ or PERIOD, found "FRQ"; the task is left out')],
       },
       '/lab/puma': { name: 'puma', path: '/lab/puma', order: 2, tasks: 1 },
       '/lab/boxes': { name: 'boxes', path: '/lab/boxes', order: 3, tasks: 1 },
@@ -203,7 +204,7 @@ export function sampleTree(): Tree {
         path: '/lab/boxes/conf/joint_move.conf',
         base: '/lab/boxes',
         is_moved: true,
-        undo: 'Move of gravcomp',
+        undo: plain('Move of gravcomp'),
         tasks: PLACED,
         loci: LOCI,
         groups: { balance: { tasks: ['gravcomp', 'torque_sum'] } },
@@ -218,14 +219,18 @@ export function sampleTree(): Tree {
           pid: writes('TAU_PD', 'pd', 'pid'),
           rvel_gen: writes('Q^_REF', 'jtraj', 'rvel_gen'),
         },
-        objections: { fwdkin: [{ text: 'needs DH, which nobody here writes' }] },
+        objections: { fwdkin: [{ text: plain('needs DH, which nobody here writes') }] },
         problems: {
           p1: {
-            text: 'diff is in ERROR: Q_MEZ[3] jumped 0.41 rad in one cycle.',
+            text: plain('diff is in ERROR: Q_MEZ[3] jumped 0.41 rad in one cycle.'),
             level: 'fault',
             show: { t: 'ShowTask', task: 'diff' },
           },
-          w1: { text: 'LED is written and nobody reads it.', level: 'note', show: { t: 'ShowLocus', svar: 'LED' } },
+          w1: {
+            text: plain('LED is written and nobody reads it.'),
+            level: 'note',
+            show: { t: 'ShowLocus', svar: 'LED' },
+          },
         },
       },
       d2: { name: 'cart_move', order: 2, path: '/lab/boxes/conf/cart_move.conf' },

@@ -1,10 +1,9 @@
-import type { Text } from '../api.gen'
-import { say } from '../texts/say'
+import { say, type Reason } from '../texts/say'
 // Lines of the log as text.
 
 export interface Spoken {
   level: string
-  text: Text
+  text: Reason
   doc?: string
   at_s?: number
 }
@@ -27,6 +26,6 @@ export function filtered<L extends Spoken>(lines: readonly L[], words: string): 
 }
 
 /** As it is copied: time, level, text. */
-export function plain(lines: readonly Spoken[]): string {
+export function copied(lines: readonly Spoken[]): string {
   return lines.map((line) => `${clock(line.at_s ?? 0)}\t${line.level}\t${say(line.text)}\n`).join('')
 }

@@ -1,5 +1,5 @@
 // A stop in words: what it is called, and what its choices are called and do.
-import type { Remedy, RunView, StopView } from '../api.gen'
+import type { AnyAct, RunView, StopView } from '../api.gen'
 import { t, type TextKey } from '../texts/index.svelte'
 import { isSeveral, nameOf } from '../sentences/words'
 import { say } from '../texts/say'
@@ -27,12 +27,14 @@ const TITLES: Record<string, TextKey> = {
   abort: 'stopped.abort',
 }
 
+/** A choice as it is shown. */
 export interface Choice {
   /** Its word of steering. */
   verb: string
   title: string
-  words: string
-  remedy: Remedy
+  meaning: string
+  /** Does it; none where it is left open which action is meant. */
+  act: AnyAct | null
 }
 
 export function titleOf(run: RunView, at: string, stop: StopView): string {
@@ -53,19 +55,19 @@ function capital(sentence: string): string {
 
 /** The choices in order. What each does is told by whoever knows the run. */
 export function choicesOf(run: RunView, stop: StopView): Choice[] {
-  return (stop.choices ?? []).map((remedy, k) => {
-    const [verb = '', whom = ''] = (remedy.act?.t === 'Steer' ? remedy.act.line : say(remedy.label)).split(/\s+/)
-    const title = TITLES[verb] ? t(TITLES[verb]) : say(remedy.label)
-    const isOther = run.flows?.[whom] !== undefined && whom !== stop.subsystem && isSeveral(run)
+  return (stop.choices ?? []).map(({ verb, subsystem = '', meaning, act = null }) => {
+    const title = TITLES[verb] ? t(TITLES[verb]) : verb
+    const isOther = run.flows?.[subsystem] !== undefined && subsystem !== stop.subsystem && isSeveral(run)
     return {
       verb,
-      title: isOther ? t('stopped.ofFlow', { what: title, flow: nameOf(run, whom) }) : title,
-      words: wordsOf(say(stop.meanings?.[k] ?? '')),
-      remedy,
+      title: isOther ? t('stopped.ofFlow', { what: title, flow: nameOf(run, subsystem) }) : title,
+      meaning: withStop(capital(say(meaning))),
+      act,
     }
   })
 }
 
-function wordsOf(meaning: string): string {
-  return meaning && `${capital(meaning)}${/[.!?]$/.test(meaning) ? '' : '.'}`
+/** With the mark at which a sentence ends. */
+function withStop(sentence: string): string {
+  return sentence && `${sentence}${/[.!?]$/.test(sentence) ? '' : '.'}`
 }

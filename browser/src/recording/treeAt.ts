@@ -73,7 +73,7 @@ export function treeAt(then: () => Then): (live: FullTree) => FullTree {
     })
 
   /** What was found when it was looked at since, and who stands for whom now, is no part of that run. */
-  const step = (view: StepView): StepView => over(view, (name, value) => (name === 'note' ? '' : value))
+  const step = (view: StepView): StepView => over(view, (name, value) => (name === 'note' ? undefined : value))
   const application = (view: ApplicationView, doc: string): ApplicationView =>
     over(view, (name, value) => {
       if (doc !== then().doc) return value

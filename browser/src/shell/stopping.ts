@@ -5,9 +5,8 @@ import { desk } from '../link/desk.svelte'
 import { hear, send } from '../link/link'
 import { Refusal } from '../link/refusal'
 import { hideRefusal, showRefusal } from '../act/refused.svelte'
-import { say } from '../texts/say'
+import { plain, say, type Reason } from '../texts/say'
 import { t } from '../texts/index.svelte'
-import type { Reason } from '../texts/say'
 import { stopRequest } from './stopRequest.svelte'
 
 export function stopEverything(): void {
@@ -19,7 +18,7 @@ export function stopEverything(): void {
   }
   stopRequest.isUnsent = true
   announce(t('stop.unheard'))
-  showRefusal(new Refusal(t('stop.unheard')), { x: window.innerWidth, y: 40 })
+  showRefusal(new Refusal(plain(t('stop.unheard'))), { x: window.innerWidth, y: 40 })
 }
 
 async function ask(): Promise<void> {
@@ -32,7 +31,7 @@ async function ask(): Promise<void> {
     stopRequest.failed()
     if (!(why instanceof Refusal)) throw why
     if (!desk.isLinked) stopRequest.isUnsent = true // nobody knows whether it was heard: it is said again
-    showRefusal(desk.isLinked ? why : new Refusal(t('stop.unheard')), { x: window.innerWidth, y: 40 })
+    showRefusal(desk.isLinked ? why : new Refusal(plain(t('stop.unheard'))), { x: window.innerWidth, y: 40 })
     announce(why.reason)
   }
 }

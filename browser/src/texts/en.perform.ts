@@ -146,7 +146,7 @@ export const enPerform = {
   'stopped.nothing': 'The run is over. Nothing is left to choose.',
   'stopped.clear': 'Try again',
   'stopped.next': 'Leave this action',
-  'stopped.skip': 'Go on elsewhere',
+  'stopped.skip': 'Go on with another action',
   'stopped.pass': 'Let it go on alone',
   'stopped.continue': 'Go on',
   'stopped.leave': 'Leave the loop',

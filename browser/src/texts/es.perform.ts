@@ -148,7 +148,7 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
   'stopped.nothing': 'La ejecución ha terminado. No queda nada que elegir.',
   'stopped.clear': 'Intentarlo otra vez',
   'stopped.next': 'Dejar esta acción',
-  'stopped.skip': 'Seguir en otra parte',
+  'stopped.skip': 'Seguir con otra acción',
   'stopped.pass': 'Dejar que siga solo',
   'stopped.continue': 'Seguir',
   'stopped.leave': 'Salir del bucle',

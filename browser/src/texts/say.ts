@@ -22,10 +22,13 @@ const PLAIN = 'plain'
 /** Where the translations of modules are: whoever holds what the environment shows sets it. */
 export const modules: { sentences: () => ModuleSentences } = { sentences: () => ({}) }
 
-/** The sentence of a reason in the language of the page, or its English where that language does not have it whole; a bare text is as it is.
- *  Names stand in it without the marks with which terminals show them. */
-export function say(reason: Reason | string, language: string = look.language): string {
-  if (typeof reason === 'string') return reason
+/** A text that is in no catalogue of the environment: the page's own words, or what nobody translates. */
+export const plain = (text: string): Reason => ({ key: PLAIN, text })
+
+/** The sentence of a reason in the language of the page, or its English where that language does not have it whole;
+ *  nothing where there is no reason. Names stand in it without the marks with which terminals show them. */
+export function say(reason: Reason | undefined, language: string = look.language): string {
+  if (!reason) return ''
   return sentence(reason, language).replaceAll('`', '')
 }
 
@@ -52,21 +55,18 @@ function entry(catalogue: Catalogue | undefined, key: string): string | undefine
   return catalogue && Object.hasOwn(catalogue, key) ? catalogue[key] : undefined
 }
 
-/** A reason, then those that fill its gaps, and theirs; a bare text has none. */
-export function every(text: Reason | string): Reason[] {
-  if (typeof text === 'string') return []
-  const values = Object.values(text.args ?? {}).flat() as Value<Reason>[]
-  return [text, ...values.flatMap((value) => (typeof value === 'object' ? every(value as Reason) : []))]
+/** A reason, then those that fill its gaps, and theirs. */
+export function every(reason: Reason): Reason[] {
+  const values = Object.values(reason.args ?? {}).flat() as Value<Reason>[]
+  return [reason, ...values.flatMap((value) => (typeof value === 'object' ? every(value as Reason) : []))]
 }
 
 /** Whether a reason is another one, or has it within; a text of nobody's catalogue may stand there bare. */
-export function contains(text: Reason | string, part: Reason | string): boolean {
-  const english = typeof part === 'string' ? part : part.text
-  const isBare = typeof part === 'string' || part.key === PLAIN
-  if (typeof text === 'string') return isBare && text === english
-  return every(text).some(
+export function contains(whole: Reason, part: Reason): boolean {
+  const isPlain = part.key === PLAIN
+  return every(whole).some(
     (reason) =>
-      (reason.text === english && (isBare || reason.key === part.key)) ||
-      (isBare && Object.values(reason.args ?? {}).includes(english)),
+      (reason.text === part.text && (isPlain || reason.key === part.key)) ||
+      (isPlain && Object.values(reason.args ?? {}).includes(part.text)),
   )
 }

@@ -8,6 +8,7 @@ import { workspaceState } from './workspaceState.svelte'
 import { copyTo, move } from './acts'
 import { edgeScroll } from './scrolling'
 import { slotAt } from './slot'
+import { plain } from '../texts/say'
 
 export class Dragging implements Gesture {
   constructor(
@@ -33,7 +34,7 @@ export class Dragging implements Gesture {
     if (!slot) return
     workspaceState.isQuiet = true
     const at = { x: event.clientX, y: event.clientY }
-    if (workspaceState.isRunning) showRefusal(new Refusal(t('upper.locked')), at)
+    if (workspaceState.isRunning) showRefusal(new Refusal(plain(t('upper.locked'))), at)
     else if (isCopy) void copyTo(this.steps, slot, at)
     else void move(this.steps, slot, at)
   }

@@ -3,6 +3,7 @@ import { describe, expect, test } from 'vitest'
 import type { DocumentView, TaskView } from '../../src/api.gen'
 import { examples } from '../../src/files/examples'
 import { find, joins } from '../../src/library/find'
+import { plain } from '../../src/texts/say'
 
 const task = (name: string, description: string, reads: string[], writes: string[]): TaskView => ({
   name,
@@ -27,7 +28,7 @@ const DOC: DocumentView = {
   name: 'd',
   order: 1,
   loci: { Q_MEZ: { x: 0, y: 0, writers: ['puma'] }, Q_REF: { x: 0, y: 0, readers: ['pd'] } },
-  greyed: { pd: [{ text: 'on the canvas' }] },
+  greyed: { pd: [{ text: plain('on the canvas') }] },
 }
 const names = (words: string): string[] => find(words, TASKS, DOC).map((one) => one.task.name)
 

@@ -2,6 +2,7 @@
 import { describe, expect, test } from 'vitest'
 import type { LibraryView, TaskView } from '../../src/api.gen'
 import { beside, choose, columnsIn, iconHeight, seen, shelve } from '../../src/library/shelf'
+import { plain } from '../../src/texts/say'
 
 const task = (name: string, library = 'generic', order = 0, pins: string[] = []): TaskView => ({
   name,
@@ -66,7 +67,7 @@ describe('where it stands', () => {
       ),
     )
     const { rows, height } = shelve([['generic', tasks]], 2, {
-      t0: [{ text: 'writes Q_REF, which jtraj already writes' }],
+      t0: [{ text: plain('writes Q_REF, which jtraj already writes') }],
     })
     rows.slice(1).forEach((row, k) => expect(row.top).toBe(rows[k]!.top + rows[k]!.height))
     expect(height).toBe(rows.at(-1)!.top + rows.at(-1)!.height)

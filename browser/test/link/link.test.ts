@@ -4,6 +4,7 @@ import type { AnyMessage } from '../../src/api.gen'
 import { desk } from '../../src/link/desk.svelte'
 import { Link, type Carrier } from '../../src/link/link'
 import { Refusal } from '../../src/link/refusal'
+import { plain } from '../../src/texts/say'
 
 class Wire implements Carrier {
   onopen = null
@@ -61,9 +62,9 @@ describe('the link', () => {
     first().say({
       t: 'Refused',
       cid: first().sent[0]!.cid,
-      reason: 'no',
-      remedies: [{ label: 'Show', show: { t: 'ShowConnect' } }],
-      fields: { name: 'empty' },
+      reason: plain('no'),
+      remedies: [{ label: plain('Show'), show: { t: 'ShowConnect' } }],
+      fields: { name: plain('empty') },
     })
     const why = await answer.catch((refusal: unknown) => refusal)
     expect(why).toMatchObject({ reason: 'no', remedies: [{ label: 'Show' }], fields: { name: 'empty' } })
@@ -120,9 +121,9 @@ describe('the link', () => {
   test('tells everybody who listens, until they stop', () => {
     const heard: string[] = []
     const end = link.hear('Say', (say) => heard.push(String(say.text)))
-    first().say({ t: 'Say', level: 'info', text: 'one' })
+    first().say({ t: 'Say', level: 'info', text: plain('one') })
     end()
-    first().say({ t: 'Say', level: 'info', text: 'two' })
+    first().say({ t: 'Say', level: 'info', text: plain('two') })
     expect(heard).toEqual(['one'])
   })
 })

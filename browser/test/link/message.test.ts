@@ -2,14 +2,14 @@
 import { expect, test } from 'vitest'
 import { message } from '../../src/link/message'
 
-test('a reason that says nothing is the empty text, wherever it stands', () => {
+test('a reason that says nothing is left out, but where it fills a gap', () => {
   const nothing = { key: '', text: '' }
   const reason = { key: 'run.it_stands', text: 'it stands', args: { why: nothing } }
   const sent = { t: 'Patch', rev: 1, changes: [[['run'], { cause: nothing, note: reason, name: '' }]] }
   expect(message(JSON.stringify(sent))).toEqual({
     t: 'Patch',
     rev: 1,
-    changes: [[['run'], { cause: '', note: { ...reason, args: { why: '' } }, name: '' }]],
+    changes: [[['run'], { cause: undefined, note: reason, name: '' }]],
   })
 })
 

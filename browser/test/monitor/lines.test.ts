@@ -1,9 +1,10 @@
 import { expect, it } from 'vitest'
-import { clock, filtered, plain } from '../../src/monitor/lines'
+import { clock, copied, filtered } from '../../src/monitor/lines'
+import { plain } from '../../src/texts/say'
 
 const LINES = [
-  { level: 'info', text: 'pd is placed', at_s: 0 },
-  { level: 'error', text: 'diff: Q_MEZ jumped', at_s: 61 },
+  { level: 'info', text: plain('pd is placed'), at_s: 0 },
+  { level: 'error', text: plain('diff: Q_MEZ jumped'), at_s: 61 },
 ]
 
 it('a line is found by any of its words, in any case, and by its level', () => {
@@ -15,7 +16,7 @@ it('a line is found by any of its words, in any case, and by its level', () => {
 })
 
 it('what is copied is one line each: time, level, text', () => {
-  expect(plain(LINES)).toBe(`${clock(0)}\tinfo\tpd is placed\n${clock(61)}\terror\tdiff: Q_MEZ jumped\n`)
+  expect(copied(LINES)).toBe(`${clock(0)}\tinfo\tpd is placed\n${clock(61)}\terror\tdiff: Q_MEZ jumped\n`)
 })
 
 it('a time is that of the day, or counted from the start of the runtime', () => {

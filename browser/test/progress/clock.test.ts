@@ -2,6 +2,7 @@
 import { describe, expect, it } from 'vitest'
 import type { RunView } from '../../src/api.gen'
 import { latest, RunClock } from '../../src/progress/clock'
+import { plain } from '../../src/texts/say'
 
 const run = (more: Partial<RunView> = {}): RunView => ({ doc: 'a1', name: 'r', number: 1, state: 'running', ...more })
 
@@ -65,7 +66,7 @@ describe('the latest moment', () => {
       latest(
         run({
           meets: [{ tag: 'a', flows: [], skew_us: 0, at_s: 6 }],
-          stops: { flow0: { text: '', kind: 'error', at_s: 8 } },
+          stops: { flow0: { text: plain(''), kind: 'error', at_s: 8 } },
         }),
       ),
     ).toBe(8)

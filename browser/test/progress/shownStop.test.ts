@@ -5,9 +5,10 @@ import { look } from '../../src/state/look.svelte'
 import { standstills, shownStop } from '../../src/progress/shownStop.svelte'
 import { choicesOf, inShort, titleOf } from '../../src/progress/stopText'
 import { stopVariables } from '../../src/progress/stopVariables'
+import { plain } from '../../src/texts/say'
 
 const stop = (more: Partial<StopView> = {}): StopView => ({
-  text: 'cycle: no solution',
+  text: plain('cycle: no solution'),
   kind: 'error',
   at_s: 12,
   subsystem: 'flow0',
@@ -35,7 +36,7 @@ describe('a standstill', () => {
     expect(shownStop.take(run({ flow0: stop() }))?.at).toBe('flow0')
     expect(shownStop.shown).not.toBe('')
     shownStop.putAside()
-    expect(shownStop.take(run({ flow0: stop({ text: 'told anew' }) }))).toBeUndefined()
+    expect(shownStop.take(run({ flow0: stop({ text: plain('told anew') }) }))).toBeUndefined()
     expect(shownStop.shown).toBe('')
     shownStop.open()
     expect(shownStop.shown).toContain('flow0')
@@ -92,28 +93,28 @@ describe('its title', () => {
 
 describe('what was said', () => {
   it('is a sentence, where the module made it one', () => {
-    const said = { text: 'cycle: ModuleError: panic button pressed', short: 'panic button pressed' }
+    const said = { text: plain('cycle: ModuleError: panic button pressed'), short: plain('panic button pressed') }
     expect(inShort(stop(said))).toBe('Panic button pressed')
     const other = 'cycle: ZeroDivisionError: division by zero'
-    expect(inShort(stop({ text: other }))).toBe('Cycle: ZeroDivisionError: division by zero')
+    expect(inShort(stop({ text: plain(other) }))).toBe('Cycle: ZeroDivisionError: division by zero')
   })
 })
 
 describe('its choices', () => {
-  const CHOICES = ['clear flow0', 'skip flow0 N', 'pass flow1', 'abort'].map((line) => ({
-    label: line,
-    act: { t: 'Steer', line } as const,
-  }))
   const one = stop({
-    choices: CHOICES,
-    meanings: ['clears invkin and repeats it', 'the same', 'lets it go on alone', 'ends the run'],
+    choices: [
+      { verb: 'clear', subsystem: 'flow0', meaning: plain('clears invkin and repeats it') },
+      { verb: 'skip', subsystem: 'flow0', meaning: plain('the same') },
+      { verb: 'pass', subsystem: 'flow1', meaning: plain('lets it go on alone') },
+      { verb: 'abort', meaning: plain('ends the run'), act: { t: 'Steer', line: 'abort' } },
+    ],
   })
 
   it('stand in order, by the words of whoever knows the run', () => {
     look.language = 'en'
-    expect(choicesOf(run({}), one).map(({ verb, title, words }) => [verb, title, words])).toEqual([
+    expect(choicesOf(run({}), one).map(({ verb, title, meaning }) => [verb, title, meaning])).toEqual([
       ['clear', 'Try again', 'Clears invkin and repeats it.'],
-      ['skip', 'Go on elsewhere', 'The same.'],
+      ['skip', 'Go on with another action', 'The same.'],
       ['pass', 'Let it go on alone (Flow 1)', 'Lets it go on alone.'],
       ['abort', 'End the run', 'Ends the run.'],
     ])
@@ -123,15 +124,14 @@ describe('its choices', () => {
     look.language = 'es'
     const clears = { key: 'host.clears', text: 'clears invkin', args: { tasks: ['invkin'] } }
     const text = 'clears invkin and goes on'
-    const meanings = [{ key: 'host.and_goes_on', text, args: { what: clears } }]
-    expect(choicesOf(run({}), { ...one, meanings })[0]!.words).toBe('Borra el error de invkin y sigue.')
+    const choices = [{ verb: 'clear', meaning: { key: 'host.and_goes_on', text, args: { what: clears } } }]
+    expect(choicesOf(run({}), { ...one, choices })[0]!.meaning).toBe('Borra el error de invkin y sigue.')
     look.language = 'en'
   })
 
   it('of a word that is not known stand as they are', () => {
-    expect(choicesOf(run({}), stop({ choices: [{ label: 'pray' }], meanings: ['helps sometimes!'] }))[0]).toMatchObject(
-      { title: 'pray', words: 'Helps sometimes!' },
-    )
+    const choices = [{ verb: 'pray', meaning: plain('helps sometimes!') }]
+    expect(choicesOf(run({}), stop({ choices }))[0]).toMatchObject({ title: 'pray', meaning: 'Helps sometimes!' })
   })
 })
 

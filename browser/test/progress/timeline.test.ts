@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest'
 import type { ApplicationView, FlowRunView, RunView, StepRunView } from '../../src/api.gen'
 import { flowsOfSteps, Past, type Block } from '../../src/progress/past'
 import { bars, scale, ticks, windowOf } from '../../src/progress/timeline'
+import { plain } from '../../src/texts/say'
 
 const APP: ApplicationView = {
   name: 'one',
@@ -65,7 +66,7 @@ describe('the past of a run', () => {
   })
 
   it('an action ends where its flow came to stand still, and goes on anew when it is repeated', () => {
-    const stop = { text: '', kind: 'error', at_s: 3, subsystem: 'flow0', step: 1 }
+    const stop = { text: plain(''), kind: 'error', at_s: 3, subsystem: 'flow0', step: 1 }
     let past = new Past().with(
       run({ 1: { began_s: 1 } }, { flow0: { order: 0, state: 'stopped' } }, { stops: { flow0: stop } }),
       APP,

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import type { RecordingView } from '../../src/api.gen'
 import { beginnings, blocksUntil, lanesOf, nextTo, passageAt, ticksOf } from '../../src/recording/lanes'
+import { plain } from '../../src/texts/say'
 
 const recording: RecordingView = {
   path: '/r.mcap',
@@ -17,7 +18,7 @@ const recording: RecordingView = {
       ],
     },
   },
-  marks: [{ at_s: 8, kind: 'stop', text: 'the box is gone' }],
+  marks: [{ at_s: 8, kind: 'stop', text: plain('the box is gone') }],
 }
 
 describe('A recorded run as lanes', () => {
@@ -64,9 +65,9 @@ describe('A recorded run as lanes', () => {
 
   it('gathers marks that would lie upon each other, and shows the gravest', () => {
     const marks = [
-      { at_s: 1, kind: 'command', text: 'pause' },
-      { at_s: 1.01, kind: 'error', text: 'late' },
-      { at_s: 5, kind: 'meet', text: 'at m' },
+      { at_s: 1, kind: 'command', text: plain('pause') },
+      { at_s: 1.01, kind: 'error', text: plain('late') },
+      { at_s: 5, kind: 'meet', text: plain('at m') },
     ] as const
     const ticks = ticksOf(marks, (at_s) => at_s * 100)
     expect(ticks.map((tick) => [tick.kind, tick.marks.length])).toEqual([

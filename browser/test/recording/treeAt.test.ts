@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest'
 import type { InstantView } from '../../src/api.gen'
 import { fullTree } from '../../src/link/desk.svelte'
 import { treeAt, type Then } from '../../src/recording/treeAt'
+import { plain } from '../../src/texts/say'
 
 const run = { doc: 'a1', name: 'assemble', number: 3 }
 const live = fullTree({
@@ -14,7 +15,7 @@ const live = fullTree({
       connection: 'live',
       subsystem: 'now',
       tasks: {
-        pd: { x: 1, y: 2, state: 'ERROR', error: { text: 'too hot' } as never, note: 'late' },
+        pd: { x: 1, y: 2, state: 'ERROR', error: { text: plain('too hot') } as never, note: plain('late') },
         grav: { x: 5, y: 6, state: 'ON' },
       },
       loci: {
@@ -59,7 +60,7 @@ describe('The tree at an instant', () => {
       name: 'assemble',
       order: 0,
       redirects: [{ old: 'puma', new: 'now' }],
-      steps: { 2: { note: 'found since', name: 'there' } },
+      steps: { 2: { note: plain('found since'), name: 'there' } },
     }
     const tree = fullTree({ applications: { a1: app, a2: app } })
     const seen = treeAt(() => ({
@@ -70,7 +71,7 @@ describe('The tree at an instant', () => {
     }))({ ...tree, applications: { a1: app, a2: { ...app } } })
     expect(seen.applications['a1']!.redirects).toEqual([{ old: 'puma', new: 'scara' }])
     expect([seen.applications['a1']!.steps!['2']!.note, seen.applications['a1']!.steps!['2']!.name]).toEqual([
-      '',
+      undefined,
       'there',
     ])
     expect(seen.applications['a2']!.redirects).toEqual([{ old: 'puma', new: 'now' }])

@@ -6,7 +6,7 @@ from pathlib import Path
 from onika.cli.language import say
 from onika.cli.search_path import directory, site_here
 from onika.desk.run.survey import survey
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 
 def purpose() -> Reason:
@@ -25,7 +25,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
 def carry_out(given: argparse.Namespace) -> int:
     """Check them; 0 if all is well."""
     files, faults = 0, []
-    notes: list[Text] = []
+    notes: list[Reason] = []
     for path in given.paths:
         read, new_faults = survey(path, site_here(given.local), notes.append)
         files += len(read)

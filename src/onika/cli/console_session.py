@@ -14,7 +14,7 @@ from onika.desk.console.console import Console
 from onika.desk.console.display import ConsoleDisplay, Tone
 from onika.desk.console.session import ConsoleSession, Runtime
 from onika.store.site import Site
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 if TYPE_CHECKING:
     from onika.cli.terminal import Terminal
@@ -26,7 +26,7 @@ class _RemoteRuntime:
     def __init__(self) -> None:
         self.face: ConsoleDisplay | None = None
 
-    def say(self, line: Text, tone: Tone = Tone.PLAIN) -> None:
+    def say(self, line: Reason, tone: Tone = Tone.PLAIN) -> None:
         """Pass it on."""
         if self.face is not None:
             self.face.say(line, tone)
@@ -59,9 +59,9 @@ def _welcome(session: ConsoleSession, desk: LineDesk) -> None:
         welcome = Reason.of("cli.welcome_virtual", units=units)
     else:
         welcome = Reason.of("cli.welcome", units=units)
-    desk.say(say(welcome), Tone.DIM)
+    desk.say(welcome, Tone.DIM)
     for address in standing.addresses:
-        desk.say(say(Reason.of("cli.reached_at", address=address)), Tone.DIM)
+        desk.say(Reason.of("cli.reached_at", address=address), Tone.DIM)
 
 
 def _desk(console: Console) -> "Terminal | PlainConsole":

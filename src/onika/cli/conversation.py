@@ -134,7 +134,7 @@ def _interrupted(session: ConsoleSession, desk: LineDesk) -> None:
     if moves:
         session.interrupt()
     else:
-        desk.say(say(Reason.of("cli.nothing_moves")), Tone.DIM)
+        desk.say(Reason.of("cli.nothing_moves"), Tone.DIM)
 
 
 def _prompt(session: ConsoleSession) -> str:

@@ -9,7 +9,7 @@ from onika.desk.run import explanation_text, transfer_text
 from onika.desk.run.outcome import Outcome
 from onika.desk.run.positions import waits
 from onika.wire import event
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 _PRINTED = 20
 
@@ -96,7 +96,7 @@ def _reason(happening: event.Met | event.Stepped | event.Warned | event.Failed |
             return NOTHING
 
 
-def _moved(moved: event.Moved) -> Text:
+def _moved(moved: event.Moved) -> Reason:
     """What is worth a word of a flow's new state; actions that begin, errors and the end have their own."""
     match moved.state:
         case "waiting" | "joining":

@@ -8,7 +8,7 @@ from onika.cli.safe_text import safe
 from onika.store.base_directory import BaseDirectory
 from onika.store.module_catalogue import translations_of
 from onika.words.own_language import VARIABLE, own_language
-from onika.words.reason import Text, in_language
+from onika.words.reason import Reason, in_language
 from onika.words.sentence import LANGUAGES
 
 _of_modules: dict[str, str] = {}
@@ -35,6 +35,6 @@ def learn(bases: Iterable[BaseDirectory]) -> None:
         _of_modules.update(translations_of(bases, own_language()))
 
 
-def say(reason: Text) -> str:
+def say(reason: Reason) -> str:
     """The sentence of a reason in the language of this process; what it quotes brings no control sequences along."""
     return safe(in_language(reason, own_language(), _of_modules))

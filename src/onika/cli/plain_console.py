@@ -8,7 +8,7 @@ from types import TracebackType
 from onika.cli.language import say
 from onika.cli.safe_text import safe
 from onika.desk.console.display import Tone
-from onika.words.reason import Text
+from onika.words.reason import Reason
 
 
 class PlainConsole:
@@ -28,7 +28,7 @@ class PlainConsole:
     ) -> None:
         pass
 
-    def say(self, line: Text, tone: Tone = Tone.PLAIN) -> None:
+    def say(self, line: Reason, tone: Tone = Tone.PLAIN) -> None:
         """Show a line."""
         del tone
         print(safe(say(line)), flush=True)

@@ -24,7 +24,7 @@ from onika.cli.line_history import LineHistory
 from onika.cli.safe_text import safe
 from onika.cli.terminal_input import TerminalInput
 from onika.desk.console.display import Tone
-from onika.words.reason import Text
+from onika.words.reason import Reason
 
 _COLOURS = {Tone.HEAD: "1", Tone.GOOD: "32", Tone.DIM: "2", Tone.NOTE: "33", Tone.FAULT: "31", Tone.ASK: "35"}
 
@@ -89,7 +89,7 @@ class Terminal:
         self._session.app.erase_when_done = True
         self._open.close()
 
-    def say(self, line: Text, tone: Tone = Tone.PLAIN) -> None:
+    def say(self, line: Reason, tone: Tone = Tone.PLAIN) -> None:
         """Show a line above the one that is typed."""
         if self._is_shown:
             self._output.is_held = True
@@ -174,7 +174,7 @@ class Terminal:
         event.current_buffer.insert_text(rest)
         if not rest:
             for row in _rows(words, self._output.get_size().columns):
-                self.say(row, Tone.DIM)
+                self.say(Reason.plain(row), Tone.DIM)
 
 
 def _rows(words: list[str], columns: int) -> list[str]:

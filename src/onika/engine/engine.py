@@ -36,7 +36,7 @@ from onika.engine.step import steps
 from onika.engine.walk import FinishValue
 from onika.wire.plan import Plan
 from onika.wire.steer import Position, Steering
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 _OVER = (FlowState.KILLING, FlowState.ENDED)
 _AT_REST = {FlowState.WAITING, FlowState.JOINING, FlowState.PAUSED, FlowState.STOPPED, FlowState.DONE}
@@ -66,7 +66,7 @@ class Engine:
         if not plan.flows:
             raise ValueError(Reason.of("engine.form_flow", application=plan.application))
         self._passive = frozenset(passive)
-        self._cause: Text | None = None
+        self._cause: Reason | None = None
         self._flows: list[Progress] = []
         for flow, planned in enumerate(plan.flows):
             own_ranks = {task.name: ranks[flow, task.name] for task in planned.tasks}
@@ -261,7 +261,7 @@ class Engine:
             return self._recovery.not_cleared(flow, reason)
         return [RunNote(flow.flow, reason)]
 
-    def _abort(self, cause: Text) -> list[Order]:
+    def _abort(self, cause: Reason) -> list[Order]:
         if any(flow.state in _OVER for flow in self._flows):
             return []
         self._cause = cause

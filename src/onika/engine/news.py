@@ -6,7 +6,7 @@ What users want of a flow comes as they sent it (`wire.steer`); it names the flo
 from dataclasses import dataclass
 
 from onika.wire.steer import Steering
-from onika.words.reason import Text
+from onika.words.reason import Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +28,7 @@ class Refused:
 
     flow: int
     task: str
-    reason: Text
+    reason: Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +67,7 @@ class Failed:
 
     flow: int
     task: str
-    text: Text
+    text: Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,7 +76,7 @@ class Asked:
 
     flow: int
     task: str
-    reason: Text
+    reason: Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,7 +85,7 @@ class Illegal:
 
     flow: int
     task: str
-    text: Text
+    text: Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,7 +113,7 @@ class Settled:
 class Abort:
     """End the application now; the cause is said to the user."""
 
-    cause: Text
+    cause: Reason
 
 
 TaskNews = Spawned | Refused | TurnedOn | Finished | SwitchedOff | Failed | Cleared | Asked | Illegal | Killed

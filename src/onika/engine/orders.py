@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,7 +125,7 @@ class End:
     """The application is over and every task is gone."""
 
     completed: bool
-    cause: Text = NOTHING
+    cause: Reason = NOTHING
 
 
 Order = Spawn | Switch | Off | Clear | Together | Kill | Began | Done | Moved | RunNote | Settle | End

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from onika.engine.orders import Launch
 from onika.wire.plan import PlannedAction, PlannedFlow
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -13,7 +13,7 @@ class ActionStep:
     """What a flow switches to."""
 
     name: str
-    place: Text
+    place: Reason
     """The file, its line and the name of the action there."""
     tasks: tuple[str, ...]
     """To be ON, in the order in which they come on."""
@@ -63,7 +63,7 @@ def _step(
     )
 
 
-def _place(action: PlannedAction) -> Text:
+def _place(action: PlannedAction) -> Reason:
     if not action.line:
-        return action.place
+        return Reason.plain(action.place)
     return Reason.of("engine.action_at", file=action.place, line=str(action.line), action=action.name)

@@ -12,7 +12,7 @@ from typing import NamedTuple, TypeVar
 
 from onika.files import version
 from onika.words.fault import Fault, Place
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 _T = TypeVar("_T")
 _BLANK = re.compile(r"[ \t]+")
@@ -242,14 +242,14 @@ class TextReading:
         if line.rest:
             self.fault(line.number, Reason.of("files.keyword_alone", keyword=line.keyword, line=str(line)))
 
-    def match(self, line: FileLine | None, pattern: re.Pattern[str], meaning: Text, default: str = "") -> str:
+    def match(self, line: FileLine | None, pattern: re.Pattern[str], meaning: Reason, default: str = "") -> str:
         """One word of a form; `meaning` says which."""
         if line is None or pattern.match(line.rest):
             return line.rest if line else default
         self.fault(line.number, Reason.of("files.meaning_after", meaning=meaning, keyword=line.keyword, line=str(line)))
         return default
 
-    def word(self, line: FileLine | None, meaning: Text, default: str = "") -> str:
+    def word(self, line: FileLine | None, meaning: Reason, default: str = "") -> str:
         """One word of any form."""
         return self.match(line, re.compile(r"[^ \t]+\Z"), meaning, default)
 

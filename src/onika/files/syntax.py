@@ -12,7 +12,7 @@ from onika.files.version import EXTENDED, VERSION
 from onika.model.syntax import SPECIAL_TYPES, DataItem, Edge, IconType, Syntax
 from onika.words.fault import Fault
 from onika.words.name import SVAR_NAME
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 from onika.words.value import ValueType
 
 NAME = "OnikaUpperSetUp.dta"
@@ -107,7 +107,7 @@ def _item(by_keyword: _Found, reading: TextReading) -> DataItem:
     )
 
 
-def _text(line: FileLine | None, meaning: Text, reading: TextReading) -> str:
+def _text(line: FileLine | None, meaning: Reason, reading: TextReading) -> str:
     if line and not line.rest:
         reading.fault(
             line.number, Reason.of("files.meaning_after", meaning=meaning, keyword=line.keyword, line=str(line))

@@ -30,7 +30,7 @@ from onika.link.caller import Role
 from onika.ring.segment import SharedMemoryRefused
 from onika.runtime.subsystem import RunningSubsystem
 from onika.wire import event, holding, live, request, steer
-from onika.words.reason import NOTHING, Reason, Text, reason_of
+from onika.words.reason import NOTHING, Reason, reason_of
 
 
 class RuntimeProgram:
@@ -352,7 +352,7 @@ class RuntimeProgram:
 
     def _stop(self, session: str, message: request.Stop | live.Reset) -> request.Response:
         """Straight to the devices and every unit; left by a deliberate reset only (law 27)."""
-        cause: Text = NOTHING
+        cause: Reason = NOTHING
         if isinstance(message, request.Stop):
             self._driver.stop()
             cause = message.cause

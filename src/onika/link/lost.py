@@ -2,7 +2,7 @@
 
 from enum import Enum
 
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 
 class LossCause(Enum):
@@ -37,7 +37,7 @@ class LossCause(Enum):
 class LinkLost(Exception):
     """The connection is no more; `cause` says which kind, `reason` says it to people."""
 
-    def __init__(self, cause: LossCause, text: Text) -> None:
+    def __init__(self, cause: LossCause, text: Reason) -> None:
         self.cause = cause
         self.reason = text if isinstance(text, Reason) else Reason.plain(text)
         super().__init__(self.reason)

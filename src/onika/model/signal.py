@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 from enum import Enum
 
-from onika.words.module_sentence import of_sentence
-from onika.words.reason import Text
+from onika.words.module_sentence import Sentence, of_sentence
+from onika.words.reason import NOTHING, Reason
 
 END = 16
 """The number after the last signal that the runtime keeps for itself; user signals are counted from here."""
@@ -31,7 +31,7 @@ class Signal:
     flow: int = 0
     loop: bool = False
     number: int = 0
-    text: Text = ""
+    text: Reason = NOTHING
 
 
 def finish(flow: int = 0, loop: bool = False) -> Signal:
@@ -46,7 +46,7 @@ def off() -> Signal:
     return Signal(SignalKind.OFF)
 
 
-def illegal(sentence: Text, /, **arguments: object) -> Signal:
+def illegal(sentence: Sentence, /, **arguments: object) -> Signal:
     """The machine is in a state in which it may not go on; an application aborts."""
     return Signal(SignalKind.ILLEGAL, text=of_sentence(sentence, arguments))
 
@@ -56,7 +56,7 @@ def legal() -> Signal:
     return Signal(SignalKind.LEGAL)
 
 
-def shutdown(sentence: Text, /, **arguments: object) -> Signal:
+def shutdown(sentence: Sentence, /, **arguments: object) -> Signal:
     """The machine shuts down; an application aborts."""
     return Signal(SignalKind.SHUTDOWN, text=of_sentence(sentence, arguments))
 

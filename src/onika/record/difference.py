@@ -12,7 +12,10 @@ from onika.record.mismatch import mismatches
 from onika.record.reader import Reader
 from onika.record.series import Series
 from onika.record.tolerance import Tolerance
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
+
+SHAPE = "record.shape"
+"""The key of what is said of a variable that has another shape in the other run."""
 
 _TIMES = ("at_s", "at_ns", "previous_step_ns", "last_command_ns")
 _UNLIKE = (
@@ -31,9 +34,10 @@ class Difference:
     """When, what it is about, and what each of the two says of it."""
 
     at_ns: int
-    what: Text
-    first: Text
-    second: Text
+    what: Reason
+    """A variable, a task, or the runtime."""
+    first: Reason
+    second: Reason
     variable: str = ""
     """Its address, where it is about one."""
 
@@ -74,9 +78,13 @@ def _unlike(ours: dict[str, Series], theirs: dict[str, Series]) -> Iterator[Diff
         if name not in ours or name not in theirs:
             there = ours.get(name) or theirs.get(name)
             at = 0 if there is None else next(iter(there.values()), (0, None))[0]
-            yield Difference(at, name, *_presence(name in ours), name)
+            yield Difference(at, Reason.plain(name), *_presence(name in ours), name)
         elif str(ours[name].shape) != str(theirs[name].shape):
-            yield Difference(0, name, str(ours[name].shape), str(theirs[name].shape), name)
+            yield Difference(0, Reason.plain(name), _shape(ours[name]), _shape(theirs[name]), name)
+
+
+def _shape(series: Series) -> Reason:
+    return Reason.of(SHAPE, shape=str(series.shape))
 
 
 def _presence(is_ours: bool) -> tuple[Reason, Reason]:
@@ -96,7 +104,8 @@ def _events(reader: Reader, other: Reader, tolerance: Tolerance) -> Iterator[Dif
             apart = 0.0 if left is None or right is None else abs(left[0] - right[0]) * 1e-9
             if left is None or right is None or left[1] != right[1] or apart > tolerance.seconds + 1e-12:
                 at = min(each[0] for each in (left, right) if each is not None)
-                yield Difference(at, home or Reason.of("record.the_runtime"), _words(left), _words(right))
+                what = Reason.plain(home) if home else Reason.of("record.the_runtime")
+                yield Difference(at, what, _words(left), _words(right))
                 break
 
 
@@ -144,10 +153,10 @@ def _strays(
             label = name.rpartition("/")[0] + "/" + ours.labels[mismatch.place]
             value, other = _show(mismatch.value), _show(mismatch.near)
             first, second = (other, value) if is_swapped else (value, other)
-            yield Difference(mismatch.at_ns, label, first, second, name)
+            yield Difference(mismatch.at_ns, Reason.plain(label), first, second, name)
 
 
-def _show(value: Any) -> Text:
+def _show(value: Any) -> Reason:
     if value is None:
         return Reason.of("record.nothing_yet")
-    return repr(value)
+    return Reason.plain(repr(value))

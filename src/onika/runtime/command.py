@@ -3,7 +3,7 @@
 import msgspec
 from msgspec import Struct
 
-from onika.words.reason import Text
+from onika.words.reason import Reason
 
 
 class BoundPort(Struct, frozen=True):
@@ -189,7 +189,7 @@ class Reset(Struct, frozen=True, tag=True):
 class Fail(Struct, frozen=True, tag=True):
     """Devices are gone for this reason: every task that has one and is ON goes to ERROR (law 17)."""
 
-    cause: Text
+    cause: Reason
 
 
 class Quit(Struct, frozen=True, tag=True):

@@ -1,7 +1,7 @@
 """The exceptions that a module raises, and those that the runtime raises in its name."""
 
-from onika.words.module_sentence import of_sentence
-from onika.words.reason import Text
+from onika.words.module_sentence import Sentence, of_sentence
+from onika.words.reason import NOTHING
 
 
 class _Sentence(Exception):
@@ -10,7 +10,7 @@ class _Sentence(Exception):
     Without arguments the sentence is taken as it is.
     """
 
-    def __init__(self, sentence: Text = "", /, **arguments: object) -> None:
+    def __init__(self, sentence: Sentence = NOTHING, /, **arguments: object) -> None:
         super().__init__(of_sentence(sentence, arguments))
 
 

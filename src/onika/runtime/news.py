@@ -7,7 +7,7 @@ from msgspec import Struct, structs
 
 from onika.runtime.load import TaskLoad
 from onika.runtime.user_input import AskedItem
-from onika.words.reason import Text
+from onika.words.reason import Reason
 
 
 class TaskStatus(Struct, frozen=True):
@@ -136,7 +136,7 @@ class Failed(Struct, frozen=True, tag=True):
     subsystem: str
     task: str
     entry: str
-    text: Text
+    text: Reason
     path: str
     line: int
     traceback: str
@@ -151,7 +151,7 @@ class Warned(Struct, frozen=True, tag=True):
 
     subsystem: str
     task: str
-    text: Text
+    text: Reason
     now_ns: int
 
 
@@ -162,7 +162,7 @@ class Signalled(Struct, frozen=True, tag=True):
     task: str
     kind: str
     number: int
-    text: Text
+    text: Reason
     now_ns: int
     activation: int = 0
 
@@ -191,7 +191,7 @@ class Asked(Struct, frozen=True, tag=True):
 
     subsystem: str
     task: str
-    reason: Text
+    reason: Reason
     items: tuple[AskedItem, ...]
     now_ns: int
     activation: int = 0
@@ -203,7 +203,7 @@ class Refused(Struct, frozen=True, tag=True):
     subsystem: str
     task: str
     command: str
-    reason: Text
+    reason: Reason
 
 
 class Got(Struct, frozen=True, tag=True):

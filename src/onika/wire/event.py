@@ -10,7 +10,7 @@ from msgspec import Struct
 
 from onika.wire.figures import TaskFigures, VariableSteps
 from onika.wire.holding import SessionStanding
-from onika.words.reason import Text
+from onika.words.reason import NOTHING, Reason
 
 
 class Began(Struct, frozen=True, tag=True):
@@ -45,7 +45,7 @@ class Warned(Struct, frozen=True, tag=True):
 
     subsystem: str
     task: str
-    text: Text
+    text: Reason
     at_s: float
 
 
@@ -54,7 +54,7 @@ class Failed(Struct, frozen=True, tag=True):
 
     subsystem: str
     task: str
-    text: Text
+    text: Reason
     path: str
     line: int
     traceback: str
@@ -83,7 +83,7 @@ class Asked(Struct, frozen=True, tag=True):
 
     subsystem: str
     task: str
-    reason: Text
+    reason: Reason
     items: tuple[Item, ...]
     at_s: float
 
@@ -96,7 +96,7 @@ class Drive(Struct, frozen=True, tag=True):
     at_ns: int
     previous_step_ns: int
     last_command_ns: int
-    cause: Text
+    cause: Reason
     at_s: float = 0.0
     """As all else: of the run that uses the device, or of the runtime where none does."""
 
@@ -106,7 +106,7 @@ class Edited(Struct, frozen=True, tag=True):
 
     subsystem: str
     number: int
-    cause: Text
+    cause: Reason
     at_s: float
 
 
@@ -117,7 +117,7 @@ class Signalled(Struct, frozen=True, tag=True):
     task: str
     kind: str
     number: int
-    text: Text
+    text: Reason
     at_s: float
 
 
@@ -125,7 +125,7 @@ class Lost(Struct, frozen=True, tag=True):
     """A process of the runtime is gone, and why; its tasks are."""
 
     name: str
-    cause: Text
+    cause: Reason
     at_s: float
 
 
@@ -134,7 +134,7 @@ class Held(Struct, frozen=True, tag=True):
 
     subsystem: str
     holder: str
-    cause: Text = ""
+    cause: Reason = NOTHING
     """Why, where that is worth a word: it was handed over, or the holder is not heard any more."""
 
 
@@ -144,7 +144,7 @@ class Offered(Struct, frozen=True, tag=True):
     subsystem: str
     holder: str
     to: str
-    outcome: Text = ""
+    outcome: Reason = NOTHING
 
 
 class Company(Struct, frozen=True, tag=True):
@@ -157,7 +157,7 @@ class Stopped(Struct, frozen=True, tag=True):
     """Everything was stopped, by whom and why; or may move again (is_stopped false)."""
 
     is_stopped: bool
-    cause: Text
+    cause: Reason
 
 
 class Moved(Struct, frozen=True, tag=True):
@@ -170,7 +170,7 @@ class Moved(Struct, frozen=True, tag=True):
     at_s: float
     tag: str = ""
     waits_for: tuple[str, ...] = ()
-    text: Text = ""
+    text: Reason = NOTHING
     """Why, where that is worth a word."""
 
 
@@ -233,14 +233,14 @@ class Explained(Struct, frozen=True, tag=True):
     index: int
     place: str
     """The application's file and line."""
-    text: Text
+    text: Reason
     path: str
     """The module's file and line, where its code raised; else empty and 0."""
     line: int
     waiting: tuple[tuple[str, str], ...]
     """The flows that wait for this one, each with its tag."""
     courses: tuple[Course, ...]
-    choices: tuple[tuple[str, Text], ...]
+    choices: tuple[tuple[str, Reason], ...]
     """What can be done safely: the command, and what it does."""
     at_s: float
     kind: str = ""
@@ -253,7 +253,7 @@ class Result(Struct, frozen=True, tag=True):
     """The end of a run: always the last event."""
 
     completed: bool
-    cause: Text
+    cause: Reason
     done: int
     of: int
     runtime_s: float

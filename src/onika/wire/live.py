@@ -7,7 +7,7 @@ from msgspec import Struct
 from onika.wire.event import Asked
 from onika.wire.plan import Code, PlannedTask
 from onika.wire.sheet import ModuleSheet
-from onika.words.reason import Text
+from onika.words.reason import NOTHING, Reason
 
 
 class Turn(Struct, frozen=True):
@@ -206,7 +206,7 @@ class Described(Struct, frozen=True, tag=True):
     """What classes of modules declare, and why others cannot be read, each by the digest of the code."""
 
     sheets: dict[str, ModuleSheet]
-    faults: dict[str, Text] = {}
+    faults: dict[str, Reason] = {}
 
 
 class TaskStanding(Struct, frozen=True):
@@ -217,7 +217,7 @@ class TaskStanding(Struct, frozen=True):
     is_wanted_on: bool
     rtpu: str
     frequency: float | None
-    reason: Text = ""
+    reason: Reason = NOTHING
     """Why it waits, what it asks for or what failed; else empty."""
 
 
@@ -289,14 +289,14 @@ class Figures(Struct, frozen=True, tag=True):
 
     tasks: tuple[TaskFigure, ...]
     loads: dict[str, float]
-    overloads: tuple[Text, ...] = ()
+    overloads: tuple[Reason, ...] = ()
     """Sentences about units that have or will have more to do than time (X13)."""
 
 
 class Findings(Struct, frozen=True, tag=True):
     """What a check of memory found, as sentences that name the variable and who could have written it; none: sound."""
 
-    findings: tuple[Text, ...]
+    findings: tuple[Reason, ...]
 
 
 class Scenery(Struct, frozen=True, tag=True):

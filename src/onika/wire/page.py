@@ -7,7 +7,7 @@ from msgspec import Struct
 
 from onika.wire.act import AnyAct
 from onika.wire.view import AnyShow, Remedy, Tree
-from onika.words.reason import Text
+from onika.words.reason import Reason
 
 Path = tuple[str, ...]
 Change = tuple[Path, Any]
@@ -55,9 +55,9 @@ class Refused(Message, frozen=True):
     """An act changed nothing, and why."""
 
     cid: int
-    reason: Text
+    reason: Reason
     remedies: tuple[Remedy, ...] = ()
-    fields: dict[str, Text] = {}
+    fields: dict[str, Reason] = {}
     """Of forms: what is wrong with each field."""
 
 
@@ -78,7 +78,7 @@ class Say(Message, frozen=True):
     """A line of the log, or a word beside something; `where` it is about, with its document."""
 
     level: Literal["info", "warning", "error", "success", "end"]
-    text: Text
+    text: Reason
     doc: str = ""
     where: AnyShow | None = None
     at_s: float = 0.0

@@ -7,7 +7,7 @@ from onika.wire.holding import Company, HoldingRequest
 from onika.wire.live import LiveRequest, LiveResponse
 from onika.wire.plan import Code, Index, Plan, PlannedTask
 from onika.wire.steer import Positions, SteerRequest
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 
 class FaultText(Struct, frozen=True):
@@ -17,9 +17,9 @@ class FaultText(Struct, frozen=True):
     line: int
     reason: Reason
     instead: Reason
-    where: Text = NOTHING
+    where: Reason = NOTHING
     """The flow and the action that it concerns, in words."""
-    remedies: tuple[Text, ...] = ()
+    remedies: tuple[Reason, ...] = ()
 
 
 class Prepare(Struct, frozen=True, tag=True):
@@ -106,7 +106,7 @@ class Reply(Struct, frozen=True, tag=True):
 class Abort(Struct, frozen=True, tag=True):
     """End the run: tasks off, devices in hold."""
 
-    cause: Text
+    cause: Reason
     subsystem: str = ""
     """Of the application that runs there; empty: all that this session may end."""
 
@@ -114,7 +114,7 @@ class Abort(Struct, frozen=True, tag=True):
 class Stop(Struct, frozen=True, tag=True):
     """Stop everything: every drive in hold, latched; the run ends with this cause (law 27)."""
 
-    cause: Text
+    cause: Reason
 
 
 class Snapshot(Struct, frozen=True, tag=True):
@@ -129,7 +129,7 @@ class Prepared(Struct, frozen=True, tag=True):
     """All that is wrong with a plan or with tasks (nothing: it can run), and what is only worth knowing."""
 
     faults: tuple[FaultText, ...]
-    notes: tuple[Text, ...] = ()
+    notes: tuple[Reason, ...] = ()
     resolved: tuple[Resolved, ...] = ()
 
 
@@ -140,7 +140,7 @@ class Done(Struct, frozen=True, tag=True):
 class Refused(Struct, frozen=True, tag=True):
     """Not carried out, for this reason."""
 
-    reason: Text
+    reason: Reason
 
 
 class Worlds(Struct, frozen=True, tag=True):

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import lru_cache
 
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 NOT_RUN = Reason.of("words.application_not_run")
 """What happens instead of running an application with faults."""
@@ -36,9 +36,9 @@ class Fault:
     instead: Reason
     is_note: bool = False
     """Whether it is only worth knowing: what happens instead is what everybody would want, and nothing is refused."""
-    where: Text = field(default=NOTHING, compare=False)
+    where: Reason = field(default=NOTHING, compare=False)
     """The flow and the action of a run that it concerns, in words, where its place does not say so."""
-    remedies: tuple[Text, ...] = field(default=(), compare=False)
+    remedies: tuple[Reason, ...] = field(default=(), compare=False)
     """What could be done or taken instead, likeliest first."""
 
     @property
@@ -78,7 +78,7 @@ class Refusal:
 
 
 @lru_cache(_KEPT)
-def _with_remedies(reason: Reason, remedies: tuple[Text, ...]) -> Reason:
+def _with_remedies(reason: Reason, remedies: tuple[Reason, ...]) -> Reason:
     if remedies:
         return Reason.of("words.with_remedies", reason=reason, remedies=remedies)
     return reason

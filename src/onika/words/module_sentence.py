@@ -13,6 +13,9 @@ from onika.words.sentence import fill, gaps
 PREFIX = "module:"
 """How the key of a module's sentence begins."""
 
+Sentence = Reason | str
+"""What a module says: a sentence of its own with gaps, or a reason that it was given."""
+
 _LARGEST_INTEGER = 1 << 63
 
 

@@ -51,9 +51,6 @@ class Reason(Struct, frozen=True, omit_defaults=True):
 Argument = str | int | float | bool | Reason | tuple[str | int | float | bool | Reason, ...]
 """What fills a gap of a sentence: one thing, or several; a reason within a reason is said in the same language."""
 
-Text = Reason | str
-"""What is said to people."""
-
 
 @runtime_checkable
 class KeyedSentence(Protocol):
@@ -67,13 +64,11 @@ NOTHING = Reason("", "")
 """The reason that says nothing."""
 
 
-def in_language(reason: Text, language: str, of_modules: Mapping[str, str] = MappingProxyType({})) -> str:
+def in_language(reason: Reason, language: str, of_modules: Mapping[str, str] = MappingProxyType({})) -> str:
     """The sentence of a reason in a language, or its English where that language does not have it whole.
 
     `of_modules` has what modules say in that language, by the keys of their sentences.
     """
-    if isinstance(reason, str):
-        return reason
     if language == "en":
         return reason.text
     of_module = of_modules.get(reason.key)
@@ -92,12 +87,10 @@ def _shown(value: object, language: str, of_modules: Mapping[str, str]) -> str:
     return str(value)
 
 
-def every(text: Text) -> Iterator[Reason]:
-    """A reason, then those that fill its gaps, and theirs; a bare text has none."""
-    if isinstance(text, str):
-        return
-    yield text
-    for value in text.args.values():
+def every(reason: Reason) -> Iterator[Reason]:
+    """A reason, then those that fill its gaps, and theirs."""
+    yield reason
+    for value in reason.args.values():
         for item in value if isinstance(value, tuple) else (value,):
             if isinstance(item, Reason):
                 yield from every(item)

@@ -3,6 +3,7 @@ import pytest
 from onika.desk.console.display import Tone
 from onika.desk.console.event_lines import lines as event_lines
 from onika.wire import event
+from onika.words.reason import NOTHING, Reason
 
 
 def lines(message):
@@ -15,8 +16,8 @@ def lines(message):
         (event.Began(0, 1, 4, "jmoveC home", 2.5), "     2.50 s  2/4  jmoveC home", Tone.PLAIN),
         (event.TaskState("main", "puma", "ON", 1.0), "     1.00 s  main/puma ON", Tone.GOOD),
         (event.TaskState("main", "puma", "OFF", 1.0), "     1.00 s  main/puma OFF", Tone.DIM),
-        (event.Warned("main", "puma", "late", 1.0), "     1.00 s  note: main/puma: late", Tone.NOTE),
-        (event.Warned("", "", "late", 1.0), "     1.00 s  note: late", Tone.NOTE),
+        (event.Warned("main", "puma", Reason.plain("late"), 1.0), "     1.00 s  note: main/puma: late", Tone.NOTE),
+        (event.Warned("", "", Reason.plain("late"), 1.0), "     1.00 s  note: late", Tone.NOTE),
         (
             event.Stepped("main", "puma", "TAU_REF", "N m", 1, 40.0, 9.0, 9.76, 6, 1.0),
             "     1.00 s  note: main/puma: TAU_REF[1] stepped by 40 N m at a switch, more than 9.76 N m a cycle: "
@@ -24,26 +25,34 @@ def lines(message):
             Tone.NOTE,
         ),
         (
-            event.Drive("boxes:arm", "PRESSED", 9, 0, 0, "panic button pressed", 1.0),
+            event.Drive("boxes:arm", "PRESSED", 9, 0, 0, Reason.plain("panic button pressed"), 1.0),
             "     1.00 s  drive boxes:arm PRESSED: panic button pressed",
             Tone.FAULT,
         ),
         (
-            event.Drive("boxes:arm", "TRIPPED", 9, 0, 0, "silent", 1.0),
+            event.Drive("boxes:arm", "TRIPPED", 9, 0, 0, Reason.plain("silent"), 1.0),
             "     1.00 s  drive boxes:arm TRIPPED: silent",
             Tone.FAULT,
         ),
-        (event.Drive("boxes:arm", "HELD", 9, 0, 0, "", 1.0), "     1.00 s  drive boxes:arm HELD", Tone.DIM),
-        (event.Signalled("main", "jtraj", "FINISH", 1, "", 1.0), "     1.00 s  main/jtraj signals FINISH 1", Tone.NOTE),
-        (event.Signalled("main", "x", "ILLEGAL", 0, "why", 1.0), "     1.00 s  main/x signals ILLEGAL: why", Tone.NOTE),
-        (event.Lost("rt1", "killed", 1.0), "     1.00 s  LOST rt1: killed", Tone.FAULT),
-        (event.Held("main", ""), "main is held by nobody", Tone.NOTE),
-        (event.Held("main", "", "silent"), "main is held by nobody: silent", Tone.NOTE),
-        (event.Offered("main", "a", "b", "accepted"), "a offers main to b: accepted", Tone.NOTE),
-        (event.Stopped(True, "smoke"), "STOPPED: smoke; every drive holds until `reset`", Tone.FAULT),
-        (event.Stopped(False, ""), "motion is allowed again", Tone.GOOD),
+        (event.Drive("boxes:arm", "HELD", 9, 0, 0, NOTHING, 1.0), "     1.00 s  drive boxes:arm HELD", Tone.DIM),
         (
-            event.Result(False, "why", 1, 4, 2.0, 2.0, {}, (), ""),
+            event.Signalled("main", "jtraj", "FINISH", 1, NOTHING, 1.0),
+            "     1.00 s  main/jtraj signals FINISH 1",
+            Tone.NOTE,
+        ),
+        (
+            event.Signalled("main", "x", "ILLEGAL", 0, Reason.plain("why"), 1.0),
+            "     1.00 s  main/x signals ILLEGAL: why",
+            Tone.NOTE,
+        ),
+        (event.Lost("rt1", Reason.plain("killed"), 1.0), "     1.00 s  LOST rt1: killed", Tone.FAULT),
+        (event.Held("main", ""), "main is held by nobody", Tone.NOTE),
+        (event.Held("main", "", Reason.plain("silent")), "main is held by nobody: silent", Tone.NOTE),
+        (event.Offered("main", "a", "b", Reason.plain("accepted")), "a offers main to b: accepted", Tone.NOTE),
+        (event.Stopped(True, Reason.plain("smoke")), "STOPPED: smoke; every drive holds until `reset`", Tone.FAULT),
+        (event.Stopped(False, NOTHING), "motion is allowed again", Tone.GOOD),
+        (
+            event.Result(False, Reason.plain("why"), 1, 4, 2.0, 2.0, {}, (), ""),
             "     2.00 s  run aborted, 1 of 4 actions: why",
             Tone.FAULT,
         ),
@@ -53,7 +62,7 @@ def test_an_event_is_a_line(message, line, tone):
     assert list(lines(message)) == [(line, tone)]
 
 
-@pytest.mark.parametrize("message", [event.Done(0, 1, 2.0), event.Edited("main", 1, "", 2.0)])
+@pytest.mark.parametrize("message", [event.Done(0, 1, 2.0), event.Edited("main", 1, NOTHING, 2.0)])
 def test_what_only_machines_want_is_not_told(message):
     assert list(lines(message)) == []
 
@@ -62,7 +71,9 @@ def test_a_failure_shows_place_traceback_source_line_and_values():  # R-A18
     trace = "  File pd.py, line 7, in cycle\n    return 1 / 0\n"
     shown = [
         line
-        for line, _ in lines(event.Failed("main", "pd", "ZeroDivisionError", "pd.py", 7, trace, 1.0, "cycle", {"K": 2}))
+        for line, _ in lines(
+            event.Failed("main", "pd", Reason.plain("ZeroDivisionError"), "pd.py", 7, trace, 1.0, "cycle", {"K": 2})
+        )
     ]
     assert shown[0] == "     1.00 s  ERROR main/pd: ZeroDivisionError (pd.py:7)"
     assert [line.strip() for line in shown[1:]] == ["File pd.py, line 7, in cycle", "return 1 / 0", "K = 2"]
@@ -79,6 +90,6 @@ def test_a_failure_shows_place_traceback_source_line_and_values():  # R-A18
 )
 def test_a_question_names_type_unit_bounds_and_default(low, high, default, end):  # R-A10
     item = event.Item("level", "double", 1, "m", "how high", default, low, high)
-    shown = list(lines(event.Asked("main", "gauge", "too high", (item,), 1.0)))
+    shown = list(lines(event.Asked("main", "gauge", Reason.plain("too high"), (item,), 1.0)))
     assert shown[0] == ("     1.00 s  main/gauge: too high", Tone.ASK)
     assert shown[1] == (f"     1.00 s  main/gauge asks for level double in m, {end}", Tone.ASK)

@@ -25,7 +25,7 @@ def test_status_of_a_task_shows_every_figure(sit):  # R-A11
 
 def test_an_overload_that_is_foretold_is_told(sit, monkeypatch):  # R-X13
     sitting = sit()
-    figures = live.Figures((), {"rt0": 0.95}, ("rt0 will have 1.2 s of work in a second",))
+    figures = live.Figures((), {"rt0": 0.95}, (Reason.plain("rt0 will have 1.2 s of work in a second"),))
     monkeypatch.setattr(sitting.runtime, "_look", lambda message: figures)
     assert sitting.does("status")[-1] == "rt0 will have 1.2 s of work in a second"
     assert sitting.tones[-1] is Tone.FAULT

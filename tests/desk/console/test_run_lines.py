@@ -3,7 +3,7 @@ from msgspec.structs import replace
 
 from onika.wire import event, request
 from onika.wire.figures import TaskFigures
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 
 def test_an_application_is_begun_and_its_end_told(sit):  # R-A16
@@ -87,10 +87,10 @@ def asking_once(runtime):
 
     def command(message):
         if isinstance(message, request.Begin):
-            runtime.tell(event.Asked("flow0", "jtraj", "", (), 0.0))
+            runtime.tell(event.Asked("flow0", "jtraj", NOTHING, (), 0.0))
             return request.Done()
         if isinstance(message, request.Reply):
-            runtime.tell(event.Result(True, "", 1, 1, 1.0, 1.0, {}, (), ""))
+            runtime.tell(event.Result(True, NOTHING, 1, 1, 1.0, 1.0, {}, (), ""))
             return request.Done()
         return former(message)
 
@@ -102,10 +102,10 @@ def test_the_end_of_what_another_runs_is_not_the_end_of_ours(sit):
     sitting.console.carry_out("run go_home")
     figures = TaskFigures("other", "puma", "rt0", 500.0, 1, 0, 1.0, 1.0)
     sitting.runtime.running = ""  # it goes on and on
-    sitting.runtime.tell(event.Result(True, "", 9, 9, 1.0, 1.0, {}, (figures,), ""))
+    sitting.runtime.tell(event.Result(True, NOTHING, 9, 9, 1.0, 1.0, {}, (figures,), ""))
     sitting.session.hear()
     assert (sitting.session.running, sitting.session.result) == ("go_home", None)
-    sitting.runtime.tell(event.Result(True, "", 9, 9, 1.0, 1.0, {}, (replace(figures, subsystem="flow0"),), ""))
+    sitting.runtime.tell(event.Result(True, NOTHING, 9, 9, 1.0, 1.0, {}, (replace(figures, subsystem="flow0"),), ""))
     sitting.session.hear()
     assert sitting.session.running == ""
 

@@ -4,7 +4,7 @@ from kit.live_runtime import LiveRuntime
 from onika.desk.console.session import ConsoleSession
 from onika.wire import event, live, request
 from onika.wire.plan import Plan
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 
 def test_a_console_listens_to_all_and_chooses_the_only_subsystem(sit):  # R-A06
@@ -49,7 +49,7 @@ def test_an_outcome_that_does_not_come_is_not_waited_for_for_ever(sit, monkeypat
 def test_outcomes_of_others_are_not_kept_for_ever(sit):
     sitting = sit()
     for number in range(1000):
-        sitting.runtime.tell(event.Edited("other", number, "", 0.0))
+        sitting.runtime.tell(event.Edited("other", number, NOTHING, 0.0))
     sitting.session.hear()
     assert len(sitting.session._edits) <= 64
     sitting.does("spawn puma")
@@ -76,7 +76,9 @@ def test_notes_are_said_and_faults_of_files_keep_their_places(sit):
     fault = request.FaultText("a.rmod", 3, Reason.plain("expected x, found y"), Reason.plain("z"))
     runtime_ask = runtime.ask
     runtime.ask = lambda message: (
-        request.Prepared((fault,), ("worth knowing",)) if isinstance(message, request.Prepare) else runtime_ask(message)
+        request.Prepared((fault,), (Reason.plain("worth knowing"),))
+        if isinstance(message, request.Prepare)
+        else runtime_ask(message)
     )
     (refusal,) = sitting.session.order(request.Prepare(Plan("x", (), ()), ()))
     assert str(refusal) == "a.rmod:3: expected x, found y; instead: z"

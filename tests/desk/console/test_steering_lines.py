@@ -118,7 +118,7 @@ def test_what_flows_do_is_told(steered):  # R-E11, R-X03, R-X06
         event.Moved("flow1", "waiting", 0, 1.0, "t a", ("flow0",)),
         event.Moved("flow0", "paused", 1, 2.0),
         event.Moved("flow0", "paused", -1, 2.0),
-        event.Moved("flow0", "running", 1, 2.0, text="does not pause"),
+        event.Moved("flow0", "running", 1, 2.0, text=Reason.plain("does not pause")),
         event.Moved("flow0", "running", 1, 2.0),
         event.Met("t a", ("flow0", "flow1"), 12.0, 3.0),
     ):
@@ -134,8 +134,10 @@ def test_what_flows_do_is_told(steered):  # R-E11, R-X03, R-X06
 
 
 def test_why_a_flow_stands_still_is_told_with_what_can_be_done(steered):  # R-X06
-    choices = (("clear", "clear the error and repeat"),)
-    explained = event.Explained("flow0", "pd", "move", 1, "a.appl:3", "it broke", "", 0, (), (), choices, 4.0)
+    choices = (("clear", Reason.plain("clear the error and repeat")),)
+    explained = event.Explained(
+        "flow0", "pd", "move", 1, "a.appl:3", Reason.plain("it broke"), "", 0, (), (), choices, 4.0
+    )
     steered.runtime.tell(explained)
     steered.session.hear()
     assert any("it broke" in line for line in steered.lines)

@@ -1,5 +1,6 @@
 from onika.wire import event
 from onika.wire.figures import VariableSteps
+from onika.words.reason import NOTHING
 
 
 def stepped(step=40.0, cycles=6, limit=9.76, variable="TAU_REF"):
@@ -28,6 +29,6 @@ def test_the_last_step_of_each_variable_is_a_row(sit):  # R-X04
 def test_of_a_run_the_largest_is_told_when_it_is_over(sit):  # R-X04, R-E14
     sitting = sit()
     steps = (VariableSteps("flow0", "puma", "TAU_REF", "N m", 19, 1, 3.4, 3.4, 18.6, 21.2),)
-    sitting.runtime.tell(event.Result(True, "", 1, 1, 2.0, 2.0, {}, (), "", steps=steps))
+    sitting.runtime.tell(event.Result(True, NOTHING, 1, 1, 2.0, 2.0, {}, (), "", steps=steps))
     sitting.session.hear()
     assert sitting.does("jumps flow0")[1].endswith("21.20  passed on, the largest of 19")

@@ -6,6 +6,7 @@ from onika.files import buttons as file
 from onika.model.button import Button
 from onika.wire import act, view
 from onika.words.fault import Refusal
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -106,7 +107,7 @@ class Refusing(Commands):
     """Commands of which none can begin."""
 
     def start(self, button):
-        return Refusal("no more processes")
+        return Refusal(Reason.plain("no more processes"))
 
 
 def test_a_command_that_cannot_begin_is_refused(tmp_path):  # R-G02

@@ -6,6 +6,7 @@ from onika.desk.environment.diary_entry import _EVENTS, HEADER, DiaryEntry, entr
 from onika.desk.environment.environment import ActAnswer
 from onika.desk.environment.outcome.outcome import No
 from onika.wire import act
+from onika.words.reason import Reason
 
 NAMES = {"c1": "Untitled-1", "c2": "move"}
 
@@ -59,9 +60,9 @@ def test_an_act_says_what_it_touches(wish, value, rest):  # R-H01
 
 
 def test_what_was_refused_is_marked():  # R-H01
-    assert columns(act.Place("c2", "pd", 3, 4), no=No("no"))[1] == "try_insert_icon"
-    assert columns(act.Open("move"), no=No("no"))[1:4] == ["try_open_conf", "move", "0"]
-    assert columns(act.Draft("c2"), no=No("no"))[1] == "try_job"
+    assert columns(act.Place("c2", "pd", 3, 4), no=No(Reason.plain("no")))[1] == "try_insert_icon"
+    assert columns(act.Open("move"), no=No(Reason.plain("no")))[1:4] == ["try_open_conf", "move", "0"]
+    assert columns(act.Draft("c2"), no=No(Reason.plain("no")))[1] == "try_job"
 
 
 def test_every_act_of_a_user_has_its_event_and_what_a_page_asks_by_itself_has_none():  # R-H01

@@ -16,6 +16,7 @@ from onika.desk.environment.outcome.outcome import (
 )
 from onika.model.task import Task
 from onika.wire import act, live, page, request
+from onika.words.reason import Reason
 
 NAMES = ("a", "b", "c", "d")
 TASKS = tuple(Task(name, f"m{name}", invar=("Q",), outvar=(f"OUT_{name.upper()}",), frequency=10.0) for name in NAMES)
@@ -107,8 +108,8 @@ def test_an_act_that_waits_for_the_runtime_is_answered_when_that_has_replied(beg
     sitting, answers = begin(procedure)
     assert answers == []
     (order,) = sitting.orders
-    sitting.environment.replied(order, request.Refused("not now"))
-    assert [answer.value for answer in answers] == ["not now"]
+    sitting.environment.replied(order, request.Refused(Reason.plain("not now")))
+    assert [str(answer.value) for answer in answers] == ["not now"]
 
 
 def test_an_act_goes_on_with_the_model_of_then(begin):
@@ -130,21 +131,21 @@ def test_two_acts_that_ask_the_same_get_each_its_own_reply(begin):
     sitting, answers = begin(procedure)
     sitting.environment.do(act.Note("y"), "other", answers.append)
     first, second = sitting.orders
-    sitting.environment.replied(second, request.Refused("second"))
-    sitting.environment.replied(first, request.Refused("first"))
-    assert [answer.value for answer in answers] == ["second", "first"]
+    sitting.environment.replied(second, request.Refused(Reason.plain("second")))
+    sitting.environment.replied(first, request.Refused(Reason.plain("first")))
+    assert [str(answer.value) for answer in answers] == ["second", "first"]
 
 
 def test_what_an_act_has_done_is_shown_while_it_waits_and_stays_where_it_is_refused_then(begin):  # R-X10
     def procedure(model, _act, _outside):
         model, _ = yield Ask(people(model, 2), live.Survey())
         model, _ = yield InterimModel(people(model, model.people + 1))
-        return No("not so many")
+        return No(Reason.plain("not so many"))
 
     sitting, answers = begin(procedure)
     assert sitting.environment.model.people == 2
     sitting.environment.replied(sitting.orders[0], request.Done())
-    assert sitting.environment.model.people == 3 and answers[0].no == No("not so many")
+    assert sitting.environment.model.people == 3 and answers[0].no == No(Reason.plain("not so many"))
 
 
 def test_an_act_may_wait_for_work_that_is_done_aside(begin):
@@ -172,12 +173,14 @@ def test_an_act_may_wait_until_something_comes_by_itself_and_so_may_several(begi
 
 def test_a_refused_change_that_no_act_waits_for_is_worth_a_line(tmp_path):  # law 22
     sitting = EnvironmentFixture(tmp_path, TASKS)
-    sitting.environment.become(lambda model: Done(model, news=((SubsystemChange("c1", 1), No("they disagree")),)))
+    sitting.environment.become(
+        lambda model: Done(model, news=((SubsystemChange("c1", 1), No(Reason.plain("they disagree"))),))
+    )
     assert [(str(line.text), line.doc) for line in sitting.says] == [("they disagree", "c1")]
 
 
 def test_a_change_from_outside_reaches_every_page(tmp_path):
     sitting = EnvironmentFixture(tmp_path, TASKS)
-    say = page.Say("info", "a word")
+    say = page.Say("info", Reason.plain("a word"))
     sitting.environment.become(lambda model: Done(model, says=(say,)))
     assert sitting.says == [say]

@@ -17,6 +17,7 @@ from onika.link.lost import LinkLost, LossCause
 from onika.model.lifecycle import State
 from onika.model.task import Task
 from onika.wire import act, event, live, reading
+from onika.words.reason import Reason
 
 PATIENCE_S = 20.0
 
@@ -142,7 +143,7 @@ def test_a_simulator_takes_the_place_of_the_runtime_as_it_was_asked_for(lab):  #
 def test_a_token_is_known_for_the_next_time(lab):  # R-C18
     doc = lab.new()
     lab.do(act.Connect(doc, url="ws://there", token="secret"))
-    lab.lines[0].say(LinkLost(LossCause.CLOSED, "the cable"))
+    lab.lines[0].say(LinkLost(LossCause.CLOSED, Reason.plain("the cable")))
     lab.until(lambda: lab.environment.tree.runtime.state == "lost")
     lab.do(act.Connect(doc))
     assert lab.reached[:2] == ("ws://there", "secret")
@@ -151,7 +152,7 @@ def test_a_token_is_known_for_the_next_time(lab):  # R-C18
 def test_where_no_runtime_is_to_be_had_the_reason_is_the_answer(lab):  # R-C18
     doc = lab.new("a")
     for lab.refusal in (
-        LinkLost(LossCause.TOKEN, "the token is wrong"),
+        LinkLost(LossCause.TOKEN, Reason.plain("the token is wrong")),
         OSError("no program"),
         ValueError("no address"),
     ):
@@ -189,7 +190,7 @@ def test_a_runtime_that_is_lost_answers_what_was_open_and_another_is_got_by_conn
     lab.lines[0].silent = (live.Reset,)
     answers = []
     lab.environment.do(act.Reset(), "me", answers.append)
-    lab.lines[0].say(LinkLost(LossCause.CLOSED, "it was killed"))
+    lab.lines[0].say(LinkLost(LossCause.CLOSED, Reason.plain("it was killed")))
     lab.until(lambda: answers)
     assert str(answers[0].no.reason) == "it was killed"
     assert str(lab.environment.tree.runtime.text) == "it was killed" and lab.lines[0].is_left

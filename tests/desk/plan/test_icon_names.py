@@ -13,8 +13,8 @@ def test_an_icon_is_called_by_what_it_shows():
 
 
 def test_several_icons_are_counted_and_holes_are_none():
-    assert several([Icon(THERE)]) == "above triangle"
-    assert several([Icon(BARE), Hole()]) == "grip"
+    assert str(several([Icon(THERE)])) == "above triangle"
+    assert str(several([Icon(BARE), Hole()])) == "grip"
     assert str(several([Icon(BARE), Hole(), Icon(THERE)])) == "2 icons"
 
 

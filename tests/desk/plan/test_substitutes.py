@@ -3,13 +3,14 @@ from onika.desk.plan.substitutes import with_substitutes
 from onika.model.redirect import Redirect
 from onika.store.site import open_site
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 SITE = open_site([], {}, None)
 
 
 def helped(place, *redirects, application="go_home", remedies=()):
     chosen = tuple(map(Redirect.parse, redirects))
-    fault = Fault(Place(str(place)), "a device", "none", "it is not run", remedies=remedies)
+    fault = Fault(Place(str(place)), Reason.plain("a device"), Reason.plain("none"), "it is not run", remedies=remedies)
     (fault_helped,) = with_substitutes([fault], prepare_run(application, SITE, chosen), chosen, SITE)
     return fault_helped
 

@@ -5,13 +5,16 @@ from hypothesis import given, strategies as st
 
 from onika.desk.run.explanation_text import lines
 from onika.wire import event
+from onika.words.reason import Reason
 
 AT = tuple(number * 0.05 for number in range(61))
 EXPLAINED = event.Explained(
     subsystem="flow0", task="puma", action="jmoveC home", index=4, place="together.appl:117",
-    text="cycle: NaN in TAU_REF", path="/home/u/puma.py", line=88, waiting=(("flow1", "lift"), ("flow2", "")),
+    text=Reason.plain("cycle: NaN in TAU_REF"), path="/home/u/puma.py", line=88,
+    waiting=(("flow1", "lift"), ("flow2", "")),
     courses=(event.Course("Q_MEZ", "rad", AT, tuple([0.0, number * 0.1] for number in range(61))),),
-    choices=(("clear flow0", "clears puma"), ("abort", "ends the run")), at_s=12.345, kind="error", suspect="poison",
+    choices=(("clear flow0", Reason.plain("clears puma")), ("abort", Reason.plain("ends the run"))),
+    at_s=12.345, kind="error", suspect="poison",
 )  # fmt: skip
 
 

@@ -4,6 +4,7 @@ from onika.desk.plan.flow_index import FlowIndex, IndexedFlow
 from onika.desk.run.flow_tracker import FlowTracker
 from onika.desk.run.wait_condition import WaitCondition
 from onika.wire import event, steer
+from onika.words.reason import NOTHING
 
 PAUSED, DONE = WaitCondition("paused"), WaitCondition("done")
 
@@ -114,7 +115,7 @@ def test_what_the_runtime_says_of_itself_counts_more(where):  # R-E11
 
 
 def test_a_question_is_open_until_the_task_goes_on(where):  # law 25
-    hear(where, event.Asked("flow0", "gauge", "", (), 0.0))
+    hear(where, event.Asked("flow0", "gauge", NOTHING, (), 0.0))
     assert where.is_asking
     hear(where, event.TaskState("flow0", "gauge", "ON", 0.0))
     assert not where.is_asking

@@ -26,7 +26,7 @@ def test_a_library_that_is_missing_is_told_with_its_cost(monkeypatch):  # law 31
     monkeypatch.setattr(machine.metadata, "version", missing)
     cost = Reason.of("desk.cost_nothing_runs")
     absent = Reason.of("desk.machine_not_installed")
-    assert machine._library("numpy", cost) == Feature("numpy", False, absent, cost)
+    assert machine._library("numpy", cost) == Feature(Reason.plain("numpy"), False, absent, cost)
 
 
 @pytest.mark.parametrize(("code", "there", "actual"), [(0, True, "granted"), (1, False, "refused")])
@@ -57,4 +57,6 @@ def test_one_processor_is_too_few(monkeypatch):  # law 31
     monkeypatch.setattr(machine.os, "sched_getaffinity", lambda _pid: {0})
     assert not machine._processors().is_there
     monkeypatch.setattr(machine.os, "sched_getaffinity", lambda _pid: {0, 1})
-    assert machine._processors() == Feature(Reason.of("desk.machine_processors"), True, "2", machine._processors().cost)
+    assert machine._processors() == Feature(
+        Reason.of("desk.machine_processors"), True, Reason.plain("2"), machine._processors().cost
+    )

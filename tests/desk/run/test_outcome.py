@@ -2,9 +2,9 @@ from onika.desk.run.outcome import Outcome
 from onika.wire import event
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
-GOOD = event.Result(True, "", 1, 1, 2.0, 0.1, {"LAMP": 1}, (), "abc")
+GOOD = event.Result(True, NOTHING, 1, 1, 2.0, 0.1, {"LAMP": 1}, (), "abc")
 
 
 def test_an_outcome_says_how_it_ended():  # R-E14

@@ -2,6 +2,7 @@ from kit.recording_builder import RecordingBuilder
 from onika.desk.run.recording_digest import digest_lines
 from onika.desk.run.run_review import Review
 from onika.wire import event
+from onika.words.reason import Reason
 
 
 def taped(tmp_path):
@@ -10,7 +11,7 @@ def taped(tmp_path):
     tape.tell(0.5, event.Began(0, 0, 2, "one", 0.5))
     tape.tell(1.0, event.Done(0, 0, 1.0))
     tape.tell(1.0, event.Began(0, 1, 2, "two", 1.0))
-    tape.tell(2.0, event.Failed("flow0", "servo", "cycle: broken", "servo.py", 3, "", 2.0))
+    tape.tell(2.0, event.Failed("flow0", "servo", Reason.plain("cycle: broken"), "servo.py", 3, "", 2.0))
     return tape
 
 

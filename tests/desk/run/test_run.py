@@ -11,11 +11,11 @@ from onika.store.site import open_site
 from onika.wire import event, request, steer
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 SITE = open_site([], {}, None)
-GOOD = event.Result(True, "", 1, 1, 2.0, 0.1, {"LAMP": 1}, (), "abc")
-ASKED = event.Asked("flow0", "gauge", "", (), 0.5)
+GOOD = event.Result(True, NOTHING, 1, 1, 2.0, 0.1, {"LAMP": 1}, (), "abc")
+ASKED = event.Asked("flow0", "gauge", NOTHING, (), 0.5)
 
 
 class After(NamedTuple):
@@ -55,7 +55,11 @@ class FakeRuntime:
         self.requests.append(message)
         match message:
             case request.Prepare():
-                return request.Refused(self.refuses) if self.refuses else request.Prepared(self.faults, ("a note",))
+                return (
+                    request.Refused(Reason.plain(self.refuses))
+                    if self.refuses
+                    else request.Prepared(self.faults, (Reason.plain("a note"),))
+                )
             case request.Begin():
                 return self.begins
             case request.Snapshot():
@@ -134,7 +138,8 @@ def go(watcher=None, **settings):
 def test_a_run_is_prepared_begun_and_followed_to_its_end(runtime):  # R-E03, R-E14
     runtime.script = (event.Done(0, 0, 1.0), GOOD)
     outcome, watcher = go(is_virtual=True, with_fifo=False, settle_s=0.25, seed=3, answers=(("gauge", "level", "1"),))
-    assert (outcome.state, outcome.exit_code, outcome.result, outcome.notes) == ("completed", 0, GOOD, ["a note"])
+    assert (outcome.state, outcome.exit_code, outcome.result) == ("completed", 0, GOOD)
+    assert [str(note) for note in outcome.notes] == ["a note"]
     assert watcher.seen == [("go_home", 4711), event.Done(0, 0, 1.0), GOOD]
     prepare, begin, closing = runtime.made.requests
     assert isinstance(prepare, request.Prepare)
@@ -226,7 +231,10 @@ def test_a_script_that_fails_aborts_the_run(runtime, tmp_path):  # R-E07
     path = tmp_path / "s"
     path.write_text("pass\nnext\n")
     runtime.refusals = {"Pass": Reason.plain("expected flow 0 to be waiting, found it running")}
-    runtime.script = (event.Began(0, 0, 1, "jmoveC home", 0.1), event.Result(False, "x", 0, 1, 1.0, 1.0, {}, (), ""))
+    runtime.script = (
+        event.Began(0, 0, 1, "jmoveC home", 0.1),
+        event.Result(False, Reason.plain("x"), 0, 1, 1.0, 1.0, {}, (), ""),
+    )
     outcome, watcher = go(script=path)
     assert [str(fault.reason) for fault in outcome.failed] == ["expected flow 0 to be waiting, found it running"]
     assert request.Abort(Reason.of("desk.script_fails", place=f"{path}:1")) in runtime.made.requests
@@ -262,7 +270,7 @@ def test_where_nobody_could_go_on_a_run_that_stands_still_is_aborted(runtime, ca
     watcher = Watcher()
     watcher.can_steer = can_steer
     runtime.positions = (steer.Position("flow0", "paused", 0),)
-    runtime.script = (PAUSED, event.Result(False, "x", 0, 1, 1.0, 1.0, {}, (), ""))
+    runtime.script = (PAUSED, event.Result(False, Reason.plain("x"), 0, 1, 1.0, 1.0, {}, (), ""))
     go(watcher)
     causes = [order.cause for order in runtime.made.requests if isinstance(order, request.Abort)]
     assert list(map(str, causes)) == ["nobody is there to go on: flow0 is paused after action 1"] * aborts
@@ -282,7 +290,10 @@ def test_a_run_is_begun_and_steered_from_a_program(runtime):  # R-E07
 
 
 def test_a_run_that_its_program_leaves_is_aborted(runtime):  # R-E10
-    runtime.script = (event.Began(0, 0, 1, "jmoveC home", 0.1), event.Result(False, "x", 0, 1, 1.0, 1.0, {}, (), ""))
+    runtime.script = (
+        event.Began(0, 0, 1, "jmoveC home", 0.1),
+        event.Result(False, Reason.plain("x"), 0, 1, 1.0, 1.0, {}, (), ""),
+    )
     with pytest.raises(RuntimeError), start(RunSettings("go_home"), SITE):
         raise RuntimeError("something else")
     assert request.Abort(Reason.of("desk.program_left")) in runtime.made.requests
@@ -320,7 +331,7 @@ def control_c():
 
 
 def test_control_c_stops_the_run_and_its_end_is_still_heard(runtime):  # R-E07
-    aborted = event.Result(False, "stopped", 0, 1, 0.5, 0.5, {}, (), "")
+    aborted = event.Result(False, Reason.plain("stopped"), 0, 1, 0.5, 0.5, {}, (), "")
     runtime.script = (event.Done(0, 0, 0.1), control_c, event.Done(0, 0, 0.2), aborted)
     outcome, watcher = go()
     assert runtime.made.requests[2] == request.Stop(Reason.of("desk.stopped_by_user"))
@@ -355,9 +366,9 @@ def test_a_runtime_that_does_not_come_up_is_an_aborted_run(runtime, monkeypatch,
 
 
 def test_a_run_that_the_runtime_will_not_begin_is_aborted(runtime):
-    runtime.begins = request.Refused("an application runs already")
+    runtime.begins = request.Refused(Reason.plain("an application runs already"))
     outcome, _ = go()
-    assert (outcome.result.cause, outcome.exit_code) == ("an application runs already", 1)
+    assert (str(outcome.result.cause), outcome.exit_code) == ("an application runs already", 1)
 
 
 def test_a_picture_is_asked_for_only_where_it_is_wanted(runtime):

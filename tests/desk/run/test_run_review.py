@@ -5,13 +5,14 @@ from kit.recording_builder import RecordingBuilder
 from onika.desk.run.run_review import Interval, Review
 from onika.record import foxglove, topics
 from onika.wire import event
+from onika.words.reason import NOTHING
 
 EVENTS = (
     event.TaskState("flow0", "servo", "OFF", 0.0),
     event.Moved("flow0", "running", 0, 0.0),
     event.Began(0, 0, 2, "one", 0.0),
     event.TaskState("flow0", "servo", "ON", 0.1),
-    event.Drive("yard:m0", "DRIVEN", 0, 0, 0, "", 0.1),
+    event.Drive("yard:m0", "DRIVEN", 0, 0, 0, NOTHING, 0.1),
     event.Done(0, 0, 1.0),
     event.Began(0, 1, 2, "two", 1.0),
     event.Moved("flow0", "paused", 1, 1.5),

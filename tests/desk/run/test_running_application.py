@@ -4,11 +4,11 @@ from onika.desk.run.steering import SteeringOrder
 from onika.wire import event, live, request, steer
 from onika.words.condition import Condition
 from onika.words.fault import Place
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 BEGAN = event.Began(0, 0, 2, "jmoveC aside", 1.0)
 PAUSED = event.Moved("flow0", "paused", 0, 2.0)
-GOOD = event.Result(True, "", 4, 4, 9.0, 0.1, {"LAMP": 1}, (), "abc")
+GOOD = event.Result(True, NOTHING, 4, 4, 9.0, 0.1, {"LAMP": 1}, (), "abc")
 
 
 def test_a_run_begins_as_its_settings_say(running):  # R-E01, R-E08, R-E10
@@ -72,7 +72,7 @@ def test_a_wait_in_vain_is_a_fault_with_what_was_found(running):  # R-E07
 
 
 def test_a_wait_while_a_task_asks_is_given_up(running):  # law 25
-    question = event.Asked("flow0", "gauge", "", (), 0.5)
+    question = event.Asked("flow0", "gauge", NOTHING, (), 0.5)
     run, runtime = running(question, BEGAN, GOOD, may_ask=True)
     (fault,) = run.wait("began flow0 1")
     assert str(fault.reason) == (
@@ -172,7 +172,7 @@ def test_it_stands_still_only_if_the_runtime_says_so_too(running):  # R-X03
     run.flow_tracker.hear(event.Moved("flow0", "paused", 1, 0.5))
     runtime.positions = (steer.Position("flow0", "paused", 1), steer.Position("flow1", "paused", 0))
     assert run.is_stuck()
-    run.flow_tracker.hear(event.Asked("flow0", "gauge", "", (), 0.5))
+    run.flow_tracker.hear(event.Asked("flow0", "gauge", NOTHING, (), 0.5))
     assert not run.is_stuck()
 
 
@@ -202,8 +202,8 @@ def test_a_runtime_that_is_lost_ends_the_run_with_the_cause(running):  # R-E10
 
 def test_to_stop_is_the_runtimes_business(running):  # law 27
     run, runtime = running()
-    run.stop("enough")
-    assert runtime.requests[-1] == request.Stop("enough")
+    run.stop(Reason.plain("enough"))
+    assert runtime.requests[-1] == request.Stop(Reason.plain("enough"))
     assert run.pid == 4711
 
 

@@ -1,10 +1,10 @@
 from onika.desk.run.script_player import ScriptPlayer
 from onika.desk.run.steering_script import read
 from onika.wire import event, request, steer
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 BEGAN = event.Began(0, 0, 2, "jmoveC aside", 1.0)
-GOOD = event.Result(True, "", 4, 4, 9.0, 0.1, {}, (), "abc")
+GOOD = event.Result(True, NOTHING, 4, 4, 9.0, 0.1, {}, (), "abc")
 
 
 def player_of(run, text):
@@ -48,7 +48,7 @@ def test_nothing_is_done_while_the_clock_of_a_held_run_goes_on(running):  # R-E0
 
 def test_nothing_is_done_while_a_task_asks(running):  # law 25
     run, runtime = running(is_held=False)
-    run.flow_tracker.hear(event.Asked("flow0", "gauge", "", (), 0.5))
+    run.flow_tracker.hear(event.Asked("flow0", "gauge", NOTHING, (), 0.5))
     player, _ = player_of(run, "pause\n")
     assert not player.go_on()
     assert runtime.of(steer.Pause) == []
@@ -81,7 +81,7 @@ def test_lines_left_after_a_good_end_fail_without_an_abort(running):  # R-E07
 
 
 def test_lines_left_after_an_abort_are_left_alone(running):  # R-E07
-    run, _ = running(event.Result(False, "stopped", 0, 4, 1.0, 0.1, {}, (), ""))
+    run, _ = running(event.Result(False, Reason.plain("stopped"), 0, 4, 1.0, 0.1, {}, (), ""))
     player, output = player_of(run, "wait began 0 1\npause\n")
     to_the_end(run, player)
     assert (output, run.outcome.failed, player.is_over) == ([], (), True)

@@ -12,7 +12,7 @@ from onika.words.reason import NOTHING
 SITE = open_site([], {}, None)
 BEGAN = event.Began(0, 0, 2, "jmoveC aside", 1.0)
 PAUSED = event.Moved("flow0", "paused", 0, 2.0)
-GOOD = event.Result(True, "", 4, 4, 9.0, 0.1, {"LAMP": 1}, (), "abc")
+GOOD = event.Result(True, NOTHING, 4, 4, 9.0, 0.1, {"LAMP": 1}, (), "abc")
 
 
 def test_what_happens_is_told_with_the_clock_standing(running):  # R-X07, law 15

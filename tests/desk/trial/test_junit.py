@@ -3,10 +3,11 @@ from xml.etree import ElementTree
 from onika.desk.trial.judging import Verdict
 from onika.desk.trial.junit import document
 from onika.desk.trial.trial import Trial
+from onika.words.reason import Reason
 
 TRIALS = [
-    Trial("a.test", Verdict((), ("a note & more",)), 1.25),
-    Trial("b.test", Verdict(("Q_MEZ: expected <1>", "LAMP \x00")), 0.5, shake=2),
+    Trial("a.test", Verdict((), (Reason.plain("a note & more"),)), 1.25),
+    Trial("b.test", Verdict((Reason.plain("Q_MEZ: expected <1>"), Reason.plain("LAMP \x00"))), 0.5, shake=2),
 ]
 
 

@@ -8,6 +8,7 @@ from onika.files.line import TextReading
 from onika.model.application import Hole, Icon
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
+from onika.words.reason import NOTHING
 
 GO = Onikon("go", "Joint job", "", (), blank())
 GRIP = Onikon("opengrip", "Complete job", "", (), blank())
@@ -16,7 +17,7 @@ KNOWN = {item.name: item for item in (GO, GRIP, HOME)}
 
 
 def read(text: str) -> list[Icon | Hole]:
-    (sentence,), _ = sentences(text, TextReading("f", ""))
+    (sentence,), _ = sentences(text, TextReading("f", NOTHING))
     return action_statement.read(sentence, WhereSection(KNOWN.get, holes={1: "ROUTINE x\n"}), TYPES)
 
 

@@ -4,8 +4,9 @@ from onika.files.line import TextReading
 from onika.model.application import AppFlow, Branch, Hole, Icon
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
+from onika.words.reason import NOTHING
 
-(SENTENCE,), _ = sentences("\nIF LAMP == 1 THEN", TextReading("f", ""))
+(SENTENCE,), _ = sentences("\nIF LAMP == 1 THEN", TextReading("f", NOTHING))
 ICON = Icon(Onikon("x", "Complete job", "", (), blank()))
 
 

@@ -2,11 +2,12 @@ from hypothesis import given, settings, strategies as st
 
 from onika.files.al.logical_line import joined, sentences
 from onika.files.line import TextReading
+from onika.words.reason import Reason
 
 
 def content(text: str) -> tuple[list[str], list[str]]:
     """The sentences and the faults of a text."""
-    reading = TextReading("f", "nothing")
+    reading = TextReading("f", Reason.plain("nothing"))
     result, _ = sentences(text, reading)
     return [joined(item.tokens) for item in result], [f"{item.place.line}: {item.reason}" for item in reading.faults]
 
@@ -27,7 +28,7 @@ def test_a_word_of_the_language_ends_an_open_parenthesis() -> None:
 
 
 def test_a_quoted_text_holds_signs_and_escapes() -> None:
-    reading = TextReading("f", "nothing")
+    reading = TextReading("f", Reason.plain("nothing"))
     result, _ = sentences(r'TAG "{a\" \\ (" #2', reading)
     assert [(token.kind, token.value) for token in result[0].tokens] == [
         ("word", "TAG"),
@@ -50,7 +51,7 @@ def test_what_is_open_at_the_end_of_its_line_or_begins_nothing_is_reported() -> 
 
 def test_the_line_where_ends_the_sentences() -> None:
     text = "END\n WHERE \nICON {"
-    reading = TextReading("f", "nothing")
+    reading = TextReading("f", Reason.plain("nothing"))
     result, start = sentences(text, reading)
     assert [joined(item.tokens) for item in result] == ["END"]
     assert text[start:] == "ICON {"
@@ -61,7 +62,7 @@ def test_the_line_where_ends_the_sentences() -> None:
 @given(st.text('ab"{}();=# \n\t\\#1', max_size=60))
 @settings(deadline=None)
 def test_any_text_gives_sentences_on_its_lines(text: str) -> None:
-    reading = TextReading("f", "nothing")
+    reading = TextReading("f", Reason.plain("nothing"))
     result, _ = sentences(text, reading)
     for item in result:
         for token in item.tokens:

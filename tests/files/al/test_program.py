@@ -8,13 +8,14 @@ from onika.files.line import TextReading
 from onika.model.application import AppFlow, Branch, Hole, Step
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
+from onika.words.reason import Reason
 
 KNOWN = {name: Onikon(name, "Complete job", "", (), blank()) for name in "abcdefg"}
 
 
 def run(text: str) -> tuple[TextProgram, tuple[AppFlow, ...] | None, list[str]]:
     """A program after all its sentences, `/` standing for the end of a line; its flows and faults."""
-    reading = TextReading("f", "nothing")
+    reading = TextReading("f", Reason.plain("nothing"))
     result, _ = sentences(text.replace(" / ", "\n"), reading)
     program = TextProgram(TYPES, WhereSection(KNOWN.get), reading)
     for item in result:

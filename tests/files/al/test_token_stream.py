@@ -6,10 +6,11 @@ from onika.files.al.logical_line import sentences
 from onika.files.al.token import KEYWORDS
 from onika.files.al.token_stream import TokenStream
 from onika.files.line import TextReading
+from onika.words.reason import Reason
 
 
 def phrase(text: str, at: int = 0) -> TokenStream:
-    (sentence,), _ = sentences(text, TextReading("f", "nothing"))
+    (sentence,), _ = sentences(text, TextReading("f", Reason.plain("nothing")))
     return TokenStream(sentence, at)
 
 
@@ -17,7 +18,7 @@ def test_words_are_read_from_left_to_right() -> None:
     item = phrase("DRIVE jmoveC #2 TO")
     assert item.takes("MOVE", "DRIVE") == "DRIVE"
     assert item.takes("DRIVE") == ""
-    assert item.name("a name", KEYWORDS) == "jmoveC"
+    assert item.name(Reason.plain("a name"), KEYWORDS) == "jmoveC"
     assert (item.variant(), item.variant(), item.variant(default=0)) == (2, 1, 0)
     assert not item.is_over
     assert item.rest() == "'TO'"
@@ -27,9 +28,9 @@ def test_words_are_read_from_left_to_right() -> None:
 
 
 def test_a_name_that_is_a_word_of_the_language_stands_in_quotes() -> None:
-    assert phrase('"TO"').name("a name", KEYWORDS) == "TO"
+    assert phrase('"TO"').name(Reason.plain("a name"), KEYWORDS) == "TO"
     with pytest.raises(ValueError, match="expected a name, found 'TO'"):
-        phrase("TO").name("a name", KEYWORDS)
+        phrase("TO").name(Reason.plain("a name"), KEYWORDS)
 
 
 @pytest.mark.parametrize(
@@ -49,7 +50,7 @@ READS: list[tuple[str, Callable[[TokenStream], object], str]] = [
     ("DO", lambda item: item.end(), "expected the end of the line, found 'DO'"),
     ("DO", lambda item: phrase("DO", 1).tag(), "expected a tag of one word, found the end of the line"),
     ('"a b"', lambda item: item.tag(), "expected a tag of one word, found 'a b'"),
-    ("2x", lambda item: item.name("a name", KEYWORDS), "expected a name, found '2x'"),
+    ("2x", lambda item: item.name(Reason.plain("a name"), KEYWORDS), "expected a name, found '2x'"),
     ("LAMP", lambda item: item.condition(), "expected an address, a comparison"),
     ("LAMP == 1", lambda item: item.condition("THEN"), "expected THEN behind the condition, found 'LAMP == 1'"),
 ]

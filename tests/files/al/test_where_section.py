@@ -7,6 +7,7 @@ from onika.files.al.where_section import WhereSection, read
 from onika.files.line import TextReading
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
+from onika.words.reason import NOTHING, Reason
 
 HOME = Onikon("home", "Joint object", "up", ((1.0, 2.0), ("x",)), blank())
 OTHER = replace(HOME, values=((3.0, 4.0), ("y",)))
@@ -16,7 +17,7 @@ KEPT = "ROUTINE     push\nMARKER      no\nONIKON      Force object\n"
 
 def again(text: str, onikons: dict[str, Onikon] | None = None) -> tuple[WhereSection, list[str]]:
     """The glossary of a section alone, and its faults."""
-    reading = TextReading("f", "nothing")
+    reading = TextReading("f", Reason.plain("nothing"))
     result = read("WHERE\n" + text, len("WHERE\n"), TYPES, (onikons or {}).get, reading)
     return result, [f"{fault.place.line}: {fault.reason}" for fault in reading.faults]
 
@@ -59,7 +60,7 @@ def test_what_is_written_is_read_again() -> None:
 
 
 def test_without_the_line_where_there_is_nothing_in_it() -> None:
-    assert read("END", -1, TYPES, {"home": HOME}.get, TextReading("f", "")).find("home", 1) == HOME
+    assert read("END", -1, TYPES, {"home": HOME}.get, TextReading("f", NOTHING)).find("home", 1) == HOME
 
 
 ICON = WhereSection(lambda _: None)

@@ -189,8 +189,8 @@ def test_a_drive_that_holds_is_told_with_what_must_be_done_first(key, kind, firs
 
 @pytest.mark.parametrize("kind", ["ILLEGAL", "SHUTDOWN"])
 def test_a_task_that_may_not_go_on_ends_the_run(kind):  # R-A08, R-X06
-    report = news.Signalled("flow0", "arm", kind, 0, "too hot", 0)
-    explanation = Run([None]).ends(report, said.Illegal(0, "arm", "too hot")).explained
+    report = news.Signalled("flow0", "arm", kind, 0, Reason.plain("too hot"), 0)
+    explanation = Run([None]).ends(report, said.Illegal(0, "arm", Reason.plain("too hot"))).explained
     assert (explanation.kind, explanation.task, str(explanation.text), explanation.choices) == (
         kind.lower(),
         "arm",
@@ -201,8 +201,8 @@ def test_a_task_that_may_not_go_on_ends_the_run(kind):  # R-A08, R-X06
 
 def test_a_question_that_nobody_answers_ends_the_run():  # R-X06, law 25
     items = (AskedItem("goal", "double", 1, "rad", "", None, None, None),)
-    report = news.Asked("flow0", "go", "7 is beyond 2.6", items, 0)
-    explanation = Run([None]).ends(report, said.Abort("nobody")).explained
+    report = news.Asked("flow0", "go", Reason.plain("7 is beyond 2.6"), items, 0)
+    explanation = Run([None]).ends(report, said.Abort(Reason.plain("nobody"))).explained
     assert (explanation.kind, explanation.task) == ("asking", "go")
     assert "asks for goal (7 is beyond 2.6)" in str(explanation.text)
 
@@ -220,7 +220,11 @@ def test_a_lost_process_names_the_task_in_whose_call_it_was():  # R-A16, R-X06
 
 
 def test_what_the_user_wanted_blames_nobody():  # R-X06
-    explanation = Run([None]).ends(Cause(CauseKind.USER, "stopped (Ctrl-C)"), said.Abort("stopped")).explained
+    explanation = (
+        Run([None])
+        .ends(Cause(CauseKind.USER, Reason.plain("stopped (Ctrl-C)")), said.Abort(Reason.plain("stopped")))
+        .explained
+    )
     assert (explanation.kind, explanation.subsystem, explanation.task, explanation.text) == (
         "user",
         "",
@@ -231,14 +235,14 @@ def test_what_the_user_wanted_blames_nobody():  # R-X06
 
 def test_an_end_is_explained_once():  # R-X06
     run = Run([None], stands_still=False).fails("arm").fails("go")
-    run.ends(Cause(CauseKind.USER, "enough"), said.Abort("enough"))
+    run.ends(Cause(CauseKind.USER, Reason.plain("enough")), said.Abort(Reason.plain("enough")))
     assert run.explained.task == "arm"
     assert run.explainer.wake_at() is None
 
 
 def test_of_two_causes_one_within_the_other_the_inner_one_counts():  # R-X06
     run = Run([None], stands_still=False)
-    with run.explainer.watch(Cause(CauseKind.USER, "outer"), run.now):
+    with run.explainer.watch(Cause(CauseKind.USER, Reason.plain("outer")), run.now):
         run.fails("arm")
     assert run.explained.task == "arm"
 

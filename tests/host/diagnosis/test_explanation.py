@@ -13,6 +13,7 @@ from onika.ring.segment import Segment
 from onika.runtime.table import Table
 from onika.wire.event import decode, encode
 from onika.wire.steer import Position
+from onika.words.reason import Reason
 from onika.words.shape import Shape
 
 MS = 1_000_000
@@ -106,7 +107,7 @@ def test_a_cause_without_a_task_shows_no_variables(scene):  # R-X06
 
 
 def test_before_the_first_action_the_tasks_own_file_is_the_place(scene):  # R-X06
-    cause = Cause(CauseKind.REFUSED, "spawn: no", "flow0", "arm")
+    cause = Cause(CauseKind.REFUSED, Reason.plain("spawn: no"), "flow0", "arm")
     diagnosis = explain(scene.prepared, cause, [Position("flow0", "spawning", -1)], scene.history, 0.0)
     assert (diagnosis.place, diagnosis.action, diagnosis.index) == ("arm.rmod", "", -1)
 

@@ -39,23 +39,23 @@ def test_a_hardware_task_that_fails_over_its_drive_is_told_apart(why, kind):  # 
 
 @pytest.mark.parametrize("kind", ["ILLEGAL", "SHUTDOWN"])
 def test_a_signal_that_ends_the_run_is_a_cause(kind):  # R-A08, R-X06
-    cause = of_signal(news.Signalled("flow0", "puma", kind, 0, "too hot", 5))
+    cause = of_signal(news.Signalled("flow0", "puma", kind, 0, Reason.plain("too hot"), 5))
     assert (cause.kind.name, str(cause.text), cause.task) == (kind, f"{kind}: too hot", "puma")
 
 
 def test_other_signals_are_no_causes():  # R-X06
     with pytest.raises(ValueError, match="found LEGAL"):
-        of_signal(news.Signalled("flow0", "puma", "LEGAL", 0, "", 5))
+        of_signal(news.Signalled("flow0", "puma", "LEGAL", 0, NOTHING, 5))
 
 
 def test_a_refusal_names_the_command():  # R-X06
-    cause = of_refusal(news.Refused("flow0", "puma", "on", "it is in ERROR"))
+    cause = of_refusal(news.Refused("flow0", "puma", "on", Reason.plain("it is in ERROR")))
     assert str(cause.text) == "on is refused: it is in ERROR"
 
 
 def test_a_question_names_what_is_asked_for_and_what_was_wrong():  # R-X06, law 25
     items = (AskedItem("endpoint", "double", 6, "rad", "", None, None, None),)
-    cause = of_question(news.Asked("flow0", "jtraj", "joint 2 is beyond 2.6", items, 5))
+    cause = of_question(news.Asked("flow0", "jtraj", Reason.plain("joint 2 is beyond 2.6"), items, 5))
     assert str(cause.text) == "asks for endpoint (joint 2 is beyond 2.6), and there is no answer that fits"
 
 

@@ -4,6 +4,7 @@ from onika.host.diagnosis.stop_cause import Cause, CauseKind
 from onika.host.diagnosis.stop_choice import choices
 from onika.wire.plan import PlannedAction, PlannedFlow
 from onika.wire.steer import Position
+from onika.words.reason import Reason
 
 
 def flow(name, actions=2):
@@ -19,7 +20,7 @@ def waiting(name, *others):
     return Position(name, "waiting", 0, "meet", others)
 
 
-ERROR = Cause(CauseKind.ERROR, "no", "flow0", "puma")
+ERROR = Cause(CauseKind.ERROR, Reason.plain("no"), "flow0", "puma")
 
 
 def commands(options):
@@ -34,13 +35,13 @@ def test_a_flow_that_stands_at_an_error_can_be_cleared_left_or_ended():  # R-E08
 
 
 def test_nothing_can_be_done_where_the_run_ends():  # R-X06
-    ends = Cause(CauseKind.ERROR, "no", "flow0", "puma", ends=True)
+    ends = Cause(CauseKind.ERROR, Reason.plain("no"), "flow0", "puma", ends=True)
     assert choices(ends, [flow("flow0")], [stopped()]) == ()
 
 
 @pytest.mark.parametrize("kind", [CauseKind.USER, CauseKind.LOST])
 def test_nothing_can_be_done_after_a_stop_or_a_loss(kind):  # R-X06
-    assert choices(Cause(kind, "gone"), [flow("flow0")], [stopped()]) == ()
+    assert choices(Cause(kind, Reason.plain("gone")), [flow("flow0")], [stopped()]) == ()
 
 
 def test_an_only_action_cannot_be_skipped_to():  # R-X06
@@ -53,13 +54,13 @@ def test_of_several_flows_each_is_named_and_whoever_waits_can_be_let_pass():  # 
 
 
 def test_a_panic_button_must_be_let_go_first():  # R-K06, R-X06
-    pressed = Cause(CauseKind.PRESSED, "panic button pressed", "flow0", "puma")
+    pressed = Cause(CauseKind.PRESSED, Reason.plain("panic button pressed"), "flow0", "puma")
     options = dict(choices(pressed, [flow("flow0")], [stopped()]))
     assert str(options["clear"]).startswith("once the panic button is let go: clears puma")
 
 
 def test_what_was_refused_is_tried_again():  # R-X06
-    refused = Cause(CauseKind.REFUSED, "on is refused", "flow0", "puma")
+    refused = Cause(CauseKind.REFUSED, Reason.plain("on is refused"), "flow0", "puma")
     options = dict(choices(refused, [flow("flow0")], [stopped(failed=())]))
     assert str(options["clear"]) == "tries again and repeats job0 there with the same target"
 
@@ -72,12 +73,14 @@ def test_before_the_first_action_there_is_nothing_to_repeat():  # R-X06
 
 def test_a_deadlock_is_left_by_letting_one_pass():  # R-X03, R-X06
     positions = [waiting("flow0", "flow1"), waiting("flow1", "flow0"), waiting("flow2", "flow0")]
-    options = choices(Cause(CauseKind.DEADLOCK, "circle", "flow0"), [flow(f"flow{n}") for n in range(3)], positions)
+    options = choices(
+        Cause(CauseKind.DEADLOCK, Reason.plain("circle"), "flow0"), [flow(f"flow{n}") for n in range(3)], positions
+    )
     assert commands(options) == ["pass flow0", "pass flow1", "abort"]
 
 
 def test_whoever_waits_for_one_that_stands_passes_or_the_other_is_cleared():  # R-X06
-    deserted = Cause(CauseKind.DESERTED, "waits", "flow1")
+    deserted = Cause(CauseKind.DESERTED, Reason.plain("waits"), "flow1")
     flows = [flow("flow0"), flow("flow1")]
     options = choices(deserted, flows, [stopped(), waiting("flow1", "flow0")])
     assert commands(options) == ["clear flow0", "next flow0", "skip flow0 N", "pass flow1", "abort"]
@@ -88,7 +91,7 @@ def test_whoever_waits_for_one_that_stands_passes_or_the_other_is_cleared():  # 
 
 def test_a_flow_that_waits_for_nested_flows_is_not_let_pass():  # R-X06
     joining = Position("flow0", "joining", 0, "", ("flow0.1",))
-    options = choices(Cause(CauseKind.ERROR, "no", "flow0.1", "puma"), [flow("flow0"), flow("flow0.1")], [
+    options = choices(Cause(CauseKind.ERROR, Reason.plain("no"), "flow0.1", "puma"), [flow("flow0"), flow("flow0.1")], [
         joining, stopped("flow0.1")
     ])  # fmt: skip
     assert "pass flow0" not in commands(options)

@@ -14,6 +14,7 @@ from onika.runtime.subsystem import RunningSubsystem
 from onika.runtime.table import SIZE, Table
 from onika.runtime.user_input import AskedItem
 from onika.wire import event
+from onika.words.reason import NOTHING, Reason
 
 ITEM = AskedItem("goal", "double", 1, "m", "where to", None, None, None)
 MS = 1_000_000
@@ -102,7 +103,7 @@ def test_a_spawn_that_cannot_be_is_heard_by_the_client_as_a_refusal(scene):  # R
 def test_a_spawn_that_the_unit_refuses_gives_the_device_back(scene):  # law 18
     scene.executor.expect("mass")
     scene.executor.spawn_ready()
-    scene.hear(news.Refused("flow0", "mass", "spawn", "this unit was stopped"))
+    scene.hear(news.Refused("flow0", "mass", "spawn", Reason.plain("this unit was stopped")))
     assert scene.released == ["yard:m0"]
     assert not scene.executor.is_alive("mass")
 
@@ -122,10 +123,10 @@ def test_seconds_count_from_the_beginning(scene):
 
 
 def test_what_a_task_asks_is_a_question_until_it_is_answered(scene):  # R-A10
-    scene.born().hear(news.Asked("flow0", "servo", "", (ITEM,), 5 * MS))
+    scene.born().hear(news.Asked("flow0", "servo", NOTHING, (ITEM,), 5 * MS))
     assert scene.executor.open_questions
     assert scene.executor.questions == ()  # the client may have the answer
-    scene.executor.ask_user(news.Asked("flow0", "servo", "", (ITEM,), 5 * MS))
+    scene.executor.ask_user(news.Asked("flow0", "servo", NOTHING, (ITEM,), 5 * MS))
     assert [question.task for question in scene.executor.questions] == ["servo"]
     assert scene.story[-1] == scene.executor.questions[0]
     scene.hear(news.Changed("flow0", "servo", "ON", 6 * MS))
@@ -140,7 +141,7 @@ def test_after_a_failure_the_client_decides_before_the_rest_of_the_switch_goes_o
     scene.born().executor.switch(switch("mass", "servo"))
     assert [rtpu for rtpu, _ in scene.take(command.Switch)] == ["rt0"]
     scene.executor._client = lambda _message, _before: scene.executor.drop_switches()
-    scene.hear(news.Failed("flow0", "mass", "on", "no", "", 0, "", 5 * MS))
+    scene.hear(news.Failed("flow0", "mass", "on", Reason.plain("no"), "", 0, "", 5 * MS))
     assert scene.take(command.Switch) == []
 
 
@@ -148,7 +149,7 @@ def test_after_a_failure_the_client_decides_before_the_rest_of_the_switch_goes_o
 def test_only_a_refusal_of_the_launch_lets_the_rest_of_the_switch_go_on(scene, entry):  # law 3
     scene.born().executor.switch(switch("mass", "servo"))
     scene.take(command.Switch)
-    scene.hear(news.Refused("flow0", "mass", entry, "no"))
+    scene.hear(news.Refused("flow0", "mass", entry, Reason.plain("no")))
     assert [rtpu for rtpu, _ in scene.take(command.Switch)] == (["rt1"] if entry == "on" else [])
 
 

@@ -11,6 +11,7 @@ from onika.ring.segment import Segment
 from onika.runtime import news
 from onika.runtime.subsystem import RunningSubsystem
 from onika.runtime.table import SIZE, Table
+from onika.words.reason import Reason
 
 HOMES = {"a": "rt0", "b": "rt1", "c": "rt0", "d": "rt1", "e": "rt2"}
 
@@ -117,8 +118,8 @@ def test_a_switch_on_several_units_is_never_left_to_the_caller(board, units):  #
         (news.Changed("flow0", "a", "ON", 5, activation=1), True),
         (news.Changed("flow0", "a", "ON", 5, activation=2), False),
         (news.Changed("flow0", "a", "KILLED", 5, activation=1), False),
-        (news.Failed("flow0", "a", "cycle", "no", "", 0, "", 5, activation=1), False),
-        (news.Warned("flow0", "a", "hot", 5), False),
+        (news.Failed("flow0", "a", "cycle", Reason.plain("no"), "", 0, "", 5, activation=1), False),
+        (news.Warned("flow0", "a", Reason.plain("hot"), 5), False),
     ],
 )
 def test_news_of_an_earlier_activation_is_late_but_for_an_error_and_the_end(board, message, is_late):  # decision 4

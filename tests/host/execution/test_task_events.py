@@ -8,6 +8,7 @@ from onika.host.execution.task_events import by_hand, in_a_run, question_of
 from onika.runtime import news
 from onika.runtime.user_input import AskedItem
 from onika.wire import event, live
+from onika.words.reason import NOTHING, Reason
 
 SPEAKER = """
 from onika.module import Module, ModuleError, OutVar, finish, illegal, legal, off, shutdown, user_signal
@@ -111,9 +112,9 @@ def test_a_word_of_a_task_that_is_gone_is_told_to_nobody(speaker, word):  # R-A0
     late = {
         "OFF": news.Changed("s0", "speaker", "OFF", 1, "OFF"),
         "FINISH": news.Finished("s0", "speaker", 0, False, 1),
-        "ERROR": news.Failed("s0", "speaker", "cycle", "too hot", "", 0, "", 1),
-        "WARNING": news.Warned("s0", "speaker", "warm", 1),
-    }.get(word, news.Signalled("s0", "speaker", word, 0, "", 1))
+        "ERROR": news.Failed("s0", "speaker", "cycle", Reason.plain("too hot"), "", 0, "", 1),
+        "WARNING": news.Warned("s0", "speaker", Reason.plain("warm"), 1),
+    }.get(word, news.Signalled("s0", "speaker", word, 0, NOTHING, 1))
     speaker.change(kill=["speaker"])
     speaker.asker.server.told.clear()
     subsystems.hear("rt0", late, 1)
@@ -138,12 +139,14 @@ def test_a_run_tells_only_steps_that_are_too_far():  # R-X04
 
 
 def test_a_run_tells_failures_and_warnings_and_leaves_signals_to_the_engine():  # R-A08, R-A18, Table 9
-    failed = news.Failed("left", "arm", "cycle", "no", "arm.py", 7, "trace", 1, values={"X": 1})
+    failed = news.Failed("left", "arm", "cycle", Reason.plain("no"), "arm.py", 7, "trace", 1, values={"X": 1})
     messages = in_a_run(failed, 0.125)
     assert (str(messages.text), messages.line, messages.at_s, messages.values) == ("cycle: no", 7, 0.125, {"X": 1})
-    assert in_a_run(news.Warned("left", "arm", "hot", 1), 0.0) == event.Warned("left", "arm", "hot", 0.0)
+    assert in_a_run(news.Warned("left", "arm", Reason.plain("hot"), 1), 0.0) == event.Warned(
+        "left", "arm", Reason.plain("hot"), 0.0
+    )
     assert in_a_run(news.Finished("left", "arm", 0, False, 1), 0.0) is None
-    assert in_a_run(news.Signalled("left", "arm", "LEGAL", 0, "", 1), 0.0) is None
+    assert in_a_run(news.Signalled("left", "arm", "LEGAL", 0, NOTHING, 1), 0.0) is None
 
 
 def test_a_task_is_turned_on_again_after_each_end(speaker):  # R-A05, R-A09
@@ -168,7 +171,7 @@ def test_where_a_module_failed_is_told_with_its_values(speaker):  # R-A18
 
 def test_what_a_task_asks_for_is_told_item_by_item():  # R-A10
     item = AskedItem("goal", "double", 1, "m", "where to", None, (-9.0,), (9.0,))
-    question = question_of(news.Asked("s0", "servo", "too far", (item,), 5), 0.5)
+    question = question_of(news.Asked("s0", "servo", Reason.plain("too far"), (item,), 5), 0.5)
     assert (question.task, question.reason, question.at_s) == ("servo", "too far", 0.5)
     assert [(item.name, item.low, item.high) for item in question.items] == [("goal", (-9.0,), (9.0,))]
 

@@ -37,7 +37,14 @@ def test_every_question_arrives_as_it_was_asked(question):  # law 21
         room.Objections((Reason.plain("another robot"),)),
         room.Devices(("d",)),
         room.UnusableModule(
-            FaultText("a.py", 3, Reason.plain("expected one, found two"), Reason.plain("three"), "flow0", ("mend it",))
+            FaultText(
+                "a.py",
+                3,
+                Reason.plain("expected one, found two"),
+                Reason.plain("three"),
+                Reason.plain("flow0"),
+                (Reason.plain("mend it"),),
+            )
         ),
     ],
 )

@@ -73,12 +73,12 @@ def test_who_shapes_itself_states_the_dimension_before_it_lives():  # law 7
 
 @pytest.mark.parametrize(("hz", "is_wrong"), [(1e-3, False), (1e6, False), (9e-4, True), (1.1e6, True), (-5.0, True)])
 def test_a_rate_has_a_period(hz, is_wrong):  # R-A04
-    assert bool(wrong_rates([(Place("x.conf", 3), " in JOB", "a", hz)], (), "no")) is is_wrong
+    assert bool(wrong_rates([(Place("x.conf", 3), " in JOB", "a", hz)], (), Reason.plain("no"))) is is_wrong
 
 
 def test_hardware_is_not_slower_than_its_drive_allows():  # law 17
     given = [(Place("x.conf", 3), " in JOB", "a", 39.0), (Place("x.conf", 4), " in JOB", "b", 39.0)]
-    (fault,) = wrong_rates(given, {"a"}, "no")
+    (fault,) = wrong_rates(given, {"a"}, Reason.plain("no"))
     assert (fault.place.line, fault.reason) == (
         3,
         Reason.of("host.hardware_too_slow_in", task="a", job=" in JOB", slowest=40.0, hz=39.0),

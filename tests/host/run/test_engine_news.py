@@ -4,7 +4,7 @@ from onika.engine import news as engine_news
 from onika.host.run.engine_news import of_task
 from onika.model.lifecycle import State
 from onika.runtime import news
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 GATE = Reason.of("host.signal_said", signal="ILLEGAL", text="gate")
 NOT_ON = Reason.of("host.entry_failed", entry="on", why="no")
@@ -18,12 +18,12 @@ MEANINGS = [
     (news.Changed("f", "arm", "OFF", 1), State.ON, None),
     (news.Changed("f", "arm", "OFF", 1, "OFF"), State.ON, engine_news.SwitchedOff(1, "arm")),
     (news.Finished("f", "arm", 2, True, 1, switched=3), State.ON, engine_news.Finished(1, "arm", 2, True, 3)),
-    (news.Asked("f", "arm", "why", (), 1), State.ON, engine_news.Asked(1, "arm", "why")),
-    (news.Signalled("f", "arm", "ILLEGAL", 0, "gate", 1), State.ON, engine_news.Illegal(1, "arm", GATE)),
-    (news.Signalled("f", "arm", "LEGAL", 0, "", 1), State.ON, None),
-    (news.Refused("f", "arm", "on", "no"), State.OFF, engine_news.Refused(1, "arm", NOT_ON)),
-    (news.Refused("f", "arm", "rank", "no"), State.OFF, None),
-    (news.Warned("f", "arm", "hot", 1), State.ON, None),
+    (news.Asked("f", "arm", Reason.plain("why"), (), 1), State.ON, engine_news.Asked(1, "arm", Reason.plain("why"))),
+    (news.Signalled("f", "arm", "ILLEGAL", 0, Reason.plain("gate"), 1), State.ON, engine_news.Illegal(1, "arm", GATE)),
+    (news.Signalled("f", "arm", "LEGAL", 0, NOTHING, 1), State.ON, None),
+    (news.Refused("f", "arm", "on", Reason.plain("no")), State.OFF, engine_news.Refused(1, "arm", NOT_ON)),
+    (news.Refused("f", "arm", "rank", Reason.plain("no")), State.OFF, None),
+    (news.Warned("f", "arm", Reason.plain("hot"), 1), State.ON, None),
 ]
 
 
@@ -34,6 +34,6 @@ def test_the_engine_hears_what_matters_to_it(message, before, meaning):  # law 2
 
 @pytest.mark.parametrize(("line", "text"), [(7, "cycle: no (arm.py:7)"), (0, "cycle: no")])
 def test_a_failure_names_the_line_where_there_is_one(line, text):  # R-A18
-    failed = news.Failed("f", "arm", "cycle", "no", "arm.py", line, "", 1)
+    failed = news.Failed("f", "arm", "cycle", Reason.plain("no"), "arm.py", line, "", 1)
     meaning = of_task(1, failed, State.ON)
     assert (meaning.task, str(meaning.text)) == ("arm", text)

@@ -1,6 +1,7 @@
 from onika.host.run.replay import Replay
 from onika.wire import request, steer
 from onika.wire.request import Recorded, encode
+from onika.words.reason import Reason
 
 SECOND = 1_000_000_000
 PAUSE, ANSWER = steer.Pause("flow0"), request.Reply("flow0", "gauge", "1")
@@ -39,7 +40,7 @@ def test_it_is_on_up_to_its_instant_and_nobody_else_steers_meanwhile():  # R-X05
     repeat = repeated()
     assert repeat.is_on(10 * SECOND - 1)
     assert "being repeated" in repeat.refusal("you", PAUSE, 0).text
-    assert not repeat.refusal("me", request.Abort("enough"), 0)
+    assert not repeat.refusal("me", request.Abort(Reason.plain("enough")), 0)
     assert not repeat.refusal("me", steer.Who(), 0)
     assert not repeat.is_on(10 * SECOND)
     assert not repeat.refusal("me", PAUSE, 10 * SECOND)

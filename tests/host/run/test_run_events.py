@@ -5,6 +5,7 @@ from onika.engine import orders
 from onika.host.run.run_events import RunEvents
 from onika.host.run.run_statistics import Meeting
 from onika.wire import event
+from onika.words.reason import Reason
 
 
 def only_message(tell):
@@ -26,15 +27,15 @@ def test_an_action_is_told_with_its_name_and_how_many_there_are():  # R-E11
 
 
 def test_a_flow_that_waits_is_told_with_the_names_of_those_it_waits_for():  # R-X03
-    moved = orders.Moved(0, "waiting", 3, "meet", (1,), "flow 1 has ended")
+    moved = orders.Moved(0, "waiting", 3, "meet", (1,), Reason.plain("flow 1 has ended"))
     message = only_message(lambda events: events.note(moved, 1_000_000_000))
-    assert message == event.Moved("left", "waiting", 3, 0.0, "meet", ("right",), "flow 1 has ended")
+    assert message == event.Moved("left", "waiting", 3, 0.0, "meet", ("right",), Reason.plain("flow 1 has ended"))
 
 
 def test_a_note_names_its_subsystem():  # R-A08
-    assert only_message(lambda events: events.note(orders.RunNote(1, "so"), 1_000_000_000)) == event.Warned(
-        "right", "", "so", 0
-    )
+    assert only_message(
+        lambda events: events.note(orders.RunNote(1, Reason.plain("so")), 1_000_000_000)
+    ) == event.Warned("right", "", Reason.plain("so"), 0)
 
 
 def test_a_meeting_is_told_in_the_time_of_the_run():  # R-E11

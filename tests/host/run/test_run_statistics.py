@@ -4,6 +4,7 @@ from onika.host.run.run_statistics import RunStatistics
 from onika.ring.segment import Segment
 from onika.runtime.news import Statuses, TaskStatus
 from onika.runtime.table import SIZE, Table
+from onika.words.reason import NOTHING, Reason
 from onika.words.shape import Shape
 
 
@@ -51,8 +52,8 @@ def test_only_the_first_end_counts():  # R-E14
     statistics = RunStatistics(())
     statistics.began_at = 1_000_000_000
     statistics.done = 3
-    statistics.end(False, "somebody fell", 3_500_000_000)
-    statistics.end(True, "", 9_000_000_000)
+    statistics.end(False, Reason.plain("somebody fell"), 3_500_000_000)
+    statistics.end(True, NOTHING, 9_000_000_000)
     result = statistics.result(5, 1.25, "abc")
     assert (result.completed, result.cause, result.done, result.of) == (False, "somebody fell", 3, 5)
     assert (result.runtime_s, result.wall_s, result.hash) == (2.5, 1.25, "abc")

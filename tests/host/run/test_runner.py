@@ -5,6 +5,7 @@ from kit.runner_rig import NotingUnits, RunnerRig
 from onika.runtime import command, news
 from onika.wire import event, steer
 from onika.wire.request import Begin
+from onika.words.reason import NOTHING, Reason
 
 BOTH = [action("arm", "go", arguments="")]
 
@@ -53,7 +54,7 @@ def test_a_group_goes_out_only_when_the_one_before_it_is_on():  # reading 14
 def test_a_task_that_fails_or_asks_at_on_holds_up_nobody():  # law 25
     rig = RunnerRig(BOTH).start().spawned("arm", "go")
     switches(rig)
-    rig.hear(news.Asked("flow0", "arm", "", (), rig.now))
+    rig.hear(news.Asked("flow0", "arm", NOTHING, (), rig.now))
     assert rig.runner.is_asking
     assert rig.units.take(command.Kill)  # nobody is there to answer
 
@@ -90,7 +91,7 @@ def test_the_watcher_is_told_states_actions_and_times_since_the_run_began():  # 
 
 def test_an_abort_kills_every_task_and_names_the_cause():  # R-E14
     rig = RunnerRig(BOTH).start().spawned("arm", "go")
-    rig.runner.abort("enough", rig.now)
+    rig.runner.abort(Reason.plain("enough"), rig.now)
     assert sorted(order.task for _, order in rig.units.take(command.Kill)) == ["arm", "go"]
     for name in ("arm", "go"):
         assert not rig.runner.is_over
@@ -102,7 +103,7 @@ def test_an_abort_kills_every_task_and_names_the_cause():  # R-E14
 
 def test_an_abort_before_a_task_was_sent_kills_it_on_paper():  # law 10
     rig = RunnerRig(BOTH).start()
-    rig.runner.abort("enough", rig.now)
+    rig.runner.abort(Reason.plain("enough"), rig.now)
     assert [order.task for _, order in rig.units.take(command.Kill)] == ["arm"]
     rig.hear(news.Changed("flow0", "arm", "KILLED", rig.now))
     assert rig.runner.is_over
@@ -110,17 +111,17 @@ def test_an_abort_before_a_task_was_sent_kills_it_on_paper():  # law 10
 
 def test_a_second_abort_changes_nothing():
     rig = RunnerRig([action("bell")]).start().spawned("bell")
-    rig.runner.abort("first", rig.now)
-    rig.runner.abort("second", rig.now)
+    rig.runner.abort(Reason.plain("first"), rig.now)
+    rig.runner.abort(Reason.plain("second"), rig.now)
     rig.hear(news.Changed("flow0", "bell", "KILLED", rig.now))
-    rig.runner.abort("third", rig.now)
+    rig.runner.abort(Reason.plain("third"), rig.now)
     assert rig.runner.statistics.cause == "first"
     assert len(rig.units.take(command.Kill)) == 1
 
 
 def test_an_abort_while_things_settle_ends_the_run_as_aborted():  # R-E14
     rig = RunnerRig([action("bell")]).start().spawned("bell").turned_on("bell").finish("bell")
-    rig.runner.abort("enough", rig.now)
+    rig.runner.abort(Reason.plain("enough"), rig.now)
     assert rig.runner.wake_at() is None
     rig.hear(news.Changed("flow0", "bell", "KILLED", rig.now))
     assert not rig.runner.statistics.completed
@@ -128,7 +129,7 @@ def test_an_abort_while_things_settle_ends_the_run_as_aborted():  # R-E14
 
 def test_a_task_in_error_ends_the_run_and_is_told_with_its_line():  # R-A09, R-E08
     rig = RunnerRig([action("bell")]).start().spawned("bell").turned_on("bell")
-    rig.hear(news.Failed("flow0", "bell", "cycle", "ValueError: no", "bell.py", 7, "trace", rig.now))
+    rig.hear(news.Failed("flow0", "bell", "cycle", Reason.plain("ValueError: no"), "bell.py", 7, "trace", rig.now))
     (failed,) = rig.of(event.Failed)
     assert (str(failed.text), failed.path, failed.line) == ("cycle: ValueError: no", "bell.py", 7)
     rig.hear(news.Changed("flow0", "bell", "KILLED", rig.now))
@@ -139,7 +140,7 @@ def test_a_task_in_error_ends_the_run_and_is_told_with_its_line():  # R-A09, R-E
 
 def test_a_passive_task_in_error_is_noted_and_the_job_goes_on():  # reading 17
     rig = RunnerRig([action("bell", "show")]).start().spawned("bell", "show").turned_on("bell", "show")
-    rig.hear(news.Failed("flow0", "show", "cycle", "ValueError: no", "show.py", 7, "", rig.now))
+    rig.hear(news.Failed("flow0", "show", "cycle", Reason.plain("ValueError: no"), "show.py", 7, "", rig.now))
     assert rig.units.take(command.Kill) == []
     assert any(message.text.key == "engine.passive_in_error" for message in rig.of(event.Warned))
     rig.finish("bell")
@@ -156,8 +157,8 @@ def test_a_device_that_cannot_be_claimed_ends_the_run_with_the_reason():  # law 
 
 def test_a_lost_unit_takes_its_tasks_with_it():  # R-E10
     rig = RunnerRig(BOTH).start().spawned("arm", "go")
-    rig.runner.abort("processing unit rt0 is gone", rig.now)
-    rig.runner.lost("rt0", "rt0 was killed", rig.now)
+    rig.runner.abort(Reason.plain("processing unit rt0 is gone"), rig.now)
+    rig.runner.lost("rt0", Reason.plain("rt0 was killed"), rig.now)
     assert not rig.runner.is_over
     rig.hear(news.Changed("flow0", "go", "KILLED", rig.now), "rt1")
     assert rig.runner.is_over
@@ -168,8 +169,8 @@ def test_a_lost_unit_is_not_waited_for_when_statuses_are_asked():  # R-E10
     rig = RunnerRig([action("arm", "go")]).start().spawned("arm", "go").turned_on("arm", "go").finish("go")
     rig.runner.tick(rig.now + 500_000_000)
     assert sorted(rtpu for rtpu, _ in rig.units.take(command.Report)) == ["rt0", "rt1"]
-    rig.runner.abort("rt0 is gone", rig.now)
-    rig.runner.lost("rt0", "rt0 was killed", rig.now)
+    rig.runner.abort(Reason.plain("rt0 is gone"), rig.now)
+    rig.runner.lost("rt0", Reason.plain("rt0 was killed"), rig.now)
     rig.hear(news.Changed("flow0", "go", "KILLED", rig.now), "rt1")
     assert rig.runner.is_over
 
@@ -185,15 +186,15 @@ def test_news_of_unknown_tasks_is_nobodys():
 @pytest.mark.parametrize("kind", ["ILLEGAL", "SHUTDOWN"])
 def test_a_task_that_may_not_go_on_ends_the_run(kind):  # R-A08
     rig = RunnerRig([action("bell")]).start().spawned("bell").turned_on("bell")
-    rig.hear(news.Signalled("flow0", "bell", kind, 0, "too hot", rig.now))
+    rig.hear(news.Signalled("flow0", "bell", kind, 0, Reason.plain("too hot"), rig.now))
     rig.hear(news.Changed("flow0", "bell", "KILLED", rig.now))
     assert f"{kind}: too hot" in str(rig.runner.statistics.cause)
 
 
 def test_signals_that_end_nothing_change_nothing():  # R-A08
     rig = RunnerRig([action("bell")]).start().spawned("bell").turned_on("bell")
-    rig.hear(news.Signalled("flow0", "bell", "LEGAL", 0, "", rig.now))
-    rig.hear(news.Warned("flow0", "bell", "warm", rig.now))
+    rig.hear(news.Signalled("flow0", "bell", "LEGAL", 0, NOTHING, rig.now))
+    rig.hear(news.Warned("flow0", "bell", Reason.plain("warm"), rig.now))
     assert rig.units.take(command.Kill) == []
     assert rig.of(event.Warned)[-1].text == "warm"
 
@@ -236,7 +237,7 @@ def test_a_failed_task_is_cleared_and_the_step_repeated_where_somebody_decides()
     rig = RunnerRig([action("bell", "arm", "go")], begin=Begin(on_error="wait")).start()
     rig.spawned("arm", "bell", "go").turned_on("bell", "arm", "go")
     rig.units.sent.clear()
-    rig.hear(news.Failed("flow0", "arm", "cycle", "panic", "", 0, "", rig.now))
+    rig.hear(news.Failed("flow0", "arm", "cycle", Reason.plain("panic"), "", 0, "", rig.now))
     assert ("bell",) in [order.off for _, order in rig.units.take(command.Switch)]  # its trigger waits for nobody
     answers = []
     rig.runner.steer(steer.Recover("flow0"), rig.now, answers.append)
@@ -258,7 +259,7 @@ def test_a_failure_counts_however_late_it_is_heard():  # R-E08
     ((_, prepared),) = rig.units.take(command.PreparedSwitch)
     rig.runner.steer(steer.Skip("flow0", 1), rig.now, lambda _refusal: None)
     rig.hear(news.Unprepared("flow0"))
-    rig.hear(news.Failed("flow0", "bell", "off", "no", "", 0, "", rig.now, prepared.activation))
+    rig.hear(news.Failed("flow0", "bell", "off", Reason.plain("no"), "", 0, "", rig.now, prepared.activation))
     assert [message.state for message in rig.of(event.Moved)][-1] == "stopped"
     rig.runner.steer(steer.Recover("flow0"), rig.now, lambda _refusal: None)
     assert [order.task for _, order in rig.units.take(command.Clear)] == ["bell"]

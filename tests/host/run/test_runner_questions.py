@@ -6,13 +6,14 @@ from onika.runtime import command, news
 from onika.runtime.user_input import AskedItem
 from onika.wire import event
 from onika.wire.request import Begin
+from onika.words.reason import NOTHING, Reason
 
 ITEM = AskedItem("level", "double", 1, "m", "how high", None, (0.0,), (1.0,))
 
 
 def asking(begin):
     rig = RunnerRig([action("bell")], begin=begin).start().spawned("bell")
-    return rig.hear(news.Asked("flow0", "bell", "", (ITEM,), rig.now))
+    return rig.hear(news.Asked("flow0", "bell", NOTHING, (ITEM,), rig.now))
 
 
 def answers(rig):
@@ -22,7 +23,7 @@ def answers(rig):
 def test_a_given_answer_is_used_once():  # law 25
     rig = asking(Begin(answers=(("bell", "level", "0.5"),)))
     assert answers(rig) == [("bell", "0.5")]
-    rig.hear(news.Asked("flow0", "bell", "too low", (ITEM,), rig.now))
+    rig.hear(news.Asked("flow0", "bell", Reason.plain("too low"), (ITEM,), rig.now))
     assert answers(rig) == []
     rig.hear(news.Changed("flow0", "bell", "KILLED", rig.now))
     assert str(rig.runner.statistics.cause).endswith(

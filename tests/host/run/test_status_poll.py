@@ -81,7 +81,7 @@ def test_answers_of_a_module_come_in_the_order_of_questions():  # R-A05
     answers = [
         news.Got("s0", "two", "c", 3),
         news.Got("s0", "one", "a", 1),
-        news.Refused("s0", "one", "get or set", "no"),
+        news.Refused("s0", "one", "get or set", Reason.plain("no")),
     ]
     for answer in answers:
         status_poll.answered(answer)

@@ -8,6 +8,7 @@ from onika.link.caller import Caller, Role
 from onika.link.channel import Channel
 from onika.link.sessions import Introduction
 from onika.wire import event, holding, live, request, steer
+from onika.words.reason import NOTHING, Reason
 
 PLAN = rail_tasks().plan([action("mass", "servo", arguments="1")])
 TASK, CODE = PLAN.flows[0].tasks[0], PLAN.code[0]
@@ -34,7 +35,7 @@ def answered(book, wish, response=None, complain=lambda _text: None):
 
 
 def test_a_command_is_one_line_with_who_from_where_what_and_what_came_of_it(book):  # R-X12
-    answered(book, live.Set("s0", "arm", "gain", "2"), request.Refused("held by bob#3"))
+    answered(book, live.Set("s0", "arm", "gain", "2"), request.Refused(Reason.plain("held by bob#3")))
     who = {"who": "ann#2", "role": "operator", "address": "192.0.2.7", "on": "s0"}
     about = {"about": "task=arm name=gain value=2", "result": "refused: held by bob#3"}
     assert book.lines == [("Set", False, who | about)]
@@ -55,8 +56,8 @@ COMMANDS = [
     holding.Decline("s0"),
     request.Begin(),
     request.Reply("s0", "a", "1"),
-    request.Abort("x"),
-    request.Stop("x"),
+    request.Abort(Reason.plain("x")),
+    request.Stop(Reason.plain("x")),
     request.Quit(),
     request.Prepare(PLAN, ()),
     steer.Pause(),
@@ -97,9 +98,13 @@ def test_code_is_named_by_its_whole_digest_and_goes_to_the_disk_at_once(book):  
 
 
 def test_stops_and_changes_of_holder_go_to_the_disk_at_once(book):  # R-X12
-    answered(book, request.Stop("x"))
+    answered(book, request.Stop(Reason.plain("x")))
     audit_log = AuditLog(book)
-    for message in (event.Held("s0", "bob#3", "why"), event.Stopped(True, "x"), event.Stopped(False, "")):
+    for message in (
+        event.Held("s0", "bob#3", Reason.plain("why")),
+        event.Stopped(True, Reason.plain("x")),
+        event.Stopped(False, NOTHING),
+    ):
         audit_log.told(message)
     assert [line[:2] for line in book.lines] == [
         ("Stop", True),
@@ -112,8 +117,8 @@ def test_stops_and_changes_of_holder_go_to_the_disk_at_once(book):  # R-X12
 
 def test_how_what_was_accepted_ended_is_a_line_too(book):  # R-X12
     audit_log = AuditLog(book)
-    audit_log.told(event.Edited("s0", 3, "it is gone", 1.0))
-    audit_log.told(event.Edited("s0", 4, "", 1.0))
+    audit_log.told(event.Edited("s0", 3, Reason.plain("it is gone"), 1.0))
+    audit_log.told(event.Edited("s0", 4, NOTHING, 1.0))
     audit_log.told(event.TaskState("s0", "arm", "ON", 1.0))
     assert [line[2]["result"] for line in book.lines] == ["it is gone", "done"]
 

@@ -4,6 +4,7 @@ from hypothesis import given, settings, strategies as st
 from kit.live_edits import live_edits_with_tasks
 from kit.rail_world import rail_tasks
 from onika.wire import event, holding, live, request, steer
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -120,7 +121,7 @@ def test_a_holder_that_goes_in_the_midst_of_its_change_leaves_everything_off(han
 
 def test_everybody_stops_and_only_a_holder_lets_go_on(hand):  # law 27
     hand.change(spawn=["counter"], on=["counter"], session="one")
-    assert hand.asker.ask(request.Stop("enough"), "two") == request.Done()
+    assert hand.asker.ask(request.Stop(Reason.plain("enough")), "two") == request.Done()
     assert hand.states == {"counter": "OFF"}
     assert "reset it first" in hand.change(on=["counter"], session="one")
     assert "only a holder (one)" in hand.outcome(hand.asker.ask(live.Reset(), "two"))
@@ -130,13 +131,13 @@ def test_everybody_stops_and_only_a_holder_lets_go_on(hand):  # law 27
 
 
 def test_where_nobody_holds_anything_everybody_lets_go_on(hand):  # law 27
-    hand.asker.ask(request.Stop("enough"), "two")
+    hand.asker.ask(request.Stop(Reason.plain("enough")), "two")
     assert hand.asker.ask(live.Reset(), "three") == request.Done()
 
 
 def test_what_is_on_its_way_is_turned_off_while_stopped(hand):  # law 27
     hand.change(spawn=["counter"], on=["counter"])
-    hand.asker.ask(request.Stop("enough"))
+    hand.asker.ask(request.Stop(Reason.plain("enough")))
     assert hand.change(kill=["counter"]) == ""
 
 
@@ -221,10 +222,16 @@ def test_a_user_with_one_session_is_enough_of_a_name(hand):  # R-X12
 
 def test_who_only_watches_changes_nothing_and_may_stop(hand):  # R-X12, law 27
     assert hand.asker.ask(holding.OnlyWatch(), "two") == request.Done()
-    for wish in (live.Take("s0"), live.Change("s0"), live.Reset(), request.Abort("no"), steer.Resume("s0")):
+    for wish in (
+        live.Take("s0"),
+        live.Change("s0"),
+        live.Reset(),
+        request.Abort(Reason.plain("no")),
+        steer.Resume("s0"),
+    ):
         assert "only watches" in str(hand.asker.ask(wish, "two").reason)
     assert isinstance(hand.asker.ask(live.Survey(), "two"), live.Standing)
-    assert hand.asker.ask(request.Stop("enough"), "two") == request.Done()
+    assert hand.asker.ask(request.Stop(Reason.plain("enough")), "two") == request.Done()
 
 
 def test_a_holder_releases_before_it_only_watches(hand):  # R-X12
@@ -335,7 +342,7 @@ def do(hand, deed, session, other):
         "hand": holding.Hand("s0", other),
         "decline": holding.Decline("s0"),
         "watch": holding.OnlyWatch(),
-        "stop": request.Stop("enough"),
+        "stop": request.Stop(Reason.plain("enough")),
         "reset": live.Reset(),
     }
     if deed in wishes:

@@ -6,6 +6,7 @@ from kit.live_edits import live_edits_with_tasks
 from kit.plan_builder import action
 from kit.rail_world import MASS, SERVO, rail_tasks
 from onika.wire import event, holding, live, request, steer
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -75,7 +76,7 @@ def test_a_run_whose_session_is_gone_is_told_to_be_nobodys(hand, on_loss):  # R-
 
 def test_one_run_is_ended_by_its_name_and_only_by_who_may(hand):  # R-X12, R-E10
     def abort(subsystem, session):
-        ticket = hand.asker.send(request.Abort("enough", subsystem), session)
+        ticket = hand.asker.send(request.Abort(Reason.plain("enough"), subsystem), session)
         return hand.asker.server.replies[ticket]
 
     perform(hand, "one", on_loss="run")

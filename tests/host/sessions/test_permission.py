@@ -10,7 +10,7 @@ from onika.words.reason import NOTHING, Reason
 
 CODE = Code("d", "m", "m.py", "x = 1")
 LOOKS = [
-    request.Stop("x"), request.Snapshot(), live.Survey(), live.Read("s"), live.Status(), live.Check("s"),
+    request.Stop(Reason.plain("x")), request.Snapshot(), live.Survey(), live.Read("s"), live.Status(), live.Check("s"),
     live.Attend(), live.Scene("w"), steer.Who(), holding.Sessions(), holding.OnlyWatch(),
 ]  # fmt: skip
 WITH_CODE = [
@@ -23,7 +23,8 @@ WITH_CODE = [
     live.Reinit("s", "t", (("PARTNER", ("tcp:192.0.2.1:80",)),)),
 ]
 COMMANDS = [
-    request.Begin(), request.Abort("x"), request.Reply("s", "t", ""), request.Prepare(Plan("a", (), ()), ()),
+    request.Begin(), request.Abort(Reason.plain("x")), request.Reply("s", "t", ""),
+    request.Prepare(Plan("a", (), ()), ()),
     live.Change("s"), live.Take("s"), live.Release("s"), live.Set("s", "t", "n", "1"), live.Reset(), live.Close("s"),
     live.Touch("w", "panic", 1.0), live.Reinit("s", "t", (("GAIN", ("1",)),)),
     holding.Hand("s", "ann"), holding.Decline("s"),
@@ -64,7 +65,11 @@ def test_only_the_program_that_launched_the_runtime_makes_recordings():  # X05: 
 
 
 def test_everybody_may_stop():  # law 27
-    assert all(not refusal(caller(role, near), request.Stop("x"), False) for role in Role for near in (True, False))
+    assert all(
+        not refusal(caller(role, near), request.Stop(Reason.plain("x")), False)
+        for role in Role
+        for near in (True, False)
+    )
 
 
 @pytest.mark.parametrize("wish", WITH_CODE)

@@ -4,6 +4,7 @@ from onika.host.sessions.request_backlog import Backlog
 from onika.host.sessions.request_server import SessionRequest
 from onika.link.caller import Role
 from onika.wire import holding, live, request
+from onika.words.reason import NOTHING
 
 
 def call(message, session="me"):
@@ -30,7 +31,7 @@ def test_nobody_waits_behind_another_session(backlog):  # law 21
     assert not backlog.is_before(call(live.Clear("arm", "grav"), "other"))
 
 
-@pytest.mark.parametrize("wish", [request.Stop(""), live.Reset(), live.Survey(), holding.Sessions()])
+@pytest.mark.parametrize("wish", [request.Stop(NOTHING), live.Reset(), live.Survey(), holding.Sessions()])
 def test_what_is_urgent_waits_behind_nothing(backlog, wish):  # law 27
     assert not backlog.is_before(call(wish))
 

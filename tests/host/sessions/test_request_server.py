@@ -99,8 +99,8 @@ def signals(connection):
 
 def test_a_request_comes_out_with_its_session_and_its_response_goes_back(house):  # R-F01, R-F07
     parent = house.parent()
-    assert ask(parent, request.Abort("enough")) == request.Done()
-    assert house.calls == [SessionRequest(1, "owner#1", Role.OWNER, request.Abort("enough"), "parent")]
+    assert ask(parent, request.Abort(Reason.plain("enough"))) == request.Done()
+    assert house.calls == [SessionRequest(1, "owner#1", Role.OWNER, request.Abort(Reason.plain("enough")), "parent")]
 
 
 def test_what_is_no_request_is_refused_at_once(house):  # R-F07
@@ -115,11 +115,11 @@ def test_what_is_no_request_is_refused_at_once(house):  # R-F07
 def test_a_response_may_come_later_and_in_any_order(house):  # R-F07
     house.answers = False
     parent = house.parent()
-    first, second = (parent.ask(request.encode(request.Abort(word))) for word in "ab")
+    first, second = (parent.ask(request.encode(request.Abort(Reason.plain(word)))) for word in "ab")
     parent.poll()
     house.serve()
     for call, reason in zip(reversed(house.calls), "yx", strict=True):
-        house.server.reply(call.ticket, request.Refused(reason))
+        house.server.reply(call.ticket, request.Refused(Reason.plain(reason)))
     replied = {
         message.number: request.decode_response(message.body).reason
         for message in parent.poll()
@@ -182,14 +182,14 @@ def test_one_without_a_launching_program_is_always_open(house):
 @pytest.mark.parametrize(
     ("role", "wish", "sentence"),
     [
-        (Role.VIEWER, request.Abort("x"), "expected an operator for Abort, found viewer, who is viewer"),
+        (Role.VIEWER, request.Abort(Reason.plain("x")), "expected an operator for Abort, found viewer, who is viewer"),
         (Role.OPERATOR, request.Quit(), "expected an owner"),
     ],
 )
 def test_what_a_role_may_not_is_refused_at_once(house, role, wish, sentence):  # R-X12, law 27
     guest = house.guest(role)
     assert str(ask(guest, wish).reason).startswith(sentence)
-    assert ask(guest, request.Stop("stop!")) == request.Done()
+    assert ask(guest, request.Stop(Reason.plain("stop!"))) == request.Done()
     assert ask(guest, live.Survey()) == request.Done()
     assert [type(call.asked) for call in house.calls] == [request.Stop, live.Survey]
 
@@ -216,7 +216,7 @@ def test_a_flood_is_served_a_little_at_a_time_and_the_others_in_between(house): 
     flood, honest = house.guest(client="a"), house.guest(client="b")
     for _ in range(500):
         flood.ask(request.encode(live.Survey()))
-    honest.ask(request.encode(request.Stop("now")))
+    honest.ask(request.encode(request.Stop(Reason.plain("now"))))
     house.serve()
     assert [call.session for call in house.calls].count("owner#1") <= 16
     assert "owner#2" in [call.session for call in house.calls]
@@ -246,7 +246,7 @@ def test_the_porters_end_is_told_and_those_who_are_there_stay(house):
     (lost,) = signals(guest)
     assert lost.name == "porter"
     assert lost.cause == Reason.of("host.porter_killed", signal=9)
-    assert ask(guest, request.Abort("")) == request.Done()
+    assert ask(guest, request.Abort(NOTHING)) == request.Done()
 
 
 class Witnessed:
@@ -308,7 +308,7 @@ def test_whoever_overhears_is_told_everything_at_once(house):  # law 29
         messages.append((message, subsystem))
 
     house.server.overhear(hear)
-    house.server.tell(event.Stopped(True, "x"), "flow0")
+    house.server.tell(event.Stopped(True, Reason.plain("x")), "flow0")
     house.server.leave(hear)
-    house.server.tell(event.Stopped(False, ""))
-    assert messages == [(event.Stopped(True, "x"), "flow0")]
+    house.server.tell(event.Stopped(False, NOTHING))
+    assert messages == [(event.Stopped(True, Reason.plain("x")), "flow0")]

@@ -13,6 +13,7 @@ from onika.runtime.table import Table
 from onika.runtime.wiring import wire
 from onika.wire import event, live
 from onika.wire.request import Stop
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -53,7 +54,7 @@ def test_a_stop_in_the_midst_of_a_change_leaves_nothing_hanging(hand):  # law 27
     hand.change(spawn=["source", "counter"], on=["source", "counter"])
     hand.task("other", SOURCE, module="other")
     ticket = hand.asker.send(hand.order(("other",), ("other",), kill=("source",)))
-    hand.asker.ask(Stop("enough"))
+    hand.asker.ask(Stop(Reason.plain("enough")))
     hand.work()
     assert len(hand.edited(hand.asker.server.replies[ticket].number)) == 1
     assert set(hand.states.values()) == {"OFF"}
@@ -231,7 +232,7 @@ def test_who_is_to_come_on_after_one_whose_unit_is_lost_is_not_held_up(bare):  #
 
 def test_a_birth_that_was_refused_is_taken_back(bare):  # R-X10
     subsystem, messages = bare
-    subsystem.hear("rt0", news.Refused("s0", "quick", "on", "no"), 2)
+    subsystem.hear("rt0", news.Refused("s0", "quick", "on", Reason.plain("no")), 2)
     subsystem.hear("rt1", news.Changed("s0", "slow", "ON", 3), 3)
     subsystem.hear("rt1", news.Changed("s0", "slow", "OFF", 4), 4)
     for name, rtpu in (("quick", "rt0"), ("slow", "rt1")):
@@ -244,7 +245,7 @@ def test_a_refusal_that_no_change_waits_for_is_told(bare):
     subsystem, messages = bare
     for name, rtpu in (("quick", "rt0"), ("slow", "rt1")):
         subsystem.hear(rtpu, news.Changed("s0", name, "ON", 2), 2)
-    subsystem.hear("rt0", news.Refused("s0", "quick", "rank", "no such task"), 3)
+    subsystem.hear("rt0", news.Refused("s0", "quick", "rank", Reason.plain("no such task")), 3)
     assert (messages[-1].task, str(messages[-1].text)) == ("quick", "refused, rank: no such task")
 
 

@@ -1,5 +1,6 @@
 from onika.host.subsystems.outcomes import Outcomes
 from onika.model.lifecycle import State
+from onika.words.reason import Reason
 
 
 def test_who_came_and_went_since_it_was_told_is_remembered():  # law 22
@@ -18,7 +19,7 @@ def test_who_came_and_went_since_it_was_told_is_remembered():  # law 22
 def test_a_new_command_needs_a_new_answer_and_excuses_what_was():
     outcomes = Outcomes()
     outcomes.answer("arm")
-    outcomes.fail("arm", "reinit: too many")
+    outcomes.fail("arm", Reason.plain("reinit: too many"))
     outcomes.expect_answer("arm")
     assert not outcomes.has_answered("arm")
     assert not outcomes.has_trouble("arm")
@@ -26,7 +27,7 @@ def test_a_new_command_needs_a_new_answer_and_excuses_what_was():
 
 def test_what_went_wrong_is_one_sentence_that_names_each_task_once():
     outcomes = Outcomes()
-    outcomes.fail_all({"arm": "on: no", "hand": "spawn: no"})
+    outcomes.fail_all({"arm": Reason.plain("on: no"), "hand": Reason.plain("spawn: no")})
     assert str(outcomes.trouble(["hand", "arm", "hand", "other"])) == "hand: spawn: no; arm: on: no"
     outcomes.begin()
     assert not outcomes.trouble(["hand", "arm"])

@@ -5,6 +5,7 @@ from kit.plan_builder import action
 from kit.rail_world import rail_tasks
 from onika.runtime import command, news
 from onika.wire import event, live, request
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -79,7 +80,7 @@ def test_a_unit_that_is_lost_is_told_to_everybody_and_takes_its_tasks_along(hand
     hand.change(spawn=["counter", "source"], on=["counter", "source"])
     hand.driver.lose("rt1")
     assert subsystems.lost_units == {"rt1": "processing unit rt1 was lost"}
-    assert ("", "", event.Lost("rt1", "processing unit rt1 was lost", 0.0)) in hand.asker.server.heard
+    assert ("", "", event.Lost("rt1", Reason.plain("processing unit rt1 was lost"), 0.0)) in hand.asker.server.heard
     killed = [message for message in hand.asker.of(event.TaskState) if message.state == "KILLED"]
     assert [message.task for message in killed] == ["counter"]
     assert hand.states == {"source": "ON"}
@@ -98,7 +99,7 @@ def test_a_unit_that_is_lost_ends_the_application_that_needs_it(hand):  # R-E10
 def test_the_device_server_is_lost_without_the_tasks(hand, subsystems):  # law 17
     hand.change(spawn=["counter"], on=["counter"])
     subsystems.lost("", "the device server was lost", 5)
-    assert hand.asker.of(event.Lost) == [event.Lost("device server", "the device server was lost", 5e-9)]
+    assert hand.asker.of(event.Lost) == [event.Lost("device server", Reason.plain("the device server was lost"), 5e-9)]
     assert hand.states == {"counter": "ON"}
     assert subsystems.lost_units == {}
 

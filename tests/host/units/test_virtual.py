@@ -16,6 +16,7 @@ from onika.runtime.table import SIZE, Table
 from onika.testing.fake_partner import FakePartner
 from onika.wire import event
 from onika.wire.request import Begin
+from onika.words.reason import Reason
 
 SECOND = 1_000_000_000
 
@@ -148,7 +149,7 @@ def test_an_abort_acts_at_the_present_time():  # R-E07
     for _ in range(50):
         run.driver.advance(0)
     now = run.driver.now
-    run.runner.abort("enough", now)
+    run.runner.abort(Reason.plain("enough"), now)
     run.driver.advance(0)
     assert run.runner.is_over
     assert run.driver.now == now
@@ -163,7 +164,7 @@ def test_a_stop_holds_every_drive_for_good():  # law 27
     for _ in range(50):
         run.driver.advance(0)
     run.driver.stop()
-    run.runner.abort("stop", run.driver.now)
+    run.runner.abort(Reason.plain("stop"), run.driver.now)
     run.driver.advance(0)
     assert run.driver.is_at_rest()
     assert str(run.of(event.Drive)[-1].cause) == "stop"

@@ -7,6 +7,7 @@ from kit import build
 from onika.engine.engine import Engine
 from onika.engine.news import Abort, Failed, Finished, Illegal, News, Refused, Run, Spawned, SwitchedOff, TurnedOn
 from onika.engine.orders import Began, Done, Kill, Moved, Order, RunNote, Settle, Spawn, Switch, Together
+from onika.words.reason import Reason
 
 from .performance import Action, Event, Performance
 
@@ -130,9 +131,9 @@ def drawn_news(plan: Plan, naive: Performance, draw: st.DataObject) -> News:
     likely = silent if kind is TurnedOn else speaking if kind is Finished else sorted(flow.on)
     task = draw.draw(st.sampled_from([*likely * 3, *build.names(plan[number])]))
     if kind is Abort:
-        return Abort("the user said so")
+        return Abort(Reason.plain("the user said so"))
     if kind in (Failed, Refused, Illegal):
-        return kind(number, PASSIVE if PASSIVE in build.names(plan[number]) else task, "it broke")
+        return kind(number, PASSIVE if PASSIVE in build.names(plan[number]) else task, Reason.plain("it broke"))
     return kind(number, task)
 
 

@@ -8,6 +8,7 @@ from kit.module_source import HEAD, module
 from onika.model.lifecycle import State
 from onika.ring.device import DriveState
 from onika.runtime import command, news
+from onika.words.reason import Reason
 
 MS = 1_000_000
 
@@ -99,7 +100,7 @@ def test_a_device_that_falls_silent_is_an_error():  # law 17
         command.Kill(HOME, "arm"),
         command.Stop(),
         command.Quit(),
-        command.Fail("server gone"),
+        command.Fail(Reason.plain("server gone")),
     ],
 )
 def test_a_device_is_left_in_hold_whatever_ends_the_task(order):  # laws 17, 27
@@ -118,7 +119,7 @@ def test_a_stop_turns_everything_off_and_is_latched():  # law 27
 
 
 def test_devices_that_are_gone_put_their_tasks_in_error_and_no_others():  # law 17
-    rig = arm_rig().switch(on=["arm", "force"]).run(50 * MS).do(command.Fail("the device server died"))
+    rig = arm_rig().switch(on=["arm", "force"]).run(50 * MS).do(command.Fail(Reason.plain("the device server died")))
     assert (rig.last(news.Failed).entry, rig.last(news.Failed).text) == (
         "device", "ModuleError: the device server died",
     )  # fmt: skip

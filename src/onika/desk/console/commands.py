@@ -21,7 +21,7 @@ Words = tuple[str, ...]
 
 
 def _echo(session: ConsoleSession, words: Words) -> Faults:
-    session.say(words[0] if words else "")
+    session.say(Reason.plain(words[0] if words else ""))
     return ()
 
 

@@ -76,7 +76,7 @@ class Console:
 
     def _run(self, lines: list[tuple[Place, str]]) -> Faults:
         for place, line in lines:
-            self.session.say(f"> {line}", Tone.DIM)
+            self.session.say(Reason.plain(f"> {line}"), Tone.DIM)
             faults = self.carry_out(line, place)
             if faults:
                 own = any(fault.place == place for fault in faults)
@@ -155,16 +155,17 @@ class Console:
             if not matches:
                 return session.no(Reason.of("console.command_unknown", word=words[0]))
             for match in matches:
-                session.say(match.usage, Tone.HEAD)
+                session.say(Reason.plain(match.usage), Tone.HEAD)
                 for reason in (match.purpose, match.more):
                     for line in session.in_words(reason).splitlines():
-                        session.say(f"  {line}")
+                        session.say(Reason.plain(f"  {line}"))
             return ()
         width = max(len(command.name) for command in self._commands)
         for title, group in self._groups:
             session.say(title, Tone.HEAD)
             for command in group:
-                session.say(f"  {command.name:<{width}}  {session.in_words(command.purpose)}")
+                line = f"  {command.name:<{width}}  {session.in_words(command.purpose)}"
+                session.say(Reason.plain(line))
         session.say(Reason.of("console.help_hint"), Tone.DIM)
         return ()
 

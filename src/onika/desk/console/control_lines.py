@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from onika.desk.console.display import Tone
 from onika.desk.console.session import ConsoleSession, Faults
 from onika.wire import holding, live, request
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 Words = tuple[str, ...]
 
@@ -67,14 +67,14 @@ def sessions(session: ConsoleSession, words: Words) -> Faults:
     for other in answer.sessions:
         marks = tuple(_marks(other, held.get(other.name, []), is_own=other.name == answer.you))
         name = f"{other.name:<16} {other.role:<11}"
-        session.say(Reason.of("console.session", name=name, marks=marks) if marks else name.rstrip())
+        session.say(Reason.of("console.session", name=name, marks=marks) if marks else Reason.plain(name.rstrip()))
     return ()
 
 
-def _refusal(answer: request.Response) -> Text:
+def _refusal(answer: request.Response) -> Reason:
     if isinstance(answer, request.Refused):
         return answer.reason
-    return str(answer)
+    return Reason.plain(str(answer))
 
 
 def _marks(other: holding.SessionStanding, held: list[str], *, is_own: bool) -> Iterator[Reason]:

@@ -3,7 +3,7 @@
 from enum import Enum
 from typing import Protocol
 
-from onika.words.reason import Text
+from onika.words.reason import Reason
 
 
 class Tone(Enum):
@@ -21,6 +21,6 @@ class Tone(Enum):
 class ConsoleDisplay(Protocol):
     """Shows lines as they come."""
 
-    def say(self, line: Text, tone: Tone = Tone.PLAIN) -> None:
+    def say(self, line: Reason, tone: Tone = Tone.PLAIN) -> None:
         """Show one line."""
         ...

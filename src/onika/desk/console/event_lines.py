@@ -7,14 +7,14 @@ from onika.desk.console.value import shown
 from onika.desk.run import explanation_text, transfer_text
 from onika.desk.run.positions import waits
 from onika.wire import event
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 
-Line = tuple[Text, Tone]
+Line = tuple[Reason, Tone]
 
 _STATES = {"ON": Tone.GOOD, "ERROR": Tone.FAULT, "ASKING": Tone.ASK}
 
 
-def lines(message: event.Event, say: Callable[[Text], str] = str) -> Iterator[Line]:
+def lines(message: event.Event, say: Callable[[Reason], str] = str) -> Iterator[Line]:
     """The lines of an event; none for those that only machines want. `say` makes the words of a block of lines."""
     match message:
         case event.Began() | event.TaskState() | event.Signalled() | event.Drive():
@@ -41,10 +41,11 @@ def _step(message: event.Began | event.TaskState | event.Signalled | event.Drive
     """What the course of things brings: an action, a task's state, its signal, a drive."""
     match message:
         case event.Began():
-            return f"{_at(message.at_s)}  {message.index + 1}/{message.of}  {message.action}", Tone.PLAIN
+            action = f"{_at(message.at_s)}  {message.index + 1}/{message.of}  {message.action}"
+            return Reason.plain(action), Tone.PLAIN
         case event.TaskState():
             text = f"{_at(message.at_s)}  {message.subsystem}/{message.task} {message.state}"
-            return text, _STATES.get(message.state, Tone.DIM)
+            return Reason.plain(text), _STATES.get(message.state, Tone.DIM)
         case event.Signalled():
             signal = f"{message.kind} {message.number}" if message.kind in ("FINISH", "USER") else message.kind
             task, because = f"{message.subsystem}/{message.task}", _because(message.text)
@@ -58,9 +59,9 @@ def _step(message: event.Began | event.TaskState | event.Signalled | event.Drive
 
 def question(message: event.Asked, item: event.Item) -> Reason:
     """What a task asks for: name, type, meaning, unit, bounds and default."""
-    parts: list[Text] = [_name_and_type(item)]
+    parts: list[Reason] = [_name_and_type(item)]
     if item.meaning:
-        parts.append(item.meaning)
+        parts.append(Reason.plain(item.meaning))
     bounds = _bounds(item)
     if bounds:
         parts.append(bounds)
@@ -69,11 +70,11 @@ def question(message: event.Asked, item: event.Item) -> Reason:
     return Reason.of("console.asks_for", task=f"{message.subsystem}/{message.task}", parts=tuple(parts))
 
 
-def _name_and_type(item: event.Item) -> Text:
+def _name_and_type(item: event.Item) -> Reason:
     count = f"[{item.count}]" if item.count != 1 else ""
     name = f"{item.name} {item.type}{count}"
     if item.unit in ("", "-"):
-        return name
+        return Reason.plain(name)
     return Reason.of("console.in_unit", name=name, unit=item.unit)
 
 
@@ -92,7 +93,7 @@ def _numbers(values: Iterable[float]) -> str:
     return " ".join(f"{value:g}" for value in values)
 
 
-def _flows(message: event.Moved | event.Met | event.Explained, say: Callable[[Text], str]) -> Iterator[Line]:
+def _flows(message: event.Moved | event.Met | event.Explained, say: Callable[[Reason], str]) -> Iterator[Line]:
     """What flows do: where they wait, where they meet, why they stand still."""
     match message:
         case event.Moved():
@@ -103,7 +104,7 @@ def _flows(message: event.Moved | event.Met | event.Explained, say: Callable[[Te
             yield _timed(message.at_s, met), Tone.DIM
         case event.Explained():
             for line in explanation_text.lines(message, say=say):
-                yield line, Tone.FAULT if message.choices else Tone.NOTE
+                yield Reason.plain(line), Tone.FAULT if message.choices else Tone.NOTE
 
 
 def _moved(moved: event.Moved) -> Iterator[Line]:
@@ -128,7 +129,7 @@ def _timed(at_s: float, line: Reason) -> Reason:
     return Reason.of("console.timed", at=_at(at_s), line=line)
 
 
-def _because(cause: Text) -> Reason:
+def _because(cause: Reason) -> Reason:
     """A cause behind a colon; nothing where none is given."""
     if cause:
         return Reason.of("console.because", cause=cause)
@@ -154,10 +155,10 @@ def _failed(failed: event.Failed) -> Iterator[Line]:
     error = Reason.of("console.task_error", task=task, text=failed.text, where=where)
     yield _timed(failed.at_s, error), Tone.FAULT
     for line in failed.traceback.rstrip().splitlines():
-        yield f"    {line}", Tone.DIM
+        yield Reason.plain(f"    {line}"), Tone.DIM
     for name in sorted(failed.values):
         for line in shown(name, failed.values[name]):
-            yield f"    {line}", Tone.DIM
+            yield Reason.plain(f"    {line}"), Tone.DIM
 
 
 def _asked(message: event.Asked) -> Iterator[Line]:

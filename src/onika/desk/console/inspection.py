@@ -10,9 +10,10 @@ from onika.desk.console.session import ConsoleSession, Faults
 from onika.desk.console.site_library import SiteLibrary
 from onika.desk.console.task_lines import missing
 from onika.desk.console.value import in_a_line, shown, type_of
+from onika.desk.run.text_table import Cell
 from onika.wire import live, request
 from onika.words.name import TASK_NAME
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 Words = tuple[str, ...]
 _TASK_HEAD = (Reason.of("console.head_task"), Reason.of("console.head_state"), Reason.of("console.head_rtpu"), "Hz", "")
@@ -51,7 +52,7 @@ def status(session: ConsoleSession, words: Words) -> Faults:
 
 def tasks(session: ConsoleSession, words: Words) -> Faults:
     """The living tasks of every subsystem, or of one."""
-    rows: list[tuple[Text, ...]] = [
+    rows: list[tuple[Cell, ...]] = [
         (f"{subsystem.name}/{task.task.name}", task.state, task.rtpu, _hz(task.frequency), task.reason)
         for subsystem in session.look_again().subsystems
         for task in subsystem.tasks
@@ -69,7 +70,7 @@ def library(session: ConsoleSession, words: Words) -> Faults:
     offered = SiteLibrary(session.site, session.place)
     pattern = words[0] if words else "*"
     configuration, application = Reason.of("console.kind_configuration"), Reason.of("console.kind_application")
-    rows: list[tuple[Text, ...]] = [_task_row(offered, name) for name in fnmatch.filter(offered.tasks, pattern)]
+    rows: list[tuple[Cell, ...]] = [_task_row(offered, name) for name in fnmatch.filter(offered.tasks, pattern)]
     rows += [(name, configuration, "") for name in fnmatch.filter(offered.configurations, pattern)]
     rows += [(name, application, "") for name in fnmatch.filter(offered.applications, pattern)]
     if rows:
@@ -79,7 +80,7 @@ def library(session: ConsoleSession, words: Words) -> Faults:
     return ()
 
 
-def _task_row(offered: SiteLibrary, name: str) -> tuple[Text, ...]:
+def _task_row(offered: SiteLibrary, name: str) -> tuple[Cell, ...]:
     task, _ = offered.task(name)
     does = Reason.of("console.file_faulty") if task is None else task.description
     return name, Reason.of("console.kind_task"), does
@@ -107,7 +108,7 @@ def subsystems(session: ConsoleSession, words: Words) -> Faults:
     return ()
 
 
-def _subsystem_row(subsystem: live.SubsystemStanding, chosen: str) -> tuple[Text, ...]:
+def _subsystem_row(subsystem: live.SubsystemStanding, chosen: str) -> tuple[Cell, ...]:
     mark = "*" if subsystem.name == chosen else ""
     holder = subsystem.holder or Reason.of("console.nobody")
     moved = subsystem.application or Reason.of("console.by_hand")
@@ -117,7 +118,7 @@ def _subsystem_row(subsystem: live.SubsystemStanding, chosen: str) -> tuple[Text
 def choose(session: ConsoleSession, words: Words) -> Faults:
     """Choose the subsystem that names without one mean from now on; it need not be there yet."""
     if not words:
-        session.say(session.subsystem)
+        session.say(Reason.plain(session.subsystem))
         return ()
     if not TASK_NAME.match(words[0]):
         return session.no(Reason.of("desk.icon_name", name=words[0]))
@@ -149,7 +150,7 @@ def read(session: ConsoleSession, words: Words) -> Faults:
         if faults:
             return faults
         for line in shown(word, current):
-            session.say(line)
+            session.say(Reason.plain(line))
     return ()
 
 

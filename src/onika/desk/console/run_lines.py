@@ -6,10 +6,9 @@ from onika.desk.console.site_library import SiteLibrary
 from onika.desk.console.time_lines import ended, until_asked
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.preparation import prepare_run
-from onika.desk.run.steering_fault import objection
 from onika.model.redirect import Redirect
 from onika.wire import request
-from onika.words.fault import Place
+from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
 
 Words = tuple[str, ...]
@@ -35,7 +34,7 @@ def begin(session: ConsoleSession, words: Words) -> Faults:
     try:
         redirects = tuple(map(Redirect.parse, words[1:]))
     except ValueError as wrong:
-        return (objection(Place("line"), reason_of(wrong), Reason.of("words.nothing_run")),)
+        return (Fault(Place("line"), reason_of(wrong), Reason.of("words.nothing_run")),)
     prepared = prepare_run(words[0], session.site, redirects)
     for note in prepared.notes:
         session.say(Reason.of("console.note", text=note.sentence), Tone.NOTE)

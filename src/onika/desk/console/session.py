@@ -8,11 +8,12 @@ from onika.desk.console.display import ConsoleDisplay, Tone
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.preparation import fault_of
 from onika.desk.run import text_table
+from onika.desk.run.text_table import Cell
 from onika.store.site import Site
 from onika.wire import event, live, request
 from onika.wire.figures import VariableSteps
 from onika.words.fault import Fault, Place
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 Faults = tuple[Fault, ...]
 """Why a line was not carried out; empty where it was."""
@@ -56,7 +57,7 @@ class ConsoleSession:
         clock: Clock,
         *,
         is_interrupted: Callable[[], bool] = lambda: False,
-        in_words: Callable[[Text], str] = str,
+        in_words: Callable[[Reason], str] = str,
     ) -> None:
         self._runtime = runtime
         self._face = face
@@ -99,16 +100,16 @@ class ConsoleSession:
 
     # -- saying
 
-    def say(self, line: Text, tone: Tone = Tone.PLAIN) -> None:
+    def say(self, line: Reason, tone: Tone = Tone.PLAIN) -> None:
         """Show one line."""
         self._face.say(line, tone)
 
     def show(self, lines: list[str]) -> None:
         """Show a table: its head, then its rows."""
         for number, line in enumerate(lines):
-            self.say(line, Tone.PLAIN if number else Tone.HEAD)
+            self.say(Reason.plain(line), Tone.PLAIN if number else Tone.HEAD)
 
-    def show_table(self, head: Sequence[Text], rows: Iterable[Sequence[Text]]) -> None:
+    def show_table(self, head: Sequence[Cell], rows: Iterable[Sequence[Cell]]) -> None:
         """Show a table of what is in these columns."""
         self.show(text_table.lines(head, rows, self.in_words))
 

@@ -2,9 +2,10 @@
 
 from collections.abc import Callable
 
+from onika.desk.run.text_table import Cell
 from onika.model.preferences import STATUS_COLUMNS
 from onika.wire.live import TaskFigure
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 UNITS = {
     "ref-F": "Hz", "mez-F": "Hz", "ref-T": "ms", "mez-T": "ms", "ptime": "s", "tot-C": "ms", "tick": "ms",
@@ -13,13 +14,13 @@ UNITS = {
 """The unit of each column that has one."""
 
 
-def overview(figures: list[TaskFigure], columns: tuple[str, ...]) -> tuple[list[Text], list[list[str]]]:
+def overview(figures: list[TaskFigure], columns: tuple[str, ...]) -> tuple[list[Cell], list[list[Cell]]]:
     """The head, and one row for each task with the chosen columns; the subsystem only where there are several."""
     several = len({figure.subsystem for figure in figures}) > 1
-    head: list[Text] = [Reason.of("console.head_subsystem")] * several
+    head: list[Cell] = [Reason.of("console.head_subsystem")] * several
     head += [Reason.of("console.head_task"), *map(_head, columns)]
-    rows = [
-        [figure.subsystem] * several + [figure.task, *(cell(figure, name) for name in columns)] for figure in figures
+    rows: list[list[Cell]] = [
+        [*[figure.subsystem] * several, figure.task, *(cell(figure, name) for name in columns)] for figure in figures
     ]
     return head, rows
 

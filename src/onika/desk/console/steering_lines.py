@@ -8,9 +8,9 @@ from onika.desk.console.session import ConsoleSession, Faults
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.run import positions, steering
 from onika.desk.run.steering import SteeringOrder
-from onika.desk.run.steering_fault import GOES_ON, objection
 from onika.wire import request, steer
 from onika.wire.steer import Position
+from onika.words.fault import Fault
 from onika.words.reason import Reason, reason_of
 
 Words = tuple[str, ...]
@@ -26,7 +26,7 @@ def verb(name: str) -> Callable[[ConsoleSession, Words], Faults]:
         try:
             act = steering.act(" ".join((name, *words)), flow_index)
         except ValueError as wrong:
-            return (objection(session.place, reason_of(wrong), GOES_ON),)
+            return (Fault(session.place, reason_of(wrong), steering.GOES_ON),)
         if isinstance(act, SteeringOrder):
             return _order(session, act.message)
         return ()
@@ -77,7 +77,7 @@ def runs(session: ConsoleSession, words: Words) -> Faults:
             continue
         flow_index = flow_index_of(session, application_spots)
         for line in positions.lines(application_spots, flow_index, session.in_words):
-            session.say(f"  {line}")
+            session.say(Reason.plain(f"  {line}"))
     if not homes:
         session.say(Reason.of("console.nothing_runs"), Tone.DIM)
     return ()
@@ -104,5 +104,5 @@ def _order(session: ConsoleSession, message: request.Request) -> Faults:
     answer = session.ask(message)
     session.hear()
     if isinstance(answer, request.Refused):
-        return (objection(session.place, answer.reason, GOES_ON),)
+        return (Fault(session.place, answer.reason, steering.GOES_ON),)
     return ()

@@ -10,7 +10,7 @@ from onika.desk.console.task_lines import missing, positive
 from onika.model.lifecycle import State
 from onika.wire import live, request
 from onika.words.condition import Condition
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 Words = tuple[str, ...]
 _WITHIN = re.compile(r"(.*?)\s+within\s+(\S+)\s*\Z")
@@ -119,7 +119,11 @@ def _variable(session: ConsoleSession, expectation: Condition, limit: float) -> 
 
 
 def _until(
-    session: ConsoleSession, reached: Callable[[], bool], limit: float, expected: str, reality: Callable[[], Text]
+    session: ConsoleSession,
+    reached: Callable[[], bool],
+    limit: float,
+    expected: str,
+    reality: Callable[[], Reason | str],
 ) -> Faults:
     """Let time pass, the runtime's own, until something is so."""
     virtual = session.standing().is_virtual

@@ -2,9 +2,10 @@
 
 from onika.desk.console.display import Tone
 from onika.desk.console.session import ConsoleSession, Faults
+from onika.desk.run.text_table import Cell
 from onika.wire import event
 from onika.wire.figures import VariableSteps
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 Words = tuple[str, ...]
 _HEAD = (
@@ -28,7 +29,7 @@ def jumps(session: ConsoleSession, words: Words) -> Faults:
     return ()
 
 
-def _row(step: event.Stepped | VariableSteps) -> tuple[Text, ...]:
+def _row(step: event.Stepped | VariableSteps) -> tuple[Cell, ...]:
     share = f"{step.step / step.limit * 100:.0f}" if step.limit else "-"
     limit = f"{step.limit:.4g}" if step.limit else "-"
     name = f"{step.subsystem}/{step.variable}[{step.index}]"

@@ -112,5 +112,5 @@ def _value(session: ConsoleSession, name: str, message: request.Request) -> Faul
     if isinstance(reply, request.Refused):
         return session.no(Reason.of("console.module_refused", reason=reply.reason))
     if isinstance(reply, live.Value) and reply.value is not None:
-        session.say(f"{name} = {reply.value}")
+        session.say(Reason.plain(f"{name} = {reply.value}"))
     return ()

@@ -69,4 +69,4 @@ class VariableWatch:
             if address not in self._shown or self._shown[address] != current:
                 self._shown[address] = current
                 for line in shown(name, current):
-                    session.say(line, Tone.DIM)
+                    session.say(Reason.plain(line), Tone.DIM)

@@ -11,7 +11,7 @@ from onika.store.opened_text import OpenedText
 from onika.wire import act, page
 from onika.wire.view import ButtonView, Remedy
 from onika.words.fault import Refusal
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 
 def press(model: Model, command: act.Press, outside: Services) -> Done | No:
@@ -67,7 +67,7 @@ def _running(name: str) -> No:
     return No(Reason.of("run.command_running", name=name), (halt,))
 
 
-def _wrong(button: Button) -> dict[str, Text]:
+def _wrong(button: Button) -> dict[str, Reason]:
     """What is wrong with a button, by field: the file must say the same of it again."""
     if not button.name:
         return {"name": Reason.of("run.button_unnamed")}

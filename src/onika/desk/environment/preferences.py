@@ -13,7 +13,7 @@ from onika.desk.environment.state.settings import Settings
 from onika.model.preferences import STATUS_COLUMNS
 from onika.wire import act, page
 from onika.words.fault import Refusal
-from onika.words.reason import Reason, Text, reason_of
+from onika.words.reason import Reason, reason_of
 
 _LONGEST = 10_000
 """Pixels or characters: what is longer is found on no screen."""
@@ -29,7 +29,7 @@ def prefer(model: Model, command: act.Prefer, outside: Services) -> Done | No:
     """Change preferences, all that are named or none; each that cannot be so is in `fields`."""
     now = preference_values(model)
     taken: dict[str, Any] = {}
-    wrong: dict[str, Text] = {}
+    wrong: dict[str, Reason] = {}
     for name, value in command.values.items():
         try:
             taken[name] = _taken(name, value, now)

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from onika.model.application import Branch, Hole, Icon, Step
 from onika.model.onikon import Onikon
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 _TARGET_WORD = "object"
 """The last word of a type of target, as files have it."""
@@ -20,7 +20,7 @@ def quoted(onikon: Onikon) -> Reason:
     return Reason.of("run.quoted", text=named(onikon))
 
 
-def step_named(step: Step) -> Text:
+def step_named(step: Step) -> Reason | str:
     """A step by what it shows."""
     if isinstance(step, Icon):
         return named(step.onikon)
@@ -29,11 +29,12 @@ def step_named(step: Step) -> Text:
     return Reason.of("desk.a_hole")
 
 
-def several(steps: Sequence[Step]) -> Text:
+def several(steps: Sequence[Step]) -> Reason:
     """Some steps: by name where it is one, else how many; holes beside icons do not count."""
     solid = [step for step in steps if not isinstance(step, Hole)] or steps
     if len(solid) == 1:
-        return step_named(solid[0])
+        step = step_named(solid[0])
+        return step if isinstance(step, Reason) else Reason.plain(step)
     return Reason.of("desk.icon_count", count=len(solid))
 
 

@@ -6,7 +6,7 @@ from textwrap import wrap
 from typing import Any
 
 from onika.wire import event
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 _LABEL = 13
 """Columns before the text: the time of the first line, the labels of the others."""
@@ -17,7 +17,7 @@ _NUMBERS = 34
 """Columns of first, last, lowest and highest value."""
 
 
-Say = Callable[[Text], str]
+Say = Callable[[Reason], str]
 """Makes the words of a reason."""
 
 
@@ -25,7 +25,7 @@ def lines(explained: event.Explained, width: int = 80, say: Say = str) -> Iterat
     """The block: what, suspect, chain, places, who waits, the last seconds, the choices."""
     yield from _filled(f"{explained.at_s:8.2f} s  ", f"{_head(explained, say)}: {say(explained.text)}", width)
     if explained.suspect:
-        yield from _labelled(say(Reason.of("desk.block_suspect")), say(explained.suspect), width)
+        yield from _labelled(say(Reason.of("desk.block_suspect")), explained.suspect, width)
     yield from _labelled(say(Reason.of("desk.block_chain")), _chain(explained, say), width)
     yield from _labelled(say(Reason.of("desk.block_where")), _where(explained, say), width)
     if explained.courses:
@@ -53,8 +53,8 @@ def _chain(explained: event.Explained, say: Say) -> str:
     if explained.action:
         action = Reason.of("desk.block_action", number=explained.index + 1, action=explained.action)
     waits = [_waits(flow, tag) for flow, tag in explained.waiting]
-    links: list[Text] = [explained.task, action, explained.subsystem, *waits]
-    shown = [say(link) for link in links if link]
+    links = [explained.task, say(action), explained.subsystem, *map(say, waits)]
+    shown = [link for link in links if link]
     if len(shown) > 1:
         return " > ".join(shown)
     return ""
@@ -70,10 +70,10 @@ def _where(explained: event.Explained, say: Say) -> str:
     code = explained.path
     if explained.path and explained.line:
         code = f"{explained.path}:{explained.line}"
-    return ", ".join(filter(None, (code, say(explained.place))))
+    return ", ".join(filter(None, (code, explained.place)))
 
 
-def _choices(choices: Sequence[tuple[str, Text]], width: int, say: Say) -> Iterator[str]:
+def _choices(choices: Sequence[tuple[str, Reason]], width: int, say: Say) -> Iterator[str]:
     column = max((len(command) for command, _ in choices), default=0) + 2
     label = say(Reason.of("desk.block_choices"))
     for command, meaning in choices:

@@ -10,17 +10,17 @@ from dataclasses import dataclass
 from importlib import metadata
 
 from onika.desk.run.world_picture import DRAWER, NO_OPENGL
-from onika.words.reason import Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 
 @dataclass(frozen=True, slots=True)
 class Feature:
     """One thing: whether it is there, what was found, and what it costs if it is not."""
 
-    name: Text
+    name: Reason
     is_there: bool
-    actual: Text
-    cost: Text = ""
+    actual: Reason
+    cost: Reason = NOTHING
 
 
 def features() -> Iterator[Feature]:
@@ -53,12 +53,16 @@ def _system() -> Feature:
 
 def _python() -> Feature:
     version = platform.python_version()
-    return Feature("python", sys.version_info >= (3, 11), version, Reason.of("desk.cost_python"))
+    return Feature(
+        Reason.plain("python"), sys.version_info >= (3, 11), Reason.plain(version), Reason.of("desk.cost_python")
+    )
 
 
 def _processors() -> Feature:
     count = len(os.sched_getaffinity(0))
-    return Feature(Reason.of("desk.machine_processors"), count >= 2, str(count), Reason.of("desk.cost_processors"))
+    return Feature(
+        Reason.of("desk.machine_processors"), count >= 2, Reason.plain(str(count)), Reason.of("desk.cost_processors")
+    )
 
 
 def _fifo() -> Feature:
@@ -67,22 +71,22 @@ def _fifo() -> Feature:
     words = [sys.executable, "-c", probe]
     allowed = subprocess.run(words, capture_output=True, check=False).returncode == 0  # noqa: S603 - our own words
     actual = Reason.of("desk.machine_granted") if allowed else Reason.of("desk.machine_refused")
-    return Feature("SCHED_FIFO", allowed, actual, Reason.of("desk.cost_fifo"))
+    return Feature(Reason.plain("SCHED_FIFO"), allowed, actual, Reason.of("desk.cost_fifo"))
 
 
 def _memory_lock() -> Feature:
     soft, _ = resource.getrlimit(resource.RLIMIT_MEMLOCK)
     free = soft == resource.RLIM_INFINITY or os.geteuid() == 0
-    limit = Reason.of("desk.machine_unlimited") if free else f"{soft // 1024} KiB"
+    limit = Reason.of("desk.machine_unlimited") if free else Reason.plain(f"{soft // 1024} KiB")
     cost = Reason.of("desk.cost_memory_lock")
     return Feature(Reason.of("desk.machine_memory_lock"), free or soft >= 1 << 28, limit, cost)
 
 
 def _library(name: str, cost: Reason) -> Feature:
     try:
-        return Feature(name, True, metadata.version(name))
+        return Feature(Reason.plain(name), True, Reason.plain(metadata.version(name)))
     except metadata.PackageNotFoundError:
-        return Feature(name, False, Reason.of("desk.machine_not_installed"), cost)
+        return Feature(Reason.plain(name), False, Reason.of("desk.machine_not_installed"), cost)
 
 
 def _graphics() -> Feature:

@@ -6,7 +6,7 @@ from typing import Any
 from onika.wire import event
 from onika.words.condition import Condition
 from onika.words.fault import Fault
-from onika.words.reason import Text
+from onika.words.reason import Reason
 
 
 @dataclass(slots=True)
@@ -15,7 +15,7 @@ class Outcome:
 
     name: str
     faults: list[Fault] = field(default_factory=list)
-    notes: list[Text] = field(default_factory=list)
+    notes: list[Reason] = field(default_factory=list)
     result: event.Result | None = None
     expectations: list[tuple[Condition, Any, bool]] = field(default_factory=list)
     snapshots: dict[str, bytes] = field(default_factory=dict)

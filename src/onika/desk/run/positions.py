@@ -4,20 +4,21 @@ from collections.abc import Callable, Sequence
 
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.run import text_table
+from onika.desk.run.text_table import Cell
 from onika.wire.steer import Position
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 
-def lines(positions: Sequence[Position], flow_index: FlowIndex, say: Callable[[Text], str] = str) -> list[str]:
+def lines(positions: Sequence[Position], flow_index: FlowIndex, say: Callable[[Reason], str] = str) -> list[str]:
     """A table: flow, state, action as people count them, and what there is to say besides; `say` makes the words."""
-    rows: list[list[Text]] = [
+    rows: list[list[Cell]] = [
         [position.subsystem, state(position), _action(position, flow_index), remark(position)] for position in positions
     ]
-    head: list[Text] = [Reason.of("desk.head_flow"), Reason.of("desk.head_state"), Reason.of("desk.head_action"), ""]
+    head: list[Cell] = [Reason.of("desk.head_flow"), Reason.of("desk.head_state"), Reason.of("desk.head_action"), ""]
     return text_table.lines(head, rows, say)
 
 
-def state(position: Position) -> Text:
+def state(position: Position) -> Cell:
     """Its state in a word or two; the word is the one that a console line takes too."""
     if position.is_pausing and position.state != "paused":
         return Reason.of("desk.state_will_pause", state=position.state)

@@ -26,13 +26,12 @@ from onika.desk.run.recorded_run import RecordedRun
 from onika.desk.run.runtime import RuntimeConversation
 from onika.desk.run.settings import RunSettings
 from onika.desk.run.steering import Act, Expectation, PositionQuery, SteeringOrder, SteeringWait
-from onika.desk.run.steering_fault import GOES_ON, objection
 from onika.link.lost import LinkLost
 from onika.wire import event, live, request, steer
 from onika.wire.plan import Plan
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
-from onika.words.reason import Reason, Text, reason_of
+from onika.words.reason import Reason, reason_of
 
 Faults = tuple[Fault, ...]
 """Why something was not done; empty where it was."""
@@ -215,7 +214,7 @@ class Running:
         try:
             act = steering.act(line, self.flow_index)
         except ValueError as wrong:
-            return (objection(LINE, reason_of(wrong), GOES_ON),)
+            return (Fault(LINE, reason_of(wrong), steering.GOES_ON),)
         return self.do(act, at_once=at_once)
 
     def do(self, act: Act, place: Place = LINE, *, at_once: bool = False) -> Faults:
@@ -247,11 +246,11 @@ class Running:
             request.Abort(cause) if line is None else request.Reply(question.subsystem, question.task, line)
         )
 
-    def stop(self, cause: Text) -> None:
+    def stop(self, cause: Reason) -> None:
         """Every drive holds, and the run ends (law 27)."""
         self._runtime.ask(request.Stop(cause))
 
-    def abort(self, cause: Text) -> None:
+    def abort(self, cause: Reason) -> None:
         """End the run: tasks off, drives in hold."""
         self._runtime.ask(request.Abort(cause))
 
@@ -279,7 +278,7 @@ class Running:
             self._onward(self.now_s)
             self._settle()
         if isinstance(answer, request.Refused):
-            return (objection(place, answer.reason, GOES_ON),)
+            return (Fault(place, answer.reason, steering.GOES_ON),)
         return ()
 
     def _expect(self, act: Expectation, place: Place) -> Faults:
@@ -313,7 +312,7 @@ class Running:
         """A wait that begins now."""
         return PendingWait(self, act)
 
-    def lose(self, cause: Text) -> None:
+    def lose(self, cause: Reason) -> None:
         """What the environment knows of a run whose runtime can say nothing any more (E10)."""
         actions = sum(len(flow.actions) for flow in self.plan.flows)
         lasted = (self.now_s, self._clock() - self._began)

@@ -28,7 +28,7 @@ from onika.link.token import read_token, token_path
 from onika.link.websocket_opening import WebSocketOpening
 from onika.record.black_box_folder import black_box_folder, black_box_of
 from onika.wire import event, live, request
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 _PATIENCE_S = 60.0
 _STOP_PATIENCE_S = 1.5
@@ -311,10 +311,8 @@ def connect(url: str, token: str = "", ca: Path | None = None) -> RemoteRuntime:
     return RemoteRuntime(WebSocketOpening(address, token or _token(address), ca))
 
 
-def in_short(reason: Text) -> Text:
+def in_short(reason: Reason) -> Reason:
     """Why a runtime is gone, without what it printed last: that is for who looks closer."""
-    if isinstance(reason, str):
-        return reason.partition(_PRINTED)[0]
     if reason.key != "link.runtime_gone":
         return reason
     why, how, kept = (reason.args[name] for name in ("why", "how", "kept"))

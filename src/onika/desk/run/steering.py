@@ -9,6 +9,9 @@ from onika.wire import live, request, steer
 from onika.words.condition import Condition
 from onika.words.reason import Reason
 
+GOES_ON = Reason.of("desk.run_goes_on")
+"""What happens instead of a line that cannot be carried out."""
+
 USUAL_S = 60.0
 """How long is waited where nothing is said."""
 

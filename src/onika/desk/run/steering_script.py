@@ -6,7 +6,6 @@ from pathlib import Path
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.run import script_lines as lines_of, steering
 from onika.desk.run.steering import Act
-from onika.desk.run.steering_fault import objection
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
 
@@ -40,5 +39,5 @@ def _judged(lines: list[tuple[Place, str]], flow_index: FlowIndex) -> tuple[tupl
         try:
             script_lines.append(ScriptLine(place, line, steering.act(line, flow_index)))
         except ValueError as wrong:
-            faults.append(objection(place, reason_of(wrong), Reason.of("words.nothing_run")))
+            faults.append(Fault(place, reason_of(wrong), Reason.of("words.nothing_run")))
     return tuple(script_lines), faults

@@ -17,7 +17,7 @@ from onika.store.site import Site
 from onika.wire import request
 from onika.wire.plan import Code, PlannedTask
 from onika.words.fault import Fault, Place, parted
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 _FOLDERS = ("module", "conf", "dict", "appl", "prefs")
 
@@ -36,7 +36,7 @@ _READERS_BY_NAME: Mapping[str, Reader] = {
 """By their names."""
 
 
-Note = Callable[[Text], None]
+Note = Callable[[Reason], None]
 """Told what is worth knowing and wrong with nothing."""
 
 
@@ -56,7 +56,7 @@ def survey(path: Path, site: Site, note: Note = lambda _text: None) -> tuple[lis
     files = [file for files_of_base in files_of.values() for file in files_of_base]
     if not files and not _is_base_directory(whole):
         return _unchecked(path, Reason.of("desk.nothing_of_ours"))
-    notes: list[Text] = []
+    notes: list[Reason] = []
     wrong, notes_of_faults = parted(_faults(files_of, site, notes.append))
     named = (_named(fault, path).sentence for fault in notes_of_faults)
     for remark in dict.fromkeys((*named, *(_placed(remark, path) for remark in notes))):
@@ -85,9 +85,9 @@ def _named(fault: Fault, path: Path) -> Fault:
     return replace(fault, place=Place(_as_given(fault.place.file, path), fault.place.line))
 
 
-def _placed(note: Text, path: Path) -> Text:
+def _placed(note: Reason, path: Path) -> Reason:
     """A note whose file is named as the user wrote the path."""
-    if isinstance(note, str) or "file" not in note.args:
+    if "file" not in note.args:
         return note
     return Reason.of(note.key, **{**note.args, "file": _as_given(str(note.args["file"]), path)})
 

@@ -3,18 +3,21 @@
 import re
 from collections.abc import Callable, Iterable, Sequence
 
-from onika.words.reason import Text
+from onika.words.reason import Reason
+
+Cell = Reason | str
+"""What stands in a cell: words, or a name or number that is the same in every language."""
 
 _GAP = "  "
 _NUMBER = re.compile(r"[+-]?\.?\d\S*\Z")
 
 
-def lines(head: Sequence[Text], rows: Iterable[Sequence[Text]], say: Callable[[Text], str] = str) -> list[str]:
+def lines(head: Sequence[Cell], rows: Iterable[Sequence[Cell]], say: Callable[[Reason], str] = str) -> list[str]:
     """The head and one line for each row, without blanks at their ends; the head alone where there are no rows.
 
     `say` makes the words of what is a reason.
     """
-    table = [[say(cell) for cell in row] for row in (head, *rows)]
+    table = [[cell if isinstance(cell, str) else say(cell) for cell in row] for row in (head, *rows)]
     widths = [max(len(row[column]) for row in table) for column in range(len(head))]
     rights = [_is_numeric(row[column] for row in table[1:]) for column in range(len(head))]
     return [

@@ -18,7 +18,7 @@ from onika.store.site import Site
 from onika.wire import event
 from onika.wire.plan import Plan
 from onika.words.fault import Fault
-from onika.words.reason import NOTHING, Reason, Text, reason_of
+from onika.words.reason import NOTHING, Reason, reason_of
 
 LONGEST_S = 86_400.0
 """How much virtual time a run may take where nothing else is said."""
@@ -60,7 +60,7 @@ class RunAccount:
     meetings: list[KeptMeeting] = field(default_factory=list)
     expectations: list[tuple[str, Any, bool]] = field(default_factory=list)
     warnings: list[Reason] = field(default_factory=list)
-    cause: Text = NOTHING
+    cause: Reason = NOTHING
     refusals: tuple[Fault, ...] = ()
     lasted_s: float = 0.0
     hash: str = ""

@@ -14,7 +14,7 @@ from onika.files import kept, text, whole
 from onika.model.kept import Demand, KeptAction, KeptFlow, KeptRun
 from onika.store.site import Site
 from onika.words.fault import Refusal
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 SHAKES = 4
 """How many runs with shaken worlds and other seeds are looked at beside the one that is kept."""
@@ -77,7 +77,7 @@ def keep_in(
     workers: int = 1,
     seen: str = "",
     progress: Progress | None = None,
-    say: Callable[[Text], str] = str,
+    say: Callable[[Reason], str] = str,
 ) -> tuple[bool, tuple[Reason, ...]]:
     """Keep a run in a test file: whether that could be done, and what is to be said of it, for a command or a page.
 
@@ -112,7 +112,7 @@ def _count(kept_run: KeptRun) -> tuple[int, int]:
     return len(actions), sum(map(len, demands))
 
 
-def store(kept_run: KeptRun, path: Path, say: Callable[[Text], str] = str) -> Refusal | None:
+def store(kept_run: KeptRun, path: Path, say: Callable[[Reason], str] = str) -> Refusal | None:
     """Write a test; the comments of one that stood there stay."""
     former, faults = ("", ()) if not path.exists() else text.load(path, str(path))
     if former is None:

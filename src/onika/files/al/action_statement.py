@@ -1,6 +1,6 @@
 """Reads one statement of AL into steps: an action with its targets, a target by itself, or a hole."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from onika.files.al import token as word, verb
@@ -11,7 +11,7 @@ from onika.files.line import show
 from onika.model.application import Hole, Icon
 from onika.model.onikon import Onikon
 from onika.model.syntax import DataItem, IconType, Syntax
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 from onika.words.value import Value
 
 HEADS = (*verb.VERBS, *verb.PREPOSITIONS, "HOLE")
@@ -42,7 +42,7 @@ def read(sentence: Statement, glossary: WhereSection, syntax: Syntax) -> list[Ic
 def _action(called: str, phrase: TokenStream, glossary: WhereSection, syntax: Syntax) -> Onikon:
     if called in verb.HANDS:
         phrase.takes("HAND")
-    onikon = _found(phrase, "the name of a job or application", glossary)
+    onikon = _found(phrase, Reason.of("files.name_of_job_or_application"), glossary)
     fitting = verb.verb(onikon, syntax)
     kind = syntax.find(onikon.type)
     if kind and kind.is_target:
@@ -55,7 +55,7 @@ def _action(called: str, phrase: TokenStream, glossary: WhereSection, syntax: Sy
 
 
 def _target(phrase: TokenStream, glossary: WhereSection, syntax: Syntax) -> Onikon:
-    onikon = _found(phrase, "the name of a target", glossary)
+    onikon = _found(phrase, Reason.of("files.name_of_target"), glossary)
     kind = syntax.find(onikon.type)
     if kind is None or not kind.is_target:
         raise ValueError(Reason.of("files.target_expected", name=onikon.name, type=onikon.type))
@@ -72,14 +72,14 @@ def _hole(phrase: TokenStream, glossary: WhereSection, number: int) -> Hole:
     return Hole(number, glossary.holes[variant] if variant else "")
 
 
-def _found(phrase: TokenStream, meaning: Text, glossary: WhereSection) -> Onikon:
+def _found(phrase: TokenStream, meaning: Reason, glossary: WhereSection) -> Onikon:
     name = phrase.name(meaning, word.KEYWORDS)
     variant = phrase.variant()
     onikon = glossary.find(name, variant)
     if onikon is None:
         shown = name if variant == 1 else f"{name} #{variant}"
-        where = "in the dictionary or under WHERE" if variant == 1 else "under WHERE"
-        raise ValueError(Reason.of("files.icon_unknown", shown=shown, where=where))
+        where = "files.in_dictionary_or_where" if variant == 1 else "files.under_where"
+        raise ValueError(Reason.of("files.icon_unknown", shown=shown, where=Reason.of(where)))
     return onikon
 
 
@@ -104,10 +104,15 @@ def _item(phrase: TokenStream, item: DataItem) -> tuple[Value, ...]:
     while phrase.left and not phrase.left[0].says(";", ")"):
         tokens.append(phrase.token(_what(item), "word", "text"))
     if not item.takes(len(tokens)):
-        actual = f"{len(tokens)} in {show(joined(tokens))}" if tokens else f"none before {phrase.rest()}"
-        raise ValueError(Reason.of("files.values_expected", what=_what(item), given=actual))
+        raise ValueError(Reason.of("files.values_expected", what=_what(item), given=_given(tokens, phrase)))
     return tuple(item.type.parse(token.value) for token in tokens)
 
 
-def _what(item: DataItem) -> str:
-    return f"{item.count} element{'s' if item.count != 1 else ''} of type {item.type.value} for {item.name}"
+def _given(tokens: Sequence[Token], phrase: TokenStream) -> Reason:
+    if not tokens:
+        return Reason.of("files.none_before", rest=phrase.rest())
+    return Reason.of("files.count_in", count=len(tokens), given=show(joined(tokens)))
+
+
+def _what(item: DataItem) -> Reason:
+    return Reason.of("files.elements_for", count=item.count, type=item.type.value, name=item.name)

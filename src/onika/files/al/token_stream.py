@@ -9,7 +9,7 @@ from onika.files.al.logical_line import Statement, Token, joined
 from onika.files.line import show
 from onika.words.condition import Condition
 from onika.words.name import TASK_NAME
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 
 class TokenStream:
@@ -36,14 +36,14 @@ class TokenStream:
         self._at += 1
         return self._tokens[self._at - 1].value
 
-    def token(self, meaning: Text, *kinds: str) -> Token:
+    def token(self, meaning: Reason, *kinds: str) -> Token:
         """The next token, of one of these kinds."""
         if self.is_over or self._tokens[self._at].kind not in kinds:
             raise ValueError(Reason.of("files.meaning_expected", meaning=meaning, rest=self.rest()))
         self._at += 1
         return self._tokens[self._at - 1]
 
-    def name(self, meaning: Text, keywords: frozenset[str]) -> str:
+    def name(self, meaning: Reason, keywords: frozenset[str]) -> str:
         """The name of an icon; one of the `keywords` must stand in quotes."""
         token = self.token(meaning, "word", "text")
         if (token.kind == "word" and token.value in keywords) or not TASK_NAME.match(token.value):

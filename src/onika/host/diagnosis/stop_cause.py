@@ -10,7 +10,7 @@ from enum import Enum
 from typing import Any
 
 from onika.runtime import news
-from onika.words.reason import Reason, Text, every
+from onika.words.reason import Reason, every
 
 _PRESSED = ("runtime.button_pressed", "runtime.button_still_pressed")
 
@@ -47,7 +47,7 @@ class Cause:
     """One cause. `text` is what was said, without the place; `subsystem` is empty where no flow is meant."""
 
     kind: CauseKind
-    text: Text
+    text: Reason
     subsystem: str = ""
     task: str = ""
     path: str = ""
@@ -73,7 +73,7 @@ def of_signal(message: news.Signalled) -> Cause:
     """A task has signalled ILLEGAL or SHUTDOWN; raises ValueError for another signal."""
     if message.kind not in ("ILLEGAL", "SHUTDOWN"):
         raise ValueError(f"expected the signal ILLEGAL or SHUTDOWN, found {message.kind}")
-    text: Text = message.kind
+    text = Reason.plain(message.kind)
     if message.text:
         text = Reason.of("host.signal_said", signal=message.kind, text=message.text)
     return Cause(CauseKind(message.kind.lower()), text, message.subsystem, message.task)
@@ -94,19 +94,19 @@ def of_question(message: news.Asked) -> Cause:
     return Cause(CauseKind.ASKING, text, message.subsystem, message.task)
 
 
-def of_loss(text: Text, tasks: Iterable[tuple[str, str]]) -> Cause:
+def of_loss(text: Reason, tasks: Iterable[tuple[str, str]]) -> Cause:
     """A process is gone; the (subsystem, task) of the run in whose call it was is named, if the reason names it."""
     calls = {reason.args["task"] for reason in every(text) if "task" in reason.args}
     subsystem, task = next(((home, name) for home, name in tasks if f"{home}/{name}" in calls), ("", ""))
     return Cause(CauseKind.LOST, text, subsystem, task)
 
 
-def is_of_pressed_button(text: Text) -> bool:
+def is_of_pressed_button(text: Reason) -> bool:
     """Whether a panic button is what it is about."""
     return any(reason.key in _PRESSED for reason in every(text))
 
 
-def _of_drive(text: Text) -> CauseKind:
+def _of_drive(text: Reason) -> CauseKind:
     if is_of_pressed_button(text):
         return CauseKind.PRESSED
     has_tripped = any(reason.key == "runtime.drive_tripped" for reason in every(text))

@@ -8,7 +8,7 @@ from onika.runtime import command
 from onika.runtime.subsystem import Member, RunningSubsystem
 from onika.runtime.wiring import WiredTask
 from onika.wire.plan import Code
-from onika.words.reason import NOTHING, Reason, Text, reason_of
+from onika.words.reason import NOTHING, Reason, reason_of
 
 
 class Spawner:
@@ -19,7 +19,7 @@ class Spawner:
     """
 
     def __init__(
-        self, units: Units, lost: Mapping[str, Text], seed: int = 0, reshaping: Reshaping | None = None
+        self, units: Units, lost: Mapping[str, Reason], seed: int = 0, reshaping: Reshaping | None = None
     ) -> None:
         self._units = units
         self._lost = lost

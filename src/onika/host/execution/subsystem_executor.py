@@ -19,7 +19,7 @@ from onika.runtime import command, news
 from onika.runtime.subsystem import Member, RunningSubsystem
 from onika.runtime.wiring import WiredTask
 from onika.wire import event
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 Client = Callable[[news.TaskNews, State], None]
 """Decides what follows a piece of news; the state is that of the task before it."""
@@ -41,7 +41,7 @@ class SubsystemExecutor:
         client: Client,
         tell: Tell,
         task_event: TaskEvent,
-        lost: Mapping[str, Text],
+        lost: Mapping[str, Reason],
         activations: Iterator[int] | None = None,
     ) -> None:
         self.subsystem = subsystem
@@ -264,7 +264,7 @@ class SubsystemExecutor:
         question = self.open_questions[message.task] = question_of(message, self.seconds(message.now_ns))
         self._tell(question)
 
-    def warn(self, task: str, text: Text, now: int) -> None:
+    def warn(self, task: str, text: Reason, now: int) -> None:
         """Tell sessions something worth knowing that changes nothing."""
         self._tell(event.Warned(self.name, task, text, self.seconds(now)))
 

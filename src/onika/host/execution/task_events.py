@@ -6,7 +6,7 @@ from msgspec import structs
 
 from onika.runtime import news
 from onika.wire import event
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 TaskEvent = Callable[[news.TaskNews, float], event.Event | None]
 """Makes the event of a piece of news at a time in seconds; None where nothing is told but the change of state."""
@@ -16,7 +16,7 @@ def by_hand(message: news.TaskNews, at_s: float) -> event.Event | None:
     """The event of a task that no application runs: every signal is told."""
     match message:
         case news.Finished():
-            return event.Signalled(message.subsystem, message.task, "FINISH", message.flow, "", at_s)
+            return event.Signalled(message.subsystem, message.task, "FINISH", message.flow, NOTHING, at_s)
         case news.Signalled():
             return event.Signalled(message.subsystem, message.task, message.kind, message.number, message.text, at_s)
         case news.Failed():

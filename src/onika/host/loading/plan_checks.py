@@ -9,7 +9,7 @@ from onika.runtime.modules.sheet import SLOWEST_HARDWARE_HZ
 from onika.runtime.wiring import WiredTask
 from onika.wire.plan import Code, Plan
 from onika.words.fault import NOT_RUN, Fault, Place
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 _SLOWEST_HZ = 1e-3
 _FASTEST_HZ = 1e6
@@ -129,7 +129,7 @@ def unfit_together(tasks: Sequence[WiredTask], loading: ModuleQuestions) -> list
     return faults
 
 
-def note_at(place: Place, note: Text) -> Reason:
+def note_at(place: Place, note: Reason) -> Reason:
     """What is only worth knowing, with where it stands."""
     if place.line:
         return Reason.of("host.note_at", file=place.file, line=place.line, note=note)

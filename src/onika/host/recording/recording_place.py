@@ -15,7 +15,7 @@ from onika.process.guard import is_stopped
 from onika.record.run import RunRecord
 from onika.record.writer import Writer
 from onika.ring.segment import Segment
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 from onika.words.system_error import system_reason
 
 _BUFFER = 1 << 18
@@ -30,7 +30,7 @@ class RecordingWriter(Protocol):
     """What writes one recording."""
 
     @property
-    def reason(self) -> Text:
+    def reason(self) -> Reason:
         """Why nothing more is written; empty: all is well."""
         ...
 
@@ -90,7 +90,7 @@ class InProcessWriter:
         self._sink = RecordingSink(self._stream, writer)
         self._sink.flush()
         self._flush_at = 0
-        self.reason: Text = NOTHING
+        self.reason: Reason = NOTHING
         self.untold = 0
 
     is_up = True
@@ -166,7 +166,7 @@ class WriterProcess:
         self._look_at = self._stopped_ns = 0
         self._is_done = False
         self.is_up = False
-        self.reason: Text = NOTHING
+        self.reason: Reason = NOTHING
         self.missed = 0
         self.untold = 0
 
@@ -246,7 +246,7 @@ class WriterProcess:
         self._process.wait()
 
 
-def not_whole(why: Text) -> Reason:
+def not_whole(why: Reason) -> Reason:
     """What the user has to know as soon as nothing more is written."""
     return Reason.of("host.recording_not_whole", why=why)
 

@@ -30,7 +30,7 @@ from onika.host.units.realtime_scheduling import fine_timers, first_in_first_out
 from onika.record.run import RunRecord
 from onika.record.writer import Writer
 from onika.ring.segment import Segment
-from onika.words.reason import NOTHING, Text
+from onika.words.reason import NOTHING, Reason
 from onika.words.system_error import system_reason
 
 PRIORITY = 1
@@ -47,7 +47,7 @@ class RecordingEnded(Struct, frozen=True, tag=True):
     that did not come for want of room."""
 
     missed: int = 0
-    reason: Text = ""
+    reason: Reason = NOTHING
     untold: int = 0
 
 

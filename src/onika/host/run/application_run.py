@@ -14,7 +14,7 @@ from onika.runtime import news
 from onika.runtime.subsystem import Member, RunningSubsystem
 from onika.wire import event
 from onika.wire.request import Begin
-from onika.words.reason import Text
+from onika.words.reason import Reason
 
 _REST_NS = 300_000_000
 """How long the end of a run waits at most until every drive holds."""
@@ -31,7 +31,7 @@ class ApplicationRun:
         subsystems: Mapping[int, RunningSubsystem],
         units: Units,
         tell: Callable[[event.Event, str, str], None],
-        lost: Mapping[str, Text],
+        lost: Mapping[str, Reason],
     ) -> None:
         self.session = session
         self.on_loss = begin.on_loss
@@ -61,7 +61,7 @@ class ApplicationRun:
         """Take in one piece of news of its tasks."""
         self.runner.hear(rtpu, message, now)
 
-    def abandon(self, cause: Text, now: int) -> None:
+    def abandon(self, cause: Reason, now: int) -> None:
         """The session that began it is gone: it ends, finishes its actions and pauses, or runs on, as it was begun."""
         for message in after_departure(self.on_loss, self.names, cause):
             if isinstance(message, Abort):
@@ -88,7 +88,7 @@ class ApplicationRun:
         """Tell the result."""
         self._tell(result)
 
-    def warn(self, text: Text, at_s: float) -> None:
+    def warn(self, text: Reason, at_s: float) -> None:
         """Tell whoever watches what is worth knowing of the run as a whole."""
         self._tell(event.Warned(self.names[0], "", text, at_s))
 

@@ -11,7 +11,7 @@ from onika.runtime.news import Statuses, TaskStatus
 from onika.runtime.table import Table, plain
 from onika.wire import event
 from onika.wire.figures import TaskFigures
-from onika.words.reason import NOTHING, Text
+from onika.words.reason import NOTHING, Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +37,7 @@ class RunStatistics:
         self.values: dict[str, Any] = {}
         self.done = 0
         self.completed = False
-        self.cause: Text = NOTHING
+        self.cause: Reason = NOTHING
         self.began_at = 0
         self.ended_at = 0
 
@@ -86,7 +86,7 @@ class RunStatistics:
                     self.values[address] = plain(table.value(name))
                     break
 
-    def end(self, completed: bool, cause: Text, now: int) -> None:
+    def end(self, completed: bool, cause: Reason, now: int) -> None:
         """The engine's last word; only the first one counts."""
         if not self.ended_at:
             self.completed, self.cause, self.ended_at = completed, cause, now

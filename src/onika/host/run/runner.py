@@ -32,7 +32,7 @@ from onika.runtime.subsystem import RunningSubsystem
 from onika.wire import event
 from onika.wire.request import Begin
 from onika.wire.steer import Position, Steering
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 Tell = Callable[[event.Event], None]
 
@@ -50,7 +50,7 @@ class Runner:
         subsystems: Mapping[int, RunningSubsystem],
         units: Units,
         tell: Tell,
-        lost: Mapping[str, Text] | None = None,
+        lost: Mapping[str, Reason] | None = None,
     ) -> None:
         self._prepared = prepared
         self._begin = begin
@@ -83,7 +83,7 @@ class Runner:
         self.is_over = False
         self._stands_still = False
 
-    def _spawner(self, units: Units, lost: Mapping[str, Text]) -> Spawner:
+    def _spawner(self, units: Units, lost: Mapping[str, Reason]) -> Spawner:
         spawner = Spawner(units, lost, self._begin.seed)
         for code in self._prepared.code.values():
             spawner.add_code(code)
@@ -108,7 +108,7 @@ class Runner:
         for executor in self._executors.values():
             executor.spawn_ready()
 
-    def abort(self, cause: Text, now: int, kind: CauseKind = CauseKind.USER) -> None:
+    def abort(self, cause: Reason, now: int, kind: CauseKind = CauseKind.USER) -> None:
         """End the run: tasks killed, devices in hold; harmless when it is over."""
         self._now = now
         self._settling.give_up()
@@ -116,7 +116,7 @@ class Runner:
             self._feed(engine_news.Abort(cause))
         self._prepared_switches.free_all()
 
-    def lost(self, rtpu: str, reason: Text, now: int) -> None:
+    def lost(self, rtpu: str, reason: Reason, now: int) -> None:
         """A process is gone, and so are the tasks of a unit; the run ends where it needs it."""
         self._now = now
         self._settling.lost(rtpu)
@@ -131,12 +131,12 @@ class Runner:
 
     # Steering
 
-    def steer(self, wanted: Steering, now: int, answer: Callable[[Text], None]) -> None:
+    def steer(self, wanted: Steering, now: int, answer: Callable[[Reason], None]) -> None:
         """Carry out what the user wants of the flow of this subsystem; answered, maybe a little later, with why not."""
 
         def act() -> None:
             self._now = max(now, self._now)
-            refusal: Text = Reason.of("engine.run_over") if self.is_over else self._engine.refusal(wanted)
+            refusal: Reason = Reason.of("engine.run_over") if self.is_over else self._engine.refusal(wanted)
             if not refusal:
                 self._feed(wanted)
             answer(refusal)

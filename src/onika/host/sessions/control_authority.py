@@ -12,7 +12,7 @@ from onika.host.subsystems.run_commands import RunCommands
 from onika.host.subsystems.subsystem_registry import Subsystems, Tell
 from onika.link.caller import Role
 from onika.wire import event, holding, live, request, steer
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 _HOLDER_ONLY = (live.Change, live.Clear, live.Reinit, live.Swap, live.Set, live.Close, live.Release, request.Reply)
 """What changes a subsystem."""
@@ -46,7 +46,7 @@ class ControlAuthority:
         by_hand = {one.holder for one in self._subsystems.live.values()}
         return (by_hand | {run.session for run in self._subsystems.runs if run.on_loss != "run"}) - {""}
 
-    def refusal(self, session: str, message: request.Request, is_stopped: bool) -> Text:
+    def refusal(self, session: str, message: request.Request, is_stopped: bool) -> Reason:
         """Why this session may not ask this now; empty: it may."""
         if session in self.watching and not changes_nothing(message):
             return Reason.of("host.watches_only")

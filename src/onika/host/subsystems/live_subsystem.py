@@ -21,7 +21,7 @@ from onika.runtime.subsystem import Member, RunningSubsystem
 from onika.runtime.table import Table
 from onika.runtime.wiring import WiredTask
 from onika.wire import event
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 Wait = Callable[[], bool]
 Transaction = Generator[Wait, None, Reason]
@@ -43,7 +43,7 @@ class LiveSubsystem:
         units: Units,
         tell: Tell,
         clock: Callable[[], int],
-        lost: Mapping[str, Text] | None = None,
+        lost: Mapping[str, Reason] | None = None,
         end: Callable[[], None] = lambda: None,
     ) -> None:
         self.name = name
@@ -195,7 +195,7 @@ class LiveSubsystem:
         self.desired.turn_on(task, line)
         self.executor.send(task, command.Answer(self.name, task, line))
 
-    def warn(self, task: str, text: Text) -> None:
+    def warn(self, task: str, text: Reason) -> None:
         """Something worth knowing that changes nothing."""
         self.executor.warn(task, text, self._clock())
 
@@ -209,7 +209,7 @@ class LiveSubsystem:
             self.executor.hear(message, now)
             self._go_on()
 
-    def lost(self, rtpu: str, reason: Text, now: int) -> None:
+    def lost(self, rtpu: str, reason: Reason, now: int) -> None:
         """A unit is gone with its tasks."""
         for task, member in self.members.items():
             if member.rtpu == rtpu and member.is_sent:

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping
 
 from onika.model.lifecycle import State
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 
 class Outcomes:
@@ -14,7 +14,7 @@ class Outcomes:
     """
 
     def __init__(self) -> None:
-        self._troubles: dict[str, Text] = {}
+        self._troubles: dict[str, Reason] = {}
         self._answered: set[str] = set()
         self._came: set[str] = set()
         self._went: set[str] = set()
@@ -49,11 +49,11 @@ class Outcomes:
         """A task has done what it was told."""
         self._answered.add(task)
 
-    def fail(self, task: str, reason: Text) -> None:
+    def fail(self, task: str, reason: Reason) -> None:
         """A task has failed, or refuses a command."""
         self._troubles[task] = reason
 
-    def fail_all(self, reasons: Mapping[str, Text]) -> None:
+    def fail_all(self, reasons: Mapping[str, Reason]) -> None:
         """Several have, each for its reason."""
         self._troubles.update(reasons)
 

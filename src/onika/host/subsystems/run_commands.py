@@ -8,7 +8,7 @@ from onika.host.run.application_run import ApplicationRun
 from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.wire import request, steer
 from onika.words.condition import Condition
-from onika.words.reason import NOTHING, Reason, Text, reason_of
+from onika.words.reason import NOTHING, Reason, reason_of
 
 Answer = Callable[[request.Response], None]
 
@@ -74,11 +74,11 @@ class _Answers:
 
     def __init__(self, count: int, answer: Answer) -> None:
         self._left = count
-        self._refusals: list[Text] = []
+        self._refusals: list[Reason] = []
         self._is_done = False
         self._answer = answer
 
-    def take(self, refusal: Text) -> None:
+    def take(self, refusal: Reason) -> None:
         self._left -= 1
         self._is_done = self._is_done or not refusal
         self._refusals += [refusal] if refusal else []

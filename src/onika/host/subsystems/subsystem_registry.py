@@ -15,7 +15,7 @@ from onika.runtime import command, news
 from onika.runtime.subsystem import Member
 from onika.runtime.table import SIZE, Table
 from onika.wire import event
-from onika.words.reason import NOTHING, Text
+from onika.words.reason import NOTHING, Reason
 
 _LOADS_EVERY_NS = 1_000_000_000
 
@@ -57,7 +57,7 @@ class Subsystems:
         self.live: dict[str, LiveSubsystem] = {}
         self.tables: dict[str, Table] = {}
         self.runs: list[ApplicationRun] = []
-        self.lost_units: dict[str, Text] = {}
+        self.lost_units: dict[str, Reason] = {}
         self.status_poll = StatusPoll(units, self._alive)
         self.forecast = LoadForecast()
         self.hold = ClockGate(tell)
@@ -113,7 +113,7 @@ class Subsystems:
             return wanted
         return next(iter(self._alive()), self._rtpus[0])
 
-    def gone(self, wanted: str) -> Text:
+    def gone(self, wanted: str) -> Reason:
         """Why no task can run on the unit it would be on; empty: it can."""
         return self.lost_units.get(self.unit(wanted), NOTHING)
 
@@ -210,7 +210,7 @@ class Subsystems:
         elif message.subsystem in self.live:
             self.live[message.subsystem].hear(rtpu, message, now)
 
-    def lost(self, rtpu: str, reason: Text, now: int) -> None:
+    def lost(self, rtpu: str, reason: Reason, now: int) -> None:
         """A process is gone, and with a unit its tasks."""
         if rtpu:
             self.lost_units[rtpu] = reason

@@ -23,7 +23,7 @@ from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.runtime.bus import Bus
 from onika.runtime.command import DeviceGrant
-from onika.words.reason import Reason, Text, reason_of
+from onika.words.reason import Reason, reason_of
 
 _LONGEST_SLEEP_S = 0.02
 _MOST_BEHIND_NS = 50_000_000
@@ -101,7 +101,7 @@ class Granted(Struct, frozen=True, tag=True):
 class Denied(Struct, frozen=True, tag=True):
     """The answer to an Open, a Claim or a Touch that cannot be."""
 
-    reason: Text
+    reason: Reason
 
 
 class WorldOpened(Struct, frozen=True, tag=True):

@@ -9,7 +9,7 @@ from onika.host.units.heartbeat import SIZE, Heartbeat
 from onika.host.units.process_socket import ProcessSocket
 from onika.process.guard import is_stopped
 from onika.ring.segment import Segment
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 SILENT_NS = 1_000_000_000
 """A process without a heartbeat for so long is stopped or caught in code that never returns."""
@@ -29,7 +29,7 @@ class Supervised:
     post: ProcessSocket
     heartbeat: Heartbeat
     process: "subprocess.Popen[bytes]"
-    title: Text
+    title: Reason
     """What it is called where it is named to people."""
     is_up: bool = False
     is_lost: bool = False
@@ -86,7 +86,7 @@ class Supervisor:
         self.processes: dict[str, Supervised] = {}
 
     def launch(
-        self, name: str, title: Text, module: str, arguments: tuple[str, ...] = (), *, has_modules: bool = False
+        self, name: str, title: Reason, module: str, arguments: tuple[str, ...] = (), *, has_modules: bool = False
     ) -> Supervised:
         """Start one; it says when it is up. People are told of it as of `title`; one that has modules is a group."""
         segment = Segment.create(f"beat-{name}", SIZE)

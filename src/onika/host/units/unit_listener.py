@@ -3,7 +3,7 @@
 from typing import Protocol
 
 from onika.runtime import news
-from onika.words.reason import Text
+from onika.words.reason import Reason
 
 
 class UnitListener(Protocol):
@@ -32,7 +32,7 @@ class UnitListener(Protocol):
         """Take in one piece of news."""
         ...
 
-    def lost(self, rtpu: str, reason: Text, now: int) -> None:
+    def lost(self, rtpu: str, reason: Reason, now: int) -> None:
         """A process is gone, a unit with its tasks or the device server (rtpu empty)."""
         ...
 

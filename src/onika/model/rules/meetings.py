@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from onika.model.rules.waits import Deadlock, Exploration, FlowWait, Waits
 from onika.wire.plan import Do, Meet, Plan, PlannedAction
 from onika.words.fault import NOT_RUN, Fault, Place, parted
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 LIMIT = 100_000
 """States that are looked at; more are beyond what a person can have meant."""
@@ -119,7 +119,7 @@ class _Finder:
             return None
         return self._plan.flows[wait.flow].actions[index]
 
-    def _action_name(self, wait: FlowWait) -> Text:
+    def _action_name(self, wait: FlowWait) -> Reason | str:
         action = self._action(wait)
         if action:
             return action.name
@@ -139,7 +139,7 @@ class _Finder:
         return self._plan.flows[number].subsystem
 
 
-def _name(tag: str) -> Text:
+def _name(tag: str) -> Reason | str:
     """A tag as its file has it, and the nested application it belongs to."""
     *within, name = tag.rsplit(" ", 1)
     if within:

@@ -11,7 +11,7 @@ from onika.runtime.execution.statistics import values_of
 from onika.runtime.execution.unit import ProcessingUnit
 from onika.runtime.modules.binding_guard import BindingChanged
 from onika.runtime.modules.code import raised, sayable, where
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 RAISED = (Exception, SystemExit, KeyboardInterrupt)
 """What a module's code may raise without harm to anybody else; a module that exits is as wrong as any other."""
@@ -101,7 +101,7 @@ class EntryPoints:
         except RAISED:
             return False
 
-    def _traced(self, task: RunningTask, wrong: LawBroken) -> Text:
+    def _traced(self, task: RunningTask, wrong: LawBroken) -> Reason:
         """What is wrong, and which task on this unit first wrote what is not finite, in the order of data flow."""
         reason = raised(wrong, task.spawn.module)
         if isinstance(wrong, BindingChanged):

@@ -15,7 +15,7 @@ from onika.runtime.modules.code import load, raised, sayable
 from onika.runtime.modules.cycle_result import signal_of
 from onika.runtime.prepared_switches import lines
 from onika.words.fault import Fault
-from onika.words.reason import NOTHING, Reason, Text, reason_of
+from onika.words.reason import NOTHING, Reason, reason_of
 
 _ON, _OFF = State.ON.value, State.OFF.value
 
@@ -90,7 +90,7 @@ class TaskLifecycle:
         for address in list(self._unit.tasks):
             self._off(address, now)
 
-    def fail_devices(self, cause: Text, now: int) -> None:
+    def fail_devices(self, cause: Reason, now: int) -> None:
         """Every task that has a device and is ON goes to ERROR."""
         self._unit.prepared.drop_all()
         for task in self._unit.tasks.values():
@@ -150,7 +150,7 @@ class TaskLifecycle:
             if self._leave(task, LifecycleInput.OFF, now):
                 self._unit.tell(news.Changed(*address, _OFF, now, "OFF", run))
         else:
-            text = sayable(signal.text, task.spawn.module) if signal.text else ""
+            text = sayable(signal.text, task.spawn.module) if signal.text else NOTHING
             self._unit.tell(news.Signalled(*address, signal.kind.value, signal.number, text, now, run))
         return None
 
@@ -235,7 +235,7 @@ class TaskLifecycle:
             self._unit.refuse(task.address, "on", reason)
         return True
 
-    def _ask(self, task: RunningTask, reason: Text, now: int) -> None:
+    def _ask(self, task: RunningTask, reason: Reason, now: int) -> None:
         task.step(LifecycleInput.ASK)
         items = task.input.items if task.input else ()
         self._unit.tell(news.Asked(*task.address, reason, items, now, task.activation))

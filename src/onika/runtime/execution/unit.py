@@ -10,7 +10,7 @@ from onika.runtime.modules.binding import Views
 from onika.runtime.prepared_switches import PreparedSwitches
 from onika.runtime.scheduler import Scheduler, TaskSlot
 from onika.runtime.transfer.bumpless_transfer import WATCHED_NS
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 Address = tuple[str, str]
 """Subsystem and task."""
@@ -43,7 +43,7 @@ class ProcessingUnit:
         """Say something to the runner."""
         self.news.append(event)
 
-    def refuse(self, address: Address, command: str, reason: Text) -> None:
+    def refuse(self, address: Address, command: str, reason: Reason) -> None:
         """Say that a command was not carried out."""
         self.news.append(news.Refused(*address, command, reason))
 

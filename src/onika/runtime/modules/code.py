@@ -7,7 +7,7 @@ import types
 from onika.runtime.modules.module import Module
 from onika.words.fault import Fault, Place
 from onika.words.module_sentence import of_module
-from onika.words.reason import KeyedSentence, Reason, Text, as_reason, reason_of
+from onika.words.reason import KeyedSentence, Reason, as_reason, reason_of
 
 
 def compiled(source: str, path: str, module: str) -> types.CodeType | Fault:
@@ -83,15 +83,15 @@ def traceback_text(wrong: BaseException) -> str:
     return showable(f"{type(wrong).__name__}: {text}" if text else type(wrong).__name__)
 
 
-def raised(wrong: BaseException, module: str) -> Text:
+def raised(wrong: BaseException, module: str) -> Reason:
     """An exception of a module as a reason that can be shown: its kind and what it says."""
     sentence = wrong.args[0] if wrong.args else None
     if not isinstance(sentence, Reason | KeyedSentence) or not sentence:
-        return traceback_text(wrong)
+        return Reason.plain(traceback_text(wrong))
     return Reason.of("runtime.raised", kind=type(wrong).__name__, why=sayable(as_reason(sentence), module))
 
 
-def sayable(text: Text, module: str) -> Reason:
+def sayable(text: Reason, module: str) -> Reason:
     """What a module says, in its name and as it can be shown; what cannot be shown as it is has no translation."""
     english = showable(str(text))
     if not isinstance(text, Reason) or not _is_showable(text):

@@ -10,8 +10,8 @@ from onika.model.signal import Signal
 from onika.runtime.declaration import Input, Local, PortDeclaration, slot
 from onika.runtime.device import Device
 from onika.runtime.error import ModuleError
-from onika.words.module_sentence import of_sentence
-from onika.words.reason import Reason, Text
+from onika.words.module_sentence import Sentence, of_sentence
+from onika.words.reason import Reason
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -67,7 +67,7 @@ class Module:
 
     # What a module may call
 
-    def warn(self, sentence: Text, /, **arguments: object) -> None:
+    def warn(self, sentence: Sentence, /, **arguments: object) -> None:
         """Send a WARNING; nothing else happens. With arguments the sentence has gaps for them, as in `{limit:.2f}`."""
         self.warnings.append(of_sentence(sentence, arguments))
 
@@ -188,7 +188,7 @@ class Module:
         return {}
 
     @classmethod
-    def resolve(cls, constants: dict[str, Any], targets: list[Any]) -> Sequence[Text | None]:
+    def resolve(cls, constants: dict[str, Any], targets: list[Any]) -> Sequence[Sentence | None]:
         """Of a robot module: for each target (its type in lower case and its values) why it is out of reach, or None.
 
         A target of a type the robot knows nothing of is none of its business: None.
@@ -212,7 +212,7 @@ class Module:
         return None
 
     @classmethod
-    def fits(cls, constants: dict[str, Any], local_values: dict[str, Any]) -> Text | None:
+    def fits(cls, constants: dict[str, Any], local_values: dict[str, Any]) -> Sentence | None:
         """Of a hardware module: why the device that says this of itself is not the one meant; None: nothing is wrong.
 
         Asked before a run, so that it is told before anything moves; `init` has the last word.

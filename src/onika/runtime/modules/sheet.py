@@ -10,7 +10,7 @@ from onika.runtime import parameter
 from onika.runtime.modules.module import Module
 from onika.wire.sheet import InputSheet, LocalSheet, ModuleSheet, PortSheet
 from onika.words.fault import Fault, Place
-from onika.words.reason import Reason, Text, reason_of
+from onika.words.reason import Reason, reason_of
 from onika.words.shape import Shape
 
 
@@ -151,7 +151,7 @@ def _check_steps(cls: type[Module], names: set[str]) -> None:
                 raise ValueError(Reason.of("runtime.step_factor", name=name, factor=factor))
 
 
-def _declared_as(kind: str | None) -> Text:
+def _declared_as(kind: str | None) -> Reason | str:
     if kind is None:
         return Reason.of("runtime.no_such_port")
     return kind

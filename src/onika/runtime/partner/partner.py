@@ -20,7 +20,7 @@ from onika.runtime.partner.address import PartnerAddress
 from onika.runtime.partner.answer import PartnerAnswer
 from onika.runtime.partner.guarded_child import GuardedChild
 from onika.runtime.partner.protocol import PartnerProtocol
-from onika.words.reason import NOTHING, Reason, Text, reason_of
+from onika.words.reason import NOTHING, Reason, reason_of
 
 _RETRY_NS = 50_000_000
 _AT_ONCE = 1 << 16
@@ -58,7 +58,7 @@ class Partner:
         self._until = 0
         self._out = b""
         self._sent = 0
-        self._why: Text = NOTHING
+        self._why: Reason = NOTHING
         self._fault = NOTHING
         self._is_collected = True
         if self._command:
@@ -185,11 +185,11 @@ class Partner:
         if self.is_awaited:
             self._alarm.set(left if self._line is not None else min(left, _RETRY_NS))
 
-    def _fail(self, why: Text) -> None:
+    def _fail(self, why: Reason) -> None:
         self._give_up()
         self._fault = self._of_partner(why)
 
-    def _of_partner(self, why: Text) -> Reason:
+    def _of_partner(self, why: Reason) -> Reason:
         return Reason.of("runtime.of_partner", name=self.name, why=why)
 
     def _give_up(self) -> None:
@@ -266,7 +266,7 @@ class Partner:
                 words = " ".join(str(answer["error"])[:200].split())  # it writes no lines of its own
                 self._fail(Reason.of("runtime.it_says", words=words))
 
-    def _lose(self, why: Text) -> None:
+    def _lose(self, why: Reason) -> None:
         """The connection is gone: so is a question that was sent on it; one that was not is sent on the next one."""
         was_sent = self._sent > 0
         self._drop()

@@ -88,4 +88,4 @@ from onika.wire.view.show import (
     ShowValues as ShowValues,
 )
 from onika.wire.view.tree import ButtonView as ButtonView, ConfigurationFile as ConfigurationFile, Tree as Tree
-from onika.wire.view.view import Objection as Objection, Remedy as Remedy, View as View
+from onika.wire.view.view import ChoiceView as ChoiceView, Objection as Objection, Remedy as Remedy, View as View

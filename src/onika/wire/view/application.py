@@ -6,7 +6,7 @@ from msgspec import field
 
 from onika.wire.view.dictionary import Role
 from onika.wire.view.view import Remedy, View
-from onika.words.reason import Text
+from onika.words.reason import NOTHING, Reason
 
 
 class StepView(View, frozen=True):
@@ -39,7 +39,7 @@ class StepView(View, frozen=True):
     """Of a branch."""
     flows: tuple[str, ...] = ()
     """Of a branch: the paths of its flows."""
-    note: Text = ""
+    note: Reason = NOTHING
     """What became of it when a runtime looked at it last, worth a mark: its target is re-resolved for another robot."""
 
 
@@ -66,7 +66,7 @@ class RedirectView(View, frozen=True):
 class FaultView(View, frozen=True):
     """Something that keeps an application from running, or is worth knowing; `step` is where, 0: nowhere in it."""
 
-    text: Text
+    text: Reason
     level: Literal["fault", "warning"] = "fault"
     step: int = 0
     remedies: tuple[Remedy, ...] = ()
@@ -83,8 +83,8 @@ class ApplicationView(View, frozen=True):
     base: str = ""
     is_dirty: bool = False
     has_changed_on_disk: bool = False
-    undo: Text = ""
-    redo: Text = ""
+    undo: Reason = NOTHING
+    redo: Reason = NOTHING
     is_parallel: bool = False
     flows: dict[str, AppFlowView] = field(default_factory=dict)
     """By their paths; those of branches too."""

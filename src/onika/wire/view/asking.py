@@ -5,7 +5,7 @@ from typing import Any
 from msgspec import field
 
 from onika.wire.view.view import Remedy, View
-from onika.words.reason import Text
+from onika.words.reason import NOTHING, Reason
 
 
 class AskItem(View, frozen=True):
@@ -25,7 +25,7 @@ class AskView(View, frozen=True):
     """What a task waits to be told before it comes on."""
 
     items: tuple[AskItem, ...]
-    reason: Text = ""
+    reason: Reason = NOTHING
     """Why it asks again."""
     present: dict[str, tuple[float, ...]] = field(default_factory=dict)
     """What "take the present position" would fill in, by item."""
@@ -34,7 +34,7 @@ class AskView(View, frozen=True):
 class ErrorView(View, frozen=True):
     """Why a task is in ERROR, and the ways out."""
 
-    text: Text
+    text: Reason
     entry: str = ""
     path: str = ""
     line: int = 0

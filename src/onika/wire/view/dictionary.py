@@ -5,7 +5,7 @@ from typing import Any, Literal
 from msgspec import field
 
 from onika.wire.view.view import View
-from onika.words.reason import Text
+from onika.words.reason import NOTHING, Reason
 
 Role = Literal["", "job", "application", "target", "nop", "start", "end"]
 
@@ -46,7 +46,7 @@ class DictionaryView(View, frozen=True):
     """Of its base directory."""
     order: int
     onikons: int
-    faults: tuple[Text, ...] = ()
+    faults: tuple[Reason, ...] = ()
     is_shipped: bool = False
 
 
@@ -72,7 +72,7 @@ class OnikonView(View, frozen=True):
     path: str = ""
     source: str = ""
     """The file of the configuration or application behind it."""
-    trouble: Text = ""
+    trouble: Reason = NOTHING
     """Why it cannot run: what it stands for is missing, or makes another type of icon now (reading 36)."""
 
 
@@ -81,7 +81,7 @@ class TaughtView(View, frozen=True):
 
     values: dict[str, tuple[float, ...]]
     """By item; those that nothing measures are left out (D23)."""
-    source: Text = ""
+    source: Reason = NOTHING
     """What was read, in words."""
     subsystem: str = ""
     """Where it was read."""

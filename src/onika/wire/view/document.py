@@ -7,7 +7,7 @@ from msgspec import field
 from onika.wire.view.asking import AskView, ErrorView
 from onika.wire.view.show import AnyShow
 from onika.wire.view.view import Objection, Remedy, View
-from onika.words.reason import Text
+from onika.words.reason import NOTHING, Reason
 
 State = Literal["", "OFF", "ON", "ASKING", "WAITING", "ERROR", "SPAWNING", "KILLING"]
 """A task's state; empty where nothing is connected."""
@@ -23,7 +23,7 @@ class PlacedView(View, frozen=True):
     """Its rate here; 0: as the library says."""
     rtpu: str = "unknown"
     state: State = ""
-    note: Text = ""
+    note: Reason = NOTHING
     """A word on its state: why it waits, what is being done."""
     is_missing: bool = False
     """Whether no open library knows it."""
@@ -47,7 +47,7 @@ class LocusView(View, frozen=True):
 class ProblemView(View, frozen=True):
     """Something wrong with a document, or worth knowing; `show` is where it is."""
 
-    text: Text
+    text: Reason
     level: Literal["fault", "warning", "note"]
     show: AnyShow | None = None
     remedies: tuple[Remedy, ...] = ()
@@ -70,9 +70,9 @@ class DocumentView(View, frozen=True):
     is_moved: bool = False
     """Whether only its looks have changed since it was saved (C06)."""
     has_changed_on_disk: bool = False
-    undo: Text = ""
+    undo: Reason = NOTHING
     """What Undo would take back; empty: nothing."""
-    redo: Text = ""
+    redo: Reason = NOTHING
     tasks: dict[str, PlacedView] = field(default_factory=dict)
     loci: dict[str, LocusView] = field(default_factory=dict)
     groups: dict[str, GroupView] = field(default_factory=dict)

@@ -3,7 +3,7 @@
 from typing import Literal
 
 from onika.wire.view.view import View
-from onika.words.reason import Text
+from onika.words.reason import Reason
 
 
 class PinView(View, frozen=True):
@@ -51,6 +51,6 @@ class LibraryView(View, frozen=True):
     path: str
     order: int
     tasks: int
-    faults: tuple[Text, ...] = ()
+    faults: tuple[Reason, ...] = ()
     is_shipped: bool = False
     """Whether it comes with Onika; what a user makes is saved elsewhere."""

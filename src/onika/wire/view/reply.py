@@ -3,7 +3,7 @@
 from msgspec import field
 
 from onika.wire.view.view import View
-from onika.words.reason import Text
+from onika.words.reason import Reason
 
 
 class TextView(View, frozen=True):
@@ -12,7 +12,7 @@ class TextView(View, frozen=True):
     path: str
     text: str
     stamp: str
-    faults: tuple[tuple[int, Text], ...] = ()
+    faults: tuple[tuple[int, Reason], ...] = ()
     is_read_only: bool = False
 
 
@@ -23,7 +23,7 @@ class DraftView(View, frozen=True):
     type: str
     left_edge: str
     right_edge: str
-    warnings: tuple[Text, ...] = ()
+    warnings: tuple[Reason, ...] = ()
     picture: str = ""
     """The one it has; empty: none yet."""
     description: str = ""
@@ -37,7 +37,7 @@ class CandidateView(View, frozen=True):
     description: str = ""
     more: tuple[str, ...] = ()
     """What it writes beyond the other one's outputs."""
-    reasons: tuple[Text, ...] = ()
+    reasons: tuple[Reason, ...] = ()
 
 
 class SeatView(View, frozen=True):

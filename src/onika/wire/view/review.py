@@ -7,7 +7,7 @@ from msgspec import field
 from onika.wire.view.application import RedirectView
 from onika.wire.view.run import RunView
 from onika.wire.view.view import View
-from onika.words.reason import Text
+from onika.words.reason import NOTHING, Reason
 
 
 class PassageView(View, frozen=True):
@@ -42,7 +42,7 @@ class MarkView(View, frozen=True):
 
     at_s: float
     kind: Literal["error", "stop", "meet", "command"]
-    text: Text
+    text: Reason
 
 
 class RecordingView(View, frozen=True):
@@ -55,7 +55,7 @@ class RecordingView(View, frozen=True):
     is_whole: bool = True
     """Else it was cut short, and ends where it was."""
     is_completed: bool = False
-    cause: Text = ""
+    cause: Reason = NOTHING
     """Why it ended before its time."""
     begin_s: float = 0.0
     end_s: float = 0.0
@@ -64,9 +64,9 @@ class RecordingView(View, frozen=True):
     variables: dict[str, RecordedVariableView] = field(default_factory=dict)
     worlds: tuple[str, ...] = ()
     marks: tuple[MarkView, ...] = ()
-    notes: tuple[Text, ...] = ()
+    notes: tuple[Reason, ...] = ()
     """What is worth knowing: values that were lost, icons that are others now."""
-    cannot_continue: Text = ""
+    cannot_continue: Reason = NOTHING
     """Why it cannot be gone on from an instant of it; empty: it can."""
     doc: str = ""
     """The open application whose run it was; empty: it is not open."""
@@ -79,7 +79,7 @@ class RecordingView(View, frozen=True):
 class DifferenceView(View, frozen=True):
     """The first difference of two recorded runs, or why they cannot be compared; without a text there is none."""
 
-    text: Text = ""
+    text: Reason = NOTHING
     at_s: float = 0.0
     variable: str = ""
     tolerance: float = 0.0
@@ -153,7 +153,7 @@ class KeepingView(View, frozen=True):
     doc: str
     path: str
     state: Literal["running", "kept", "failed"] = "running"
-    text: Text = ""
+    text: Reason = NOTHING
     """What is in it, or why it is not kept."""
     run: int = 0
     """Which run is carried out now; 0: none yet."""

@@ -5,8 +5,8 @@ from typing import Any, Literal
 from msgspec import field
 
 from onika.wire.view.asking import AskView
-from onika.wire.view.view import Remedy, View
-from onika.words.reason import Text
+from onika.wire.view.view import ChoiceView, View
+from onika.words.reason import NOTHING, Reason
 
 
 class StepRunView(View, frozen=True):
@@ -45,7 +45,7 @@ class FlowRunView(View, frozen=True):
     waits_since_s: float = 0.0
     loops: tuple[str, ...] = ()
     is_nested: bool = False
-    text: Text = ""
+    text: Reason = NOTHING
     """Why it stands, where that is worth a word."""
 
 
@@ -70,7 +70,7 @@ class CourseView(View, frozen=True):
 class StopView(View, frozen=True):
     """Why a flow stands still or the run has ended, and what can be done (X06)."""
 
-    text: Text
+    text: Reason
     kind: str
     """A word of `host.diagnosis.stop_cause.Kind`."""
     at_s: float
@@ -86,11 +86,9 @@ class StopView(View, frozen=True):
     waiting: tuple[tuple[str, str], ...] = ()
     """The flows that wait for this one, each with its tag."""
     courses: tuple[CourseView, ...] = ()
-    choices: tuple[Remedy, ...] = ()
-    """What can be done safely; the label is a word of steering."""
-    meanings: tuple[Text, ...] = ()
-    """What each choice does."""
-    short: Text = ""
+    choices: tuple[ChoiceView, ...] = ()
+    """What can be done safely, likeliest first."""
+    short: Reason = NOTHING
     """The text without where in a module it was said."""
 
 
@@ -136,10 +134,10 @@ class RunView(View, frozen=True):
     stops: dict[str, StopView] = field(default_factory=dict)
     """Standstills, by subsystem; the end of the run under the empty one."""
     meets: tuple[MeetView, ...] = ()
-    notes: tuple[Text, ...] = ()
+    notes: tuple[Reason, ...] = ()
     """Warnings and other things worth knowing, newest last."""
     is_completed: bool = False
-    cause: Text = ""
+    cause: Reason = NOTHING
     """Why it ended before its time."""
     done: int = 0
     of: int = 0

@@ -6,7 +6,7 @@ from msgspec import field
 
 from onika.wire.view.asking import AskView
 from onika.wire.view.view import View
-from onika.words.reason import Text
+from onika.words.reason import NOTHING, Reason
 
 
 class UnitView(View, frozen=True):
@@ -39,7 +39,7 @@ class HoldView(View, frozen=True):
     """Of a flow of an application, a word of `engine.flow.FlowState`; empty: it was not told."""
     since_at_s: float = 0.0
     """Seconds since 1970 when it was told here that this one holds it, or that nobody does; 0: it was so before."""
-    cause: Text = ""
+    cause: Reason = NOTHING
     """Why the holder changed last, where that is worth a word."""
     former: str = ""
     """Who held it before and is gone or was silent for too long; empty: nobody, or it was released."""
@@ -60,11 +60,11 @@ class RuntimeView(View, frozen=True):
 
     state: Literal["none", "starting", "linked", "lost"] = "none"
     address: str = ""
-    text: Text = ""
+    text: Reason = NOTHING
     """Why it is lost."""
     is_virtual: bool = False
     is_stopped: bool = False
-    stop_text: Text = ""
+    stop_text: Reason = NOTHING
     units: dict[str, UnitView] = field(default_factory=dict)
     worlds: dict[str, bool] = field(default_factory=dict)
     subsystems: dict[str, str] = field(default_factory=dict)

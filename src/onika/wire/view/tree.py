@@ -12,7 +12,7 @@ from onika.wire.view.review import KeepingView, ReviewView
 from onika.wire.view.run import RunView
 from onika.wire.view.runtime import RuntimeView
 from onika.wire.view.view import View
-from onika.words.reason import Text
+from onika.words.reason import NOTHING, Reason
 
 
 class ButtonView(View, frozen=True):
@@ -61,7 +61,7 @@ class Tree(View, frozen=True):
     """Those of the syntax definition, by their names."""
     pictures: dict[str, str] = field(default_factory=dict)
     """1024 digits each, by their keys; those of the start and end icons are `start` and `end`."""
-    icon_clipboard: Text = ""
+    icon_clipboard: Reason = NOTHING
     """The icons in the buffer, in words."""
     run: RunView | None = None
     review: ReviewView | None = None

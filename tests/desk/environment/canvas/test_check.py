@@ -6,6 +6,7 @@ from onika.desk.environment.state.open_application import Judgement
 from onika.model.task import Task
 from onika.wire import act
 from onika.wire.view import FaultView
+from onika.words.reason import Reason
 
 TASKS = (
     Task("memory", "m", invar=("M",), outvar=("M",), frequency=1.0),
@@ -37,7 +38,7 @@ def test_what_is_wrong_with_an_application_is_told_as_it_was_judged_last(tmp_pat
     doc = gallery.begun("grip")
     assert gallery.do(act.Check(doc)) == ()
     opened = gallery.environment.model.applications[doc]
-    faults = (FaultView("is odd", "warning"), FaultView("is wrong"))
+    faults = (FaultView(Reason.plain("is odd"), "warning"), FaultView(Reason.plain("is wrong")))
     judged = replace(opened, judgement=Judgement(opened.application, faults))
     gallery.environment.model = gallery.environment.model.with_application(judged)
-    assert gallery.do(act.Check(doc)) == ("is wrong", "is odd")
+    assert tuple(map(str, gallery.do(act.Check(doc)))) == ("is wrong", "is odd")

@@ -8,6 +8,7 @@ from onika.desk.environment.reconcile.runtime_loss import lost
 from onika.model.task import Task
 from onika.wire import act, live, request
 from onika.wire.view import ShowConnect
+from onika.words.reason import Reason
 
 TASKS = (
     *(Task(name, name, outvar=(name.upper(),), frequency=10.0) for name in ("a", "b", "c")),
@@ -96,7 +97,7 @@ def test_connecting_twice_is_refused_with_the_way_out(duet):
 
 
 def test_where_there_is_no_runtime_the_session_goes_on_unconnected(duet):  # R-C18
-    duet.rebuffs = {live.Survey: request.Refused("nobody is there")}
+    duet.rebuffs = {live.Survey: request.Refused(Reason.plain("nobody is there"))}
     doc = duet.new("a")
     refused = duet.answer(act.Connect(doc)).no
     assert "nobody is there" in str(refused.reason) and refused.remedies[0].show == ShowConnect()
@@ -117,7 +118,7 @@ def test_an_application_that_runs_is_not_disturbed(duet):  # reading 30
 def test_whoever_may_not_take_it_watches(duet):  # R-X12
     running(duet, "a")
     duet.runtime._holders["main"] = "anna#2"
-    duet.rebuffs = {live.Take: request.Refused("subsystem main is held by anna#2")}
+    duet.rebuffs = {live.Take: request.Refused(Reason.plain("subsystem main is held by anna#2"))}
     doc = duet.new("b")
     duet.do(act.Connect(doc))
     view = duet.environment.tree.documents[doc]
@@ -180,7 +181,7 @@ def test_a_document_that_is_closed_is_not_connected(duet, wish):
 def test_a_runtime_elsewhere_that_was_lost_is_looked_for_where_it_was(duet):  # R-E10, R-C18
     doc = duet.new("a")
     duet.do(act.Connect(doc, url="ws://lab:7994", token="secret"))
-    duet.environment.become(lambda model: lost(model, "the cable"))
+    duet.environment.become(lambda model: lost(model, Reason.plain("the cable")))
     duet.do(act.Connect(doc))
     assert [order.reach.url for order in duet.orders if order.reach] == ["ws://lab:7994", "ws://lab:7994"]
     assert duet.environment.tree.runtime.address == "ws://lab:7994"
@@ -190,7 +191,7 @@ def test_where_another_runtime_cannot_be_reached_the_one_before_is_not_shown_any
     doc = duet.new()
     duet.do(act.Connect(doc))
     duet.do(act.Disconnect(doc))
-    duet.rebuffs = {live.Survey: request.Refused("nobody is there")}
+    duet.rebuffs = {live.Survey: request.Refused(Reason.plain("nobody is there"))}
     assert duet.answer(act.Connect(doc, url="ws://lab:7994", confirmed=True)).no
     runtime = duet.environment.tree.runtime
     assert (runtime.state, runtime.address, str(runtime.text)) == ("lost", "ws://lab:7994", "nobody is there")

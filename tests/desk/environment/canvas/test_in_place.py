@@ -3,6 +3,7 @@ import pytest
 from kit.fake_runtime_env import FakeRuntimeEnv
 from onika.model.task import Task
 from onika.wire import act, live, request
+from onika.words.reason import Reason
 
 TASKS = (
     Task("const", "const", outconst=("N",), frequency=10.0),
@@ -60,7 +61,7 @@ def test_a_file_that_is_not_there_is_said(duet):  # R-X01
 def test_what_the_runtime_refuses_leaves_the_document_tied_to_its_own_file(duet, tmp_path):  # R-C15, R-X10
     doc = duet.connected("const")
     duet.do(act.Save(doc, name="mine", base=str(tmp_path)))
-    duet.rebuffs = {live.Change: request.Refused("there is no room")}
+    duet.rebuffs = {live.Change: request.Refused(Reason.plain("there is no room"))}
     assert "no room" in str(duet.answer(act.OpenInPlace(doc, "other", confirmed=True)).no.reason)
     assert (duet.document(doc).name, duet.document(doc).opened.path.name) == ("mine", "mine.conf")
     assert not duet.document(doc).is_dirty

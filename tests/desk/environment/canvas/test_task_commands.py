@@ -8,6 +8,7 @@ from kit.live_runtime import LiveRuntime
 from onika.desk.environment.outcome.outcome import Done
 from onika.model.task import Task, TaskType
 from onika.wire import act, event, live, request
+from onika.words.reason import Reason
 
 ITEM = event.Item("x", "double", 1, "m", "where to go", None, (0.0,), (1.0,))
 TASKS = (
@@ -98,7 +99,7 @@ class Broken(LiveRuntime):
     def ask(self, wish):
         if not isinstance(wish, live.Clear):
             return super().ask(wish)
-        self.tell(event.Edited(wish.subsystem, 99, "a: clear: the panic button is pressed", 1.0))
+        self.tell(event.Edited(wish.subsystem, 99, Reason.plain("a: clear: the panic button is pressed"), 1.0))
         return live.Accepted(99)
 
 
@@ -122,7 +123,8 @@ def test_a_task_in_error_is_not_simply_turned_on(duet):
 def test_who_waits_for_a_constant_cannot_come_on_and_says_for_which(duet):  # law 10, R-X01
     doc = duet.connected("a")
     document = duet.document(doc)
-    waiting = document.live.with_task("a", replace(document.live.tasks["a"], state="WAITING", note="waits for NDOF"))
+    task = replace(document.live.tasks["a"], state="WAITING", note=Reason.plain("waits for NDOF"))
+    waiting = document.live.with_task("a", task)
     duet.environment.become(lambda model: Done(model.with_document(replace(document, live=waiting))))
     refused = duet.no(act.Toggle(doc, "a"))
     assert str(refused.reason) == "a waits for NDOF: it cannot come on before a task supplies it"
@@ -191,7 +193,7 @@ def test_a_task_that_no_library_knows_cannot_be_turned_on(duet, tmp_path):  # re
 def test_what_the_runtime_refuses_is_said_in_its_words(duet):  # R-X01
     doc = duet.connected("asks")
     duet.do(act.Toggle(doc, "asks"))
-    duet.rebuffs = {request.Reply: request.Refused("it is gone")}
+    duet.rebuffs = {request.Reply: request.Refused(Reason.plain("it is gone"))}
     assert str(duet.answer(act.Answer(doc, "asks", "0.5")).no.reason) == "it is gone"
 
 

@@ -3,6 +3,7 @@ import pytest
 from kit.fake_runtime_env import FakeRuntimeEnv
 from onika.model.task import Task
 from onika.wire import act, event, holding, live, request
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -18,7 +19,7 @@ def test_everybody_stops_everything_whoever_holds_it(duet):  # law 27
 
 
 def test_a_stop_without_a_runtime_says_that_there_is_none(duet):  # law 27
-    duet.rebuffs = {request.Stop: request.Refused("no runtime is connected")}
+    duet.rebuffs = {request.Stop: request.Refused(Reason.plain("no runtime is connected"))}
     assert str(duet.do(act.Stop())) == "there is nothing to stop: no runtime is connected"
 
 
@@ -27,7 +28,7 @@ def test_a_reset_allows_motion_again_and_nothing_more(duet):  # law 27
     duet.do(act.Stop())
     duet.do(act.Reset())
     assert not duet.environment.tree.runtime.is_stopped and duet.state(doc, "a") == "OFF"
-    duet.rebuffs = {live.Reset: request.Refused("only a holder leaves a stop")}
+    duet.rebuffs = {live.Reset: request.Refused(Reason.plain("only a holder leaves a stop"))}
     assert str(duet.answer(act.Reset()).no.reason) == "only a holder leaves a stop"
 
 
@@ -43,7 +44,7 @@ def test_what_another_holds_can_be_neither_taken_nor_released(duet):  # R-X12
     doc = duet.connected("a")
     duet.tell(event.Held("Untitled-1", "anna#2"))
     assert str(duet.no(act.Release(doc)).reason) == "Untitled-1 is held by anna#2"
-    duet.rebuffs = {live.Take: request.Refused("subsystem Untitled-1 is held by anna#2")}
+    duet.rebuffs = {live.Take: request.Refused(Reason.plain("subsystem Untitled-1 is held by anna#2"))}
     assert str(duet.answer(act.Take(doc)).no.reason) == "subsystem Untitled-1 is held by anna#2"
 
 
@@ -60,14 +61,14 @@ def test_a_subsystem_is_offered_to_another_and_no_more(duet):  # R-X12
     assert duet.environment.tree.documents[doc].offered_to == "anna#2"
     duet.do(act.Hand(doc))
     assert duet.environment.tree.documents[doc].offered_to == ""
-    duet.rebuffs = {holding.Hand: request.Refused("bob#3 only watches and can take nothing")}
+    duet.rebuffs = {holding.Hand: request.Refused(Reason.plain("bob#3 only watches and can take nothing"))}
     assert str(duet.answer(act.Hand(doc, "bob#3")).no.reason) == "bob#3 only watches and can take nothing"
 
 
 def test_what_is_handed_over_can_only_be_watched_from_then_on(duet):  # R-X12
     doc = duet.connected("a")
     duet.do(act.Hand(doc, "anna#2"))
-    duet.tell(event.Held("Untitled-1", "anna#2", "you has handed it over"))
+    duet.tell(event.Held("Untitled-1", "anna#2", Reason.plain("you has handed it over")))
     assert not duet.environment.tree.documents[doc].is_held_here
     assert str(duet.no(act.Hand(doc, "anna#2")).reason) == "Untitled-1 is not held here, so it cannot be handed over"
     assert "held by anna#2" in str(duet.no(act.Toggle(doc, "a")).reason)

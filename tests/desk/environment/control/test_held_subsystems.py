@@ -5,7 +5,7 @@ from onika.desk.environment.control import held_subsystems
 from onika.model.task import Task
 from onika.wire import act, event, holding, live, request, steer
 from onika.wire.view import HoldView
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 
 @pytest.fixture
@@ -18,7 +18,10 @@ def duet(tmp_path):
     return duet
 
 
-def lose_holder(duet, holder="", cause="its holder anna#2 has been silent for 1.0 s"):
+SILENT = Reason.plain("its holder anna#2 has been silent for 1.0 s")
+
+
+def lose_holder(duet, holder="", cause=SILENT):
     for name in ("flow0", "flow1"):
         duet.tell(event.Held(name, "anna#2"))
         duet.tell(event.Held(name, holder, cause))
@@ -30,7 +33,7 @@ def holds(duet):
 
 def test_what_runs_and_where_is_asked_anew(duet):  # R-X12
     assert (holds(duet)["flow1"].application, holds(duet)["flow1"].state) == ("played", "paused")
-    duet.rebuffs = {live.Survey: request.Refused("busy")}
+    duet.rebuffs = {live.Survey: request.Refused(Reason.plain("busy"))}
     assert str(duet.answer(act.Company()).no.reason) == "busy"
 
 
@@ -82,14 +85,14 @@ def test_a_pause_needs_no_word_and_a_refusal_is_shown(duet):  # R-X12
     lose_holder(duet, "you")
     duet.do(act.SteerTaken("flow0", "pause"))
     assert steer.Pause() in duet.carried_out
-    duet.rebuffs = {steer.Pause: request.Refused("nothing runs")}
+    duet.rebuffs = {steer.Pause: request.Refused(Reason.plain("nothing runs"))}
     assert str(duet.answer(act.SteerTaken("flow0", "pause")).no.reason) == "nothing runs"
 
 
 def test_one_run_is_held_here_at_a_time(duet):  # R-X12
     lose_holder(duet, "you")
     assert held_subsystems.run_here(duet.environment.model) == "flow0"
-    duet.tell(event.Held("flow1", "", "gone"))
+    duet.tell(event.Held("flow1", "", Reason.plain("gone")))
     assert "one application runs at a time" in str(duet.no(act.Take(subsystem="flow1")).reason)
 
 
@@ -124,7 +127,7 @@ def test_what_a_run_asks_is_answered_by_who_has_taken_it(duet):  # R-X12, R-C13
     lose_holder(duet)
     answer = act.Answer("", "flow0/servo", "1.5")
     duet.rebuffs = {request.Reply: request.Done()}
-    duet.tell(event.Asked("flow0", "servo", "", (), 1.0))
+    duet.tell(event.Asked("flow0", "servo", NOTHING, (), 1.0))
     no = duet.no(answer)
     assert "nobody" in str(no.reason) and no.remedies[0].act == act.Take(subsystem="flow0")
     lose_holder(duet, "bob#3")

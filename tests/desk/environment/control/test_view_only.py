@@ -7,6 +7,7 @@ from kit.fake_runtime_env import FakeRuntimeEnv
 from onika.desk.environment.outcome.outcome import Done
 from onika.model.task import Task
 from onika.wire import act, event, holding, live, request
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -54,7 +55,7 @@ def test_the_promise_ends_by_coming_anew_and_nothing_is_held_then(duet):  # R-X1
 
 def test_who_cannot_come_anew_has_lost_the_runtime(duet):  # R-E10
     promised(duet)
-    duet.rebuffs = {live.Survey: request.Refused("it does not answer")}
+    duet.rebuffs = {live.Survey: request.Refused(Reason.plain("it does not answer"))}
     assert "it does not answer" in str(duet.answer(act.WatchNoMore()).no.reason)
     assert duet.environment.tree.runtime.state == "lost"
 

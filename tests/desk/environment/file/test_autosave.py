@@ -14,6 +14,7 @@ from onika.model.configuration import Configuration, Placed
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.store.opened_text import OpenedText
+from onika.words.reason import Reason
 
 
 def document(x, doc="c1"):
@@ -58,7 +59,7 @@ def test_nothing_is_written_of_what_is_saved_or_the_same():
     assert autosave.due_s is None
     autosave.look(model(document(1)), 0.0)
     autosave.take_all(0.0)
-    past = History((UndoStep("moving", "me", Content(Configuration("a")), Content(Configuration("a"))),))
+    past = History((UndoStep(Reason.plain("moving"), "me", Content(Configuration("a")), Content(Configuration("a"))),))
     autosave.look(model(replace(document(1), history=past)), 5.0)
     assert autosave.due_s is None
 

@@ -7,6 +7,7 @@ from onika.desk.environment.show.application_view import ApplicationProjector
 from onika.model.flow_path import flows_by_path, spots
 from onika.model.rules.jigsaw import misfits
 from onika.wire import act
+from onika.words.reason import NOTHING
 
 
 @pytest.fixture
@@ -37,7 +38,7 @@ def test_what_is_done_after_undo_leaves_nothing_to_redo(gallery):  # R-X10
     doc = gallery.begun("grip", "open")
     gallery.do(act.Undo(doc))
     gallery.do(act.InsertIcon(doc, "wait"))
-    assert gallery.view(doc).redo == ""
+    assert gallery.view(doc).redo == NOTHING
 
 
 def edit(gallery, doc, kind, first, other, name):

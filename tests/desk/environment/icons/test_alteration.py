@@ -4,6 +4,7 @@ from kit.app_fixture import AppFixture
 from onika.desk.environment.icons.alteration import altered, flow_at, place_behind, reflowed, spots_of
 from onika.desk.environment.outcome.outcome import No
 from onika.model.application import AppFlow
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -16,12 +17,12 @@ def test_a_change_is_a_step_with_its_label_and_new_steps_get_numbers(gallery):  
     opened = gallery.environment.model.applications[doc]
     steps = (*opened.application.flows[0].steps, gallery.application(gallery.begun("open")).flows[0].steps[0])
     bare = AppFlow((steps[0], type(steps[1])(steps[1].onikon)))
-    done = reflowed(gallery.environment.model, opened, {"0": bare}, "doing", "value")
+    done = reflowed(gallery.environment.model, opened, {"0": bare}, Reason.plain("doing"), "value")
     assert (str(done.label), done.doc, done.value) == ("doing", doc, "value")
     after = done.model.applications[doc]
     assert [step.number for step in after.application.flows[0].steps] == [1, 2]
     assert after.last_number == 2
-    same = altered(gallery.environment.model, opened, opened.application, "nothing")
+    same = altered(gallery.environment.model, opened, opened.application, Reason.plain("nothing"))
     assert same.model.applications[doc].application is opened.application
 
 

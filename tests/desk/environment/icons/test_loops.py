@@ -7,6 +7,7 @@ from onika.model.application import AppFlow, Icon
 from onika.model.rules import loop
 from onika.wire import act
 from onika.words.fault import Place
+from onika.words.reason import NOTHING
 
 
 @pytest.fixture
@@ -86,7 +87,7 @@ def test_whatever_is_marked_the_loops_of_a_flow_are_well_formed(gallery, acts): 
         numbers = [step.number for step in gallery.application(doc).flows[0].steps]
         request = act.SetLoop(doc, numbers[first], numbers[other])
         gallery.answer(act.RemoveLoop(doc, numbers[first]) if kind == "remove" else request)
-        assert loop.faults(gallery.application(doc).flows[0], syntax, "", Place("")) == ()
+        assert loop.faults(gallery.application(doc).flows[0], syntax, NOTHING, Place("")) == ()
 
 
 def test_half_a_loop_that_is_pasted_elsewhere_is_no_loop():

@@ -10,6 +10,7 @@ from onika.model.task import Task
 from onika.store.site import open_site
 from onika.wire import act, live, request
 from onika.wire.sheet import InputSheet, ModuleSheet, PortSheet
+from onika.words.reason import Reason
 
 SITE_MODEL, _ = opened(open_site([], {}, None), None, {})
 ARM = Task("arm", "arm", outvar=("Q_MEZ",), invar=("Q_REF",), frequency=100.0)
@@ -122,7 +123,7 @@ def test_what_is_no_target_or_is_measured_by_nothing_is_refused(duet):  # R-D23
 def test_a_runtime_that_does_not_answer_says_why(duet):  # R-X01
     doc, _ = measuring(duet, "arm")
     duet.do(act.Turn(doc, ("arm",), True))
-    duet.rebuffs = {live.Read: request.Refused("not now")}
+    duet.rebuffs = {live.Read: request.Refused(Reason.plain("not now"))}
     assert str(duet.no(act.Teach("Joint object")).reason) == "not now"
-    duet.rebuffs = {live.Survey: request.Refused("it is gone")}
+    duet.rebuffs = {live.Survey: request.Refused(Reason.plain("it is gone"))}
     assert str(duet.no(act.Teach("Joint object")).reason) == "it is gone"

@@ -7,6 +7,7 @@ from onika.desk.environment.outcome.button_commands import KEPT, Commands
 from onika.desk.environment.state.model import Model
 from onika.model.button import Button
 from onika.wire.view import ButtonView
+from onika.words.reason import NOTHING
 
 
 class Shown:
@@ -38,7 +39,7 @@ def shown():
 
 
 def test_output_is_shown_while_the_command_runs(shown):  # R-G02
-    assert shown.start("echo one; read x < /dev/stdin; sleep 1000") == ""
+    assert shown.start("echo one; read x < /dev/stdin; sleep 1000") == NOTHING
     run = shown.until(lambda run: run.output)
     assert (run.output, run.is_running, run.code) == ("one\n", True, None)
     assert shown.commands.halt("b")
@@ -102,7 +103,7 @@ def test_a_command_that_wants_a_terminal_gets_one_that_is_found(tmp_path):  # §
     terminal.write_text('#!/bin/sh\necho "in a terminal: $1"; shift; exec "$@"\n')
     terminal.chmod(0o755)
     shown = Shown({"PATH": f"{tmp_path}:{os.environ['PATH']}", "DISPLAY": ":0", "TERMINAL": "myterm"})
-    assert shown.start("echo hello", spawns_terminal=True) == ""
+    assert shown.start("echo hello", spawns_terminal=True) == NOTHING
     assert shown.end().output == "in a terminal: -e\nhello\n"
 
 

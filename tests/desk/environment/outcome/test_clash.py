@@ -3,6 +3,7 @@ from onika.desk.environment.outcome.clash import clashes, refused
 from onika.model.task import Task
 from onika.wire import act
 from onika.wire.view import Objection, Remedy, ShowTask
+from onika.words.reason import Reason
 
 W = Task("w", "w", outvar=("Q",), frequency=1.0)
 C = Task("c", "c", inconst=("K",), frequency=1.0)
@@ -36,8 +37,12 @@ def test_what_speaks_against_it_already_is_no_reason_against_a_change(tmp_path):
 
 
 def test_a_no_names_all_reasons_and_each_way_out_once():  # R-X01
-    show = Remedy("Show a", show=ShowTask("a"))
-    no = refused("it cannot be", (Objection("one", (show,)), Objection("two", (show,))), "svar")
+    show = Remedy(Reason.plain("Show a"), show=ShowTask("a"))
+    no = refused(
+        Reason.plain("it cannot be"),
+        (Objection(Reason.plain("one"), (show,)), Objection(Reason.plain("two"), (show,))),
+        "svar",
+    )
     assert (str(no.reason), no.remedies) == ("it cannot be: one; two", (show,))
     assert {field: str(why) for field, why in no.fields.items()} == {"svar": "one; two"}
-    assert refused("it cannot be", (Objection("one"),)).fields == {}
+    assert refused(Reason.plain("it cannot be"), (Objection(Reason.plain("one")),)).fields == {}

@@ -2,6 +2,7 @@ import pytest
 
 from kit.dictionary_fixture import DictionaryFixture, plain
 from kit.laboratory import HOLE, Laboratory, job
+from onika.words.reason import NOTHING
 
 TASK = """MODULE {0}\nDESC x\nINCONST none\nOUTCONST none\nINVAR none\nOUTVAR none\nTASKTYPE periodic\nFREQ 10\n{1}"""
 
@@ -20,7 +21,7 @@ def test_an_icon_whose_configuration_or_application_is_missing_says_so(tmp_path,
     )
     assert str(cabinet.icon("lost").trouble) == "there is no configuration lost"
     assert str(cabinet.icon("gone").trouble) == "there is no application gone"
-    assert (cabinet.icon("rest").trouble, cabinet.icon("rest").source) == ("", "")
+    assert (cabinet.icon("rest").trouble, cabinet.icon("rest").source) == (NOTHING, "")
     lab.configuration("lost", "opengrip 100")
     cabinet.look()
     assert str(cabinet.icon("lost").trouble) == ""
@@ -59,7 +60,7 @@ def test_what_stands_beside_the_icon_counts_before_the_search_path(tmp_path, lab
     other.configuration("opengripC", "go 10")
     cabinet = DictionaryFixture(tmp_path)
     shipped = cabinet.icon("opengripC")
-    assert shipped.source.endswith("puma/conf/opengripC.conf") and shipped.trouble == ""
+    assert shipped.source.endswith("puma/conf/opengripC.conf") and not shipped.trouble
     cabinet.own.save_onikon(plain("opengripC", "Joint job"))
     cabinet = DictionaryFixture(tmp_path)
     assert cabinet.icon("opengripC").source == str(cabinet.own.configuration_file("opengripC"))

@@ -92,7 +92,7 @@ def test_moving_a_task_leaves_the_problems_as_they_are(sitting):  # R-G07
 def test_a_task_in_error_has_its_reason_and_its_ways_out():  # R-C11, R-C28
     document = Document("c1", Content(Configuration("c")))
     assert error_view(document, "pd", TaskFacts("ON")) is None
-    view = error_view(document, "pd", TaskFacts("ERROR", note="overrun"))
+    view = error_view(document, "pd", TaskFacts("ERROR", note=Reason.plain("overrun")))
     assert view is not None
     assert str(view.text) == "overrun"
     assert [remedy.act for remedy in view.remedies if remedy.act] == [

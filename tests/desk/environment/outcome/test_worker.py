@@ -6,6 +6,7 @@ import pytest
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.worker import BackgroundWorker
 from onika.desk.environment.state.model import Model
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -44,8 +45,8 @@ def test_work_is_done_elsewhere_in_the_order_in_which_it_was_asked_for(aside, ch
 
 
 def test_a_no_is_a_result_like_any_other(aside, changes):
-    aside.answer(lambda: No("no such file"), "the file")
-    assert news(changes) == ("the file", No("no such file"))
+    aside.answer(lambda: No(Reason.plain("no such file")), "the file")
+    assert news(changes) == ("the file", No(Reason.plain("no such file")))
 
 
 def test_a_fault_of_the_program_is_raised_where_acts_are_carried_out(aside, changes):

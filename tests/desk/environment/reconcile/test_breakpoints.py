@@ -3,6 +3,7 @@ import pytest
 from kit.laboratory import job
 from kit.run_fixture import RunFixture
 from onika.wire import act, request, steer
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -32,6 +33,6 @@ def test_breakpoints_are_set_and_removed_in_the_run_too(play):  # R-D06
 def test_a_breakpoint_that_comes_too_late_is_said(play):
     doc = play.open([job("aC")])
     play.run(doc)
-    play.rebuffs = {steer.Mark: request.Refused("no application runs")}
+    play.rebuffs = {steer.Mark: request.Refused(Reason.plain("no application runs"))}
     play.do(act.SetBreakpoint(doc, (1,)))
     assert "from the next run on" in str(play.says[-1].text)

@@ -5,6 +5,7 @@ from kit.live_runtime import LiveRuntime
 from onika.model.task import Task, TaskType
 from onika.wire import act, event, live, request
 from onika.wire.sheet import InputSheet, ModuleSheet, PortSheet
+from onika.words.reason import Reason
 
 MOVE = Task("move", "move", aliases=(("Q", "Q_MEZ"),), invar=("Q", "S"), type=TaskType.APERIODIC)
 ARM = Task("arm", "arm", outvar=("Q_MEZ",), frequency=100.0)
@@ -56,7 +57,7 @@ def test_a_question_comes_with_what_is_measured_of_its_kind(duet):  # R-C13
 
 def test_a_runtime_that_does_not_say_it_is_no_harm(duet):
     doc = duet.connected("move")
-    duet.rebuffs = {live.Read: request.Refused("there is no such variable")}
+    duet.rebuffs = {live.Read: request.Refused(Reason.plain("there is no such variable"))}
     duet.do(act.Toggle(doc, "move"))
     ask = duet.environment.tree.documents[doc].tasks["move"].ask
     assert ask.items[0].name == "endpoint" and ask.present == {}

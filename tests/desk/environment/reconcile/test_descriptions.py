@@ -12,6 +12,7 @@ from onika.model.task import Task
 from onika.wire import act, live, request
 from onika.wire.sheet import ModuleSheet, PortSheet
 from onika.wire.view import ShowSource
+from onika.words.reason import Reason
 
 TASKS = tuple(Task(f"t{number}", f"m{number}", outvar=(f"X{number}",), frequency=1.0) for number in range(20))
 
@@ -30,7 +31,7 @@ class Reader(LiveRuntime):
         (code,) = wish.code
         self.described.append(code.module)
         if code.module == self.unread:
-            return live.Described({}, {code.digest: "it raises"})
+            return live.Described({}, {code.digest: Reason.plain("it raises")})
         port = PortSheet("OUTVAR", f"X{code.module[1:]}", "double[6]", "rad", "where it is")
         return live.Described({code.digest: ModuleSheet((port,), (), (), False, False, False, 0, "")})
 
@@ -82,7 +83,7 @@ def test_a_module_without_a_file_is_not_asked_for(duet, tmp_path):
 
 
 def test_a_runtime_that_does_not_say_it_is_not_asked_further(duet):  # law 23
-    duet.rebuffs = {live.Describe: request.Refused("code from another machine is not accepted")}
+    duet.rebuffs = {live.Describe: request.Refused(Reason.plain("code from another machine is not accepted"))}
     duet.connected()
     assert len([message for message in duet.carried_out if isinstance(message, live.Describe)]) == 1
     assert duet.environment.model.libraries.sheets == {}

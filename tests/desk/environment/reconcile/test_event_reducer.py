@@ -4,6 +4,7 @@ from kit.fake_runtime_env import FakeRuntimeEnv
 from onika.model.task import Task
 from onika.wire import event, live, view
 from onika.wire.view import ShowTask
+from onika.words.reason import NOTHING, Reason
 
 TASKS = tuple(Task(name, name, outvar=(name.upper(),), frequency=10.0) for name in ("a", "b"))
 ITEM = event.Item("x", "double", 1, "m", "where to go", None, (0.0,), (1.0,))
@@ -38,15 +39,15 @@ def test_a_step_that_was_too_far_is_said_at_the_task_that_was_given_it(duet, doc
 
 
 def test_a_stop_is_shown_to_everybody_with_its_cause(duet, doc):  # law 27
-    duet.tell(event.Stopped(True, "the panic button"))
+    duet.tell(event.Stopped(True, Reason.plain("the panic button")))
     runtime = duet.environment.tree.runtime
     assert runtime.is_stopped and str(runtime.stop_text) == "the panic button" and duet.says[-1].level == "error"
-    duet.tell(event.Stopped(False, ""))
+    duet.tell(event.Stopped(False, NOTHING))
     assert not duet.environment.tree.runtime.is_stopped and str(duet.environment.tree.runtime.stop_text) == ""
 
 
 def test_a_unit_that_is_lost_is_shown_so(duet, doc):  # R-E10
-    duet.tell(event.Lost("rt1", "it was killed", 1.0))
+    duet.tell(event.Lost("rt1", Reason.plain("it was killed"), 1.0))
     assert duet.environment.tree.runtime.units["rt1"] == view.UnitView(0.0, True)
     assert str(duet.says[-1].text) == "rt1 is lost: it was killed"
 
@@ -62,7 +63,7 @@ def test_who_holds_what_is_known_of_other_subsystems_too(duet, doc):  # R-X12
 def test_what_happens_in_a_subsystem_that_no_document_shows_is_nobodys_fact(duet, doc):
     before = duet.environment.tree.documents
     duet.tell(event.TaskState("far", "a", "ON", 1.0))
-    duet.tell(event.Edited("far", 3, "", 1.0))
+    duet.tell(event.Edited("far", 3, NOTHING, 1.0))
     assert duet.environment.tree.documents == before
     assert duet.carried_out[-1] == live.Survey()  # what is new there is looked for
 
@@ -70,5 +71,5 @@ def test_what_happens_in_a_subsystem_that_no_document_shows_is_nobodys_fact(duet
 @pytest.mark.parametrize(("name", "is_said"), [("TRIPPED", True), ("PRESSED", True), ("DRIVEN", False)])
 def test_a_drive_that_gives_up_is_said(duet, doc, name, is_said):  # law 17
     count = len(duet.says)
-    duet.tell(event.Drive("boxes:arm", name, 0, 0, 0, "no commands"))
+    duet.tell(event.Drive("boxes:arm", name, 0, 0, 0, Reason.plain("no commands")))
     assert [str(say.text) for say in duet.says[count:]] == [f"drive boxes:arm is {name}: no commands"] * is_said

@@ -1,6 +1,7 @@
 from onika.desk.environment.reconcile import holders
 from onika.wire import event, live, steer
 from onika.wire.view import HoldView, RuntimeView
+from onika.words.reason import NOTHING, Reason
 
 
 def standing(*subsystems):
@@ -17,13 +18,19 @@ def test_what_was_told_of_a_holder_counts_as_long_as_he_holds_it():  # R-X12
 
 def test_who_was_silent_is_remembered_and_who_released_is_not():  # R-X12
     runtime = RuntimeView(holds={"main": HoldView("ann#1", "play", "running")})
-    lost = holders.changed(runtime, event.Held("main", "", "its holder ann#1 is gone"), "ann#1", 9.0).holds["main"]
+    lost = holders.changed(
+        runtime, event.Held("main", "", Reason.plain("its holder ann#1 is gone")), "ann#1", 9.0
+    ).holds["main"]
     assert (lost.holder, lost.former, lost.was_here, lost.since_at_s) == ("", "ann#1", True, 9.0)
     assert (lost.application, lost.state) == ("play", "running")
-    assert not holders.changed(runtime, event.Held("main", "", "gone"), "bob#2", 9.0).holds["main"].was_here
+    assert (
+        not holders.changed(runtime, event.Held("main", "", Reason.plain("gone")), "bob#2", 9.0).holds["main"].was_here
+    )
     released = holders.changed(runtime, event.Held("main", ""), "ann#1", 9.0).holds["main"]
     assert (released.former, released.was_here) == ("", False)
-    handed = holders.changed(runtime, event.Held("main", "bob#2", "ann#1 has handed it over"), "ann#1", 9.0)
+    handed = holders.changed(
+        runtime, event.Held("main", "bob#2", Reason.plain("ann#1 has handed it over")), "ann#1", 9.0
+    )
     assert (handed.holds["main"].former, str(handed.holds["main"].cause)) == ("", "ann#1 has handed it over")
 
 
@@ -31,7 +38,7 @@ def test_an_offer_ends_at_its_time_or_with_its_outcome():  # R-X12
     runtime = RuntimeView(holds={"main": HoldView("ann#1")})
     offered = holders.offered(runtime, event.Offered("main", "ann#1", "bob#2"), 100.0)
     assert (offered.holds["main"].offered_to, offered.holds["main"].offered_until_s) == ("bob#2", 160.0)
-    over = holders.offered(offered, event.Offered("main", "ann#1", "bob#2", "withdrawn"), 101.0)
+    over = holders.offered(offered, event.Offered("main", "ann#1", "bob#2", Reason.plain("withdrawn")), 101.0)
     assert over.holds["main"] == HoldView("ann#1")
     assert holders.offered(runtime, event.Offered("far", "ann#1", "bob#2"), 1.0) is runtime
 
@@ -52,7 +59,7 @@ def test_the_flows_of_a_run_are_found_by_one_of_them():  # R-X12
     assert holders.flows_with(run, "d") == ("d",)
 
 
-ASKED = event.Asked("flow0", "servo", "", (), 0.5)
+ASKED = event.Asked("flow0", "servo", NOTHING, (), 0.5)
 
 
 def test_what_a_task_of_an_application_asks_is_known_until_it_asks_no_more():  # R-X12, R-C13
@@ -60,10 +67,10 @@ def test_what_a_task_of_an_application_asks_is_known_until_it_asks_no_more():  #
     asks = holders.with_question(runtime, ASKED)
     assert list(asks.holds["flow0"].asks) == ["servo"]
     assert holders.turned(asks, event.TaskState("flow0", "servo", "ASKING", 1.0)) is asks
-    lost = holders.changed(asks, event.Held("flow0", "", "gone"), "", 9.0)
+    lost = holders.changed(asks, event.Held("flow0", "", Reason.plain("gone")), "", 9.0)
     assert list(lost.holds["flow0"].asks) == ["servo"]
     assert holders.turned(lost, event.TaskState("flow0", "servo", "ON", 1.0)).holds["flow0"].asks == {}
-    by_hand = event.Asked("main", "servo", "", (), 0.5)
+    by_hand = event.Asked("main", "servo", NOTHING, (), 0.5)
     assert holders.with_question(runtime, by_hand) is runtime
 
 

@@ -9,6 +9,7 @@ from onika.desk.environment.state.target_items import items_of
 from onika.model.task import Task
 from onika.store.site import open_site
 from onika.wire import act, live, request
+from onika.words.reason import Reason
 
 ARM = Task("arm", "arm", outconst=("QMIN", "QMAX", "OTHER"), frequency=100.0)
 MOVE = Task("move", "move", inconst=("QMIN", "QMAX"), frequency=100.0, object_type="Joint job")
@@ -49,7 +50,7 @@ def test_a_robots_bounds_are_known_as_soon_as_it_lives(duet):  # R-D08
 
 
 def test_a_runtime_that_does_not_say_them_is_no_harm(duet):
-    duet.rebuffs = {live.Read: request.Refused("no")}
+    duet.rebuffs = {live.Read: request.Refused(Reason.plain("no"))}
     duet.connected("arm")
     assert endpoint(duet).low is None
 

@@ -9,6 +9,7 @@ from onika.desk.plan.compile import planned_task
 from onika.model.configuration import Configuration
 from onika.model.task import Task
 from onika.wire import event, live
+from onika.words.reason import Reason
 
 
 def standing(*tasks, holder="me"):
@@ -48,7 +49,7 @@ def test_dead_tasks_are_not_alive():
 
 
 def test_the_facts_are_taken_over_and_a_question_is_kept_as_long_as_it_is_asked():
-    question = event.Asked("main", "a", "too far", (), 0.0)
+    question = event.Asked("main", "a", Reason.plain("too far"), (), 0.0)
     facts = SubsystemFacts(
         "main", "live", {"a": TaskFacts("ASKING", question=question, warnings=3), "gone": TaskFacts("ON")}
     )
@@ -60,7 +61,7 @@ def test_the_facts_are_taken_over_and_a_question_is_kept_as_long_as_it_is_asked(
 
 
 def test_a_question_that_was_asked_before_is_known_to_whoever_connects():  # R-X12, R-C13
-    question = event.Asked("main", "a", "too far", (), 0.0)
+    question = event.Asked("main", "a", Reason.plain("too far"), (), 0.0)
     home = live.SubsystemStanding("main", "me", "", (task("a", "ASKING", "asks for x"),), (question,))
     now = with_standing(SubsystemFacts("main", "live"), live.Standing((home,), (), (), True, False, 0.0))
     assert (now.tasks["a"].question, str(now.tasks["a"].note)) == (question, "")

@@ -5,6 +5,7 @@ from onika.desk.environment.reconcile.merge import runtime_view, seen, task_of
 from onika.desk.plan.compile import planned_task
 from onika.model.task import LocalLine, Task
 from onika.wire import act, live, request, view
+from onika.words.reason import NOTHING, Reason
 
 TASKS = (
     *(Task(name, name, outvar=(name.upper(),), frequency=10.0) for name in ("a", "b")),
@@ -27,10 +28,11 @@ def test_the_runtime_is_shown_as_it_stands():
     homes = (live.SubsystemStanding("left", "anna#2", "", ()), live.SubsystemStanding("right", "", "assemble", ()))
     units = (live.RtpuStanding("rt0", False, 0.123), live.RtpuStanding("rt1", True, 0.0))
     shown = runtime_view(
-        view.RuntimeView(address="ws://x", stop_text="why"), live.Standing(homes, units, ("boxes",), True, True, 1.0)
+        view.RuntimeView(address="ws://x", stop_text=Reason.plain("why")),
+        live.Standing(homes, units, ("boxes",), True, True, 1.0),
     )
     assert shown == view.RuntimeView(
-        "linked", "ws://x", "", True, True, "why",
+        "linked", "ws://x", NOTHING, True, True, Reason.plain("why"),
         {"rt0": view.UnitView(0.12), "rt1": view.UnitView(0.0, True)}, {"boxes": True},
         {"left": "anna#2", "right": "assemble"},
         {"left": view.HoldView("anna#2"), "right": view.HoldView("", "assemble")},
@@ -53,7 +55,7 @@ def test_what_somebody_else_brings_to_life_comes_onto_the_canvas(duet):  # R-C12
 def test_nothing_comes_of_a_survey_that_is_refused_or_too_late(duet):
     doc = duet.connected("a")
     model = duet.environment.model
-    assert seen(model, request.Refused("gone"), doc).model is model
+    assert seen(model, request.Refused(Reason.plain("gone")), doc).model is model
     standing = duet.runtime.ask(live.Survey())
     assert seen(model, standing, "c9").model.documents == model.documents
     duet.do(act.Disconnect(doc))

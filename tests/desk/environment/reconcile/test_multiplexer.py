@@ -5,6 +5,7 @@ from onika.desk.environment.reconcile.multiplexer import Multiplexer
 from onika.desk.run.runtime import NumberedResponse
 from onika.link.lost import LinkLost, LossCause
 from onika.wire import event, live, request
+from onika.words.reason import Reason
 
 FIGURES = live.Figures((), {"rt0": 0.5})
 
@@ -47,12 +48,12 @@ def multiplexer(wire, now):
 
 
 def test_orders_and_events_are_told_in_the_order_in_which_they_came(multiplexer, wire):
-    first, second = Order(live.Survey()), Order(request.Stop("now"))
+    first, second = Order(live.Survey()), Order(request.Stop(Reason.plain("now")))
     multiplexer.ask(first)
     multiplexer.ask(second)
     turned = event.TaskState("main", "a", "ON", 1.0)
-    wire.words = [NumberedResponse(2, request.Done()), turned, NumberedResponse(1, request.Refused("no"))]
-    assert multiplexer.hear() == [(second, request.Done()), turned, (first, request.Refused("no"))]
+    wire.words = [NumberedResponse(2, request.Done()), turned, NumberedResponse(1, request.Refused(Reason.plain("no")))]
+    assert multiplexer.hear() == [(second, request.Done()), turned, (first, request.Refused(Reason.plain("no")))]
     assert multiplexer.readings() == {"main/X": b"1"}
 
 
@@ -74,7 +75,7 @@ def test_figures_are_asked_for_twice_a_second_and_never_twice_at_once(multiplexe
     wire.words = [NumberedResponse(1, FIGURES)]
     assert multiplexer.hear() == [] and multiplexer.figures is FIGURES
     assert multiplexer.poll_figures(is_wanted=True) is None and len(wire.sent) == 2
-    wire.words = [NumberedResponse(2, request.Refused("no"))]
+    wire.words = [NumberedResponse(2, request.Refused(Reason.plain("no")))]
     multiplexer.hear()
     assert multiplexer.figures is None
     assert multiplexer.poll_figures(is_wanted=True) == pytest.approx(0.5)
@@ -85,8 +86,8 @@ def test_figures_are_asked_for_twice_a_second_and_never_twice_at_once(multiplexe
 def test_orders_that_get_no_reply_any_more_are_refused_with_the_reason(multiplexer, wire):  # R-E10
     order = Order(live.Survey())
     multiplexer.ask(order)
-    wire.words = [LinkLost(LossCause.CLOSED, "it is gone")]
+    wire.words = [LinkLost(LossCause.CLOSED, Reason.plain("it is gone"))]
     with pytest.raises(LinkLost):
         multiplexer.hear()
-    assert multiplexer.orphans("it is gone") == [(order, request.Refused("it is gone"))]
-    assert multiplexer.orphans("it is gone") == []
+    assert multiplexer.orphans(Reason.plain("it is gone")) == [(order, request.Refused(Reason.plain("it is gone")))]
+    assert multiplexer.orphans(Reason.plain("it is gone")) == []

@@ -43,7 +43,7 @@ def test_what_is_offered_here_is_shown_and_said_and_gone_with_its_end(duet):  # 
     shown = duet.environment.tree.documents[doc]
     assert (shown.offered_by, shown.offered_to, shown.is_offered_here) == ("anna#2", "you", True)
     assert "anna#2 offers Untitled-1: take it, or decline" in [str(say.text) for say in duet.says]
-    duet.tell(event.Offered("Untitled-1", "anna#2", "you", "withdrawn"))
+    duet.tell(event.Offered("Untitled-1", "anna#2", "you", Reason.plain("withdrawn")))
     assert duet.environment.tree.documents[doc].offered_by == ""
 
 
@@ -62,7 +62,7 @@ def test_what_is_offered_to_others_is_shown_and_not_said(duet):  # R-X12
 def test_who_offered_it_is_told_that_it_was_declined_and_is_offered_no_longer(duet):  # R-X12
     duet.connected("a")
     duet.tell(event.Offered("Untitled-1", "you", "bob#3"))
-    duet.tell(event.Offered("Untitled-1", "you", "bob#3", "bob#3 declines"))
+    duet.tell(event.Offered("Untitled-1", "you", "bob#3", Reason.plain("bob#3 declines")))
     assert str(duet.says[-1].text) == "Untitled-1 is no longer offered to bob#3: bob#3 declines"
 
 

@@ -44,7 +44,7 @@ def test_what_was_done_meanwhile_stays_when_an_older_change_fails(duet):  # R-X1
     duet.is_held_back = True
     duet.environment.do(act.Place(doc, "b", 300, 0), "me", lambda given: None)
     duet.environment.do(act.Move(doc, {"a": (70, 70)}), "me", lambda given: None)
-    duet.is_held_back, duet.rebuffs = False, {live.Change: request.Refused("no time for it")}
+    duet.is_held_back, duet.rebuffs = False, {live.Change: request.Refused(Reason.plain("no time for it"))}
     duet.pump()
     now = duet.document(doc)
     assert now.content.names == ("a",) and (now.content.placed("a").x, now.content.placed("a").y) == (70, 70)
@@ -53,7 +53,7 @@ def test_what_was_done_meanwhile_stays_when_an_older_change_fails(duet):  # R-X1
 
 def test_a_library_that_was_changed_for_it_is_as_it_was(duet):  # reading 9, R-X10
     doc = duet.connected("a")
-    duet.rebuffs = {live.Change: request.Refused("they disagree")}
+    duet.rebuffs = {live.Change: request.Refused(Reason.plain("they disagree"))}
     duet.alias("a", "A", "OTHER")
     assert str(duet.says[-1].text) == "they disagree"
     assert duet.environment.model.libraries.edits == {} and duet.state(doc, "a") == "OFF"
@@ -62,7 +62,7 @@ def test_a_library_that_was_changed_for_it_is_as_it_was(duet):  # reading 9, R-X
 def test_an_undo_that_the_runtime_refuses_can_be_tried_again(duet):  # R-X10
     doc = duet.connected("a")
     duet.do(act.Remove(doc, ("a",)))
-    duet.rebuffs = {live.Change: request.Refused("not now")}
+    duet.rebuffs = {live.Change: request.Refused(Reason.plain("not now"))}
     assert str(duet.answer(act.Undo(doc)).no.reason) == "not now"
     duet.rebuffs = {}
     duet.do(act.Undo(doc))
@@ -147,7 +147,7 @@ def test_what_takes_itself_back_before_it_goes_out_is_done(duet, busy):  # R-X10
 
 def test_what_cannot_be_asked_any_more_is_refused_and_taken_back(duet, busy):  # law 27
     (first,) = answers_of(duet, act.Place(busy, "b", 0, 0))
-    duet.environment.receive(event.Stopped(True, "enough"))
+    duet.environment.receive(event.Stopped(True, Reason.plain("enough")))
     go(duet)
     assert [str(answer.no.reason) for answer in first] == ["everything is stopped: allow motion again first"]
     assert duet.document(busy).content.names == ()
@@ -182,12 +182,12 @@ class Moody(LiveRuntime):
     def ask(self, wish):
         mood = self.moods.pop(0) if self.moods and isinstance(wish, live.Change) else "done"
         if mood == "refused":
-            return request.Refused("not now")
+            return request.Refused(Reason.plain("not now"))
         if mood == "faults":
             return request.Prepared((FAULT,))
         if mood == "fails":
             self._numbers += 1
-            self.tell(event.Edited(wish.subsystem, self._numbers, "no sensor", 0.0))
+            self.tell(event.Edited(wish.subsystem, self._numbers, Reason.plain("no sensor"), 0.0))
             return live.Accepted(self._numbers)
         return super().ask(wish)
 

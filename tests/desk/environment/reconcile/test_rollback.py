@@ -4,6 +4,7 @@ from onika.desk.environment.reconcile.rollback import reverted, without_steps
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.history import History, UndoStep
 from onika.model.configuration import Configuration, Group, Placed
+from onika.words.reason import Reason
 
 
 def test_what_a_step_did_is_taken_out_of_what_is_there_now():
@@ -19,7 +20,9 @@ def test_what_a_step_did_is_taken_out_of_what_is_there_now():
 
 def test_the_steps_of_what_failed_are_gone_and_later_ones_stay():  # R-X10
     content = Content(Configuration("c"))
-    first, failed, later = (UndoStep(name, "me", content, content) for name in ("first", "failed", "later"))
+    first, failed, later = (
+        UndoStep(Reason.plain(name), "me", content, content) for name in ("first", "failed", "later")
+    )
     before = History((first,))
     after = before.done(failed)
     assert without_steps(after, before, after) is before
@@ -28,7 +31,7 @@ def test_the_steps_of_what_failed_are_gone_and_later_ones_stay():  # R-X10
 
 def test_what_was_taken_back_in_vain_can_be_taken_back_again():  # R-X10
     content = Content(Configuration("c"))
-    step = UndoStep("turning a ON", "me", content, content)
+    step = UndoStep(Reason.plain("turning a ON"), "me", content, content)
     before = History((step,))
     undone = before.undone()
     assert without_steps(undone, before, undone) is before

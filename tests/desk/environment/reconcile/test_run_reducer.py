@@ -30,7 +30,8 @@ def test_the_end_is_said_as_a_success_or_with_its_cause(play):  # R-E14, R-G06
 
 def test_a_standstill_is_said_with_its_step(play):  # R-X06
     play.run(play.open([job("aC"), job("bC")]))
-    why = ("flow0", "b", "bC", 1, "play.appl:2", "no glass", "b.py", 7, (), (), (("clear", "repeats it"),), 2.0)
+    choices = (("clear", Reason.plain("repeats it")),)
+    why = ("flow0", "b", "bC", 1, "play.appl:2", Reason.plain("no glass"), "b.py", 7, (), (), choices, 2.0)
     play.tell(event.Explained(*why))
     assert lines(play)[-1] == ("error", "flow0/b: no glass", ShowStep(2))
     assert str(play.view.stops["flow0"].text) == "no glass"
@@ -40,7 +41,7 @@ def test_a_standstill_is_said_with_its_step(play):  # R-X06
 
 def test_an_end_that_is_explained_stays(play):  # R-X06
     play.run(play.open([job("aC")]))
-    play.tell(event.Explained("", "", "", -1, "", "rt0 is gone", "", 0, (), (), (), 2.0, "lost"))
+    play.tell(event.Explained("", "", "", -1, "", Reason.plain("rt0 is gone"), "", 0, (), (), (), 2.0, "lost"))
     play.end("rt0 is gone")
     assert play.view.stops[""].kind == "lost"
 
@@ -48,7 +49,7 @@ def test_an_end_that_is_explained_stays(play):  # R-X06
 def test_warnings_are_noted_and_old_ones_forgotten(play):  # R-E11
     play.run(play.open([job("aC")]))
     for number in range(70):
-        play.tell(event.Warned("flow0", "a", f"odd {number}", 1.0))
+        play.tell(event.Warned("flow0", "a", Reason.plain(f"odd {number}"), 1.0))
     assert str(play.view.notes[-1]) == "a: odd 69" and len(play.view.notes) == 60
     assert ("warning", "a: odd 69", None) in lines(play)
 
@@ -67,7 +68,11 @@ def test_a_question_offers_where_things_stand(play):  # R-C13, R-E15
     play.run(play.open([job("aC")]))
     play.tell(
         event.Asked(
-            "flow0", "a", "too far", (event.Item("place", "double", 1, "m", "where to", None, None, None),), 1.0
+            "flow0",
+            "a",
+            Reason.plain("too far"),
+            (event.Item("place", "double", 1, "m", "where to", None, None, None),),
+            1.0,
         )
     )
     ask = play.view.asks["flow0/a"]

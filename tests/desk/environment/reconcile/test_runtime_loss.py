@@ -7,6 +7,7 @@ from kit.run_fixture import RunFixture
 from onika.desk.environment.reconcile.runtime_loss import lost, with_loads
 from onika.model.task import Task
 from onika.wire import act
+from onika.words.reason import NOTHING, Reason
 
 
 @pytest.fixture
@@ -17,7 +18,7 @@ def duet(tmp_path):
 def test_a_lost_runtime_leaves_the_layout_and_no_state(duet):  # R-E10
     doc, plain = duet.connected("a"), duet.new()
     duet.do(act.Toggle(doc, "a"))
-    duet.environment.become(lambda model: lost(model, "it was killed"))
+    duet.environment.become(lambda model: lost(model, Reason.plain("it was killed")))
     tree = duet.environment.tree
     assert tree.runtime.state == "lost" and str(tree.runtime.text) == "it was killed" and tree.runtime.units == {}
     assert tree.documents[doc].connection == "lost" and tree.documents[doc].tasks["a"].state == ""
@@ -29,7 +30,7 @@ def test_a_lost_runtime_leaves_the_layout_and_no_state(duet):  # R-E10
 
 def test_connecting_again_merges_with_what_runs_there_then(duet):  # R-E10, R-C12
     doc = duet.connected("a")
-    duet.environment.become(lambda model: lost(model, "it was killed"))
+    duet.environment.become(lambda model: lost(model, Reason.plain("it was killed")))
     duet.runtime = LiveRuntime()
     duet.do(act.Connect(doc))
     assert duet.state(doc, "a") == "OFF" and duet.document(doc).live.subsystem == "Untitled-1"
@@ -38,7 +39,8 @@ def test_connecting_again_merges_with_what_runs_there_then(duet):  # R-E10, R-C1
 def test_what_a_runtime_printed_last_is_told_at_its_side_and_nowhere_else(tmp_path):  # R-E10, R-X01
     play = RunFixture(tmp_path)
     play.run(play.open([job("aC")]))
-    play.lose("the runtime is gone: it ended; it printed last: Traceback (most recent call last):")
+    printed = Reason.of("link.printed_last", output="Traceback (most recent call last):")
+    play.lose(Reason.of("link.runtime_gone", why="it ended", how=NOTHING, printed=printed))
     assert not any("Traceback" in str(say.text) for say in play.says) and "Traceback" not in str(play.view.cause)
     assert "Traceback" in str(play.environment.tree.runtime.text)
 

@@ -4,7 +4,7 @@ from kit.fake_runtime_env import FakeRuntimeEnv
 from onika.model.task import Task
 from onika.wire import act, event, live
 from onika.wire.view import ShowTask
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 TASKS = tuple(Task(name, name, outvar=(name.upper(),), frequency=10.0) for name in ("a", "b"))
 ITEM = event.Item("x", "double", 1, "m", "where to go", None, (0.0,), (1.0,))
@@ -31,7 +31,7 @@ def state(duet, name, task="a"):
 def test_a_question_pops_up_and_goes_with_its_answer(duet, doc):  # R-C13
     duet.do(act.Toggle(doc, "a"))
     state(duet, "ASKING")
-    duet.tell(event.Asked("Untitled-1", "a", "too far", (ITEM,), 1.0))
+    duet.tell(event.Asked("Untitled-1", "a", Reason.plain("too far"), (ITEM,), 1.0))
     ask = shown(duet, doc).ask
     assert str(ask.reason) == "too far" and ask.items[0].high == (1.0,)
     state(duet, "ON")
@@ -54,7 +54,7 @@ def test_an_error_is_shown_with_what_its_code_said_until_it_is_cleared(duet, doc
 
 def test_a_task_that_has_done_its_job_is_said_and_is_off(duet, doc):  # R-C25
     duet.do(act.Toggle(doc, "a"))
-    duet.tell(event.Signalled("Untitled-1", "a", "FINISH", 0, "", 2.0))
+    duet.tell(event.Signalled("Untitled-1", "a", "FINISH", 0, NOTHING, 2.0))
     state(duet, "OFF")
     assert str(duet.says[-1].text) == "a has finished" and duet.says[-1].level == "end"
     assert shown(duet, doc).state == "OFF" and duet.document(doc).content.wanted == {"a": False}
@@ -62,13 +62,13 @@ def test_a_task_that_has_done_its_job_is_said_and_is_off(duet, doc):  # R-C25
 
 @pytest.mark.parametrize(("kind", "level"), [("LEGAL", "info"), ("ILLEGAL", "warning"), ("USER", "warning")])
 def test_other_signals_are_said_too(duet, doc, kind, level):  # Table 9
-    duet.tell(event.Signalled("Untitled-1", "a", kind, 3, "the table is full", 2.0))
+    duet.tell(event.Signalled("Untitled-1", "a", kind, 3, Reason.plain("the table is full"), 2.0))
     assert str(duet.says[-1].text) == f"a signals {kind}: the table is full" and duet.says[-1].level == level
 
 
 def test_warnings_are_said_and_counted(duet, doc):  # R-A11
-    duet.tell(event.Warned("Untitled-1", "a", "late", 1.0))
-    duet.tell(event.Warned("Untitled-1", "", "nobody writes X", 1.0))
+    duet.tell(event.Warned("Untitled-1", "a", Reason.plain("late"), 1.0))
+    duet.tell(event.Warned("Untitled-1", "", Reason.plain("nobody writes X"), 1.0))
     assert shown(duet, doc).warnings == 1
     assert [str(say.text) for say in duet.says[-2:]] == ["a: late", "nobody writes X"]
 

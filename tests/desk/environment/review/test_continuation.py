@@ -19,6 +19,7 @@ from onika.desk.run.run import run
 from onika.desk.run.settings import RunSettings
 from onika.store.site import open_site
 from onika.wire import act, event, live, request, steer
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -71,7 +72,7 @@ def test_it_is_shown_as_a_run_and_the_recording_is_put_away(play, tape):  # R-X0
 
 
 def test_what_was_ended_by_hand_goes_on_all_the_same(play, tape):  # R-X05
-    tape.ask(1.9, request.Abort("aborted by the user"))
+    tape.ask(1.9, request.Abort(Reason.plain("aborted by the user")))
     looked_at(play, tape)
     assert continued(play, 2.0).no is None
     begin = play.carried(request.Begin)[-1]
@@ -134,7 +135,7 @@ def test_an_instant_that_is_none_is_refused(play, tape):
 
 def test_without_a_simulator_the_recording_is_still_there(play, tape):  # R-E10
     looked_at(play, tape)
-    play.rebuffs = {live.Survey: request.Refused("no program")}
+    play.rebuffs = {live.Survey: request.Refused(Reason.plain("no program"))}
     assert "no simulator: no program" in str(continued(play, 1.0).no.reason)
     assert play.environment.tree.run is None and play.environment.tree.review is not None
 
@@ -142,7 +143,7 @@ def test_without_a_simulator_the_recording_is_still_there(play, tape):  # R-E10
 @pytest.mark.parametrize("kind", [request.Prepare, request.Begin])
 def test_what_the_simulator_does_not_take_is_told_and_nothing_runs(play, tape, kind):
     looked_at(play, tape)
-    play.rebuffs = {**play.rebuffs, kind: request.Refused("not this one")}
+    play.rebuffs = {**play.rebuffs, kind: request.Refused(Reason.plain("not this one"))}
     assert "not this one" in str(continued(play, 1.0).no.reason)
     assert play.environment.tree.run is None and play.environment.tree.review is not None
 

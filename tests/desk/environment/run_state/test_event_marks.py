@@ -2,8 +2,23 @@ import pytest
 
 from kit.laboratory import job
 from onika.wire import event, live, request, steer
+from onika.words.reason import Reason
 
-STOP = event.Explained("flow0", "b", "bC", 1, "", "b failed", "", 0, (), (), (("retry", "again"),), 1.5, "error")
+STOP = event.Explained(
+    "flow0",
+    "b",
+    "bC",
+    1,
+    "",
+    Reason.plain("b failed"),
+    "",
+    0,
+    (),
+    (),
+    (("retry", Reason.plain("again")),),
+    1.5,
+    "error",
+)
 
 
 def marks(cinema, *, messages=(), requests=()):
@@ -20,11 +35,11 @@ def marks(cinema, *, messages=(), requests=()):
 def test_errors_standstills_meetings_and_ends_are_marked(cinema):  # R-X05
     messages = [
         (2.0, event.Met("0 meet", ("flow0", "flow1"), 12.0, 2.0)),
-        (1.0, event.Failed("flow0", "b", "ValueError: no", "b.py", 1, "", 1.0)),
+        (1.0, event.Failed("flow0", "b", Reason.plain("ValueError: no"), "b.py", 1, "", 1.0)),
         (1.5, STOP),
-        (2.5, event.Stopped(True, "ann pressed stop")),
-        (3.0, event.Result(False, "aborted by the user", 0, 2, 3.0, 0.0, {}, (), "")),
-        (0.5, event.Warned("flow0", "b", "hot", 0.5)),
+        (2.5, event.Stopped(True, Reason.plain("ann pressed stop"))),
+        (3.0, event.Result(False, Reason.plain("aborted by the user"), 0, 2, 3.0, 0.0, {}, (), "")),
+        (0.5, event.Warned("flow0", "b", Reason.plain("hot"), 0.5)),
     ]
     assert marks(cinema, messages=messages) == [
         (1.0, "error", "b: ValueError: no"),
@@ -43,8 +58,8 @@ def test_errors_standstills_meetings_and_ends_are_marked(cinema):  # R-X05
         (steer.Skip("flow0", 1), "command", "skip to a job: flow0"),
         (steer.Skip("flow0"), "command", "skip to the next action: flow0"),
         (steer.Mark("flow0", 1), "command", "set a breakpoint after a job"),
-        (request.Stop("ann"), "stop", "stop: ann"),
-        (request.Abort("enough"), "command", "end the run: enough"),
+        (request.Stop(Reason.plain("ann")), "stop", "stop: ann"),
+        (request.Abort(Reason.plain("enough")), "command", "end the run: enough"),
         (request.Reply("flow0", "b", "1 2"), "command", "answer to b: 1 2"),
         (live.Touch("yard", "button", 1.0), "command", "button is pressed"),
         (live.Set("flow0", "b", "GAIN", "3"), "command", "set GAIN of b to 3"),

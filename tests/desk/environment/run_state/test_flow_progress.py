@@ -3,7 +3,7 @@ import pytest
 from kit.laboratory import job
 from kit.run_fixture import RunFixture
 from onika.wire import event
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 
 @pytest.fixture
@@ -95,7 +95,7 @@ def test_who_waits_for_whom_and_since_when(play):  # R-E04, R-X03
 def test_the_end_leaves_what_was_under_way(play):  # R-E14
     play.run(play.open([job("aC"), job("bC")]))
     play.began(0)
-    play.tell(event.Asked("flow0", "a", "", (), 1.0))
+    play.tell(event.Asked("flow0", "a", NOTHING, (), 1.0))
     play.end("aborted by the user", 5.0)
     assert (play.view.state, str(play.view.cause), play.view.took_s) == ("over", "aborted by the user", 5.0)
     assert steps(play) == {1: ("left", 0)} and play.view.asks == {}
@@ -114,7 +114,7 @@ def test_that_a_flow_waits_for_ever_is_forgotten_when_the_other_goes_on(play):  
     play.run(play.open([job("aC")], [job("bC")], parallel=True))
     play.moved("stopped", flow="flow0")
     play.moved("waiting", flow="flow1", tag="play meet")
-    why = ("", "", "", 0, "", "waits", "", 0, (), (), (("abort", "ends"),), 2.0)
+    why = ("", "", "", 0, "", Reason.plain("waits"), "", 0, (), (), (("abort", Reason.plain("ends")),), 2.0)
     play.tell(event.Explained("flow1", *why[1:], "deserted"))
     assert set(play.view.stops) == {"flow1"}
     play.moved("clearing", flow="flow0")
@@ -127,7 +127,7 @@ def test_a_run_that_is_ended_where_it_stood_keeps_why_it_stood(play):  # R-X06, 
     play.moved("stopped")
     raised = Reason.of("runtime.raised", kind="ModuleError", why="out of reach")
     failed = Reason.of("host.entry_failed", entry="cycle", why=raised)
-    why = ("a", "", 0, "", failed, "", 0, (), (), (("clear", "again"),), 2.0, "error")
+    why = ("a", "", 0, "", failed, "", 0, (), (), (("clear", Reason.plain("again")),), 2.0, "error")
     play.tell(event.Explained("flow0", *why))
     play.moved("killing")
     assert "flow0" not in play.view.stops

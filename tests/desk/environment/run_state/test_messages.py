@@ -51,18 +51,18 @@ def test_a_text_names_no_file_and_no_line(play):  # R-E11, R-X06
     play.run(play.open([*move("above the box"), showing(job("bC"), "hold still")]))
     plan = play.environment.model.run.plan.flows[0]
     first, second = plan.actions
-    with_icons = wording(play).with_icons
-    assert with_icons(f"{first.place}:{first.line} (aC box): left by the user") == (
+
+    def shown(text):
+        return str(wording(play).with_icons(Reason.plain(text)))
+
+    assert shown(f"{first.place}:{first.line} (aC box): left by the user") == (
         "“move the joints above the box”: left by the user"
     )
-    assert with_icons(f"{second.place}:{second.line} (bC): bC has no trigger") == "“hold still” has no trigger"
-    assert with_icons(f"{second.place}:{second.line} (bC): b asks") == "“hold still”: b asks"
-    assert (
-        with_icons(f"{second.place}:2: bC ends with b; a is a trigger too")
-        == "play: bC ends with b; a is a trigger too"
-    )
-    assert with_icons(f"{plan.tasks[0].place}: LOCAL N is no parameter") == "a: LOCAL N is no parameter"
-    assert with_icons("rt0 is gone, see /var/log/x.log") == "rt0 is gone, see /var/log/x.log"
+    assert shown(f"{second.place}:{second.line} (bC): bC has no trigger") == "“hold still” has no trigger"
+    assert shown(f"{second.place}:{second.line} (bC): b asks") == "“hold still”: b asks"
+    assert shown(f"{second.place}:2: bC ends with b; a is a trigger too") == "play: bC ends with b; a is a trigger too"
+    assert shown(f"{plan.tasks[0].place}: LOCAL N is no parameter") == "a: LOCAL N is no parameter"
+    assert shown("rt0 is gone, see /var/log/x.log") == "rt0 is gone, see /var/log/x.log"
 
 
 def test_choices_are_told_by_what_they_do_with_what_is_shown(play):  # R-E08

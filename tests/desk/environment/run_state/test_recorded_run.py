@@ -2,6 +2,7 @@ import pytest
 
 from kit.laboratory import job
 from onika.wire import event
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -18,7 +19,7 @@ def test_the_last_action_of_a_run_cut_short_has_no_end_and_one_that_was_left_has
 
 
 def test_what_was_lost_is_told(cinema, tape):  # R-X05
-    tape.tell(1.0, event.Result(False, "aborted by the user", 0, 2, 1.0, 0.0, {}, (), ""), "")
+    tape.tell(1.0, event.Result(False, Reason.plain("aborted by the user"), 0, 2, 1.0, 0.0, {}, (), ""), "")
     tape.end(missed="3", untold="2", cause="aborted by the user", completed="no")
     view = cinema.look(tape.path)
     assert [(note.key, note.args["count"]) for note in view.notes[:2]] == [

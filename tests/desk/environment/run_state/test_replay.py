@@ -4,6 +4,7 @@ from onika.desk.environment.run_state.membership import StepMembership
 from onika.desk.environment.run_state.replay import RunHistory
 from onika.desk.environment.run_state.run import begun
 from onika.wire import event
+from onika.words.reason import Reason
 
 PLAN = run().prepare.plan
 NAMES = [action.name for action in PLAN.flows[0].actions]
@@ -27,7 +28,21 @@ def test_any_instant_is_what_was_told_up_to_it():  # R-X05
 
 
 def test_nothing_can_be_chosen_at_a_standstill_of_the_past():  # R-X05
-    stop = event.Explained("flow0", "servo", "", 0, "", "it failed", "", 0, (), (), (("retry", "again"),), 1.0, "error")
+    stop = event.Explained(
+        "flow0",
+        "servo",
+        "",
+        0,
+        "",
+        Reason.plain("it failed"),
+        "",
+        0,
+        (),
+        (),
+        (("retry", Reason.plain("again")),),
+        1.0,
+        "error",
+    )
     replay = RunHistory(begun("a1", PLAN, 0, 0.0, StepMembership({}, {})), [(1_000_000_000, "flow0", stop)])
     assert replay.at(0.5).stops == {}
     assert (str(replay.at(1.0).stops["flow0"].text), replay.at(1.0).stops["flow0"].choices) == ("it failed", ())

@@ -7,6 +7,7 @@ from onika.model.application import with_numbers_as_lines
 from onika.model.flow_path import numbered, spots
 from onika.store.site import open_site
 from onika.words.fault import Place
+from onika.words.reason import Reason
 
 SITE = open_site([], {}, None)
 SYNTAX, _ = SITE.syntax()
@@ -45,5 +46,5 @@ def test_what_is_not_in_the_plan_is_no_step():
 def test_old_notes_are_forgotten():
     _, run = run_of("go_home")
     for number in range(100):
-        run = run.noted(str(number))
-    assert run.view.notes[-1] == "99" and len(run.view.notes) == 60
+        run = run.noted(Reason.plain(str(number)))
+    assert str(run.view.notes[-1]) == "99" and len(run.view.notes) == 60

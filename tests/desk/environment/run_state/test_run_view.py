@@ -4,9 +4,10 @@ from kit.laboratory import job
 from kit.run_fixture import RunFixture
 from onika.desk.environment.run_state.run_view import is_question, left_for, loops, stop_view, tag
 from onika.wire import act, event
+from onika.wire.view import ChoiceView
 from onika.words.reason import Reason
 
-WHERE = ("flow0", "b", "bC", 1, "play.appl:2", "cycle: no glass", "b.py", 7)
+WHERE = ("flow0", "b", "bC", 1, "play.appl:2", Reason.plain("cycle: no glass"), "b.py", 7)
 
 
 @pytest.fixture
@@ -18,7 +19,7 @@ def play(tmp_path):
 def run(play):
     play.run(play.open([job("aC"), job("bC")]))
     play.began(1)
-    play.tell(event.Failed("flow0", "b", "cycle: no glass", "b.py", 7, "Traceback …", 2.0, "cycle"))
+    play.tell(event.Failed("flow0", "b", Reason.plain("cycle: no glass"), "b.py", 7, "Traceback …", 2.0, "cycle"))
     return play.environment.model.run
 
 
@@ -33,13 +34,14 @@ def test_a_standstill_leads_to_its_step_and_its_code(run):  # R-X06
     assert shown.waiting == (("flow1", "meet"),)
 
 
-def test_choices_are_words_of_steering_and_one_that_leaves_something_open_is_none_yet(run):  # R-E08
-    shown = stop_view(run, explained((("clear", "repeats it"), ("skip flow9 N", "goes elsewhere"))))
-    assert [(str(choice.label), choice.act) for choice in shown.choices] == [
-        ("clear", act.Steer("clear")),
-        ("skip flow9 N", None),
-    ]
-    assert shown.meanings == ("repeats it", "goes elsewhere")
+def test_choices_are_acts_of_steering_and_one_that_leaves_something_open_is_none_yet(run):  # R-E08
+    repeats, leaps, passes = map(Reason.plain, ("repeats it", "goes on with another one", "goes on alone"))
+    shown = stop_view(run, explained((("clear", repeats), ("skip flow9 N", leaps), ("pass flow1", passes))))
+    assert shown.choices == (
+        ChoiceView("clear", repeats, "", act.Steer("clear")),
+        ChoiceView("skip", leaps, "flow9", None),
+        ChoiceView("pass", passes, "flow1", act.Steer("pass flow1")),
+    )
 
 
 def test_of_long_courses_the_newest_value_is_kept(run):  # R-X06
@@ -49,7 +51,7 @@ def test_of_long_courses_the_newest_value_is_kept(run):  # R-X06
 
 
 def test_a_choice_of_one_other_action_needs_no_choosing(run):  # R-E13
-    skips = [explained(((words, "the same"),)) for words in ("skip N", "skip flow0 N", "skip flow7 N")]
+    skips = [explained(((words, Reason.plain("the same")),)) for words in ("skip N", "skip flow0 N", "skip flow7 N")]
     acts = [stop_view(run, skip).choices[0].act for skip in skips]
     assert acts == [act.Steer("skip flow0 1"), act.Steer("skip flow0 1"), None]
 
@@ -59,22 +61,41 @@ def test_a_stop_is_told_in_the_words_of_the_icons(play):  # R-X06
     clears = Reason.of("host.clears", tasks=("b",))
     choices = (("clear", Reason.of("host.and_repeats", what=clears, action="bC")),)
     shown = stop_view(play.environment.model.run, event.Explained(*WHERE[:3], 0, *WHERE[4:], (), (), choices, 2.0))
-    (meaning,) = shown.meanings
-    assert (shown.action, str(meaning)) == ("hold still", "clears b and repeats “hold still” with the same target")
+    (choice,) = shown.choices
+    assert (shown.action, str(choice.meaning)) == (
+        "hold still",
+        "clears b and repeats “hold still” with the same target",
+    )
 
 
 def test_that_a_task_asks_is_no_news_of_its_own():  # R-E15
     assert is_question(Reason.of("engine.asks", where="x: b"))
     assert is_question(Reason.of("engine.asks_again", where="x: b", why="too far"))
     assert not is_question(Reason.of("engine.in_error", where="x: b", why="it asks a lot of the arm"))
-    assert not is_question("x: b asks")
+    assert not is_question(Reason.plain("x: b asks"))
 
 
 def test_who_waits_for_ever_for_whom(play):  # R-X03
     play.run(play.open([job("aC")], [job("bC")], [job("cC")], parallel=True))
     for flow, other in (("flow1", "flow0"), ("flow2", "flow1")):
         play.tell(event.Moved(flow, "waiting", 0, 1.0, "play meet", (other,)))
-        play.tell(event.Explained(flow, "", "", 0, "", "waits", "", 0, (), (), (("abort", "ends"),), 2.0, "deserted"))
+        play.tell(
+            event.Explained(
+                flow,
+                "",
+                "",
+                0,
+                "",
+                Reason.plain("waits"),
+                "",
+                0,
+                (),
+                (),
+                (("abort", Reason.plain("ends")),),
+                2.0,
+                "deserted",
+            )
+        )
     run = play.environment.model.run
     assert (left_for(run, "flow0"), left_for(run, "flow2")) == ({"flow1", "flow2"}, {"flow2"})
 

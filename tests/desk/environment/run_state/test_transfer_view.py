@@ -3,6 +3,7 @@ from kit.run_fixture import RunFixture
 from onika.desk.environment.run_state.transfer_view import jump_view
 from onika.wire import event, view
 from onika.wire.figures import VariableSteps
+from onika.words.reason import NOTHING
 
 STEPS = VariableSteps("flow0", "puma", "TAU_REF", "N m", 19, 1, 40.0, 9.0, 9.76, 21.2, 2, 6, 1)
 
@@ -20,5 +21,5 @@ def test_a_step_that_is_too_far_is_a_note_of_the_run_and_stands_in_its_result(tm
     assert play.view.notes == ()
     play.tell(event.Stepped("flow0", "puma", "TAU_REF", "N m", 1, 40.0, 9.0, 9.76, 6, 1.0))
     assert str(play.view.notes[-1]).endswith("blended over 6 cycles")
-    play.tell(event.Result(True, "", 2, 2, 2.0, 2.0, {}, (), "", steps=(STEPS,)))
+    play.tell(event.Result(True, NOTHING, 2, 2, 2.0, 2.0, {}, (), "", steps=(STEPS,)))
     assert [jump.variable for jump in play.view.jumps] == ["TAU_REF[1]"]

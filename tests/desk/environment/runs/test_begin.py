@@ -4,7 +4,7 @@ from kit.laboratory import HOLE, job
 from kit.run_fixture import RunFixture
 from onika.wire import act, event, live, request
 from onika.wire.view import ShowFits, ShowValues
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 
 @pytest.fixture
@@ -88,7 +88,7 @@ def test_what_stands_in_the_way_is_ended_only_when_the_user_wants_it(play):  # r
 def test_what_cannot_be_ended_is_said_and_nothing_runs(play):  # reading 30
     play.connected("a")
     doc = play.open([job("aC")])
-    play.rebuffs = {live.Close: request.Refused("subsystem Untitled-1 is held by anna#2")}
+    play.rebuffs = {live.Close: request.Refused(Reason.plain("subsystem Untitled-1 is held by anna#2"))}
     assert "anna#2" in str(play.answer(act.Run(doc, confirmed=True)).no.reason)
     assert play.environment.tree.run is None
 
@@ -102,7 +102,7 @@ def test_an_end_that_is_told_before_it_is_accepted_counts(play):
     survey = play._waiting.popleft()
     play.environment.replied(survey, play.runtime.ask(survey.asked))
     close = play._waiting.popleft()
-    play.environment.receive(event.Edited("Untitled-1", 99, "", 1.0))
+    play.environment.receive(event.Edited("Untitled-1", 99, NOTHING, 1.0))
     play.environment.replied(close, live.Accepted(99))
     play.is_held_back = False
     play.pump()
@@ -144,14 +144,14 @@ def test_without_a_runtime_the_reason_is_told_and_the_former_run_stays(play):  #
     doc = play.open([job("aC")])
     play.run(doc)
     play.end()
-    play.rebuffs = {live.Survey: request.Refused("no program")}
+    play.rebuffs = {live.Survey: request.Refused(Reason.plain("no program"))}
     assert "no program" in str(play.answer(act.Run(doc)).no.reason)
     assert play.view.number == 1 and play.environment.tree.runtime.state == "lost"
 
 
 def test_a_run_that_the_runtime_will_not_begin_is_refused(play):
     doc = play.open([job("aC")])
-    play.rebuffs = {request.Begin: request.Refused("subsystem flow0 is held by anna#2")}
+    play.rebuffs = {request.Begin: request.Refused(Reason.plain("subsystem flow0 is held by anna#2"))}
     assert "anna#2" in str(play.answer(act.Run(doc)).no.reason)
 
 

@@ -83,7 +83,7 @@ def test_simulators_take_what_is_left_of_the_processor(play, keeper):  # law 13
 
 
 def test_why_it_is_not_kept_is_shown(play, keeper):  # R-X07
-    keeper.result = False, ("only a good run can be kept; in this one LAMP == 1 does not hold",)
+    keeper.result = False, (Reason.plain("only a good run can be kept; in this one LAMP == 1 does not hold"),)
     view = finished(play, act.KeepTest(play.open([job("aC")])))
     assert view.state == "failed" and str(view.text).startswith("only a good run can be kept")
 
@@ -152,7 +152,7 @@ def test_an_application_without_a_file_needs_one_first(play, keeper):
 
 def test_what_cannot_run_is_not_even_tried(play, keeper):  # R-E01
     doc = play.open([job("aC"), HOLE])
-    hole = FaultView("an action is missing here", "fault")
+    hole = FaultView(Reason.plain("an action is missing here"), "fault")
     play.environment.become(
         lambda model: Done(changed(model, doc, judgement=Judgement(model.applications[doc].application, (hole,))))
     )

@@ -116,7 +116,7 @@ def test_what_is_only_worth_knowing_is_a_warning_at_its_step(play):  # R-X02
     notes = (
         Reason.of("host.note_in", file=str(rmod), note="LOCAL ODD is no parameter of module b; it is kept"),
         Reason.of("host.note_at", file=str(path(play)), line=1, note="aC ends with a"),
-        "plain",
+        Reason.plain("plain"),
     )
 
     def answered(wish):

@@ -71,7 +71,7 @@ def test_a_run_counts_the_targets_that_are_re_resolved_and_names_no_joint_values
         return request.Resolved(0, at, name, task, "puma", (0.1, 0.2), (0.3,))
 
     near = Reason.of("host.resolved_often", target="near", task="scara", count=2, old="puma", numbers="0.3")
-    notes = (Reason.of("host.note_at", file="play.appl", line=4, note=near), "other")
+    notes = (Reason.of("host.note_at", file="play.appl", line=4, note=near), Reason.plain("other"))
     twice = request.Prepared((), notes, resolved=(resolved("near"), resolved("near", at=1), resolved("far")))
     assert list(map(str, worth_noting(twice))) == [
         "other",

@@ -3,6 +3,7 @@ import pytest
 from kit.laboratory import job
 from kit.run_fixture import RunFixture
 from onika.wire import act, live, request
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -40,6 +41,6 @@ def test_a_runtime_elsewhere_is_not_ours_to_start(play):
 
 
 def test_where_none_comes_the_reason_is_the_answer(play):
-    play.rebuffs = {live.Survey: request.Refused("no program")}
+    play.rebuffs = {live.Survey: request.Refused(Reason.plain("no program"))}
     assert "no program" in str(play.answer(act.StartAnew()).no.reason)
     assert play.environment.tree.runtime.state == "lost"

@@ -3,6 +3,7 @@ import pytest
 from kit.laboratory import job
 from kit.run_fixture import RunFixture
 from onika.wire import act, event, request, steer
+from onika.words.reason import NOTHING, Reason
 
 
 @pytest.fixture
@@ -25,7 +26,7 @@ def test_a_line_that_means_nothing_is_refused_in_its_words(play):  # R-X01
     play.run(play.open([job("aC")]))
     assert "expected one of pause" in str(play.no(act.Steer("dance")).reason)
     assert "for scripts" in str(play.no(act.Steer("wait 3")).reason)
-    play.rebuffs = {steer.Recover: request.Refused("flow0 has not stopped")}
+    play.rebuffs = {steer.Recover: request.Refused(Reason.plain("flow0 has not stopped"))}
     assert str(play.answer(act.Steer("clear")).no.reason) == "flow0 has not stopped"
 
 
@@ -39,7 +40,7 @@ def test_to_go_on_is_for_whoever_pauses_also_in_what_is_nested(play):  # R-E07
 
 def test_where_nothing_pauses_it_is_told_what_lets_flows_go_on(play):  # R-E07, R-X01
     play.run(play.open([job("aC")], [job("bC")], parallel=True))
-    play.rebuffs = {steer.Resume: request.Refused("expected flow 0 paused, found running")}
+    play.rebuffs = {steer.Resume: request.Refused(Reason.plain("expected flow 0 paused, found running"))}
     assert str(play.answer(act.Steer("continue")).no.reason) == "expected flow 0 paused, found running"
     play.moved("stopped")
     play.moved("waiting", flow="flow1", tag="play meet")
@@ -54,7 +55,7 @@ def test_who_is_a_line_too(play):  # R-X03
     play.runtime.positions = (steer.Position("flow0", "running", 0, loops=("round",)),)
     play.do(act.Steer("who"))
     assert play.view.flows["flow0"].loops == ("round",)
-    play.rebuffs = {steer.Who: request.Refused("not now")}
+    play.rebuffs = {steer.Who: request.Refused(Reason.plain("not now"))}
     assert str(play.answer(act.Steer("who")).no.reason) == "not now"
 
 
@@ -81,7 +82,7 @@ def test_a_question_of_the_run_is_answered(play):  # R-E15
     doc = play.open([job("aC")])
     play.run(doc)
     assert str(play.no(act.Answer(doc, "flow0/a", "3")).reason) == "flow0/a asks for nothing"
-    play.tell(event.Asked("flow0", "a", "", (), 1.0))
+    play.tell(event.Asked("flow0", "a", NOTHING, (), 1.0))
     play.rebuffs = {request.Reply: request.Done()}
     play.do(act.Answer(doc, "flow0/a", "3 4"))
     assert play.carried(request.Reply) == [request.Reply("flow0", "a", "3 4")]

@@ -7,6 +7,7 @@ from onika.desk.environment.show.application_view import ApplicationProjector
 from onika.desk.environment.state.open_application import Judgement
 from onika.wire import act
 from onika.wire.view import FaultView
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -77,7 +78,11 @@ def test_one_fault_more_is_sent_as_one_whatever_stands_before_the_others(gallery
         judged = replace(opened, judgement=Judgement(opened.application, faults))
         return ApplicationProjector().view(judged, 0, model, is_running=False).faults
 
-    near, twice, nowhere = FaultView("near", step=1), FaultView("near too", step=1), FaultView("nowhere")
-    before, after = shown(near, twice, nowhere), shown(FaultView("new", step=2), near, twice, nowhere)
+    near, twice, nowhere = (
+        FaultView(Reason.plain("near"), step=1),
+        FaultView(Reason.plain("near too"), step=1),
+        FaultView("nowhere"),
+    )
+    before, after = shown(near, twice, nowhere), shown(FaultView(Reason.plain("new"), step=2), near, twice, nowhere)
     assert len(before) == 3 and len(after) == 4
     assert before.items() <= after.items()

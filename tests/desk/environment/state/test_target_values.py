@@ -3,6 +3,7 @@ from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.store.site import open_site
 from onika.wire.view import ItemView
+from onika.words.reason import Reason
 
 SYNTAX, _ = open_site([], {}, None).syntax()
 PLACE = ItemView("place", "double", 3, "m", low=(0.0, 0.0, -1.0), high=(1.0, 1.0, 1.0))
@@ -35,7 +36,7 @@ def test_every_value_is_typed_and_within_its_bounds():  # R-D08
         "times": "expected a whole number (int), found '1.5'",
         "word": "expected text that fits on a line, found 'two\\nlines'",
     }
-    assert str(refusal_text({"a": "b", "c": "d"})) == "a: b; c: d"
+    assert str(refusal_text({"a": Reason.plain("b"), "c": Reason.plain("d")})) == "a: b; c: d"
 
 
 def words_of(items, words):

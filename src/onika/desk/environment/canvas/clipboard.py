@@ -19,7 +19,7 @@ from onika.model.task import Task
 from onika.wire import act
 from onika.wire.view import Objection, Remedy, ShowLibraries, ShowTask
 from onika.words.fault import Refusal
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 _NAMED_FIRST = {"rules.task_placed": "task", "rules.constant_while_running": "reader"}
 """Of reasons that begin with the name of a task, the argument that is this name."""
@@ -65,7 +65,7 @@ def paste(model: Model, document: Document, command: act.Paste, _outside: Servic
     )
 
 
-def placed(model: Model, document: Document, taken: Clipboard, label: Text) -> Done:
+def placed(model: Model, document: Document, taken: Clipboard, label: Reason) -> Done:
     """The tasks on the canvas, and with them their supermodules and the loci that were not there before."""
     names = tuple(placed.task for placed in taken.placed)
     configuration = document.content.configuration

@@ -25,7 +25,7 @@ from onika.desk.environment.state.open_file import DocumentKind
 from onika.wire import act, live, page, request, view
 from onika.wire.view import Remedy, ShowConnect, ShowTask
 from onika.words.name import TASK_NAME
-from onika.words.reason import Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 _MAIN = "main"
 
@@ -119,7 +119,7 @@ def _elsewhere(model: Model, command: act.Connect) -> No | None:
 
 def _joined(
     model: Model, doc: str, wish: str, reach: RequiredRuntime, outside: Services
-) -> Steps[tuple[Model, Done | No | Text]]:
+) -> Steps[tuple[Model, Done | No | Reason]]:
     """Hold a subsystem, and merge the document with what runs in it; a sentence says why that cannot be."""
     model, standing = yield Ask(model, live.Survey(), reach)
     document = model.documents.get(doc)
@@ -145,7 +145,7 @@ def _joined(
     return done.model, replace(done, orders=(*done.orders, ask_company()))
 
 
-def _as_before(model: Model, doc: str, former: SubsystemFacts | None, reason: Text) -> Model:
+def _as_before(model: Model, doc: str, former: SubsystemFacts | None, reason: Reason) -> Model:
     """The model where a document could not be connected."""
     model = model.with_document(replace(model.documents[doc], live=former))
     if model.runtime.state == "starting":
@@ -167,7 +167,7 @@ def _subsystem(model: Model, document: Document, standing: live.Standing) -> str
     return _MAIN
 
 
-def _occupied(model: Model, name: str, document: Document, standing: live.Standing) -> Text:
+def _occupied(model: Model, name: str, document: Document, standing: live.Standing) -> Reason:
     """Why this subsystem is not for this document."""
     for other in model.documents.values():
         if other.live is not None and other.live.subsystem == name and other.id != document.id:
@@ -177,7 +177,7 @@ def _occupied(model: Model, name: str, document: Document, standing: live.Standi
     ]
     if running:
         return Reason.of("desk.subsystem_runs", application=running[0], subsystem=name)
-    return ""
+    return NOTHING
 
 
 def _stepped(document: Document, merged_tasks: Merged) -> Document:

@@ -19,7 +19,7 @@ from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import OpenedText
 from onika.store.site import Site
 from onika.words.fault import Place
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,11 +38,11 @@ class Draft:
     home: BaseDirectory
     kind: ActionType
     edges: tuple[int, int]
-    warnings: tuple[Text, ...]
-    notes: tuple[Text, ...]
+    warnings: tuple[Reason, ...]
+    notes: tuple[Reason, ...]
     source: Path
     former: OpenedText[Onikon] | None = None
-    taken: Text = ""
+    taken: Reason = NOTHING
 
     @property
     def says(self) -> Reason:
@@ -57,7 +57,7 @@ class Draft:
         return self.home.onikon_file(self.name)
 
 
-def drafted(document: Document, site: Site) -> Draft | tuple[Text, ...]:
+def drafted(document: Document, site: Site) -> Draft | tuple[Reason, ...]:
     """The job of a document that has a file; else all reasons why it makes none. Tasks count as their files say."""
     if document.base is None:
         raise ValueError(f"expected a document with a file, found {document.id}")
@@ -139,7 +139,7 @@ def _role(kind: ActionType, syntax: Syntax) -> str:
     return role_of(syntax.acting(kind.type))
 
 
-def _notes(document: Document, tasks: Sequence[Task]) -> tuple[Text, ...]:
+def _notes(document: Document, tasks: Sequence[Task]) -> tuple[Reason, ...]:
     place = Place(document.name)
     return tuple(
         said(further_trigger)

@@ -24,7 +24,7 @@ from onika.wire import act
 from onika.wire.view import Objection, Remedy, ShowTask
 from onika.words.fault import Refusal
 from onika.words.name import TASK_NAME
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 
 @on_document
@@ -142,7 +142,7 @@ def _elsewhere(command: act.SaveGroup, base: Path | None, outside: Services) -> 
     )
 
 
-def _regrouped(model: Model, document: Document, configuration: Configuration, label: Text) -> Done:
+def _regrouped(model: Model, document: Document, configuration: Configuration, label: Reason) -> Done:
     content = replace(document.content, configuration=configuration)
     return Done(model.with_document(document.having(content)), label, document.id)
 

@@ -19,7 +19,7 @@ from onika.model.rules.order import Ports
 from onika.model.rules.reconfiguration import PlacedTask as Standing, exchange
 from onika.wire import act
 from onika.wire.view import Remedy
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 
 @on_document
@@ -64,7 +64,7 @@ def _told(model: Model, document: Document, subsystem_facts: SubsystemFacts, con
     kept = [
         name for name in content.wanted if name in subsystem_facts.tasks and name not in touched and name not in again
     ]
-    parts: tuple[Text, ...] = (
+    parts: tuple[Reason, ...] = (
         _part("desk.tasks_go_on", kept),
         _part("desk.tasks_exchanged", both),
         _part("desk.tasks_initialised", again),

@@ -14,7 +14,7 @@ from onika.model.configuration import UNKNOWN_RTPU, Configuration, Group, Placed
 from onika.model.rules import loci, placement
 from onika.wire import act
 from onika.wire.view import Remedy, ShowLibraries
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 _LIMIT = 100_000
 """Pixels: nothing is placed farther out, so that it can be found again."""
@@ -149,7 +149,7 @@ def several(names: Iterable[str]) -> Reason:
     return Reason.of("desk.thing_count", count=len(names))
 
 
-def _as_it_stands(model: Model, document: Document, configuration: Configuration, label: Text) -> Done:
+def _as_it_stands(model: Model, document: Document, configuration: Configuration, label: Reason) -> Done:
     content = replace(document.content, configuration=configuration)
     return Done(model.with_document(document.having(content)), label, document.id)
 
@@ -176,7 +176,7 @@ def absent(document: Document, names: Iterable[str]) -> No | None:
     lost = [name for name in names if name not in placed_names]
     if not lost:
         return None
-    name: Text = lost[0]
+    name: Reason | str = lost[0]
     for other in lost[1:]:
         name = Reason.of("desk.and_no", left=name, right=other)
     return No(Reason.of("desk.not_on_canvas", name=name))

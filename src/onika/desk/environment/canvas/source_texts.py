@@ -85,13 +85,13 @@ def _code(model: Model, task: str) -> Path | No:
 
 
 def _refused(path: Path, refused: Refusal, command: act.WriteText) -> No:
-    """With what stands there now, so that one can choose."""
+    """Where another text stands there now, or none, it may be overwritten."""
     text, _ = whole.read(path)
-    fields = {"theirs": text[0], "stamp": text[1]} if text and text[1] != command.stamp else {}
+    is_changed = text is not None and text[1] != command.stamp
     again = act.WriteText(command.task, command.kind, command.text, command.stamp, overwrites=True)
-    is_other = bool(fields) or not path.exists()
+    is_other = is_changed or not path.exists()
     overwrite = Remedy(Reason.of("desk.overwrite_it"), again)
-    return No(refused.reason, (overwrite,) if is_other else (), fields)
+    return No(refused.reason, (overwrite,) if is_other else ())
 
 
 def _view(path: Path, text: str, stamp: whole.Stamp) -> TextView:

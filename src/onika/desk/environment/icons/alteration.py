@@ -10,10 +10,10 @@ from onika.desk.environment.state.open_application import OpenApplication
 from onika.model.application import AppFlow, Application
 from onika.model.flow_path import StepAddress, flows_by_path, numbered, spot_of, spots, with_flows
 from onika.wire import act
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 
-def altered(model: Model, opened: OpenApplication, application: Application, label: Text, value: Any = None) -> Done:
+def altered(model: Model, opened: OpenApplication, application: Application, label: Reason, value: Any = None) -> Done:
     """With other content; steps that are new get their numbers."""
     application, last = numbered(application, opened.last_number)
     now = replace(opened, application=application, last_number=last)
@@ -21,7 +21,7 @@ def altered(model: Model, opened: OpenApplication, application: Application, lab
 
 
 def reflowed(
-    model: Model, opened: OpenApplication, flows: Mapping[str, AppFlow], label: Text, value: Any = None
+    model: Model, opened: OpenApplication, flows: Mapping[str, AppFlow], label: Reason, value: Any = None
 ) -> Done:
     """With other flows, by their paths."""
     return altered(model, opened, with_flows(opened.application, dict(flows)), label, value)

@@ -13,7 +13,7 @@ from onika.model.flow_path import spots, with_step
 from onika.wire import act
 from onika.wire.view import Remedy, ShowStep
 from onika.words.condition import Condition
-from onika.words.reason import Reason, Text, reason_of
+from onika.words.reason import Reason, reason_of
 
 
 @on_resting_application
@@ -113,7 +113,7 @@ def conditions_of(texts: tuple[str, ...], flows: int) -> tuple[str, ...] | No:
         return ()
     if len(texts) != flows - 1:
         return No(Reason.of("desk.condition_count", count=flows - 1, flows=flows, given=len(texts)))
-    wrong: dict[str, Text] = {}
+    wrong: dict[str, Reason] = {}
     parsed = []
     for at, text in enumerate(texts):
         try:

@@ -17,7 +17,7 @@ from onika.model.rules.jigsaw import fits, solid_at, stands_in_flow
 from onika.model.syntax import IconType, Syntax
 from onika.wire import act
 from onika.wire.view import Remedy, ShowFits
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 _MOST = 4
 """Buttons of a refusal."""
@@ -64,7 +64,7 @@ class _Misfit:
     kind: IconType
 
 
-def _place(before: Solid | Hole | None) -> Text:
+def _place(before: Solid | Hole | None) -> Reason:
     """What a step would stand behind."""
     if isinstance(before, Icon):
         return quoted(before.onikon)

@@ -23,7 +23,7 @@ from onika.model.picture import Picture
 from onika.wire import act, page
 from onika.wire.view import DraftView, Remedy, ShowSaveAs
 from onika.words.fault import Refusal
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 
 def draft(model: Model, command: act.Draft, outside: Services) -> Done | No:
@@ -57,7 +57,7 @@ def make_job(model: Model, command: act.MakeJob, outside: Services) -> Done | No
     source = file_index.again(job.source, model.syntax)
     model = source.beside(model) if source else model  # what was saved just now is what the icon is judged by
     now = shown_at_once(model, saved.path, outside.site)
-    gone = forgotten(job.former.value, description) if job.former else ""
+    gone = forgotten(job.former.value, description) if job.former else NOTHING
     lost = (page.Say("warning", gone, command.doc),) if gone else ()
     return Done(now, value=str(saved.path), says=(page.Say("success", text, command.doc), *lost))
 

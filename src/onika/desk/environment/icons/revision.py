@@ -25,7 +25,7 @@ from onika.store.user_path import user_path
 from onika.wire import act, page
 from onika.wire.view import Remedy
 from onika.words.fault import Refusal
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 _MOST = 5
 """Applications that are named."""
@@ -87,7 +87,7 @@ def _found(model: Model, name: str) -> tuple[BaseDirectory, OpenedText[Onikon]] 
 
 def _changed(model: Model, command: act.EditOnikon, onikon: Onikon) -> Onikon | No:
     """The icon as it is to be, or everything that is wrong with it."""
-    wrong: dict[str, Text] = {}
+    wrong: dict[str, Reason] = {}
     if command.values is not None:
         typed = target_values.checked(items_of(model, onikon.type), command.values)
         if isinstance(typed, dict):

@@ -25,7 +25,7 @@ from onika.wire import act, page
 from onika.wire.view import Remedy
 from onika.words.fault import Refusal
 from onika.words.name import TASK_NAME
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 
 def make_target(model: Model, command: act.MakeTarget, outside: Services) -> Done | No:
@@ -77,10 +77,10 @@ def _kind(model: Model, name: str) -> IconType | No:
     return No(reason, fields={"type": expected})
 
 
-def _wrong(model: Model, command: act.MakeTarget) -> dict[str, Text]:
+def _wrong(model: Model, command: act.MakeTarget) -> dict[str, Reason]:
     """What is wrong with name, values and picture, each by its field."""
     is_name = TASK_NAME.match(command.name)
-    wrong: dict[str, Text] = {} if is_name else {"name": Reason.of("desk.icon_name", name=command.name)}
+    wrong: dict[str, Reason] = {} if is_name else {"name": Reason.of("desk.icon_name", name=command.name)}
     typed = target_values.checked(items_of(model, command.type), command.values)
     wrong |= typed if isinstance(typed, dict) else {}
     picture = painted(command.picture)

@@ -16,7 +16,7 @@ from onika.desk.environment.state.model import Model
 from onika.model.button import Button
 from onika.wire.view import ButtonView
 from onika.words.fault import Refusal
-from onika.words.reason import Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 KEPT = 8192
 """Bytes of a command's output that are shown: the last ones."""
@@ -44,7 +44,7 @@ class Commands:
         self._running: dict[str, _Command] = {}
         self._is_closed = False
 
-    def start(self, button: Button) -> Text | Refusal:
+    def start(self, button: Button) -> Reason | Refusal:
         """Run a command; gives a sentence where it does not run as it was asked, else an empty one."""
         terminal = _terminal(self._environment) if button.spawns_terminal else ()
         line = (*terminal, "/bin/sh", "-c", _in_front(button.command))
@@ -57,7 +57,7 @@ class Commands:
         lacks_terminal = button.spawns_terminal and not terminal
         if lacks_terminal:
             return Reason.of("run.no_terminal", name=button.name)
-        return ""
+        return NOTHING
 
     def halt(self, name: str) -> bool:
         """End a command; False where it does not run."""

@@ -12,7 +12,7 @@ from onika.model.task import Task
 from onika.wire import act
 from onika.wire.view import Objection, Remedy, ShowPin, ShowTask
 from onika.words.fault import Refusal
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 
 def clashes(model: Model, after: OpenLibraries, names: Collection[str]) -> tuple[Objection, ...]:
@@ -29,7 +29,7 @@ def clashes(model: Model, after: OpenLibraries, names: Collection[str]) -> tuple
     return tuple(dict.fromkeys(found))
 
 
-def refused(what: Text, against: tuple[Objection, ...], field: str = "") -> No:
+def refused(what: Reason, against: tuple[Objection, ...], field: str = "") -> No:
     """The no to a change that something speaks against."""
     text = Reason.of("desk.several_reasons", reasons=tuple(one.text for one in against))
     remedies = tuple(dict.fromkeys(remedy for one in against for remedy in one.remedies))

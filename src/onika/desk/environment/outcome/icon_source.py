@@ -14,7 +14,7 @@ from onika.model.onikon import Onikon
 from onika.model.rules.iconify import ActionType, job_type
 from onika.model.syntax import Syntax, same_type
 from onika.words.fault import Refusal
-from onika.words.reason import Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 _ENDINGS = {"job": conf.ENDING, "application": appl.ENDING}
 
@@ -43,11 +43,11 @@ class Sources:
             return beside
         return self._first.get(name, "")
 
-    def trouble(self, onikon: Onikon, path: str) -> Text:
+    def trouble(self, onikon: Onikon, path: str) -> Reason:
         """Why an action cannot run; empty: nothing is in the way, or it is none."""
         role = role_of(self._syntax.acting(onikon.type))
         if role not in _ENDINGS:
-            return ""
+            return NOTHING
         is_job = role == "job"
         if not path:
             key = "run.no_configuration" if is_job else "run.no_application"
@@ -59,7 +59,7 @@ class Sources:
         if not isinstance(kind, ActionType):
             return Reason.of("run.together", parts=tuple(simple(refusal.reason) for refusal in kind))
         if _is_alike((onikon.type, *onikon.more_targets), (kind.type, *kind.more_targets)):
-            return ""
+            return NOTHING
         key = "run.its_configuration_makes" if is_job else "run.its_application_makes"
         return Reason.of(key, kind=_with_targets(kind), given=_with_targets(onikon))
 

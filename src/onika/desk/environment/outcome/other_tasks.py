@@ -7,10 +7,10 @@ from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.model.configuration import Configuration
 from onika.model.rules import loci
-from onika.words.reason import Text
+from onika.words.reason import Reason
 
 
-def with_other_tasks(model: Model, document: Document, configuration: Configuration, label: Text) -> Done:
+def with_other_tasks(model: Model, document: Document, configuration: Configuration, label: Reason) -> Done:
     """The outcome of giving a document another configuration; new tasks are wanted OFF where it is connected."""
     names = tuple(placed.task for placed in configuration.placed)
     boxes = model.libraries.boxes((*names, *document.content.names))

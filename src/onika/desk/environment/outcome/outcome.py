@@ -13,7 +13,7 @@ from onika.desk.environment.state.model import Model
 from onika.wire import page
 from onika.wire.request import Request, Response
 from onika.wire.view import Remedy
-from onika.words.reason import Text
+from onika.words.reason import NOTHING, Reason
 
 _T = TypeVar("_T")
 
@@ -25,9 +25,9 @@ News = tuple[Hashable, Any]
 class No:
     """A refusal: nothing is changed."""
 
-    reason: Text
+    reason: Reason
     remedies: tuple[Remedy, ...] = ()
-    fields: Mapping[str, Text] = field(default_factory=dict)
+    fields: Mapping[str, Reason] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +81,7 @@ class Done:
     """A new model; with a label it is a step of its document, which Undo takes back."""
 
     model: Model
-    label: Text = ""
+    label: Reason = NOTHING
     doc: str = ""
     value: Any = None
     orders: tuple[Order, ...] = ()

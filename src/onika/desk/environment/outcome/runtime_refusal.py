@@ -5,10 +5,10 @@ from pathlib import Path
 from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure
 from onika.desk.environment.state.model import Model
 from onika.wire import request
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 
-def refusal(response: request.Response) -> Text:
+def refusal(response: request.Response) -> Reason:
     """Why a runtime does not do something."""
     match response:
         case request.Refused():

@@ -21,7 +21,7 @@ from onika.wire.view import (
     ShowTask,
 )
 from onika.words.fault import Fault, Place, Refusal
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 
 def error_view(document: Document, name: str, facts: TaskFacts) -> ErrorView | None:
@@ -49,9 +49,9 @@ def error_view(document: Document, name: str, facts: TaskFacts) -> ErrorView | N
     )
 
 
-def _without_entry(text: Text) -> Text:
+def _without_entry(text: Reason) -> Reason:
     """What a task failed by; in which of its entry points is told beside it."""
-    if isinstance(text, str) or text.key != "host.entry_failed":
+    if text.key != "host.entry_failed":
         return text
     why = text.args["why"]
     return why if isinstance(why, Reason) else Reason.plain(str(why))

@@ -10,7 +10,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.wire import live, request
 from onika.wire.sheet import ModuleSheet
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 _AT_ONCE = 16
 """Modules after which what was learnt is shown."""
@@ -22,7 +22,7 @@ class LearntDescriptions:
     """What was told and is not shown yet."""
 
     sheets: Mapping[str, ModuleSheet] = field(default_factory=dict)
-    unread: Mapping[str, Text] = field(default_factory=dict)
+    unread: Mapping[str, Reason] = field(default_factory=dict)
 
     @property
     def names(self) -> frozenset[str]:

@@ -12,7 +12,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.run import transfer_text
 from onika.wire import event, page, view
 from onika.wire.view import ShowTask
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 
 def after_event(model: Model, message: event.Event, at_s: float = 0.0) -> Done:
@@ -122,7 +122,7 @@ def _stepped(model: Model, message: event.Stepped) -> Done:
 
 
 def _stopped(model: Model, message: event.Stopped) -> Done:
-    stop_text = message.cause if message.is_stopped else ""
+    stop_text = message.cause if message.is_stopped else NOTHING
     runtime = msgspec.structs.replace(model.runtime, is_stopped=message.is_stopped, stop_text=stop_text)
     if message.is_stopped:
         line = page.Say("error", Reason.of("run.all_stopped", cause=message.cause))

@@ -7,6 +7,7 @@ from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import RequestedState, SubsystemFacts, TaskFacts
 from onika.wire import event, live
+from onika.words.reason import NOTHING
 
 
 def alive(standing: live.Standing, subsystem: str) -> Mapping[str, live.TaskStanding]:
@@ -61,7 +62,7 @@ def _facts(standing: live.TaskStanding, former: TaskFacts | None, question: even
     is_asking = standing.state == "ASKING"
     return TaskFacts(
         state=standing.state,
-        note="" if question and is_asking else standing.reason,
+        note=NOTHING if question and is_asking else standing.reason,
         rtpu=standing.rtpu,
         hz=standing.frequency,
         question=question if is_asking else None,

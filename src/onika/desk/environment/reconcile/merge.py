@@ -16,7 +16,7 @@ from onika.model.planned import task_of
 from onika.model.rules import loci
 from onika.model.rules.merge import Merge, merge
 from onika.wire import live, page, request, view
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 _GAP = 40
 """Pixels between what stands on the canvas and what comes onto it."""
@@ -78,7 +78,7 @@ def runtime_view(former: view.RuntimeView, standing: live.Standing) -> view.Runt
         address=former.address,
         is_virtual=standing.is_virtual,
         is_stopped=standing.is_stopped,
-        stop_text=former.stop_text if standing.is_stopped else "",
+        stop_text=former.stop_text if standing.is_stopped else NOTHING,
         units={
             rtpu_standing.name: view.UnitView(round(rtpu_standing.load, 2), rtpu_standing.is_lost)
             for rtpu_standing in standing.rtpus

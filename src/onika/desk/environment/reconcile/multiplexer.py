@@ -6,7 +6,7 @@ from typing import Protocol
 from onika.desk.environment.outcome.outcome import Order
 from onika.desk.run.runtime import NumberedResponse
 from onika.wire import event, live, request
-from onika.words.reason import Text
+from onika.words.reason import Reason
 
 _EVERY_S = 0.5
 """How often figures are asked for while somebody wants them."""
@@ -75,7 +75,7 @@ class Multiplexer:
         """The newest reading under each key since the last call."""
         return self._runtime.readings()
 
-    def orphans(self, reason: Text) -> list[Answered]:
+    def orphans(self, reason: Reason) -> list[Answered]:
         """The orders that get no reply any more, with the refusal in its place."""
         taken, self._waiting = self._waiting, {}
         return [(order, request.Refused(reason)) for order in taken.values()]

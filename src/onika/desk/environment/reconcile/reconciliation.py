@@ -21,7 +21,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.wire import act, live, page, request
 from onika.wire.view import Remedy, ShowTask
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 _KEPT = 64
 
@@ -109,7 +109,7 @@ def accepted(
     return replace(done, news=(*_news(change, None), *done.news))
 
 
-def edited(model: Model, doc: str, number: int, cause: Text) -> Done:
+def edited(model: Model, doc: str, number: int, cause: Reason) -> Done:
     """How something that was accepted has ended: done, or with a cause come to nothing."""
     document = model.documents.get(doc)
     subsystem_facts = document.live if document else None
@@ -249,7 +249,7 @@ def _rests(name: str, document: Document) -> page.Say:
     return page.Say("warning", Reason.of("run.moves_hardware", task=name), document.id, ShowTask(name))
 
 
-def _unknown(model: Model, document: Document, subsystem_facts: SubsystemFacts, number: int, cause: Text) -> Done:
+def _unknown(model: Model, document: Document, subsystem_facts: SubsystemFacts, number: int, cause: Reason) -> Done:
     """An outcome that was told before its change was accepted, or one of somebody else's change."""
     if any(pending.number is None for pending in subsystem_facts.pending.values()):
         early = dict(list({**subsystem_facts.early, number: cause}.items())[-_KEPT:])

@@ -14,7 +14,7 @@ from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.state.model import Model
 from onika.wire import event, live, page, request, steer
 from onika.wire.view import ShowStep
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 
 def after_event(model: Model, message: event.Event) -> Done:
@@ -36,7 +36,7 @@ def after_event(model: Model, message: event.Event) -> Done:
     )
 
 
-def lost(model: Model, reason: Text) -> Done:
+def lost(model: Model, reason: Reason) -> Done:
     """The runtime is gone: the run is reported aborted (E10); one that had not begun is refused to who wanted it."""
     run = model.run
     if run is None or run.is_over:

@@ -11,10 +11,10 @@ from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.model import Model
 from onika.desk.run.runtime import in_short
 from onika.wire import page, view
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 
-def lost(model: Model, reason: Text) -> Done:
+def lost(model: Model, reason: Reason) -> Done:
     """The runtime is gone: layouts stay, nothing lives, nothing is wanted; connecting again merges."""
     documents = {
         key: replace(

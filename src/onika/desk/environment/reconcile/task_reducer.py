@@ -12,7 +12,7 @@ from onika.desk.environment.state.live import TaskFacts
 from onika.desk.environment.state.model import Model
 from onika.wire import event, page
 from onika.wire.view import ShowTask
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 TaskEvent = event.TaskState | event.Failed | event.Asked | event.Warned | event.Signalled
 
@@ -54,7 +54,7 @@ def _in_state(facts: TaskFacts, state: str) -> TaskFacts:
     return replace(
         facts,
         state=state,
-        note="",
+        note=NOTHING,
         question=facts.question if state == "ASKING" else None,
         present=facts.present if state == "ASKING" else {},
         failed=facts.failed if state == "ERROR" else None,

@@ -1,6 +1,5 @@
 """Another recorded run beside the one that is looked at, and where the two begin to differ (requirement X05)."""
 
-import re
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -12,14 +11,13 @@ from onika.desk.environment.review.opening import NOT_HERE, put_one_away, read
 from onika.desk.environment.run_state.recorded_run import ReviewedRun
 from onika.desk.environment.run_state.review_session import ReviewSession
 from onika.desk.environment.state.model import Model
-from onika.record.difference import Difference, first_difference
+from onika.record.difference import SHAPE, Difference, first_difference
 from onika.record.reader import UNREADABLE, Reader
 from onika.record.tolerance import Tolerance, usual
 from onika.wire import act
 from onika.wire.view import DifferenceView
-from onika.words.reason import NOTHING, Reason, Text, reason_of
-
-_SHAPE = re.compile(r"[a-z]+\[(\d+(?:,\d+)*)\]")
+from onika.words.reason import NOTHING, Reason, reason_of
+from onika.words.shape import Shape
 
 
 def compare_with(model: Model, command: act.CompareWith, outside: Services) -> Procedure:
@@ -48,7 +46,7 @@ def compare_with(model: Model, command: act.CompareWith, outside: Services) -> P
     return Done(replace(model, review_session=ReviewSession(subject, other)), value=other.view.path)
 
 
-def _negative(command: act.CompareWith) -> dict[str, Text]:
+def _negative(command: act.CompareWith) -> dict[str, Reason]:
     names = ("tolerance", "part", "time_s")
     return {name: Reason.of("run.zero_or_more") for name in names if (getattr(command, name) or 0) < 0}
 
@@ -99,14 +97,14 @@ def _numbers(difference: Difference, unit: str) -> tuple[str, str] | None:
     return f"{pair[0]}{behind}", f"{pair[1]}{behind}"
 
 
-def _side(side: Text, subject: ReviewedRun) -> Text:
+def _side(side: Reason, subject: ReviewedRun) -> Reason:
     """What one of the two says: an action by its icon, the type of an array by how many values there are."""
-    if isinstance(side, Reason):
+    if side.key != SHAPE:
         return _with_icon(side, subject)
-    shape = _SHAPE.fullmatch(side)
-    if shape:
-        return Reason.of("run.values_of_shape", shape=" × ".join(shape[1].split(",")))
-    return side
+    dims = Shape.parse(str(side.args["shape"])).dims
+    if not dims:
+        return side
+    return Reason.of("run.values_of_shape", shape=" × ".join(map(str, dims)))
 
 
 def _with_icon(side: Reason, subject: ReviewedRun) -> Reason:

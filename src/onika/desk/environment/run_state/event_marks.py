@@ -5,7 +5,7 @@ from onika.desk.environment.run_state.run_view import tag
 from onika.desk.run.run_review import Review
 from onika.wire import event, live, request, steer
 from onika.wire.view import MarkView
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 _STEERED: dict[type, Reason] = {
     steer.Pause: Reason.of("run.steer_pause"),
@@ -45,7 +45,7 @@ def _of_event(run: Run, at_s: float, message: event.Event) -> MarkView | None:
     return None
 
 
-def _with_icons(run: Run, what: str, why: Text) -> Text:
+def _with_icons(run: Run, what: str, why: Reason) -> Reason:
     return run.wording.with_icons(Reason.of("run.what_why", what=what, why=why))
 
 

@@ -12,7 +12,7 @@ from onika.desk.run import transfer_text
 from onika.desk.run.flow_status import WAITS
 from onika.wire import event
 from onika.wire.view import MeetView, StepRunView
-from onika.words.reason import Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 ABORTED = "desk.aborted_by_user"
 """Why a run ends that its user wants to end, as a key."""
@@ -84,13 +84,13 @@ def over(run: Run, result: event.Result) -> Run:
     )
 
 
-def lost(run: Run, cause: Text) -> Run:
+def lost(run: Run, cause: Reason) -> Run:
     """The run where nothing more can be heard of it (E10): aborted, as far as it had come."""
     at_s = max((flow.began_s for flow in run.view.flows.values()), default=0.0)
     return over(run, event.Result(False, cause, run.view.done, run.view.of, at_s, 0.0, {}, (), ""))
 
 
-def _cause(run: Run, text: Text) -> Text:
+def _cause(run: Run, text: Reason) -> Reason:
     """Why it ended; where somebody ended it because it stood, also why it stood."""
     standing = sorted((stop for key, stop in run.view.stops.items() if key), key=lambda stop: stop.at_s)
     reason = standing[0].text if standing else run.reason
@@ -120,7 +120,7 @@ def _began(run: Run, began: event.Began) -> Run:
         began_s=began.at_s,
         should_take_s=should_take_s,
     )
-    return replace(run.with_status(subsystem, run.status(subsystem).began(began)), reason="")
+    return replace(run.with_status(subsystem, run.status(subsystem).began(began)), reason=NOTHING)
 
 
 def _opened(run: Run, began: event.Began, step: int) -> Run:

@@ -14,7 +14,7 @@ from onika.model.syntax import Syntax
 from onika.store.program import ApplicationProgram
 from onika.wire.plan import Plan, PlannedAction
 from onika.words.fault import Place
-from onika.words.reason import Argument, Reason, Text
+from onika.words.reason import Argument, Reason
 
 _T = TypeVar("_T")
 
@@ -83,10 +83,8 @@ class IconWording:
         """What an icon shows."""
         return self.by_icon.get(name, name)
 
-    def with_icons(self, reason: Text) -> Text:
-        """A text of the runtime: of a reason, what fills its gaps."""
-        if isinstance(reason, str):
-            return self._shown(reason)
+    def with_icons(self, reason: Reason) -> Reason:
+        """A sentence of the runtime, with icons in what fills its gaps."""
         match reason.key:
             case "plain":
                 return Reason.plain(self._shown(reason.text))
@@ -117,9 +115,12 @@ class IconWording:
             return tuple(self._item(item) for item in value)
         return self._item(value)
 
-    def _item(self, value: _T) -> _T | Text:
-        if isinstance(value, Reason | str):
-            return self.with_icons(value)
+    def _item(self, value: _T) -> _T | Reason | str:
+        match value:
+            case Reason():
+                return self.with_icons(value)
+            case str():
+                return self._shown(value)
         return value
 
     def _shown(self, text: str) -> str:

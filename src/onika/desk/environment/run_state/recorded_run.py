@@ -17,7 +17,7 @@ from onika.desk.run.run_review import Review, ReviewedFlow
 from onika.record.series import Series
 from onika.wire import event
 from onika.wire.view import PassageView, RecordedFlowView, RecordedVariableView, RecordingView, RedirectView
-from onika.words.reason import NOTHING, Reason, Text
+from onika.words.reason import NOTHING, Reason
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -117,10 +117,10 @@ def _losses(review: Review) -> Iterator[Reason]:
         yield Reason.of("run.lost_exactness")
 
 
-def _cause(review: Review) -> Text:
+def _cause(review: Review) -> Reason:
     """Why it ended: as its last event says, else as the recording's own summary does."""
     results = (message for _, _, message in reversed(review.events) if isinstance(message, event.Result))
-    return next((result.cause for result in results), review.ending.get("cause", ""))
+    return next((result.cause for result in results), Reason.plain(review.ending.get("cause", "")))
 
 
 def _cannot_continue(path: Path) -> Reason:

@@ -38,5 +38,5 @@ class RunHistory:
         run = self._kept[count // _EVERY]
         for message in self._told[count - count % _EVERY : count]:
             run = flow_progress.after(run, message)
-        stops = {key: structs.replace(stop, choices=(), meanings=()) for key, stop in run.view.stops.items()}
+        stops = {key: structs.replace(stop, choices=()) for key, stop in run.view.stops.items()}
         return structs.replace(run.view, stops=stops)

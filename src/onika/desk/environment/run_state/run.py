@@ -13,7 +13,7 @@ from onika.desk.run.flow_status import FlowStatus
 from onika.wire import event
 from onika.wire.plan import Again, Plan, PlannedAction, Unless
 from onika.wire.view import FlowRunView, RunView
-from onika.words.reason import Text
+from onika.words.reason import NOTHING, Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,11 +37,11 @@ class Run:
     """Of the tasks in ERROR, by `SUBSYSTEM/TASK`."""
     awaits: int | None = None
     """The live change that has to end before it can begin, by its number."""
-    reason: Text = ""
+    reason: Reason = NOTHING
     """Why a flow stood when it was ended."""
     is_given_up: bool = False
     """Whether the user has said abort before it had begun."""
-    outcomes: Mapping[int, Text] = field(default_factory=dict)
+    outcomes: Mapping[int, Reason] = field(default_factory=dict)
     """What came of live changes while the run was about to begin, by number."""
 
     @property
@@ -107,7 +107,7 @@ class Run:
         flows = self.view.flows
         return self.shown(flows={**flows, subsystem: structs.replace(flows[subsystem], **changes)})
 
-    def noted(self, text: Text) -> "Run":
+    def noted(self, text: Reason) -> "Run":
         """With one more note, said by a runtime; old ones are forgotten."""
         return self.shown(notes=(*self.view.notes, self.wording.with_icons(text))[-_MOST_NOTES:])
 

@@ -2,9 +2,11 @@
 
 from onika.desk.environment.run_state.run import Run
 from onika.wire import act, event
-from onika.wire.view import CourseView, Remedy, StopView
-from onika.words.reason import Argument, Reason, Text
+from onika.wire.view import ChoiceView, CourseView, Remedy, StopView
+from onika.words.reason import NOTHING, Argument, Reason
 
+_ANY_ACTION = "N"
+"""Stands in a line of steering for the number of an action that is not chosen yet."""
 _DESERTED = "deserted"
 _OWN = ("ModuleError", "LawBroken")
 """The errors that a module raises for people to read."""
@@ -32,8 +34,9 @@ def stop_view(run: Run, explained: event.Explained) -> StopView:
         traceback=failed.traceback if failed else "",
         waiting=explained.waiting,
         courses=tuple(map(_course, explained.courses)),
-        choices=tuple(_choice(words, run, explained) for words, _ in explained.choices),
-        meanings=tuple(run.wording.with_icons(meaning) for _, meaning in explained.choices),
+        choices=tuple(
+            _choice(command, run.wording.with_icons(meaning), run, explained) for command, meaning in explained.choices
+        ),
     )
 
 
@@ -69,38 +72,36 @@ def standing(run: Run, whom: str) -> list[tuple[Reason, Remedy]]:
     return ways
 
 
-def is_question(text: Text) -> bool:
+def is_question(text: Reason) -> bool:
     """Whether it says only that a task asks, which is shown as a question anyway."""
-    return isinstance(text, Reason) and text.key in ("engine.asks", "engine.asks_again")
+    return text.key in ("engine.asks", "engine.asks_again")
 
 
-def in_short(text: Text) -> Text:
+def in_short(text: Reason) -> Reason:
     """What was said, without where in a module: a module's own error is a sentence for people."""
-    if isinstance(text, str):
-        return text
     match text.key:
         case "host.cause_suspected":
             cause = text.args["cause"]
-            shown = in_short(cause) if isinstance(cause, Reason) else str(cause)
+            shown = in_short(cause) if isinstance(cause, Reason) else cause
             return Reason.of("host.cause_suspected", cause=shown, suspicion=text.args["suspicion"])
         case "host.entry_failed":
             return _own_words(text.args["why"]) or text
     return text
 
 
-def _own_words(why: Argument) -> Text:
+def _own_words(why: Argument) -> Reason:
     """What a module has raised for people to read; nothing where it is an error of another kind."""
     if not isinstance(why, Reason):
-        return ""
+        return NOTHING
     match why.key:
         case "runtime.raised" if why.args["kind"] in _OWN:
             inner = why.args["why"]
-            return inner if isinstance(inner, Reason) else str(inner)
+            return inner if isinstance(inner, Reason) else Reason.plain(str(inner))
         case "runtime.first_written":
             reason = _own_words(why.args["reason"])
             if reason:
                 return Reason.of("runtime.first_written", **{**why.args, "reason": reason})
-    return ""
+    return NOTHING
 
 
 def loops(names: tuple[str, ...]) -> tuple[str, ...]:
@@ -113,14 +114,15 @@ def tag(text: str) -> str:
     return text.rpartition(" ")[2]
 
 
-def _choice(words: str, run: Run, explained: event.Explained) -> Remedy:
-    """A word of steering; one that leaves open which action is shown and not done at once, if there are several."""
-    if not words.endswith(" N"):
-        return Remedy(words, act.Steer(words))
-    verb, *whom = words.split()[:-1]
-    subsystem = whom[0] if whom else explained.subsystem
+def _choice(command: str, meaning: Reason, run: Run, explained: event.Explained) -> ChoiceView:
+    """What a line of steering does; one that leaves open which action is not done at once, if there are several."""
+    verb, *operands = command.split()
+    if operands[-1:] != [_ANY_ACTION]:
+        return ChoiceView(verb, meaning, " ".join(operands), act.Steer(command))
+    subsystem = " ".join(operands[:-1]) or explained.subsystem
     others = set(range(run.flow_index.count(subsystem))) - {explained.index if subsystem == explained.subsystem else -1}
-    return Remedy(words, act.Steer(f"{verb} {subsystem} {others.pop() + 1}") if len(others) == 1 else None)
+    only = act.Steer(f"{verb} {subsystem} {others.pop() + 1}") if len(others) == 1 else None
+    return ChoiceView(verb, meaning, " ".join(operands[:-1]), only)
 
 
 def _course(course: event.Course) -> CourseView:

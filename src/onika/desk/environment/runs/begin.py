@@ -53,7 +53,7 @@ from onika.wire import act, live, page, request
 from onika.wire.plan import Plan
 from onika.wire.request import TargetValues
 from onika.wire.view import Remedy
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 _ABORT = Remedy(Reason.of("run.abort_it"), act.Steer("abort"))
 
@@ -70,7 +70,7 @@ class _Start:
     wording: IconWording
     troubles: FaultViews
     durations: dict[tuple[int, int], float]
-    notes: tuple[Text, ...]
+    notes: tuple[Reason, ...]
     began_at_s: float
     record: str = ""
     """The file of its recording; empty: none is made."""
@@ -286,7 +286,7 @@ def _prepared(model: Model, response: request.Response, start: _Start) -> tuple[
     return model, None
 
 
-def _unbegun(start: _Start, why: Text) -> No:
+def _unbegun(start: _Start, why: Reason) -> No:
     """The runtime will not begin it, for its recording's sake or another's."""
     if start.record and isinstance(why, Reason) and why.key == "host.no_recording":
         return recording.without(why.args["why"], start.command)

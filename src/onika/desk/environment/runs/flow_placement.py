@@ -12,7 +12,7 @@ from onika.desk.plan.subsystem_renaming import chiefs
 from onika.wire import act, view
 from onika.wire.plan import Plan
 from onika.wire.view import Remedy
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 _ANEW = Remedy(Reason.of("run.start_runtime_anew"), act.StartAnew())
 
@@ -22,7 +22,7 @@ def starting(runtime: view.RuntimeView) -> view.RuntimeView:
     return view.RuntimeView("starting", runtime.address)
 
 
-def lost(model: Model, reason: Text) -> Model:
+def lost(model: Model, reason: Reason) -> Model:
     """The model where it could not be got hold of."""
     return replace(model, runtime=structs.replace(model.runtime, state="lost", text=reason))
 

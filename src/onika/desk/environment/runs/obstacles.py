@@ -9,7 +9,7 @@ from onika.model.rules.union import devices
 from onika.model.task import Task
 from onika.wire import live
 from onika.wire.plan import Plan
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +29,7 @@ class Obstacle:
         return Reason.of("run.obstacle_in", tasks=self.tasks, subsystem=self.subsystem)
 
     @property
-    def home(self) -> Text:
+    def home(self) -> Reason | str:
         """What has to end."""
         return self.document or Reason.of("run.subsystem", name=self.subsystem)
 

@@ -15,7 +15,7 @@ from onika.wire.plan import Plan
 from onika.wire.request import Prepared
 from onika.wire.view import FaultView, Remedy, ShowStep
 from onika.words.fault import Place
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 _PLACED = ("host.note_at", "host.note_in")
 _RESOLVED = ("host.resolved", "host.resolved_often")
@@ -31,7 +31,7 @@ def looked(model: Model, troubles: FaultViews, plan: Plan, prepared: Prepared) -
     return marked(model.with_application(replace(opened, looked=result)), troubles, plan, prepared)
 
 
-def worth_noting(prepared: Prepared) -> Iterator[Text]:
+def worth_noting(prepared: Prepared) -> Iterator[Reason]:
     """The notes of a run: targets that are re-resolved are counted, for each of them has a mark at its icon."""
     yield from (note for note in prepared.notes if not _is_of_resolved(note))
     targets = {(resolved.target, resolved.were, resolved.task, resolved.instead_of) for resolved in prepared.resolved}
@@ -53,13 +53,13 @@ def _noted(troubles: FaultViews, prepared: Prepared) -> Iterator[FaultView]:
         yield FaultView(_without_place(note), "warning", step, show, is_of_runtime=True)
 
 
-def _is_of_resolved(note: Text) -> bool:
+def _is_of_resolved(note: Reason) -> bool:
     """Whether it says what became of a joint target that another robot takes."""
     within = note.args.get("note") if isinstance(note, Reason) and note.key in _PLACED else None
     return isinstance(within, Reason) and within.key in _RESOLVED
 
 
-def _place(note: Text) -> Place | None:
+def _place(note: Reason) -> Place | None:
     """Where it stands; None: nowhere."""
     if not isinstance(note, Reason) or note.key not in _PLACED:
         return None
@@ -67,14 +67,14 @@ def _place(note: Text) -> Place | None:
     return Place(str(note.args["file"]), line if isinstance(line, int) else 0)
 
 
-def _without_place(note: Text) -> Text:
+def _without_place(note: Reason) -> Reason:
     """What it says, of a task with its name."""
     place = _place(note)
-    if place is None or not isinstance(note, Reason):
+    if place is None:
         return note
     name, within = Path(place.file).name, note.args["note"]
     if name.endswith(rmod.ENDING):
         return Reason.of("run.what_why", what=name.removesuffix(rmod.ENDING), why=within)
     if isinstance(within, Reason):
         return within
-    return str(within)
+    return Reason.plain(str(within))

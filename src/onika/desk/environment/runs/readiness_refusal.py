@@ -9,7 +9,7 @@ from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.plan.preparation import fault_of
 from onika.wire import request
 from onika.wire.view import FaultView, Remedy
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 _TOLD = 8
 """Faults that are told in a refusal; all of them stand in the list beside the application."""
@@ -33,7 +33,7 @@ def refused_by_runtime(troubles: FaultViews, response: request.Response) -> No:
     return No(Reason.of("run.cannot_run", name=name, why=_listed(faults)), _offered(faults))
 
 
-def _listed(faults: Sequence[FaultView]) -> Text:
+def _listed(faults: Sequence[FaultView]) -> Reason:
     """What is told in a line; all of it stands at the icons and in the list beside them."""
     if len(faults) == 1:
         return faults[0].text

@@ -20,7 +20,7 @@ from onika.model.rules.union import devices
 from onika.store.library import open_libraries
 from onika.wire import act
 from onika.wire.view import CandidateView, SeatsView, SeatView
-from onika.words.reason import Reason, Text
+from onika.words.reason import Reason
 
 
 @on_resting_application
@@ -76,7 +76,7 @@ def _everywhere(flows: dict[str, tuple[SeatView, ...]]) -> tuple[SeatView, ...]:
 
 def _joined(seats: Sequence[SeatView]) -> SeatView:
     first, holders = seats[0], {seat.taken_by for seat in seats}
-    reasons: dict[str, dict[Text, None]] = {}
+    reasons: dict[str, dict[Reason, None]] = {}
     for each in (each for seat in seats for each in seat.candidates):
         reasons.setdefault(each.name, {}).update(dict.fromkeys(each.reasons))
     candidates = [structs.replace(each, reasons=tuple(reasons[each.name])) for each in first.candidates]

@@ -18,6 +18,7 @@ from onika.model.flow_path import flows_by_path
 from onika.model.redirect import Redirect
 from onika.model.syntax import END, START, Syntax
 from onika.wire.view import AppFlowView, ApplicationView, FaultView, RedirectView, StepView
+from onika.words.reason import NOTHING
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,8 +52,8 @@ class ApplicationProjector:
             base=str(opened.base or ""),
             is_dirty=opened.is_dirty,
             has_changed_on_disk=opened.has_changed_on_disk,
-            undo=past.last.label if past.last else "",
-            redo=past.next.label if past.next else "",
+            undo=past.last.label if past.last else NOTHING,
+            redo=past.next.label if past.next else NOTHING,
             is_parallel=opened.application.is_parallel,
             flows={path: flow.view for path, flow in self._flows.items()},
             steps=self._marked(opened if looked else None),

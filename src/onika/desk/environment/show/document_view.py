@@ -13,6 +13,7 @@ from onika.model.task import Task
 from onika.store.module_catalogue import merged
 from onika.store.site import is_shipped
 from onika.wire.view import DocumentView, LibraryView, Objection, PinView, ProblemView, TaskView
+from onika.words.reason import NOTHING
 
 _V = TypeVar("_V")
 
@@ -121,8 +122,8 @@ def document_view(
         is_dirty=document.is_dirty,
         is_moved=document.is_moved,
         has_changed_on_disk=document.has_changed_on_disk,
-        undo=last.label if last else "",
-        redo=following.label if following else "",
+        undo=last.label if last else NOTHING,
+        redo=following.label if following else NOTHING,
         tasks=placed_views(document, libraries, seen),
         loci=locus_views(document, libraries, seen),
         groups=group_views(document, seen),

@@ -21,6 +21,7 @@ from onika.desk.environment.state.pictures import PictureSet
 from onika.desk.environment.state.preference_values import preference_values
 from onika.desk.plan.icon_names import several
 from onika.wire.view import ApplicationView, DocumentView, Tree
+from onika.words.reason import NOTHING
 
 
 class Projector:
@@ -59,7 +60,7 @@ class Projector:
             job_types=model.job_types,
             edges=dict(model.edges),
             applications=self._applications(model),
-            icon_clipboard=several(model.icon_clipboard) if model.icon_clipboard else "",
+            icon_clipboard=several(model.icon_clipboard) if model.icon_clipboard else NOTHING,
             **self._dictionaries(model),
             run=model.run.view if model.run is not None else None,
             review=model.review_session.view(model.applications) if model.review_session is not None else None,

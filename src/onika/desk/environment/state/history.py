@@ -9,7 +9,7 @@ from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.configuration import Configuration
 from onika.model.task import Task
 from onika.store.opened_text import OpenedText
-from onika.words.reason import Text
+from onika.words.reason import Reason
 
 _KEPT = 500
 
@@ -32,7 +32,7 @@ class FileState:
 class UndoStep(Generic[_C]):
     """One thing that was done: what is open before and after it, and the tasks of the libraries it changed."""
 
-    label: Text
+    label: Reason
     by: str
     before: _C
     after: _C

@@ -7,7 +7,7 @@ from typing import Literal
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.history import Edits, History
 from onika.wire import event
-from onika.words.reason import Text
+from onika.words.reason import NOTHING, Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,7 +15,7 @@ class TaskFacts:
     """A living task, or one that is about to live."""
 
     state: str
-    note: Text = ""
+    note: Reason = NOTHING
     rtpu: str = ""
     hz: float | None = None
     question: event.Asked | None = None
@@ -83,7 +83,7 @@ class SubsystemFacts:
     """Tasks to turn ON with the next change, whatever they were, each with its argument line."""
     pending: Mapping[int, Pending] = field(default_factory=dict)
     """By their own count, oldest first."""
-    early: Mapping[int, Text] = field(default_factory=dict)
+    early: Mapping[int, Reason] = field(default_factory=dict)
     """Outcomes of changes, by number, that were told before the changes were accepted."""
     changes: int = 0
     """How many changes of the subsystem were ever asked for; acts wait for one of them by this number."""

@@ -7,7 +7,7 @@ from onika.desk.environment.state.open_file import DocumentKind, OpenFile
 from onika.model.application import Application
 from onika.model.redirect import Redirect
 from onika.wire.view import FaultView
-from onika.words.reason import Text
+from onika.words.reason import Reason
 
 MOST_FLOWS = 32
 """Flows of an application, and of a branch: more are a slip of the hand."""
@@ -53,7 +53,7 @@ class OpenApplication(OpenFile[Application, Application]):
     """The last one, which may be of an earlier content."""
     redirects: tuple[Redirect, ...] = ()
     """The tasks that stand for others as long as it is open."""
-    marks: Mapping[int, Text] = field(default_factory=dict)
+    marks: Mapping[int, Reason] = field(default_factory=dict)
     """What became of steps when a runtime looked at them last, by their numbers."""
     looked: PreflightResult | None = None
     """The last look of a runtime, which may be of an earlier content."""

@@ -14,7 +14,7 @@ from onika.model.rules.placement import PlacedNeighbours
 from onika.model.task import Task
 from onika.store.library import Library
 from onika.wire.sheet import ModuleSheet
-from onika.words.reason import Text
+from onika.words.reason import Reason
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class OpenLibraries:
     """Rates for later placements of this session, in Hz (reading 10)."""
     sheets: Mapping[str, ModuleSheet] = field(default_factory=dict)
     """What classes of modules declare, by the modules' names, as far as a runtime has read them."""
-    unread: Mapping[str, Text] = field(default_factory=dict)
+    unread: Mapping[str, Reason] = field(default_factory=dict)
     """Why modules cannot be read, as a runtime says."""
     preferences: Preferences = field(default_factory=Preferences)
 

@@ -6,7 +6,7 @@ from onika.files.line import show_number
 from onika.model.onikon import Onikon
 from onika.model.syntax import Syntax
 from onika.wire.view import ItemView
-from onika.words.reason import NOTHING, Reason, Text, reason_of
+from onika.words.reason import NOTHING, Reason, reason_of
 from onika.words.value import Value, ValueType
 
 Words = tuple[tuple[str, ...], ...]
@@ -26,12 +26,12 @@ def shown(onikon: Onikon, syntax: Syntax | None) -> Words:
     )
 
 
-def checked(items: Sequence[ItemView], words: Words) -> Typed | dict[str, Text]:
+def checked(items: Sequence[ItemView], words: Words) -> Typed | dict[str, Reason]:
     """The values that words mean; else what is wrong with each, by `name`, or `name[2]` where there are several."""
     if len(words) != len(items):
         names = tuple(item.name for item in items) or Reason.of("desk.no_values")
         return {"values": Reason.of("desk.values_named", names=names, count=len(words))}
-    wrong: dict[str, Text] = {}
+    wrong: dict[str, Reason] = {}
     wrong_values = []
     for item, some in zip(items, words, strict=True):
         if len(some) != item.count and not (item.dimension and some):
@@ -47,7 +47,7 @@ def checked(items: Sequence[ItemView], words: Words) -> Typed | dict[str, Text]:
     return wrong or tuple(wrong_values)
 
 
-def refusal_text(wrong: Mapping[str, Text]) -> Reason:
+def refusal_text(wrong: Mapping[str, Reason]) -> Reason:
     """Everything that is wrong as one sentence."""
     parts = tuple(Reason.of("desk.named_wrong", name=name, why=why) for name, why in wrong.items())
     return Reason.of("desk.several_reasons", reasons=parts)
