@@ -74,7 +74,7 @@ const run: RunView = {
       at_s: 1,
       subsystem: 'flow0',
       task: 'wave',
-      choices: [{ verb: 'clear', meaning: reason }],
+      choices: [{ verb: 'clear', meaning: { key: 'test.meaning', text: 'the step is begun anew' } }],
     },
   },
   notes: [reason],
@@ -205,6 +205,6 @@ describe('a reason is shown as its sentence', () => {
     const body = shown(StopPanel)
     expect(body).not.toContain('[object Object]')
     expect(body).toContain('Flow 2 stands still')
-    expect(body).toContain('Let it go on')
+    expect(body).toContain('The step is begun anew.')
   })
 })

@@ -67,7 +67,7 @@ describe('the link', () => {
       fields: { name: plain('empty') },
     })
     const why = await answer.catch((refusal: unknown) => refusal)
-    expect(why).toMatchObject({ reason: 'no', remedies: [{ label: 'Show' }], fields: { name: 'empty' } })
+    expect(why).toMatchObject({ reason: 'no', remedies: [{ label: plain('Show') }], fields: { name: 'empty' } })
   })
 
   test('refuses what was under way when the connection broke, and connects again by itself', async () => {
@@ -119,11 +119,11 @@ describe('the link', () => {
   })
 
   test('tells everybody who listens, until they stop', () => {
-    const heard: string[] = []
-    const end = link.hear('Say', (say) => heard.push(String(say.text)))
+    const sentences: string[] = []
+    const end = link.hear('Say', (say) => sentences.push(say.text.text))
     first().say({ t: 'Say', level: 'info', text: plain('one') })
     end()
     first().say({ t: 'Say', level: 'info', text: plain('two') })
-    expect(heard).toEqual(['one'])
+    expect(sentences).toEqual(['one'])
   })
 })

@@ -8,7 +8,6 @@ from kit.module_source import COUNTER, module
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from onika.runtime.execution.deferred import PATIENCE_NS
-from onika.words.reason import Reason
 
 MS = 1_000_000
 
@@ -80,7 +79,7 @@ def test_without_a_gap_it_is_refused_with_the_numbers(rig):  # law 21
     rig.run(PATIENCE_NS + 9 * MS)
     assert work(rig, PATIENCE_NS + 95 * MS // 10) == ["Refused"]
     assert rig.news_of(news.Refused)[-1] == news.Refused(
-        HOME, "one", "spawn", Reason.plain("needs 3.1 ms; the largest gap here is 0.8 ms")
+        HOME, "one", "spawn", "needs 3.1 ms; the largest gap here is 0.8 ms"
     )
     assert not rig.executive.has_work
 

@@ -37,7 +37,7 @@ def test_numbers_of_numpy_in_a_signal_travel(flow):
 )
 def test_what_a_task_may_not_return_is_an_error(flags, returned, text):  # R-A08
     rig = rig_of(cycle(f"return {returned}", **flags)).switch(on=["one"]).run(0)
-    assert rig.last(news.Failed).text.text.startswith(text)
+    assert rig.last(news.Failed).text.startswith(text)
     assert rig.news_of(news.Finished) == []
 
 

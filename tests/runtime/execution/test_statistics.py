@@ -114,7 +114,8 @@ def test_a_failure_tells_the_values_of_that_cycle(rig):  # R-A18
     assert (values["N^"], values["Q"], values["NAME"], values["FLAG"]) == (5, [1.5, float("inf")], "cube", "x")
     assert values["IMAGE"] == [*range(64), "… 400 in all"]
     assert rig["N^"] == 4  # what failed was not published
-    assert news.decode(news.encode(rig.news_of(news.Failed)[0])).values == values
+    failed = next(entry for _, entry in rig.news if isinstance(entry, news.Failed))
+    assert news.decode(news.encode(failed)).values == values
 
 
 def test_short_vectors_keep_their_shape(rig):  # R-A18

@@ -6,7 +6,6 @@ from kit.executive_rig import HOME, ExecutiveRig, rig_of
 from kit.module_source import module
 from onika.model.lifecycle import State
 from onika.runtime import command, news
-from onika.words.reason import Reason
 from onika.words.shape import Shape
 
 MS = 1_000_000
@@ -49,7 +48,7 @@ def test_ranks_are_taken_over_between_cycles_without_losing_a_release():  # law 
     assert (rig["A"], rig["B"]) == (3, 2)
     assert [rig.task(name).counters.cycles for name in "ab"] == [2, 2]
     assert [rig.task(name).slot.missed for name in "ab"] == [0, 0]
-    assert rig.news_of(news.Refused) == [news.Refused(HOME, "nobody", "rank", Reason.plain("no such task"))]
+    assert rig.news_of(news.Refused) == [news.Refused(HOME, "nobody", "rank", "no such task")]
 
 
 # Constants that change
