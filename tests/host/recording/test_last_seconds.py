@@ -13,6 +13,7 @@ from onika.record.series import Series
 from onika.ring.segment import Segment
 from onika.runtime.table import Table
 from onika.wire import event
+from onika.words.reason import Reason
 from onika.words.shape import Shape
 
 MS, SECOND = 1_000_000, 1_000_000_000
@@ -78,7 +79,7 @@ def test_only_the_last_seconds_are_in_it_and_what_was_in_force_before(tmp_path):
     held.light(1)
     held.tell(100, event.TaskState("flow0", "servo", "ON", 0.0), "task servo")
     held.tell(200, event.TaskState("flow0", "servo", "ERROR", 0.0), "task servo")
-    held.tell(300, event.Warned("flow0", "servo", "hot", 0.0))
+    held.tell(300, event.Warned("flow0", "servo", Reason.plain("hot"), 0.0))
     held.seconds(20)
     held.tell(20 * SECOND, event.Done(0, 0, 20.0))
     reader = held.reader(tmp_path)
@@ -104,7 +105,7 @@ def test_its_memory_is_bounded_whatever_is_written():  # R-X05
     sizes = []
     for look in range(4_000):
         held.write(look)
-        held.tell(look * 10 * MS, event.Warned("flow0", "servo", "hot", 0.0))
+        held.tell(look * 10 * MS, event.Warned("flow0", "servo", Reason.plain("hot"), 0.0))
         held.last_seconds.look(look * 10 * MS)
         sizes.append(held.last_seconds.size)
     assert max(sizes) < 20_000 + 100 * 64 + 4_000 * 200
@@ -114,15 +115,15 @@ def test_its_memory_is_bounded_whatever_is_written():  # R-X05
 def test_events_are_bounded_too():  # R-X05
     held = Held()
     for number in range(30_000):
-        held.tell(number, event.Warned("flow0", "servo", "x" * 1_000, 0.0))
+        held.tell(number, event.Warned("flow0", "servo", Reason.plain("x" * 1_000), 0.0))
     assert held.last_seconds.size < 9 * 2**20
 
 
 def test_what_came_after_the_last_look_is_not_left_out(tmp_path):  # R-X05
     held = Held()
     held.seconds(1)
-    held.tell(9 * SECOND, event.Lost("rt0", "killed", 9.0))
-    assert events(held.reader(tmp_path)) == [(9 * SECOND, event.Lost("rt0", "killed", 9.0))]
+    held.tell(9 * SECOND, event.Lost("rt0", Reason.plain("killed"), 9.0))
+    assert events(held.reader(tmp_path)) == [(9 * SECOND, event.Lost("rt0", Reason.plain("killed"), 9.0))]
 
 
 def test_a_full_disk_is_an_error_of_the_system():  # R-X05

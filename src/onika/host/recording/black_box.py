@@ -23,7 +23,7 @@ from onika.record import topics
 from onika.record.black_box_folder import black_box_path
 from onika.record.run import RunRecord, ending
 from onika.wire import event, request
-from onika.words.reason import Reason, Text, reason_of
+from onika.words.reason import Reason, reason_of
 
 LOOKED_EVERY_NS = 28_000_000
 """An entry keeps fifteen values; of what is written 500 times a second nothing is missed."""
@@ -69,7 +69,7 @@ class _Box:
     has_fault: bool = False
     closed_at: int = 0
     """When its end was told to whoever holds it; 0: it is open."""
-    why_not: Text | None = None
+    why_not: Reason | None = None
     """Why it could not be written; nothing: it is; None: nobody has said yet."""
 
 

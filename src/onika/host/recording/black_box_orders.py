@@ -4,7 +4,7 @@ from msgspec import Struct, msgpack
 
 from onika.host.recording.last_seconds import TracedEvent, TracedVariables
 from onika.record.run import RunRecord
-from onika.words.reason import Text
+from onika.words.reason import Reason
 
 
 class OpenBlackBox(Struct, frozen=True, tag=True):
@@ -31,7 +31,7 @@ class BlackBoxWritten(Struct, frozen=True, tag=True):
     """The black box of a run is written, or why not."""
 
     number: int
-    reason: Text
+    reason: Reason
 
 
 class RunOrder(Struct, frozen=True):

@@ -48,7 +48,7 @@ class ApplicationRun:
         self._began_wall = monotonic_ns()
         self._over_since = 0
 
-    def end_at_wish(self, cause: Text, now: int) -> None:
+    def end_at_wish(self, cause: Reason, now: int) -> None:
         """Somebody who may end it wants it to end."""
         self.is_ended_at_wish = True
         self.runner.abort(cause, now)
