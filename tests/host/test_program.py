@@ -253,3 +253,14 @@ def test_a_run_for_which_there_is_no_memory_is_refused_and_begins_when_there_is(
     assert not desk.program.is_running
     assert desk.ask(begin) == request.Done()
     assert desk.to_the_end().completed
+
+
+def test_a_long_way_without_anything_to_do_is_gone_in_parts_and_others_are_heard(desk):  # R-F01
+    desk.ask(request.Prepare(plan("1.0"), ()))
+    desk.ask(request.Begin())
+    desk.to_the_end()  # its world is open from now on
+    at_ns = desk.program._driver.now
+    desk.send(live.Advance(3600.0))
+    desk.program.advance(0)
+    assert at_ns < desk.program._driver.now < at_ns + 10 * SECOND
+    assert isinstance(desk.ask(live.Survey(), "somebody"), live.Standing)

@@ -35,6 +35,8 @@ def test_bytes_that_are_no_request_are_refused(body):  # R-F01
         (live.Change("x" * 5000), "host.name_form"),
         (live.Touch("boxes", "panic", float("nan")), "host.number_infinite"),
         (live.Advance(float("inf")), "host.seconds_range"),
+        (steer.Onward(until_s=float("inf")), "host.number_infinite"),
+        (steer.Onward(until_s=float("nan")), "host.number_infinite"),
         (live.Attend(("*",) * 2000), "host.too_many_watched"),
         (request.Begin(on_loss="dance"), "host.word_unknown"),
         (request.Begin(on_error="dance"), "host.word_unknown"),

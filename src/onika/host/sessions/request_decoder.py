@@ -10,7 +10,7 @@ import msgspec
 
 from onika.host.loading.plan_form import wrong_name
 from onika.record import topics
-from onika.wire import live, request
+from onika.wire import live, request, steer
 from onika.words.reason import NOTHING, Reason
 
 _LONGEST_NAME = 4096
@@ -48,6 +48,8 @@ def _wrong(message: request.Request) -> Reason:
             return _within("seconds", message.seconds)
         case live.Touch() if not isfinite(message.value):
             return Reason.of("host.number_infinite", name="value")
+        case steer.Onward() if message.until_s is not None and not abs(message.until_s) <= _LONGEST_WAIT_NS * 1e-9:
+            return Reason.of("host.number_infinite", name="until_s")
     return NOTHING
 
 

@@ -19,6 +19,8 @@ from onika.runtime.bus import Poses, World
 from onika.runtime.execution.executive import Executive
 from onika.wire import event
 
+_LONGEST_STEP_NS = 1_000_000_000
+"""How far worlds step at a time."""
 _ROUNDS = 200
 """Tasks that run one after the other at one instant before somebody else is listened to: a loop whose jobs end as soon
 as they begin takes no time at all, and it has to be possible to end it."""
@@ -239,6 +241,9 @@ class VirtualDriver:
             now = wake
         if now is None:
             return False
+        if now > self._now + _LONGEST_STEP_NS:  # a long way in which nothing is due: others are listened to meanwhile
+            self._step_worlds(self._now + _LONGEST_STEP_NS)
+            return True
         if now > self._now:
             self._step_worlds(now)
             if release == now:  # at the times of tasks only: it must not matter when somebody looks, or stops the clock
