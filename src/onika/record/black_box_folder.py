@@ -23,7 +23,12 @@ def black_box_folder(environment: Mapping[str, str]) -> Path:
     """The folder in the user's state directory, as the XDG says it; it need not be there yet."""
     state = environment.get("XDG_STATE_HOME", "")
     home = Path(state) if state.startswith("/") else Path(environment.get("HOME", "/")) / ".local" / "state"
-    return home / "onika" / "black-boxes"
+    return black_boxes_in(home / "onika")
+
+
+def black_boxes_in(state: Path) -> Path:
+    """The folder within the state directory of Onika."""
+    return state / "black-boxes"
 
 
 def black_box_path(folder: Path, application: str, began: datetime, process: int, number: int) -> Path:

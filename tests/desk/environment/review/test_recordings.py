@@ -1,5 +1,6 @@
 from kit.laboratory import job
 from onika.desk.environment.file.recordings_folder import recordings_folder
+from onika.record.black_box_folder import black_boxes_in
 from onika.wire import act
 
 
@@ -21,3 +22,12 @@ def test_recordings_are_listed_newest_first_and_nothing_else(cinema):  # R-X05
     assert not by_name["cut.mcap"].is_whole
     assert file.bytes == (folder / "whole.mcap").stat().st_size
     assert file.began_at_s > 1.7e9
+
+
+def test_black_boxes_are_listed_among_them(cinema):  # R-X05
+    doc = cinema.open([job("aC")])
+    folder = black_boxes_in(cinema.surroundings.state)
+    folder.mkdir(parents=True)
+    cinema.film(doc).rename(folder / "play-20261121-231500-77-1.mcap")
+    (file,) = cinema.later(act.Recordings()).value.files
+    assert file.path == str(folder / "play-20261121-231500-77-1.mcap")

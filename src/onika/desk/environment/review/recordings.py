@@ -1,4 +1,4 @@
-"""The recordings of this environment, newest first (requirement X05)."""
+"""The recordings of this environment, black boxes among them, newest first (requirement X05)."""
 
 from collections.abc import Iterator
 from datetime import datetime
@@ -9,6 +9,7 @@ from onika.desk.environment.outcome.outcome import Done, Procedure, Work
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.review.opening import NOT_HERE
 from onika.desk.environment.state.model import Model
+from onika.record.black_box_folder import black_boxes_in
 from onika.record.reader import UNREADABLE
 from onika.record.summary import summary
 from onika.wire import act
@@ -19,14 +20,15 @@ def recordings(model: Model, _asked: act.Recordings, outside: Services) -> Proce
     """Which there are; the value is a `view.RecordingsView`. One that is being made is not among them."""
     if outside.state is None or outside.reading is None:
         return NOT_HERE
-    folder = recordings_folder(outside.state)
+    folder, boxes = recordings_folder(outside.state), black_boxes_in(outside.state)
     made = model.run.view.recording if model.run is not None and not model.run.is_over else ""
-    model, files = yield Work(model, outside.reading, lambda: _newest_first(folder, made))
+    model, files = yield Work(model, outside.reading, lambda: _newest_first(folder, boxes, made))
     return Done(model, value=RecordingsView(str(folder), files))
 
 
-def _newest_first(folder: Path, made: str) -> tuple[RecordingFile, ...]:
-    return tuple(sorted(_files(folder, made), key=lambda file: file.began_at_s, reverse=True))
+def _newest_first(folder: Path, boxes: Path, made: str) -> tuple[RecordingFile, ...]:
+    files = [file for place in (folder, boxes) for file in _files(place, made)]
+    return tuple(sorted(files, key=lambda file: file.began_at_s, reverse=True))
 
 
 def _files(folder: Path, made: str) -> Iterator[RecordingFile]:
