@@ -142,3 +142,12 @@ def test_no_memory_is_lost_whatever_comes_and_goes(table):  # law 12
 def test_values_travel_as_plain_lists_and_numbers():
     assert plain(np.array([[1.0, 2.0]])) == [[1.0, 2.0]]
     assert plain("word") == "word"
+
+
+def test_a_table_that_is_closed_holds_no_memory_though_somebody_refers_to_it(table):  # R-F01
+    table.entry("Q_MEZ", shape("double[3]"))
+    ring, segment = table.ring("Q_MEZ"), table.segment
+    table.close()
+    assert segment._map.closed
+    with pytest.raises(ValueError, match="released memoryview"):
+        ring.read()

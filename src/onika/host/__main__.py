@@ -20,6 +20,7 @@ from onika.host.sessions.listener_process import ListenerProcess
 from onika.host.sessions.request_server import RequestServer
 from onika.host.shutdown import ShutdownSignals
 from onika.host.units.call_watchdog import CallWatchdog
+from onika.host.units.garbage import Garbage
 from onika.host.units.memory_limit import bound
 from onika.host.units.output_pipe import open_output_pipes
 from onika.host.units.realtime_scheduling import RUNNER_PRIORITY, fine_timers, first_in_first_out, still_garbage
@@ -199,8 +200,13 @@ def _print(reason: Reason) -> None:
 
 def _virtual(program: RuntimeProgram, server: RequestServer, driver: VirtualDriver, ending: ShutdownSignals) -> None:
     """As fast as it goes while something happens by itself; else wait for the environment."""
+    garbage = Garbage()
     while server.is_open and not program.is_over and not ending.is_asked:
         goes_on = program.advance(_SLICE_NS)
+        if goes_on:
+            garbage.note()
+        else:
+            garbage.collect(None)
         wait_s = 0.0 if goes_on else server.wait_s(program.wait_s(driver.wait_s()))
         select.select([*server.readers(), *program.readers()], server.writers(), [], wait_s)
         program.serve()

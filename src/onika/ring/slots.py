@@ -66,6 +66,11 @@ class Ring:
         """Bytes that an entry of `size` bytes takes in memory."""
         return LINE + _slots(size) * _stride(size)
 
+    def release(self) -> None:
+        """Hold the memory no longer; nobody reads or writes by this ring any more."""
+        for view in (self._guard, self.words, self._memory, *self._slots):
+            view.release()
+
     @property
     def count(self) -> int:
         """How often the entry was written."""

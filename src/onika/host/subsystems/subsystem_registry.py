@@ -76,7 +76,7 @@ class Subsystems:
         """A new zeroed table for a subsystem, in place of any old one (law 4); raises SharedMemoryRefused."""
         segment = Segment.create(f"table-{name}", SIZE)
         if name in self.tables:
-            self.tables[name].segment.close()
+            self.tables[name].close()
         table = self.tables[name] = Table(segment)
         self._units.share(f"table:{name}", table.segment)
         return table
@@ -105,7 +105,7 @@ class Subsystems:
         if holder:
             self._tell(event.Held(name, ""), name, holder)
         self._units.unshare(f"table:{name}")
-        self.tables.pop(name).segment.close()
+        self.tables.pop(name).close()
 
     def unit(self, wanted: str) -> str:
         """The unit a task runs on: the named one, else the first that lives (reading 12)."""

@@ -12,6 +12,7 @@ from time import monotonic_ns
 
 from msgspec import Struct, msgpack
 
+from onika.host.units.garbage import Garbage
 from onika.host.units.heartbeat import Heartbeat
 from onika.host.units.memory_limit import bound
 from onika.host.units.output_pipe import open_output_pipes
@@ -65,6 +66,7 @@ class Rtpu:
         self._views: dict[str, memoryview] = {}
         self._segments: dict[str, Segment] = {}
         self._executive = Executive(name, self._views, heartbeat.watch)
+        self._garbage = Garbage()
         self._over = False
         self._untold: list[news.News] = []
         self._untold_since = 0
@@ -93,6 +95,7 @@ class Rtpu:
         self._tell(self._executive.work(self._now()))
         self._heartbeat.is_slow(False)
         due = self._executive.next_release()
+        self._garbage.collect(None if due is None else due - self._now())
         wait = _LONGEST_SLEEP_S if due is None else min((due - self._now()) * 1e-9, _LONGEST_SLEEP_S)
         if wait > 0:
             writable = [self._post] if self._post.is_waiting else []
@@ -148,6 +151,8 @@ class Rtpu:
             if slow:
                 self._heartbeat.is_slow(True)
             self._tell(self._executive.handle(order, self._now()))
+            if isinstance(order, command.Kill | command.Swap):
+                self._garbage.note()
             if slow:
                 self._heartbeat.is_slow(False)
             self._over = self._over or isinstance(order, command.Quit)
