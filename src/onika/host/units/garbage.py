@@ -15,7 +15,7 @@ MOST = 100
 
 
 class Garbage:
-    """Collected only after something was noted, in a gap that is long enough by the last one, or when too much waits."""
+    """Collected once something was noted, in a gap that is long enough by the last one, or when too much waits."""
 
     def __init__(self) -> None:
         self._count = 0
