@@ -58,7 +58,7 @@ def test_a_world_is_touched_and_what_is_not_there_refused(desk):  # R-K06
     desk.program.advance(0)
     assert desk.of(event.Drive)[-1].state == "PRESSED"
     desk.ask(request.Abort(Reason.plain("enough")))
-    assert desk.to_the_end().cause == "enough"
+    assert str(desk.to_the_end().cause) == "enough"
 
 
 def test_a_faulty_plan_is_not_begun(desk):  # R-E01
@@ -102,7 +102,7 @@ def test_a_run_is_ended_from_outside_with_the_cause(desk, wish):  # R-E07, law 2
         desk.program.advance(0)
     assert desk.ask(wish) == request.Done()
     result = desk.to_the_end()
-    assert (result.completed, result.cause, result.done) == (False, "enough", 0)
+    assert (result.completed, str(result.cause), result.done) == (False, "enough", 0)
     assert [message.state for message in desk.server.told if isinstance(message, event.Drive)][-1] == "HELD"
 
 
@@ -169,7 +169,7 @@ def test_a_run_that_goes_on_without_its_session_can_be_ended_by_others(desk):  #
     desk.server.gone.append("gone")
     desk.program.serve()
     assert desk.ask(request.Abort(Reason.plain("enough")), "another") == request.Done()
-    assert desk.to_the_end().cause == "enough"
+    assert str(desk.to_the_end().cause) == "enough"
 
 
 class SlowLoading(YardLoading):

@@ -155,7 +155,7 @@ def test_an_abort_acts_at_the_present_time():  # R-E07
     assert run.driver.now == now
     assert run.driver.is_at_rest()
     assert run.of(event.Drive)[-1].state == "HELD"
-    assert (run.result.completed, run.result.cause) == (False, "enough")
+    assert (run.result.completed, str(run.result.cause)) == (False, "enough")
     assert run.driver.advance(SECOND) is False
 
 
