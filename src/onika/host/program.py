@@ -8,6 +8,8 @@ from msgspec.structs import replace
 
 from onika.host.driver import Driver
 from onika.host.edit.editor import LiveEditor, refused
+from onika.host.foresight.questions import Questions
+from onika.host.foresight.situation import SessionFacts
 from onika.host.inspection import Inspection
 from onika.host.loading.loader_client import LoaderClient, NotYet
 from onika.host.loading.module_description import describe
@@ -30,6 +32,7 @@ from onika.link.caller import Role
 from onika.ring.segment import SharedMemoryRefused
 from onika.runtime.subsystem import RunningSubsystem
 from onika.wire import event, holding, live, request, steer
+from onika.wire.foresight import WhatIf
 from onika.words.reason import NOTHING, Reason, reason_of
 
 
@@ -60,6 +63,7 @@ class RuntimeProgram:
         self._descriptions = RunDescriptions(self.subsystems, driver, rtpus)
         self._recorder = Recorder(self.subsystems, driver, server, self._descriptions)
         self._black_box: BlackBox | None = None
+        self._questions = Questions(self.subsystems, driver, self._session_facts, lambda: self._recorder.application)
         self.is_stopped = False
         self.is_over = False
 
@@ -199,6 +203,14 @@ class RuntimeProgram:
     def _lease_of(self, session: str) -> int:
         return self.leases.of(session)
 
+    def _session_facts(self) -> dict[str, SessionFacts]:
+        """Who is there, as far as faults are concerned."""
+        launcher = self._server.launcher
+        return {
+            standing.name: SessionFacts(self.leases.of(standing.name) * 1e-6, standing.name == launcher)
+            for standing in self._server.sessions()
+        }
+
     def _serve(self, call: SessionRequest) -> None:
         def answer(response: request.Response) -> None:
             self._server.reply(call.ticket, response)
@@ -248,6 +260,8 @@ class RuntimeProgram:
                 self._look.status(answer)
             case live.Advance():
                 self._advance(call.asked.seconds, answer)
+            case WhatIf():
+                self._questions.ask(call.session, call.asked, self._prepared.get(call.session), answer)
             case steer.Who():
                 answer(self._run_commands.who(call.session))
             case (

@@ -3,6 +3,7 @@
 import msgspec
 from msgspec import Struct
 
+from onika.wire.foresight import Foreseen, WhatIf
 from onika.wire.holding import Company, HoldingRequest
 from onika.wire.live import LiveRequest, LiveResponse
 from onika.wire.plan import Code, Index, Plan, PlannedTask
@@ -150,8 +151,8 @@ class Worlds(Struct, frozen=True, tag=True):
 
 
 _RunRequest = Prepare | Inspect | Begin | Reply | Abort | Stop | Snapshot | Quit
-Request = _RunRequest | SteerRequest | LiveRequest | HoldingRequest
-Response = Prepared | Done | Refused | Worlds | Positions | Company | LiveResponse
+Request = _RunRequest | SteerRequest | LiveRequest | HoldingRequest | WhatIf
+Response = Prepared | Done | Refused | Worlds | Positions | Company | LiveResponse | Foreseen
 
 encode = msgspec.msgpack.Encoder().encode
 decode_request = msgspec.msgpack.Decoder(Request).decode

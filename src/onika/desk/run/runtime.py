@@ -28,6 +28,7 @@ from onika.link.token import read_token, token_path
 from onika.link.websocket_opening import WebSocketOpening
 from onika.record.black_box_folder import black_box_folder, black_box_of
 from onika.wire import event, live, request
+from onika.wire.foresight import WhatIf
 from onika.words.reason import NOTHING, Reason
 
 _PATIENCE_S = 60.0
@@ -54,6 +55,7 @@ _AGAIN = (
     live.Attend,
     live.Scene,
     live.Get,
+    WhatIf,
 )
 """What may be asked again after a cut: it moves nothing, or ends motion."""
 

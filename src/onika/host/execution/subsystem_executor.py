@@ -88,6 +88,10 @@ class SubsystemExecutor:
         """Whether news is about an activation before the task's last one (decision 4)."""
         return self._dispatch.is_late(message)
 
+    def source(self, digest: str) -> str:
+        """The code behind a task."""
+        return self.spawner.code(digest).source
+
     # Time
 
     def begin(self, now: int) -> None:

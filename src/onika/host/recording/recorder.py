@@ -30,7 +30,8 @@ _POSED_EVERY_NS = 33_000_000
 _LOOKS = 4
 """Periods of the fastest task between two looks; an entry keeps fifteen values, so that looks may come late."""
 _FASTEST_NS, _SLOWEST_NS = 2_000_000, 20_000_000
-_END_NS = 5_000_000_000
+END_NS = 5_000_000_000
+"""How long the end of a run waits at most for its recording to be finished."""
 
 
 class RecordedDriver(Protocol):
@@ -111,6 +112,13 @@ class Recorder:
 
     def _at_s(self) -> float:
         return round((self._seen.now - self._began) * 1e-9, 9)
+
+    @property
+    def application(self) -> str:
+        """What is being recorded; empty: nothing."""
+        if self._writer is None or self._began < 0 or self._end_at:
+            return ""
+        return next((run.application for run in self._subsystems.runs if run.session == self._session), "")
 
     def lost(self, session: str) -> None:
         """A session is gone."""
@@ -195,7 +203,7 @@ class Recorder:
         if not self._end_at:
             self._look()
             self._say(topics.EVENTS, topics.encode(topics.EventRecord("", result)))
-            self._end_at = monotonic_ns() + _END_NS
+            self._end_at = monotonic_ns() + END_NS
             writer.take(FinishRecording(ending(result), writer.untold))
         writer.serve()
         if not writer.is_done and monotonic_ns() < self._end_at:

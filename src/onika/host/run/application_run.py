@@ -16,7 +16,7 @@ from onika.wire import event
 from onika.wire.request import Begin
 from onika.words.reason import Reason
 
-_REST_NS = 300_000_000
+REST_NS = 300_000_000
 """How long the end of a run waits at most until every drive holds."""
 
 
@@ -38,10 +38,12 @@ class ApplicationRun:
         self.is_ended_at_wish = False
         """Whether whoever may end it has said so."""
         self.application = prepared.plan.application
+        self.flows = prepared.plan.flows
         self.names = tuple(flow.subsystem for flow in prepared.plan.flows)
         self.variable_units = variable_units(prepared)
         """By subsystem, the units of its variables by name."""
         self.runner = Runner(prepared, begin, subsystems, units, self._tell, lost)
+        self._code = prepared.code
         self._tell_all = tell
         self._subsystems = subsystems
         self._actions = sum(len(flow.actions) for flow in prepared.plan.flows)
@@ -56,6 +58,10 @@ class ApplicationRun:
     def members(self, subsystem: str) -> Mapping[str, Member]:
         """The tasks of one of its subsystems."""
         return self._subsystems[self.names.index(subsystem)].members
+
+    def source(self, digest: str) -> str:
+        """The code behind a task of it."""
+        return self._code[digest].source
 
     def hear(self, rtpu: str, message: news.News, now: int) -> None:
         """Take in one piece of news of its tasks."""
@@ -74,7 +80,7 @@ class ApplicationRun:
         if not self.runner.is_over:
             return False
         self._over_since = self._over_since or monotonic_ns()
-        return is_at_rest() or monotonic_ns() - self._over_since > _REST_NS
+        return is_at_rest() or monotonic_ns() - self._over_since > REST_NS
 
     def result(self, digest: str, outside: tuple[str, ...] = ()) -> event.Result:
         """What came of it; `outside` are the tasks that make it one which may not repeat (law 15)."""

@@ -19,6 +19,7 @@ from onika.host.loading.plan_preparation import Preparation
 from onika.host.run.condition_evaluator import ConditionEvaluator
 from onika.host.run.engine_news import of_task
 from onika.host.run.input_requests import InputRequests
+from onika.host.run.plan_engine import plan_engine
 from onika.host.run.prepared_switch import PreparedSwitches
 from onika.host.run.run_events import FlowNote, RunEvents
 from onika.host.run.run_statistics import RunStatistics
@@ -90,13 +91,15 @@ class Runner:
         return spawner
 
     def _make_engine(self, subsystems: Mapping[int, RunningSubsystem]) -> Engine:
-        tasks = [(flow, wired) for flow, wired_tasks in enumerate(self._prepared.flows) for wired in wired_tasks]
-        passive = {(flow, wired.name) for flow, wired in tasks if wired.sheet.passive}
-        triggers = {(flow, wired.name) for flow, wired in tasks if wired.sheet.trigger}
         ranks = {(flow, task): rank for flow, home in subsystems.items() for task, rank in home.ranks.items()}
         stands_still = self._begin.on_error == "wait"
         judge = ConditionEvaluator(subsystems)
-        return Engine(self._prepared.plan, self._prepared.triggers, passive, ranks, triggers, judge.holds, stands_still)
+        return plan_engine(self._prepared, ranks, stands_still, judge.holds)
+
+    @property
+    def engine(self) -> Engine:
+        """What decides; to be looked at, or copied, by whoever asks what would follow."""
+        return self._engine
 
     def start(self, now: int) -> None:
         """Begin the run."""

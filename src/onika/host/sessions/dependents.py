@@ -7,8 +7,15 @@ from typing import Protocol, TypeVar
 class BegunRun(Protocol):
     """A run, as far as it depends on a session."""
 
-    session: str
-    on_loss: str
+    @property
+    def session(self) -> str:
+        """Who began it."""
+        ...
+
+    @property
+    def on_loss(self) -> str:
+        """What becomes of it when that one is gone."""
+        ...
 
 
 _Run = TypeVar("_Run", bound=BegunRun)

@@ -4,6 +4,7 @@ from collections.abc import Iterable
 
 from onika.link.caller import PARENT, Caller, Role
 from onika.wire import holding, live, request, steer
+from onika.wire.foresight import WhatIf
 from onika.words.reason import NOTHING, Reason
 
 _LOOKING = (
@@ -16,6 +17,7 @@ _LOOKING = (
     live.Attend,
     live.Scene,
     steer.Who,
+    WhatIf,
     holding.Sessions,
     holding.OnlyWatch,
 )

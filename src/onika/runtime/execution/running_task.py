@@ -16,6 +16,7 @@ from onika.runtime.modules.binding import Binding, Views, give_locals, instantia
 from onika.runtime.modules.binding_guard import BindingGuard
 from onika.runtime.modules.module import Module
 from onika.runtime.modules.sheet import sheet_of
+from onika.runtime.partner.absence import without_partner
 from onika.runtime.partner.partner import Partner
 from onika.runtime.period import SLOWEST_GRID_NS, period_of
 from onika.runtime.scheduler import TaskSlot
@@ -251,7 +252,7 @@ class RunningTask:
                 if not self.module.partner.has_answered():
                     return None
             except ModuleError as missing:
-                if not self.passive:
+                if without_partner(self.passive) is LifecycleInput.FAIL:
                     raise
                 self.module.warn(Reason.of("runtime.goes_off", why=reason_of(missing)))
                 return off()

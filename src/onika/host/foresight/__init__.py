@@ -1,0 +1,1 @@
+"""What if? Faults that could come, put to the tables that act when they come (requirement X24)."""

@@ -1,0 +1,67 @@
+"""What a person has to do after a fault; nothing that moves comes back by itself (requirements E08, X24)."""
+
+from onika.host.diagnosis.stop_cause import Cause, CauseKind
+from onika.host.diagnosis.stop_choice import choices
+from onika.host.foresight.outlook import Outlook
+from onika.model.lifecycle import State
+from onika.ring.device import DriveState
+from onika.words.reason import NOTHING, Reason
+
+_KINDS = {DriveState.PRESSED: CauseKind.PRESSED, DriveState.TRIPPED: CauseKind.TRIPPED}
+
+
+def after_task(outlook: Outlook, _subject: str) -> tuple[Reason, ...]:
+    """What it takes until the tasks work again that have failed or ended."""
+    return (*_steering(outlook), *_beginning_anew(outlook), *_clearing(outlook), *after_unit(outlook, ""))
+
+
+def after_unit(outlook: Outlook, _subject: str) -> tuple[Reason, ...]:
+    """A unit that is gone does not come back before the runtime is started anew."""
+    lost = tuple(effect.subject for effect in outlook.effects if effect.kind == "unit")
+    return (Reason.of("foresight.do_start_anew", units=lost),) if lost else ()
+
+
+def after_run(outlook: Outlook, _subject: str) -> tuple[Reason, ...]:
+    """What it takes until runs go on."""
+    return (*_steering(outlook), *_beginning_anew(outlook))
+
+
+def _steering(outlook: Outlook) -> tuple[Reason, ...]:
+    """Where a flow stands at an error: the choices that its user then has, as they are offered there."""
+    offered: list[Reason] = []
+    for number, run in enumerate(outlook.situation.runs):
+        positions = outlook.positions(number)
+        for position in positions:
+            if position.state != "stopped" or outlook.is_over(number):
+                continue
+            task = next(iter(position.failed), "")
+            cause = Cause(_kind(outlook, position.subsystem, task), NOTHING, position.subsystem, task)
+            lines = choices(cause, run.flows, positions)
+            offered += [
+                Reason.of("foresight.do_choose", command=command, meaning=meaning) for command, meaning in lines
+            ]
+    return tuple(dict.fromkeys(offered))
+
+
+def _kind(outlook: Outlook, subsystem: str, task: str) -> CauseKind:
+    facts = outlook.situation.tasks.get((subsystem, task))
+    drive = None if facts is None else outlook.drives.get(facts.device)
+    if drive is None:
+        return CauseKind.ERROR
+    return _KINDS.get(drive.shown, CauseKind.ERROR)
+
+
+def _beginning_anew(outlook: Outlook) -> tuple[Reason, ...]:
+    runs = outlook.situation.runs
+    ended = tuple(run.application for number, run in enumerate(runs) if outlook.is_over(number))
+    return (Reason.of("foresight.do_run_again", applications=ended),) if ended else ()
+
+
+def _clearing(outlook: Outlook) -> tuple[Reason, ...]:
+    """By hand: tasks in ERROR are cleared and turned on by whoever holds them."""
+    failed = tuple(
+        "/".join(address)
+        for address, state in outlook.states.items()
+        if state is State.ERROR and outlook.situation.run_of(address[0]) is None
+    )
+    return (Reason.of("foresight.do_clear", tasks=failed),) if failed else ()
