@@ -13,7 +13,7 @@ from onika.runtime.modules.binding_guard import BindingChanged
 from onika.runtime.modules.code import raised, sayable, where
 from onika.words.reason import NOTHING, Reason
 
-RAISED = (Exception, SystemExit, KeyboardInterrupt)
+RAISED = BaseException
 """What a module's code may raise without harm to anybody else; a module that exits is as wrong as any other."""
 
 

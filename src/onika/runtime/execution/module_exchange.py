@@ -59,7 +59,7 @@ class ModuleExchange:
         reason = self._entry_points.trial(new, "init", now, lambda: new.prepare(new.module.init))
         reason = reason or (self._come_on(old, new, now) if old.is_on else NOTHING)
         if reason:
-            with suppress(*RAISED):  # it only gives back what `init` took; the refusal tells what is wrong with it
+            with suppress(RAISED):  # it only gives back what `init` took; the refusal tells what is wrong with it
                 new.module.kill()
             self._unit.refuse(new.address, _SWAP, reason)
             return

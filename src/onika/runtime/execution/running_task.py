@@ -25,7 +25,10 @@ from onika.runtime.user_input import UserInput
 from onika.words.reason import Reason, reason_of
 
 CHECKED_EVERY = 1023
-"""Once in 1024 cycles, so that it costs nothing, a task is looked at: whether its module is still what was bound."""
+"""Once in 1024 cycles, so that it costs nothing, a task is looked at: whether its module is still what was bound.
+
+A task below a kilohertz is looked at about once a second; each is when it comes on, and when it goes off.
+"""
 
 
 class RunningTask:
@@ -59,6 +62,7 @@ class RunningTask:
         """The present rate in hertz."""
         self._reads = self.binding.copies("in")
         self._writes = self.binding.copies("out")
+        self._checked_every = _cycles_to_check(spawn.frequency)
         self._views = views
         self._wanted = cls.declared_inputs
         self._input: UserInput | None = None
@@ -181,6 +185,7 @@ class RunningTask:
         self.period_ns = period_of(frequency)
         self.frequency = frequency
         self.module.dt = 1.0 / frequency
+        self._checked_every = _cycles_to_check(frequency)
         if self.input_guard is not None:
             self.input_guard.change_rate(self.period_ns)
         return self.period_ns
@@ -230,7 +235,7 @@ class RunningTask:
         for write in self._writes:
             write()
         took, counters = perf_counter_ns() - began, self.counters
-        if not counters.cycles & CHECKED_EVERY:
+        if not counters.cycles & self._checked_every:
             self.no_strays()
         counters.total_ns += took  # as Counters.add, without a call: this runs thousands of times a second
         counters.cycles += 1
@@ -266,7 +271,7 @@ class RunningTask:
         return signal
 
     def off(self) -> None:
-        """`off`; a device is put in hold; outputs are not published."""
+        """`off`; a device is put in hold; outputs are not published; is the module still what was bound?"""
         try:
             self.module.off()
         finally:
@@ -274,6 +279,7 @@ class RunningTask:
             self.binding.rest()
             if self.module.partner is not None:
                 self.module.partner.rest()
+        self.no_strays()
 
     def hold(self) -> None:
         """Put the task's device in hold, whatever its module thinks."""
@@ -317,3 +323,10 @@ class RunningTask:
             for attribute, declared in cls.declared_ports.items()
             if declared.kind.at_init and declared.kind.is_input
         }
+
+
+def _cycles_to_check(frequency: float | None) -> int:
+    """A mask of the number of cycles: between two checks lies about a second; no rate: each cycle is checked."""
+    if frequency is None:
+        return 0
+    return min((1 << int(frequency).bit_length()) - 1, CHECKED_EVERY)

@@ -39,7 +39,7 @@ def load(source: str, path: str, module: str, code: types.CodeType | Fault | Non
     sys.modules[namespace.__name__] = namespace  # dataclasses look their own file up while they are made
     try:
         exec(code, namespace.__dict__)  # noqa: S102 - running modules is what a runtime is for; trust is decided before
-    except (Exception, SystemExit) as wrong:
+    except BaseException as wrong:  # one that exits is as wrong as any other
         return Fault(
             Place(path, line_in(path, wrong)), Reason.of("runtime.unimportable", given=traceback_text(wrong)), instead
         )
@@ -78,8 +78,8 @@ def traceback_text(wrong: BaseException) -> str:
     """An exception as a text that can be shown."""
     try:
         text = str(wrong)
-    except Exception:
-        text = ""  # an exception whose own text raises
+    except BaseException:  # whose own text raises, or exits
+        text = ""
     return showable(f"{type(wrong).__name__}: {text}" if text else type(wrong).__name__)
 
 
