@@ -55,6 +55,20 @@ def test_whatever_a_module_does_to_itself_is_an_error_that_names_it(line, senten
     assert (rig["N"], rig.task("good").state) == (111, State.ON)
 
 
+def test_what_a_module_changes_late_is_told_when_it_goes_off():  # R-A12, R-X12
+    rig = ExecutiveRig().spawn("one", tricky("self.Q_REFF = 1.0", 3), frequency=100.0).switch(on=["one"]).run(100 * MS)
+    assert rig.task("one").state is State.ON
+    rig.switch(off=["one"])
+    (failed,) = rig.news_of(news.Failed)
+    assert failed.entry == "off"
+    assert "Q_REFF is no port of this module" in failed.text
+
+
+def test_a_slow_task_is_looked_at_after_about_a_second():  # R-A12, R-X12
+    rig = ExecutiveRig().spawn("one", tricky("self.Q_REFF = 1.0", 3), frequency=10.0).switch(on=["one"]).run(2000 * MS)
+    assert rig.task("one").state is State.ERROR
+
+
 def test_no_error_entry_mends_it():  # R-A12
     body = "    def cycle(self):\n        self.Q_REFF = 1\n    def error(self, fault):\n        return True"
     assert ExecutiveRig().spawn("one", module(body)).switch(on=["one"]).run(0).task("one").state is State.ERROR
