@@ -86,3 +86,17 @@ def test_code_that_closes_everything_is_named(loader):  # law 21
 
 def test_code_that_prints_megabytes_is_looked_at(loader, capfd):  # law 30
     assert isinstance(loader.sheet(code("print('x' * 3_000_000)\n" + GOOD)), ModuleSheet)
+
+
+def test_code_that_does_not_return_is_interrupted_and_named_with_its_line(loader):  # law 21, R-X12
+    loader.sheet(code(GOOD))  # it is up
+    fault = loader.sheet(code("x = 1\nwhile True: pass\n"))
+    assert fault.place.line == 2
+    assert fault.reason.args["given"].args["why"] == Reason.of("host.loading_takes_long", seconds=2.0)
+
+
+def test_a_module_that_declares_too_much_is_refused_and_the_next_is_looked_at(loader):  # R-X12, R-B07
+    ports = "".join(f"    P{number} = OutVar('double', '-', 'one of many')\n" for number in range(20_000))
+    fault = loader.sheet(code(f"from onika.module import Module, OutVar\nclass Many(Module):\n{ports}"))
+    assert fault.reason.key == "host.answer_too_long"
+    assert isinstance(loader.sheet(code(GOOD)), ModuleSheet)

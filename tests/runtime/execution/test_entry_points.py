@@ -45,9 +45,10 @@ def test_a_task_in_error_cycles_no_more_and_the_others_go_on():  # R-A05
     assert rig["N"] == 6
 
 
-def test_a_module_that_exits_ends_nobody_else():
-    rig = rig_of(cycle("sys.exit(3)")).switch(on=["one"]).run(20 * MS)
-    assert rig.last(news.Failed).text == "SystemExit: 3"
+@pytest.mark.parametrize(("line", "text"), [("sys.exit(3)", "SystemExit: 3"), ("raise GeneratorExit", "GeneratorExit")])
+def test_a_module_that_exits_ends_nobody_else(line, text):  # R-X12
+    rig = rig_of(cycle(line)).switch(on=["one"]).run(20 * MS)
+    assert rig.last(news.Failed).text == text
 
 
 def test_a_cycle_that_raises_publishes_nothing():  # law 2

@@ -11,6 +11,7 @@ from typing import Any
 
 from msgspec import msgpack
 
+from onika.host.loading.load_alarm import LoadAlarm
 from onika.host.loading.loader_messages import (
     Answer,
     AskCompany,
@@ -33,6 +34,7 @@ from onika.host.loading.loader_messages import (
 )
 from onika.host.loading.module_facts import ModuleFacts
 from onika.host.units.child_process import start
+from onika.host.units.memory_limit import bound
 from onika.host.units.output_pipe import open_output_pipes
 from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.rtpu import preload
@@ -44,6 +46,9 @@ from onika.words.reason import Reason
 
 PATIENCE_S = 10.0
 """How long a module may take to be imported and looked at."""
+
+LONGEST = 1 << 17
+"""Bytes of an answer: a module with a thousand ports needs less, and every system can send as much in one piece."""
 
 encode = msgpack.Encoder().encode
 decode_question = msgpack.Decoder(Question).decode
@@ -131,6 +136,23 @@ def _fact(question: Question, facts: ModuleFacts) -> tuple[Any, Callable[[Any], 
             return facts.company(question.world, question.devices, is_of_flow=question.is_of_flow), Objections
 
 
+def _packed(question: Question, facts: ModuleFacts) -> bytes:
+    """The answer as bytes; one that is too long to be told is a fault of the module."""
+    body = encode(_answer(question, facts))
+    if len(body) <= LONGEST:
+        return body
+    place, module = _asked_about(question)
+    reason = Reason.of("host.answer_too_long", size=len(body), most=LONGEST)
+    return encode(_wrong(Fault(Place(place), reason, Reason.of("host.module_not_used", module=module))))
+
+
+def _asked_about(question: Question) -> tuple[str, str]:
+    """The file that a question is about, and its name."""
+    if isinstance(question, AskDevices | AskCompany):
+        return question.world, question.world
+    return question.code.path, question.code.module
+
+
 def _wrong(fault: Fault) -> UnusableModule:
     return UnusableModule(FaultText(fault.place.file, fault.place.line, fault.reason, fault.instead))
 
@@ -145,13 +167,14 @@ def main(words: list[str]) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     open_output_pipes()
     preload()
-    post, loading = ProcessSocket(socket.socket(fileno=given.fd)), ModuleFacts()
+    bound()
+    post, loading = ProcessSocket(socket.socket(fileno=given.fd)), ModuleFacts(LoadAlarm().watch)
     while not post.is_closed:
         select.select([post], [post] if post.is_waiting else [], [])
         post.flush()
         received = post.receive()
         if received is not None:
-            post.send(encode(_answer(decode_question(received[0]), loading)))
+            post.send(_packed(decode_question(received[0]), loading))
 
 
 if __name__ == "__main__":

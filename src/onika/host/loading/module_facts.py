@@ -1,6 +1,7 @@
 """What is learnt of module code by executing it: sheets, constants, reach. Called in the loader's process only."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from contextlib import AbstractContextManager, nullcontext
 from time import perf_counter_ns
 from typing import Any
 
@@ -10,6 +11,7 @@ from onika.host.units.world_registry import open_world
 from onika.runtime.bus import World
 from onika.runtime.modules.binding import locals_of
 from onika.runtime.modules.code import line_in, load, sayable, traceback_text
+from onika.runtime.modules.module import Module
 from onika.runtime.modules.sheet import sheet_of
 from onika.wire.plan import Code
 from onika.wire.sheet import ModuleSheet
@@ -17,18 +19,21 @@ from onika.words.fault import Fault, Place
 from onika.words.module_sentence import of_sentence
 from onika.words.reason import NOTHING, Reason, as_reason, reason_of
 
+_SLOW_NS = 300_000_000
+
 Lines = tuple[tuple[str, tuple[str, ...]], ...]
 
 
 class ModuleFacts:
     """Executes module code in this process."""
 
-    def __init__(self) -> None:
+    def __init__(self, watch: Callable[[], AbstractContextManager[None]] = nullcontext) -> None:
         self._worlds: dict[str, World] = {}
+        self._watch = watch
 
     def sheet(self, code: Code) -> ModuleSheet | Fault:
         """The sheet of a module's class."""
-        cls = load(code.source, code.path, code.module)
+        cls = self._load(code)
         if isinstance(cls, Fault):
             return cls
         try:
@@ -41,8 +46,10 @@ class ModuleFacts:
         times = []
         for _ in range(3):
             began = perf_counter_ns()
-            load(code.source, code.path, code.module)
+            self._load(code)
             times.append(perf_counter_ns() - began)
+            if times[-1] > _SLOW_NS:
+                break  # it is too slow to be loaded in a gap in any case
         return min(times)
 
     def expect(self, codes: tuple[Code, ...]) -> None:
@@ -50,7 +57,7 @@ class ModuleFacts:
 
     def constants(self, code: Code, local: Lines) -> dict[str, Any] | Fault:
         """A robot module's constants from its LOCAL lines, as plain lists and numbers."""
-        cls = load(code.source, code.path, code.module)
+        cls = self._load(code)
         if isinstance(cls, Fault):
             return cls
         try:
@@ -70,7 +77,7 @@ class ModuleFacts:
         self, code: Code, constants: dict[str, Any], targets: list[tuple[str, list[Any]]]
     ) -> list[Reason | None] | Fault:
         """Why each target is out of reach, or None."""
-        cls = load(code.source, code.path, code.module)
+        cls = self._load(code)
         if isinstance(cls, Fault):
             return cls
         try:
@@ -83,7 +90,7 @@ class ModuleFacts:
         self, code: Code, constants: dict[str, Any], targets: list[list[Any]]
     ) -> list[list[float]] | Fault | None:
         """The Cartesian targets that joint targets are for a robot module; None: it knows of no poses."""
-        cls = load(code.source, code.path, code.module)
+        cls = self._load(code)
         if isinstance(cls, Fault):
             return cls
         try:
@@ -98,7 +105,7 @@ class ModuleFacts:
         self, code: Code, constants: dict[str, Any], nines: list[list[float]]
     ) -> list[list[float] | Reason] | Fault | None:
         """Joint values for Cartesian targets, each nearest to those before it, or why there are none."""
-        cls = load(code.source, code.path, code.module)
+        cls = self._load(code)
         if isinstance(cls, Fault):
             return cls
         try:
@@ -111,7 +118,7 @@ class ModuleFacts:
 
     def fits(self, code: Code, constants: dict[str, Any], device: str) -> Reason | Fault:
         """Why a device is not the one that a hardware module means; NOTHING: nothing is wrong."""
-        cls = load(code.source, code.path, code.module)
+        cls = self._load(code)
         if isinstance(cls, Fault):
             return cls
         try:
@@ -129,6 +136,10 @@ class ModuleFacts:
             return () if ask is None else tuple(as_reason(remark) for remark in ask(devices))
         except Exception:
             return ()  # a world that cannot be opened is told with its devices
+
+    def _load(self, code: Code) -> type[Module] | Fault:
+        with self._watch():
+            return load(code.source, code.path, code.module)
 
     def _identity(self, device: str) -> Mapping[str, Any] | None:
         """What a device says of itself; None where there is none such, as is told elsewhere."""

@@ -41,7 +41,7 @@ def load(source: str, path: str, module: str, code: types.CodeType | Fault | Non
         exec(code, namespace.__dict__)  # noqa: S102 - running modules is what a runtime is for; trust is decided before
     except BaseException as wrong:  # one that exits is as wrong as any other
         return Fault(
-            Place(path, line_in(path, wrong)), Reason.of("runtime.unimportable", given=traceback_text(wrong)), instead
+            Place(path, line_in(path, wrong)), Reason.of("runtime.unimportable", given=raised(wrong, module)), instead
         )
     finally:
         sys.modules.pop(namespace.__name__, None)
