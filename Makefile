@@ -6,9 +6,10 @@ SECONDS ?= 600
 VENV   := .venv
 BIN    := $(VENV)/bin
 PEERS  := .venv-bench
+AUDIT  := .venv-audit
 
 .DEFAULT_GOAL := help
-.PHONY: help demo assemble page page-check test check mutants fuzz soak bench bench-peers clean
+.PHONY: help demo assemble page page-check test check audit mutants fuzz soak bench bench-peers clean
 
 help: ## say what can be made
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST)
@@ -35,6 +36,10 @@ check: $(VENV)/.installed-dev page page-check ## style, types, floors, tests for
 	$(BIN)/python tools/figures.py --check
 	$(BIN)/python tools/requirements.py --check
 	$(BIN)/python tools/generate.py --check
+	$(BIN)/python tools/licences.py --check
+
+audit: $(VENV)/.installed-dev ## ask the advisory databases about all packages, where a network allows
+	$(BIN)/python tools/audit.py --venv $(AUDIT)
 
 # The profile draws the same examples every time, so a change is judged by what it changed; `soak` draws new ones. What
 # starts programs runs apart from what starts browsers, and both from the rest: two of a kind at a time share the machine.
@@ -68,7 +73,7 @@ bench-peers: $(PEERS)/.installed ## measure beside the peers, and write docs/ben
 	PYTHONPATH=tools/bench:tests $(PEERS)/bin/python -m beside --write docs/benchmarks.md
 
 clean: ## remove what make made
-	rm -rf $(VENV) $(PEERS) browser/node_modules src/onika/web/static build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) $(PEERS) $(AUDIT) browser/node_modules src/onika/web/static build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
 	find src tests tools -name __pycache__ -type d -prune -exec rm -rf {} +
 
 $(VENV)/.installed: pyproject.toml | $(BIN)/pip

@@ -75,7 +75,7 @@ class Page:
 
     def run(self, script: str) -> None:
         """Run one script of package.json."""
-        npm = _on_system() or _from_pypi()
+        npm = npm_command()
         wanted = self._digest("package-lock.json")
         if _stamp(self.sources / "node_modules") != wanted:
             self._npm(npm, "ci", "--no-audit", "--no-fund")
@@ -113,6 +113,11 @@ class Page:
             path = self.sources / name
             found = sorted(path.rglob("*")) if path.is_dir() else [path]
             yield from (each for each in found if each.is_file() and not each.name.startswith("."))
+
+
+def npm_command() -> list[str]:
+    """The command that starts npm: the system's, or else the one that PyPI carries, fetched on first use."""
+    return _on_system() or _from_pypi()
 
 
 def _stamp(folder: Path) -> str | None:
