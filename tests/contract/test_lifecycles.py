@@ -11,7 +11,7 @@ import pytest
 from onika.engine import flow
 from onika.link import state as link
 from onika.model import lifecycle as task
-from onika.workcell import drive
+from onika.ring import drive
 
 
 @dataclass(frozen=True)

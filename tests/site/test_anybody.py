@@ -18,6 +18,7 @@ from onika.link.address import Address
 from onika.link.websocket_opening import WebSocketOpening
 from onika.wire import event, live, request
 from onika.wire.plan import Plan
+from onika.words.reason import Reason
 
 pytestmark = pytest.mark.site
 
@@ -172,7 +173,7 @@ def owner_asks(site, seed, count):
     for _ in range(0, count, 1000):
         with site.connect() as owner:
             owner.ask(live.Reset())
-            owner.ask(request.Abort("anew"))
+            owner.ask(request.Abort(Reason.plain("anew")))
             prepared = owner.ask(request.Prepare(plan(50), ()))
             if prepared == request.Prepared(()):
                 owner.ask(request.Begin(on_loss="run"))

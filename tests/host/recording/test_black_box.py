@@ -9,6 +9,7 @@ from onika.desk.run.run_review import Review
 from onika.host.recording.black_box_holder import InProcessHolder
 from onika.record.black_box_folder import black_boxes
 from onika.wire import event, live, request, steer
+from onika.words.reason import Reason
 
 PLAN = rail_tasks().plan([action("mass", "servo", arguments=goal) for goal in ("1.0", "2.0")])
 MS = 1_000_000
@@ -90,7 +91,7 @@ def test_a_black_box_changes_nothing_in_a_run(boxed):  # R-X05, law 14
 
 def test_who_ends_a_run_as_he_wishes_leaves_nothing(boxed):  # R-X05
     boxed.go_to(300 * MS)
-    boxed.desk.ask(request.Abort("enough"))
+    boxed.desk.ask(request.Abort(Reason.plain("enough")))
     assert boxed.end().black_box == ""
     assert not boxed.folder.exists()
 
@@ -101,13 +102,13 @@ def test_who_ends_a_run_in_which_something_went_wrong_leaves_it(tmp_path):  # R-
     boxed.begin(on_error="wait")
     press(boxed)
     boxed.desk.to_the_end()
-    boxed.desk.ask(request.Abort("enough"))
+    boxed.desk.ask(request.Abort(Reason.plain("enough")))
     assert boxed.end().black_box
 
 
 def test_a_stop_leaves_its_last_seconds(boxed):  # R-X05, law 27
     boxed.go_to(300 * MS)
-    boxed.desk.ask(request.Stop("red button"))
+    boxed.desk.ask(request.Stop(Reason.plain("red button")))
     assert boxed.end().black_box
 
 

@@ -232,7 +232,7 @@ def test_who_only_watches_gives_everything_back_first(bench):  # R-X12
     assert bench.authority.only_watch("ann#1") == request.Done()
     assert bench.authority.watching == {"ann#1"}
     assert bench.refusal("ann#1", live.Take("s0")) == Reason.of("host.watches_only")
-    assert bench.refusal("ann#1", request.Stop("x")) == bench.refusal("ann#1", live.Survey()) == NOTHING
+    assert bench.refusal("ann#1", request.Stop(Reason.plain("x"))) == bench.refusal("ann#1", live.Survey()) == NOTHING
 
 
 def test_only_what_one_holds_can_be_handed_over(bench):  # R-X12

@@ -46,7 +46,7 @@ def test_a_role_may_what_it_and_those_before_it_may(role):  # law 27
 @pytest.mark.parametrize(
     ("key", "role", "message", "least"),
     [
-        ("host.role_wanted_an", Role.VIEWER, request.Abort("x"), Role.OPERATOR),
+        ("host.role_wanted_an", Role.VIEWER, request.Abort(Reason.plain("x")), Role.OPERATOR),
         ("host.role_wanted_an", Role.OPERATOR, request.Quit(), Role.OWNER),
         ("host.role_wanted", Role.OPERATOR, live.Swap("s", "t", CODE), Role.PROGRAMMER),
     ],

@@ -40,7 +40,7 @@ def test_what_a_runtime_printed_last_is_told_at_its_side_and_nowhere_else(tmp_pa
     play = RunFixture(tmp_path)
     play.run(play.open([job("aC")]))
     printed = Reason.of("link.printed_last", output="Traceback (most recent call last):")
-    play.lose(Reason.of("link.runtime_gone", why="it ended", how=NOTHING, printed=printed))
+    play.lose(Reason.of("link.runtime_gone", why="it ended", how=NOTHING, printed=printed, kept=NOTHING))
     assert not any("Traceback" in str(say.text) for say in play.says) and "Traceback" not in str(play.view.cause)
     assert "Traceback" in str(play.environment.tree.runtime.text)
 

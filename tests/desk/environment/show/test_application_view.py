@@ -81,7 +81,7 @@ def test_one_fault_more_is_sent_as_one_whatever_stands_before_the_others(gallery
     near, twice, nowhere = (
         FaultView(Reason.plain("near"), step=1),
         FaultView(Reason.plain("near too"), step=1),
-        FaultView("nowhere"),
+        FaultView(Reason.plain("nowhere")),
     )
     before, after = shown(near, twice, nowhere), shown(FaultView(Reason.plain("new"), step=2), near, twice, nowhere)
     assert len(before) == 3 and len(after) == 4

@@ -57,7 +57,9 @@ def test_what_is_new_travels_whole_and_what_is_gone_as_nothing():
 
 
 def test_what_is_as_by_default_travels_as_nothing():  # R-C12: a snapshot leaves it out, too
-    before = Tree(documents={"c1": DocumentView("a", 0, redo="placing", tasks={"pd": PlacedView(1, 2, rtpu="rt1")})})
+    before = Tree(
+        documents={"c1": DocumentView("a", 0, redo=Reason.plain("placing"), tasks={"pd": PlacedView(1, 2, rtpu="rt1")})}
+    )
     after = Tree(documents={"c1": DocumentView("a", 0, tasks={"pd": PlacedView(1, 2)})})
     assert dict(difference(before, after)) == {
         ("documents", "c1", "redo"): None,
