@@ -17,7 +17,7 @@ from onika.runtime import news
 from onika.runtime.table import Table
 from onika.runtime.user_input import AskedItem
 from onika.wire import steer
-from onika.words.reason import Reason
+from onika.words.reason import Reason, as_reason
 from onika.words.shape import Shape
 
 MS = 1_000_000
@@ -89,9 +89,11 @@ class Run:
         return self
 
     def fails(self, task, text="ValueError: no", flow=0, values=None):
-        report = news.Failed(f"flow{flow}", task, "cycle", text, f"{task}.py", 7, "", self.now, values=values or {})
+        report = news.Failed(
+            f"flow{flow}", task, "cycle", as_reason(text), f"{task}.py", 7, "", self.now, values=values or {}
+        )
         with self.explainer.watch(report, self.now):
-            self.feed(said.Failed(flow, task, text))
+            self.feed(said.Failed(flow, task, as_reason(text)))
         return self
 
     def ends(self, why, item):
@@ -225,7 +227,7 @@ def test_what_the_user_wanted_blames_nobody():  # R-X06
         .ends(Cause(CauseKind.USER, Reason.plain("stopped (Ctrl-C)")), said.Abort(Reason.plain("stopped")))
         .explained
     )
-    assert (explanation.kind, explanation.subsystem, explanation.task, explanation.text) == (
+    assert (explanation.kind, explanation.subsystem, explanation.task, str(explanation.text)) == (
         "user",
         "",
         "",

@@ -56,7 +56,7 @@ class Scene:
         return self
 
     def explanation(self, **changes):
-        fields = {"kind": CauseKind.ERROR, "text": "no", "subsystem": "flow0", "task": "arm"} | changes
+        fields = {"kind": CauseKind.ERROR, "text": Reason.plain("no"), "subsystem": "flow0", "task": "arm"} | changes
         places = [Position("flow0", "stopped", 0, failed=("arm",)), Position("flow1", "running", 0)]
         return explain(self.prepared, Cause(**fields), places, self.history, 1.5)
 
@@ -96,7 +96,7 @@ def test_of_what_was_never_written_nothing_is_said():  # R-X06
 
 
 def test_a_cause_without_a_task_shows_no_variables(scene):  # R-X06
-    diagnosis = scene.explanation(kind=CauseKind.USER, subsystem="", task="", text="enough")
+    diagnosis = scene.explanation(kind=CauseKind.USER, subsystem="", task="", text=Reason.plain("enough"))
     assert (diagnosis.courses, diagnosis.waiting, diagnosis.action, diagnosis.index, diagnosis.place) == (
         (),
         (),

@@ -119,7 +119,7 @@ def test_a_module_is_asked_and_told(hand):  # R-A05
     hand.let_pass(0.1)
     assert hand.values("OUT") == {"OUT": 2.5}
     assert "expected value, found other" in str(hand.asker.ask(live.Get("s0", "giver", "other")).reason)
-    assert "could not convert" in hand.asker.ask(live.Set("s0", "giver", "value", "much")).reason
+    assert "could not convert" in str(hand.asker.ask(live.Set("s0", "giver", "value", "much")).reason)
 
 
 def test_only_a_task_in_error_is_cleared(hand):  # law 11

@@ -172,7 +172,7 @@ def test_where_a_module_failed_is_told_with_its_values(speaker):  # R-A18
 def test_what_a_task_asks_for_is_told_item_by_item():  # R-A10
     item = AskedItem("goal", "double", 1, "m", "where to", None, (-9.0,), (9.0,))
     question = question_of(news.Asked("s0", "servo", Reason.plain("too far"), (item,), 5), 0.5)
-    assert (question.task, question.reason, question.at_s) == ("servo", "too far", 0.5)
+    assert (question.task, str(question.reason), question.at_s) == ("servo", "too far", 0.5)
     assert [(item.name, item.low, item.high) for item in question.items] == [("goal", (-9.0,), (9.0,))]
 
 

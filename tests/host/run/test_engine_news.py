@@ -6,8 +6,8 @@ from onika.model.lifecycle import State
 from onika.runtime import news
 from onika.words.reason import NOTHING, Reason
 
-GATE = Reason.of("host.signal_said", signal="ILLEGAL", text="gate")
-NOT_ON = Reason.of("host.entry_failed", entry="on", why="no")
+GATE = Reason.of("host.signal_said", signal="ILLEGAL", text=Reason.plain("gate"))
+NOT_ON = Reason.of("host.entry_failed", entry="on", why=Reason.plain("no"))
 MEANINGS = [
     (news.Initialised("f", "arm"), State.WAITING, engine_news.Spawned(1, "arm")),
     (news.Initialised("f", "arm"), State.ERROR, engine_news.Cleared(1, "arm")),

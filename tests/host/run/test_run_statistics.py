@@ -55,7 +55,7 @@ def test_only_the_first_end_counts():  # R-E14
     statistics.end(False, Reason.plain("somebody fell"), 3_500_000_000)
     statistics.end(True, NOTHING, 9_000_000_000)
     result = statistics.result(5, 1.25, "abc")
-    assert (result.completed, result.cause, result.done, result.of) == (False, "somebody fell", 3, 5)
+    assert (result.completed, str(result.cause), result.done, result.of) == (False, "somebody fell", 3, 5)
     assert (result.runtime_s, result.wall_s, result.hash) == (2.5, 1.25, "abc")
 
 

@@ -88,7 +88,7 @@ def test_one_run_is_ended_by_its_name_and_only_by_who_may(hand):  # R-X12, R-E10
     hand.asker.program.serve()
     assert abort("flow0", "two") == request.Done()
     hand.asker.to_the_end()
-    assert [message.cause for message in hand.asker.of(event.Result)] == ["enough"]
+    assert [str(message.cause) for message in hand.asker.of(event.Result)] == ["enough"]
 
 
 def test_an_answer_to_an_application_is_for_who_began_it(hand):  # R-X12, law 25

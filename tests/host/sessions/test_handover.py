@@ -7,13 +7,9 @@ MINUTE_NS = 60_000_000_000
 ACCEPTED = Reason.of("host.offer_accepted")
 
 
-def key_of(outcome):
-    return outcome and outcome.key
-
-
 class Told(list):
     def __call__(self, message, subsystem, session):
-        self.append((message.subsystem, message.holder, message.to, key_of(message.outcome), session))
+        self.append((message.subsystem, message.holder, message.to, message.outcome.key, session))
         self.outcome = message.outcome
         assert message.subsystem == subsystem
 

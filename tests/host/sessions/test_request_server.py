@@ -121,7 +121,7 @@ def test_a_response_may_come_later_and_in_any_order(house):  # R-F07
     for call, reason in zip(reversed(house.calls), "yx", strict=True):
         house.server.reply(call.ticket, request.Refused(Reason.plain(reason)))
     replied = {
-        message.number: request.decode_response(message.body).reason
+        message.number: str(request.decode_response(message.body).reason)
         for message in parent.poll()
         if hasattr(message, "number")
     }

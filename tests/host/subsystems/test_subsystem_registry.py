@@ -79,7 +79,7 @@ def test_a_subsystem_is_made_anew_for_each_run_and_by_hand(hand, subsystems):  #
 def test_a_unit_that_is_lost_is_told_to_everybody_and_takes_its_tasks_along(hand, subsystems):  # R-E10
     hand.change(spawn=["counter", "source"], on=["counter", "source"])
     hand.driver.lose("rt1")
-    assert subsystems.lost_units == {"rt1": "processing unit rt1 was lost"}
+    assert subsystems.lost_units == {"rt1": Reason.plain("processing unit rt1 was lost")}
     assert ("", "", event.Lost("rt1", Reason.plain("processing unit rt1 was lost"), 0.0)) in hand.asker.server.heard
     killed = [message for message in hand.asker.of(event.TaskState) if message.state == "KILLED"]
     assert [message.task for message in killed] == ["counter"]
@@ -93,12 +93,12 @@ def test_a_unit_that_is_lost_ends_the_application_that_needs_it(hand):  # R-E10
     hand.asker.program.advance(1)
     hand.driver.lose("rt0")
     result = hand.asker.to_the_end()
-    assert (result.completed, result.cause) == (False, "processing unit rt0 was lost")
+    assert (result.completed, str(result.cause)) == (False, "processing unit rt0 was lost")
 
 
 def test_the_device_server_is_lost_without_the_tasks(hand, subsystems):  # law 17
     hand.change(spawn=["counter"], on=["counter"])
-    subsystems.lost("", "the device server was lost", 5)
+    subsystems.lost("", Reason.plain("the device server was lost"), 5)
     assert hand.asker.of(event.Lost) == [event.Lost("device server", Reason.plain("the device server was lost"), 5e-9)]
     assert hand.states == {"counter": "ON"}
     assert subsystems.lost_units == {}
@@ -106,7 +106,7 @@ def test_the_device_server_is_lost_without_the_tasks(hand, subsystems):  # law 1
 
 def test_a_task_is_put_on_the_unit_it_names_or_on_one_that_lives(subsystems):  # reading 12
     assert (subsystems.unit("rt1"), subsystems.unit("unknown")) == ("rt1", "rt0")
-    subsystems.lost("rt0", "gone", 0)
+    subsystems.lost("rt0", Reason.plain("gone"), 0)
     assert (subsystems.unit("rt0"), subsystems.unit("unknown")) == ("rt0", "rt1")
     assert [str(subsystems.gone(unit)) for unit in ("rt0", "rt1", "unknown")] == ["gone", "", ""]
 
