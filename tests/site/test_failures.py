@@ -127,6 +127,26 @@ def test_a_module_that_never_returns_is_named(tmp_path):  # law 15, law 17
     assert_held_in_time(console)
 
 
+TAKEN = {
+    "Executive.handle": "import onika.runtime.execution.executive as e; e.Executive.handle = lambda *given: []",
+    "Executive._run_due": "import onika.runtime.execution.executive as e; e.Executive._run_due = lambda *given: None",
+    "RunningTask.cycle": "import onika.runtime.execution.running_task as e; e.RunningTask.cycle = lambda *given: None",
+    "Rtpu._tell": "sys.modules['__main__'].Rtpu._tell = lambda *given: None",
+    "ProcessSocket.send": "import onika.host.units.process_socket as e; e.ProcessSocket.send = lambda *given: None",
+}
+
+
+@pytest.mark.parametrize(
+    "taken", [pytest.param(name, marks=[pytest.mark.slow] * bool(at)) for at, name in enumerate(TAKEN)]
+)
+def test_a_module_that_replaces_code_of_the_runtime_is_named(tmp_path, taken):  # law 14
+    with sick(tmp_path, TAKEN[taken]) as console:
+        cause = aborted(console)["cause"]
+    assert cause.startswith("processing unit rt0 ended itself: module sick has replaced ")
+    assert cause.endswith(f".{taken}, on which the runtime relies")
+    assert_held_in_time(console)
+
+
 def test_a_module_that_ends_its_process_ends_the_run(tmp_path):  # law 30
     with sick(tmp_path, "os._exit(3)") as console:
         assert aborted(console)["cause"] == "processing unit rt0 ended with code 3 in a call of task flow0/sick"

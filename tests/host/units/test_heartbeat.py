@@ -2,6 +2,7 @@ import os
 
 from onika.host.units.heartbeat import SIZE, Heartbeat
 from onika.ring.segment import Segment
+from onika.words.reason import Reason
 
 
 def pair():
@@ -51,3 +52,19 @@ def test_long_work_is_announced_and_ends():
     assert supervisor.takes_long
     process.is_slow(False)
     assert not supervisor.takes_long
+
+
+def test_when_it_has_looked_at_its_code_is_seen():  # law 30
+    process, supervisor = pair()
+    assert supervisor.looked_ns == 0
+    process.look()
+    first = supervisor.looked_ns
+    process.look()
+    assert supervisor.looked_ns >= first > 0
+
+
+def test_why_it_ended_itself_is_seen():  # law 30
+    process, supervisor = pair()
+    assert not supervisor.reason
+    process.leave(Reason.plain("it had enough"))
+    assert supervisor.reason.text == "it had enough"

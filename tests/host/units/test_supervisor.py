@@ -4,8 +4,8 @@ import signal
 import pytest
 
 from onika.host.units import supervisor as room
-from onika.host.units.supervisor import HELD_NS, SILENT_NS, SLOW_NS, Supervisor
-from onika.words.reason import NOTHING
+from onika.host.units.supervisor import HELD_NS, SILENT_NS, SLOW_NS, UNLOOKED_NS, Supervisor
+from onika.words.reason import NOTHING, Reason
 
 PUPPET = """
 import argparse, select, socket
@@ -124,6 +124,29 @@ def test_announced_work_may_take_longer(supervisor, clock):  # law 30
     assert supervisor.troubles() == []
     clock[0] += 1
     assert len(supervisor.troubles()) == 1
+
+
+def test_a_process_that_does_not_look_at_its_code_any_more_is_ended(supervisor, clock):  # law 14
+    process = up(supervisor)
+    process.heartbeat._words[2] = clock[0]
+    clock[0] += UNLOOKED_NS
+    beat(process, clock)
+    assert supervisor.troubles() == []
+    clock[0] += 1
+    process.heartbeat.is_slow(True)
+    assert supervisor.troubles() == []
+    process.heartbeat.is_slow(False)
+    ((_, reason),) = supervisor.troubles()
+    assert str(reason) == "rt0 has not looked at its own code for 5.0 s: module code keeps it from that"
+
+
+def test_why_a_process_ended_itself_is_told_in_its_own_words(supervisor, clock):  # law 14
+    process = up(supervisor)
+    first_word(process)
+    process.heartbeat.leave(Reason.plain("it had enough"))
+    process.post.close()  # then the puppet goes
+    os.waitid(os.P_PID, process.process.pid, os.WEXITED | os.WNOWAIT)
+    assert str(supervisor.troubles()[0][1]) == "rt0 ended itself: it had enough"
 
 
 @pytest.mark.parametrize(("blow", "sentence"), [(signal.SIGKILL, "signal 9"), (signal.SIGTERM, "signal 15")])

@@ -2,20 +2,22 @@
 
 from time import monotonic_ns
 
+from onika.ring.last_words import LastWords
 from onika.ring.segment import Segment
+from onika.words.reason import Reason
 
 SIZE = 4096
-_NAME_AT = 64
-_NAME_SIZE = 256
+_LAST_WORDS_AT = 64
 
 
 class Heartbeat:
-    """Written by the process itself, read by the supervisor; two words and a name."""
+    """Written by the process itself, read by the supervisor; three words and its last words."""
 
     def __init__(self, segment: Segment) -> None:
         self._words = segment.view[:32].cast("Q")
-        self._name = segment.view[_NAME_AT : _NAME_AT + _NAME_SIZE]
-        self._known: dict[str, bytes] = {}
+        self._last_words = LastWords(segment.view[_LAST_WORDS_AT:])
+        self.watch = self._last_words.watch
+        """Is told whose code runs from now on; "" for the executive's own."""
 
     def beat(self) -> None:
         """Alive now."""
@@ -25,12 +27,13 @@ class Heartbeat:
         """Announce work that may take long (loading, initialising), or its end."""
         self._words[1] = slow
 
-    def watch(self, task: str) -> None:
-        """Whose code runs from now on; "" for the executive's own."""
-        data = self._known.get(task)
-        if data is None:
-            data = self._known[task] = task.encode()[:_NAME_SIZE].ljust(_NAME_SIZE, b"\0")
-        self._name[:] = data
+    def look(self) -> None:
+        """The process has looked at its own code just now, and it is what it was."""
+        self._words[2] = monotonic_ns()
+
+    def leave(self, reason: Reason) -> None:
+        """Why the process is about to end itself."""
+        self._last_words.leave(reason)
 
     @property
     def last_ns(self) -> int:
@@ -43,6 +46,16 @@ class Heartbeat:
         return bool(self._words[1])
 
     @property
+    def looked_ns(self) -> int:
+        """When it last looked at its own code, 0 where it does not do so."""
+        return self._words[2]
+
+    @property
     def task(self) -> str:
         """Whose code runs."""
-        return bytes(self._name).rstrip(b"\0").decode("utf-8", "replace")
+        return self._last_words.task
+
+    @property
+    def reason(self) -> Reason:
+        """Why it has ended itself, if it has."""
+        return self._last_words.reason

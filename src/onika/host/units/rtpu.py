@@ -12,6 +12,8 @@ from time import monotonic_ns
 
 from msgspec import Struct, msgpack
 
+from onika.host.units.code_guard import CodeGuard, own_code
+from onika.host.units.code_watch import CodeWatch
 from onika.host.units.garbage import Garbage
 from onika.host.units.heartbeat import Heartbeat
 from onika.host.units.memory_limit import bound
@@ -67,6 +69,8 @@ class Rtpu:
         self._segments: dict[str, Segment] = {}
         self._executive = Executive(name, self._views, heartbeat.watch)
         self._garbage = Garbage()
+        self.code_watch = CodeWatch(CodeGuard(own_code()), heartbeat.leave, heartbeat.look)
+        """Whoever runs this in a process of its own begins it."""
         self._over = False
         self._untold: list[news.News] = []
         self._untold_since = 0
@@ -94,6 +98,7 @@ class Rtpu:
         self._heartbeat.is_slow(True)
         self._tell(self._executive.work(self._now()))
         self._heartbeat.is_slow(False)
+        self.code_watch.look_if_due()
         due = self._executive.next_release()
         self._garbage.collect(None if due is None else due - self._now())
         wait = _LONGEST_SLEEP_S if due is None else min((due - self._now()) * 1e-9, _LONGEST_SLEEP_S)
@@ -204,6 +209,7 @@ def main(words: list[str]) -> None:
     bound()
     rtpu = Rtpu(given.name, post, heartbeat, given.zero)
     granted = become_real_time(given.fifo)
+    rtpu.code_watch.begin()
     heartbeat.beat()  # before it is said to be up: from then on silence counts
     post.send(encode([UnitReady(granted)]))
     rtpu.run()

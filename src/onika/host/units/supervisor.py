@@ -20,6 +20,9 @@ HELD_NS = 400_000_000
 SLOW_NS = 15_000_000_000
 """The same while it has announced long work."""
 
+UNLOOKED_NS = 5_000_000_000
+"""A process that has not looked at its own code for so long, as it does each second, was kept from it by a module."""
+
 
 @dataclass(slots=True)
 class Supervised:
@@ -46,11 +49,19 @@ class Supervised:
         silent = now_ns - self.heartbeat.last_ns
         patience = SLOW_NS if self.heartbeat.takes_long else SILENT_NS
         if silent <= patience:
-            return NOTHING
+            return self._unlooked(now_ns)
         task = "" if is_stopped(self.process.pid) else self.heartbeat.task
         if task:
             return Reason.of("host.call_silent", name=self.title, seconds=silent / 1e9, task=task)
         return Reason.of("host.process_silent", name=self.title, seconds=silent / 1e9)
+
+    def _unlooked(self, now_ns: int) -> Reason:
+        """It lives, but does not look at its own code any more: whatever it says cannot be relied on."""
+        looked = self.heartbeat.looked_ns
+        unlooked = now_ns - looked
+        if not looked or self.heartbeat.takes_long or unlooked <= UNLOOKED_NS:
+            return NOTHING
+        return Reason.of("host.code_unlooked", name=self.title, seconds=unlooked / 1e9)
 
     def _stopped_at_start(self, now_ns: int) -> Reason:
         """To start may take long; but one that the system holds does not even try."""
@@ -64,6 +75,9 @@ class Supervised:
         return Reason.of("host.process_silent", name=self.title, seconds=silent / 1e9)
 
     def _ended(self, code: int) -> Reason:
+        why = self.heartbeat.reason
+        if why:
+            return Reason.of("host.gave_up", name=self.title, why=why)
         task = self.heartbeat.task
         during = Reason.of("host.in_call", task=task) if task else NOTHING
         if code < 0:
