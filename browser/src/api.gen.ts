@@ -702,6 +702,15 @@ export interface Steer {
   line: string;
 }
 
+/** What would follow from a fault; nothing is touched (X24). Replied with a `view.ForesightsView`. */
+export interface WhatIf {
+  t: 'WhatIf';
+  fault?: string;
+  subject?: string;
+  doc?: string;
+  on_loss?: 'finish' | 'run' | 'stop';
+}
+
 /** Answer what a task asks, in the words of an argument line (C13). */
 export interface Answer {
   t: 'Answer';
@@ -1022,6 +1031,33 @@ export interface ProblemView {
   level: 'fault' | 'note' | 'warning';
   show?: AnyShow | null;
   remedies?: (Remedy)[];
+}
+
+/** One thing that changes, at the latest so long after the fault. */
+export interface EffectView {
+  within_ms: number;
+  kind: string;
+  subject: string;
+  before: string;
+  after: string;
+  text: Reason;
+  is_told?: boolean;
+}
+
+/** The faults that can be asked about, or the one that was asked. */
+export interface ForesightsView {
+  foresights?: (ForesightView)[];
+}
+
+/** A fault that could come; what follows, where that was asked. */
+export interface ForesightView {
+  fault: string;
+  subject: string;
+  question: Reason;
+  answer?: Reason | null;
+  effects?: (EffectView)[];
+  to_do?: (Reason)[];
+  notes?: (Reason)[];
 }
 
 /** An open library. */
@@ -1609,6 +1645,6 @@ export interface Numbered {
   cid: number;
 }
 
-export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | SaveTask | ForgetTask | ReadText | WriteText | Connect | Disconnect | Turn | Toggle | Clear | Reinit | Renew | Answer | Stop | Reset | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Run | Redirect | Seats | Steer | SkipTo | Dismiss | StartAnew | Preflight | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
+export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | SaveTask | ForgetTask | ReadText | WriteText | Connect | Disconnect | Turn | Toggle | Clear | Reinit | Renew | Answer | Stop | Reset | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Run | Redirect | Seats | Steer | SkipTo | Dismiss | StartAnew | Preflight | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
 export type AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say;
 export type AnyShow = ShowTask | ShowPin | ShowLocus | ShowSource | ShowAnswer | ShowLibraryTask | ShowLibraries | ShowConnect | ShowSaveAs | ShowStep | ShowFits | ShowValues | ShowLoop | ShowConfiguration | ShowOnikon | ShowTarget;

@@ -15,6 +15,7 @@ from typing import Any
 
 from onika.model.lifecycle import IllegalTransition, LifecycleInput, State, after
 from onika.wire import event, holding, live, request, steer
+from onika.wire.foresight import Foreseen, Foresight, WhatIf
 from onika.wire.plan import PlannedTask
 from onika.words.reason import NOTHING, Reason
 
@@ -60,6 +61,8 @@ class LiveRuntime:
         self.lives: dict[str, dict[str, _Life]] = {}
         self.variables: dict[str, dict[str, Any]] = {}
         self.scenes: dict[str, dict[str, Any]] = {}
+        self.foresights: tuple[Foresight, ...] = ()
+        """What it foresees, whatever the plan."""
         self.findings: dict[str, tuple[str, ...]] = {}
         self.refusals: dict[str, Reason] = {}
         """Kinds of requests that are refused, by their class's name, with the reason."""
@@ -90,6 +93,8 @@ class LiveRuntime:
         if reason is not None:
             return request.Refused(reason)
         match message:
+            case WhatIf():
+                return self._foresee(message)
             case live.Change() | live.Clear() | live.Reinit() | live.Swap() | live.Close():
                 return self._edit(message)
             case live.Get() | live.Set():
@@ -102,6 +107,13 @@ class LiveRuntime:
                 self._prepared = message.plan.application
                 return request.Prepared(self.faults)
         return self._command(message)
+
+    def _foresee(self, message: WhatIf) -> request.Response:
+        chosen = (message.fault, message.subject)
+        asked = tuple(each for each in self.foresights if not message.fault or (each.fault, each.subject) == chosen)
+        if asked:
+            return Foreseen(asked)
+        return request.Refused(Reason.of("foresight.cannot_come", fault=message.fault))
 
     # -- looking
 

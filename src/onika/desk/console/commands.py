@@ -2,6 +2,7 @@
 
 from onika.desk.console import (
     control_lines,
+    foresight_lines,
     inspection,
     readings_log,
     run_lines,
@@ -138,6 +139,16 @@ LOOKS = (
         0,
         1,
         more=Reason.of("console.more_jumps"),
+    ),
+    Command(
+        "what-if",
+        "what-if [FAULT [WHOM]]",
+        Reason.of("console.does_what_if"),
+        foresight_lines.what_if,
+        ("fault", "foreseen"),
+        0,
+        2,
+        more=Reason.of("console.more_what_if"),
     ),
     Command("check", "check [SUBSYSTEM…]", Reason.of("console.does_check"), inspection.check, ("subsystem",)),
 )

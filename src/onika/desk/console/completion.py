@@ -9,6 +9,7 @@ from onika.desk.console.site_library import SiteLibrary
 from onika.desk.console.steering_lines import where
 from onika.model.lifecycle import State
 from onika.wire import live
+from onika.wire.foresight import Foreseen, Foresight, WhatIf
 
 _FOUND = 200
 
@@ -67,6 +68,13 @@ def _variables(session: ConsoleSession, _commands: Sequence[Command], typed: str
     return [f"{subsystem}{slash}{name}" for name in names]
 
 
+def _foresights(session: ConsoleSession) -> tuple[Foresight, ...]:
+    answer = session.ask(WhatIf())
+    if isinstance(answer, Foreseen):
+        return answer.foresights
+    return ()
+
+
 def _library(session: ConsoleSession) -> SiteLibrary:
     return SiteLibrary(session.site, session.place)
 
@@ -99,6 +107,8 @@ _KINDS: dict[str, Callable[[ConsoleSession, Sequence[Command], str], list[str]]]
     "configuration": lambda session, commands, typed: list(_library(session).configurations),
     "application": lambda session, commands, typed: list(_library(session).applications),
     "subsystem": lambda session, commands, typed: [subsystem.name for subsystem in session.standing().subsystems],
+    "fault": lambda session, commands, typed: [foresight.fault for foresight in _foresights(session)],
+    "foreseen": lambda session, commands, typed: [foresight.subject for foresight in _foresights(session)],
     "flow": lambda session, commands, typed: [position.subsystem for position in where(session)],
     "command": lambda session, commands, typed: [command.name for command in commands],
     "state": lambda session, commands, typed: [state.value.lower() for state in State],

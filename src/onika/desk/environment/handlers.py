@@ -43,7 +43,15 @@ from onika.desk.environment.review import (
     relink,
     snapshot,
 )
-from onika.desk.environment.runs import begin, kept_test, preflight, redirection, restart, steering as steering_run
+from onika.desk.environment.runs import (
+    begin,
+    foresight,
+    kept_test,
+    preflight,
+    redirection,
+    restart,
+    steering as steering_run,
+)
 from onika.desk.environment.show import preview, scene
 from onika.wire import act
 
@@ -111,6 +119,7 @@ HANDLERS: Mapping[type, Handler] = {
     act.Company: presence.look_around,
     act.SteerTaken: held_subsystems.steer_taken,
     act.Scene: scene.scene,
+    act.WhatIf: foresight.what_if,
     act.Run: begin.run,
     act.Steer: steering_run.steer_line,
     act.Preflight: preflight.preflight,

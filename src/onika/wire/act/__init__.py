@@ -110,6 +110,7 @@ from onika.wire.act.run import (
     SkipTo as SkipTo,
     StartAnew as StartAnew,
     Steer as Steer,
+    WhatIf as WhatIf,
 )
 from onika.wire.act.running import (
     Answer as Answer,
@@ -223,6 +224,7 @@ AnyAct = (
     | Dismiss
     | StartAnew
     | Preflight
+    | WhatIf
     | OpenRecording
     | CloseRecording
     | Recordings

@@ -34,6 +34,19 @@ class Preflight(Act, frozen=True):
     doc: str
 
 
+class WhatIf(Act, frozen=True):
+    """What would follow from a fault; nothing is touched (X24). Replied with a `view.ForesightsView`."""
+
+    fault: str = ""
+    """Empty: which faults can be asked about."""
+    subject: str = ""
+    """Whom it concerns."""
+    doc: str = ""
+    """An application at its first step, which is prepared for that; empty: what is there now."""
+    on_loss: Literal["stop", "finish", "run"] = "stop"
+    """As the application would be begun."""
+
+
 class Redirect(Act, frozen=True):
     """Let another task stand for one while this application is open; its file stays as it is (E09)."""
 

@@ -28,6 +28,11 @@ from onika.wire.view.document import (
     ProblemView as ProblemView,
     State as State,
 )
+from onika.wire.view.foresight import (
+    EffectView as EffectView,
+    ForesightsView as ForesightsView,
+    ForesightView as ForesightView,
+)
 from onika.wire.view.library import LibraryView as LibraryView, PinView as PinView, TaskView as TaskView
 from onika.wire.view.reply import (
     CandidateView as CandidateView,

@@ -29,9 +29,9 @@ from onika.words.reason import Reason
 @on_application
 def preflight(model: Model, opened: OpenApplication, _asked: act.Preflight, outside: Services) -> Done | No | Procedure:
     """Look at everything; replied with how many faults there are."""
-    busy = _busy(model, opened.name) or not_run(opened)
-    if busy is not None:
-        return busy
+    why = busy(model, opened.name) or not_run(opened)
+    if why is not None:
+        return why
     if model.syntax is None:
         return No(Reason.of("run.no_icon_types"))
     prepared = ready(opened, outside.site, model.syntax)
@@ -62,10 +62,10 @@ def _checked(
         yield InterimModel(flow_placement.lost(model, why))
         return No(Reason.of("run.no_runtime", why=in_short(why)))
     model = replace(model, runtime=runtime_view(model.runtime, standing))
-    busy = _busy(model, opened.name)  # somebody began a run meanwhile
-    if busy is not None:
+    at_work = busy(model, opened.name)  # somebody began a run meanwhile
+    if at_work is not None:
         yield InterimModel(model)
-        return busy
+        return at_work
     model, response = yield Ask(model, request.Prepare(plan, targets))
     if not isinstance(response, request.Prepared):
         return No(Reason.of("run.cannot_be_checked", name=opened.name, why=refusal(response)))
@@ -75,7 +75,7 @@ def _checked(
     return Done(model, value=_count((*fault_views, *(result.faults if result is not None else ()))))
 
 
-def _busy(model: Model, name: str) -> No | None:
+def busy(model: Model, name: str) -> No | None:
     """A run is not disturbed."""
     if model.run is None or model.run.is_over:
         return None
