@@ -113,7 +113,7 @@ def test_a_run_is_aborted_over_the_link(tmp_path, site):  # R-E07
     journey.ask(request.Begin())
     assert journey.ask(request.Abort(Reason.plain("the user has changed her mind"))) == request.Done()
     *_, result = journey.events()
-    assert (result.completed, result.cause, result.done) == (False, "the user has changed her mind", 0)
+    assert (result.completed, str(result.cause), result.done) == (False, "the user has changed her mind", 0)
 
 
 def slowly(advance):

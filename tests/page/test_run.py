@@ -181,7 +181,7 @@ def test_a_stop_is_explained_and_the_choice_is_carried_out(me):  # R-X06, R-E08
     me.starts("fails")
     why = me.page.get_by_role("dialog", name=re.compile("stopped: sick has an error"))
     expect(why).to_contain_text("the sensor is dead")
-    for choice in ("Try again", "Leave this action", "Go on elsewhere", "End the run"):
+    for choice in ("Try again", "Leave this action", "Go on with another action", "End the run"):
         expect(why.get_by_role("button", name=re.compile(choice))).to_be_visible()
     why.get_by_role("button", name=re.compile("Leave this action")).click()
     me.went_well()
