@@ -1227,6 +1227,7 @@ export interface RecordingFile {
   took_s?: number;
   bytes?: number;
   is_whole?: boolean;
+  is_black_box?: boolean;
 }
 
 /** The recordings of this environment, newest first, and where they lie. */
@@ -1345,6 +1346,7 @@ export interface RunView {
   jumps?: (JumpView)[];
   recording?: string;
   recorded_bytes?: number;
+  black_box?: string;
   repeats_until_s?: number;
 }
 
@@ -1374,6 +1376,7 @@ export interface StopView {
   courses?: (CourseView)[];
   choices?: (ChoiceView)[];
   short?: Reason;
+  black_box?: string;
 }
 
 /** Who may change a subsystem that lives (law 27, X12). */

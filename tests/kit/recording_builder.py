@@ -50,6 +50,10 @@ class RecordingBuilder:
             data = message if isinstance(message, bytes) else np.array(message, dtype=shape.type.code).tobytes()
             self._writer.message(channel, _ns(at_s), value.encoder(shape)([data])[0])
 
+    def note(self, name: str, words: dict[str, str]) -> None:
+        """Words that stand beside the run."""
+        self._writer.note(name, words)
+
     def tell(self, at_s: float, message: event.Event, subsystem: str = "flow0") -> None:
         """An event."""
         body = topics.encode(topics.EventRecord(subsystem, message))

@@ -10,6 +10,8 @@ from onika.record.black_box_folder import (
     black_box_of,
     black_box_path,
     black_boxes,
+    clear_unfinished,
+    fault_path,
     rotate,
     write_black_box,
 )
@@ -86,3 +88,24 @@ def test_what_a_power_cut_left_half_written_goes_later(tmp_path):  # R-X05
     made(tmp_path, "c.mcap", at=10_000)
     rotate(tmp_path)
     assert not half.exists()
+
+
+def test_what_somebody_killed_left_unfinished_is_cleared_and_what_is_being_written_stays(tmp_path):  # R-X05
+    (tmp_path / "run-1.mcapabc.unfinished").write_bytes(b"half")
+    path = tmp_path / "run-2.mcap"
+
+    def write(stream):
+        stream.write(b"whole")
+        clear_unfinished(tmp_path)
+
+    write_black_box(path, write)
+    assert [(one.name, one.read_bytes()) for one in tmp_path.iterdir()] == [("run-2.mcap", b"whole")]
+
+
+def test_the_black_box_of_a_process_is_that_of_an_end_not_of_a_fault_before(tmp_path):  # R-X05
+    end = tmp_path / "lift-20261121-231500-77-1.mcap"
+    write_black_box(end, lambda stream: None)
+    write_black_box(fault_path(end, 2), lambda stream: None)
+    os.utime(fault_path(end, 2), (4e9, 4e9))
+    assert black_box_of(tmp_path, 77) == end
+    assert black_box_of(tmp_path, 7) is None

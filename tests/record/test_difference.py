@@ -127,3 +127,42 @@ def test_what_was_expected_of_a_run_is_no_difference(tmp_path):  # R-X05: only l
         return recording.end()
 
     assert first_difference(ended("a", {}), ended("b", {"X": [1.0]}), Tolerance()) is None
+
+
+def boxed(tmp_path, name, values, *events, goes_on=False):
+    """A black box of what happened from 2 s to 4 s."""
+    recording = RecordingBuilder(tmp_path / f"{name}.mcap")
+    recording.note("black box", {"version": "1", "from_ns": "2000000000", "to_ns": "4000000000"})
+    recording.variable("X", "double[1]", *values)
+    for at, action in events:
+        recording.tell(at, event.Began(0, 0, 2, action, at))
+    reader = recording.end()
+    if goes_on:
+        reader.notes["end"]["goes_on"] = "yes"
+    return reader
+
+
+def whole_run(tmp_path, *more):
+    recording = RecordingBuilder(tmp_path / "whole.mcap")
+    recording.variable("X", "double[1]", (0.0, [0.0]), (1.0, [1.0]), (3.0, [3.0]), *more)
+    for at, action in ((0.5, "go"), (2.5, "stay")):
+        recording.tell(at, event.Began(0, 0, 2, action, at))
+    return recording.end()
+
+
+def test_of_a_black_box_only_the_time_that_both_hold_is_compared(tmp_path):  # R-X05
+    whole = whole_run(tmp_path)
+    same = boxed(tmp_path, "same", [(2.0, [1.0]), (3.01, [3.0])], (2.0, "go"), (2.51, "stay"))
+    assert first_difference(whole, same, Tolerance()) is None
+    assert first_difference(same, whole, Tolerance()) is None
+    other = boxed(tmp_path, "other", [(2.0, [1.0]), (3.0, [4.0])], (2.0, "go"), (2.5, "stay"))
+    assert first_difference(whole, other, Tolerance()).at_ns == 3_000_000_000
+    told = boxed(tmp_path, "told", [(2.0, [1.0]), (3.0, [3.0])], (2.0, "go"), (2.5, "leave"))
+    assert "leave" in str(first_difference(whole, told, Tolerance()).second)
+
+
+def test_what_came_after_a_fault_is_not_in_its_black_box_and_no_difference(tmp_path):  # R-X05
+    whole = whole_run(tmp_path, (9.0, [9.0]))
+    values, stay = [(2.0, [1.0]), (3.0, [3.0])], (2.5, "stay")
+    assert first_difference(whole, boxed(tmp_path, "fault", values, stay, goes_on=True), Tolerance()) is None
+    assert first_difference(whole, boxed(tmp_path, "end", values, stay), Tolerance()) is not None

@@ -10,6 +10,7 @@ export const enRecording = {
   'recording.file': 'Recorded: {file} ({size})',
   'recording.gone': 'Recorded: {file}, which is no longer there',
   'recording.look': 'Look at the recording',
+  'recording.lookAtLast': 'Look at the last seconds',
   'recording.keep': 'Keep as a test…',
   'recording.keepHint': 'Later changes are then checked against this run',
 
@@ -139,6 +140,7 @@ export const enRecording = {
   'recordings.compare': 'Compare',
   'recordings.facts': '{length} · {size}',
   'recordings.cutShort': 'cut short',
+  'recordings.blackBox': 'black box',
   'recordings.path': 'Path of a recording',
   'recordings.pathHint': 'or the path of a .mcap file',
   'recordings.shown': 'is open',

@@ -12,6 +12,7 @@ export const esRecording: Record<keyof typeof enRecording, string> = {
   'recording.file': 'Grabada: {file} ({size})',
   'recording.gone': 'Grabada: {file}, que ya no está',
   'recording.look': 'Ver la grabación',
+  'recording.lookAtLast': 'Ver los últimos segundos',
   'recording.keep': 'Guardar como prueba…',
   'recording.keepHint': 'Los cambios posteriores se comprueban con esta ejecución',
 
@@ -141,6 +142,7 @@ export const esRecording: Record<keyof typeof enRecording, string> = {
   'recordings.compare': 'Comparar',
   'recordings.facts': '{length} · {size}',
   'recordings.cutShort': 'cortada',
+  'recordings.blackBox': 'caja negra',
   'recordings.path': 'Ruta de una grabación',
   'recordings.pathHint': 'o la ruta de un archivo .mcap',
   'recordings.shown': 'está abierta',

@@ -55,6 +55,8 @@ def sentence(happening: event.Event, total: int, flows: Sequence[str] = ()) -> s
             if text:
                 return f"{happening.at_s:8.2f} s  {happening.subsystem} {text}"
             return ""
+        case event.LastSecondsKept():
+            return f"{happening.at_s:8.2f} s  {say(Reason.of('cli.standstill_kept', path=happening.path))}"
         case event.Met() | event.Stepped() | event.Warned() | event.Failed() | event.Drive():
             text = say(_reason(happening))
             return f"{happening.at_s:8.2f} s  {text}" if text else ""

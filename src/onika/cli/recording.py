@@ -10,7 +10,8 @@ from onika.cli.language import say
 from onika.desk.run.recording_digest import digest_lines
 from onika.desk.run.run_review import Review
 from onika.record import columns
-from onika.record.difference import first_difference
+from onika.record.black_box_span import SEEN_WITHIN_S, BlackBoxSpan
+from onika.record.difference import both_hold, first_difference
 from onika.record.reader import UNREADABLE, Reader, complaint
 from onika.record.run import RunRecord
 from onika.record.tolerance import usual
@@ -134,6 +135,12 @@ def _compare(given: argparse.Namespace) -> int:
             "cli.tolerance", value=tolerance.value, percent=100 * tolerance.part, seconds=tolerance.seconds
         )
         print(say(bounds))
+    if any(BlackBoxSpan.of(reader.notes) for reader in readers):
+        first, last = both_hold(readers[0], readers[1])
+        end = min(last, max(reader.span[1] for reader in readers))
+        within = max(tolerance.seconds, SEEN_WITHIN_S)
+        part = Reason.of("cli.black_box_compared", begin=first * 1e-9, end=end * 1e-9, seconds=within)
+        print(say(part))
     for reader in readers:
         if not reader.is_whole:
             print(say(Reason.of("cli.comparison_cut", path=str(reader.path), seconds=reader.span[1] * 1e-9)))

@@ -29,6 +29,7 @@ from onika.host.subsystems.run_commands import RunCommands
 from onika.host.subsystems.subsystem_registry import Subsystems, Tell
 from onika.host.units.process_socket import ProcessSocket
 from onika.link.caller import Role
+from onika.record.black_box_folder import clear_unfinished
 from onika.ring.segment import SharedMemoryRefused
 from onika.runtime.subsystem import RunningSubsystem
 from onika.wire import event, holding, live, request, steer
@@ -82,6 +83,7 @@ class RuntimeProgram:
         self, folder: Path, holder: BlackBoxHolder, make_holder: Callable[[], BlackBoxHolder]
     ) -> None:
         """From now on the last seconds of a run that ends badly are written into this folder."""
+        clear_unfinished(folder)
         self._black_box = BlackBox(folder, holder, make_holder, self.subsystems, self._driver)
         self._server.overhear(self._black_box.hear)
 

@@ -1,5 +1,6 @@
 """Where black boxes lie: recordings of the last seconds of runs that ended badly, few and bounded (requirement X05)."""
 
+import fcntl
 import os
 import re
 import tempfile
@@ -40,10 +41,21 @@ def black_box_path(folder: Path, application: str, began: datetime, process: int
     return folder / f"{name}-{began:%Y%m%d-%H%M%S}-{process}-{number}{ENDING}"
 
 
+def fault_path(path: Path, fault: int) -> Path:
+    """The file of the fault with this number: `…-NUMBER.FAULT.mcap`, beside that of the run's end (`path`)."""
+    return path.with_name(f"{path.stem}.{fault}{ENDING}")
+
+
 def black_box_of(folder: Path, process: int) -> Path | None:
-    """The newest black box that the runtime of this process id has left."""
-    boxes = [path for path in black_boxes(folder) if path.stem.rsplit("-", 2)[-2:-1] == [str(process)]]
-    return boxes[0] if boxes else None
+    """The newest black box of the end of a run that the runtime of this process id has left."""
+    ends = (path for path in black_boxes(folder) if _is_end_of(path, process))
+    return next(ends, None)
+
+
+def _is_end_of(path: Path, process: int) -> bool:
+    """Whether it was written at the end of a run of this process, not at a fault before."""
+    _, _, numbers = path.stem.rpartition(f"-{process}-")
+    return numbers.isdecimal() and path.stem.endswith(f"-{process}-{numbers}")
 
 
 def black_boxes(folder: Path) -> list[Path]:
@@ -61,12 +73,21 @@ def write_black_box(path: Path, write: Callable[[BinaryIO], None]) -> None:
     descriptor, unfinished = tempfile.mkstemp(_UNFINISHED, path.name, path.parent)  # of mode 0600
     try:
         with os.fdopen(descriptor, "wb") as stream:
+            fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)  # until it is closed; killed meanwhile, nobody holds it
             write(stream)
         Path(unfinished).replace(path)
     except BaseException:
         Path(unfinished).unlink(missing_ok=True)
         raise
     rotate(path.parent)
+
+
+def clear_unfinished(folder: Path) -> None:
+    """Throw away what somebody began to write who was killed meanwhile; whatever is being written stays."""
+    for path in folder.glob(f"*{_UNFINISHED}"):
+        with suppress(OSError), path.open("rb") as stream:
+            fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            path.unlink()
 
 
 def rotate(folder: Path, kept: int = KEPT, most_bytes: int = MOST_BYTES, longest_s: float = 3600.0) -> None:

@@ -1,13 +1,14 @@
 """The difference of two recorded runs: the first event, or the first variable, that is not the same (X05)."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import zip_longest
 from typing import Any
 
 import msgspec
 
 from onika.record import topics
+from onika.record.black_box_span import SEEN_WITHIN_S, BlackBoxSpan
 from onika.record.mismatch import mismatches
 from onika.record.reader import Reader
 from onika.record.series import Series
@@ -25,6 +26,7 @@ _UNLIKE = (
 """What is another in every run, was only looked at (`values`), or is told better by what led to it."""
 
 
+_TimedEvents = list[tuple[int, dict[str, Any]]]
 _BLOCK_NS = 10_000_000_000
 """So much of both is compared at a time: most runs that differ do so early."""
 
@@ -53,15 +55,18 @@ def first_difference(
 ) -> Difference | None:
     """The earliest; None: none that goes beyond the tolerance, or it is not wanted any more.
 
-    Where one of them was cut short, what the other one says beyond its end is no difference.
+    Where one of them was cut short, what the other one says beyond its end is no difference; nor is what a black box
+    does not hold.
     """
-    last = min((each.span[1] for each in (reader, other) if not each.is_whole), default=1 << 62)
+    first, last, tolerance = _compared(reader, other, tolerance)
     ours, theirs = Series.all_of(reader), Series.all_of(other)
-    differences = [each for each in (*_events(reader, other, tolerance), *_unlike(ours, theirs)) if each.at_ns <= last]
+    differences = [
+        each for each in (*_events(reader, other, tolerance, first), *_unlike(ours, theirs)) if each.at_ns <= last
+    ]
     both = [name for name in ours if name in theirs and str(ours[name].shape) == str(theirs[name].shape)]
     # Of the last instant of one that was cut short not all may be there.
     until = min([last, 1 + max(reader.span[1], other.span[1]), *(each.at_ns for each in differences)])
-    for begin in range(0, until, _BLOCK_NS):
+    for begin in range(first, until, _BLOCK_NS):
         if not is_wanted():
             return None
         end = min(begin + _BLOCK_NS, until)
@@ -70,6 +75,25 @@ def first_difference(
             differences += some
             break
     return min(differences, key=lambda each: (each.at_ns, str(each.what)), default=None)
+
+
+def both_hold(reader: Reader, other: Reader) -> tuple[int, int]:
+    """From when to when of the run both recordings tell everything, in ns; one that ended by itself tells its end."""
+    first, last = 0, 1 << 62
+    for each in (reader, other):
+        held = BlackBoxSpan.of(each.notes)
+        if held is not None:
+            first = max(first, held.begin_ns)
+        if not each.is_whole or (held is not None and held.goes_on):
+            last = min(last, each.span[1])
+    return first, last
+
+
+def _compared(reader: Reader, other: Reader, tolerance: Tolerance) -> tuple[int, int, Tolerance]:
+    """From when to when, and within what."""
+    if any(BlackBoxSpan.of(each.notes) for each in (reader, other)):
+        tolerance = replace(tolerance, seconds=max(tolerance.seconds, SEEN_WITHIN_S))
+    return *both_hold(reader, other), tolerance
 
 
 def _unlike(ours: dict[str, Series], theirs: dict[str, Series]) -> Iterator[Difference]:
@@ -96,11 +120,13 @@ def _presence(is_ours: bool) -> tuple[Reason, Reason]:
 # -- events
 
 
-def _events(reader: Reader, other: Reader, tolerance: Tolerance) -> Iterator[Difference]:
+def _events(reader: Reader, other: Reader, tolerance: Tolerance, first_ns: int) -> Iterator[Difference]:
     """The first event of each subsystem that is another; what is told of different ones has no common order."""
+    slack = round(tolerance.seconds * 1e9)
     ours, theirs = _timed_events(reader), _timed_events(other)
     for home in sorted({*ours, *theirs}):
-        for left, right in zip_longest(ours.get(home, []), theirs.get(home, [])):
+        pair = _since(ours.get(home, []), theirs.get(home, []), first_ns, slack)
+        for left, right in zip_longest(*pair):
             apart = 0.0 if left is None or right is None else abs(left[0] - right[0]) * 1e-9
             if left is None or right is None or left[1] != right[1] or apart > tolerance.seconds + 1e-12:
                 at = min(each[0] for each in (left, right) if each is not None)
@@ -109,8 +135,20 @@ def _events(reader: Reader, other: Reader, tolerance: Tolerance) -> Iterator[Dif
                 break
 
 
-def _timed_events(reader: Reader) -> dict[str, list[tuple[int, dict[str, Any]]]]:
-    events: dict[str, list[tuple[int, dict[str, Any]]]] = {}
+def _since(ours: _TimedEvents, theirs: _TimedEvents, first_ns: int, slack: int) -> tuple[_TimedEvents, _TimedEvents]:
+    """What was told since then; about that time only what both have, as each may have been a little earlier."""
+    if not first_ns:
+        return ours, theirs
+    left, right = ([each for each in some if each[0] > first_ns] for some in (ours, theirs))
+    until = first_ns + 2 * slack
+    while left and right and left[0][1] != right[0][1] and min(left[0][0], right[0][0]) <= until:
+        earlier = left if left[0][0] <= right[0][0] else right
+        del earlier[0]
+    return left, right
+
+
+def _timed_events(reader: Reader) -> dict[str, _TimedEvents]:
+    events: dict[str, _TimedEvents] = {}
     for at, body in reader.messages(topics.EVENTS):
         message = msgspec.json.decode(body)
         event = message["event"]

@@ -11,7 +11,7 @@ from onika import __version__
 from onika.record.reader import Reader
 from onika.record.stored import unfit
 from onika.record.writer import Writer
-from onika.wire.event import Result
+from onika.wire.event import Explained, Result
 from onika.wire.plan import Code
 from onika.wire.request import Begin, Prepare
 from onika.words.name import TASK_NAME
@@ -112,6 +112,11 @@ def ending(result: Result) -> dict[str, str]:
         "seconds": f"{result.runtime_s:.9g}",
         "outside": " ".join(result.outside),
     }
+
+
+def standing(explained: Explained) -> dict[str, str]:
+    """Why it stood still, as it is noted at the end of a black box that is written while the run goes on."""
+    return {"completed": "no", "goes_on": "yes", "cause": str(explained.text), "hash": "", "outside": ""}
 
 
 def _units(reader: Reader, text: str) -> tuple[str, ...]:

@@ -10,6 +10,7 @@ from mcap.reader import FOOTER_SIZE
 from mcap.records import Footer, Metadata, Statistics
 from mcap.stream_reader import MAGIC_SIZE, StreamReader
 
+from onika.record.black_box_span import BlackBoxSpan
 from onika.record.reader import UNREADABLE, Reader
 from onika.record.run import NOTE
 from onika.record.stored import unfit
@@ -27,13 +28,17 @@ class Summary:
     began: str
     took_s: float
     is_whole: bool
+    is_black_box: bool
+    lasted_s: float
+    """How much of the run is in it; all of it, unless it is a black box."""
 
 
 def summary(path: Path) -> Summary:
     """Raises what `reader.UNREADABLE` names where it is no recording of a run."""
     with path.open("rb") as stream:
-        words = _note(stream)
+        notes = _notes(stream)
         last_ns = _last_ns(stream)
+    words, held = notes.get(NOTE), BlackBoxSpan.of(notes)
     if words is None:
         raise unfit(path, Reason.of("record.no_run", given=Reason.of("record.none_in_file")))
     is_whole = last_ns is not None
@@ -41,14 +46,24 @@ def summary(path: Path) -> Summary:
         reader = Reader(path)
         last_ns = reader.span[1]
         reader.close()
-    return Summary(words.get("application", ""), words.get("began", ""), last_ns * 1e-9, is_whole)
+    begin_ns = 0 if held is None else held.begin_ns
+    return Summary(
+        words.get("application", ""),
+        words.get("began", ""),
+        last_ns * 1e-9,
+        is_whole,
+        held is not None,
+        max(last_ns - begin_ns, 0) * 1e-9,
+    )
 
 
-def _note(stream: BinaryIO) -> dict[str, str] | None:
-    records = islice(StreamReader(stream, emit_chunks=True).records, _FIRST)
-    notes = (record for record in records if isinstance(record, Metadata) and record.name == NOTE)
-    note = next(notes, None)
-    return None if note is None else dict(note.metadata)
+def _notes(stream: BinaryIO) -> dict[str, dict[str, str]]:
+    """Those that stand first, up to the one of the run."""
+    notes: dict[str, dict[str, str]] = {}
+    for record in islice(StreamReader(stream, emit_chunks=True).records, _FIRST):
+        if isinstance(record, Metadata) and NOTE not in notes:
+            notes[record.name] = dict(record.metadata)
+    return notes
 
 
 def _last_ns(stream: BinaryIO) -> int | None:

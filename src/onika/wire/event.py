@@ -249,6 +249,16 @@ class Explained(Struct, frozen=True, tag=True):
     """The task upstream from which the trouble likely comes; empty: from nobody else."""
 
 
+class LastSecondsKept(Struct, frozen=True, tag=True):
+    """The last seconds before what an `Explained` of a run that goes on has told are written (X05)."""
+
+    subsystem: str
+    at_s: float
+    """Both as in that `Explained`."""
+    path: str
+    """The file on the runtime's machine."""
+
+
 class Result(Struct, frozen=True, tag=True):
     """The end of a run: always the last event."""
 
@@ -286,6 +296,7 @@ Event = (
     | Met
     | Stepped
     | Explained
+    | LastSecondsKept
     | Result
     | Edited
     | Signalled

@@ -1,13 +1,16 @@
 from pathlib import Path
 
 import pytest
+from msgspec.structs import replace
 
 from kit.direct_client import DirectClient
 from kit.plan_builder import action
 from kit.rail_world import rail_tasks
 from onika.desk.run.run_review import Review
+from onika.host.recording.black_box import MOST_FAULTS
 from onika.host.recording.black_box_holder import InProcessHolder
 from onika.record.black_box_folder import black_boxes
+from onika.record.summary import summary
 from onika.wire import event, live, request, steer
 from onika.words.reason import Reason
 
@@ -164,3 +167,59 @@ def test_a_run_goes_on_where_nothing_can_be_held(tmp_path):  # R-X05, R-E01
     boxed = Boxed(tmp_path / "boxes", _Refusing)
     assert boxed.end().completed
     assert [message.text.key for message in boxed.desk.of(event.Warned)] == ["host.no_black_box"]
+
+
+def waits(tmp_path):
+    """A run that waits at a fault, and stands at one now."""
+    boxed = Boxed(tmp_path / "boxes")
+    boxed.end()
+    boxed.begin(on_error="wait")
+    press(boxed)
+    boxed.desk.to_the_end()
+    return boxed
+
+
+def test_a_run_that_waits_at_a_fault_leaves_the_seconds_before_it_at_once(tmp_path):  # R-X05, R-E08
+    boxed = waits(tmp_path)
+    (kept,) = boxed.desk.of(event.LastSecondsKept)
+    explained = boxed.desk.of(event.Explained)[-1]
+    assert (kept.subsystem, kept.at_s) == (explained.subsystem, explained.at_s)
+    assert [str(path) for path in black_boxes(boxed.folder)] == [kept.path]
+    with Review(Path(kept.path)) as review:
+        assert review.black_box.goes_on
+        assert review.ending["cause"] == str(explained.text)
+        assert boxed.desk.of(event.Failed)[-1] in [message for _, _, message in review.events]
+        assert not [message for _, _, message in review.events if isinstance(message, event.LastSecondsKept)]
+        assert 0.0 < review.at(review.span_s[1]).variables["flow0/X"][0] < 2.0
+
+
+def test_who_ends_it_long_after_finds_the_fault_and_the_end(tmp_path):  # R-X05
+    boxed = waits(tmp_path)
+    boxed.desk.ask(live.Advance(40.0))
+    boxed.desk.ask(request.Abort(Reason.plain("enough")))
+    result = boxed.end()
+    (kept,) = boxed.desk.of(event.LastSecondsKept)
+    assert {str(path) for path in black_boxes(boxed.folder)} == {kept.path, result.black_box}
+    with Review(Path(kept.path)) as fault, Review(Path(result.black_box)) as end:
+        assert fault.black_box.end_ns < end.black_box.begin_ns
+        about = summary(end.path)
+        assert about.is_black_box
+        assert 29.0 < about.lasted_s < 32.0 < about.took_s
+        assert (fault.black_box.goes_on, end.black_box.goes_on) == (True, False)
+
+
+def test_of_many_faults_only_the_first_are_written(tmp_path):  # R-X05
+    boxed = waits(tmp_path)
+    explained = boxed.desk.of(event.Explained)[-1]
+    for number in range(1, MOST_FAULTS + 3):
+        boxed.desk.server.tell(replace(explained, at_s=explained.at_s + number), "flow0")
+        boxed.desk.program.advance(0)
+    assert len(boxed.desk.of(event.LastSecondsKept)) == len(black_boxes(boxed.folder)) == MOST_FAULTS
+
+
+def test_a_fault_whose_seconds_cannot_be_written_is_told_and_the_run_stands_all_the_same(tmp_path):  # R-X05, R-E01
+    (tmp_path / "boxes").write_text("a file")
+    boxed = waits(tmp_path)
+    assert boxed.desk.of(event.LastSecondsKept) == []
+    assert "host.no_black_box" in [message.text.key for message in boxed.desk.of(event.Warned)]
+    assert boxed.desk.of(event.Moved)[-1].state == "stopped"

@@ -31,6 +31,8 @@ def lines(message: event.Event, say: Callable[[Reason], str] = str) -> Iterator[
             yield _timed(message.at_s, Reason.of("console.lost", name=message.name, cause=message.cause)), Tone.FAULT
         case event.Held() | event.Offered():
             yield _held(message)
+        case event.LastSecondsKept():
+            yield _timed(message.at_s, Reason.of("console.last_seconds", path=message.path)), Tone.NOTE
         case event.Stopped():
             yield _stopped(message)
         case event.Result():

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 from onika.desk.run.run_review import Review
+from onika.record.black_box_span import BlackBoxSpan
 from onika.wire import event
 from onika.words.reason import Reason
 
@@ -15,12 +16,20 @@ def digest_lines(review: Review) -> Iterator[Reason]:
     key = "desk.digest_run_virtual" if run.is_virtual else "desk.digest_run_wall"
     yield Reason.of(key, application=application, began=began, seed=seed, software=software)
     yield Reason.of("desk.digest_plan", plan=review.run.plan_hash[:16], units=" ".join(run.rtpus))
+    if review.black_box is not None:
+        yield black_box_line(review.black_box)
     first, last = review.span_s
     variables, events = len(review.series), len(review.events)
     yield Reason.of("desk.digest_size", seconds=last - first, variables=variables, events=events)
     yield from _flows(review)
     yield from _troubles(review)
     yield from _ending(review)
+
+
+def black_box_line(held: BlackBoxSpan) -> Reason:
+    """What a black box is of, and of what time."""
+    key = "desk.digest_black_box_fault" if held.goes_on else "desk.digest_black_box"
+    return Reason.of(key, begin=held.begin_ns * 1e-9, end=held.end_ns * 1e-9)
 
 
 def _flows(review: Review) -> Iterator[Reason]:
@@ -61,7 +70,9 @@ def _ending(review: Review) -> Iterator[Reason]:
     elif ending:
         how = Reason.of("desk.digest_completed")
         if ending.get("completed") != "yes":
-            how = Reason.of("desk.digest_aborted", cause=ending.get("cause", ""))
+            stood = review.black_box is not None and review.black_box.goes_on
+            key = "desk.digest_stood" if stood else "desk.digest_aborted"
+            how = Reason.of(key, cause=ending.get("cause", ""))
         yield Reason.of("desk.digest_hash", ending=how, hash=ending["hash"]) if ending.get("hash") else how
     if ending.get("missed", "0") != "0":
         yield Reason.of("desk.digest_missed", count=ending["missed"])

@@ -17,6 +17,7 @@ import msgspec
 from onika.desk.run.flow_status import FlowStatus
 from onika.desk.run.recorded_run import events_of
 from onika.record import downsampled, foxglove, topics as said
+from onika.record.black_box_span import BlackBoxSpan
 from onika.record.reader import Reader
 from onika.record.run import END, RunRecord
 from onika.record.series import Series
@@ -87,6 +88,8 @@ class Review:
         """Whether the recording came to its end; else it was cut short, and ends where it was."""
         self.ending = dict(self._reader.notes.get(END, {}))
         """How the run ended, as it was noted: completed, cause, hash, seconds, missed, untold."""
+        self.black_box = BlackBoxSpan.of(self._reader.notes)
+        """What it holds of the run, where it is a black box."""
         self.series = Series.all_of(self._reader)
         self.events = events_of(self._reader)
         """When in ns, about which subsystem, and what."""

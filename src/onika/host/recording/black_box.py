@@ -13,15 +13,15 @@ from time import monotonic_ns
 from typing import Protocol
 
 from onika.host.recording.black_box_holder import BlackBoxHolder
-from onika.host.recording.black_box_orders import CloseBlackBox, OpenBlackBox
+from onika.host.recording.black_box_orders import BlackBoxWritten, CloseBlackBox, KeepBlackBox, OpenBlackBox
 from onika.host.recording.last_seconds import TracedEvent, TracedVariables
 from onika.host.recording.recorded_variable import places_of
 from onika.host.run.application_run import ApplicationRun
 from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.host.units.process_socket import ProcessSocket
 from onika.record import topics
-from onika.record.black_box_folder import black_box_path
-from onika.record.run import RunRecord, ending
+from onika.record.black_box_folder import black_box_path, fault_path
+from onika.record.run import RunRecord, ending, standing
 from onika.wire import event, request
 from onika.words.reason import Reason, reason_of
 
@@ -30,7 +30,11 @@ LOOKED_EVERY_NS = 28_000_000
 _PATIENCE_NS = 1_000_000_000
 """How long the end of a run waits until its black box is written; it may be written later all the same."""
 _TRIPPED = ("TRIPPED", "PRESSED")
-_UNTOLD = (event.Company, event.Stood, event.Result)
+_UNTOLD = (event.Company, event.Stood, event.LastSecondsKept, event.Result)
+_HARMLESS = ("asking", "user")
+"""Kinds of standstills in which nothing has gone wrong."""
+MOST_FAULTS = 4
+"""Of a run that goes on after each fault so many first ones have a black box; of the others only its end."""
 
 
 class BoxedDriver(Protocol):
@@ -67,6 +71,10 @@ class _Box:
     units: dict[str, dict[str, str]]
     met: dict[str, int] = field(default_factory=dict)
     has_fault: bool = False
+    unkept: event.Explained | None = None
+    """The standstill before which the last seconds are still to be written, while the run goes on."""
+    faults: list[event.Explained] = field(default_factory=list)
+    """Those before which they were, in the order of their files."""
     closed_at: int = 0
     """When its end was told to whoever holds it; 0: it is open."""
     why_not: Reason | None = None
@@ -119,6 +127,8 @@ class BlackBox:
         body = topics.encode(topics.EventRecord(subsystem, message))
         for box in boxes:
             box.has_fault |= _is_fault(message)
+            if isinstance(message, event.Explained) and message.choices and _is_fault(message):
+                box.unkept = message
             self._note(box, topics.EVENTS, body, _standing(message))
 
     def command(self, session: str, message: request.Request) -> None:
@@ -133,10 +143,11 @@ class BlackBox:
         """Look after it, now and then."""
         for box in self._open_boxes():
             self._meet(box)
+            self._keep(box)
         for word in self._holder.written():
-            for box in self._boxes.values():
+            for run, box in list(self._boxes.items()):
                 if box.number == word.number:
-                    box.why_not = word.reason
+                    self._learn(run, box, word)
         if self._holder.is_lost:
             self._lose()
 
@@ -158,7 +169,7 @@ class BlackBox:
             return None
         self._boxes.pop(run, None)
         if box.why_not:
-            run.warn(Reason.of("host.no_black_box", why=box.why_not), (self._driver.now - box.began) * 1e-9)
+            self._warn(run, box, box.why_not)
             return ""
         return str(box.path)
 
@@ -179,10 +190,38 @@ class BlackBox:
     def _open_boxes(self) -> list[_Box]:
         return [box for box in self._boxes.values() if not box.closed_at]
 
-    def _close(self, box: _Box, words: dict[str, str], *, is_kept: bool) -> None:
+    def _keep(self, box: _Box) -> None:
+        """Have the last seconds before a standstill written, while the run goes on."""
+        explained, box.unkept = box.unkept, None
+        if explained is None or len(box.faults) == MOST_FAULTS:
+            return
+        box.faults.append(explained)
+        self._look_now(box)
+        path = fault_path(box.path, len(box.faults))
+        self._holder.keep(KeepBlackBox(box.number, str(path), standing(explained)))
+
+    def _learn(self, run: ApplicationRun, box: _Box, word: BlackBoxWritten) -> None:
+        """A file of it is written, or why not."""
+        if word.path == str(box.path):
+            box.why_not = word.reason
+        elif word.reason:
+            self._warn(run, box, word.reason)
+        else:
+            for number, explained in enumerate(box.faults, 1):
+                path = fault_path(box.path, number)
+                if word.path == str(path):
+                    run.name_black_box(explained, path)
+
+    def _warn(self, run: ApplicationRun, box: _Box, why: Reason) -> None:
+        run.warn(Reason.of("host.no_black_box", why=why), (self._driver.now - box.began) * 1e-9)
+
+    def _look_now(self, box: _Box) -> None:
         self._meet(box)
         if self._driver.is_virtual:
             self._holder.look(self._driver.now)
+
+    def _close(self, box: _Box, words: dict[str, str], *, is_kept: bool) -> None:
+        self._look_now(box)
         box.closed_at = monotonic_ns()
         self._holder.close(CloseBlackBox(box.number, is_kept, words))
 
@@ -213,7 +252,7 @@ class BlackBox:
         why = Reason.of("host.black_box_gone")
         for run, box in list(self._boxes.items()):
             if not box.closed_at:
-                run.warn(Reason.of("host.no_black_box", why=why), (self._driver.now - box.began) * 1e-9)
+                self._warn(run, box, why)
             del self._boxes[run]
 
 
@@ -224,6 +263,8 @@ def _is_fault(message: event.Event) -> bool:
             return True
         case event.Stopped():
             return message.is_stopped
+        case event.Explained():
+            return message.kind not in _HARMLESS
         case event.Drive():
             return message.state in _TRIPPED
     return False

@@ -10,6 +10,7 @@ from typing import Protocol
 from onika.host.recording.black_box_orders import (
     BlackBoxWritten,
     CloseBlackBox,
+    KeepBlackBox,
     OpenBlackBox,
     RunOrder,
     decode_word,
@@ -46,6 +47,10 @@ class BlackBoxHolder(Protocol):
 
     def look(self, now: int) -> None:
         """Look at the variables, where that is not done by itself."""
+        ...
+
+    def keep(self, order: KeepBlackBox) -> None:
+        """Write the last seconds of a run that goes on."""
         ...
 
     def close(self, order: CloseBlackBox) -> None:
@@ -90,6 +95,10 @@ class InProcessHolder:
         """Look at the variables."""
         for run in self._runs.values():
             run.look(now)
+
+    def keep(self, order: KeepBlackBox) -> None:
+        """Write the last seconds of a run that goes on."""
+        self._written.append(self._runs[order.number].write(order.words, order.path))
 
     def close(self, order: CloseBlackBox) -> None:
         """A run is over."""
@@ -147,6 +156,10 @@ class HolderProcess:
 
     def look(self, now: int) -> None:
         """It looks by itself."""
+
+    def keep(self, order: KeepBlackBox) -> None:
+        """Write the last seconds of a run that goes on."""
+        self._post.send(encode(RunOrder(order.number, order)))
 
     def close(self, order: CloseBlackBox) -> None:
         """A run is over."""

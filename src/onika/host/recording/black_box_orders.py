@@ -27,18 +27,27 @@ class CloseBlackBox(Struct, frozen=True, tag=True):
     words: dict[str, str]
 
 
+class KeepBlackBox(Struct, frozen=True, tag=True):
+    """Something went wrong in a run that goes on: its last seconds are written now, into a file of their own."""
+
+    number: int
+    path: str
+    words: dict[str, str]
+
+
 class BlackBoxWritten(Struct, frozen=True, tag=True):
-    """The black box of a run is written, or why not."""
+    """A black box of a run is written, or why not."""
 
     number: int
     reason: Reason
+    path: str = ""
 
 
 class RunOrder(Struct, frozen=True):
     """An order, and the run that it concerns."""
 
     number: int
-    order: OpenBlackBox | TracedVariables | TracedEvent | CloseBlackBox
+    order: OpenBlackBox | TracedVariables | TracedEvent | KeepBlackBox | CloseBlackBox
 
 
 encode = msgpack.Encoder().encode

@@ -15,6 +15,7 @@ from time import monotonic_ns, sleep
 
 from onika.host.recording.black_box_orders import (
     CloseBlackBox,
+    KeepBlackBox,
     OpenBlackBox,
     RunOrder,
     decode_order,
@@ -91,6 +92,9 @@ class _Runs:
                 self._runs[number].last_seconds.meet(order, memories[order.subsystem].view)
             case TracedEvent():
                 self._runs[number].last_seconds.note(order)
+            case KeepBlackBox():
+                self._runs[number].look(monotonic_ns())
+                self._post.send(encode_word(self._runs[number].write(order.words, order.path)))
             case CloseBlackBox():
                 self._close(order)
 

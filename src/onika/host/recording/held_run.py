@@ -23,14 +23,15 @@ class HeldRun:
         """Look at the variables; the time is that of the clock by which the run began."""
         self.last_seconds.look(now - self.order.began_ns)
 
-    def write(self, words: Mapping[str, str]) -> BlackBoxWritten:
-        """Write them; how that went."""
+    def write(self, words: Mapping[str, str], elsewhere: str = "") -> BlackBoxWritten:
+        """Write them where they belong at the end of the run, or elsewhere; how that went."""
+        path = elsewhere or self.order.path
 
         def write(stream: BinaryIO) -> None:
             self.last_seconds.write(stream, self._run, words)
 
         try:
-            write_black_box(Path(self.order.path), write)
+            write_black_box(Path(path), write)
         except OSError as wrong:
-            return BlackBoxWritten(self.order.number, reason_of(wrong))
-        return BlackBoxWritten(self.order.number, NOTHING)
+            return BlackBoxWritten(self.order.number, reason_of(wrong), path)
+        return BlackBoxWritten(self.order.number, NOTHING, path)

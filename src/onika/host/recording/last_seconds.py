@@ -102,8 +102,8 @@ class LastSeconds:
     def write(self, stream: BinaryIO, run: RunRecord, words: Mapping[str, str]) -> None:
         """Write it as a recording; `words` are those of its end. Raises OSError."""
         writer, begin = Writer(stream), self._begin
-        replace(run, is_fresh=run.is_fresh and not begin).write(writer)
         writer.note(BLACK_BOX, {"version": "1", "from_ns": str(begin), "to_ns": str(max(self._looked_at, begin))})
+        replace(run, is_fresh=run.is_fresh and not begin).write(writer)
         series = [self._series(writer, trace) for trace in self._traces]
         events = sorted(self._kept_events(), key=lambda traced: traced.at_ns)
         last = max([self._looked_at, begin, *(traced.at_ns for traced in events[-1:])])

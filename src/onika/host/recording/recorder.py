@@ -28,6 +28,7 @@ from onika.words.system_error import system_reason_with_place
 
 _POSED_EVERY_NS = 33_000_000
 _LOOKS = 4
+_UNTOLD = (event.LastSecondsKept, event.Result, event.Stood)
 """Periods of the fastest task between two looks; an entry keeps fifteen values, so that looks may come late."""
 _FASTEST_NS, _SLOWEST_NS = 2_000_000, 20_000_000
 END_NS = 5_000_000_000
@@ -241,7 +242,7 @@ class Recorder:
 
     def _hear(self, message: event.Event, subsystem: str) -> None:
         is_ours = not subsystem or subsystem in self._names
-        if is_ours and not self._end_at and not isinstance(message, event.Result | event.Stood):
+        if is_ours and not self._end_at and not isinstance(message, _UNTOLD):
             self._say(topics.EVENTS, topics.encode(topics.EventRecord(subsystem, message)))
 
     def _say(self, topic: str, body: bytes) -> None:

@@ -1,6 +1,7 @@
 """One run of an application: its runner, who began it, and when its result can be told."""
 
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from time import monotonic_ns
 
 from msgspec import structs
@@ -97,6 +98,10 @@ class ApplicationRun:
     def warn(self, text: Reason, at_s: float) -> None:
         """Tell whoever watches what is worth knowing of the run as a whole."""
         self._tell(event.Warned(self.names[0], "", text, at_s))
+
+    def name_black_box(self, explained: event.Explained, path: Path) -> None:
+        """Tell where the last seconds before a standstill stand."""
+        self._tell(event.LastSecondsKept(explained.subsystem, explained.at_s, str(path)))
 
     def _tell(self, message: event.Event) -> None:
         flow = getattr(message, "flow", 0)

@@ -138,6 +138,8 @@ class RecordingFile(View, frozen=True):
     took_s: float = 0.0
     bytes: int = 0
     is_whole: bool = True
+    is_black_box: bool = False
+    """Whether it holds only the last seconds of a run in which something went wrong."""
 
 
 class RecordingsView(View, frozen=True):

@@ -90,6 +90,8 @@ class StopView(View, frozen=True):
     """What can be done safely, likeliest first."""
     short: Reason = NOTHING
     """The text without where in a module it was said."""
+    black_box: str = ""
+    """The file on the runtime's machine in which the last seconds before it stand; empty: there is none, or not yet."""
 
 
 class JumpView(View, frozen=True):
@@ -149,5 +151,7 @@ class RunView(View, frozen=True):
     """The file in which it is recorded; empty: it is not."""
     recorded_bytes: int = 0
     """Of that file, once the run is over; 0: it is not there."""
+    black_box: str = ""
+    """The file on the runtime's machine in which its last seconds stand, once it has ended badly; empty: none."""
     repeats_until_s: float = 0.0
     """Up to when it is a recorded run again, before it goes on as it is steered; 0: it is a run of its own."""

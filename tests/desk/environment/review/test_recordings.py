@@ -31,3 +31,4 @@ def test_black_boxes_are_listed_among_them(cinema):  # R-X05
     cinema.film(doc).rename(folder / "play-20261121-231500-77-1.mcap")
     (file,) = cinema.later(act.Recordings()).value.files
     assert file.path == str(folder / "play-20261121-231500-77-1.mcap")
+    assert not file.is_black_box

@@ -133,3 +133,17 @@ def test_a_run_that_is_ended_where_it_stood_keeps_why_it_stood(play):  # R-X06, 
     assert "flow0" not in play.view.stops
     play.end(Reason.of("desk.aborted_by_user"))
     assert str(play.view.cause) == "ended by you, after: out of reach"
+
+
+def test_a_standstill_and_an_end_name_the_last_seconds_before_them(play):  # R-X05
+    play.run(play.open([job("aC")]))
+    play.began(0)
+    play.moved("stopped")
+    why = ("a", "", 0, "", Reason.plain("broken"), "", 0, (), (), (("clear", Reason.plain("again")),), 2.0, "error")
+    play.tell(event.Explained("flow0", *why))
+    play.tell(event.LastSecondsKept("flow0", 1.5, "/box/of-another.mcap"))
+    assert play.view.stops["flow0"].black_box == ""
+    play.tell(event.LastSecondsKept("flow0", 2.0, "/box/of-this.mcap"))
+    assert play.view.stops["flow0"].black_box == "/box/of-this.mcap"
+    play.tell(event.Result(False, Reason.plain("broken"), 0, 1, 2.0, 2.0, {}, (), "", black_box="/box/end.mcap"))
+    assert play.view.black_box == "/box/end.mcap"

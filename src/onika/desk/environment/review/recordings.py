@@ -41,5 +41,11 @@ def _files(folder: Path, made: str) -> Iterator[RecordingFile]:
             except UNREADABLE:
                 continue  # something else that lies there, or that has gone
             yield RecordingFile(
-                str(path), recording.application, began_at_s, recording.took_s, size, recording.is_whole
+                str(path),
+                recording.application,
+                began_at_s,
+                recording.lasted_s,
+                size,
+                recording.is_whole,
+                recording.is_black_box,
             )

@@ -6,7 +6,7 @@ from msgspec import structs
 
 from onika.desk.environment.run_state.question import ask_view
 from onika.desk.environment.run_state.run import Run
-from onika.desk.environment.run_state.run_view import in_short, is_question, left_for, stop_view, tag
+from onika.desk.environment.run_state.run_view import in_short, is_question, left_for, stop_view, tag, with_black_box
 from onika.desk.environment.run_state.transfer_view import jump_view
 from onika.desk.run import transfer_text
 from onika.desk.run.flow_status import WAITS
@@ -35,6 +35,8 @@ def after(run: Run, message: event.Event) -> Run:
         case event.Explained() if message.subsystem in ("", *run.view.flows):
             key = message.subsystem if message.choices else ""
             return run.shown(stops={**run.view.stops, key: stop_view(run, message)})
+        case event.LastSecondsKept():
+            return run.shown(stops={key: with_black_box(stop, message) for key, stop in run.view.stops.items()})
         case event.Result():
             return over(run, message)
     is_of_flow = getattr(message, "subsystem", None) in run.view.flows
@@ -80,6 +82,7 @@ def over(run: Run, result: event.Result) -> Run:
         cause=_cause(run, run.wording.with_icons(result.cause)),
         done=result.done,
         took_s=result.runtime_s,
+        black_box=result.black_box,
         jumps=tuple(map(jump_view, result.steps)),
     )
 

@@ -13,6 +13,7 @@ from onika.desk.environment.run_state.run import Run, begun
 from onika.desk.environment.run_state.step_mapping import StepMapping
 from onika.desk.environment.run_state.variable_cache import VariableCache
 from onika.desk.run.recorded_run import RecordingSource, recorded_run
+from onika.desk.run.recording_digest import black_box_line
 from onika.desk.run.run_review import Review, ReviewedFlow
 from onika.record.series import Series
 from onika.wire import event
@@ -70,12 +71,17 @@ def _view(review: Review, run: Run, recast: StepMapping) -> RecordingView:
         variables={address: _variable(series) for address, series in review.series.items()},
         worlds=review.worlds,
         marks=marks(run, review),
-        notes=(*_losses(review), *recast.notes),
+        notes=(*_black_box(review), *_losses(review), *recast.notes),
         cannot_continue=_cannot_continue(review.path),
         doc=recast.doc,
         began_at_s=_began(review.run.began),
         redirects=tuple(_redirects(review)),
     )
+
+
+def _black_box(review: Review) -> Iterator[Reason]:
+    if review.black_box is not None:
+        yield black_box_line(review.black_box)
 
 
 def _redirects(review: Review) -> Iterator[RedirectView]:

@@ -1,5 +1,7 @@
 """What a runtime tells of a run, as a page shows it: questions, standstills, the last seconds (requirement X06)."""
 
+from msgspec import structs
+
 from onika.desk.environment.run_state.run import Run
 from onika.wire import act, event
 from onika.wire.view import ChoiceView, CourseView, Remedy, StopView
@@ -38,6 +40,12 @@ def stop_view(run: Run, explained: event.Explained) -> StopView:
             _choice(command, run.wording.with_icons(meaning), run, explained) for command, meaning in explained.choices
         ),
     )
+
+
+def with_black_box(stop: StopView, kept: event.LastSecondsKept) -> StopView:
+    """A standstill, with the file of the last seconds before it where that is the one that is told of."""
+    is_meant = (stop.subsystem, stop.at_s) == (kept.subsystem, kept.at_s)
+    return structs.replace(stop, black_box=kept.path) if is_meant else stop
 
 
 def left_for(run: Run, subsystem: str) -> set[str]:
