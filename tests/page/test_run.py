@@ -196,6 +196,17 @@ def test_to_try_again_fails_again_and_the_run_can_be_ended(me):  # R-X06, R-E08,
     me.ended_early("ended by you, after: cycle: ValueError: the sensor is dead")
 
 
+def test_the_last_seconds_are_kept_at_the_stop_and_at_the_end_and_can_be_looked_at(me):  # R-X05, R-X06
+    me.starts("fails")
+    why = me.page.get_by_role("dialog", name=re.compile("stopped: sick has an error"))
+    expect(why.get_by_role("button", name="Look at the last seconds")).to_be_visible()
+    why.get_by_role("button", name=re.compile("End the run")).click()
+    me.ended_early("ended by you, after: cycle: ValueError: the sensor is dead")
+    me.run.get_by_role("button", name="Look at the last seconds").click()
+    expect(me.page.get_by_text("Recording of fails")).to_be_visible()
+    me.page.get_by_role("button", name="Close the recording").click()
+
+
 def test_what_a_task_is_not_told_it_asks_in_a_form(me):  # R-E15, R-D16, R-C13
     me.starts("asks")
     panel = me.page.get_by_role("dialog", name=re.compile("asks$"))
