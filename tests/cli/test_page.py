@@ -84,6 +84,32 @@ def test_a_browser_is_opened_where_there_is_a_screen(began, monkeypatch):
     assert opened == ["http://127.0.0.1:1/?key=x"]
 
 
-def test_state_is_kept_where_the_system_says(monkeypatch, tmp_path):
+def test_state_is_kept_where_the_system_says(began, monkeypatch, tmp_path):
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
-    assert page.state_directory() == tmp_path / "onika"
+    commands.carry_out(["page", "--port", "0"])
+    assert began[0][2] == tmp_path / "onika"
+
+
+@pytest.fixture
+def state(monkeypatch, tmp_path):
+    """A state directory that everybody may write to."""
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    (tmp_path / "onika").mkdir()
+    (tmp_path / "onika").chmod(0o777)
+    return tmp_path / "onika"
+
+
+def test_a_state_directory_that_others_could_use_is_closed_and_that_is_told(began, state, capsys):  # R-X12
+    assert commands.carry_out(["page", "--port", "0"]) == 0
+    assert str(state) in capsys.readouterr().err
+    assert state.stat().st_mode & 0o077 == 0
+    assert commands.carry_out(["page", "--port", "0"]) == 0
+    assert capsys.readouterr().err == ""
+
+
+def test_a_state_directory_that_stays_open_to_others_is_not_used(began, state, monkeypatch, capsys):  # R-X12
+    monkeypatch.setattr("pathlib.Path.chmod", lambda *_: None)
+    assert commands.carry_out(["page", "--port", "0"]) == 2
+    assert "cannot be mended" in capsys.readouterr().err
+    assert began == []
+    assert commands.carry_out(["doctor"]) in (0, 1)  # it keeps nothing

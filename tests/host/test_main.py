@@ -55,3 +55,15 @@ def test_a_wrong_command_line_is_told():
         assert "--sideways" in child.tail()
         with pytest.raises(LinkLost):
             connected(child)
+
+
+def test_files_that_say_who_is_let_in_are_closed_to_others_and_that_is_told(tmp_path):  # R-X12
+    users, audit = tmp_path / "users", tmp_path / "audit.log"
+    for path in (users, audit):
+        path.write_text("")
+        path.chmod(0o666)
+    with launch(["--virtual", "--users", str(users), "--audit", str(audit)]) as child:
+        assert ask(connected(child), request.Quit()) == request.Done()
+        assert child.wait(20.0) == 0
+        assert str(users) in child.tail() and str(audit) in child.tail()
+    assert [path.stat().st_mode & 0o777 for path in (users, audit)] == [0o644, 0o644]

@@ -3,6 +3,7 @@
 import argparse
 import os
 import sys
+from pathlib import Path
 
 from onika import __version__
 from onika.cli import (
@@ -21,10 +22,15 @@ from onika.cli import (
     text,
 )
 from onika.cli.language import say, speaking
+from onika.files.access import guard
+from onika.files.state_directory import guarded, state_directory
 from onika.link.lost import LinkLost
 from onika.words.reason import Reason, reason_of
 from onika.words.sentence import LANGUAGES
 from onika.words.system_error import system_reason_with_place
+
+KEEPING = frozenset(("page", "run", "test", "runtime", "console"))
+"""Commands that keep something in the state directory, or let others in by what lies there."""
 
 COMMANDS = {
     "page": page,
@@ -49,12 +55,22 @@ def carry_out(words: list[str] | None) -> int:
     with speaking(wanted):
         try:
             given = _parser().parse_args(_whole(rest))
+            if given.command in KEEPING and not _is_ours(state_directory(os.environ)):
+                return 2
             code: int = COMMANDS[given.command].carry_out(given)
             if sys.stdout is not None:
                 sys.stdout.flush()
             return code
         except (KeyboardInterrupt, OSError, UnicodeError, LinkLost) as ending:
             return _ended(ending)
+
+
+def _is_ours(state: Path) -> bool:
+    """Whether nobody else can use what is kept there, as far as that cannot be mended; what is to be told is told."""
+    report = guard(guarded(state))
+    for sentence in report.sentences:
+        _say_last(sentence, 0)
+    return not report.refused
 
 
 def _ended(ending: BaseException) -> int:

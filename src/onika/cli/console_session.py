@@ -13,6 +13,7 @@ from onika.cli.plain_console import PlainConsole
 from onika.desk.console.console import Console
 from onika.desk.console.display import ConsoleDisplay, Tone
 from onika.desk.console.session import ConsoleSession, Runtime
+from onika.files.state_directory import state_directory
 from onika.store.site import Site
 from onika.words.reason import Reason
 
@@ -74,7 +75,5 @@ def _desk(console: Console) -> "Terminal | PlainConsole":
 
 
 def _history() -> Path:
-    """Where lines are kept for the next console: in the state directory of the XDG."""
-    state = os.environ.get("XDG_STATE_HOME", "")
-    home = Path(state) if state.startswith("/") else Path.home() / ".local" / "state"
-    return home / "onika" / "console_history"
+    """Where lines are kept for the next console: in the state directory."""
+    return state_directory(os.environ) / "console_history"

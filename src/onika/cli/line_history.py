@@ -4,6 +4,8 @@ from pathlib import Path
 
 from prompt_toolkit.history import InMemoryHistory
 
+from onika.files.state_directory import make_own
+
 _KEPT = 1000
 
 
@@ -29,7 +31,7 @@ class LineHistory(InMemoryHistory):
             return
         lines = list(self.load_history_strings())[:_KEPT]
         try:
-            self._path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+            make_own(self._path.parent)
             self._path.touch(mode=0o600)
             self._path.write_text("".join(line + "\n" for line in reversed(lines)), encoding="utf-8")
         except OSError:

@@ -10,6 +10,7 @@ from pathlib import Path
 from onika.cli.language import say
 from onika.cli.runtime import add_base, unit
 from onika.cli.search_path import site_here
+from onika.files.state_directory import state_directory
 from onika.link.token import read_token
 from onika.web.program import EnvironmentOptions, EnvironmentProgram
 from onika.web.server import bound
@@ -66,7 +67,7 @@ def carry_out(given: argparse.Namespace) -> int:
         has_diary=not given.no_diary,
         is_upper_only=given.upper,
     )
-    program = EnvironmentProgram(site_here(given.base), options, state_directory())
+    program = EnvironmentProgram(site_here(given.base), options, state_directory(os.environ))
     shows = not given.no_browser and _has_screen()
     answers: list[str] = []
 
@@ -76,12 +77,6 @@ def carry_out(given: argparse.Namespace) -> int:
 
     asyncio.run(program.run(listening, tell))
     return 0
-
-
-def state_directory() -> Path:
-    """Where diary and recovery are kept (XDG)."""
-    named = os.environ.get("XDG_STATE_HOME")
-    return (Path(named) if named else Path.home() / ".local" / "state") / "onika"
 
 
 def _has_screen() -> bool:

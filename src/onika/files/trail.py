@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from onika.files.state_directory import state_directory
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
 
@@ -37,10 +38,8 @@ class TrailReading:
 
 
 def usual_path(environment: Mapping[str, str]) -> Path:
-    """Where it lies if nothing else is said: in the state directory of the XDG."""
-    state = environment.get("XDG_STATE_HOME", "")
-    home = Path(state) if state.startswith("/") else Path(environment.get("HOME", "/")) / ".local" / "state"
-    return home / "onika" / "audit" / "audit.log"
+    """Where it lies if nothing else is said: in the state directory."""
+    return state_directory(environment) / "audit" / "audit.log"
 
 
 def line(before: str, record: Record) -> tuple[bytes, str]:

@@ -7,8 +7,11 @@ import select
 import sys
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 from time import monotonic_ns
 
+from onika.files.access import STRANGERS, WRITING, Access, guard
+from onika.files.state_directory import guarded, state_directory
 from onika.host.loading.loader import Loader
 from onika.host.loading.loader_client import LoaderClient
 from onika.host.program import RuntimeProgram
@@ -57,6 +60,7 @@ def _run(words: list[str]) -> None:
         die_with_parent(given.parent)
     ending = ShutdownSignals(is_launched=given.parent is not None)
     open_output_pipes()
+    _guard_files(given)
     listener = _listener(given)
     audit = _audit(given)
     rtpus = tuple(given.rtpu) or ("rt0",)
@@ -182,6 +186,18 @@ def _listener(given: argparse.Namespace) -> ListenerProcess | None:
     sys.stdout.write(f"onika runtime: listening on {listener.address}{token}\n")
     sys.stdout.flush()
     return listener
+
+
+def _guard_files(given: argparse.Namespace) -> None:
+    """Nobody else can use what is kept, and what says who is let in; the end, with the reasons, where that fails."""
+    named = ((given.users, WRITING), (given.cert, WRITING), (given.key, STRANGERS))
+    audit = "" if given.audit == OFF else given.audit
+    files = [Access(Path(path), denied) for path, denied in (*named, (audit, WRITING)) if path]
+    report = guard((*guarded(state_directory(os.environ)), *files))
+    for sentence in report.sentences:
+        _print(sentence)
+    if report.refused:
+        raise SystemExit(2)
 
 
 def _wall_driver(rtpus: tuple[str, ...], server: RequestServer, *, with_fifo: bool) -> WallDriver:

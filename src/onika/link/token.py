@@ -7,6 +7,7 @@ import secrets
 from collections.abc import Mapping
 from pathlib import Path
 
+from onika.files.state_directory import make_own, state_directory
 from onika.words.reason import Reason
 
 
@@ -21,10 +22,8 @@ def digest(token: str) -> str:
 
 
 def token_path(environment: Mapping[str, str] = os.environ) -> Path:
-    """Where it lies: in the state directory of the XDG."""
-    state = environment.get("XDG_STATE_HOME", "")
-    home = Path(state) if state.startswith("/") else Path(environment.get("HOME", "/")) / ".local" / "state"
-    return home / "onika" / "token"
+    """Where it lies: in the state directory."""
+    return state_directory(environment) / "token"
 
 
 def read_token(path: Path) -> str:
@@ -37,7 +36,7 @@ def read_token(path: Path) -> str:
 
 def own_token(path: Path) -> str:
     """The token in that file, made there if there is none; raises OSError, or ValueError for a file others can read."""
-    path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+    make_own(path.parent)
     if not path.exists():
         _make(path)
     if path.stat().st_mode & 0o077:

@@ -69,7 +69,8 @@ def black_boxes(folder: Path) -> list[Path]:
 
 def write_black_box(path: Path, write: Callable[[BinaryIO], None]) -> None:
     """Write a black box whole or not at all, for the user's eyes only; then the oldest go. Raises OSError."""
-    path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+    for folder in (path.parent.parent, path.parent):  # each of them for the user only
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     descriptor, unfinished = tempfile.mkstemp(_UNFINISHED, path.name, path.parent)  # of mode 0600
     try:
         with os.fdopen(descriptor, "wb") as stream:

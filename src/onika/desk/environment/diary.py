@@ -13,6 +13,7 @@ from onika.desk.environment.environment import ActAnswer
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
+from onika.files.state_directory import make_own
 from onika.wire import act, page
 from onika.words.reason import NOTHING, Reason
 from onika.words.system_error import system_reason
@@ -81,7 +82,7 @@ class Diary:
         if line is None:
             return
         try:
-            self.path.parent.mkdir(parents=True, exist_ok=True)
+            make_own(self.path.parent)
             with self.path.open("a", encoding="utf-8", errors="replace") as file:
                 file.write(HEADER + "\n")
                 while line is not None:

@@ -12,6 +12,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from threading import Event, Lock, Thread
 
+from onika.files.state_directory import make_own
 from onika.files.trail import head_of, line, torn_hash, usual_path
 from onika.words.reason import NOTHING, Reason
 from onika.words.system_error import system_reason
@@ -64,7 +65,7 @@ class AuditTrail:
         """Why a line could not be written, as long as that is so."""
         self._clock = clock
         self._limit, self._kept = limit, kept
-        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+        make_own(path.parent)
         self._lock = os.open(path.with_name(f".{path.name}.lock"), os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
         try:
             fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -22,6 +22,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.environment.state.open_file import DocumentKind
 from onika.files import appl, text, whole
+from onika.files.state_directory import make_own
 from onika.wire import page
 from onika.words.fault import Refusal
 from onika.words.reason import NOTHING, Reason, reason_of
@@ -35,7 +36,7 @@ class Recovery:
 
     def __init__(self, state: Path) -> None:
         self._all = state / "recovery"
-        self._all.mkdir(parents=True, exist_ok=True)
+        make_own(self._all)
         with _alone(self._all):
             self.folder = Path(tempfile.mkdtemp(dir=self._all))
             self._lock = _held(self.folder)

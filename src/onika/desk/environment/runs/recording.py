@@ -10,6 +10,7 @@ from onika.desk.environment.file.recordings_folder import recording_path
 from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
+from onika.files.state_directory import make_own
 from onika.wire import act
 from onika.wire.view import Remedy
 from onika.words.reason import NOTHING, Argument, Reason
@@ -43,7 +44,7 @@ def without(why: Argument, command: act.Run) -> No:
 def _unwritable(folder: Path) -> Reason:
     """Why nothing can be written there; nothing: it can."""
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        make_own(folder)
         with tempfile.TemporaryFile(dir=folder):
             free = shutil.disk_usage(folder).free
     except OSError as wrong:

@@ -10,6 +10,7 @@ from pathlib import Path
 import msgspec
 
 from onika.files import text, whole
+from onika.files.state_directory import make_own
 from onika.words.fault import Refusal
 from onika.words.reason import NOTHING, Reason
 from onika.words.system_error import system_reason
@@ -42,7 +43,7 @@ def keep(state: Path | None, values: Mapping[str, bool]) -> Refusal | None:
         return None
     settings = replace(_kept(state / NAME)[0], **values)
     try:
-        state.mkdir(parents=True, exist_ok=True)
+        make_own(state)
     except OSError as error:
         return Refusal(Reason.of("run.folder_not_made", path=str(state), why=system_reason(error)))
     done = whole.write(state / NAME, msgspec.json.encode(asdict(settings)).decode() + "\n", whole.ANYTHING)
