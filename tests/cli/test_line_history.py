@@ -25,3 +25,11 @@ def test_a_history_that_cannot_be_read_or_written_is_none(tmp_path):
         history.append_string("status")
         history.keep()
         assert list(history.load_history_strings()) == ["status"]
+
+
+def test_a_line_of_absurd_length_is_not_kept_for_the_next_console(tmp_path):
+    history = LineHistory(tmp_path / "history")
+    for line in ("a", "x" * 4001, "y" * 4000):
+        history.append_string(line)
+    history.keep()
+    assert (tmp_path / "history").read_text().splitlines() == ["a", "y" * 4000]

@@ -7,6 +7,8 @@ from prompt_toolkit.history import InMemoryHistory
 from onika.files.state_directory import make_own
 
 _KEPT = 1000
+_LONGEST = 4000
+"""Letters of a line that is kept; longer ones are there until the console ends."""
 
 
 class LineHistory(InMemoryHistory):
@@ -29,7 +31,7 @@ class LineHistory(InMemoryHistory):
         """Write the last lines for the next console; that they cannot be kept is no reason to complain."""
         if self._path is None:
             return
-        lines = list(self.load_history_strings())[:_KEPT]
+        lines = [line for line in self.load_history_strings() if len(line) <= _LONGEST][:_KEPT]
         try:
             make_own(self._path.parent)
             self._path.touch(mode=0o600)

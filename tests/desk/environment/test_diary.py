@@ -66,3 +66,24 @@ def test_where_it_cannot_be_written_that_is_said_once_and_acts_go_on(sitting, tm
     (say,) = sitting.says
     assert say.level == "warning"
     assert say.text.key == "run.diary_unwritten" and say.text.args["path"] == str(diary.path)
+
+
+def test_a_file_is_bounded_and_the_session_goes_on_in_a_next_one(sitting, tmp_path):  # R-H01
+    diary = Diary(tmp_path, lambda: sitting.environment.model, sitting.say, lambda: 770908202.0, limit=300)
+    sitting.environment.observers.append(diary.observe)
+    for _ in range(12):
+        sitting.do(act.New())
+    diary.close(30)
+    files = list(tmp_path.glob("*.log"))
+    acts = [line.split("\t")[1] for path in files for line in path.read_text().splitlines()[1:]]
+    assert len(files) > 1 and all(path.stat().st_size < 600 for path in files)
+    assert sorted(acts) == sorted(["Start_Onika", *["new_conf"] * 12, "Quit_Onika"])
+    assert all(path.stat().st_mode & 0o077 == 0 for path in files)
+
+
+def test_of_all_sessions_the_newest_files_are_kept(sitting, tmp_path):  # R-H01
+    for number in range(5):
+        (tmp_path / f"{number}.log").write_text("")
+    diary = Diary(tmp_path, lambda: sitting.environment.model, sitting.say, kept=3)
+    diary.close(30)
+    assert {path.name for path in tmp_path.iterdir()} == {"3.log", "4.log", diary.path.name}

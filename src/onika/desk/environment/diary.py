@@ -18,6 +18,11 @@ from onika.wire import act, page
 from onika.words.reason import NOTHING, Reason
 from onika.words.system_error import system_reason
 
+KEPT = 200
+"""Files of sessions that are kept; with one more the oldest goes."""
+LIMIT = 4 * 1024 * 1024
+"""Bytes of a file before the session goes on in a next one."""
+
 
 def note(model: Model, _asked: act.Note, _outside: Services) -> Done:
     """What the page alone knows of is for the diary, and changes nothing."""
@@ -31,6 +36,8 @@ class Diary:
     model   what is open now: whether a diary is wanted, and what documents are called
     say     shows everybody a line; once, where the diary cannot be written
     clock   seconds since 1970
+    limit   bytes of a file, and
+    kept    files that are kept of all sessions, so that the folder never outgrows the two multiplied
     """
 
     def __init__(
@@ -39,7 +46,10 @@ class Diary:
         model: Callable[[], Model],
         say: Callable[[page.Say], None],
         clock: Callable[[], float] = time.time,
+        limit: int = LIMIT,
+        kept: int = KEPT,
     ) -> None:
+        self._limit, self._kept = limit, kept
         self._model = model
         self._say = say
         self._clock = clock
@@ -81,13 +91,31 @@ class Diary:
         line = self._lines.get()
         if line is None:
             return
+        first = self.path
         try:
             make_own(self.path.parent)
-            with self.path.open("a", encoding="utf-8", errors="replace") as file:
-                file.write(HEADER + "\n")
-                while line is not None:
-                    file.write(line + "\n")
-                    file.flush()
-                    line = self._lines.get()
+            line, number = self._fill(line), 1
+            while line is not None:
+                number += 1
+                self.path = first.with_name(f"{first.stem}-{number}.log")
+                line = self._fill(line)
         except OSError as error:
             self._wrong = Reason.of("run.diary_unwritten", path=str(self.path), why=system_reason(error))
+
+    def _fill(self, line: str | None) -> str | None:
+        """Write a file until it is full; the line that belongs into the next one, None at the end."""
+        descriptor = os.open(self.path, os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_CLOEXEC, 0o600)
+        with os.fdopen(descriptor, "a", encoding="utf-8", errors="replace") as file:
+            _throw_away(self.path.parent, self._kept)
+            file.write(HEADER + "\n")
+            while line is not None and file.tell() < self._limit:
+                file.write(line + "\n")
+                file.flush()
+                line = self._lines.get()
+        return line
+
+
+def _throw_away(folder: Path, kept: int) -> None:
+    """The oldest sessions go; names begin with the moment at which a session began."""
+    for path in sorted(folder.glob("*.log"))[:-kept]:
+        path.unlink(missing_ok=True)
