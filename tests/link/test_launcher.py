@@ -210,6 +210,6 @@ def test_a_runtime_does_not_outlive_its_guard(tmp_path):  # R-X12
 
 def test_a_runtime_may_have_a_group_of_its_own(tmp_path):  # R-X12
     text = "import os\nprint(os.getpgid(0) == os.getpid(), flush=True)"
-    with launch([], command(tmp_path, text), own_group=True) as child:
+    with launch([], command(tmp_path, text), has_modules=True) as child:
         child.wait(60)
         assert child.tail() == "True\n"

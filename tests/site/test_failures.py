@@ -5,6 +5,7 @@ Time is judged by the world's own log of its drives and by the runtime's own tim
 
 import os
 import signal
+import time
 from pathlib import Path
 
 import pytest
@@ -81,8 +82,8 @@ def failures(console):
     return {event["task"]: event for event in console.events if event["event"] == "failed"}
 
 
-def sick(tmp_path, act, **settings):
-    return CliProcess("run", program(tmp_path, act, **settings), "--json")
+def sick(tmp_path, act, *options, **settings):
+    return CliProcess("run", program(tmp_path, act, **settings), "--json", *options)
 
 
 def test_control_c_stops_the_run(tmp_path):  # R-E07, law 27
@@ -147,6 +148,35 @@ def test_a_module_that_replaces_code_of_the_runtime_is_named(tmp_path, taken):  
     assert_held_in_time(console)
 
 
+UNINTERRUPTED = "signal.signal(signal.SIGALRM, signal.SIG_IGN); [one for one in iter(int, 1) if one]"
+ENDS = {
+    TAKEN["Executive.handle"]: "it ended itself: module sick has replaced onika.runtime.execution.executive.",
+    "os._exit(0)": "it ended with code 0 in a call of task flow0/sick",
+    "import ctypes; ctypes.string_at(0)": "it was killed by signal 11 in a call of task flow0/sick",
+    "os.closerange(3, 300)": "it ended itself: task flow0/sick has closed descriptors of its process",
+    UNINTERRUPTED: "it ended itself: a call of task flow0/sick has not returned for 20 s, and could not be interrupted",
+}
+
+
+@pytest.mark.parametrize("act", [pytest.param(act, marks=[pytest.mark.slow] * (at > 1)) for at, act in enumerate(ENDS)])
+def test_in_virtual_time_whoever_ends_the_runtime_is_named(tmp_path, act):  # law 15, R-E10
+    with sick(tmp_path, act, "--virtual") as console:
+        cause = aborted(console)["cause"]
+    assert cause.startswith("the runtime is gone: ")
+    assert ENDS[act] in cause
+
+
+def test_in_virtual_time_control_c_ends_a_call_that_nothing_interrupts(tmp_path):  # R-E07, law 15
+    hangs = tmp_path / "hangs"
+    with sick(tmp_path, f"Path({str(hangs)!r}).touch(); {UNINTERRUPTED}", "--virtual") as console:
+        until = time.monotonic() + 60
+        while not hangs.exists():
+            assert time.monotonic() < until
+            time.sleep(0.05)
+        console.interrupt()
+        assert "a call of task flow0/sick had not returned" in aborted(console)["cause"]
+
+
 def test_a_module_that_ends_its_process_ends_the_run(tmp_path):  # law 30
     with sick(tmp_path, "os._exit(3)") as console:
         assert aborted(console)["cause"] == "processing unit rt0 ended with code 3 in a call of task flow0/sick"
@@ -155,7 +185,8 @@ def test_a_module_that_ends_its_process_ends_the_run(tmp_path):  # law 30
 
 def test_a_module_that_closes_everything_ends_the_run(tmp_path):  # law 30
     with sick(tmp_path, "os.closerange(3, 300)") as console:
-        assert "processing unit rt0 ended" in aborted(console)["cause"]
+        expected = "processing unit rt0 ended itself: task flow0/sick has closed descriptors of its process"
+        assert aborted(console)["cause"] == expected
     assert_held_in_time(console)
 
 

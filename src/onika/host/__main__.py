@@ -23,6 +23,9 @@ from onika.host.sessions.listener_process import ListenerProcess
 from onika.host.sessions.request_server import RequestServer
 from onika.host.shutdown import ShutdownSignals
 from onika.host.units.call_watchdog import CallWatchdog
+from onika.host.units.code_guard import CodeGuard, own_code
+from onika.host.units.code_watch import CodeWatch
+from onika.host.units.descriptor_guard import DescriptorGuard
 from onika.host.units.garbage import Garbage
 from onika.host.units.memory_limit import bound
 from onika.host.units.output_pipe import open_output_pipes
@@ -30,10 +33,13 @@ from onika.host.units.realtime_scheduling import RUNNER_PRIORITY, fine_timers, f
 from onika.host.units.rtpu import preload
 from onika.host.units.virtual import VirtualDriver
 from onika.host.units.wall import WallDriver
+from onika.host.units.watchman import Watchman
 from onika.host.units.world_registry import open_world
 from onika.link.launcher import die_with_parent, inherit
 from onika.link.sessions import Sessions
 from onika.record.black_box_folder import black_box_folder
+from onika.ring.last_words import LastWords
+from onika.ring.segment import Segment
 from onika.wire import event
 from onika.words.own_language import own_language
 from onika.words.reason import Reason, in_language, reason_of
@@ -70,9 +76,8 @@ def _run(words: list[str]) -> None:
     try:
         if given.virtual:
             preload()
-            patience = CallWatchdog()
             worlds = partial(open_world, shake=given.shake)
-            virtual = VirtualDriver(rtpus, server.tell, worlds, watch=patience.watch, scale=given.scale)
+            virtual = VirtualDriver(rtpus, server.tell, worlds, _watched_calls(given), scale=given.scale)
             virtual.options = () if given.shake is None else ("--shake", str(given.shake))
             bound()
             still_garbage()
@@ -105,6 +110,7 @@ def _given(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser()
     parser.add_argument("--link-fd", type=int)
     parser.add_argument("--parent", type=int)
+    parser.add_argument("--last-words", type=int)
     parser.add_argument("--virtual", action="store_true")
     parser.add_argument("--scale", type=float)
     parser.add_argument("--shake", type=int)
@@ -123,6 +129,23 @@ def _given(words: list[str]) -> argparse.Namespace:
     if (given.link_fd is None) != (given.parent is None) or (given.link_fd is None and not given.listen):
         parser.error(in_language(Reason.of("host.no_way_in"), own_language()))
     return given
+
+
+def _watched_calls(given: argparse.Namespace) -> Callable[[str], None]:
+    """Whoever is told whose code runs: interrupts what does not return, and lets nobody replace code of ours."""
+    watchdog = CallWatchdog()
+    last_words = None if given.last_words is None else LastWords(Segment.attach(given.last_words).view)
+    leave = _print if last_words is None else last_words.leave
+    Watchman(CodeWatch(CodeGuard(own_code()), leave), watchdog, leave).begin()
+    if last_words is None or given.link_fd is None:
+        return watchdog.watch
+    note = last_words.watch
+
+    def watch(task: str) -> None:
+        watchdog.watch(task)
+        note(task)
+
+    return DescriptorGuard(given.link_fd, watch, leave).watch
 
 
 def _audit(given: argparse.Namespace) -> AuditTrail | None:

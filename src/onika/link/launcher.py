@@ -15,6 +15,9 @@ from types import TracebackType
 from onika.link.carrier import SocketCarrier
 from onika.link.output_tail import OutputTail
 from onika.process import guard
+from onika.ring import last_words
+from onika.ring.last_words import LastWords
+from onika.ring.segment import Segment
 from onika.wire.frame import FRAME_LIMIT
 
 RUNTIME = (sys.executable, "-m", "onika.host")
@@ -45,8 +48,11 @@ class RuntimeProcess:
         lifeline: socket.socket,
         carrier: SocketCarrier,
         tail: OutputTail,
+        memory: Segment | None = None,
     ) -> None:
         self.carrier = carrier
+        self.last_words = None if memory is None else LastWords(memory.view)
+        """Of one that executes modules: whose code runs, or ran when it ended, and why it ended itself."""
         self._guard = guard_process
         self._lifeline = lifeline
         self._tail = tail
@@ -171,18 +177,22 @@ def launch(
     command: Sequence[str] = RUNTIME,
     frame_limit: int = FRAME_LIMIT,
     *,
-    own_group: bool = False,
+    has_modules: bool = False,
 ) -> RuntimeProcess:
     """Start a runtime: the command, `--link-fd N --parent PID`, the arguments. Raises OSError when it cannot start.
 
-    It inherits its end of the link under the number N and nothing else; its input is empty. With a group of its own it
-    does not get the signals of the terminal, and modules that it executes cannot end this program with their group.
+    It inherits its end of the link under the number N and nothing else; its input is empty. One that executes
+    modules has a group of its own: it does not get the signals of the terminal, and modules cannot end this program
+    with their group. It has memory for its last words, too, under `--last-words N`.
     """
+    memory = Segment.create("last-words", last_words.SIZE) if has_modules else None
     ours, theirs = socket.socketpair()
     lifeline, guard_lifeline = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
     number = theirs.fileno()
     words = [*command, "--link-fd", str(number), "--parent", guard.OWN_PID, *arguments]
-    order = "\0".join(("own group" if own_group else "", str(number), *words))
+    passed = [number] if memory is None else [number, memory.fd]
+    words += [] if memory is None else ["--last-words", str(memory.fd)]
+    order = "\0".join(("own group" if has_modules else "", " ".join(map(str, passed)), *words))
     output, child_output = os.pipe()
     try:
         lifeline.send(order.encode("utf-8", "surrogateescape"))
@@ -191,7 +201,7 @@ def launch(
             stdin=subprocess.DEVNULL,
             stdout=child_output,
             stderr=child_output,
-            pass_fds=(number, guard_lifeline.fileno()),
+            pass_fds=(*passed, guard_lifeline.fileno()),
             env=UNDRAWN | os.environ | ONE_THREAD,
         )
     except OSError:
@@ -203,7 +213,7 @@ def launch(
         theirs.close()
         guard_lifeline.close()
         os.close(child_output)
-    return RuntimeProcess(process, lifeline, SocketCarrier(ours, frame_limit), OutputTail(output))
+    return RuntimeProcess(process, lifeline, SocketCarrier(ours, frame_limit), OutputTail(output), memory)
 
 
 def inherit(descriptor: int, frame_limit: int = FRAME_LIMIT) -> SocketCarrier:

@@ -34,7 +34,7 @@ def puppet(monkeypatch):
     """A runtime that is a few lines of Python."""
 
     def use(code):
-        monkeypatch.setattr(room, "launch", lambda words, **_: launch(words, (sys.executable, "-c", code)))
+        monkeypatch.setattr(room, "launch", lambda words, **how: launch(words, (sys.executable, "-c", code), **how))
 
     return use
 
@@ -99,6 +99,30 @@ def test_names_and_kind_of_time_are_passed_on(puppet):
 )
 def test_a_runtime_that_ends_tells_how_and_what_it_printed_last(puppet, code, sentence):  # R-E10
     puppet(code)
+    with pytest.raises(LinkLost, match=sentence), LaunchedRuntime(("rt0",), is_virtual=True):
+        pass
+
+
+WORDS = """
+import sys
+from onika.ring.last_words import LastWords
+from onika.ring.segment import Segment
+from onika.words.reason import Reason
+words = LastWords(Segment.attach(int(sys.argv[sys.argv.index("--last-words") + 1])).view)
+words.watch("flow0/sick")
+"""
+
+
+@pytest.mark.parametrize(
+    ("code", "sentence"),
+    [
+        ("raise SystemExit(4)", "; it ended with code 4 in a call of task flow0/sick$"),
+        ("import os; os.kill(os.getpid(), 9)", "; it was killed by signal 9 in a call of task flow0/sick$"),
+        ("words.leave(Reason.plain('it had enough'))", "; it ended itself: it had enough$"),
+    ],
+)
+def test_a_runtime_that_ends_in_a_call_tells_whose(puppet, code, sentence):  # R-E10
+    puppet(WORDS + code)
     with pytest.raises(LinkLost, match=sentence), LaunchedRuntime(("rt0",), is_virtual=True):
         pass
 

@@ -27,6 +27,7 @@ from onika.link.state import LinkState
 from onika.link.token import read_token, token_path
 from onika.link.websocket_opening import WebSocketOpening
 from onika.record.black_box_folder import black_box_folder, black_box_of
+from onika.ring.last_words import LastWords
 from onika.wire import event, live, request
 from onika.wire.foresight import WhatIf
 from onika.words.reason import NOTHING, Reason
@@ -206,7 +207,7 @@ class LaunchedRuntime(RuntimeConversation):
         self._has_black_box = has_black_box and not is_virtual
         """Whether there is one that outlives a runtime."""
         self._black_box: str | None = None
-        self._child: RuntimeProcess = launch([*words, *options], own_group=is_virtual)
+        self._child: RuntimeProcess = launch([*words, *options], has_modules=is_virtual)
         super().__init__(Connection(self._child.carrier, monotonic_ns, CHILD))
         self._stop_patience_s = _STOP_PATIENCE_S
 
@@ -218,8 +219,7 @@ class LaunchedRuntime(RuntimeConversation):
             if not isinstance(message, request.Stop | request.Abort):
                 raise
             self._child.kill()
-            frozen = Reason.of("link.frozen", seconds=_STOP_PATIENCE_S)
-            raise LinkLost(LossCause.SILENT, frozen) from None
+            raise LinkLost(LossCause.SILENT, _frozen(self._child.last_words)) from None
 
     def __enter__(self) -> "LaunchedRuntime":
         try:
@@ -270,7 +270,7 @@ class LaunchedRuntime(RuntimeConversation):
     def _explained(self, lost: LinkLost | TimeoutError) -> LinkLost:
         cause = lost.cause if isinstance(lost, LinkLost) else LossCause.SILENT
         code = self._child.wait(0.5)
-        how = NOTHING if code is None else _ended(code)
+        how = NOTHING if code is None else _ended(code, self._child.last_words)
         output = self._child.tail().strip()[-2000:]
         printed = Reason.of("link.printed_last", output=output) if output else NOTHING
         black_box = "" if code == 0 else self.black_box()
@@ -343,7 +343,19 @@ def _why(lost: LinkLost | TimeoutError) -> Reason:
     return Reason.plain(str(lost))
 
 
-def _ended(code: int) -> Reason:
+def _ended(code: int, last_words: LastWords | None) -> Reason:
+    """How it ended, as it said itself where it could, else with the task whose code ran."""
+    if last_words is not None and last_words.reason:
+        return Reason.of("link.gave_up", why=last_words.reason)
+    task = "" if last_words is None else last_words.task
+    during = Reason.of("link.in_call", task=task) if task else NOTHING
     if code < 0:
-        return Reason.of("link.killed_by_signal", signal=-code)
-    return Reason.of("link.ended_with_code", code=code)
+        return Reason.of("link.killed_by_signal", signal=-code, during=during)
+    return Reason.of("link.ended_with_code", code=code, during=during)
+
+
+def _frozen(last_words: LastWords | None) -> Reason:
+    task = "" if last_words is None else last_words.task
+    if task:
+        return Reason.of("link.caught_in_call", seconds=_STOP_PATIENCE_S, task=task)
+    return Reason.of("link.frozen", seconds=_STOP_PATIENCE_S)

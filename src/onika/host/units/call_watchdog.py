@@ -16,8 +16,10 @@ class CallWatchdog:
     """
 
     def __init__(self, patience_s: float = PATIENCE_S) -> None:
-        self._task = ""
-        self._calls = 0
+        self.task = ""
+        """Whose code runs."""
+        self.calls = 0
+        """How often somebody's code began or ended."""
         self._seen = -1
         self._patience_s = patience_s
         signal.signal(signal.SIGALRM, self._look)
@@ -25,11 +27,11 @@ class CallWatchdog:
 
     def watch(self, task: str) -> None:
         """Whose code runs from now on; "" for the executive's own."""
-        self._task = task
-        self._calls += 1
+        self.task = task
+        self.calls += 1
 
     def _look(self, _signal: int, _frame: FrameType | None) -> None:
-        if self._task and self._calls == self._seen:
-            reason = Reason.of("host.call_has_not_returned", task=self._task, seconds=self._patience_s)
+        if self.task and self.calls == self._seen:
+            reason = Reason.of("host.call_has_not_returned", task=self.task, seconds=self._patience_s)
             raise ModuleError(reason)
-        self._seen = self._calls
+        self._seen = self.calls

@@ -14,6 +14,7 @@ from msgspec import Struct, msgpack
 
 from onika.host.units.code_guard import CodeGuard, own_code
 from onika.host.units.code_watch import CodeWatch
+from onika.host.units.descriptor_guard import DescriptorGuard
 from onika.host.units.garbage import Garbage
 from onika.host.units.heartbeat import Heartbeat
 from onika.host.units.memory_limit import bound
@@ -67,7 +68,8 @@ class Rtpu:
         self._zero = zero_ns
         self._views: dict[str, memoryview] = {}
         self._segments: dict[str, Segment] = {}
-        self._executive = Executive(name, self._views, heartbeat.watch)
+        watch = DescriptorGuard(post.fileno(), heartbeat.watch, heartbeat.leave).watch
+        self._executive = Executive(name, self._views, watch)
         self._garbage = Garbage()
         self.code_watch = CodeWatch(CodeGuard(own_code()), heartbeat.leave, heartbeat.look)
         """Whoever runs this in a process of its own begins it."""
