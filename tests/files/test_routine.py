@@ -130,4 +130,4 @@ def test_two_different_marks_of_one_kind_are_a_fault(
     marked(replace(MOVE, **job), replace(HOME, line=8, **target), reading)  # type: ignore[arg-type]
     (fault,) = reading.faults
     assert (fault.place.line, fault.reason.key) == (8, "files.icons_disagree")
-    assert fault.reason.args["meaning"] == meaning
+    assert str(fault.reason.args["meaning"]) == meaning

@@ -208,7 +208,9 @@ class LinkOracle:
                 self._unless(bool(wanted.outcomes), f"request {wanted.label} got neither answer nor failure")
             for outcome in wanted.outcomes:
                 if isinstance(outcome, RequestFailed) and outcome.fate in (RequestFate.UNSENT, RequestFate.LATE):
-                    self._unless(not wanted.begun, f"request {wanted.label} was carried out, but: {outcome.fate.value}")
+                    self._unless(
+                        not wanted.begun, f"request {wanted.label} was carried out, but: {outcome.fate.reason}"
+                    )
 
     def _epoch_changed(self, client: str, epoch: str, asking: SimLink | None) -> None:
         story = self._stories[client]

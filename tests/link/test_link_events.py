@@ -9,8 +9,8 @@ def test_equal_notices_are_equal_values():
 
 
 def test_each_fate_says_whether_something_may_have_been_carried_out():
-    assert [fate for fate in RequestFate if "nothing was carried out" in fate.value] == [
+    assert [fate for fate in RequestFate if "nothing was carried out" in str(fate.reason)] == [
         RequestFate.UNSENT,
         RequestFate.LATE,
     ]
-    assert "may or may not" in RequestFate.LOST.value
+    assert "may or may not" in str(RequestFate.LOST.reason)

@@ -94,11 +94,11 @@ def read_condition(line: FileLine | None, reading: TextReading) -> str:
 
 def marked(job: Icon, target: Icon, reading: TextReading) -> tuple[Icon, Icon]:
     """An action's icon with all marks on it, and its target without any (reading 24)."""
-    _agree(job.synch_tag, target.synch_tag, "synch tag", target, reading)
-    _agree(job.while_tag, target.while_tag, "while tag", target, reading)
-    _agree(job.while_if or None, target.while_if or None, "condition of a loop", target, reading)
+    _agree(job.synch_tag, target.synch_tag, Reason.of("files.synch_tag"), target, reading)
+    _agree(job.while_tag, target.while_tag, Reason.of("files.while_tag"), target, reading)
+    _agree(job.while_if or None, target.while_if or None, Reason.of("files.loop_condition"), target, reading)
     if job.marker and target.marker:
-        _agree(job.marker_if, target.marker_if, "breakpoint", target, reading)
+        _agree(job.marker_if, target.marker_if, Reason.of("files.breakpoint"), target, reading)
     stops = target if target.marker and not job.marker else job
     whole = replace(
         job,
@@ -118,7 +118,7 @@ def _is_whole(icon: Onikon, syntax: Syntax) -> bool:
     return kind is None or fits(icon.values, kind.items)
 
 
-def _agree(mark: str | None, other: str | None, meaning: str, target: Icon, reading: TextReading) -> None:
+def _agree(mark: str | None, other: str | None, meaning: Reason, target: Icon, reading: TextReading) -> None:
     if mark is not None and other is not None and mark != other:
         always = Reason.of("files.always")
         reason = Reason.of("files.icons_disagree", meaning=meaning, first=mark or always, second=other or always)

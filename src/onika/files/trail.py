@@ -30,7 +30,7 @@ class TrailReading:
 
     records: list[Record] = field(default_factory=list)
     faults: list[Fault] = field(default_factory=list)
-    notes: list[str] = field(default_factory=list)
+    notes: list[Reason] = field(default_factory=list)
     hashes: set[str] = field(default_factory=set)
     head: str = ""
     begins: str = ""
@@ -102,7 +102,8 @@ def _read(data: bytes, place: str, trail: TrailReading, is_first: bool) -> None:
         if raw.endswith(b"\n") or not trail.records:  # a crash leaves one line, without its end, after others
             _fault(trail, place, number, Reason.of("files.trail_no_record"))
         else:
-            trail.notes.append(f"{place}:{number}: the last line is not whole, {len(raw)} bytes of it are there")
+            at = str(Place(place, number))
+            trail.notes.append(Reason.of("files.trail_last_line", place=at, count=len(raw)))
 
 
 def _begin(record: Record, place: Place, trail: TrailReading, is_first: bool) -> None:
@@ -125,7 +126,7 @@ def _torn(torn: Sequence[tuple[int, bytes]], record: Record, place: str, trail: 
     """Lines that are none are in order where the next one knows of them."""
     left = torn_hash(b"".join(raw for _, raw in torn)) if torn else ""
     if torn and record.get("torn") == left:
-        trail.notes.append(f"{place}:{torn[0][0]}: a line was cut off by a crash; the next one says so")
+        trail.notes.append(Reason.of("files.trail_torn", place=str(Place(place, torn[0][0]))))
         return
     for number, _ in torn:
         _fault(trail, place, number, Reason.of("files.trail_no_record"))

@@ -246,4 +246,4 @@ class Connection:
             raise self._lost or closed("it may or may not have been carried out")
         if outcome.fate is RequestFate.UNSENT and self.state in (LinkState.APART, LinkState.ENDED):
             raise self._lost or closed()
-        raise TimeoutError(f"not begun within {timeout_s:g} s: {outcome.fate.value}")
+        raise TimeoutError(f"not begun within {timeout_s:g} s: {outcome.fate.reason}")

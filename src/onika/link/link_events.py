@@ -5,6 +5,7 @@ from enum import Enum
 
 from onika.link.lost import LinkLost
 from onika.link.state import LinkState
+from onika.words.reason import Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,9 +49,14 @@ class ReplyReceived:
 class RequestFate(Enum):
     """What became of a request that got no answer."""
 
-    UNSENT = "it was not sent, nothing was carried out"
-    LATE = "it came too late and was refused, nothing was carried out"
-    LOST = "the link was lost, it may or may not have been carried out"
+    UNSENT = "link.fate_unsent"
+    LATE = "link.fate_late"
+    LOST = "link.fate_lost"
+
+    @property
+    def reason(self) -> Reason:
+        """The same as a sentence."""
+        return Reason.of(self.value)
 
 
 @dataclass(frozen=True, slots=True)

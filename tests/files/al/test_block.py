@@ -41,7 +41,7 @@ def test_nothing_stands_for_a_statement_that_is_wrong() -> None:
     block.lose()
     assert block.takes_break
     block.rest("", is_off=False)
-    assert marked(block.items, 0, "again", is_test=True) == ""
+    assert not marked(block.items, 0, "again", is_test=True)
     assert block.flow() == AppFlow(())
 
 
@@ -63,10 +63,10 @@ def test_a_branch_has_the_parts_that_were_read() -> None:
 
 def test_only_an_action_without_a_tag_bears_that_of_a_loop() -> None:
     tagged = Icon(ICON.onikon, while_tag="a")
-    assert marked([], 0, "b", is_test=False) == "nothing"
-    assert marked([[Hole()]], 0, "b", is_test=False) == "a hole"
-    assert marked([[Branch(())]], 0, "b", is_test=False) == "a branch"
-    assert marked([[tagged]], 0, "b", is_test=False) == "`x`, which bears the tag a"
+    assert str(marked([], 0, "b", is_test=False)) == "nothing"
+    assert str(marked([[Hole()]], 0, "b", is_test=False)) == "a hole"
+    assert str(marked([[Branch(())]], 0, "b", is_test=False)) == "a branch"
+    assert str(marked([[tagged]], 0, "b", is_test=False)) == "`x`, which bears the tag a"
     items = [[ICON], [ICON]]
-    assert marked(items, -1, "b", is_test=True, condition="Q > 1") == ""
+    assert not marked(items, -1, "b", is_test=True, condition="Q > 1")
     assert [marks(item[0])[3:] for item in items] == [(None, False, ""), ("b", True, "Q > 1")]

@@ -132,4 +132,5 @@ def test_marks_that_contradict_each_other_are_told() -> None:
     text = "BEGIN\nSYNCH one\nDRIVE go\nSYNCH two\nTO home\nEND\n"
     result, (fault,) = read(text, "a", "f", TYPES, {"go": job, "home": target}.get)
     assert result is None
-    assert fault.reason == Reason.of("files.icons_disagree", meaning="synch tag", first="one", second="two")
+    meaning = Reason.of("files.synch_tag")
+    assert fault.reason == Reason.of("files.icons_disagree", meaning=meaning, first="one", second="two")

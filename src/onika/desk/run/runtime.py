@@ -37,7 +37,6 @@ _STOP_PATIENCE_S = 1.5
 """How long a runtime that was launched here may leave Stop or Abort without an answer before it is ended."""
 _START_GRACE_S = 0.5
 """How long a runtime that is not wanted any more while it starts has to end by itself: nothing has moved yet."""
-_PRINTED = "; it printed last: "
 _BLACK_BOX_NS = 1_000_000_000
 """How long to wait for the black box of a runtime that has died."""
 _LOOK_S = 0.02
@@ -143,7 +142,7 @@ class RuntimeConversation:
                 yield NumberedResponse(notice.number, request.decode_response(notice.body))
             elif isinstance(notice, RequestFailed):
                 yield NumberedResponse(
-                    notice.number, request.Refused(Reason.of("link.unanswered", fate=notice.fate.value))
+                    notice.number, request.Refused(Reason.of("link.unanswered", fate=notice.fate.reason))
                 )
             elif isinstance(notice, ReadingReceived):
                 self._readings[notice.key] = notice.body

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 
 from onika.files.al.logical_line import Statement
 from onika.model.application import AppFlow, Branch, Hole, Icon, Step
+from onika.words.reason import NOTHING, Reason
 
 ENDS = {
     "BEGIN": "END",
@@ -101,16 +102,16 @@ class Block:
         return Branch(tuple(self.flows), tuple(self.conditions), self.opened.number)
 
 
-def marked(items: list[list[Step]], at: int, tag: str, *, is_test: bool, condition: str = "") -> str:
-    """Put a loop's tag on the statement `at`; gives what stands there in place of an action that may bear it, or ""."""
+def marked(items: list[list[Step]], at: int, tag: str, *, is_test: bool, condition: str = "") -> Reason:
+    """Put a loop's tag on the statement `at`; gives what stands there in place of an action that may bear it, if so."""
     if not items:
-        return "nothing"
+        return Reason.of("files.nothing")
     if not items[at]:
-        return ""  # what stood there is wrong, and told
+        return NOTHING  # what stood there is wrong, and told
     step = items[at][0]
     if not isinstance(step, Icon):
-        return "a hole" if isinstance(step, Hole) else "a branch"
+        return Reason.of("files.a_hole") if isinstance(step, Hole) else Reason.of("files.a_branch")
     if step.while_tag is not None:
-        return f"`{step.onikon.name}`, which bears the tag {step.while_tag}"
+        return Reason.of("files.bears_tag", name=step.onikon.name, tag=step.while_tag)
     items[at][0] = replace(step, while_tag=tag, while_test=is_test, while_if=condition)
-    return ""
+    return NOTHING

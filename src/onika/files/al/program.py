@@ -45,7 +45,7 @@ class TextProgram:
         if not self._open and self._flows is None and not self._reading.broken:
             self._reading.fault(self._reading.end, Reason.of("files.text_empty"))
         while self._open:
-            self._unclosed(self._pop(), self._reading.end, "the end of the program")
+            self._unclosed(self._pop(), self._reading.end, Reason.of("files.end_of_program"))
         return self._flows
 
     # -- one sentence
@@ -142,7 +142,7 @@ class TextProgram:
         self._kinds[block.kind] -= 1
         return block
 
-    def _unclosed(self, block: Block, number: int, opening: str) -> None:
+    def _unclosed(self, block: Block, number: int, opening: Reason | str) -> None:
         self._check_waiting(block)
         if block.kind == "BEGIN" and self._open:
             self._open[-1].flows.append(block.flow())
@@ -216,8 +216,8 @@ class TextProgram:
                 reason = Reason.of("files.repeat_statements", tag=block.tag, count=len(block.items))
                 self._reading.fault(block.opened.number, reason)
                 return block.items
-            self._mark(block.items, 0, block, "first")
-            self._mark(block.items, -1, block, "last", is_test=True, condition=condition)
+            self._mark(block.items, 0, block, Reason.of("files.first"))
+            self._mark(block.items, -1, block, Reason.of("files.last"), is_test=True, condition=condition)
             return block.items
         if not block.is_last:
             raise ValueError(Reason.of("files.do_before_end_while", sentence=str(sentence)))
@@ -225,12 +225,19 @@ class TextProgram:
             reason = Reason.of("files.while_statements", tag=block.tag, count=len(block.tests))
             self._reading.fault(block.opened.number, reason)
         else:
-            self._mark(block.tests, 0, block, "first", is_test=True, condition=block.condition)
-        self._mark(block.items, -1, block, "last behind the DO")
+            self._mark(block.tests, 0, block, Reason.of("files.first"), is_test=True, condition=block.condition)
+        self._mark(block.items, -1, block, Reason.of("files.last_behind_do"))
         return [*block.tests, *block.items]
 
     def _mark(
-        self, items: list[list[Step]], at: int, block: Block, where: str, *, is_test: bool = False, condition: str = ""
+        self,
+        items: list[list[Step]],
+        at: int,
+        block: Block,
+        where: Reason,
+        *,
+        is_test: bool = False,
+        condition: str = "",
     ) -> None:
         steps = marked(items, at, block.tag, is_test=is_test, condition=condition)
         if steps:

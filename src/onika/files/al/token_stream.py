@@ -81,8 +81,8 @@ class TokenStream:
         if not self.is_over:
             raise ValueError(Reason.of("files.end_of_line", rest=self.rest()))
 
-    def rest(self) -> str:
+    def rest(self) -> Reason | str:
         """What is left, for a message."""
         if self.left:
             return show(joined(self.left))
-        return "the end of the line"
+        return Reason.of("files.line_end")

@@ -25,6 +25,15 @@ from onika.wire.view import FaultView, Remedy, ShowConfiguration, ShowFits, Show
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
 
+_OF_LOOPS = (
+    "rules.loop_at_one_action",
+    "rules.loop_condition_misplaced",
+    "rules.loop_tag_count",
+    "rules.loop_test_count",
+    "rules.loop_without_job",
+    "rules.loops_cross",
+    "rules.loops_share_action",
+)
 _OF_TAGS = (
     "rules.tag_alone",
     "rules.tag_not_parallel",
@@ -184,7 +193,7 @@ class FaultViews:
 
     def _of_icon(self, fault: Fault, icon: Icon) -> Iterator[Remedy]:
         key, number = fault.reason.key, icon.number
-        if key.startswith("rules.loop") and icon.while_tag is not None:
+        if key in _OF_LOOPS and icon.while_tag is not None:
             yield Remedy(Reason.of("run.loop_removed"), act.RemoveLoop(self.doc, number))
             yield Remedy(Reason.of("run.mark_anew"), show=ShowLoop(number))
         elif key in _OF_TAGS and icon.synch_tag is not None:

@@ -2,6 +2,7 @@
 
 from collections import deque
 
+from onika.laws.device import no_lamp
 from onika.module import Local, Module, OutVar
 
 SURE = 0.8  # share of the looks that must see the circuit closed
@@ -21,11 +22,9 @@ class LedMonitor(Module):
     WINDOW = Local("double", "s", "how far back is looked: single contacts flicker", default=0.2)
 
     @classmethod
-    def fits(cls, constants, said):
+    def fits(cls, constants, local_values):
         """Why the device that says this of itself has no lamp."""
-        if "BOXES" in said:
-            return None
-        return f"expected the lamp behind the device, found {said.get('ROBOT', 'none')}"
+        return no_lamp(local_values)
 
     def on(self, inputs):
         self._seen = deque([False] * max(1, round(self.WINDOW / self.dt)), maxlen=max(1, round(self.WINDOW / self.dt)))

@@ -83,9 +83,9 @@ class ArmKin(Module):
         return reach.postures(constants, nines, robot_of(constants["ROBOT"]).HOME)
 
     @classmethod
-    def fits(cls, constants, said):
+    def fits(cls, constants, local_values):
         """Why the device that says this of itself is another robot, or stands elsewhere."""
-        return unlike(f"{constants['ROBOT']}_kin", constants, said)
+        return unlike(f"{constants['ROBOT']}_kin", constants, local_values)
 
     def init(self):
         if reason := self.fits(self.state_constants(), self.device.identity):

@@ -2,6 +2,7 @@
 
 import math
 
+from onika.laws.device import no_hand
 from onika.module import InVar, Module, OutVar
 
 
@@ -21,12 +22,9 @@ class Gripper(Module):
     GRIP_MEZ = OutVar("double[3]", "m,m/s,N", "opening, its speed, force on a finger")
 
     @classmethod
-    def fits(cls, constants, said):
+    def fits(cls, constants, local_values):
         """Why the device that says this of itself is no hand."""
-        found = said.get("ROBOT", "another device")
-        if found == "gripper":
-            return None
-        return f"expected a hand behind the device, found {found}"
+        return no_hand(local_values)
 
     def on(self, inputs):
         self._read()
