@@ -1,8 +1,8 @@
 import signal
-from typing import ClassVar, NamedTuple
 
 import pytest
 
+from kit.scripted_runtime import After, KeepingWatcher, ScriptedRuntime
 from onika.desk.run import run as room
 from onika.desk.run.run import run, start
 from onika.desk.run.settings import RunSettings
@@ -18,112 +18,11 @@ GOOD = event.Result(True, NOTHING, 1, 1, 2.0, 0.1, {"LAMP": 1}, (), "abc")
 ASKED = event.Asked("flow0", "gauge", NOTHING, (), 0.5)
 
 
-class After(NamedTuple):
-    """Something that happens once this was asked."""
-
-    message: request.Request
-    happening: event.Event
-
-
-class FakeRuntime:
-    """Says what it is told to; keeps what it was asked."""
-
-    script = ()
-    faults = ()
-    refuses = ""
-    begins = request.Done()
-    snapshots = request.Worlds({"boxes": b"drawn"})
-    positions = ()
-    refusals: ClassVar = {}
-    made = None
-
-    def __init__(self, rtpus, is_virtual, with_fifo, options=(), has_black_box=True):
-        self.given = (rtpus, is_virtual, with_fifo)
-        self.options = options
-        self.requests = []
-        self.pid = 4711
-        self.left = list(self.script)
-        type(self).made = self
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.requests.append("closed")
-
-    def ask(self, message):
-        self.requests.append(message)
-        match message:
-            case request.Prepare():
-                return (
-                    request.Refused(Reason.plain(self.refuses))
-                    if self.refuses
-                    else request.Prepared(self.faults, (Reason.plain("a note"),))
-                )
-            case request.Begin():
-                return self.begins
-            case request.Snapshot():
-                return self.snapshots
-            case steer.Who():
-                return steer.Positions(self.positions)
-        reason = self.refusals.get(type(message).__name__)
-        return request.Done() if reason is None else request.Refused(reason)
-
-    def events(self, _timeout_s):
-        if isinstance(self.left[0], After) and self.left[0].message not in self.requests:
-            return
-        item = self.left.pop(0)
-        item = item.happening if isinstance(item, After) else item
-        if isinstance(item, Exception):
-            raise item
-        if callable(item):
-            item()
-        else:
-            yield item
-
-    def printed(self):
-        return "it printed this"
-
-    def black_box(self):
-        return "/state/last.mcap"
-
-
-class Watcher:
-    def __init__(self):
-        self.seen = []
-
-    def begins(self, prepared, runtime_pid):
-        self.seen.append((prepared.name, runtime_pid))
-
-    def happens(self, message):
-        self.seen.append(message)
-
-    def answer(self, message):
-        return f"an answer for {message.task}"
-
-    can_steer = False
-    looks_now = False
-    wanted = ()
-
-    def wishes(self):
-        taken, self.wanted = self.wanted, ()
-        return taken
-
-    def looks(self):
-        return self.looks_now
-
-    def placed(self, positions):
-        self.seen.append(positions)
-
-    def steered(self, line, faults, positions):
-        self.seen.append((line, [str(fault.reason) for fault in faults], positions))
-
-
 @pytest.fixture
 def runtime(monkeypatch):
     """The class to set up; each run makes a new one."""
 
-    class Fresh(FakeRuntime):
+    class Fresh(ScriptedRuntime):
         pass
 
     monkeypatch.setattr(room, "LaunchedRuntime", Fresh)
@@ -131,7 +30,7 @@ def runtime(monkeypatch):
 
 
 def go(watcher=None, **settings):
-    watcher = watcher or Watcher()
+    watcher = watcher or KeepingWatcher()
     return run(RunSettings("go_home", **settings), SITE, watcher), watcher
 
 
@@ -252,7 +151,7 @@ def test_lines_that_are_left_at_a_good_end_are_a_failure(runtime, tmp_path):  # 
 
 
 def test_what_keys_want_is_done_at_once_and_told(runtime):  # R-E07
-    watcher = Watcher()
+    watcher = KeepingWatcher()
     watcher.can_steer, watcher.looks_now, watcher.wanted = True, True, ("pause", "who", "dance")
     runtime.positions = (steer.Position("flow0", "running", 0),)
     runtime.script = (event.Done(0, 0, 0.1), GOOD)
@@ -267,7 +166,7 @@ def test_what_keys_want_is_done_at_once_and_told(runtime):  # R-E07
 
 @pytest.mark.parametrize(("can_steer", "aborts"), [(False, 1), (True, 0)])
 def test_where_nobody_could_go_on_a_run_that_stands_still_is_aborted(runtime, can_steer, aborts):  # R-X03
-    watcher = Watcher()
+    watcher = KeepingWatcher()
     watcher.can_steer = can_steer
     runtime.positions = (steer.Position("flow0", "paused", 0),)
     runtime.script = (PAUSED, event.Result(False, Reason.plain("x"), 0, 1, 1.0, 1.0, {}, (), ""))
@@ -308,7 +207,7 @@ def test_a_program_is_told_every_fault_of_an_application_that_it_cannot_begin(ru
 
 
 def test_an_application_that_cannot_be_read_starts_no_runtime(runtime):  # R-E01
-    outcome = run(RunSettings("nothing_like_it"), SITE, Watcher())
+    outcome = run(RunSettings("nothing_like_it"), SITE, KeepingWatcher())
     assert (outcome.exit_code, runtime.made) == (2, None)
 
 
@@ -321,7 +220,7 @@ def test_a_question_is_answered_by_the_watcher(runtime):  # law 25
 
 def test_where_nobody_answers_the_run_is_aborted(runtime, monkeypatch):  # law 25
     runtime.script = (ASKED, GOOD)
-    monkeypatch.setattr(Watcher, "answer", lambda *_: None)
+    monkeypatch.setattr(KeepingWatcher, "answer", lambda *_: None)
     go(may_ask=True)
     assert runtime.made.requests[2] == request.Abort(Reason.of("desk.nobody_answers", task="gauge"))
 
