@@ -194,8 +194,8 @@ def test_a_stop_is_explained_and_cleared(page):  # R-E08, R-X06
     stop = page.run.stops["flow0"]
     assert "the glass is broken" in str(stop.text) and (stop.kind, stop.step, stop.task) == ("error", 3, "brittle")
     assert "ModuleError" in stop.traceback and page.flow().state == "stopped"
-    words = [choice.label for choice in stop.choices]
-    assert words == ["clear", "next", "skip N", "abort"] and stop.choices[2].act is None
+    verbs = [choice.verb for choice in stop.choices]
+    assert verbs == ["clear", "next", "skip", "abort"] and stop.choices[2].act is None
     page.do(stop.choices[0].act)
     run = page.ends()
     assert run.is_completed and run.stops == {} and run.steps["3"].times == 1

@@ -16,6 +16,7 @@ from onika.runtime.table import SIZE, Table
 from onika.store.site import shipped
 from onika.wire import event
 from onika.wire.request import Begin
+from onika.words.reason import Reason
 
 pytestmark = pytest.mark.site
 
@@ -88,9 +89,9 @@ def test_a_stop_goes_straight_to_the_drives(start):  # law 27
     run = start(most="60")
     run.driven()
     run.driver.stop()
-    run.runner.abort("stop", run.driver.now)
+    run.runner.abort(Reason.plain("stop"), run.driver.now)
     statistics = run.over()
-    assert (statistics.completed, statistics.cause) == (False, "stop")
+    assert (statistics.completed, str(statistics.cause)) == (False, "stop")
     assert run.drives == ["DRIVEN", "HELD"]
     assert [str(message.cause) for message in run.told if isinstance(message, event.Drive)][-1] == "stop"
 
