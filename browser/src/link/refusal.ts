@@ -24,6 +24,11 @@ export class Refusal extends Error {
     return Object.fromEntries(Object.entries(this.wrong).map(([field, why]) => [field, say(why)]))
   }
 
+  /** What a field holds as it is: a file, not a sentence. */
+  textOf(field: string): string | undefined {
+    return this.wrong[field]?.text
+  }
+
   static from(answer: Refused): Refusal {
     return new Refusal(answer.reason, answer.remedies, answer.fields)
   }

@@ -17,7 +17,7 @@ from onika.wire import act, page
 from onika.wire.view import Remedy, TextView
 from onika.words.fault import Refusal
 from onika.words.name import TASK_NAME
-from onika.words.reason import Reason
+from onika.words.reason import PLAIN, Reason
 
 _STAMP = re.compile(r"[0-9a-f]{64}\Z")
 
@@ -85,13 +85,15 @@ def _code(model: Model, task: str) -> Path | No:
 
 
 def _refused(path: Path, refused: Refusal, command: act.WriteText) -> No:
-    """Where another text stands there now, or none, it may be overwritten."""
+    """With what stands there now, so that one can choose."""
     text, _ = whole.read(path)
-    is_changed = text is not None and text[1] != command.stamp
+    fields = {}
+    if text is not None and text[1] != command.stamp:
+        fields = {"theirs": Reason(PLAIN, text[0]), "stamp": Reason(PLAIN, text[1])}
     again = act.WriteText(command.task, command.kind, command.text, command.stamp, overwrites=True)
-    is_other = is_changed or not path.exists()
+    is_other = bool(fields) or not path.exists()
     overwrite = Remedy(Reason.of("desk.overwrite_it"), again)
-    return No(refused.reason, (overwrite,) if is_other else ())
+    return No(refused.reason, (overwrite,) if is_other else (), fields)
 
 
 def _view(path: Path, text: str, stamp: whole.Stamp) -> TextView:
