@@ -7,6 +7,7 @@ import OpenPanel from './files/OpenPanel.svelte'
 import SaveAsPanel from './files/SaveAsPanel.svelte'
 import InsertPanel from './group/InsertPanel.svelte'
 import SaveGroupPanel from './group/SaveGroupPanel.svelte'
+import WhatIfPanel from './foresight/WhatIfPanel.svelte'
 import HelpSheet from './help/HelpSheet.svelte'
 import HoldingPanel from './holding/HoldingPanel.svelte'
 import JobPanel from './picture/JobPanel.svelte'
@@ -37,6 +38,7 @@ export const DIALOGS: Partial<Record<DialogName, Component>> = {
   saveGroup: SaveGroupPanel,
   source: SourcePanel,
   target: TargetPanel,
+  whatIf: WhatIfPanel,
 }
 
 /** Those that begin anew each time they are opened, also while they are open. */

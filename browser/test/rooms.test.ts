@@ -10,7 +10,7 @@ const FLOORS: readonly (readonly string[])[] = [
   ['review', 'dictionary', 'stop'],
   ['workspace', 'canvas', 'monitor'],
   ['run', 'task'],
-  ['help', 'library', 'group', 'holding', 'redirect', 'world3d'],
+  ['help', 'foresight', 'library', 'group', 'holding', 'redirect', 'world3d'],
   ['files', 'picture', 'recording', 'question', 'scene'],
   ['application', 'progress'],
   ['onikon', 'sentences'],

@@ -300,3 +300,20 @@ def test_a_runtime_that_is_not_there_is_refused_and_the_session_goes_on(me):  # 
     panel.get_by_role("button", name="Close").click()
     me.drag(me.icon("wave"), 300, 200)
     expect(me.box("wave")).to_be_visible()
+
+
+def test_what_a_fault_would_lead_to_is_said_and_nothing_is_touched(me):  # R-X24
+    place(me, "wave", "calm")
+    turn(me, "wave", "calm")
+    me.page.get_by_role("banner").get_by_role("button", name="What if…?").click()
+    panel = me.page.get_by_role("dialog", name="What if?")
+    panel.get_by_label("A fault").select_option("A task fails")
+    whom = panel.get_by_label("Whom it concerns")
+    whom.select_option(whom.get_by_text(re.compile("wave$")).get_attribute("value"))
+    expect(panel.get_by_role("heading", name=re.compile("^What if .+wave fails now"))).to_be_visible()
+    expect(panel.get_by_role("img", name=re.compile("^What comes when: fault 0 ms"))).to_be_visible()
+    expect(panel.get_by_text("ERROR", exact=True)).to_be_visible()
+    expect(panel.get_by_text(re.compile("^Clear .+wave, then turn it on again"))).to_be_visible()
+    panel.get_by_role("button", name="Close").first.click()
+    me.state("wave", "ON")
+    me.state("calm", "ON")

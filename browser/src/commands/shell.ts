@@ -88,6 +88,15 @@ command({
   run: () => step(-1),
 })
 command({
+  id: 'runtime.whatIf',
+  group: 'run',
+  title: () => t('whatIf.run'),
+  keys: ['Alt+Q'],
+  when: () => desk.live.runtime.state === 'linked',
+  run: () => turn('whatIf'),
+  whileTyping: true,
+})
+command({
   id: 'file.library',
   group: 'library',
   level: 'tasks',

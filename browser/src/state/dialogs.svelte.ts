@@ -19,6 +19,7 @@ export type DialogName =
   | 'sheet'
   | 'source'
   | 'target'
+  | 'whatIf'
 
 /** The panel that is open, and what it is about. */
 export interface Dialog {

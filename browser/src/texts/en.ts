@@ -1,6 +1,7 @@
 // English. Every text of the page has a name here; the other languages must have the same names.
 import { enCanvas } from './en.canvas'
 import { enDictionary } from './en.dictionary'
+import { enForesight } from './en.foresight'
 import { enHelp } from './en.help'
 import { enHolding } from './en.holding'
 import { enLevels } from './en.levels'
@@ -20,6 +21,7 @@ export const en = {
   ...enPerform,
   ...enLevels,
   ...enHelp,
+  ...enForesight,
   ...enRedirect,
   ...enHolding,
   ...enRecording,

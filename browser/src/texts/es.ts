@@ -2,6 +2,7 @@
 import type { TextKey } from './en'
 import { esCanvas } from './es.canvas'
 import { esDictionary } from './es.dictionary'
+import { esForesight } from './es.foresight'
 import { esHelp } from './es.help'
 import { esHolding } from './es.holding'
 import { esLevels } from './es.levels'
@@ -21,6 +22,7 @@ export const es: Record<TextKey, string> = {
   ...esPerform,
   ...esLevels,
   ...esHelp,
+  ...esForesight,
   ...esRedirect,
   ...esHolding,
   ...esRecording,
