@@ -3,6 +3,7 @@
 import pytest
 
 from onika.model.lifecycle import TABLE, IllegalTransition, LifecycleInput, State, after, diagram, refusal
+from onika.words.reason import NOTHING
 
 
 def test_a_task_is_spawned_initialised_turned_on_and_off_and_killed():  # R-A05
@@ -61,6 +62,27 @@ def test_nothing_brings_a_killed_task_back():
     assert set(TABLE[State.KILLED].values()) == {State.KILLED}
 
 
+def test_to_be_turned_off_is_refused_by_no_task_that_is_initialised_and_undoes_no_error():  # R-A05, law 27
+    assert {state: steps.get(LifecycleInput.OFF) for state, steps in TABLE.items()} == {
+        State.WAITING: None,
+        State.OFF: State.OFF,
+        State.ASKING: State.OFF,
+        State.ON: State.OFF,
+        State.ERROR: State.ERROR,
+        State.KILLED: State.KILLED,
+    }
+
+
+def test_a_task_that_has_finished_does_not_go_on():  # law 28
+    assert after(State.ON, LifecycleInput.FINISH) is State.OFF
+
+
+def test_states_and_steps_bear_the_words_that_recordings_and_people_read():  # R-A05
+    assert [state.value for state in State] == ["WAITING", "OFF", "ASKING", "ON", "ERROR", "KILLED"]
+    steps = "initialised on ask answered off finish fail clear reinit rebind swap kill"
+    assert [step.value for step in LifecycleInput] == steps.split()
+
+
 def test_only_what_is_off_or_asking_comes_on():
     changes = [(state, step, end) for state, steps in TABLE.items() for step, end in steps.items()]
     comes_on = {(state, step) for state, step, end in changes if end is State.ON and state is not end}
@@ -72,7 +94,7 @@ def test_only_what_is_off_or_asking_comes_on():
 def test_a_step_that_the_table_lacks_is_refused_with_what_would_be_allowed(state, step):
     if step in TABLE[state]:
         assert after(state, step) is TABLE[state][step]
-        assert not refusal(state, step)
+        assert refusal(state, step) == NOTHING
         return
     with pytest.raises(IllegalTransition, match=f"while {state.value}, found {step.value}") as refused:
         after(state, step)

@@ -1,3 +1,5 @@
+from msgspec.msgpack import encode
+
 from onika.ring.last_words import SIZE, LastWords
 from onika.words.reason import NOTHING, Reason
 
@@ -23,6 +25,44 @@ def test_a_reason_that_is_too_long_is_left_out():
     assert parent.reason == NOTHING
     process.leave(Reason.plain("x" * 500))
     assert parent.reason.text == "x" * 500
+
+
+def test_a_process_may_say_again_whose_code_it_runs():
+    process, parent, _ = pair()
+    for task in ("flow0/move", "", "flow0/move"):
+        process.watch(task)
+        assert parent.task == task
+
+
+def test_a_name_that_is_too_long_is_cut_and_one_that_is_no_text_can_be_told():
+    process, parent, memory = pair()
+    process.watch("x" * 300)
+    assert parent.task == "x" * 256
+    process.watch("~x~")
+    assert parent.task == "~x~"
+    memory[0] = 0xFF
+    assert parent.task == "\ufffdx~"
+
+
+def test_name_and_reason_have_their_places_and_fill_two_kilobytes():
+    assert SIZE == 2048
+    process, parent, memory = pair()
+    overhead = len(encode(Reason.plain("x" * 1700))) - 1700
+    longest = Reason.plain("x" * (2048 - 258 - overhead))
+    process.leave(longest)
+    assert int.from_bytes(memory[256:258], "little") == 2048 - 258
+    assert parent.reason == longest
+    process.leave(Reason.plain(longest.text + "x"))
+    assert parent.reason == longest, "one that does not fit is left out"
+
+
+def test_a_length_that_cannot_be_says_nothing():
+    process, parent, memory = pair()
+    process.leave(Reason.plain("well"))
+    assert parent.reason.text == "well"
+    for length in (0, 1, 2048 - 258, 0xFFFF):
+        memory[256:258] = length.to_bytes(2, "little")
+        assert parent.reason == NOTHING
 
 
 def test_what_somebody_has_scribbled_there_says_nothing():

@@ -45,8 +45,6 @@ class LastWords:
     def reason(self) -> Reason:
         """Why the process has ended itself; NOTHING where it said nothing, or what a module has scribbled there."""
         size = int.from_bytes(self._size, "little")
-        if not 0 < size <= _LONGEST:
-            return NOTHING
         try:
             return _decode(self._reason[:size])
         except MsgspecError:
