@@ -1,4 +1,4 @@
-"""Texts that repeat, nest or run on for ever are left out after a bounded look (R-B07); see `files.line`."""
+"""Texts that repeat, nest or run on for ever are left out after a bounded look (R-B07); see `files.text_reading`."""
 
 import pytest
 from tests.files.models import FORMATS, Format
@@ -6,7 +6,7 @@ from tests.files.test_appl import SYNTAX
 
 from onika.files import appl
 from onika.files.al import reader as al
-from onika.files.line import LONGEST_LINE, MOST_FAULTS, MOST_LINES
+from onika.files.text_reading import LONGEST_LINE, MOST_FAULTS, MOST_LINES
 from onika.words.fault import Fault
 
 _OF_LINES = [form for form in FORMATS if form.name != "picture"]

@@ -1,7 +1,8 @@
 import pytest
 
 from onika.files.flow import DEEPEST, HEADS, depth, has_extensions, read_flows, write_flow
-from onika.files.line import TextReading, split
+from onika.files.line import split
+from onika.files.text_reading import TextReading
 from onika.model.application import AppFlow, Branch, Hole, Icon
 from onika.model.onikon import Onikon
 from onika.model.picture import blank

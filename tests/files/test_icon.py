@@ -1,7 +1,7 @@
 import pytest
 
 from onika.files.icon import SLOTS, read_icon, write_icon
-from onika.files.line import TextReading
+from onika.files.text_reading import TextReading
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.model.syntax import DataItem, IconType, Syntax

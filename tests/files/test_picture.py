@@ -1,5 +1,5 @@
-from onika.files.line import TextReading
 from onika.files.picture import read, read_rows, write
+from onika.files.text_reading import TextReading
 from onika.model.picture import SIZE, blank
 from onika.words.reason import NOTHING
 

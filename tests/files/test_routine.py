@@ -2,8 +2,8 @@ from dataclasses import replace
 
 import pytest
 
-from onika.files.line import TextReading
 from onika.files.routine import is_extended, marked, read_condition, read_routine, write_routine
+from onika.files.text_reading import TextReading
 from onika.model.application import Hole, Icon
 from onika.model.onikon import Onikon
 from onika.model.picture import blank

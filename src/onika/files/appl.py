@@ -2,7 +2,8 @@
 
 from onika.files.flow import DEEPEST, HEADS, depth, has_extensions, read_flows, write_flow
 from onika.files.layout import carry_comments
-from onika.files.line import KeywordSlot, Need, TextReading, row, split
+from onika.files.line import row, split
+from onika.files.text_reading import KeywordSlot, Need, TextReading
 from onika.files.version import EXTENDED, VERSION
 from onika.model.application import Application
 from onika.model.syntax import Syntax

@@ -4,7 +4,8 @@ import re
 from collections.abc import Iterable, Sequence
 
 from onika.files.layout import carry_comments
-from onika.files.line import FileLine, KeywordSlot, Need, TextReading, one_line, row, split
+from onika.files.line import FileLine, one_line, row, split
+from onika.files.text_reading import KeywordSlot, Need, TextReading
 from onika.files.version import VERSION
 from onika.model.button import Button
 from onika.words.fault import Fault

@@ -4,7 +4,8 @@ import math
 from collections.abc import Mapping, Sequence, Set
 
 from onika.files.layout import carry_comments
-from onika.files.line import FileLine, KeywordSlot, Need, TextReading, is_number, row, show_number, split
+from onika.files.line import FileLine, is_number, row, show_number, split
+from onika.files.text_reading import KeywordSlot, Need, TextReading
 from onika.files.version import EXTENDED, VERSION
 from onika.model.configuration import UNKNOWN_RTPU, Configuration, Group, Locus, Placed
 from onika.words.fault import Fault

@@ -7,8 +7,9 @@ condition behind FLOW of each but the last, the first that holds chooses its flo
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
-from onika.files.line import FileLine, KeywordSlot, Need, TextReading, row
+from onika.files.line import FileLine, row
 from onika.files.routine import is_extended, marked, read_condition, read_routine, write_routine
+from onika.files.text_reading import KeywordSlot, Need, TextReading
 from onika.model.application import AppFlow, Branch, Hole, Icon, Step, actions, flows_within
 from onika.model.syntax import Syntax
 from onika.words.reason import Reason

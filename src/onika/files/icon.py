@@ -7,8 +7,9 @@ description in another language behind its code: `DESCIN es abre la mano`.
 import re
 from collections.abc import Mapping, Sequence
 
-from onika.files.line import FileLine, KeywordSlot, Need, TextReading, one_line, row, show
+from onika.files.line import FileLine, one_line, row, show
 from onika.files.picture import read_rows
+from onika.files.text_reading import KeywordSlot, Need, TextReading
 from onika.model.onikon import Onikon
 from onika.model.syntax import DataItem, IconType, Syntax, has_word
 from onika.words import argument

@@ -5,7 +5,8 @@ import re
 from collections.abc import Mapping, Sequence
 
 from onika.files.layout import carry_comments
-from onika.files.line import FileLine, KeywordSlot, Need, TextReading, is_number, row, show_number, split
+from onika.files.line import FileLine, is_number, row, show_number, split
+from onika.files.text_reading import KeywordSlot, Need, TextReading
 from onika.files.version import EXTENDED
 from onika.model.kept import Demand, KeptAction, KeptFlow, KeptMeeting, KeptRun
 from onika.model.redirect import Redirect

@@ -2,7 +2,8 @@
 
 from onika.files.icon import SLOTS, needs_extension, read_icon, write_icon
 from onika.files.layout import carry_comments
-from onika.files.line import KeywordSlot, Need, TextReading, row
+from onika.files.line import row
+from onika.files.text_reading import KeywordSlot, Need, TextReading
 from onika.files.version import EXTENDED, VERSION
 from onika.model.onikon import Onikon
 from onika.model.syntax import Syntax

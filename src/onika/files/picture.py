@@ -3,7 +3,8 @@
 import re
 from collections.abc import Sequence
 
-from onika.files.line import TextReading, show
+from onika.files.line import show
+from onika.files.text_reading import TextReading
 from onika.model.picture import BLACK, SIZE, Picture, blank, framed, is_digits
 from onika.words.fault import Fault
 from onika.words.reason import Reason

@@ -1,7 +1,8 @@
 """The preference file, `.onika` (dissertation §A.5)."""
 
 from onika.files.layout import carry_comments
-from onika.files.line import FileLine, KeywordSlot, Need, TextReading, row
+from onika.files.line import FileLine, row
+from onika.files.text_reading import KeywordSlot, Need, TextReading
 from onika.files.version import VERSION
 from onika.model.preferences import STATUS_COLUMNS, Preferences, Window, WindowCorner
 from onika.words.fault import Fault

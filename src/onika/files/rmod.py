@@ -8,7 +8,8 @@ from decimal import Context, Decimal
 from fractions import Fraction
 
 from onika.files.layout import Key, carry, words_of
-from onika.files.line import FileLine, KeywordSlot, Need, TextReading, is_number, one_line, row, show_number
+from onika.files.line import FileLine, is_number, one_line, row, show_number
+from onika.files.text_reading import KeywordSlot, Need, TextReading
 from onika.model.syntax import has_word
 from onika.model.task import LocalLine, Task, TaskType
 from onika.words.fault import Fault

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from onika.files.icon import SLOTS, needs_extension, read_icon, write_icon
-from onika.files.line import FileLine, KeywordSlot, Need, TextReading, one_line, row
+from onika.files.line import FileLine, one_line, row
+from onika.files.text_reading import KeywordSlot, Need, TextReading
 from onika.model.application import Hole, Icon
 from onika.model.onikon import Onikon, fits
 from onika.model.syntax import Syntax

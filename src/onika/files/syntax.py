@@ -7,7 +7,8 @@ the robot says, and NELEMS is what is usual.
 from collections.abc import Mapping, Sequence
 
 from onika.files.layout import carry_comments
-from onika.files.line import FileLine, KeywordSlot, Need, TextReading, one_line, row, show, split
+from onika.files.line import FileLine, one_line, row, show, split
+from onika.files.text_reading import KeywordSlot, Need, TextReading
 from onika.files.version import EXTENDED, VERSION
 from onika.model.syntax import SPECIAL_TYPES, DataItem, Edge, IconType, Syntax
 from onika.words.fault import Fault

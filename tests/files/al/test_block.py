@@ -1,6 +1,6 @@
 from onika.files.al.block import Block, LoopMark, marked
 from onika.files.al.logical_line import sentences
-from onika.files.line import TextReading
+from onika.files.text_reading import TextReading
 from onika.model.application import AppFlow, Branch, Hole, Icon
 from onika.model.onikon import Onikon
 from onika.model.picture import blank

@@ -1,7 +1,7 @@
 from hypothesis import given, settings, strategies as st
 
 from onika.files.al.logical_line import joined, sentences
-from onika.files.line import TextReading
+from onika.files.text_reading import TextReading
 from onika.words.reason import Reason
 
 

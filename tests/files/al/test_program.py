@@ -4,7 +4,7 @@ from tests.files.models import TYPES
 from onika.files.al.logical_line import sentences
 from onika.files.al.program import TextProgram
 from onika.files.al.where_section import WhereSection
-from onika.files.line import TextReading
+from onika.files.text_reading import TextReading
 from onika.model.application import AppFlow, Branch, Hole, Step
 from onika.model.onikon import Onikon
 from onika.model.picture import blank

@@ -5,7 +5,7 @@ import pytest
 from onika.files.al.logical_line import sentences
 from onika.files.al.token import KEYWORDS
 from onika.files.al.token_stream import TokenStream
-from onika.files.line import TextReading
+from onika.files.text_reading import TextReading
 from onika.words.reason import Reason
 
 

@@ -4,7 +4,7 @@ import pytest
 from tests.files.models import TYPES
 
 from onika.files.al.where_section import WhereSection, read
-from onika.files.line import TextReading
+from onika.files.text_reading import TextReading
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.words.reason import NOTHING, Reason

@@ -5,7 +5,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from onika.files.al import token as word
-from onika.files.line import TextReading, show
+from onika.files.line import show
+from onika.files.text_reading import TextReading
 from onika.words.reason import Reason
 
 _SIGN = re.compile(

@@ -9,7 +9,7 @@ from onika.files.al.logical_line import Statement, Token
 from onika.files.al.token_stream import TokenStream
 from onika.files.al.where_section import WhereSection
 from onika.files.flow import DEEPEST
-from onika.files.line import TextReading
+from onika.files.text_reading import TextReading
 from onika.model.application import AppFlow, Icon, Step
 from onika.model.syntax import Syntax
 from onika.words.reason import Reason, reason_of

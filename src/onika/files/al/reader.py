@@ -5,7 +5,7 @@ from onika.files.al import where_section
 from onika.files.al.logical_line import sentences
 from onika.files.al.program import TextProgram
 from onika.files.al.where_section import Dictionary
-from onika.files.line import TextReading
+from onika.files.text_reading import TextReading
 from onika.model.application import Application
 from onika.model.syntax import Syntax
 from onika.words.fault import Fault

@@ -10,7 +10,8 @@ from dataclasses import dataclass, field, replace
 from onika.files.al import token
 from onika.files.flow import HEADS
 from onika.files.icon import SLOTS, read_icon, write_icon
-from onika.files.line import FileLine, KeywordSlot, TextReading, row, split
+from onika.files.line import FileLine, row, split
+from onika.files.text_reading import KeywordSlot, TextReading
 from onika.model.onikon import Onikon
 from onika.model.syntax import Syntax
 from onika.words.name import TASK_NAME
