@@ -123,18 +123,19 @@ PAGES: Mapping[str, Callable[[], str]] = {
 """Every generated file by its path in the repository."""
 
 
-def stale(root: Path) -> list[str]:
-    """The generated files under `root` that are missing or differ from what the code says now."""
-    return [path for path, page in PAGES.items() if _content(root / path) != page()]
+def stale(root: Path) -> dict[str, str]:
+    """The generated files under `root` that are missing or differ from what the code says now, as they ought to be."""
+    pages = {path: page() for path, page in PAGES.items()}
+    return {path: text for path, text in pages.items() if _content(root / path) != text}
 
 
 def write(root: Path) -> list[str]:
     """Bring every generated file under `root` up to date; those that were changed."""
     changed = stale(root)
-    for path in changed:
+    for path, text in changed.items():
         (root / path).parent.mkdir(parents=True, exist_ok=True)
-        (root / path).write_text(PAGES[path](), encoding="utf-8")
-    return changed
+        (root / path).write_text(text, encoding="utf-8")
+    return list(changed)
 
 
 def _content(path: Path) -> str | None:

@@ -20,7 +20,7 @@ from onika.link.sessions import Introduction, Sessions
 from onika.link.state import LinkEvent, LinkState
 from onika.wire.packet import Ack, Hello, ReplyPacket, RequestPacket, SignalPacket, Welcome
 
-HISTORIES = 800
+HISTORIES = 300
 SEEDS_UNTIL_FOUND = 120
 
 
