@@ -158,3 +158,9 @@ def test_a_script_that_failed_after_the_end_is_told():  # R-E07
     )
     assert outcome.exit_code == 1
     assert "script: s:3: expected one, found two; instead: no" in english(outcome, NOTHING)
+
+
+def test_what_went_wrong_after_the_last_action_stands_at_the_end_of_a_completed_run():  # R-E14
+    outcome = Outcome("go", result=result(remarks=(Reason.plain("rt0 is gone"),)))
+    assert [line.tone for line in summary(outcome, NOTHING) if str(line.reason) == "rt0 is gone"] == [SummaryTone.WRONG]
+    assert outcome.exit_code == 0

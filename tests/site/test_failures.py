@@ -41,15 +41,18 @@ class Sick(Module):
         if self._count == 10:
             self.warn("it begins")
             {act}
+
+    def kill(self):
+        {kill}
 """
 ARM = ("puma 500", "diff 500", "gravcomp 250", "pd 500", "torque_sum 500", "led_monitor 50")
 SILENCE_NS = 50_000_000
 
 
-def program(tmp_path, act="pass", init="pass", seconds=20.0):
+def program(tmp_path, act="pass", init="pass", kill="pass", seconds=20.0):
     """One long motion of the arm, beside which a task falls sick after 10 of its cycles."""
     laboratory = Laboratory(tmp_path)
-    laboratory.module("sick", SICK.format(act=act, init=init))
+    laboratory.module("sick", SICK.format(act=act, init=init, kill=kill))
     laboratory.plain_task("sick", writes="SEEN")
     laboratory.configuration("sickC", *ARM, "sick 100", "jtraj 250")
     turn = 0.05 * seconds
@@ -116,7 +119,7 @@ def test_a_stopped_processing_unit_ends_the_run(tmp_path):  # R-A16, law 17
 def test_a_module_that_raises_is_named_with_its_line(tmp_path):  # R-A09, R-E08
     with sick(tmp_path, 'raise ValueError("bang")') as console:
         cause = aborted(console)["cause"]
-    line = 1 + SICK.format(act="BANG", init="pass").splitlines().index(" " * 12 + "BANG")
+    line = 1 + SICK.format(act="BANG", init="pass", kill="pass").splitlines().index(" " * 12 + "BANG")
     assert f"sick is in error: cycle: ValueError: bang ({tmp_path}/module/sick.py:{line})" in cause
     assert "sick.appl:7 (sickC there)" in cause
     assert_held_in_time(console)
@@ -306,6 +309,14 @@ def test_a_module_may_take_seconds_to_be_initialised(tmp_path):  # law 10, law 3
         assert console.result()["state"] == "completed"
     moved = next(event for event in console.events if event["event"] == "drive")
     assert moved["at_ns"] >= 5_000_000_000  # nothing moved before every task had come to life
+
+
+def test_a_module_that_ends_its_process_as_it_is_killed_is_named_at_the_end_of_the_run(tmp_path):  # R-E14
+    with sick(tmp_path, "pass", kill="os._exit(3)", seconds=0.3) as console:
+        result = console.result()
+    assert (result["state"], result["exit"]) == ("completed", 0)
+    (remark,) = result["remarks"]
+    assert remark["text"].endswith("processing unit rt0 ended with code 3 in a call of task flow0/sick")
 
 
 def test_a_module_with_a_thread_that_spins_hangs_nobody(tmp_path):  # law 30

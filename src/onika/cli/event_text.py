@@ -169,6 +169,8 @@ def _ending(outcome: Outcome, result: event.Result) -> Iterator[SummaryLine]:
     yield SummaryLine(_verdict(outcome.name, result), SummaryTone.FAILED if outcome.exit_code else SummaryTone.WELL)
     if result.cause:
         yield SummaryLine(Reason.of("cli.cause", cause=result.cause))
+    for remark in result.remarks:
+        yield SummaryLine(remark, SummaryTone.WRONG)
     if result.black_box:
         yield SummaryLine(Reason.of("cli.black_box", path=result.black_box))
     if result.completed:  # else the cause says it, and the fault stands above

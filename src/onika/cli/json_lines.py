@@ -90,6 +90,7 @@ class JsonLines:
                 "hash": result.hash,
                 "outside": list(result.outside),
                 "black_box": result.black_box,
+                "remarks": result.remarks,
                 "printed": outcome.printed,
             }
         if drawn:

@@ -102,6 +102,11 @@ class Engine:
         states = {flow.state for flow in self._flows}
         return states <= _AT_REST and states != {FlowState.DONE}
 
+    @property
+    def is_completing(self) -> bool:
+        """Whether every action is done, and only the tasks are being ended."""
+        return self._cause is None and any(flow.state is FlowState.KILLING for flow in self._flows)
+
     def cases(self, flow: int) -> list[Case]:
         """What may follow the current action of a flow, each with its switch."""
         return self._flows[flow].cases()

@@ -282,6 +282,8 @@ class Result(Struct, frozen=True, tag=True):
     """What the inputs of hardware tasks have stepped by where what drives them was exchanged (X04)."""
     black_box: str = ""
     """The file on the runtime's machine in which the last seconds of a run stand that ended badly; empty: none."""
+    remarks: tuple[Reason, ...] = ()
+    """Of a completed run: what went wrong while its tasks were being ended, after its last action."""
 
 
 Event = (

@@ -263,3 +263,43 @@ def test_a_failure_counts_however_late_it_is_heard():  # R-E08
     assert [message.state for message in rig.of(event.Moved)][-1] == "stopped"
     rig.runner.steer(steer.Recover("flow0"), rig.now, lambda _refusal: None)
     assert [order.task for _, order in rig.units.take(command.Clear)] == ["bell"]
+
+
+def ending():
+    """A run whose last action is done, and whose task is being ended."""
+    rig = RunnerRig([action("bell")], begin=Begin(settle_s=0.0)).start().spawned("bell").turned_on("bell")
+    rig.finish("bell")
+    rig.runner.tick(rig.now)
+    rig.hear(news.Statuses("rt0", 0.0, ()))
+    assert rig.units.take(command.Kill)
+    return rig
+
+
+def remarks(rig):
+    result = rig.runner.statistics.result(1, 0.0, "")
+    assert result.completed
+    assert [message.text for message in rig.of(event.Warned)] == list(result.remarks)
+    return list(map(str, result.remarks))
+
+
+def test_a_task_that_fails_as_it_is_ended_is_named_at_the_end_of_a_completed_run():  # R-E14
+    rig = ending()
+    rig.hear(news.Failed("flow0", "bell", "kill", Reason.plain("SystemExit: 4"), "", 0, "", rig.now))
+    rig.hear(news.Changed("flow0", "bell", "KILLED", rig.now))
+    assert remarks(rig) == [
+        "all actions are done, but while the tasks were ended: task flow0/bell failed in kill: SystemExit: 4"
+    ]
+
+
+def test_a_unit_that_is_lost_while_the_tasks_are_ended_is_named_at_the_end_of_a_completed_run():  # R-E10, R-E14
+    rig = ending()
+    rig.runner.lost("rt0", Reason.plain("rt0 is gone"), rig.now)
+    assert remarks(rig) == ["all actions are done, but while the tasks were ended: rt0 is gone"]
+
+
+def test_a_run_that_ends_well_or_badly_has_no_remarks():  # R-E14
+    well = ending().hear(news.Changed("flow0", "bell", "KILLED", 1_000))
+    assert remarks(well) == []
+    badly = RunnerRig([action("bell")]).start().spawned("bell").turned_on("bell")
+    badly.runner.lost("rt0", Reason.plain("rt0 is gone"), badly.now)
+    assert badly.runner.statistics.result(1, 0.0, "").remarks == ()

@@ -6,6 +6,7 @@ from onika.engine import orders
 from onika.host.run.run_statistics import Meeting
 from onika.wire import event
 from onika.wire.plan import Plan
+from onika.words.reason import Reason
 
 FlowNote = orders.Began | orders.Done | orders.Moved | orders.RunNote
 """What the engine says for whoever watches."""
@@ -45,6 +46,10 @@ class RunEvents:
                 self._tell(event.Moved(name, note.state, note.index, at_s, note.tag, absent, note.text))
             case orders.RunNote():
                 self._tell(event.Warned(name, "", note.text, at_s))
+
+    def warn(self, text: Reason, now: int) -> None:
+        """Tell what is worth knowing of the run as a whole."""
+        self._tell(event.Warned(self.name(0), "", text, self.seconds(now)))
 
     def met(self, meeting: Meeting, now: int) -> None:
         """Flows have begun together."""

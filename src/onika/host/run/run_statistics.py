@@ -38,6 +38,8 @@ class RunStatistics:
         self.done = 0
         self.completed = False
         self.cause: Reason = NOTHING
+        self.remarks: list[Reason] = []
+        """What went wrong after the last action."""
         self.began_at = 0
         self.ended_at = 0
 
@@ -106,6 +108,7 @@ class RunStatistics:
             switches_us=tuple(self._switches),
             skews_us=tuple(self._skews),
             steps=self.strides.figures(self.began_at),
+            remarks=tuple(self.remarks),
         )
 
 

@@ -124,6 +124,7 @@ class Runner:
         self._now = now
         self._settling.lost(rtpu)
         if ends_with(rtpu, self._homes()):
+            self._remark(reason)
             self.abort(reason, now, CauseKind.LOST)
         for executor in self._executors.values():
             executor.lost(rtpu, now)
@@ -274,6 +275,16 @@ class Runner:
                     self._events.met(meeting, message.at_ns)
             case news.Finished():
                 self.statistics.finished(flow, message.now_ns)
+            case news.Failed():
+                task = f"{message.subsystem}/{message.task}"
+                self._remark(Reason.of("host.failed_at_end", task=task, entry=message.entry, why=message.text))
+
+    def _remark(self, wrong: Reason) -> None:
+        """Something goes wrong: where all actions are done it ends no run, but its end does not pass it over."""
+        if self._engine.is_completing:
+            remark = Reason.of("host.wrong_at_end", why=wrong)
+            self.statistics.remarks.append(remark)
+            self._events.warn(remark, self._now)
 
     # Orders of the engine
 
