@@ -13,7 +13,7 @@ import pytest
 from kit.message_fuzz import MessageFuzz
 from kit.plan_builder import PlanBuilder, action
 from kit.request_crowd import honest_requests, names_of
-from onika.desk.run.runtime import RemoteRuntime
+from onika.desk.run.remote_runtime import RemoteRuntime
 from onika.link.address import Address
 from onika.link.websocket_opening import WebSocketOpening
 from onika.wire import event, live, request

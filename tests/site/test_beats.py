@@ -12,7 +12,7 @@ from time import monotonic
 
 import pytest
 
-from onika.desk.run.runtime import connect
+from onika.desk.run.remote_runtime import connect
 from onika.link import websocket_opening
 from onika.link.heartbeat import EVERY_NS, HeartbeatSender
 from onika.wire import event, holding, live, request

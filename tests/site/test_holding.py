@@ -11,7 +11,7 @@ from time import monotonic
 
 import pytest
 
-from onika.desk.run.runtime import connect
+from onika.desk.run.remote_runtime import connect
 from onika.files import trail
 from onika.wire import event, holding, live, request
 from onika.words.reason import Reason

@@ -9,7 +9,7 @@ import pytest
 
 from kit.live_edits import COUNTER, SOURCE, USER
 from kit.plan_builder import PlanBuilder
-from onika.desk.run.runtime import LaunchedRuntime
+from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.wire import event, live, request
 
 pytestmark = pytest.mark.site

@@ -7,7 +7,7 @@ import pytest
 
 from kit.laboratory import Laboratory, job
 from onika.desk.plan.preparation import prepare_run
-from onika.desk.run.runtime import LaunchedRuntime
+from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.store.site import open_site
 from onika.wire import event, request
 

@@ -16,7 +16,8 @@ from websockets.client import ClientProtocol
 from websockets.uri import parse_uri
 
 from kit.plan_builder import PlanBuilder, action
-from onika.desk.run.runtime import LaunchedRuntime, connect
+from onika.desk.run.launched_runtime import LaunchedRuntime
+from onika.desk.run.remote_runtime import connect
 from onika.link.address import Address
 from onika.link.channel import Channel
 from onika.link.lost import LinkLost, LossCause

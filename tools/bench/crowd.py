@@ -22,7 +22,7 @@ from tempfile import TemporaryDirectory
 
 from browse.guest import Guest
 
-from onika.desk.run.runtime import connect
+from onika.desk.run.remote_runtime import connect
 from onika.wire import act, live
 
 _ONIKA = str(Path(sys.executable).with_name("onika"))

@@ -15,12 +15,12 @@ from statistics import median
 from tempfile import TemporaryDirectory
 from time import monotonic
 
-from onika.desk.run.runtime import RemoteRuntime, connect
+from onika.desk.run.remote_runtime import RemoteRuntime, connect
 from onika.wire import event, holding, live
 
 HOLDER = """
 import sys
-from onika.desk.run.runtime import connect
+from onika.desk.run.remote_runtime import connect
 from onika.wire import live
 with connect(sys.argv[1], sys.argv[2]) as runtime:
     runtime.ask(live.Take(sys.argv[3]))

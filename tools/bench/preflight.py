@@ -15,7 +15,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests"))
 
 from kit.laboratory import Laboratory, job, joints, target
 from onika.desk.plan.preparation import prepare_run
-from onika.desk.run.runtime import LaunchedRuntime
+from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.model.redirect import Redirect
 from onika.store.site import open_site
 from onika.wire import request

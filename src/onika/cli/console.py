@@ -7,7 +7,7 @@ from onika.cli.console_session import sit_down
 from onika.cli.language import say
 from onika.cli.runtime import add_base, script_file
 from onika.cli.search_path import site_here
-from onika.desk.run.runtime import connect
+from onika.desk.run.remote_runtime import connect
 from onika.link.token import read_token
 from onika.words.reason import Reason, reason_of
 

@@ -9,7 +9,7 @@ from onika.cli.console_session import sit_down
 from onika.cli.language import say
 from onika.cli.search_path import directory, site_here
 from onika.cli.time_scale import scale
-from onika.desk.run.runtime import LaunchedRuntime
+from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.link.lost import LinkLost
 from onika.words.name import TASK_NAME
 from onika.words.reason import Reason

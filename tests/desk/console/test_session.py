@@ -99,6 +99,6 @@ def test_what_is_looked_at_in_between_is_not_begun_anew_by_itself(sit):
 
 
 def test_a_played_runtime_and_a_real_one_are_alike_to_a_session():
-    from onika.desk.run.runtime import LaunchedRuntime
+    from onika.desk.run.launched_runtime import LaunchedRuntime
 
     assert {"ask", "events"} <= set(dir(LiveRuntime)) & set(dir(LaunchedRuntime))

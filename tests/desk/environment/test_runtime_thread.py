@@ -12,7 +12,7 @@ from kit.live_runtime import LiveRuntime
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.outcome.outcome import Order, RequiredRuntime, Simulator
 from onika.desk.environment.runtime_thread import RuntimeThread
-from onika.desk.run.runtime import NumberedResponse
+from onika.desk.run.runtime_conversation import NumberedResponse
 from onika.link.lost import LinkLost, LossCause
 from onika.model.lifecycle import State
 from onika.model.task import Task

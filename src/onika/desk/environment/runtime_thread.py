@@ -16,7 +16,8 @@ from onika.desk.environment.reconcile import runtime_loss
 from onika.desk.environment.reconcile.loop_watchdog import LoopWatchdog
 from onika.desk.environment.reconcile.multiplexer import Multiplexer
 from onika.desk.environment.reconcile.watches import Watch
-from onika.desk.run.runtime import LaunchedRuntime, RuntimeConversation, in_short
+from onika.desk.run.launched_runtime import LaunchedRuntime
+from onika.desk.run.runtime_conversation import RuntimeConversation, in_short
 from onika.link.lost import LinkLost
 from onika.wire import event, page, request
 from onika.words.reason import NOTHING, Reason, reason_of

@@ -12,10 +12,12 @@ from onika.desk.plan.substitutes import with_substitutes
 from onika.desk.plan.subsystem_renaming import chiefs, rehoused
 from onika.desk.run import steering_script
 from onika.desk.run.interruption import Interruption
+from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.desk.run.outcome import Outcome
 from onika.desk.run.recorded_run import RecordedRun, recorded_run
+from onika.desk.run.remote_runtime import RemoteRuntime, connect
 from onika.desk.run.running_application import Running
-from onika.desk.run.runtime import LaunchedRuntime, RemoteRuntime, RuntimeConversation, connect
+from onika.desk.run.runtime_conversation import RuntimeConversation
 from onika.desk.run.script_player import ScriptPlayer
 from onika.desk.run.settings import RunSettings
 from onika.desk.run.steering_script import ScriptLine

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from onika.desk.plan.compile import UNKNOWN, no_code, planned_task, rtpus_of
 from onika.desk.plan.preparation import PreparedRun, prepare_run
-from onika.desk.run.runtime import LaunchedRuntime
+from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.files import appl, buttons, conf, onk, picture, preferences, rmod, syntax, text
 from onika.model.rules.warning import self_fed
 from onika.model.syntax import Syntax

@@ -2,7 +2,7 @@ import pytest
 
 from onika.desk.environment.outcome.outcome import Order
 from onika.desk.environment.reconcile.multiplexer import Multiplexer
-from onika.desk.run.runtime import NumberedResponse
+from onika.desk.run.runtime_conversation import NumberedResponse
 from onika.link.lost import LinkLost, LossCause
 from onika.wire import event, live, request
 from onika.words.reason import Reason

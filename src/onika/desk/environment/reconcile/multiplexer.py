@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 from typing import Protocol
 
 from onika.desk.environment.outcome.outcome import Order
-from onika.desk.run.runtime import NumberedResponse
+from onika.desk.run.runtime_conversation import NumberedResponse
 from onika.wire import event, live, request
 from onika.words.reason import Reason
 

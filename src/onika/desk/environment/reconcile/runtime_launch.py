@@ -4,7 +4,9 @@ from collections.abc import Sequence
 from contextlib import AbstractContextManager
 
 from onika.desk.environment.outcome.outcome import Simulator
-from onika.desk.run.runtime import LaunchedRuntime, RuntimeConversation, connect
+from onika.desk.run.launched_runtime import LaunchedRuntime
+from onika.desk.run.remote_runtime import connect
+from onika.desk.run.runtime_conversation import RuntimeConversation
 
 _AS_WALL_TIME = ("--scale", "1")
 """A simulator is looked at by a person, so its time passes as on the wall."""

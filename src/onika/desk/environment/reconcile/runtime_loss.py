@@ -9,7 +9,7 @@ from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.reconcile.run_reducer import lost as run_lost
 from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.model import Model
-from onika.desk.run.runtime import in_short
+from onika.desk.run.runtime_conversation import in_short
 from onika.wire import page, view
 from onika.words.reason import Reason
 

@@ -45,7 +45,7 @@ from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.environment.state.open_file import DocumentKind
 from onika.desk.plan.preparation import PreparedRun, prepare
 from onika.desk.plan.subsystem_renaming import rehoused
-from onika.desk.run.runtime import in_short
+from onika.desk.run.runtime_conversation import in_short
 from onika.model.application import with_numbers_as_lines
 from onika.model.syntax import Syntax
 from onika.store.site import Site

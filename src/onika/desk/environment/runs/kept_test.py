@@ -18,7 +18,7 @@ from onika.desk.environment.runs import unsaved
 from onika.desk.environment.runs.begin import ready
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.run.runtime import in_short
+from onika.desk.run.runtime_conversation import in_short
 from onika.desk.run.settings import RunSettings
 from onika.desk.trial.home import FOLDER
 from onika.desk.trial.keeping import keep_in

@@ -18,7 +18,7 @@ from onika.desk.environment.runs.begin import ready
 from onika.desk.environment.runs.preflight_result import looked
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.run.runtime import in_short
+from onika.desk.run.runtime_conversation import in_short
 from onika.wire import act, live, request
 from onika.wire.plan import Plan
 from onika.wire.request import TargetValues

@@ -14,7 +14,7 @@ from onika.desk.environment.runs.obstacles import left
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.model import Model
-from onika.desk.run.runtime import in_short
+from onika.desk.run.runtime_conversation import in_short
 from onika.wire import act, live, page
 from onika.wire.view import Remedy
 from onika.words.reason import Reason

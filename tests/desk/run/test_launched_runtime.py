@@ -1,14 +1,13 @@
 import os
 import signal
 import sys
-from itertools import islice
 
 import pytest
 
 from kit.plan_builder import PlanBuilder, action
 from kit.rail_world import rail_tasks
-from onika.desk.run import runtime as room
-from onika.desk.run.runtime import LaunchedRuntime, NumberedResponse
+from onika.desk.run import launched_runtime as room
+from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.link.launcher import launch
 from onika.link.lost import LinkLost
 from onika.wire import event, live, request
@@ -72,17 +71,6 @@ def test_a_runtime_is_asked_and_listened_to_until_the_block_ends():  # R-F01, re
         os.kill(pid, 0)
 
 
-def test_whoever_stops_listening_hears_the_rest_next_time():  # R-F01
-    with LaunchedRuntime(("rt0",), is_virtual=True) as runtime:
-        runtime.ask(request.Prepare(bell(), ()))
-        runtime.ask(request.Begin())
-        messages = []
-        while not (messages and isinstance(messages[-1], event.Result)):
-            messages += islice(runtime.events(1.0), 1)
-    kinds = [type(message) for message in messages]
-    assert kinds.count(event.Began) == kinds.count(event.Done) == kinds.count(event.Result) == 1
-
-
 def test_names_and_kind_of_time_are_passed_on(puppet):
     puppet("import sys; print(sys.argv[1:], flush=True)")
     runtime = LaunchedRuntime(("rt0", "rt1"), is_virtual=True, with_fifo=False)
@@ -143,19 +131,6 @@ def test_faults_of_a_plan_come_back_over_the_link():  # R-E01
         faults = runtime.ask(request.Prepare(plan, ())).faults
     assert any("expected -9..9 m, found 99" in str(fault.reason) for fault in faults)
     assert any("DEVICE yard:m0" in str(fault.reason) for fault in faults)  # a world that this runtime has not
-
-
-def test_what_is_sent_is_not_waited_for_and_answered_under_its_number():
-    with LaunchedRuntime(("rt0",), is_virtual=True) as runtime:
-        numbers = [runtime.send(message) for message in (live.Survey(), live.Take("main"), live.Scene("moon"))]
-        messages = []
-        while sum(isinstance(message, NumberedResponse) for message in messages) < len(numbers):
-            assert runtime.readers() and runtime.due_s() is not None and runtime.writers() == []
-            messages += runtime.messages(1.0)
-        replies = {message.number: message.response for message in messages if isinstance(message, NumberedResponse)}
-    assert isinstance(replies[numbers[0]], live.Standing)
-    assert replies[numbers[1]] == request.Done()
-    assert str(replies[numbers[2]].reason) == "no world moon is open"
 
 
 def test_what_is_sent_to_nobody_is_refused_and_the_end_is_told(puppet):  # R-E10
