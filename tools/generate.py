@@ -31,7 +31,8 @@ from onika.runtime.modules.code import load
 from onika.runtime.modules.sheet import sheet_of
 from onika.runtime.wiring import WiredTask, wire
 from onika.store.base_directory import BaseDirectory
-from onika.store.site import Site, shipped, shipped_directories
+from onika.store.shipped import shipped, shipped_directories
+from onika.store.site import Site
 from onika.wire.sheet import InputSheet, ModuleSheet
 from onika.words.fault import Fault
 

@@ -13,7 +13,8 @@ from onika.desk.environment.initial_model import opened
 from onika.files.rmod import RmodText
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
-from onika.store.site import Site, shipped
+from onika.store.shipped import shipped
+from onika.store.site import Site
 from onika.wire import act, page
 
 _LIFE = 200

@@ -6,7 +6,8 @@ from typing import Any
 
 from onika.files import appl, conf, onk, picture, rmod, syntax
 from onika.model.syntax import Syntax
-from onika.store.site import open_site, shipped, shipped_directories
+from onika.store.shipped import shipped, shipped_directories
+from onika.store.site import open_site
 from onika.words.fault import Fault
 
 

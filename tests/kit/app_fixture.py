@@ -13,7 +13,8 @@ from onika.model.application import Application, Branch, Hole, Icon
 from onika.model.initials import drawn
 from onika.model.onikon import Onikon
 from onika.store.base_directory import BaseDirectory
-from onika.store.site import Site, shipped
+from onika.store.shipped import shipped
+from onika.store.site import Site
 from onika.wire import act
 from onika.wire.view import ApplicationView, StepView
 

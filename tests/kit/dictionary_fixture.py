@@ -15,7 +15,8 @@ from onika.files import syntax
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.store.base_directory import BaseDirectory
-from onika.store.site import open_site, shipped
+from onika.store.shipped import shipped
+from onika.store.site import open_site
 from onika.wire.view import OnikonView
 
 WHITE = "7" * 1024

@@ -21,7 +21,8 @@ from onika.files.rmod import RmodText
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
 from onika.store.library import open_libraries
-from onika.store.site import Site, shipped
+from onika.store.shipped import shipped
+from onika.store.site import Site
 from onika.wire import act, page
 from onika.wire.view import ButtonView, Tree
 

@@ -12,7 +12,8 @@ from onika.laws.path import PEAK, joint_duration
 from onika.model.application import Icon, actions, every_flow
 from onika.model.port import PortKind
 from onika.model.rules.jigsaw import misfits
-from onika.store.site import open_site, shipped, shipped_directories
+from onika.store.shipped import shipped, shipped_directories
+from onika.store.site import open_site
 from onika.words.value import ValueType
 from onika.workcell.layout import base
 

@@ -3,7 +3,7 @@
 import pytest
 
 from onika.model.lifecycle import State
-from onika.store.site import shipped
+from onika.store.shipped import shipped
 from onika.testing.bench import Bench
 
 

@@ -5,7 +5,7 @@ import pytest
 
 from onika.laws.frames import pose_of_nine
 from onika.model.lifecycle import State
-from onika.store.site import shipped
+from onika.store.shipped import shipped
 from onika.testing.bench import Bench
 
 CODE = shipped() / "generic" / "module" / "ctraj.py"

@@ -4,7 +4,7 @@ import pytest
 
 from onika.model.lifecycle import State
 from onika.ring.device import DeviceOrder, DriveState
-from onika.store.site import shipped
+from onika.store.shipped import shipped
 from onika.testing.bench import Bench
 from onika.testing.bench_device import BenchDevice
 

@@ -8,7 +8,7 @@ from onika.laws import puma560
 from onika.laws.arm import SerialArm
 from onika.laws.frames import pose_of_nine
 from onika.model.lifecycle import State
-from onika.store.site import shipped
+from onika.store.shipped import shipped
 from onika.testing.bench import Bench
 
 GENERIC = shipped() / "generic" / "module"

@@ -2,7 +2,7 @@
 
 import pytest
 
-from onika.store.site import shipped
+from onika.store.shipped import shipped
 from onika.testing.bench import Bench
 from onika.testing.bench_device import BenchDevice
 

@@ -5,7 +5,7 @@ import pytest
 
 from onika.laws import puma560
 from onika.laws.arm import SerialArm
-from onika.store.site import shipped
+from onika.store.shipped import shipped
 from onika.testing.bench import Bench
 from onika.testing.fake_partner import FakePartner
 

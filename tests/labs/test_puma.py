@@ -8,7 +8,7 @@ import pytest
 from onika.laws import puma560
 from onika.model.lifecycle import State
 from onika.ring.device import DeviceOrder, DriveState
-from onika.store.site import shipped
+from onika.store.shipped import shipped
 from onika.testing.bench import Bench
 from onika.testing.bench_device import BenchDevice
 

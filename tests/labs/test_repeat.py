@@ -3,7 +3,7 @@
 from hypothesis import given, settings, strategies as st
 
 from onika.model.lifecycle import State
-from onika.store.site import shipped
+from onika.store.shipped import shipped
 from onika.testing.bench import Bench
 
 CODE = shipped() / "generic" / "module" / "repeat.py"

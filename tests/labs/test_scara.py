@@ -9,7 +9,7 @@ from onika.laws import adept_one, puma560, reach
 from onika.laws.robot import published
 from onika.model.lifecycle import State
 from onika.ring.device import DeviceOrder, DriveState
-from onika.store.site import shipped
+from onika.store.shipped import shipped
 from onika.testing.bench import Bench
 from onika.testing.bench_device import BenchDevice
 

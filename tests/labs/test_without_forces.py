@@ -8,7 +8,8 @@ import pytest
 from onika.model.lifecycle import State
 from onika.model.port import PortKind
 from onika.ring.device import DeviceOrder, DriveState
-from onika.store.site import open_site, shipped
+from onika.store.shipped import shipped
+from onika.store.site import open_site
 from onika.testing.bench import Bench
 from onika.testing.bench_device import BenchDevice
 from onika.workcell.boxes import BoxesWorld

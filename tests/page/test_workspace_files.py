@@ -6,7 +6,7 @@ import pytest
 from playwright.sync_api import expect
 
 from kit.laboratory import Laboratory, job, joints
-from onika.store.site import shipped
+from onika.store.shipped import shipped
 
 from .builder import CLOSE, OPEN, Builder
 

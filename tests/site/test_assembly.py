@@ -7,7 +7,8 @@ import pytest
 from kit.cli_process import CliProcess
 from kit.laboratory import Laboratory, job, target
 from onika.cli import main
-from onika.store.site import open_site, shipped
+from onika.store.shipped import shipped
+from onika.store.site import open_site
 
 pytestmark = pytest.mark.site
 

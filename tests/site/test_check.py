@@ -9,7 +9,7 @@ import pytest
 
 from kit.laboratory import HOLE, Laboratory, job, joints, target
 from onika.cli import main
-from onika.store.site import shipped_directories
+from onika.store.shipped import shipped_directories
 
 pytestmark = pytest.mark.site
 

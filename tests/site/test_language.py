@@ -14,7 +14,8 @@ from onika.host.program import RuntimeProgram
 from onika.host.sessions.request_server import SessionRequest
 from onika.host.units.virtual import VirtualDriver
 from onika.link.caller import Role
-from onika.store.site import open_site, shipped
+from onika.store.shipped import shipped
+from onika.store.site import open_site
 from onika.wire import event, request, steer
 
 pytestmark = pytest.mark.site

@@ -14,7 +14,7 @@ import pytest
 from kit.laboratory import Laboratory, job, joints
 from onika.cli import main
 from onika.laws import puma560
-from onika.store.site import shipped
+from onika.store.shipped import shipped
 
 pytestmark = pytest.mark.site
 

@@ -10,7 +10,8 @@ from onika.desk.plan.preparation import prepare_run
 from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare
 from onika.model.redirect import Redirect
-from onika.store.site import open_site, shipped
+from onika.store.shipped import shipped
+from onika.store.site import open_site
 
 LEANS, FAR = "the hand would lean", "the wrist would be"
 MODES, ONE_DEVICE = "all arms of a world are of one mode", "claims it too"

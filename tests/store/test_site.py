@@ -13,7 +13,8 @@ from onika.model.preferences import Preferences
 from onika.model.syntax import SPECIAL_TYPES, Edge, IconType, Syntax
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
-from onika.store.site import Site, is_shipped, open_site, shipped, shipped_directories
+from onika.store.shipped import is_shipped, shipped, shipped_directories
+from onika.store.site import Site, open_site
 from onika.words.fault import Refusal
 
 SHIPPED = Syntax(tuple(IconType(name, 0, 0) for name in SPECIAL_TYPES), (Edge(0, (1, 1, 1), ()),))
@@ -199,11 +200,6 @@ def test_the_search_path_is_the_given_directories_the_environment_and_the_shippe
     assert paths == [tmp_path / "a", tmp_path / "b", *shipped_directories()]
     assert site.prefs == shipped() / "prefs"
     assert open_site([], {"ONIKA_DIR": "/opt/onika"}, None).prefs == Path("/opt/onika/prefs")
-
-
-def test_the_shipped_directories_hold_laboratories_and_no_preferences() -> None:
-    assert shipped() / "prefs" not in shipped_directories()
-    assert all(path.parent == shipped() for path in shipped_directories())
 
 
 def test_buttons_are_opened_changed_and_saved_again(site: Site) -> None:

@@ -11,7 +11,8 @@ from kit.laboratory import Laboratory, job
 from onika.files.rmod import RmodText
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
-from onika.store.site import Site, shipped
+from onika.store.shipped import shipped
+from onika.store.site import Site
 from onika.web.program import EnvironmentOptions, EnvironmentProgram
 from onika.web.server import bound
 

@@ -25,7 +25,8 @@ from onika.model.rules import loci, placement
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
 from onika.store.library import open_libraries
-from onika.store.site import Site, shipped
+from onika.store.shipped import shipped
+from onika.store.site import Site
 from onika.wire import act
 
 _PRIME = 7919

@@ -3,7 +3,6 @@
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from importlib import resources
 from pathlib import Path
 
 from onika.files import appl, buttons, picture, preferences, syntax, text, whole
@@ -18,11 +17,11 @@ from onika.model.syntax import Syntax
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import Faults, OpenedText, open_file, put, save
+from onika.store.shipped import FOLDERS, shipped, shipped_directories
 from onika.words.fault import Fault, Place, Refusal
 from onika.words.name import TASK_NAME
 from onika.words.reason import Reason
 
-_FOLDERS = ("module", "conf", "dict", "appl")
 OWN = "onika"
 """What the base directory of a user's own is called, in the home directory."""
 
@@ -198,7 +197,7 @@ class Site:
             lambda base: base.onikons,
             lambda base: base.applications,
         )
-        return tuple(fault for kind, names in zip(_FOLDERS, kinds, strict=True) for fault in self._twice(kind, names))
+        return tuple(fault for kind, names in zip(FOLDERS, kinds, strict=True) for fault in self._twice(kind, names))
 
     def absent(self) -> Faults:
         """Directories of the search path that are none, as notes (requirement C20); the user's own may be absent."""
@@ -250,24 +249,6 @@ class Site:
         if path and path.exists():
             return text.load(path, str(path))
         return (None, ())
-
-
-def is_shipped(path: Path) -> bool:
-    """Whether a base directory comes with Onika."""
-    return path.resolve().is_relative_to(shipped().resolve())
-
-
-def shipped() -> Path:
-    """The directory of the laboratories that come with Onika; its `prefs` are the installation's."""
-    return Path(str(resources.files("onika") / "labs"))
-
-
-def shipped_directories() -> tuple[Path, ...]:
-    """The base directories of the shipped laboratories, by name."""
-    labs = shipped()
-    if not labs.is_dir():
-        return ()
-    return tuple(sorted(path for path in labs.iterdir() if any((path / folder).is_dir() for folder in _FOLDERS)))
 
 
 def open_site(local: Iterable[Path], environment: Mapping[str, str], home: Path | None) -> Site:

@@ -5,7 +5,8 @@ from onika.files import rmod
 from onika.files.rmod import RmodText
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
-from onika.store.site import Site, open_site, shipped
+from onika.store.shipped import shipped
+from onika.store.site import Site, open_site
 
 TASK = Task("pd", "pd", frequency=10.0)
 

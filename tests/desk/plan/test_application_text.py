@@ -7,7 +7,8 @@ from onika.files import appl, onk
 from onika.model.application import AppFlow, Application, Icon
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
-from onika.store.site import Site, open_site, shipped
+from onika.store.shipped import shipped
+from onika.store.site import Site, open_site
 from onika.words.fault import Refusal
 
 NOOP = Onikon("rest", "Complete NOP", "rest a while", (), blank())

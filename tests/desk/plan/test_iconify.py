@@ -13,7 +13,8 @@ from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
-from onika.store.site import Site, shipped
+from onika.store.shipped import shipped
+from onika.store.site import Site
 
 SYNTAX = syntax_file.read((shipped() / "prefs" / syntax_file.NAME).read_text(), "s", "s")[0]
 MOVE = Icon(Onikon("move", "Joint job", "", (), blank()))

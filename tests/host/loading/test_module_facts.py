@@ -1,7 +1,7 @@
 import pytest
 
 from onika.host.loading.module_facts import ModuleFacts
-from onika.store.site import shipped
+from onika.store.shipped import shipped
 from onika.wire.plan import Code
 from onika.words.fault import Fault
 

@@ -13,7 +13,7 @@ from onika.host.units.wall import DEVICES, WallDriver
 from onika.ring.segment import Segment
 from onika.runtime.subsystem import RunningSubsystem
 from onika.runtime.table import SIZE, Table
-from onika.store.site import shipped
+from onika.store.shipped import shipped
 from onika.wire import event
 from onika.wire.request import Begin
 from onika.words.reason import Reason

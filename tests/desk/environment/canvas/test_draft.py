@@ -12,7 +12,8 @@ from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
-from onika.store.site import Site, shipped
+from onika.store.shipped import shipped
+from onika.store.site import Site
 from onika.words.reason import Reason
 
 TASKS = (

@@ -6,7 +6,8 @@ import pytest
 from kit.app_fixture import AppFixture
 from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.initial_model import opened
-from onika.store.site import Site, shipped
+from onika.store.shipped import shipped
+from onika.store.site import Site
 from onika.wire import act
 from onika.wire.view import ShowSaveAs
 

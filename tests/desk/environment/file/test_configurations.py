@@ -123,7 +123,7 @@ def test_keeping_what_is_here_ends_the_question(sitting):
 
 def test_what_comes_with_onika_is_not_saved_over_by_the_way(sitting, tmp_path, monkeypatch):  # R-C06
     doc, _ = saved(sitting)
-    monkeypatch.setattr("onika.store.site.shipped", lambda: tmp_path)
+    monkeypatch.setattr("onika.store.shipped.shipped", lambda: tmp_path)
     sitting.do(act.Place(doc, "pd", 300, 0))
     refused = sitting.no(act.Save(doc))
     assert "part of Onika itself" in str(refused.reason)

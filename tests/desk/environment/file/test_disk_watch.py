@@ -5,7 +5,8 @@ import pytest
 from onika.desk.environment.file.disk_watch import DiskWatch, bases
 from onika.desk.environment.state.model import Model
 from onika.store.base_directory import BaseDirectory
-from onika.store.site import Site, shipped
+from onika.store.shipped import shipped
+from onika.store.site import Site
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from onika.files import syntax as syntax_file
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.model.task import Task
-from onika.store.site import shipped
+from onika.store.shipped import shipped
 from onika.wire import act
 from onika.wire.view import ShowSaveAs
 

@@ -6,7 +6,8 @@ from onika.desk.environment.icons.measured_variables import MeasuredVariable, me
 from onika.desk.environment.initial_model import opened
 from onika.runtime.modules.code import load
 from onika.runtime.modules.sheet import sheet_of
-from onika.store.site import open_site, shipped
+from onika.store.shipped import shipped
+from onika.store.site import open_site
 from onika.words.value import ValueType
 
 MODEL, _ = opened(open_site([], {}, None), None, {})

@@ -1,5 +1,6 @@
 from onika.desk.environment.outcome.services import Services
-from onika.store.site import Site, shipped
+from onika.store.shipped import shipped
+from onika.store.site import Site
 
 
 def test_nothing_outlives_a_session_and_no_command_runs_unless_it_says_so():

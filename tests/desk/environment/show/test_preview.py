@@ -5,7 +5,8 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.task import Task
 from onika.store.library import open_libraries
-from onika.store.site import Site, shipped
+from onika.store.shipped import shipped
+from onika.store.site import Site
 from onika.wire import act
 from onika.wire.view import PeekView
 

@@ -3,7 +3,7 @@ import os
 from onika.desk.environment.state.declarations import declared_inputs, declared_ports
 from onika.runtime.modules.code import load
 from onika.runtime.modules.sheet import sheet_of
-from onika.store.site import shipped
+from onika.store.shipped import shipped
 from onika.wire.sheet import InputSheet
 
 SOURCE = """

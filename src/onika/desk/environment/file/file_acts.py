@@ -18,7 +18,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_file import DocumentKind
 from onika.files import appl, conf, text
 from onika.store.base_directory import BaseDirectory
-from onika.store.site import is_shipped
+from onika.store.shipped import is_shipped
 from onika.store.user_path import user_path
 from onika.wire import act
 from onika.wire.view import Remedy, ShowSaveAs

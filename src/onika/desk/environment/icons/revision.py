@@ -20,7 +20,7 @@ from onika.model.onikon import Onikon
 from onika.model.picture import Picture
 from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import OpenedText
-from onika.store.site import is_shipped
+from onika.store.shipped import is_shipped
 from onika.store.user_path import user_path
 from onika.wire import act, page
 from onika.wire.view import Remedy

@@ -19,7 +19,8 @@ from onika.model.onikon import Onikon
 from onika.model.picture import Picture
 from onika.model.syntax import IconType
 from onika.store.base_directory import BaseDirectory
-from onika.store.site import Site, is_shipped
+from onika.store.shipped import is_shipped
+from onika.store.site import Site
 from onika.store.user_path import user_path
 from onika.wire import act, page
 from onika.wire.view import Remedy

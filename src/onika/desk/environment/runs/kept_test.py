@@ -23,7 +23,8 @@ from onika.desk.run.settings import RunSettings
 from onika.desk.trial.home import FOLDER
 from onika.desk.trial.keeping import keep_in
 from onika.files.kept import ENDING
-from onika.store.site import Site, is_shipped
+from onika.store.shipped import is_shipped
+from onika.store.site import Site
 from onika.store.user_path import user_path
 from onika.wire import act, page
 from onika.wire.view import KeepingView, Remedy

@@ -12,7 +12,7 @@ from onika.model.application import wanted_targets
 from onika.model.onikon import Onikon
 from onika.model.syntax import Syntax
 from onika.store.opened_text import OpenedText
-from onika.store.site import is_shipped
+from onika.store.shipped import is_shipped
 from onika.wire.view import DictionaryView, OnikonView
 
 

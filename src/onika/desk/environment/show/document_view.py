@@ -11,7 +11,7 @@ from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.task import Task
 from onika.store.module_catalogue import merged
-from onika.store.site import is_shipped
+from onika.store.shipped import is_shipped
 from onika.wire.view import DocumentView, LibraryView, Objection, PinView, ProblemView, TaskView
 from onika.words.reason import NOTHING
 
