@@ -16,18 +16,16 @@ from onika.host.units.pose_stream import PoseStream, WorldPoses
 from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.realtime_scheduling import become_real_time
 from onika.host.units.rtpu import preload
-from onika.host.units.world_registry import open_world, split
+from onika.host.units.served_worlds import ServedWorlds
+from onika.host.units.world_registry import open_world
 from onika.link.launcher import die_with_parent
 from onika.ring.device import DriveEvent
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
-from onika.runtime.bus import Bus
 from onika.runtime.command import DeviceGrant
 from onika.words.reason import Reason, reason_of
 
 _LONGEST_SLEEP_S = 0.02
-_MOST_BEHIND_NS = 50_000_000
-"""Further behind, a world loses time instead of running after it: a stall stretches a motion and never jumps."""
 
 
 class OpenWorld(Struct, frozen=True, tag=True):
@@ -184,17 +182,14 @@ decode_word = msgpack.Decoder(Word).decode
 
 
 class DeviceServer:
-    """The loop around the buses."""
+    """The loop around the worlds."""
 
     def __init__(self, post: ProcessSocket, heartbeat: Heartbeat, zero_ns: int) -> None:
         self._post = post
         self._heartbeat = heartbeat
         self._zero = zero_ns
-        self._buses: dict[str, Bus] = {}
-        self._behind: dict[str, int] = {}
+        self._worlds = ServedWorlds(open_world)
         self._posing: dict[str, PoseStream] = {}
-        self._is_stopped = False
-        self._segments: list[Segment] = []
 
     def run(self) -> None:
         """Until the runtime is gone."""
@@ -202,8 +197,8 @@ class DeviceServer:
             self._heartbeat.beat()
             self._rest()
             self._take_orders()
-            for name, bus in self._buses.items():
-                self._step(name, bus)
+            for name in self._worlds.names:
+                self._step(name)
         for posing in self._posing.values():
             posing.close()
 
@@ -211,27 +206,17 @@ class DeviceServer:
         return monotonic_ns() - self._zero
 
     def _rest(self) -> None:
-        now = self._now()
-        wait = _LONGEST_SLEEP_S
-        for name, bus in self._buses.items():
-            due = bus.world.now_ns + bus.world.step_ns + self._behind[name]
-            wait = min(wait, (due - now) * 1e-9)
+        due = self._worlds.due_ns()
+        wait = _LONGEST_SLEEP_S if due is None else min(_LONGEST_SLEEP_S, (due - self._now()) * 1e-9)
         if wait > 0:
             select.select([self._post], [self._post] if self._post.is_waiting else [], [], wait)
 
-    def _step(self, name: str, bus: Bus) -> None:
-        world = bus.world
+    def _step(self, name: str) -> None:
         now = self._now()
-        late = now - self._behind[name] - world.now_ns
-        if late > _MOST_BEHIND_NS:
-            self._behind[name] += late - world.step_ns
-        until = now - self._behind[name]
-        if until >= world.now_ns + world.step_ns:
-            bus.step(until)
-        for event in world.take_events():
-            self._post.send(encode(_driven(name, event, self._behind[name])))
+        for event in self._worlds.step(name, now):
+            self._post.send(encode(_driven(name, event, self._worlds.behind_ns(name))))
         if name in self._posing and self._posing[name].is_due(now):
-            self._posing[name].tell(now, *bus.poses())
+            self._posing[name].tell(now, *self._worlds.poses(name))
 
     def _take_orders(self) -> None:
         if self._post.is_waiting:
@@ -243,21 +228,16 @@ class DeviceServer:
 
     def _carry_out(self, order: Order, descriptors: list[int]) -> Word | None:
         match order:
-            case OpenWorld():
-                return self._open(order.world, descriptors[0])
-            case ClaimDevice():
-                return self._claim(order)
+            case OpenWorld() | ClaimDevice() | TouchPart():
+                return self._try(order, descriptors)
             case ReleaseDevice():
-                world, device = split(order.device)
-                self._buses[world].release(device, order.epoch)
-            case FenceWriter() | StopAll() | AllowMotion():
-                self._tell_all(order)
-            case TouchPart():
-                try:
-                    self._buses[order.world].touch(order.part, order.value)
-                except ValueError as wrong:
-                    return Denied(reason_of(wrong))
-                return PartTouched()
+                self._worlds.release(order.device, order.epoch)
+            case FenceWriter():
+                self._worlds.fence(order.epoch)
+            case StopAll():
+                self._worlds.stop()
+            case AllowMotion():
+                self._worlds.go_on()
             case StreamPoses():
                 post = ProcessSocket(socket.socket(fileno=descriptors[0])) if descriptors else self._post
                 self._posing.setdefault(order.world, PoseStream(order.world)).add(post)
@@ -265,45 +245,29 @@ class DeviceServer:
                 return self._look(order)
         return None
 
-    def _claim(self, order: ClaimDevice) -> Word:
-        world, device = split(order.device)
+    def _try(self, order: OpenWorld | ClaimDevice | TouchPart, descriptors: list[int]) -> Word:
+        """What may be denied."""
         try:
-            return Granted(self._buses[world].grant(device, order.epoch))
+            match order:
+                case OpenWorld():
+                    self._worlds.open(order.world, Segment.attach(descriptors[0]), self._now())
+                    return WorldOpened(order.world)
+                case ClaimDevice():
+                    return Granted(self._worlds.grant(order.device, order.epoch))
+                case TouchPart():
+                    self._worlds.touch(order.world, order.part, order.value)
+                    return PartTouched()
         except ValueError as wrong:
             return Denied(reason_of(wrong))
 
     def _look(self, order: DescribeWorld | TakeModes | TakeSnapshots) -> Word:
         """What a world consists of, or what all of them are like now."""
         if isinstance(order, DescribeWorld):
-            bus = self._buses.get(order.world)
-            return Denied(Reason.of("host.not_open")) if bus is None else WorldDescribed(bus.scene())
+            scene = self._worlds.scene(order.world)
+            return Denied(Reason.of("host.not_open")) if scene is None else WorldDescribed(scene)
         if isinstance(order, TakeSnapshots):
-            return SnapshotsTaken({name: bus.world.snapshot() for name, bus in self._buses.items()})
-        return ModesTaken({device: mode for bus in self._buses.values() for device, mode in bus.modes().items()})
-
-    def _tell_all(self, order: FenceWriter | StopAll | AllowMotion) -> None:
-        self._is_stopped = isinstance(order, StopAll) or (self._is_stopped and not isinstance(order, AllowMotion))
-        for bus in self._buses.values():
-            match order:
-                case FenceWriter():
-                    bus.world.fence(order.epoch)
-                case StopAll():
-                    bus.world.stop()
-                case AllowMotion():
-                    bus.world.go_on()
-
-    def _open(self, name: str, descriptor: int) -> Word:
-        segment = Segment.attach(descriptor)
-        self._segments.append(segment)
-        try:
-            world = open_world(name)
-        except ValueError as wrong:
-            return Denied(reason_of(wrong))
-        if self._is_stopped:
-            world.stop()
-        self._buses[name] = Bus(name, world, segment)
-        self._behind[name] = self._now() - world.now_ns
-        return WorldOpened(name)
+            return SnapshotsTaken(self._worlds.snapshots())
+        return ModesTaken(self._worlds.modes())
 
 
 def _driven(world: str, drive_event: DriveEvent, behind_ns: int) -> DriveChanged:

@@ -1,0 +1,179 @@
+import pytest
+
+from kit.mass_world import MassWorld
+from onika.host.units.served_worlds import ServedWorlds
+from onika.ring.device import DeviceOrder, DriveState
+from onika.ring.drive import DriveMode
+from onika.ring.segment import Segment
+from onika.runtime.bus import SEGMENT_SIZE
+
+MS = 1_000_000
+
+
+class Yard(MassWorld):
+    """A world that says what it was told, and until when it went at each step."""
+
+    def __init__(self, name):
+        super().__init__()
+        self.name = name
+        self.orders = []
+        self.steps = []
+
+    def fence(self, epoch):
+        self.orders.append(("fence", epoch))
+        super().fence(epoch)
+
+    def stop(self):
+        self.orders.append("stop")
+        super().stop()
+
+    def go_on(self):
+        self.orders.append("go on")
+        super().go_on()
+
+    def step(self, until_ns):
+        self.steps.append(until_ns)
+        super().step(until_ns)
+
+
+class Opened:
+    """Worlds that were opened by name, and those that serve them."""
+
+    def __init__(self):
+        self.worlds = {}
+        self.served = ServedWorlds(self._world)
+
+    def _world(self, name):
+        if name == "sea":
+            raise ValueError("expected a world on land, found 'sea'")
+        return self.worlds.setdefault(name, Yard(name))
+
+    def open(self, name="yard", now=0):
+        self.served.open(name, Segment.create(name, SEGMENT_SIZE), now)
+        return self.worlds[name]
+
+
+@pytest.fixture
+def opened():
+    return Opened()
+
+
+def test_a_world_is_opened_by_its_name_and_an_unknown_one_refused(opened):  # law 16
+    assert (opened.served.names, opened.served.due_ns()) == ((), None)
+    with pytest.raises(ValueError, match="found 'sea'"):
+        opened.open("sea")
+    opened.open("yard")
+    opened.open("field")
+    assert opened.served.names == ("yard", "field")
+
+
+def test_a_stop_stops_every_world_that_is_open_and_those_that_are_opened_later(opened):  # law 27, R-X24
+    yard, field = opened.open("yard"), opened.open("field")
+    opened.served.stop()
+    shed = opened.open("shed")
+    assert [world.orders for world in (yard, field, shed)] == [["stop"]] * 3
+    assert set(opened.served.modes().values()) == {DriveMode.STOPPED}
+
+
+def test_only_the_permission_to_move_ends_a_stop(opened):  # law 27, R-X24
+    yard = opened.open("yard")
+    opened.served.stop()
+    opened.served.fence(3)
+    field = opened.open("field")
+    assert field.orders == ["stop"], "a dead writer ends no stop"
+    opened.served.go_on()
+    shed = opened.open("shed")
+    assert [world.orders for world in (yard, field, shed)] == [["stop", ("fence", 3), "go on"], ["stop", "go on"], []]
+
+
+def test_a_dead_writer_is_fenced_in_every_world(opened):  # law 17
+    yard, field = opened.open("yard"), opened.open("field")
+    opened.served.grant("field:m1", 7)
+    opened.served.fence(7)
+    assert (yard.orders, field.orders) == ([("fence", 7)], [("fence", 7)])
+    assert opened.served.modes() == {
+        "yard:m0": DriveMode.HELD,
+        "yard:m1": DriveMode.HELD,
+        "field:m0": DriveMode.HELD,
+        "field:m1": DriveMode.TRIPPED,
+    }
+
+
+def test_a_device_is_claimed_by_one_writer_until_it_is_released(opened):  # law 18
+    opened.open()
+    grant = opened.served.grant("yard:m0", 4)
+    assert (grant.segment, grant.name, grant.epoch) == ("bus:yard", "m0", 4)
+    with pytest.raises(ValueError, match="claimed already"):
+        opened.served.grant("yard:m0", 5)
+    opened.served.release("yard:m0", 5)
+    with pytest.raises(ValueError, match="claimed already"):
+        opened.served.grant("yard:m0", 5)
+    opened.served.release("yard:m0", 4)
+    assert opened.served.grant("yard:m0", 5).epoch == 5
+
+
+def test_a_world_steps_with_the_runtime_from_when_it_was_opened(opened):  # law 16
+    yard = opened.open(now=20 * MS)
+    assert (opened.served.behind_ns("yard"), opened.served.due_ns()) == (20 * MS, 21 * MS)
+    opened.served.step("yard", 21 * MS - 1)
+    assert yard.steps == []
+    opened.served.step("yard", 21 * MS)
+    assert yard.steps == [1 * MS]
+    assert opened.served.due_ns() == 22 * MS
+    opened.served.step("yard", 24 * MS)
+    assert (yard.steps, yard.now_ns) == ([1 * MS, 4 * MS], 4 * MS)
+
+
+def test_a_world_that_has_run_already_goes_on_from_its_own_time(opened):  # law 16
+    opened.worlds["yard"] = Yard("yard")
+    opened.worlds["yard"].step(5 * MS)
+    opened.open(now=20 * MS)
+    assert (opened.served.behind_ns("yard"), opened.served.due_ns()) == (15 * MS, 21 * MS)
+
+
+def test_the_world_that_has_to_step_first_says_when(opened):  # law 16
+    opened.open("late", now=8 * MS)
+    opened.open("early", now=3 * MS)
+    assert opened.served.due_ns() == 4 * MS
+
+
+def test_a_world_that_is_late_runs_after_the_time_by_50_ms_at_most(opened):  # law 13
+    yard = opened.open()
+    opened.served.step("yard", 50 * MS)
+    assert (yard.now_ns, opened.served.behind_ns("yard")) == (50 * MS, 0)
+    opened.served.step("yard", 100 * MS + 1)
+    assert (yard.now_ns, opened.served.behind_ns("yard")) == (51 * MS, 49 * MS + 1)
+    opened.served.step("yard", 102 * MS)
+    assert yard.now_ns == 52 * MS, "what was lost is not made up for"
+    opened.served.step("yard", 1000 * MS)
+    assert (yard.now_ns, opened.served.behind_ns("yard")) == (53 * MS, 947 * MS)
+
+
+def test_what_drives_do_is_told_by_the_step_after_it(opened):  # R-X06
+    yard = opened.open()
+    grant = opened.served.grant("yard:m0", 1)
+    yard.command("m0", grant.epoch, DeviceOrder.DRIVE, [1.0])
+    assert [(event.device, event.state) for event in opened.served.step("yard", MS)] == [("m0", DriveState.DRIVEN)]
+    assert list(opened.served.step("yard", 2 * MS)) == []
+    opened.served.stop()
+    told = opened.served.step("yard", 2 * MS)
+    assert [(event.device, event.state) for event in told] == [("m0", DriveState.HELD)], "also between two steps"
+
+
+def test_a_hand_touches_the_part_of_the_world_that_is_named(opened):  # R-K06
+    opened.open("yard")
+    opened.open("field")
+    opened.served.touch("field", "panic", 1.0)
+    modes = opened.served.modes()
+    assert (modes["yard:m0"], modes["field:m0"]) == (DriveMode.HELD, DriveMode.PRESSED)
+    with pytest.raises(ValueError, match="bell"):
+        opened.served.touch("yard", "bell", 1.0)
+
+
+def test_worlds_show_what_they_are_and_where(opened):  # R-K06
+    yard = opened.open()
+    opened.served.step("yard", 3 * MS)
+    assert opened.served.scene("field") is None
+    assert opened.served.scene("yard") == {"shapes": [], "parts": {"panic": "1 pressed, 0 let go"}}
+    assert opened.served.poses("yard") == (3 * MS, yard.poses().tobytes(), ())
+    assert opened.served.snapshots() == {"yard": yard.snapshot()}
