@@ -5,10 +5,8 @@ from kit.direct_client import DirectClient
 from kit.plan_builder import action
 from kit.rail_world import YardLoading, rail_tasks
 from onika.host.loading.loader_client import NotYet
-from onika.ring.segment import Segment, SharedMemoryRefused
 from onika.wire import event, live, request
 from onika.wire.plan import Again, Do, Halt
-from onika.wire.request import TargetValues
 from onika.words.reason import Reason
 
 SECOND = 1_000_000_000
@@ -61,39 +59,6 @@ def test_a_world_is_touched_and_what_is_not_there_refused(desk):  # R-K06
     assert str(desk.to_the_end().cause) == "enough"
 
 
-def test_a_faulty_plan_is_not_begun(desk):  # R-E01
-    targets = (TargetValues(0, 0, "joint object", (99.0,)),)
-    answer = desk.ask(request.Prepare(plan("1.0"), targets))
-    assert [str(fault.reason) for fault in answer.faults] == [
-        "expected a target within reach, found there: 99 m is beyond the rail"
-    ]
-    assert str(desk.ask(request.Begin()).reason) == "no plan is prepared, or it has faults"
-    assert desk.result is None
-
-
-def test_without_a_plan_nothing_begins(desk):
-    assert isinstance(desk.ask(request.Begin()), request.Refused)
-
-
-def test_a_second_run_beside_the_first_is_refused(desk):  # law 4
-    desk.ask(request.Prepare(plan("1.0"), ()))
-    desk.ask(request.Begin())
-    desk.program.advance(0)
-    refusal = desk.ask(request.Begin()).reason
-    assert str(refusal) == "application test runs in subsystem flow0 already; let it end, or abort it"
-    assert desk.to_the_end().completed
-
-
-def test_runs_follow_one_another_each_with_its_own_time_and_empty_table(desk):  # laws 4, 13
-    desk.ask(request.Prepare(plan("1.0"), ()))
-    results = []
-    for _ in range(2):
-        desk.ask(request.Begin(watch=("FORCE",)))
-        results.append(desk.to_the_end())
-    assert all(result.completed for result in results)
-    assert results[1].runtime_s < results[0].runtime_s
-
-
 @pytest.mark.parametrize("wish", [request.Abort(Reason.plain("enough")), request.Stop(Reason.plain("enough"))])
 def test_a_run_is_ended_from_outside_with_the_cause(desk, wish):  # R-E07, law 27
     desk.ask(request.Prepare(plan("1.0"), ()))
@@ -104,18 +69,6 @@ def test_a_run_is_ended_from_outside_with_the_cause(desk, wish):  # R-E07, law 2
     result = desk.to_the_end()
     assert (result.completed, str(result.cause), result.done) == (False, "enough", 0)
     assert [message.state for message in desk.server.told if isinstance(message, event.Drive)][-1] == "HELD"
-
-
-def test_after_a_stop_nothing_begins_before_a_deliberate_reset(desk):  # law 27
-    desk.ask(request.Prepare(plan("1.0"), ()))
-    desk.ask(request.Begin())
-    desk.ask(request.Stop(Reason.plain("enough")))
-    assert not desk.to_the_end().completed
-    assert str(desk.ask(request.Begin()).reason) == "the runtime is stopped; reset it first"
-    assert desk.ask(live.Reset()) == request.Done()
-    assert [message.is_stopped for message in desk.of(event.Stopped)] == [True, False]
-    desk.ask(request.Begin())
-    assert desk.to_the_end().completed
 
 
 def test_an_answer_reaches_the_task_that_asks(desk):  # law 25
@@ -235,24 +188,6 @@ def test_a_loop_that_takes_no_time_can_be_ended(desk):  # R-E07, R-D13
         desk.program.advance(1_000_000)
     assert desk.ask(request.Abort(Reason.plain("enough"))) == request.Done()
     assert str(desk.to_the_end().cause) == "enough"
-
-
-def test_a_run_for_which_there_is_no_memory_is_refused_and_begins_when_there_is(desk, monkeypatch, tmp_path):  # R-B07
-    def refuse(_name, _size):
-        raise SharedMemoryRefused(Reason.of("words.shared_memory", why=Reason.of("words.memory_used")))
-
-    desk.ask(request.Prepare(plan("1.0"), ()))
-    begin = request.Begin(record=str(tmp_path / "run.mcap"))
-    with monkeypatch.context() as short:
-        short.setattr(Segment, "create", refuse)
-        assert desk.ask(begin).reason.key == "words.shared_memory"
-        assert (
-            desk.ask(live.Change("s0", spawn=plan("1.0").flows[0].tasks, code=plan("1.0").code)).reason.key
-            == "words.shared_memory"
-        )
-    assert not desk.program.is_running
-    assert desk.ask(begin) == request.Done()
-    assert desk.to_the_end().completed
 
 
 def test_a_long_way_without_anything_to_do_is_gone_in_parts_and_others_are_heard(desk):  # R-F01

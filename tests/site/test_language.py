@@ -99,8 +99,8 @@ def test_an_endless_loop_goes_on_until_somebody_leaves_it():  # R-D11, R-E05, R-
     server = OpenGate()
     driver = VirtualDriver(("rt0",), server.tell)
     program = RuntimeProgram(server, driver, ModuleFacts(), ("rt0",))
-    program.take("me", prepare(planned.plan, planned.targets, ModuleFacts()))
-    program.begin("me", request.Begin())
+    program.applications.take("me", prepare(planned.plan, planned.targets, ModuleFacts()))
+    program.applications.begin("me", request.Begin())
     while [message.index for message in server.told if isinstance(message, event.Began)].count(0) < 3:
         program.advance(0)
     server.waiting.append(SessionRequest(1, "me", Role.OWNER, steer.Leave("flow0")))

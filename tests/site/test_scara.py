@@ -95,8 +95,8 @@ def told_of(plan, targets, seed=0, offsets_m=0.0):
     world = BoxesWorld(seed, offsets_m)
     driver = VirtualDriver(tuple(f"rt{k}" for k in range(2)), server.tell, worlds=lambda _name: world)
     program = RuntimeProgram(server, driver, ModuleFacts(), ("rt0", "rt1"))
-    program.take("me", preparation)
-    program.begin("me", request.Begin(watch=("LAMP",)))
+    program.applications.take("me", preparation)
+    program.applications.begin("me", request.Begin(watch=("LAMP",)))
     while program.advance(1_000_000_000):
         pass
     return server.told, world

@@ -53,8 +53,8 @@ def test_boxes_that_stand_a_millimetre_elsewhere_are_put_together_as_well(seed):
     server = OpenGate()
     driver = VirtualDriver(("rt0",), server.tell, worlds=lambda _name: BoxesWorld(seed, 0.001))
     program = RuntimeProgram(server, driver, ModuleFacts(), ("rt0",))
-    program.take("me", prepare(planned.plan, planned.targets, ModuleFacts()))
-    program.begin("me", request.Begin(watch=("LAMP",)))
+    program.applications.take("me", prepare(planned.plan, planned.targets, ModuleFacts()))
+    program.applications.begin("me", request.Begin(watch=("LAMP",)))
     while program.advance(1_000_000_000):
         pass
     result = server.told[-1]

@@ -60,8 +60,8 @@ def moved_run(prepared: Preparation, seed: int, *, with_clearance: bool) -> tupl
     server = Silent()
     driver = VirtualDriver(("rt0",), server.tell, worlds=lambda _name: world)
     program = RuntimeProgram(server, driver, ModuleFacts(), ("rt0",))
-    program.take("", prepared)
-    program.begin("", request.Begin(watch=("LAMP",)))
+    program.applications.take("", prepared)
+    program.applications.begin("", request.Begin(watch=("LAMP",)))
     clearance = Clearance(world)
     while server.result is None:
         program.advance(0 if with_clearance else 1_000_000_000)

@@ -87,9 +87,9 @@ def whole_run(prepared: Preparation) -> tuple[float, event.Result]:
     server = Silent()
     driver = VirtualDriver(("rt0",), server.tell)
     program = RuntimeProgram(server, driver, ModuleFacts(), ("rt0",))
-    program.take("", prepared)
+    program.applications.take("", prepared)
     began = process_time()
-    program.begin("", request.Begin(watch=("LAMP",)))
+    program.applications.begin("", request.Begin(watch=("LAMP",)))
     while server.result is None:
         program.advance(1_000_000_000)
     return process_time() - began, server.result

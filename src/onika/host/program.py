@@ -6,6 +6,7 @@ from time import monotonic_ns
 
 from msgspec.structs import replace
 
+from onika.host.application_runs import ApplicationRuns
 from onika.host.driver import Driver
 from onika.host.edit.editor import LiveEditor, refused
 from onika.host.foresight.questions import Questions
@@ -14,24 +15,22 @@ from onika.host.inspection import Inspection
 from onika.host.loading.loader_client import LoaderClient, NotYet
 from onika.host.loading.module_description import describe
 from onika.host.loading.module_questions import ModuleQuestions
-from onika.host.loading.plan_preparation import Preparation, inspect, prepare
+from onika.host.loading.plan_preparation import inspect, prepare
 from onika.host.recording.black_box import BlackBox
 from onika.host.recording.black_box_holder import BlackBoxHolder
 from onika.host.recording.recorder import Recorder
 from onika.host.recording.run_description import RunDescriptions
-from onika.host.run.application_run import ApplicationRun
 from onika.host.sessions.control_authority import ControlAuthority
 from onika.host.sessions.leases import Leases
 from onika.host.sessions.presence import Presence
 from onika.host.sessions.request_backlog import Answer, Backlog
 from onika.host.sessions.request_server import RequestServer, SessionRequest
 from onika.host.subsystems.run_commands import RunCommands
-from onika.host.subsystems.subsystem_registry import Subsystems, Tell
+from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.host.units.process_socket import ProcessSocket
 from onika.link.caller import Role
 from onika.record.black_box_folder import clear_unfinished
 from onika.ring.segment import SharedMemoryRefused
-from onika.runtime.subsystem import RunningSubsystem
 from onika.wire import event, holding, live, request, steer
 from onika.wire.foresight import WhatIf
 from onika.words.reason import NOTHING, Reason, reason_of
@@ -51,7 +50,6 @@ class RuntimeProgram:
         self._server = server
         self._driver = driver
         self._loading = loading
-        self._prepared: dict[str, Preparation] = {}
         self._backlog = Backlog()
         self.subsystems = Subsystems(driver, server.tell, rtpus)
         driver.listen(self.subsystems)
@@ -63,6 +61,9 @@ class RuntimeProgram:
         self._look = Inspection(self.subsystems, driver, server, rtpus)
         self._descriptions = RunDescriptions(self.subsystems, driver, rtpus)
         self._recorder = Recorder(self.subsystems, driver, server, self._descriptions)
+        self.applications = ApplicationRuns(
+            self.subsystems, driver, self.authority, self._descriptions, self._recorder, server.tell
+        )
         self._black_box: BlackBox | None = None
         self._questions = Questions(self.subsystems, driver, self._session_facts, lambda: self._recorder.application)
         self.is_stopped = False
@@ -85,6 +86,7 @@ class RuntimeProgram:
         """From now on the last seconds of a run that ends badly are written into this folder."""
         clear_unfinished(folder)
         self._black_box = BlackBox(folder, holder, make_holder, self.subsystems, self._driver)
+        self.applications.black_box = self._black_box
         self._server.overhear(self._black_box.hear)
 
     def close(self) -> None:
@@ -103,15 +105,13 @@ class RuntimeProgram:
         self._try_again()
         calls = self._server.requests()
         for session in self.leases.judge(self._driver.now):  # before anything that takes time
-            self._prepared.pop(session, None)
+            self.applications.forget(session)
         self.authority.expire(monotonic_ns())
         for call in calls:
             self._serve(call)
         self._presence.look()
         for session in self._server.lost():
-            self._prepared.pop(session, None)
-            self.subsystems.hold.release(session)
-            self.subsystems.repeat.end(session)
+            self.applications.lost(session)
             self._descriptions.lost(session)
             self._recorder.lost(session)
             self._look.forget(session)
@@ -128,79 +128,9 @@ class RuntimeProgram:
             self._black_box.serve()
         for run in list(self.subsystems.runs):
             if run.is_through(self._driver.is_at_rest):
-                self._end(run)
+                self.applications.end(run)
         self._look.show(monotonic_ns())
         return goes_on
-
-    def _end(self, run: ApplicationRun) -> None:
-        """Tell the result, as soon as what is recorded of the run is written."""
-        result = run.result(self._driver.digest, self._driver.outside)
-        if not self._recorder.may_end(run, result):
-            return
-        black_box = "" if self._black_box is None else self._black_box.end(run, result)
-        if black_box is None:
-            return
-        self.subsystems.runs.remove(run)
-        self.subsystems.hold.release(run.session)
-        self.subsystems.repeat.end(run.session)
-        run.end(replace(result, black_box=black_box))
-
-    def take(self, session: str, prepared: Preparation) -> None:
-        """The next plan of a session to run; one with faults leaves nothing to run."""
-        self._prepared.pop(session, None)
-        if not prepared.faults:
-            self._prepared[session] = prepared
-
-    def begin(self, session: str, message: request.Begin) -> request.Response:
-        """Start a run of the session's plan on empty, zeroed tables (law 4)."""
-        prepared = self._prepared.get(session)
-        if prepared is None:
-            return request.Refused(Reason.of("host.no_plan"))
-        refusal = self._refusal_of_run(session, prepared) or self._recorder.begin(session, message, prepared)
-        if refusal:
-            return request.Refused(refusal)
-        about = self._descriptions.describe(session, message)
-        try:
-            running = self._running_subsystems(prepared)
-        except SharedMemoryRefused as refused:
-            self._recorder.give_up()
-            return request.Refused(reason_of(refused))
-        self._descriptions.began()
-        if not self.subsystems.runs:
-            self._driver.begin()
-        tell: Tell = self._server.tell
-        if message.is_held and self._driver.is_virtual:
-            tell = self.subsystems.hold.begin(session, prepared.plan.flows[0].subsystem, self._driver.now)
-        self.subsystems.repeat.begin(session, message, self._driver.now)
-        run = ApplicationRun(session, prepared, message, running, self._driver, tell, self.subsystems.lost_units)
-        if self._black_box is not None and about is not None:
-            self._black_box.begin(run, about)
-        self.subsystems.perform(run)
-        self.authority.began(session)
-        return request.Done()
-
-    def _refusal_of_run(self, session: str, prepared: Preparation) -> Reason:
-        """Why no run of this plan may begin now."""
-        refusal = self.authority.occupied(session, [flow.subsystem for flow in prepared.plan.flows])
-        if refusal:
-            return refusal
-        if self.is_stopped:
-            return Reason.of("host.is_stopped")
-        units = [task.rtpu for flow in prepared.plan.flows for task in flow.tasks]
-        gone = [reason for unit in units if (reason := self.subsystems.gone(unit))]
-        if gone:
-            return Reason.of("host.start_anew", gone=gone[0])
-        return NOTHING
-
-    def _running_subsystems(self, prepared: Preparation) -> dict[int, RunningSubsystem]:
-        """The subsystems of a run that begins, by the number of their flow."""
-        running = {}
-        for number, flow in enumerate(prepared.plan.flows):
-            rtpus = {task.name: self.subsystems.unit(task.rtpu) for task in flow.tasks}
-            constants = prepared.constants[number]
-            table = self.subsystems.table(flow.subsystem)
-            running[number] = RunningSubsystem(flow.subsystem, table, prepared.flows[number], rtpus, constants)
-        return running
 
     def _lease_of(self, session: str) -> int:
         return self.leases.of(session)
@@ -263,7 +193,7 @@ class RuntimeProgram:
             case live.Advance():
                 self._advance(call.asked.seconds, answer)
             case WhatIf():
-                self._questions.ask(call.session, call.asked, self._prepared.get(call.session), answer)
+                self._questions.ask(call.session, call.asked, self.applications.prepared(call.session), answer)
             case steer.Who():
                 answer(self._run_commands.who(call.session))
             case (
@@ -291,7 +221,7 @@ class RuntimeProgram:
         match message:
             case request.Prepare():
                 prepared = prepare(message.plan, message.targets, self._loading)
-                self.take(session, prepared)
+                self.applications.take(session, prepared)
                 self._descriptions.keep(session, message)
                 return replace(refused(prepared.faults, prepared.notes), resolved=tuple(prepared.resolved))
             case request.Inspect():
@@ -299,7 +229,7 @@ class RuntimeProgram:
             case live.Describe():
                 return describe(message.code, self._loading)
             case request.Begin():
-                return self.begin(session, message)
+                return self.applications.begin(session, message, self.is_stopped)
             case request.Reply():
                 return self._answer(message)
             case request.Abort():

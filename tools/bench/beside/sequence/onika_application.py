@@ -91,8 +91,8 @@ class Application:
         server = RequestServer()
         driver = VirtualDriver(("rt0",), server.tell, watch=self._watch)
         program = RuntimeProgram(server, driver, ModuleFacts(), ("rt0",))  # type: ignore[arg-type]
-        program.take("", self._prepared)
-        program.begin("", request.Begin(settle_s=0.0))
+        program.applications.take("", self._prepared)
+        program.applications.begin("", request.Begin(settle_s=0.0))
         while server.result is None:
             program.advance(1_000_000_000)
         if not server.result.completed or server.result.done != self._actions:

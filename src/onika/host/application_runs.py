@@ -1,0 +1,122 @@
+"""The applications of a runtime: plans that sessions have prepared, and the runs that are made of them."""
+
+from msgspec.structs import replace
+
+from onika.host.driver import Driver
+from onika.host.loading.plan_preparation import Preparation
+from onika.host.recording.black_box import BlackBox
+from onika.host.recording.recorder import Recorder
+from onika.host.recording.run_description import RunDescriptions
+from onika.host.run.application_run import ApplicationRun
+from onika.host.sessions.control_authority import ControlAuthority
+from onika.host.subsystems.subsystem_registry import Subsystems, Tell
+from onika.ring.segment import SharedMemoryRefused
+from onika.runtime.subsystem import RunningSubsystem
+from onika.wire import request
+from onika.words.reason import NOTHING, Reason, reason_of
+
+
+class ApplicationRuns:
+    """Begins the run of a prepared plan, and ends it when it is through and what is recorded of it is written."""
+
+    def __init__(
+        self,
+        subsystems: Subsystems,
+        driver: Driver,
+        authority: ControlAuthority,
+        descriptions: RunDescriptions,
+        recorder: Recorder,
+        tell: Tell,
+    ) -> None:
+        self._subsystems = subsystems
+        self._driver = driver
+        self._authority = authority
+        self._descriptions = descriptions
+        self._recorder = recorder
+        self._tell = tell
+        self._prepared: dict[str, Preparation] = {}
+        self.black_box: BlackBox | None = None
+
+    def prepared(self, session: str) -> Preparation | None:
+        """The plan that this session may run next."""
+        return self._prepared.get(session)
+
+    def forget(self, session: str) -> None:
+        """What the session has prepared is not run any more."""
+        self._prepared.pop(session, None)
+
+    def lost(self, session: str) -> None:
+        """The session is gone: nobody steers or repeats a run in its name."""
+        self.forget(session)
+        self._subsystems.hold.release(session)
+        self._subsystems.repeat.end(session)
+
+    def take(self, session: str, prepared: Preparation) -> None:
+        """The next plan of a session to run; one with faults leaves nothing to run."""
+        self.forget(session)
+        if not prepared.faults:
+            self._prepared[session] = prepared
+
+    def begin(self, session: str, message: request.Begin, is_stopped: bool = False) -> request.Response:
+        """Start a run of the session's plan on empty, zeroed tables (law 4)."""
+        prepared = self._prepared.get(session)
+        if prepared is None:
+            return request.Refused(Reason.of("host.no_plan"))
+        refusal = self._refusal(session, prepared, is_stopped) or self._recorder.begin(session, message, prepared)
+        if refusal:
+            return request.Refused(refusal)
+        about = self._descriptions.describe(session, message)
+        try:
+            running = self._running_subsystems(prepared)
+        except SharedMemoryRefused as refused:
+            self._recorder.give_up()
+            return request.Refused(reason_of(refused))
+        self._descriptions.began()
+        if not self._subsystems.runs:
+            self._driver.begin()
+        tell: Tell = self._tell
+        if message.is_held and self._driver.is_virtual:
+            tell = self._subsystems.hold.begin(session, prepared.plan.flows[0].subsystem, self._driver.now)
+        self._subsystems.repeat.begin(session, message, self._driver.now)
+        run = ApplicationRun(session, prepared, message, running, self._driver, tell, self._subsystems.lost_units)
+        if self.black_box is not None and about is not None:
+            self.black_box.begin(run, about)
+        self._subsystems.perform(run)
+        self._authority.began(session)
+        return request.Done()
+
+    def end(self, run: ApplicationRun) -> None:
+        """Tell the result, as soon as what is recorded of the run is written."""
+        result = run.result(self._driver.digest, self._driver.outside)
+        if not self._recorder.may_end(run, result):
+            return
+        black_box = "" if self.black_box is None else self.black_box.end(run, result)
+        if black_box is None:
+            return
+        self._subsystems.runs.remove(run)
+        self._subsystems.hold.release(run.session)
+        self._subsystems.repeat.end(run.session)
+        run.end(replace(result, black_box=black_box))
+
+    def _refusal(self, session: str, prepared: Preparation, is_stopped: bool) -> Reason:
+        """Why no run of this plan may begin now."""
+        refusal = self._authority.occupied(session, [flow.subsystem for flow in prepared.plan.flows])
+        if refusal:
+            return refusal
+        if is_stopped:
+            return Reason.of("host.is_stopped")
+        units = [task.rtpu for flow in prepared.plan.flows for task in flow.tasks]
+        gone = [reason for unit in units if (reason := self._subsystems.gone(unit))]
+        if gone:
+            return Reason.of("host.start_anew", gone=gone[0])
+        return NOTHING
+
+    def _running_subsystems(self, prepared: Preparation) -> dict[int, RunningSubsystem]:
+        """The subsystems of a run that begins, by the number of their flow."""
+        running = {}
+        for number, flow in enumerate(prepared.plan.flows):
+            rtpus = {task.name: self._subsystems.unit(task.rtpu) for task in flow.tasks}
+            constants = prepared.constants[number]
+            table = self._subsystems.table(flow.subsystem)
+            running[number] = RunningSubsystem(flow.subsystem, table, prepared.flows[number], rtpus, constants)
+        return running
