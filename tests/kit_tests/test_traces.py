@@ -35,7 +35,7 @@ def test_a_process_and_a_file_that_a_program_leaves_are_found_and_ended(tmp_path
     assert "os.read(0, 1)" in words
     assert path.startswith(str(tmp_path))
     traces.end()
-    assert traces.left_over(20.0) == [path]
+    assert traces.left_over(2.0) == [path]
     for descriptor in (read, write):
         os.close(descriptor)
 

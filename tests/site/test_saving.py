@@ -12,18 +12,31 @@ import pytest
 pytestmark = pytest.mark.site
 
 SAVER = """
-import sys
-from pathlib import Path
+import os, signal, sys
 from pathlib import Path
 from onika.files import whole
 path, texts = Path(sys.argv[1]), [sign * int(sys.argv[2]) for sign in "ab"]
-print("ready", flush=True)
-while True:
-    for text in texts:
-        found = whole.write(path, text, whole.ANYTHING)
-        assert found == whole.stamp(text), found
-        sys.stdout.write(".")
-        sys.stdout.flush()
+
+def save_for_ever():
+    while True:
+        for text in texts:
+            found = whole.write(path, text, whole.ANYTHING)
+            assert found == whole.stamp(text), found
+            os.write(1, b".")
+
+for _ in sys.stdin:  # a fork for each word: what takes its time is the start of Python
+    child = os.fork()
+    if child == 0:
+        save_for_ever()
+    print(child, flush=True)
+    os.waitpid(child, 0)
+    print("ended", flush=True)
+"""
+ONCE = """
+import sys
+from pathlib import Path
+from onika.files import whole
+print(whole.write(Path(sys.argv[1]), "b" * 5, whole.ANYTHING))
 """
 
 
@@ -34,21 +47,30 @@ def test_a_program_killed_while_it_saves_leaves_one_of_two_whole_files(tmp_path,
     moments = random.Random(length)
     texts = {sign * length for sign in "ab"}
     half = 0
-    for _ in range(100):
-        with subprocess.Popen([sys.executable, "-c", SAVER, path, str(length)], stdout=subprocess.PIPE) as saver:
-            assert saver.stdout.readline() == b"ready\n"
-            saver.stdout.read(moments.randint(1, 20))
+    command = [sys.executable, "-c", SAVER, path, str(length)]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0) as starter:
+        for _ in range(100):
+            starter.stdin.write(b"again\n")
+            saver = _number_among_dots(starter.stdout)
+            starter.stdout.read(moments.randint(1, 20))
             for _ in range(moments.randint(0, 400)):
                 path.stat()  # some microseconds, so that it is anywhere in its work
-            saver.send_signal(signal.SIGKILL)
-        assert path.read_text() in texts
-        left = {path.name for path in tmp_path.iterdir()}
-        half += len(left) - 1
-        assert left <= {"a.conf", ".a.conf.saving"}
+            os.kill(saver, signal.SIGKILL)
+            assert b"ended" in starter.stdout.readline()
+            assert path.read_text() in texts
+            left = {path.name for path in tmp_path.iterdir()}
+            half += len(left) - 1
+            assert left <= {"a.conf", ".a.conf.saving"}
+        starter.stdin.close()
     assert half > 0, "it was never killed in the middle: this test shows nothing"
-    subprocess.run([sys.executable, "-c", SAVER.replace("while True", "if True"), path, "5"], check=True)
+    subprocess.run([sys.executable, "-c", ONCE, path], check=True)
     assert [path.name for path in tmp_path.iterdir()] == ["a.conf"]
     assert path.read_text() == "bbbbb"
+
+
+def _number_among_dots(stream):
+    """The child's number; the child may have saved already, which it says with dots."""
+    return int(stream.readline().strip(b".\n"))
 
 
 MOUNTED = """
