@@ -1,4 +1,7 @@
+import signal
 import socket
+import threading
+import time
 
 import pytest
 
@@ -127,3 +130,36 @@ def test_waiting_ends_when_something_came():
     here.close()
     there.close()
     assert here.fileno() == -1
+
+
+class Interrupted(Exception):
+    """What a handler of this test raises."""
+
+
+def test_a_signal_that_another_thread_was_given_ends_a_wait():  # R-E07
+    """After a freeze the system gives a Ctrl-C to any thread; the handler still runs in the first one only."""
+    here, there = socket_pair()
+    was_handled = threading.Event()
+
+    def handle(_number, _frame):
+        was_handled.set()
+        raise Interrupted
+
+    def be_signalled():
+        time.sleep(0.05)  # by then the wait has begun
+        signal.pthread_kill(threading.get_ident(), signal.SIGUSR1)
+        was_handled.wait(5.0)
+        there.send(b"x")  # else the wait would have no end
+
+    former = signal.signal(signal.SIGUSR1, handle)
+    other = threading.Thread(target=be_signalled)
+    other.start()
+    try:
+        with pytest.raises(Interrupted):
+            wait_for([here], None)
+        assert here.receive() == []
+    finally:
+        other.join()
+        signal.signal(signal.SIGUSR1, former)
+        here.close()
+        there.close()

@@ -1,10 +1,12 @@
 """A carrier: one connection that brings payloads, whole and in order, and never makes anybody wait."""
 
+import math
 import os
 import select
 import socket
 from collections import deque
 from collections.abc import Sequence
+from time import monotonic
 from typing import Protocol, runtime_checkable
 
 from onika.link import lost
@@ -15,6 +17,8 @@ BUFFER_LIMIT = 16 * 1024 * 1024
 
 _CHUNK = 256 * 1024
 _PAYLOADS = 1 << 20
+_LOOK_S = 0.1
+"""How long a wait lasts at most before it is seen whether there was a signal."""
 _TURN = 2 * 1024 * 1024
 """Bytes read in one call at most, so that a fast sender starves nobody."""
 
@@ -221,8 +225,15 @@ def socket_pair(frame_limit: int = FRAME_LIMIT) -> tuple[SocketCarrier, SocketCa
 
 
 def wait_for(sources: Sequence[PayloadSource], timeout_s: float | None) -> None:
-    """Wait until something came, what waits can be sent on, or the time is over (None: never)."""
+    """Wait until something came, what waits can be sent on, or the time is over (None: never).
+
+    A Ctrl-C is seen soon: where the system gives it to another thread of the program, as it may after a freeze, it
+    interrupts no wait of this one.
+    """
     poller = select.poll()
     for source in sources:
         poller.register(source.fileno(), select.POLLIN | (select.POLLOUT if source.pending else 0))
-    poller.poll(None if timeout_s is None else max(0.0, timeout_s * 1000))
+    left_s = math.inf if timeout_s is None else timeout_s
+    until = monotonic() + left_s
+    while not poller.poll(1000 * min(max(left_s, 0.0), _LOOK_S)) and left_s > 0:
+        left_s = until - monotonic()
