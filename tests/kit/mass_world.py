@@ -12,6 +12,7 @@ from onika.words.reason import Reason
 
 HOLD_NS = 50_000_000
 TRIP_NS = 250_000_000
+_LATCHED = (DriveState.TRIPPED, DriveState.PRESSED)
 
 
 class MassWorld:
@@ -50,7 +51,7 @@ class MassWorld:
         """Hold, and free the claim; of somebody else, or of the scale, nothing happens."""
         mass = self._masses.get(device)
         if mass is not None and mass.epoch == epoch:
-            if mass.drive is not DriveState.PRESSED:
+            if mass.drive not in _LATCHED:
                 self._turn(mass, DriveState.HELD, "released")
             mass.epoch = None
 
@@ -59,7 +60,8 @@ class MassWorld:
         self._fenced.add(epoch)
         for mass in self._masses.values():
             if mass.epoch == epoch:
-                self._turn(mass, DriveState.TRIPPED, "its writer died")
+                if mass.drive is not DriveState.PRESSED:
+                    self._turn(mass, DriveState.TRIPPED, "its writer died")
                 mass.epoch = None
 
     def command(self, device: str, epoch: int, order: int, values: Sequence[float]) -> None:
@@ -70,9 +72,12 @@ class MassWorld:
         mass.heard_ns = self.now_ns
         if mass.drive is DriveState.PRESSED:
             return
-        if order == DeviceOrder.CLEAR or (order == DeviceOrder.HOLD and mass.drive is not DriveState.TRIPPED):
+        is_tripped = mass.drive is DriveState.TRIPPED
+        if order == DeviceOrder.CLEAR and mass.drive is DriveState.DRIVEN:
+            return
+        if order == DeviceOrder.CLEAR or (order == DeviceOrder.HOLD and not is_tripped):
             self._turn(mass, DriveState.HELD, DeviceOrder(order).name)
-        elif order == DeviceOrder.DRIVE and mass.drive is not DriveState.TRIPPED:
+        elif order == DeviceOrder.DRIVE and not is_tripped:
             mass.force = float(values[0])
             self._turn(mass, DriveState.DRIVEN, "DRIVE")
 

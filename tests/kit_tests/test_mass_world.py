@@ -4,9 +4,11 @@ import pytest
 
 from kit.mass_world import HOLD_NS, TRIP_NS, MassWorld
 from onika.ring.device import DeviceOrder, DriveState
+from onika.ring.drive import TABLE, DriveInput, DriveMode
 from onika.runtime.bus import World
 
 MS = 1_000_000
+EPOCH = 7
 
 
 @pytest.fixture
@@ -116,3 +118,44 @@ def test_the_scale_adds_up_and_the_fingerprint_tells_two_worlds_apart(world):
         yard.step(10 * MS)
     assert world.state("scale")[2] == world.state("m0")[2] > 0.0
     assert world.fingerprint() == world.snapshot() != other.fingerprint()
+
+
+def ordered(order, *values):
+    return lambda world: world.command("m0", EPOCH, order, values)
+
+
+def passed(lasts_ms):
+    return lambda world: world.step(world.now_ns + lasts_ms * MS)
+
+
+DRIVE = ordered(DeviceOrder.DRIVE, 1.0)
+WAYS = {
+    DriveMode.HELD: (),
+    DriveMode.DRIVEN: (DRIVE,),
+    DriveMode.SILENT: (DRIVE, passed(60)),
+    DriveMode.TRIPPED: (DRIVE, passed(60), passed(250)),
+    DriveMode.PRESSED: (lambda world: world.touch("panic", 1.0),),
+    DriveMode.STOPPED: (lambda world: world.stop(),),
+}
+INPUTS = {
+    DriveInput.DRIVE: DRIVE,
+    DriveInput.HOLD: ordered(DeviceOrder.HOLD),
+    DriveInput.CLEAR: ordered(DeviceOrder.CLEAR),
+    DriveInput.FENCE: lambda world: world.fence(EPOCH),
+    DriveInput.RELEASE: lambda world: world.release("m0", EPOCH),
+    DriveInput.STOP: lambda world: world.stop(),
+    DriveInput.PRESS: lambda world: world.touch("panic", 1.0),
+    DriveInput.LET_GO: lambda world: world.touch("panic", 0.0),
+}
+
+
+@pytest.mark.parametrize("happening", INPUTS, ids=lambda happening: happening.name)
+@pytest.mark.parametrize("state", WAYS, ids=lambda state: state.name)
+def test_a_mass_does_what_the_table_of_drives_says(state, happening):  # law 17
+    world = MassWorld(1)
+    world.claim("m0", EPOCH)
+    for step in WAYS[state]:
+        step(world)
+    assert world.modes() == {"m0": state}
+    INPUTS[happening](world)
+    assert world.modes() == {"m0": TABLE[state][happening]}
