@@ -174,8 +174,8 @@ def test_motion_is_allowed_again_whatever_waits_for_the_loader(monkeypatch):  # 
     monkeypatch.setattr(desk.program._editor, "_loading", desk.program._loading)
     shop = rail_tasks()
     desk.send(live.Change("s0", spawn=(shop.planned("servo"),), code=(shop.code("servo"),)), "first")
-    assert desk.ask(request.Stop(Reason.plain("now")), "first") == request.Done() and desk.program.is_stopped
-    assert desk.ask(live.Reset(), "first") == request.Done() and not desk.program.is_stopped
+    assert desk.ask(request.Stop(Reason.plain("now")), "first") == request.Done() and desk.program.motion.is_stopped
+    assert desk.ask(live.Reset(), "first") == request.Done() and not desk.program.motion.is_stopped
 
 
 def test_a_loop_that_takes_no_time_can_be_ended(desk):  # R-E07, R-D13

@@ -9,11 +9,12 @@ from onika.host.recording.recorder import Recorder
 from onika.host.recording.run_description import RunDescriptions
 from onika.host.run.application_run import ApplicationRun
 from onika.host.sessions.control_authority import ControlAuthority
+from onika.host.subsystems.motion import Motion
 from onika.host.subsystems.subsystem_registry import Subsystems, Tell
 from onika.ring.segment import SharedMemoryRefused
 from onika.runtime.subsystem import RunningSubsystem
 from onika.wire import request
-from onika.words.reason import NOTHING, Reason, reason_of
+from onika.words.reason import Reason, reason_of
 
 
 class ApplicationRuns:
@@ -24,6 +25,7 @@ class ApplicationRuns:
         subsystems: Subsystems,
         driver: Driver,
         authority: ControlAuthority,
+        motion: Motion,
         descriptions: RunDescriptions,
         recorder: Recorder,
         tell: Tell,
@@ -31,6 +33,7 @@ class ApplicationRuns:
         self._subsystems = subsystems
         self._driver = driver
         self._authority = authority
+        self._motion = motion
         self._descriptions = descriptions
         self._recorder = recorder
         self._tell = tell
@@ -57,12 +60,12 @@ class ApplicationRuns:
         if not prepared.faults:
             self._prepared[session] = prepared
 
-    def begin(self, session: str, message: request.Begin, is_stopped: bool = False) -> request.Response:
+    def begin(self, session: str, message: request.Begin) -> request.Response:
         """Start a run of the session's plan on empty, zeroed tables (law 4)."""
         prepared = self._prepared.get(session)
         if prepared is None:
             return request.Refused(Reason.of("host.no_plan"))
-        refusal = self._refusal(session, prepared, is_stopped) or self._recorder.begin(session, message, prepared)
+        refusal = self._refusal(session, prepared) or self._recorder.begin(session, message, prepared)
         if refusal:
             return request.Refused(refusal)
         about = self._descriptions.describe(session, message)
@@ -98,18 +101,10 @@ class ApplicationRuns:
         self._subsystems.repeat.end(run.session)
         run.end(replace(result, black_box=black_box))
 
-    def _refusal(self, session: str, prepared: Preparation, is_stopped: bool) -> Reason:
+    def _refusal(self, session: str, prepared: Preparation) -> Reason:
         """Why no run of this plan may begin now."""
-        refusal = self._authority.occupied(session, [flow.subsystem for flow in prepared.plan.flows])
-        if refusal:
-            return refusal
-        if is_stopped:
-            return Reason.of("host.is_stopped")
-        units = [task.rtpu for flow in prepared.plan.flows for task in flow.tasks]
-        gone = [reason for unit in units if (reason := self._subsystems.gone(unit))]
-        if gone:
-            return Reason.of("host.start_anew", gone=gone[0])
-        return NOTHING
+        occupied = self._authority.occupied(session, [flow.subsystem for flow in prepared.plan.flows])
+        return occupied or self._motion.refusal(task.rtpu for flow in prepared.plan.flows for task in flow.tasks)
 
     def _running_subsystems(self, prepared: Preparation) -> dict[int, RunningSubsystem]:
         """The subsystems of a run that begins, by the number of their flow."""

@@ -25,15 +25,16 @@ from onika.host.sessions.leases import Leases
 from onika.host.sessions.presence import Presence
 from onika.host.sessions.request_backlog import Answer, Backlog
 from onika.host.sessions.request_server import RequestServer, SessionRequest
+from onika.host.subsystems.motion import Motion
 from onika.host.subsystems.run_commands import RunCommands
 from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.host.units.process_socket import ProcessSocket
 from onika.link.caller import Role
 from onika.record.black_box_folder import clear_unfinished
 from onika.ring.segment import SharedMemoryRefused
-from onika.wire import event, holding, live, request, steer
+from onika.wire import holding, live, request, steer
 from onika.wire.foresight import WhatIf
-from onika.words.reason import NOTHING, Reason, reason_of
+from onika.words.reason import Reason, reason_of
 
 
 class RuntimeProgram:
@@ -61,12 +62,12 @@ class RuntimeProgram:
         self._look = Inspection(self.subsystems, driver, server, rtpus)
         self._descriptions = RunDescriptions(self.subsystems, driver, rtpus)
         self._recorder = Recorder(self.subsystems, driver, server, self._descriptions)
+        self.motion = Motion(self.subsystems, driver, server.tell)
         self.applications = ApplicationRuns(
-            self.subsystems, driver, self.authority, self._descriptions, self._recorder, server.tell
+            self.subsystems, driver, self.authority, self.motion, self._descriptions, self._recorder, server.tell
         )
         self._black_box: BlackBox | None = None
         self._questions = Questions(self.subsystems, driver, self._session_facts, lambda: self._recorder.application)
-        self.is_stopped = False
         self.is_over = False
 
     @property
@@ -157,7 +158,7 @@ class RuntimeProgram:
         if self._backlog.is_before(call):
             self._backlog.keep(call, answer)
             return
-        refusal = self.authority.refusal(call.session, call.asked, self.is_stopped)
+        refusal = self.authority.refusal(call.session, call.asked, self.motion.is_stopped)
         refusal = refusal or self.subsystems.repeat.refusal(call.session, call.asked, self._driver.now)
         try:
             if refusal:
@@ -229,13 +230,14 @@ class RuntimeProgram:
             case live.Describe():
                 return describe(message.code, self._loading)
             case request.Begin():
-                return self.applications.begin(session, message, self.is_stopped)
+                return self.applications.begin(session, message)
             case request.Reply():
                 return self._answer(message)
             case request.Abort():
                 return self._abort(session, message)
-            case request.Stop() | live.Reset():
-                return self._stop(session, message)
+            case request.Stop():
+                self.motion.stop(session, message.cause)
+                return request.Done()
             case live.Touch():
                 return self._touch(message)
             case steer.Onward():
@@ -259,6 +261,9 @@ class RuntimeProgram:
                 return self._editor.clear(message)
             case live.Close():
                 return self._editor.close(message)
+            case live.Reset():
+                self.motion.allow(session)
+                return request.Done()
             case live.Take() | live.Release():
                 return self.authority.change(session, message)
             case holding.Hand():
@@ -269,7 +274,7 @@ class RuntimeProgram:
                 return self.authority.only_watch(session)
             case holding.Sessions():
                 return self._presence.answer(session)
-        return self._look.answer(session, message, self.is_stopped)
+        return self._look.answer(session, message, self.motion.is_stopped)
 
     def _touch(self, message: live.Touch) -> request.Response:
         try:
@@ -294,22 +299,6 @@ class RuntimeProgram:
         if meant and not own:
             other = meant[0]
             return request.Refused(Reason.of("host.begun_by", application=other.application, session=other.session))
-        return request.Done()
-
-    def _stop(self, session: str, message: request.Stop | live.Reset) -> request.Response:
-        """Straight to the devices and every unit; left by a deliberate reset only (law 27)."""
-        cause: Reason = NOTHING
-        if isinstance(message, request.Stop):
-            self._driver.stop()
-            cause = message.cause
-            for run in self.subsystems.runs:
-                run.runner.abort(cause, self._driver.now)
-            for one in self.subsystems.live.values():
-                one.desired.turn_everything_off()
-        else:
-            self._driver.reset()
-        self.is_stopped = isinstance(message, request.Stop)
-        self._server.tell(event.Stopped(self.is_stopped, cause), "", session)
         return request.Done()
 
     def _advance(self, seconds: float, answer: Answer) -> None:
