@@ -31,6 +31,7 @@ def test_every_port_that_there_is_can_be_told(port):
     [
         "", "x", "7994", "7994 00", "7994 zz zz", "1 00 00 00",
         f"0 {NAME.hex()} {KEY.hex()}", f"-1 {NAME.hex()} {KEY.hex()}", f"65536 {NAME.hex()} {KEY.hex()}",
+        f"70000 {NAME.hex()} {KEY.hex()}",
         f"7994 {NAME.hex()}00 {KEY.hex()}", f"7994 {NAME.hex()[2:]} {KEY.hex()}", f"7994 {NAME.hex()} {KEY.hex()}00",
         f"7994 {NAME.hex()} {KEY.hex()[2:]}", f"7994 {NAME.hex()} {KEY.hex()} 1",
     ],
@@ -49,6 +50,7 @@ def test_a_beat_is_known_by_its_seal():  # R-X12
         wrong[k] ^= 1
         assert heartbeat_key.count_in(bytes(wrong)) is None
     assert (name_in(b"short"), heartbeat_key.count_in(b"short")) == (b"", None)
+    assert name_in(beat + b"x") == b""
 
 
 def test_who_does_not_know_the_key_cannot_seal_a_beat():  # R-X12
@@ -58,7 +60,8 @@ def test_who_does_not_know_the_key_cannot_seal_a_beat():  # R-X12
 
 def test_a_sealed_beat_of_another_name_or_length_is_none_of_this_connection():  # R-X12
     heartbeat_key = HeartbeatKey(7994, NAME, KEY)
-    assert heartbeat_key.count_in(HeartbeatKey(7994, NAME[::-1], KEY).beat(1)) is None
+    for name in (bytes(8), bytes([255]) * 8):
+        assert heartbeat_key.count_in(HeartbeatKey(7994, name, KEY).beat(1)) is None
     assert heartbeat_key.count_in(_sealed(NAME + bytes(8))) == 0
     assert [heartbeat_key.count_in(_sealed(NAME + bytes(length))) for length in (0, 4, 7, 9, 16)] == [None] * 5
 
@@ -75,6 +78,7 @@ def test_a_beat_speaks_only_for_who_serves_the_connection():  # R-X12
     counter.served(1000)
     assert [heartbeat_key.count_in(counter.beat(1000 + k)) for k in (0, 1, 750 * MS - 1)] == [1, 2, 3]
     assert counter.beat(1000 + 750 * MS) is None
+    assert counter.beat(1000 + 900 * MS) is None
     counter.served(1500 * MS)
     assert heartbeat_key.count_in(counter.beat(1500 * MS)) == 4
 

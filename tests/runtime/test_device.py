@@ -126,6 +126,35 @@ def test_a_clear_stays_the_newest_command_until_the_device_has_heard_it(far, nea
     assert far.order == DeviceOrder.DRIVE
 
 
+@pytest.mark.parametrize("published", [1, 2, 3, 4, 5])
+def test_a_clear_waits_for_two_publications_however_many_there_were(far, near, published):  # law 17
+    for _ in range(published):
+        tripped(far, near)
+    near.clear()
+    seen = []
+    for _ in range(3):
+        seen.append(near.is_tripped)
+        tripped(far, near)
+    assert seen == [False, False, True]
+
+
+def test_a_drive_whose_button_is_pressed_is_not_cleared(far, near):  # law 17
+    far.values[1] = DriveState.PRESSED
+    far.publish(0)
+    near.clear()
+    assert far.order == DeviceOrder.HOLD
+
+
+@pytest.mark.parametrize("commands", [("force",), ("force", "brake", "lamp")])
+def test_a_command_has_as_many_numbers_as_the_device_takes(commands):  # law 16
+    far = BenchDevice(("x",), commands)
+    near = attach(far.grant(), {SEGMENT: far.view})
+    near.write([float(number) for number in range(len(commands))])
+    assert far.commands.tolist() == [float(number) for number in range(len(commands))]
+    with pytest.raises(ValueError, match=r"broadcast|shape"):
+        near.write([1.0] * (len(commands) + 1))
+
+
 def test_a_device_that_does_not_come_back_is_tripped_again(far, near):  # law 17
     tripped(far, near)
     near.clear()

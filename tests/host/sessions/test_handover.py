@@ -59,3 +59,13 @@ def test_who_is_gone_neither_offers_nor_takes(notices):  # R-X12
 def test_the_end_of_what_is_not_offered_is_no_news(notices):
     Offers(notices).end("s0", ACCEPTED)
     assert notices == []
+
+
+@pytest.mark.parametrize("late_ns", [0, 1, MINUTE_NS])
+def test_an_offer_lasts_a_minute_from_when_it_was_made(notices, late_ns):  # R-X12
+    offers = Offers(notices)
+    offers.put("s0", "one", "two", MINUTE_NS)
+    offers.expire(2 * MINUTE_NS - 1)
+    assert offers.find("s0") is not None
+    offers.expire(2 * MINUTE_NS + late_ns)
+    assert offers.find("s0") is None

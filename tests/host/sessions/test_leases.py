@@ -84,10 +84,21 @@ def test_without_a_length_there_is_none(held):  # law 15
         (SessionSilence(0, 4, 0, 100), 1000 * MS),
         (SessionSilence(0, **STEADY, round_trip_us=19_999), 250 * MS),
         (SessionSilence(0, **STEADY, round_trip_us=20_000), 500 * MS),
+        (SessionSilence(0, **STEADY, round_trip_us=90_000), 500 * MS),
         (SessionSilence(0, 999, 1000 * MS - 1, 100), 250 * MS),
         (SessionSilence(0, 999, 1000 * MS, 100), 1000 * MS),
+        (SessionSilence(0, 999, 9000 * MS, 100), 1000 * MS),
     ],
-    ids=["over TCP", "not relied on yet", "a short way", "a long way", "just through", "no more through"],
+    ids=[
+        "over TCP",
+        "not relied on yet",
+        "short way",
+        "long way",
+        "very long way",
+        "just through",
+        "no more",
+        "long gone",
+    ],
 )
 def test_a_lease_follows_from_the_way_that_beats_take(held, silences, length_ns):  # network.md D4
     assert Leases(held, lambda _: silences, None, Clock()).of("one") == length_ns
@@ -205,3 +216,19 @@ def test_a_deaf_runtime_looks_again_soon(held):  # R-X12
     silences = {"one": 2 * SECOND, "two": 0}
     leases = Leases(held, lambda session: SessionSilence(silences[session]), SECOND, Clock(), lambda: 1)
     assert leases.due_ns() == 10 * MS
+
+
+def test_pauses_of_one_silence_are_excused_together(held):  # R-X12
+    silence = Silence(held, 10 * SECOND)
+    assert silence.look(10 * SECOND + 300 * MS) == []
+    assert silence.look(10 * SECOND + 600 * MS) == []
+    assert silence.look_until(11 * SECOND + 400 * MS - 1) is None
+    assert silence.look(11 * SECOND + 400 * MS) == ["one"]
+
+
+def test_no_more_is_excused_of_a_silence_than_it_has_lasted(held):  # R-X12
+    silence = Silence(held, 10 * SECOND)
+    silence.heard_ns = 10 * SECOND + 390 * MS
+    assert silence.look(10 * SECOND + 400 * MS) == []
+    assert silence.look_until(11 * SECOND + 400 * MS - 1) is None
+    assert silence.look(11 * SECOND + 400 * MS) == ["one"]
