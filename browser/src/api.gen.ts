@@ -1255,6 +1255,8 @@ export interface RecordingView {
   doc?: string;
   began_at_s?: number;
   redirects?: (RedirectView)[];
+  inside?: Record<string, SubsystemView>;
+  steps_by_task?: Record<string, (number)[]>;
 }
 
 /** What is looked at. */
@@ -1348,6 +1350,7 @@ export interface RunView {
   recorded_bytes?: number;
   black_box?: string;
   repeats_until_s?: number;
+  steps_by_task?: Record<string, (number)[]>;
 }
 
 /** What has become of a step of the application in this run. */
@@ -1407,6 +1410,7 @@ export interface RuntimeView {
   subsystems?: Record<string, string>;
   holds?: Record<string, HoldView>;
   sessions?: Record<string, SessionView>;
+  inside?: Record<string, SubsystemView>;
 }
 
 /** Somebody who is connected with the runtime; a user may be there several times. */
@@ -1517,6 +1521,28 @@ export interface ShowTask {
 export interface ShowValues {
   t: 'ShowValues';
   step: number;
+}
+
+/** A task of a running application. */
+export interface LivingTaskView {
+  state: string;
+  note?: Reason;
+  rtpu?: string;
+  hz?: number;
+}
+
+/** A state variable, and the tasks that share it. */
+export interface SharedVariableView {
+  is_constant?: boolean;
+  writers?: (string)[];
+  readers?: (string)[];
+}
+
+/** What lives in a subsystem for an application. */
+export interface SubsystemView {
+  application: string;
+  tasks?: Record<string, LivingTaskView>;
+  variables?: Record<string, SharedVariableView>;
 }
 
 /** A button of the user's own, and the command behind it. */

@@ -9,7 +9,7 @@ the cause of the outcome, and then nothing has changed. An application is over a
 """
 
 from collections import deque
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -52,6 +52,7 @@ class LiveRuntime:
         self._numbers = 0
         self._prepared = ""
         self._holders: dict[str, str] = {}
+        self._applications: dict[str, str] = {}
         self.asked: list[request.Request] = []
         self.addresses = addresses
         self.now_s = 0.0
@@ -85,6 +86,22 @@ class LiveRuntime:
     def tell(self, message: event.Event) -> None:
         """Let something happen."""
         self._told.append(message)
+
+    def perform(self, application: str, subsystem: str, tasks: Iterable[PlannedTask], holder: str = "you") -> None:
+        """Let an application run in a subsystem: its tasks are OFF, and nobody turns them ON but `turn`."""
+        self._applications[subsystem], self._holders[subsystem] = application, holder
+        self.lives[subsystem] = {task.name: _Life(task, self._rtpus[0], frequency=task.frequency) for task in tasks}
+
+    def turn(self, subsystem: str, task: str, state: State) -> None:
+        """Let a task of an application come into a state, and tell it."""
+        self.lives[subsystem][task].state = state
+        self._tell_state(subsystem, self.lives[subsystem][task])
+
+    def finish(self, application: str) -> None:
+        """Let an application be gone with all its tasks; nothing is told."""
+        gone = [home for home, name in self._applications.items() if name == application]
+        for home in gone:
+            del self.lives[home], self._applications[home], self._holders[home]
 
     def ask(self, message: request.Request) -> request.Response:
         """Answer a request."""
@@ -138,7 +155,10 @@ class LiveRuntime:
     def _survey(self) -> live.Standing:
         subsystems = tuple(
             live.SubsystemStanding(
-                home, self._holders.get(home, ""), "", tuple(self._task(life) for life in lives.values())
+                home,
+                self._holders.get(home, ""),
+                self._applications.get(home, ""),
+                tuple(self._task(life) for life in lives.values()),
             )
             for home, lives in self.lives.items()
         )

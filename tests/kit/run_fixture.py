@@ -20,6 +20,7 @@ from kit.laboratory import Laboratory
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.reconcile import runtime_loss
 from onika.desk.environment.state.model import Model
+from onika.model.lifecycle import State
 from onika.wire import act, event, request
 from onika.wire.view import RunView
 from onika.words.reason import Reason, as_reason
@@ -60,6 +61,21 @@ class RunFixture(FakeRuntimeEnv):
         if view is None:
             raise AssertionError("nothing runs")
         return view
+
+    def alive(self) -> None:
+        """Let the tasks of all its flows live, OFF, and the environment look at them."""
+        run = self.environment.model.run
+        if run is None:
+            raise AssertionError("nothing runs")
+        for flow in run.plan.flows:
+            self.runtime.perform(run.plan.application, flow.subsystem, flow.tasks)
+        self.do(act.Company())
+
+    def turned(self, task: str, state: State, *, subsystem: str = "flow0") -> None:
+        """Let a task come into a state."""
+        self.runtime.turn(subsystem, task, state)
+        self.hear()
+        self.pump()
 
     def began(self, index: int, *, flow: int = 0, at_s: float = 0.0) -> None:
         """Let an action begin."""

@@ -67,9 +67,9 @@ class Frame(Message, frozen=True):
     at_s: float
     """The runtime's own time, as in events."""
     values: dict[str, Any] = {}
-    """By `DOC/NAME`."""
+    """By `DOC/NAME`, of a running application by `@SUBSYSTEM/NAME`."""
     figures: dict[str, dict[str, Any]] = {}
-    """Of tasks by `DOC/TASK`, columns by their names in §A.5."""
+    """Of tasks by `DOC/TASK` or `@SUBSYSTEM/TASK`, columns by their names in §A.5."""
     poses: dict[str, Any] = {}
     """By world: `rows`, for each body its place x y z in m and its quaternion w x y z; `lit`, what shines."""
 

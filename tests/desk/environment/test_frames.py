@@ -69,5 +69,9 @@ def test_what_belongs_to_a_run_is_shown_under_its_application(tmp_path):  # R-E1
     figure = live.TaskFigure("flow0", "a", "m", "rt0", 1, "P", 0, "ON", *[0] * 14)
     frames.put({"flow0/A": variable(3.0)}, live.Figures((figure,), {}), play.environment.model)
     frame = frames.take()
-    assert frame.values == {f"{doc}/A": 3.0, f"{doc}/flow0/A": 3.0}
-    assert frame.figures[f"{doc}/flow0/a"]["state"] == "ON"
+    assert frame.values == {f"{doc}/A": 3.0, f"{doc}/flow0/A": 3.0} and frame.figures == {}
+    play.alive()
+    frames.put({"flow0/A": variable(4.0)}, live.Figures((figure,), {}), play.environment.model)
+    frame = frames.take()
+    assert frame.values == {f"{doc}/A": 4.0, f"{doc}/flow0/A": 4.0, "@flow0/A": 4.0}
+    assert frame.figures["@flow0/a"]["state"] == "ON"

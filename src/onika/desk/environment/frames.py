@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from onika.desk.environment.reconcile.task_figures import FigureTotals
-from onika.desk.environment.reconcile.watches import homes_of, keys_of
+from onika.desk.environment.reconcile.watches import homes_of, homes_within, keys_of
 from onika.desk.environment.state.model import Model
 from onika.wire import live, page, reading
 
@@ -29,10 +29,8 @@ class FrameBuffer:
         """What has come."""
         if not readings and figures is None:
             return
-        docs = {subsystem: doc for doc, subsystem in homes_of(model).items()}
-        if model.run is not None:
-            docs |= {home: f"{model.run.doc}/{home}" for home in model.run.homes}
-        rows = {} if figures is None else self._tally.add(figures, docs)
+        homes = {**homes_of(model), **homes_within(model)}
+        rows = {} if figures is None else self._tally.add(figures, homes)
         with self._lock:
             self._figures |= rows
             for key, body in readings.items():

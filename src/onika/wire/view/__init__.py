@@ -92,5 +92,10 @@ from onika.wire.view.show import (
     ShowTask as ShowTask,
     ShowValues as ShowValues,
 )
+from onika.wire.view.subsystem import (
+    LivingTaskView as LivingTaskView,
+    SharedVariableView as SharedVariableView,
+    SubsystemView as SubsystemView,
+)
 from onika.wire.view.tree import ButtonView as ButtonView, ConfigurationFile as ConfigurationFile, Tree as Tree
 from onika.wire.view.view import ChoiceView as ChoiceView, Objection as Objection, Remedy as Remedy, View as View

@@ -6,6 +6,7 @@ from msgspec import field
 
 from onika.wire.view.application import RedirectView
 from onika.wire.view.run import RunView
+from onika.wire.view.subsystem import SubsystemView
 from onika.wire.view.view import View
 from onika.words.reason import NOTHING, Reason
 
@@ -74,6 +75,10 @@ class RecordingView(View, frozen=True):
     """When it began, in seconds since 1970; 0: it was not said."""
     redirects: tuple[RedirectView, ...] = ()
     """Who stood for whom in that run."""
+    inside: dict[str, SubsystemView] = field(default_factory=dict)
+    """What lived in its subsystems; the states are those of the instant."""
+    steps_by_task: dict[str, tuple[int, ...]] = field(default_factory=dict)
+    """As in a run that goes on."""
 
 
 class DifferenceView(View, frozen=True):

@@ -155,3 +155,5 @@ class RunView(View, frozen=True):
     """The file on the runtime's machine in which its last seconds stand, once it has ended badly; empty: none."""
     repeats_until_s: float = 0.0
     """Up to when it is a recorded run again, before it goes on as it is steered; 0: it is a run of its own."""
+    steps_by_task: dict[str, tuple[int, ...]] = field(default_factory=dict)
+    """By `SUBSYSTEM/TASK`: the steps of the application in which it is ON."""

@@ -5,6 +5,7 @@ from typing import Literal
 from msgspec import field
 
 from onika.wire.view.asking import AskView
+from onika.wire.view.subsystem import SubsystemView
 from onika.wire.view.view import View
 from onika.words.reason import NOTHING, Reason
 
@@ -73,3 +74,5 @@ class RuntimeView(View, frozen=True):
     """Who may change which of them."""
     sessions: dict[str, SessionView] = field(default_factory=dict)
     """Who is there, by name."""
+    inside: dict[str, SubsystemView] = field(default_factory=dict)
+    """What lives in those in which an application runs."""

@@ -36,6 +36,7 @@ def test_the_runtime_is_shown_as_it_stands():
         {"rt0": view.UnitView(0.12), "rt1": view.UnitView(0.0, True)}, {"boxes": True},
         {"left": "anna#2", "right": "assemble"},
         {"left": view.HoldView("anna#2"), "right": view.HoldView("", "assemble")},
+        inside={"right": view.SubsystemView("assemble")},
     )  # fmt: skip
 
 

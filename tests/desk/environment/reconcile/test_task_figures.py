@@ -22,19 +22,19 @@ def test_a_task_without_a_rate_has_no_period():
 
 def test_what_is_counted_is_added_up_though_counting_begins_anew():  # R-A17
     tally = FigureTotals()
-    tally.add(live.Figures((figure(10, 1),), {}), {"main": "c1"})
-    row = tally.add(live.Figures((figure(5, 0),), {}), {"main": "c1"})["c1/a"]
+    tally.add(live.Figures((figure(10, 1),), {}), {"c1": "main"})
+    row = tally.add(live.Figures((figure(5, 0),), {}), {"c1": "main"})["c1/a"]
     assert (row["cycle"], row["miss"], row["warn"], row["tot-C"], row["ptime"]) == (15, 1, 4, 8.0, 1.0)
     assert row["mez-F"] == 99.5 and row["avg-U"] == 0.2
 
 
 def test_a_task_that_is_born_again_counts_from_nothing():
     tally = FigureTotals()
-    tally.add(live.Figures((figure(10),), {}), {"main": "c1"})
-    assert tally.add(live.Figures((figure(5, tid=8),), {}), {"main": "c1"})["c1/a"]["cycle"] == 5
+    tally.add(live.Figures((figure(10),), {}), {"c1": "main"})
+    assert tally.add(live.Figures((figure(5, tid=8),), {}), {"c1": "main"})["c1/a"]["cycle"] == 5
 
 
 def test_what_no_document_shows_is_counted_and_not_shown():
     tally = FigureTotals()
     assert tally.add(live.Figures((figure(10),), {}), {}) == {}
-    assert tally.add(live.Figures((figure(5),), {}), {"main": "c1"})["c1/a"]["cycle"] == 15
+    assert tally.add(live.Figures((figure(5),), {}), {"c1": "main"})["c1/a"]["cycle"] == 15

@@ -7,6 +7,7 @@ import msgspec
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.reconcile import holders, presence, reconciliation, task_reducer
 from onika.desk.environment.reconcile.watches import is_going
+from onika.desk.environment.run_state import subsystem_views
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.desk.run import transfer_text
@@ -17,7 +18,7 @@ from onika.words.reason import NOTHING, Reason
 
 def after_event(model: Model, message: event.Event, at_s: float = 0.0) -> Done:
     """The model after a piece of news, and what is worth a line; `at_s` is seconds since 1970."""
-    model = _questioned(model, message)
+    model = _within_runs(_questioned(model, message), message)
     match message:
         case event.TaskState() | event.Failed() | event.Asked() | event.Warned() | event.Signalled():
             return _of_task(model, message)
@@ -85,14 +86,31 @@ def _questioned(model: Model, message: event.Event) -> Model:
     return model
 
 
+def _within_runs(model: Model, message: event.Event) -> Model:
+    """What becomes of the tasks of applications, whoever began these."""
+    match message:
+        case event.TaskState():
+            runtime = subsystem_views.turned(model.runtime, message)
+        case event.Failed():
+            runtime = subsystem_views.failed(model.runtime, message)
+        case _:
+            return model
+    if runtime is model.runtime:
+        return model
+    return replace(model, runtime=runtime)
+
+
 def _of_task(model: Model, message: task_reducer.TaskEvent) -> Done:
     """What a task of a connected document tells is a fact of that; a subsystem that nobody knows yet is looked at."""
     document = _home(model, message.subsystem)
     if document is not None:
         return task_reducer.after_event(model, document, message)
     subsystem = message.subsystem
-    is_new = bool(subsystem) and subsystem not in model.runtime.subsystems and not is_going(model)
-    return Done(_with_subsystem(model, subsystem), orders=(presence.ask_what(),) if is_new else ())
+    is_new = bool(subsystem) and subsystem not in model.runtime.subsystems
+    is_born = isinstance(message, event.TaskState) and subsystem_views.is_born(model.runtime, message)
+    # of the run that goes on here all is asked when its first action begins
+    is_asked = (is_new or is_born) and not is_going(model)
+    return Done(_with_subsystem(model, subsystem), orders=(presence.ask_what(),) if is_asked else ())
 
 
 def _held(model: Model, message: event.Held, at_s: float) -> Done:

@@ -15,8 +15,11 @@ class FigureTotals:
     def __init__(self) -> None:
         self._sums: dict[tuple[str, str, int], dict[str, float]] = {}
 
-    def add(self, figures: live.Figures, docs: Mapping[str, str]) -> dict[str, dict[str, Any]]:
-        """The rows by `DOC/TASK`; `docs` are the documents by their subsystems."""
+    def add(self, figures: live.Figures, homes: Mapping[str, str]) -> dict[str, dict[str, Any]]:
+        """The rows by `DOC/TASK`; `homes` are the subsystems of documents, and of what is looked into."""
+        docs: dict[str, list[str]] = {}
+        for doc, subsystem in homes.items():
+            docs.setdefault(subsystem, []).append(doc)
         sums: dict[tuple[str, str, int], dict[str, float]] = {}
         rows: dict[str, dict[str, Any]] = {}
         for task in figures.tasks:
@@ -24,8 +27,8 @@ class FigureTotals:
             key = (task.subsystem, task.task, task.tid)
             before = self._sums.get(key, {})
             sums[key] = {name: row[name] + before.get(name, 0) for name in _COUNTED}
-            if task.subsystem in docs:
-                rows[f"{docs[task.subsystem]}/{task.task}"] = row | sums[key]
+            for doc in docs.get(task.subsystem, ()):
+                rows[f"{doc}/{task.task}"] = row | sums[key]
         self._sums = sums
         return rows
 

@@ -8,11 +8,12 @@ from onika.wire import holding, live
 
 FASTEST_HZ = 60.0
 _SLOWEST_HZ = 0.1
+_INTO = "@"
 
 
 @dataclass(frozen=True, slots=True)
 class Watch:
-    """A wish: variables as `DOC/NAME`, worlds by name, figures of all tasks, and how often at most."""
+    """A wish: variables as `DOC/NAME` or `@SUBSYSTEM/NAME`, worlds, figures of all tasks, how often at most."""
 
     variables: frozenset[str] = frozenset()
     worlds: frozenset[str] = frozenset()
@@ -21,7 +22,7 @@ class Watch:
 
     def attend(self, model: Model) -> live.Attend:
         """What is asked of the runtime with which the documents of this model are connected."""
-        homes = homes_of(model)
+        homes = {**homes_of(model), **homes_within(model)}
         keys = [key.partition("/") for key in sorted(self.variables)]
         of_documents = [f"{homes[doc]}/{name}" for doc, _, name in keys if doc in homes and name]
         of_run = [home for doc, _, name in keys if (home := _home_in_run(model, doc, name))]
@@ -29,14 +30,18 @@ class Watch:
         hz = _SLOWEST_HZ if isnan(self.hz) else min(max(self.hz, _SLOWEST_HZ), FASTEST_HZ)
         # others' runs tell the same words; the own one is heard of by its subsystems too where it was handed over
         own = model.run.homes if model.run is not None else ()
-        attended = (*sorted({*homes.values(), *own}), holding.COMPANY) if is_going(model) else ("*",)
+        attended = (*sorted({*homes_of(model).values(), *own}), holding.COMPANY) if is_going(model) else ("*",)
         return live.Attend(attended, readings, tuple(sorted(self.worlds)), hz)
 
 
 def keys_of(model: Model, key: str) -> tuple[str, ...]:
-    """Under which names a reading `SUBSYSTEM/NAME` is shown: `DOC/NAME`, of a run `DOC/SUBSYSTEM/NAME` too."""
+    """Under which names a reading `SUBSYSTEM/NAME` is shown: `DOC/NAME`, of a run `DOC/SUBSYSTEM/NAME` too.
+
+    Of any running application it is shown as `@SUBSYSTEM/NAME` besides.
+    """
     subsystem, _, name = key.rpartition("/")
-    of_documents = [f"{doc}/{name}" for doc, home in homes_of(model).items() if home == subsystem]
+    homes = {**homes_of(model), **homes_within(model)}
+    of_documents = [f"{doc}/{name}" for doc, home in homes.items() if home == subsystem]
     run = model.run
     if run is None or subsystem not in run.view.flows:
         return tuple(of_documents)
@@ -57,6 +62,11 @@ def _home_in_run(model: Model, doc: str, name: str) -> str:
         return "/".join(model.run.flow_index.home(name))
     except ValueError:
         return ""
+
+
+def homes_within(model: Model) -> dict[str, str]:
+    """The subsystems of running applications, each as what can be looked into: `@SUBSYSTEM`."""
+    return {f"{_INTO}{subsystem}": subsystem for subsystem in model.runtime.inside}
 
 
 def homes_of(model: Model) -> dict[str, str]:

@@ -6,11 +6,14 @@ from datetime import datetime
 from pathlib import Path
 from threading import Event
 
+from msgspec import structs
+
 from onika.desk.environment.run_state.event_marks import marks
 from onika.desk.environment.run_state.messages import IconWording
 from onika.desk.environment.run_state.replay import RunHistory
 from onika.desk.environment.run_state.run import Run, begun
 from onika.desk.environment.run_state.step_mapping import StepMapping
+from onika.desk.environment.run_state.subsystem_views import planned
 from onika.desk.environment.run_state.variable_cache import VariableCache
 from onika.desk.run.recorded_run import RecordingSource, recorded_run
 from onika.desk.run.recording_digest import black_box_line
@@ -49,15 +52,18 @@ def subject(review: Review, recast: StepMapping, durations: Mapping[tuple[int, i
     """Made of a recording, and of the steps of the open application that its actions are."""
     run = begun(recast.doc, recast.plan, 0, _began(review.run.began), recast.belonging)
     run = replace(run, wording=recast.wording, durations=durations)
-    run = run.shown(state="running", recording=str(review.path))
-    return ReviewedRun(review, RunHistory(run, review.events), _view(review, run, recast), run.wording)
+    steps_by_task = run.view.steps_by_task
+    run = run.shown(state="running", recording=str(review.path), steps_by_task={})  # told once, not at every instant
+    view = structs.replace(_view(review, run, recast), steps_by_task=steps_by_task)
+    return ReviewedRun(review, RunHistory(run, review.events), view, run.wording)
 
 
 def _view(review: Review, run: Run, recast: StepMapping) -> RecordingView:
     begin_s, end_s = review.span_s
+    flow_plan = review.run.prepare.plan
     return RecordingView(
         path=str(review.path),
-        name=review.run.prepare.plan.application,
+        name=flow_plan.application,
         is_virtual=review.run.is_virtual,
         is_whole=review.is_whole,
         is_completed=review.ending.get("completed") == "yes",
@@ -76,6 +82,7 @@ def _view(review: Review, run: Run, recast: StepMapping) -> RecordingView:
         doc=recast.doc,
         began_at_s=_began(review.run.began),
         redirects=tuple(_redirects(review)),
+        inside={flow.subsystem: planned(flow_plan.application, flow.tasks) for flow in flow_plan.flows},
     )
 
 

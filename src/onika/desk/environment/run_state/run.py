@@ -131,5 +131,17 @@ def begun(
         for order, flow in enumerate(plan.flows)
     }
     of = sum(len(flow.actions) for flow in plan.flows)
-    view = RunView(doc, plan.application, number, began_at_s=at_s, flows=flows, of=of)
+    view = RunView(
+        doc, plan.application, number, began_at_s=at_s, flows=flows, of=of, steps_by_task=_steps_by_task(plan)
+    )
     return Run(view, plan, FlowIndex.of(plan), belonging, wording.hearing(plan))
+
+
+def _steps_by_task(plan: Plan) -> dict[str, tuple[int, ...]]:
+    """The steps of the application in which each task is ON, in the order of the plan, by `SUBSYSTEM/TASK`."""
+    steps: dict[str, dict[int, None]] = {}
+    for flow in plan.flows:
+        for action in flow.actions:
+            for task in action.tasks if action.spot else ():
+                steps.setdefault(f"{flow.subsystem}/{task}", {})[action.spot[0]] = None
+    return {address: tuple(numbers) for address, numbers in steps.items()}
