@@ -67,6 +67,7 @@ def main(words: Sequence[str]) -> int:
     parser.add_argument("--only", choices=("kills", "freezes"))
     parser.add_argument("--loud", action="store_true")
     given = parser.parse_args(words)
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background job and all below it ignore it
     bad = 0
     for name in given.stage or list(Stage):
         stage = Stage(name)

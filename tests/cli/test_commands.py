@@ -1,3 +1,6 @@
+from io import TextIOWrapper
+from pathlib import Path
+
 import pytest
 
 from onika import __version__
@@ -25,3 +28,12 @@ def test_every_command_describes_itself(capsys):
     shown = capsys.readouterr().out
     for command in ("page", "run", "check", "new", "doctor"):
         assert command in shown
+
+
+@pytest.mark.parametrize("words", [["--help"], ["recording", "--help"]])
+def test_help_that_cannot_be_written_is_a_failure(words, capsys, monkeypatch):
+    with Path("/dev/full").open("wb", buffering=0) as full:
+        monkeypatch.setattr("sys.stdout", TextIOWrapper(full, write_through=True))
+        monkeypatch.setattr("onika.cli.commands._drop_output", lambda: None)
+        assert carry_out(words) == 1
+    assert "no space" in capsys.readouterr().err

@@ -4,6 +4,7 @@ import argparse
 import os
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from onika import __version__
 from onika.cli import (
@@ -29,6 +30,9 @@ from onika.words.reason import Reason, reason_of
 from onika.words.sentence import LANGUAGES
 from onika.words.system_error import system_reason_with_place
 
+if TYPE_CHECKING:
+    from _typeshed import SupportsWrite
+
 KEEPING = frozenset(("page", "run", "test", "runtime", "console"))
 """Commands that keep something in the state directory, or let others in by what lies there."""
 
@@ -48,6 +52,17 @@ COMMANDS = {
 }
 
 
+class CommandParser(argparse.ArgumentParser):
+    """A parser whose help is out, or the command has failed; the usual one says nothing of a full disk."""
+
+    def print_help(self, file: "SupportsWrite[str] | None" = None) -> None:
+        """Write it; raises OSError."""
+        out = sys.stdout if file is None else file
+        if out is not None:
+            out.write(self.format_help())
+        _flush()
+
+
 def carry_out(words: list[str] | None) -> int:
     """Carry out a command line; the exit code."""
     argument_words.translate()
@@ -58,11 +73,15 @@ def carry_out(words: list[str] | None) -> int:
             if given.command in KEEPING and not _is_ours(state_directory(os.environ)):
                 return 2
             code: int = COMMANDS[given.command].carry_out(given)
-            if sys.stdout is not None:
-                sys.stdout.flush()
+            _flush()
             return code
         except (KeyboardInterrupt, OSError, UnicodeError, LinkLost) as ending:
             return _ended(ending)
+
+
+def _flush() -> None:
+    if sys.stdout is not None:
+        sys.stdout.flush()
 
 
 def _is_ours(state: Path) -> bool:
@@ -105,7 +124,7 @@ def _drop_output() -> None:
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="onika", description=say(Reason.of("cli.description")))
+    parser = CommandParser(prog="onika", description=say(Reason.of("cli.description")))
     parser.add_argument(
         "--version", action="version", version=f"onika {__version__}", help=say(Reason.of("cli.version_option"))
     )

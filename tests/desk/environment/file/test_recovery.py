@@ -123,6 +123,20 @@ def test_what_cannot_be_read_is_put_aside(dead):
     again.leave()
 
 
+def test_of_what_cannot_be_read_only_the_newest_is_kept(dead):
+    (path,) = (dead / "recovery").glob("*/*.json")
+    path.write_text("{")
+    for number in range(30):
+        older = dead / "recovery" / f"of-{number:02}.broken"
+        older.write_text("{")
+        os.utime(older, (number, number))
+    Recovery(dead).recovered()
+    kept = sorted(broken.name for broken in (dead / "recovery").glob("*.broken"))
+    assert len(kept) == 20
+    assert "of-29.broken" in kept
+    assert "of-10.broken" not in kept
+
+
 def test_where_nothing_can_be_written_the_reason_is_given(tmp_path):
     recovery = Recovery(tmp_path)
     os.rename(recovery.folder, tmp_path / "away")  # noqa: PTH104 - the folder is another's from now on

@@ -29,6 +29,8 @@ from onika.words.reason import NOTHING, Reason, reason_of
 
 _LOCK = ".lock"
 _ENDING = ".json"
+_UNREADABLE = ".broken"
+_MOST_UNREADABLE = 20
 
 
 class Recovery:
@@ -120,7 +122,15 @@ def _read(folder: Path) -> Iterator[RecoveryRecord]:
             yield records.read(content or "")
         except ValueError:
             with suppress(OSError):
-                path.rename(folder.parent / f"{folder.name}-{path.stem}.broken")
+                path.rename(folder.parent / f"{folder.name}-{path.stem}{_UNREADABLE}")
+                _forget_oldest(folder.parent)
+
+
+def _forget_oldest(folder: Path) -> None:
+    """Of what cannot be read only the newest is kept, for whoever wants to look why."""
+    unreadable = sorted(folder.glob(f"*{_UNREADABLE}"), key=lambda path: (path.stat().st_mtime, path.name))
+    for path in unreadable[:-_MOST_UNREADABLE]:
+        path.unlink()
 
 
 def _held(folder: Path) -> int | None:
