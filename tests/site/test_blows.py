@@ -3,11 +3,15 @@
 The limits in s are those of a machine that has time (`make soak`); here they are stretched.
 """
 
+import os
 import signal
 
 import pytest
 
-from kit.blows import FREEZES, KINDS, Blow, Kind, Stage, blows, strike
+from kit.blows import FREEZES, KINDS, LEFT_S, Blow, Kind, Stage, blows, strike
+from kit.cli_process import CliProcess
+from kit.traces import Traces
+from onika.record.reader import Reader
 
 pytestmark = pytest.mark.site
 
@@ -26,6 +30,22 @@ def test_nothing_stays_behind_after_a_blow(tmp_path, stage, blow):  # R-E10, R-F
     aftermath = strike(stage, blow, tmp_path)
     assert aftermath.has_hit
     assert aftermath.faults(PATIENCE) == [], aftermath.output[-5:]
+
+
+def test_a_power_cut_of_all_processes_at_once_leaves_nothing_behind(tmp_path):  # R-E10, R-F01, R-X05
+    traces, recording = Traces(tmp_path), tmp_path / "run.mcap"
+    words = ("run", "go_home", "--json", "--record", str(recording))
+    with CliProcess(*words, environment=traces.environment) as console:
+        console.until(event="drive", state="DRIVEN")
+        processes = traces.processes()
+        for signum in (signal.SIGSTOP, signal.SIGKILL):  # nobody sees another one die
+            for pid in processes:
+                os.kill(pid, signum)
+        assert console.code() == -signal.SIGKILL
+    assert any(Kind.RECORDING in command for command in processes.values())
+    assert traces.left_over(LEFT_S * PATIENCE) == []
+    assert not list(traces.home.rglob("*.unfinished"))
+    Reader(recording).close()
 
 
 @pytest.mark.slow
