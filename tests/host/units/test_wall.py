@@ -8,6 +8,7 @@ from kit.plan_builder import PlanBuilder, action
 from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare
 from onika.host.run.runner import Runner
+from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.supervisor import Supervisor
 from onika.host.units.wall import DEVICES, WallDriver
 from onika.ring.segment import Segment
@@ -115,6 +116,15 @@ def test_a_lost_device_server_ends_the_run_and_leaves_nothing_to_draw(start):  #
     assert run.driver.snapshots() == {}
     with pytest.raises(ValueError, match="gone"):
         run.driver.grant("rt0", "boxes:lamp")
+
+
+def test_a_device_server_that_lives_but_does_not_answer_is_not_waited_for_long(start, monkeypatch):  # R-E10
+    run = start(most="60")
+    run.driven()
+    monkeypatch.setattr(ProcessSocket, "send", lambda *_: None)
+    with pytest.raises(ValueError, match="waited 2 s"):
+        run.driver.touch("boxes", "panic_left", 1.0)
+    monkeypatch.undo()
 
 
 def test_a_device_that_is_not_there_is_refused_with_the_reason(start):  # law 16

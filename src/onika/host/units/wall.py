@@ -21,6 +21,8 @@ from onika.words.reason import Reason, reason_of
 
 DEVICES = "device server"
 _PATIENCE_S = 15.0
+_ANSWER_S = 2.0
+"""So long the device server may owe an answer: meanwhile nobody else is served."""
 
 
 class WallDriver:
@@ -315,17 +317,17 @@ class WallDriver:
         return self._answer_of_devices()
 
     def _answer_of_devices(self) -> device_server.Word:
-        self._await(lambda: bool(self._answers), Reason.of("host.the_device_server_to_answer"))
+        self._await(lambda: bool(self._answers), Reason.of("host.the_device_server_to_answer"), _ANSWER_S)
         return self._answers.popleft()
 
-    def _await(self, is_done: Callable[[], bool], what: Reason) -> None:
+    def _await(self, is_done: Callable[[], bool], what: Reason, patience_s: float = _PATIENCE_S) -> None:
         """Serve the posts until something is there; raises ValueError when it does not come."""
-        until = monotonic_ns() + round(_PATIENCE_S * 1e9)
+        until = monotonic_ns() + round(patience_s * 1e9)
         while not is_done():
             if self._devices.is_lost:
                 raise ValueError(Reason.of("host.waits_in_vain", what=what))
             if monotonic_ns() > until:
-                raise ValueError(Reason.of("host.waited", seconds=_PATIENCE_S, what=what))
+                raise ValueError(Reason.of("host.waited", seconds=patience_s, what=what))
             select.select([post.post for post in self.posts()], [], [], 0.02)
             self._receive()
             trouble = self._supervisor.trouble()
