@@ -111,9 +111,9 @@ class MassWorld:
         """As the drives of any world."""
         return {name: mass.mode(self._is_stopped) for name, mass in self._masses.items()}
 
-    def parts(self) -> Mapping[str, str]:
+    def parts(self) -> Mapping[str, Reason]:
         """The one button."""
-        return {"panic": "1 pressed, 0 let go"}
+        return {"panic": Reason.of("workcell.button_takes")}
 
     def touch(self, part: str, value: float) -> None:
         """Press the button or let it go; raises ValueError for another part or value."""

@@ -4,6 +4,7 @@ import itertools
 
 import numpy as np
 import pytest
+from msgspec import convert
 
 from kit.mass_world import MassWorld
 from onika.ring.device import DeviceOrder, DeviceSheet, DriveState
@@ -12,6 +13,7 @@ from onika.ring.segment import Segment
 from onika.ring.slots import Ring
 from onika.runtime.bus import SEGMENT_SIZE, Bus
 from onika.runtime.modules.binding import attach
+from onika.words.reason import Reason
 from onika.workcell.boxes import BoxesWorld
 
 MS = 1_000_000
@@ -73,7 +75,7 @@ def test_a_world_is_drawn_and_touched_by_plain_values(segment):  # R-K06
     bus = Bus("w", BoxesWorld(), segment)
     scene = bus.scene()
     assert {shape["name"] for shape in scene["shapes"]} >= {shape.name for shape in bus.world.scene()}
-    assert scene["parts"] == dict(bus.world.parts())
+    assert convert(scene["parts"], dict[str, Reason]) == dict(bus.world.parts())
     assert bus.poses() == (bus.world.now_ns, bus.world.poses().tobytes(), bus.world.lit)
 
 

@@ -8,6 +8,7 @@ from dataclasses import asdict
 from typing import Any, Protocol
 
 import numpy as np
+from msgspec import to_builtins
 
 from onika.ring.device import DeviceSheet, DriveEvent
 from onika.ring.drive import DriveMode
@@ -65,8 +66,8 @@ class World(Protocol):
         """How the drive of every device that takes commands stands from within."""
         ...
 
-    def parts(self) -> Mapping[str, str]:
-        """What a hand can touch, such as a button, and in words the values that it takes."""
+    def parts(self) -> Mapping[str, Reason]:
+        """What a hand can touch, such as a button, and the values that it takes."""
         ...
 
     def touch(self, part: str, value: float) -> None:
@@ -168,7 +169,10 @@ class Bus:
 
     def scene(self) -> dict[str, Any]:
         """What there is to draw and to touch, as plain values that travel."""
-        return {"shapes": [asdict(shape) for shape in self.world.scene()], "parts": dict(self.world.parts())}
+        return {
+            "shapes": [asdict(shape) for shape in self.world.scene()],
+            "parts": {name: to_builtins(takes) for name, takes in self.world.parts().items()},
+        }
 
     def poses(self) -> Poses:
         """The world's time, the poses of its bodies, and what shines."""

@@ -166,9 +166,9 @@ class BoxesWorld:
         """How the drives of the arms and hands that are there stand."""
         return {unit.sheet.name: unit.drive.mode for unit in self._present if unit.count}
 
-    def parts(self) -> Mapping[str, str]:
+    def parts(self) -> Mapping[str, Reason]:
         """What a hand can touch in this world, and the values that it takes."""
-        return {button.name: str(button.takes) for button in self._buttons.values()}
+        return {button.name: button.takes for button in self._buttons.values()}
 
     def touch(self, part: str, value: float) -> None:
         """Touch a part between two steps; raises ValueError for an unknown part or a value that it does not take."""

@@ -1,3 +1,5 @@
+from msgspec import to_builtins
+
 from onika.wire import live
 from onika.words.reason import Reason
 
@@ -26,7 +28,7 @@ def test_values_are_numbers_and_a_value_belongs_to_a_part(sit):
 
 def test_the_parts_of_a_world_are_listed(sit):
     sitting = sit()
-    sitting.runtime.scenes["boxes"] = {"parts": {"panic_left": "1 pressed, 0 let go"}}
+    sitting.runtime.scenes["boxes"] = {"parts": {"panic_left": to_builtins(Reason.of("workcell.button_takes"))}}
     assert any(
         line.split() == ["panic_left", "1", "pressed,", "0", "let", "go"] for line in sitting.does("touch boxes")
     )

@@ -112,7 +112,7 @@ def test_a_failure_tells_the_values_of_that_cycle(rig):  # R-A18
     values = rig.news_of(news.Failed)[0].values
     assert rig.task("one").state is State.ERROR
     assert (values["N^"], values["Q"], values["NAME"], values["FLAG"]) == (5, [1.5, float("inf")], "cube", "x")
-    assert values["IMAGE"] == [*range(64), "… 400 in all"]
+    assert values["IMAGE"] == [*range(64), "… (400)"]
     assert rig["N^"] == 4  # what failed was not published
     failed = next(entry for _, entry in rig.news if isinstance(entry, news.Failed))
     assert news.decode(news.encode(failed)).values == values

@@ -1,5 +1,7 @@
 """The console command `touch`: touches a part of a simulated world, such as a panic button (§4.5.2)."""
 
+from msgspec import convert
+
 from onika.desk.console.session import ConsoleSession, Faults
 from onika.wire import live, request
 from onika.words.reason import Reason
@@ -27,7 +29,7 @@ def _list(session: ConsoleSession, world: str) -> Faults:
     answer = session.ask(live.Scene(world))
     if isinstance(answer, request.Refused):
         return session.no(Reason.of("console.world_refused", world=world, reason=answer.reason))
-    parts = answer.scene.get("parts", {}) if isinstance(answer, live.Scenery) else {}
+    parts = convert(answer.scene.get("parts", {}), dict[str, Reason]) if isinstance(answer, live.Scenery) else {}
     if parts:
         head = (Reason.of("console.head_part"), Reason.of("console.head_values"))
         session.show_table(head, sorted(parts.items()))

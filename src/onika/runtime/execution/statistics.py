@@ -82,4 +82,4 @@ def _plain(value: Any) -> Any:
     flat = value.ravel()
     if flat.size <= _LONGEST_LIST:
         return value.tolist()
-    return [*flat[:_LONGEST_LIST].tolist(), f"… {flat.size} in all"]
+    return [*flat[:_LONGEST_LIST].tolist(), f"… ({flat.size})"]
