@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from onika.cli.language import say
 from onika.desk.run import explanation_text, transfer_text
+from onika.desk.run.item_text import bounds, default
 from onika.desk.run.outcome import Outcome
 from onika.desk.run.positions import waits
 from onika.wire import event
@@ -124,25 +125,8 @@ def item_text(item: event.Item) -> Reason:
     unit = NOTHING
     if item.unit not in ("", "-"):
         unit = Reason.of("cli.item_unit", unit=item.unit)
-    default = NOTHING
-    if item.default is not None:
-        default = Reason.of("cli.item_default", values=" ".join(map(str, item.default)))
-    parts = [name, Reason.plain(item.meaning), unit, _bounds(item), default]
+    parts = [name, Reason.plain(item.meaning), unit, bounds(item), default(item)]
     return Reason.of("cli.item_parts", parts=tuple(part for part in parts if part))
-
-
-def _bounds(item: event.Item) -> Reason:
-    if item.low is not None and item.high is not None:
-        return Reason.of("cli.item_range", low=_numbers(item.low), high=_numbers(item.high))
-    if item.low is not None:
-        return Reason.of("cli.item_least", low=_numbers(item.low))
-    if item.high is not None:
-        return Reason.of("cli.item_most", high=_numbers(item.high))
-    return NOTHING
-
-
-def _numbers(values: Sequence[float]) -> str:
-    return " ".join(f"{number:g}" for number in values)
 
 
 def summary(outcome: Outcome, drawn: Reason) -> Iterator[SummaryLine]:

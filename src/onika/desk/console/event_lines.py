@@ -1,10 +1,11 @@
 """Shows the events of a runtime as console lines."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 
 from onika.desk.console.display import Tone
 from onika.desk.console.value import shown
 from onika.desk.run import explanation_text, transfer_text
+from onika.desk.run.item_text import bounds, default
 from onika.desk.run.positions import waits
 from onika.wire import event
 from onika.words.reason import NOTHING, Reason
@@ -64,11 +65,7 @@ def question(message: event.Asked, item: event.Item) -> Reason:
     parts: list[Reason] = [_name_and_type(item)]
     if item.meaning:
         parts.append(Reason.plain(item.meaning))
-    bounds = _bounds(item)
-    if bounds:
-        parts.append(bounds)
-    if item.default is not None:
-        parts.append(Reason.of("console.default", values=" ".join(map(str, item.default))))
+    parts.extend(limits for limits in (bounds(item), default(item)) if limits)
     return Reason.of("console.asks_for", task=f"{message.subsystem}/{message.task}", parts=tuple(parts))
 
 
@@ -78,21 +75,6 @@ def _name_and_type(item: event.Item) -> Reason:
     if item.unit in ("", "-"):
         return Reason.plain(name)
     return Reason.of("console.in_unit", name=name, unit=item.unit)
-
-
-def _bounds(item: event.Item) -> Reason:
-    """Between which values it lies; nothing where it has no bounds."""
-    if item.low is not None and item.high is not None:
-        return Reason.of("console.from_to", low=_numbers(item.low), high=_numbers(item.high))
-    if item.low is not None:
-        return Reason.of("console.at_least", low=_numbers(item.low))
-    if item.high is not None:
-        return Reason.of("console.at_most", high=_numbers(item.high))
-    return NOTHING
-
-
-def _numbers(values: Iterable[float]) -> str:
-    return " ".join(f"{value:g}" for value in values)
 
 
 def _flows(message: event.Moved | event.Met | event.Explained, say: Callable[[Reason], str]) -> Iterator[Line]:
