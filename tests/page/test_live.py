@@ -310,7 +310,7 @@ def test_what_a_fault_would_lead_to_is_said_and_nothing_is_touched(me):  # R-X24
     panel.get_by_label("A fault").select_option("A task fails")
     whom = panel.get_by_label("Whom it concerns")
     whom.select_option(whom.get_by_text(re.compile("wave$")).get_attribute("value"))
-    expect(panel.get_by_role("heading", name=re.compile("^What if .+wave fails now"))).to_be_visible()
+    expect(panel.get_by_role("heading", name=re.compile("^What if .+wave fails"))).to_be_visible()
     expect(panel.get_by_role("img", name=re.compile("^What comes when: fault 0 ms"))).to_be_visible()
     expect(panel.get_by_text("ERROR", exact=True)).to_be_visible()
     expect(panel.get_by_text(re.compile("^Clear .+wave, then turn it on again"))).to_be_visible()

@@ -1,4 +1,4 @@
-// Where what follows from a fault stands on its small line of time: early things are told apart, late ones still fit.
+// Where what follows from a fault stands on its small line of time: to scale where its words have room so.
 export interface Happening {
   within_ms: number
   kind: string
@@ -12,35 +12,49 @@ export interface Instant {
   x: number
   kinds: Kind[]
 }
-export type Kind = 'fault' | 'noticed' | 'drive' | 'told'
+export type Kind = 'fault' | 'first' | 'drive' | 'told'
 
-/** What each instant means: the fault, the first change, the last drive that changed, and that all is told. */
-export function instantsOf(effects: readonly Happening[], width: number, apart: number): Instant[] {
-  const kindsAt = new Map<number, Kind[]>([[0, ['fault']]])
-  const put = (ms: number | undefined, kind: Kind): void => {
-    if (ms !== undefined) kindsAt.set(ms, [...(kindsAt.get(ms) ?? []), kind])
-  }
-  const times = (chosen: readonly Happening[]): number[] => chosen.map((effect) => effect.within_ms)
-  const drives = times(effects.filter((effect) => effect.kind === 'drive'))
-  const told = times(effects.filter((effect) => effect.is_told))
-  put(effects.length ? Math.min(...times(effects)) : undefined, 'noticed')
-  put(drives.length ? Math.max(...drives) : undefined, 'drive')
-  put(told.length ? Math.max(...told) : undefined, 'told')
-  const instants = [...kindsAt.entries()].sort(([a], [b]) => a - b)
-  const places = spread(
-    instants.map(([ms]) => ms),
-    width,
-    apart,
-  )
-  return instants.map(([ms, kinds], k) => ({ ms, x: places[k] ?? 0, kinds }))
+/** The line; not to scale, it shows early things apart and late ones still. */
+export interface Line {
+  instants: Instant[]
+  isToScale: boolean
 }
 
-/** Places on a line, in the order of the times and further apart the later, but never nearer than `apart`. */
+/** What each instant means: the fault, the first change, the last drive that changed, and that all is told. */
+export function instantsOf(effects: readonly Happening[], width: number, apart: number): Line {
+  const kindsAt = new Map<number, Kind[]>([[0, ['fault']]])
+  const put = (times: number[], kind: Kind, choose: (...values: number[]) => number): void => {
+    if (!times.length) return
+    const ms = choose(...times)
+    kindsAt.set(ms, [...(kindsAt.get(ms) ?? []), kind])
+  }
+  const times = (chosen: readonly Happening[]): number[] => chosen.map((effect) => effect.within_ms)
+  put(times(effects.filter((effect) => effect.kind === 'drive')), 'drive', Math.max)
+  put(times(effects.filter((effect) => effect.is_told)), 'told', Math.max)
+  const first = Math.min(...times(effects))
+  if (effects.length && !kindsAt.has(first)) put([first], 'first', Math.min) // else its own word says more
+  const instants = [...kindsAt.entries()].sort(([a], [b]) => a - b)
+  const moments = instants.map(([ms]) => ms)
+  const places = spread(moments, width, apart)
+  return {
+    instants: instants.map(([ms, kinds], k) => ({ ms, x: places[k] ?? 0, kinds })),
+    isToScale: hasRoom(moments, width, apart),
+  }
+}
+
+/** Whether places to scale are nowhere nearer than `apart`. */
+function hasRoom(times: readonly number[], width: number, apart: number): boolean {
+  const scale = width / (times.at(-1) || 1)
+  return times.slice(1).every((ms, k) => (ms - (times[k] ?? 0)) * scale >= apart)
+}
+
+/** Places on a line in the order of the times: to scale, or, where that is too narrow, further apart the later. */
 export function spread(times: readonly number[], width: number, apart: number): number[] {
-  const last = times.length - 1
-  const longest = Math.log1p(times[last] ?? 0)
-  const free = Math.max(0, width - apart * last)
-  return times.map((ms, k) => k * apart + (longest > 0 ? (free * Math.log1p(ms)) / longest : 0))
+  const last = times.at(-1) ?? 0
+  if (hasRoom(times, width, apart)) return times.map((ms) => (last > 0 ? (width * ms) / last : 0))
+  const longest = Math.log1p(last)
+  const free = Math.max(0, width - apart * (times.length - 1))
+  return times.map((ms, k) => k * apart + (free * Math.log1p(ms)) / longest)
 }
 
 /** The last of each task's states, for a list of which tasks go where: by state, in the order in which they get there. */

@@ -25,14 +25,14 @@ def foreseeing(sit):
 def test_without_a_word_it_is_listed_what_can_be_asked(foreseeing):  # R-X24
     assert [line.split(maxsplit=2) for line in foreseeing.does("what-if")] == [
         ["fault", "whom", "question"],
-        ["stop", "-", "What if everything is stopped now?"],
-        ["task", "main/pd", "What if main/pd fails now?"],
+        ["stop", "-", "What if everything is stopped?"],
+        ["task", "main/pd", "What if main/pd fails?"],
     ]
 
 
 def test_an_answer_is_told_with_what_changes_and_what_is_to_do(foreseeing):  # R-X24
     question, answer, head, row, deed, note = foreseeing.does("what-if task main/pd")
-    assert question == "What if main/pd fails now?"
+    assert question == "What if main/pd fails?"
     assert answer == "yard:m1 holds within 0 ms"
     assert head.split() == ["within/ms", "changes", "whom", "before", "after"]
     assert row.split() == ["0", "drive", "yard:m1", "DRIVEN", "HELD"]

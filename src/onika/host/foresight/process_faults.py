@@ -2,7 +2,7 @@
 
 from onika.host.foresight.fault_kind import EVERYBODY, FaultKind
 from onika.host.foresight.outlook import LOOP_MS, Outlook
-from onika.host.foresight.remedies import after_run, after_task
+from onika.host.foresight.remedies import DEVICES, after_run, after_task
 from onika.host.foresight.situation import Situation
 from onika.host.recording.recording_sink import FLUSHED_EVERY_NS
 from onika.host.units.supervisor import SILENT_NS
@@ -15,7 +15,6 @@ from onika.wire.foresight import Effect
 from onika.words.reason import Reason
 
 _MS = 1e-6
-DEVICES = "device server"
 
 
 def freeze_unit(outlook: Outlook, unit: str) -> None:
@@ -27,7 +26,7 @@ def freeze_unit(outlook: Outlook, unit: str) -> None:
 
 def lose_unit(outlook: Outlook, unit: str, at_ms: float) -> None:
     """Its writers are dead, runs that need it end, and its tasks are gone (laws 17, 30)."""
-    text = Reason.of("foresight.unit_lost", unit=unit, ms=at_ms)
+    text = _loss(unit, at_ms)
     outlook.note(Effect(at_ms, "unit", unit, "UP", "LOST", text, "Lost"))
     tasks = outlook.situation.tasks
     for device in dead_writers(unit, {device: tasks[address].unit for device, address in outlook.claims.items()}):
@@ -71,7 +70,14 @@ def _end_runs(outlook: Outlook, unit: str, at_ms: float) -> None:
     for number, run in enumerate(outlook.situation.runs):
         homes = {facts.unit for facts in outlook.situation.tasks.values() if facts.subsystem in run.subsystems}
         if ends_with(unit, homes):
-            outlook.abort(number, Reason.of("foresight.unit_lost", unit=unit or DEVICES, ms=at_ms), at_ms)
+            outlook.abort(number, _loss(unit, at_ms), at_ms)
+
+
+def _loss(unit: str, at_ms: float) -> Reason:
+    """That a unit, or without a name the device server, is given up."""
+    return (
+        Reason.of("foresight.unit_lost", unit=unit, ms=at_ms) if unit else Reason.of("foresight.devices_lost", ms=at_ms)
+    )
 
 
 def _kill_unit(outlook: Outlook, unit: str) -> None:
@@ -88,7 +94,7 @@ def _has_devices(situation: Situation) -> tuple[str, ...]:
 
 def _kill_devices(outlook: Outlook, _subject: str) -> None:
     """Tasks with a device are in ERROR, every run ends; the worlds that it stepped are gone with it."""
-    text = Reason.of("foresight.unit_lost", unit=DEVICES, ms=LOOP_MS)
+    text = _loss("", LOOP_MS)
     outlook.note(Effect(LOOP_MS, "unit", DEVICES, "UP", "LOST", text, "Lost"))
     outlook.vanish(list(outlook.drives), 0.0)
     outlook.drives.clear()
@@ -108,7 +114,7 @@ def _freeze_devices(outlook: Outlook, _subject: str) -> None:
         if outlook.states[address] is State.ON:
             outlook.fail(address, cause, SILENCE_NS * _MS + facts.period_ms)
     ended_ms = SILENT_NS * _MS + LOOP_MS
-    text = Reason.of("foresight.unit_lost", unit=DEVICES, ms=ended_ms)
+    text = _loss("", ended_ms)
     outlook.note(Effect(ended_ms, "unit", DEVICES, "UP", "LOST", text, "Lost"))
     _end_runs(outlook, "", ended_ms)
 

@@ -7,6 +7,8 @@ from onika.model.lifecycle import State
 from onika.ring.device import DriveState
 from onika.words.reason import NOTHING, Reason
 
+DEVICES = "device server"
+"""The name under which the loss of the device server is told."""
 _KINDS = {DriveState.PRESSED: CauseKind.PRESSED, DriveState.TRIPPED: CauseKind.TRIPPED}
 
 
@@ -17,8 +19,10 @@ def after_task(outlook: Outlook, _subject: str) -> tuple[Reason, ...]:
 
 def after_unit(outlook: Outlook, _subject: str) -> tuple[Reason, ...]:
     """A unit that is gone does not come back before the runtime is started anew."""
-    lost = tuple(effect.subject for effect in outlook.effects if effect.kind == "unit")
-    return (Reason.of("foresight.do_start_anew", units=lost),) if lost else ()
+    lost = [effect.subject for effect in outlook.effects if effect.kind == "unit"]
+    units = tuple(name for name in lost if name != DEVICES)
+    anew = (Reason.of("foresight.do_start_anew", units=units),) if units else ()
+    return (*anew, Reason.of("foresight.do_start_devices")) if DEVICES in lost else anew
 
 
 def after_run(outlook: Outlook, _subject: str) -> tuple[Reason, ...]:
