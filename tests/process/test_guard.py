@@ -126,6 +126,30 @@ def test_the_program_is_in_a_session_of_its_own_and_may_use_all_processors(keep)
     assert kept.first_line() == f"True {len(os.sched_getaffinity(0))}\n"
 
 
+LINGERS = """
+import os, sys, time
+if os.fork():
+    os._exit(0)
+end = time.monotonic() + 0.9
+while time.monotonic() < end:
+    {}
+open(sys.argv[1], "w").close()
+"""
+"""A runtime that leaves a child behind, which writes a file later than whoever waits may live."""
+
+
+@pytest.mark.parametrize(("how", "is_done"), [("pass", True), ("time.sleep(0.01)", False)])
+def test_who_is_at_work_when_a_runtime_ends_has_a_moment_longer(tmp_path, how, is_done):  # R-X05
+    ours, theirs = socket.socketpair()
+    words = [sys.executable, "-I", "-S", guard.__file__, "runtime", str(theirs.fileno())]
+    with ours, subprocess.Popen(words, pass_fds=[theirs.fileno()]) as keeper:
+        theirs.close()
+        command = [sys.executable, "-c", LINGERS.format(how), str(tmp_path / "written")]
+        ours.send("\0".join(["own group", "", *command]).encode())
+        assert keeper.wait(PATIENCE_S) == 0
+    assert (tmp_path / "written").exists() == is_done
+
+
 def test_it_knows_nothing_of_onika():
     assert "import onika" not in Path(guard.__file__).read_text()
     assert "from onika" not in Path(guard.__file__).read_text()

@@ -12,6 +12,7 @@ from onika.record.black_box_folder import (
     black_boxes,
     clear_unfinished,
     fault_path,
+    is_being_written,
     rotate,
     write_black_box,
 )
@@ -109,3 +110,11 @@ def test_the_black_box_of_a_process_is_that_of_an_end_not_of_a_fault_before(tmp_
     os.utime(fault_path(end, 2), (4e9, 4e9))
     assert black_box_of(tmp_path, 77) == end
     assert black_box_of(tmp_path, 7) is None
+
+
+def test_it_is_being_written_until_it_is_there(tmp_path):  # R-X05
+    path = tmp_path / "lift-20261121-231500-77-1.mcap"
+    seen = []
+    write_black_box(path, lambda stream: seen.append((is_being_written(tmp_path, 77), is_being_written(tmp_path, 7))))
+    assert seen == [(True, False)]
+    assert not is_being_written(tmp_path, 77)

@@ -32,7 +32,11 @@ GRACE_S = 1.0
 """So long a partner has to end by itself, and as long again after it was asked to by a signal."""
 LAST_WORDS_S = 0.7
 """So long those whom a runtime leaves behind have to end by themselves: one of them finishes a recording."""
+WORK_S = 1.4
+"""And so long while one of them is at work: the last half minute of a run is written on a machine that is busy."""
 _LOOK_S = 0.05
+_AT_WORK = frozenset((b"R", b"D"))
+"""The letters of those who run, or would if they could, and of those who wait for a disk."""
 _LONGEST_ORDER = 1 << 20
 _ADOPT_ORPHANS = 36  # PR_SET_CHILD_SUBREAPER of prctl(2)
 
@@ -78,7 +82,7 @@ def keep_runtime(lifeline: int) -> None:
         say(lifeline, f"signal {-code}" if code < 0 else f"exit {code}")
     else:
         os.kill(runtime.pid, signal.SIGKILL)
-    end_family(LAST_WORDS_S, 0.0)
+    end_family(LAST_WORDS_S, 0.0, WORK_S)
 
 
 def note_deaths() -> int:
@@ -150,37 +154,41 @@ def reap() -> dict[int, int]:
     return codes
 
 
-def end_family(grace_s: float, asked_s: float) -> None:
-    """See to it that nobody is left: each is given a moment, then asked by a signal, then ended."""
+def end_family(grace_s: float, asked_s: float, work_s: float = 0.0) -> None:
+    """See to it that nobody is left: each is given a moment, then asked by a signal, then ended.
+
+    The moment is `grace_s`, but `work_s` where somebody does not only wait, or stand.
+    """
     steps = ((0, grace_s), (signal.SIGTERM, asked_s), (signal.SIGKILL, GRACE_S), (signal.SIGKILL, GRACE_S))
     for signum, patience_s in steps:  # ended twice: one may have had a child just then
         for pid in family():
             with contextlib.suppress(OSError):
                 os.kill(pid, signum)
-        until = monotonic() + patience_s
-        while family():
-            if monotonic() > until:
+        begin = monotonic()
+        while states := family():
+            is_at_work = not signum and not _AT_WORK.isdisjoint(states.values())
+            if monotonic() - begin > (max(patience_s, work_s) if is_at_work else patience_s):
                 break
             select.select([], [], [], _LOOK_S)
         else:
             return
 
 
-def family() -> list[int]:
-    """All living processes that come from this one."""
+def family() -> dict[int, bytes]:
+    """All living processes that come from this one, with the letters of their states."""
     children: dict[int, list[tuple[int, bytes]]] = {}
     for path in Path("/proc").iterdir():
         with contextlib.suppress(OSError):
             if path.name.isdigit():
                 state, parent = (path / "stat").read_bytes().rpartition(b")")[2].split()[:2]  # a name may hold anything
                 children.setdefault(int(parent), []).append((int(path.name), state))
-    family_ids, left = [], [os.getpid()]
+    states, left = {}, [os.getpid()]
     while left:
         for pid, state in children.get(left.pop(), []):
             left.append(pid)
             if state != b"Z":
-                family_ids.append(pid)
-    return family_ids
+                states[pid] = state
+    return states
 
 
 def say(lifeline: int, text: str) -> None:

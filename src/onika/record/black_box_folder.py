@@ -52,6 +52,11 @@ def black_box_of(folder: Path, process: int) -> Path | None:
     return next(ends, None)
 
 
+def is_being_written(folder: Path, process: int) -> bool:
+    """Whether somebody writes a black box of the runtime of this process id just now."""
+    return any(folder.glob(f"*-{process}-*{ENDING}*{_UNFINISHED}"))
+
+
 def _is_end_of(path: Path, process: int) -> bool:
     """Whether it was written at the end of a run of this process, not at a fault before."""
     _, _, numbers = path.stem.rpartition(f"-{process}-")

@@ -10,7 +10,7 @@ from onika.link.connection import Connection
 from onika.link.launcher import RuntimeProcess, launch
 from onika.link.link_terms import CHILD
 from onika.link.lost import LinkLost, LossCause
-from onika.record.black_box_folder import black_box_folder, black_box_of
+from onika.record.black_box_folder import black_box_folder, black_box_of, is_being_written
 from onika.ring.last_words import LastWords
 from onika.wire import request
 from onika.words.reason import NOTHING, Reason
@@ -21,6 +21,8 @@ _START_GRACE_S = 0.5
 """How long a runtime that is not wanted any more while it starts has to end by itself: nothing has moved yet."""
 _BLACK_BOX_NS = 1_000_000_000
 """How long to wait for the black box of a runtime that has died."""
+_WRITTEN_NS = 1_500_000_000
+"""And how long where it is being written then."""
 _LOOK_S = 0.02
 
 
@@ -97,13 +99,13 @@ class LaunchedRuntime(RuntimeConversation):
 
     def _find_black_box(self) -> str:
         """Wait for it: whoever is told that the runtime is gone is told in the same sentence where to look."""
-        folder, until = black_box_folder(os.environ), monotonic_ns() + _BLACK_BOX_NS
-        while monotonic_ns() < until:
-            path = black_box_of(folder, self._child.pid)
-            if path is not None:
-                return str(path)
+        folder, process, begin = black_box_folder(os.environ), self._child.pid, monotonic_ns()
+        while (path := black_box_of(folder, process)) is None:
+            waited_ns = monotonic_ns() - begin
+            if waited_ns > (_WRITTEN_NS if is_being_written(folder, process) else _BLACK_BOX_NS):
+                return ""
             sleep(_LOOK_S)
-        return ""
+        return str(path)
 
     def _explained(self, lost: LinkLost | TimeoutError) -> LinkLost:
         cause = lost.cause if isinstance(lost, LinkLost) else LossCause.SILENT

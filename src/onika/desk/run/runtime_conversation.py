@@ -168,6 +168,12 @@ class RuntimeConversation:
             raise LinkLost(LossCause.CLOSED, Reason.of("link.started_anew"))
 
 
+def black_box_in(reason: Reason) -> str:
+    """The black box that a runtime has left, of which the reason of its loss tells; empty: none."""
+    kept = reason.args.get("kept") if reason.key == "link.runtime_gone" else None
+    return str(kept.args["path"]) if isinstance(kept, Reason) and "path" in kept.args else ""
+
+
 def in_short(reason: Reason) -> Reason:
     """Why a runtime is gone, without what it printed last: that is for who looks closer."""
     if reason.key != "link.runtime_gone":

@@ -62,3 +62,11 @@ def test_what_runs_is_aborted_and_says_so_once(tmp_path):  # R-E10
     ]
     play.lose("again")
     assert str(play.view.cause) == "the runtime is lost: the cable"
+
+
+def test_a_run_whose_runtime_was_killed_shows_its_last_seconds(tmp_path):  # R-X05, R-E10
+    play = RunFixture(tmp_path)
+    play.run(play.open([job("aC")]))
+    kept = Reason.of("link.black_box", path="/state/black-boxes/a-1.mcap")
+    play.lose(Reason.of("link.runtime_gone", why="it ended", how=NOTHING, printed=NOTHING, kept=kept))
+    assert play.view.black_box == "/state/black-boxes/a-1.mcap"

@@ -12,6 +12,7 @@ from onika.desk.environment.run_state import flow_progress, run_view
 from onika.desk.environment.run_state.recording_size import with_recording_size
 from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.state.model import Model
+from onika.desk.run.runtime_conversation import black_box_in
 from onika.wire import event, live, page, request, steer
 from onika.wire.view import ShowStep
 from onika.words.reason import Reason
@@ -44,7 +45,8 @@ def lost(model: Model, reason: Reason) -> Done:
     if run.view.state == "beginning":
         news = () if run.awaits is None else ((EditEnd(run.awaits), No(reason)),)
         return Done(replace(model, run=replace(run, awaits=None)), news=news)
-    now = with_recording_size(flow_progress.lost(run, Reason.of("run.lost_runtime", why=reason)))
+    cause = Reason.of("run.lost_runtime", why=reason)
+    now = with_recording_size(flow_progress.lost(run, cause, black_box_in(reason)))
     return Done(replace(model, run=now), says=(end(now),))
 
 

@@ -87,10 +87,11 @@ def over(run: Run, result: event.Result) -> Run:
     )
 
 
-def lost(run: Run, cause: Reason) -> Run:
+def lost(run: Run, cause: Reason, black_box: str = "") -> Run:
     """The run where nothing more can be heard of it (E10): aborted, as far as it had come."""
     at_s = max((flow.began_s for flow in run.view.flows.values()), default=0.0)
-    return over(run, event.Result(False, cause, run.view.done, run.view.of, at_s, 0.0, {}, (), ""))
+    result = event.Result(False, cause, run.view.done, run.view.of, at_s, 0.0, {}, (), "", black_box=black_box)
+    return over(run, result)
 
 
 def _cause(run: Run, text: Reason) -> Reason:
