@@ -8,6 +8,7 @@ from onika.ring.segment import Segment
 from onika.runtime.bus import SEGMENT_SIZE
 
 MS = 1_000_000
+TAKES = {"key": "workcell.button_takes", "text": "1 pressed, 0 let go"}
 
 
 class Yard(MassWorld):
@@ -174,6 +175,6 @@ def test_worlds_show_what_they_are_and_where(opened):  # R-K06
     yard = opened.open()
     opened.served.step("yard", 3 * MS)
     assert opened.served.scene("field") is None
-    assert opened.served.scene("yard") == {"shapes": [], "parts": {"panic": "1 pressed, 0 let go"}}
+    assert opened.served.scene("yard") == {"shapes": [], "parts": {"panic": TAKES}}
     assert opened.served.poses("yard") == (3 * MS, yard.poses().tobytes(), ())
     assert opened.served.snapshots() == {"yard": yard.snapshot()}

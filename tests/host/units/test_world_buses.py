@@ -9,6 +9,7 @@ from onika.wire import event
 from onika.words.reason import Reason
 
 MS = 1_000_000
+TAKES = {"key": "workcell.button_takes", "text": "1 pressed, 0 let go"}
 
 
 @pytest.fixture
@@ -92,7 +93,7 @@ def test_a_world_is_opened_by_its_name_and_its_memory_found_by_it(messages):  # 
 def test_an_open_world_shows_what_it_is_and_where(buses):  # R-K06
     buses.grant("yard:m0", 20 * MS)
     (world,) = buses.worlds
-    assert buses.scene("yard") == {"shapes": [], "parts": {"panic": "1 pressed, 0 let go"}}
+    assert buses.scene("yard") == {"shapes": [], "parts": {"panic": TAKES}}
     assert buses.poses("yard") == (20 * MS, world.poses().tobytes(), ())
     assert buses.snapshots() == {"yard": world.snapshot()}
 
