@@ -1,7 +1,7 @@
 """A library: all tasks of a base directory, read at once, with the faults of the rest (requirement C01, §5.2.1)."""
 
 from collections.abc import Iterable, Mapping, Set
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from onika.files import text
@@ -9,6 +9,7 @@ from onika.files.rmod import RmodText
 from onika.store.base_directory import BaseDirectory
 from onika.store.module_catalogue import Catalogue, reopen_catalogues
 from onika.store.opened_text import Faults
+from onika.store.shipped import is_shipped
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
 
@@ -30,6 +31,9 @@ class Library:
     """The modules whose code lies here."""
     catalogues: Mapping[str, Catalogue] = field(default_factory=dict)
     """What modules here say in other languages, by their names."""
+    hidden: frozenset[str] = frozenset()
+    """The names of tasks here before which those of earlier libraries stand."""
+    is_shipped: bool = False
 
     @property
     def left_out(self) -> tuple[str, ...]:
@@ -55,9 +59,10 @@ def reopen_libraries(
     for base in bases:
         tasks = base.tasks
         names = [name for name in tasks if owners.setdefault(name, base) is base]
-        faults = [_again(base, name, owners[name]) for name in tasks if owners[name] is not base]
+        hidden = [name for name in tasks if owners[name] is not base]
+        faults = [_again(base, name, owners[name]) for name in hidden]
         before = former_by_base.get(base)
-        library = _open(base, names, faults, before, changed)
+        library = replace(_open(base, names, faults, before, changed), hidden=frozenset(hidden))
         opened.append(before if before == library else library)
     return tuple(opened)
 
@@ -77,7 +82,8 @@ def _open(
     faults += [fault for _, faults_of_task in read.values() for fault in faults_of_task]
     faults += _alike(base, tasks)
     catalogues = reopen_catalogues(base, former.catalogues if former else {}, changed)
-    return Library(base, tasks, tuple(sorted(faults)), read, frozenset(base.modules), catalogues)
+    modules, comes_with_onika = frozenset(base.modules), is_shipped(base.path)
+    return Library(base, tasks, tuple(sorted(faults)), read, modules, catalogues, is_shipped=comes_with_onika)
 
 
 def _read(base: BaseDirectory, name: str, former_record: Found | None, changed: Set[Path]) -> Found:

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Generic, TypeVar
 
 from onika.files import text, whole
+from onika.store.shipped import is_shipped
 from onika.words.fault import Fault, Refusal
 from onika.words.reason import Reason
 from onika.words.system_error import system_reason
@@ -50,7 +51,12 @@ def save(
 
 
 def put(path: Path, value: _T, content: str, expected: whole.Stamp) -> OpenedText[_T] | Refusal:
-    """Write the text of a value where the stamp `expected` is, and make the directory if need be."""
+    """Write the text of a value where the stamp `expected` is, and make the directory if need be.
+
+    What comes with Onika is never written, whoever may write there: a copy of the user's own stands before it.
+    """
+    if is_shipped(path):
+        return Refusal(Reason.of("store.shipped_stays", path=str(path)), (whole.ELSEWHERE,))
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:

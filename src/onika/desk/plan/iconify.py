@@ -13,6 +13,7 @@ from onika.model.syntax import Syntax
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import OpenedText
+from onika.store.own_copy import saving_place
 from onika.store.site import Site
 from onika.words.fault import Fault, Place, Refusal
 from onika.words.name import TASK_NAME
@@ -74,7 +75,10 @@ def iconify(
     if not isinstance(lent, Picture | None):
         return lent
     onikon = _onikon(source.name, kind, former.value if former else None, description, lent)
-    saved = source.home.save_onikon(onikon, former, overwrites=replaces)
+    home = saving_place(source.home.path, site)
+    if isinstance(home, Refusal):
+        return (home,)
+    saved = home.save_onikon(onikon, former, overwrites=replaces)
     if isinstance(saved, Refusal):
         return (saved,)
     return IconifiedFile(saved.path, onikon, notes)

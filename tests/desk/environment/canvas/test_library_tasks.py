@@ -4,6 +4,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from kit.environment_fixture import EnvironmentFixture
+from kit.installed_fixture import InstalledFixture
 from onika.files import rmod
 from onika.model.task import LocalLine, Task, TaskType
 from onika.wire import act
@@ -239,3 +240,15 @@ def test_forgetting_is_refused_where_the_file_clashes_by_now(sitting):  # readin
     assert "cannot be as its file says" in str(sitting.no(act.ForgetTask("writer")).reason)
     sitting.do(act.Remove(doc, ("other",)))
     sitting.do(act.ForgetTask("writer"))
+
+
+def test_a_changed_task_of_a_shipped_library_is_saved_as_ones_own(tmp_path, monkeypatch):  # R-B07, R-C04
+    installed = InstalledFixture(tmp_path, monkeypatch)
+    installed.do(act.LibraryRate("pd", 123.0))
+    path = installed.do(act.SaveTask("pd"))
+    view = installed.environment.tree.tasks["pd"]
+    assert path == str(installed.own.task_file("pd")) == view.path
+    assert (view.hz, view.file_hz, view.is_changed) == (123.0, 123.0, False)
+    assert installed.installed_files() == installed.before
+    installed.do(act.LibraryRate("pd", 50.0))
+    assert installed.do(act.SaveTask("pd")) == path

@@ -1,6 +1,8 @@
 import pytest
 
 from kit.environment_fixture import EnvironmentFixture
+from kit.installed_fixture import InstalledFixture
+from onika.desk.environment.initial_model import opened
 from onika.files import rmod, whole
 from onika.files.rmod import RmodText
 from onika.model.task import Task
@@ -165,3 +167,66 @@ def test_a_text_that_no_file_can_hold_is_refused(sitting):  # R-B07
 def test_a_file_that_is_no_text_is_told(sitting):  # R-B07
     file(sitting, "pd.py").write_bytes(b"\xff\xfe")
     assert "UTF-8" in str(sitting.no(act.ReadText("pd", "code")).reason)
+
+
+@pytest.fixture
+def installed(tmp_path, monkeypatch):
+    return InstalledFixture(tmp_path, monkeypatch)
+
+
+def test_saving_shipped_code_makes_a_copy_that_counts_and_nothing_installed_is_written(installed):  # R-C05, R-B07
+    installed.do(act.Alias("jtraj", "Q_REF", "Q_WISH"))
+    view = installed.write("pd", "code", "def (")
+    assert view.path == str(installed.own.code_file("pd")) and view.faults and not view.is_read_only
+    tree = installed.environment.tree
+    assert (tree.tasks["pd"].library, tree.tasks["pd"].code) == (str(installed.own.path), view.path)
+    assert next(iter(tree.libraries)) == str(installed.own.path)
+    assert tree.tasks["jtraj"].is_changed and installed.installed_files() == installed.before
+    assert "saved as your own" in str(installed.says[-1].text)
+    again = installed.write("pd", "code", "x = 1\n")  # from now on it is a file like any of one's own
+    assert (again.path, again.faults) == (view.path, ())
+    assert installed.site.code_file(installed.environment.model.libraries.tasks["pd"]) == installed.own.code_file("pd")
+    installed.look()
+    assert not any("left out" in sentence or "changed" in sentence for sentence in installed.sentences())
+
+
+def test_what_was_changed_of_a_task_stays_when_its_code_becomes_ones_own(installed):  # R-C04
+    installed.do(act.Alias("pd", "TAU_PD", "TAU_WISH"))
+    installed.write("pd", "code", "x = 1\n")
+    assert installed.environment.tree.tasks["pd"].is_changed
+
+
+def test_saving_a_shipped_rmod_makes_a_copy_that_counts(installed):  # R-C05, R-B07
+    text = installed.do(act.ReadText("pd", "rmod")).text
+    view = installed.write("pd", "rmod", "# mine\n" + text)
+    tree = installed.environment.tree
+    assert view.path == str(installed.own.task_file("pd")) == tree.tasks["pd"].path
+    assert tree.tasks["pd"].code == str(installed.generic.code_file("pd"))
+    assert installed.installed_files() == installed.before
+
+
+def test_a_shipped_file_that_was_exchanged_meanwhile_is_told_and_shown(installed):  # R-B07
+    source = installed.do(act.ReadText("pd", "code"))
+    installed.generic.code_file("pd").write_text("newer = 1\n")
+    no = installed.no(act.WriteText("pd", "code", "mine = 1\n", source.stamp))
+    assert no.reason.key == "desk.shipped_changed" and str(no.fields["theirs"]) == "newer = 1\n"
+    installed.do(no.remedies[0].act)
+    assert installed.own.code_file("pd").read_text() == "mine = 1\n"
+    assert installed.generic.code_file("pd").read_text() == "newer = 1\n"
+
+
+def test_where_ones_own_directory_cannot_be_written_nothing_is_changed(installed):  # R-B07
+    installed.own.path.write_text("no folder")
+    source = installed.do(act.ReadText("pd", "code"))
+    no = installed.no(act.WriteText("pd", "code", "mine = 1\n", source.stamp))
+    assert no.reason.key == "files.not_savable" and installed.installed_files() == installed.before
+
+
+def test_two_environments_that_save_the_same_shipped_file_do_not_write_over_each_other(installed, tmp_path):  # R-B07
+    source = installed.do(act.ReadText("pd", "code"))
+    elsewhere = EnvironmentFixture(tmp_path, (), opened(installed.site, None, {})[0], installed.site)
+    elsewhere.do(act.WriteText("pd", "code", "theirs = 1\n", source.stamp))
+    no = installed.no(act.WriteText("pd", "code", "mine = 1\n", source.stamp))
+    assert no.reason.key == "files.is_there" and installed.own.code_file("pd").read_text() == "theirs = 1\n"
+    installed.look()
+    assert str(installed.do(act.ReadText("pd", "code")).text) == "theirs = 1\n"

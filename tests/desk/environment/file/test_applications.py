@@ -84,11 +84,12 @@ def test_a_file_of_that_name_is_overwritten_only_if_meant(gallery):  # R-X01
     assert gallery.base.application("job1", gallery.environment.model.syntax)[0].flows[0].steps[0].onikon.name == "open"
 
 
-def test_what_comes_with_onika_is_saved_as_a_copy(tmp_path):
+def test_what_comes_with_onika_is_saved_as_a_copy(tmp_path):  # R-B07
     gallery = AppFixture(tmp_path)
-    doc = gallery.do(act.Open(str(SHIPPED[0])))
-    no = gallery.no(act.Save(doc))
-    gallery.do(no.remedies[0].act)
+    doc, before = gallery.do(act.Open(str(SHIPPED[0]))), SHIPPED[0].read_bytes()
+    gallery.do(act.Save(doc))
+    gallery.do(act.Save(doc))
+    assert "over that of boxes" in str(gallery.says[-1].text) and SHIPPED[0].read_bytes() == before
     assert gallery.view(doc).path == str(gallery.site.own / "appl" / SHIPPED[0].name)
 
 

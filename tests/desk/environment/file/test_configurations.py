@@ -121,14 +121,14 @@ def test_keeping_what_is_here_ends_the_question(sitting):
     assert not documents(sitting)[doc].has_changed_on_disk
 
 
-def test_what_comes_with_onika_is_not_saved_over_by_the_way(sitting, tmp_path, monkeypatch):  # R-C06
+def test_what_comes_with_onika_is_not_saved_over(sitting, tmp_path, monkeypatch):  # R-C06
     doc, _ = saved(sitting)
     monkeypatch.setattr("onika.store.shipped.shipped", lambda: tmp_path)
     sitting.do(act.Place(doc, "pd", 300, 0))
-    refused = sitting.no(act.Save(doc))
-    assert "part of Onika itself" in str(refused.reason)
-    sitting.do(refused.remedies[-1].act)
-    assert "pd" in sitting.base.configuration_file("mine").read_text()
+    refused = sitting.no(act.Save(doc))  # here one's own directory would be shipped too
+    assert "comes with Onika" in str(refused.reason)
+    sitting.no(act.Save(doc, overwrites=True))
+    assert "pd" not in sitting.base.configuration_file("mine").read_text()
 
 
 def test_a_name_alone_saves_into_the_directory_of_the_users_own(sitting, monkeypatch):  # R-C06

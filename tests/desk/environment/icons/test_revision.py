@@ -1,3 +1,5 @@
+from pathlib import Path
+
 import pytest
 
 from kit.dictionary_fixture import WHITE, DictionaryFixture, plain
@@ -37,15 +39,12 @@ def test_a_file_that_somebody_else_changed_is_overwritten_only_where_that_is_mea
     assert cabinet.icon("rest").description == "ours"
 
 
-def test_a_shipped_icon_is_copied_or_changed_where_that_is_meant(cabinet):  # R-X01, R-D15
-    no = cabinet.no(act.EditOnikon("jmoveC", "go"))
-    assert [str(remedy.label) for remedy in no.remedies] == [
-        f"Save a copy in {cabinet.own.path}",
-        "Change the shipped one",
-    ]
+def test_a_shipped_icon_that_is_changed_is_a_copy(cabinet):  # R-B07, R-D15
     shipped = cabinet.icon("jmoveC")
+    before = Path(shipped.path).read_bytes()
     assert shipped.words == {"es": "mueve las articulaciones"}
-    cabinet.do(no.remedies[0].act)
+    cabinet.do(act.EditOnikon("jmoveC", "go", overwrites=True))
+    assert Path(shipped.path).read_bytes() == before and "over that of puma" in str(cabinet.says[-1].text)
     copy = cabinet.icon("jmoveC")
     assert (copy.description, copy.dictionary, copy.words) == ("go", str(cabinet.own.path), {})
     assert "other languages" in str(cabinet.says[-1].text)
@@ -69,7 +68,6 @@ def test_an_icon_is_deleted_only_where_that_is_meant_and_who_has_it_is_told(cabi
 
 
 def test_one_that_cannot_be_deleted_stays(cabinet, monkeypatch):  # R-B07
-    from pathlib import Path
 
     def refuse(*_args, **_more):
         raise PermissionError(13, "Permission denied")

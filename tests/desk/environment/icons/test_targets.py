@@ -87,13 +87,11 @@ def test_a_target_is_replaced_only_where_that_is_meant_and_an_action_never(cabin
     assert cabinet.icon("bad").values == SECOND
 
 
-def test_what_comes_with_onika_is_not_changed_by_the_way(cabinet):  # R-X01
+def test_what_would_come_among_what_comes_with_onika_is_ones_own(cabinet):  # R-B07
     generic = next(
         dictionary.path for dictionary in cabinet.environment.tree.dictionaries.values() if dictionary.name == "generic"
     )
-    no = cabinet.no(made(base=generic))
-    assert "part of Onika itself" in str(no.reason) and str(no.remedies[0].label).startswith("Save it in")
-    cabinet.do(no.remedies[0].act)
+    cabinet.do(made(base=generic, overwrites=True))
     assert cabinet.icon("nap").dictionary == str(cabinet.own.path)
 
 

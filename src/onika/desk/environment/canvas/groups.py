@@ -18,7 +18,8 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_file import DocumentKind
 from onika.model.configuration import Configuration, Group
 from onika.model.rules import loci
-from onika.store.base_directory import BaseDirectory
+from onika.store.own_copy import saving_place
+from onika.store.shipped import is_shipped
 from onika.store.user_path import user_path
 from onika.wire import act
 from onika.wire.view import Objection, Remedy, ShowTask
@@ -74,7 +75,9 @@ def save_group(model: Model, command: act.SaveGroup, outside: Services) -> Done 
     if base is None:
         reason = Reason.of("desk.supermodule_place", file=document.name, name=command.name)
         return No(reason, _elsewhere(command, None, outside))
-    directory = BaseDirectory(base)
+    directory = saving_place(base, outside.site)
+    if isinstance(directory, Refusal):
+        return No(directory.reason, _elsewhere(command, base, outside))
     path = directory.configuration_file(command.name)
     if document.opened is not None and document.opened.path.resolve() == path.resolve():
         return No(Reason.of("desk.supermodule_file", path=str(path), name=command.name))
@@ -134,7 +137,7 @@ def _elsewhere(command: act.SaveGroup, base: Path | None, outside: Services) -> 
     bases = [
         directory.path
         for directory in outside.site.directories
-        if directory.path != base and os.access(directory.path, os.W_OK)
+        if directory.path != base and not is_shipped(directory.path) and os.access(directory.path, os.W_OK)
     ]
     return tuple(
         Remedy(Reason.of("desk.save_in", path=str(base)), act.SaveGroup(command.doc, command.name, str(base)))

@@ -18,6 +18,7 @@ from onika.model.rules import placement
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
 from onika.store.library import Library, reopen_libraries
+from onika.store.search_path import with_base
 from onika.store.user_path import user_path
 from onika.wire import act, page
 from onika.wire.view import Remedy
@@ -60,8 +61,27 @@ def close_library(model: Model, command: act.CloseLibrary, _outside: Services) -
 
 
 def reread(model: Model, changed: Set[Path]) -> Done:
-    """With files of the open libraries read again."""
-    done = rearranged(model, (library.base for library in model.libraries.libraries), changed)
+    """With files of the open libraries read again, and those opened that have come into being on the search path."""
+    bases = [library.base for library in model.libraries.libraries]
+    for home in sorted({path.parent.parent for path in changed if path.parent.name == "module"}):
+        base = BaseDirectory(home)
+        if home in model.search and base not in bases and _is_new(base, changed):
+            bases = with_base(bases, base, model.search)
+    return _read_again(model, bases, changed)
+
+
+def saved_here(model: Model, changed: Set[Path]) -> Done:
+    """With files read again that were written here, and their libraries opened where the search path has them."""
+    bases = [library.base for library in model.libraries.libraries]
+    for home in sorted({path.parent.parent for path in changed}):
+        base = BaseDirectory(home)
+        if home in model.search and base not in bases:
+            bases = with_base(bases, base, model.search)
+    return _read_again(model, bases, changed)
+
+
+def _read_again(model: Model, bases: Iterable[BaseDirectory], changed: Set[Path]) -> Done:
+    done = rearranged(model, bases, changed)
     model = done.model
     for module in sorted({path.stem for path in changed if path.suffix == ".py"}):
         model = forgotten(model, module)
@@ -83,6 +103,12 @@ def rearranged(model: Model, bases: Iterable[BaseDirectory], changed: Set[Path])
     against = clashes(model, rebased, names & former.tasks.keys())
     says += [page.Say("warning", reason.text) for reason in against]
     return Done(pin_changes.resettled(replace(model, libraries=rebased), former), says=tuple(says))
+
+
+def _is_new(base: BaseDirectory, changed: Set[Path]) -> bool:
+    """Whether everything in a library has come just now: one that was closed has files that were there before."""
+    files = (*map(base.task_file, base.tasks), *map(base.code_file, base.modules))
+    return all(file in changed for file in files)
 
 
 def _no_base(path: Path) -> No | None:
@@ -127,9 +153,12 @@ def _rebased(
 
 
 def _is_elsewhere(name: str, former: OpenLibraries, libraries: OpenLibraries) -> bool:
-    """Whether another library has the task now."""
+    """Whether another library has another task of that name now; a copy that stands before it is the same."""
     old, new = former.homes.get(name), libraries.homes.get(name)
-    return old is not None and new is not None and old.base != new.base
+    if old is None or new is None or old.base == new.base:
+        return False
+    is_copy = any(library.base == old.base for library in libraries.libraries)
+    return not (is_copy and former.records[name].text == libraries.records[name].text)
 
 
 def _news(former: Iterable[Library], libraries: Iterable[Library]) -> list[page.Say]:

@@ -4,7 +4,7 @@ import math
 from dataclasses import replace
 from pathlib import Path
 
-from onika.desk.environment.canvas.libraries import reread
+from onika.desk.environment.canvas.libraries import reread, saved_here
 from onika.desk.environment.outcome import pin_changes
 from onika.desk.environment.outcome.clash import clashes, refused
 from onika.desk.environment.outcome.outcome import Done, No
@@ -16,7 +16,10 @@ from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.files import rmod
 from onika.files.rmod import RmodText
 from onika.model.task import LocalLine, Task, TaskType
-from onika.wire import act
+from onika.store.base_directory import BaseDirectory
+from onika.store.own_copy import copied_with_code
+from onika.store.shipped import is_shipped
+from onika.wire import act, page
 from onika.wire.view import Remedy, ShowLibraries
 from onika.words.fault import Refusal
 from onika.words.name import SVAR_NAME
@@ -79,8 +82,8 @@ def local(model: Model, command: act.Local, _outside: Services) -> Done | No:
     return Done(_taken_over(model, libraries), Reason.of("desk.setting_parameters", task=command.task), command.doc)
 
 
-def save_task(model: Model, command: act.SaveTask, _outside: Services) -> Done | No:
-    """Write what was changed of a task, its rate too, to its file."""
+def save_task(model: Model, command: act.SaveTask, outside: Services) -> Done | No:
+    """Write what was changed of a task, its rate too, to its file; of a shipped one to a copy of the user's own."""
     task = model.libraries.tasks.get(command.task)
     if task is None:
         return unknown(command.task)
@@ -89,6 +92,8 @@ def save_task(model: Model, command: act.SaveTask, _outside: Services) -> Done |
     changed = replace(task, frequency=model.libraries.rates.get(command.task, task.frequency))
     if changed == record.task:
         return Done(model, value=str(path))
+    if is_shipped(base.path):
+        return _copied(model, command.task, changed, outside)
     done = base.save_task(record, changed, overwrites=command.overwrites)
     if isinstance(done, Refusal):
         remedies = (
@@ -109,6 +114,24 @@ def forget_task(model: Model, command: act.ForgetTask, _outside: Services) -> Do
     if against:
         return refused(Reason.of("desk.not_as_filed", task=command.task), against)
     return done
+
+
+def _copied(model: Model, name: str, changed: Task, outside: Services) -> Done | No:
+    """A changed task of a shipped library as the user's own, which stands before it."""
+    home, record = model.libraries.homes[name].base, model.libraries.records[name]
+    code, shipped = outside.site.code_file(record.task), home.task_file(name)
+    copied = copied_with_code(shipped, rmod.write(record, changed), changed, code, outside.site)
+    if isinstance(copied, Refusal):
+        return No(copied.reason, (Remedy(Reason.of("desk.take_as_filed"), act.ForgetTask(name)),))
+    done = saved_here(model, set(copied))
+    unchanged = done.model.libraries.edited({name: None}).rated({name: None})
+    says = (*done.says, saved_as_own(copied[0], home))
+    return replace(done, model=_taken_over(done.model, unchanged), says=says, value=str(copied[0]))
+
+
+def saved_as_own(path: Path, base: BaseDirectory) -> page.Say:
+    """What is said of a copy that stands before a shipped file from now on."""
+    return page.Say("success", Reason.of("desk.saved_as_own", path=str(path), base=base.path.name))
 
 
 def unknown(name: str) -> No:

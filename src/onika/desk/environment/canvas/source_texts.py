@@ -7,12 +7,17 @@ from dataclasses import replace
 from pathlib import Path
 
 from onika.desk.environment.canvas import libraries
-from onika.desk.environment.canvas.library_tasks import unknown
+from onika.desk.environment.canvas.library_tasks import saved_as_own, unknown
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.outcome.trouble import said
 from onika.desk.environment.state.model import Model
 from onika.files import rmod, whole
+from onika.model.task import Task
+from onika.store.base_directory import BaseDirectory
+from onika.store.own_copy import copied_with_code, copied_with_tasks
+from onika.store.shipped import is_shipped
+from onika.store.site import Site
 from onika.wire import act, page
 from onika.wire.view import Remedy, TextView
 from onika.words.fault import Refusal
@@ -33,17 +38,22 @@ def read_text(model: Model, command: act.ReadText, _outside: Services) -> Done |
     return Done(model, value=_view(path, *text))
 
 
-def write_text(model: Model, command: act.WriteText, _outside: Services) -> Done | No:
-    """Save such a text whole or not at all, also a half-done one, and tell its faults; a `.rmod` counts at once."""
+def write_text(model: Model, command: act.WriteText, outside: Services) -> Done | No:
+    """Save such a text whole or not at all, also a half-done one, and tell its faults; a `.rmod` counts at once.
+
+    Of a shipped file a copy of the user's own is written, which stands before it.
+    """
     path = _path(model, command.task, command.kind)
     if isinstance(path, No):
         return path
     if not _STAMP.match(command.stamp):
         return No(Reason.of("desk.text_unstamped"))
+    if is_shipped(path):
+        return _copied(model, path, command, outside.site)
     try:
         refused = whole.write(path, command.text, whole.ANYTHING if command.overwrites else command.stamp)
     except ValueError:
-        return No(Reason.of("desk.text_not_utf8"))
+        return No(Reason.of("store.text_not_utf8"))
     if isinstance(refused, Refusal):
         return _refused(path, refused, command)
     view = _view(path, command.text, refused)
@@ -51,6 +61,28 @@ def write_text(model: Model, command: act.WriteText, _outside: Services) -> Done
     left_out = command.kind == "rmod" and path.stem not in done.model.libraries.tasks
     message = page.Say("warning", Reason.of("desk.saved_at_fault", name=path.name))
     return replace(done, value=view, says=(message,) if left_out else done.says)
+
+
+def _copied(model: Model, path: Path, command: act.WriteText, site: Site) -> Done | No:
+    """The text in a copy of the user's own, where the shipped file is still what was read."""
+    there, _ = whole.read(path)
+    if there is None or (there[1] != command.stamp and not command.overwrites):
+        return _refused(path, Refusal(Reason.of("desk.shipped_changed", path=str(path))), command)
+    task, home = model.libraries.tasks.get(command.task), BaseDirectory(path.parent.parent)
+    if command.kind == "rmod":
+        filed = model.libraries.filed(command.task) or Task(command.task, command.task)
+        code = site.code_file(filed) if task else None
+        copied = copied_with_code(path, command.text, filed, code, site)
+    else:
+        module = path.stem
+        shipped = next(library for library in model.libraries.libraries if library.base == home)
+        companions = [record.task for record in shipped.tasks.values() if record.task.module == module]
+        copied = copied_with_tasks(path, command.text, companions, site)
+    if isinstance(copied, Refusal):
+        return No(copied.reason)
+    done = libraries.saved_here(model, set(copied))
+    view = _view(copied[0], command.text, whole.stamp(command.text))
+    return replace(done, value=view, says=(*done.says, saved_as_own(copied[0], home)))
 
 
 def _path(model: Model, task: str, kind: str) -> Path | No:
@@ -98,7 +130,7 @@ def _refused(path: Path, refused: Refusal, command: act.WriteText) -> No:
 
 def _view(path: Path, text: str, stamp: whole.Stamp) -> TextView:
     faults = _rmod_faults(path, text) if path.suffix == rmod.ENDING else _code_faults(path, text)
-    is_read_only = not (os.access(path, os.W_OK) and os.access(path.resolve().parent, os.W_OK))
+    is_read_only = not is_shipped(path) and not (os.access(path, os.W_OK) and os.access(path.resolve().parent, os.W_OK))
     return TextView(str(path), text, stamp, tuple(faults), is_read_only)
 
 

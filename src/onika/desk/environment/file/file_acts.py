@@ -4,6 +4,7 @@ Configurations and applications differ in how they are read, written and taken o
 """
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -17,10 +18,9 @@ from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_file import DocumentKind
 from onika.files import appl, conf, text
-from onika.store.base_directory import BaseDirectory
-from onika.store.shipped import is_shipped
+from onika.store.own_copy import saving_place
 from onika.store.user_path import user_path
-from onika.wire import act
+from onika.wire import act, page
 from onika.wire.view import Remedy, ShowSaveAs
 from onika.words.fault import Refusal
 from onika.words.name import TASK_NAME
@@ -57,18 +57,21 @@ def save(model: Model, file: AnyFile, command: act.Save, outside: Services) -> D
         return No(base, fields={"base": base})
     if base is None:
         return No(Reason.of("run.save_nowhere"), (_elsewhere(),))
-    if is_shipped(base) and not command.overwrites:
-        return _shipped(command, name, own)
+    home = saving_place(base, outside.site)
+    if isinstance(home, Refusal):
+        return No(home.reason, (_elsewhere(),))
     again = act.Save(command.doc, command.name, command.base, overwrites=True)
-    loss = kind.loss(file, kind.path(BaseDirectory(base), name))
+    loss = kind.loss(file, kind.path(home, name))
     if loss and not command.overwrites:
         return No(loss, (_elsewhere(), Remedy(Reason.of("desk.overwrite_it"), again)))
-    opened = kind.write(BaseDirectory(base), name, file, overwrites=command.overwrites)
+    opened = kind.write(home, name, file, overwrites=command.overwrites)
     if isinstance(opened, No):
         return opened
     if isinstance(opened, Refusal):
         return No(opened.reason, (*overwriting(opened, again), _elsewhere()))
-    return kind.saved(model, file, opened, base)
+    done = kind.saved(model, file, opened, home.path)
+    copied = page.Say("success", Reason.of("desk.saved_as_own", path=str(opened.path), base=base.name), file.id)
+    return done if home.path == base else replace(done, says=(*done.says, copied))
 
 
 @on_file
@@ -120,15 +123,6 @@ def _kind(path_or_name: str, outside: Services) -> DocumentKind:
     if is_application and not is_configuration:
         return DocumentKind.APPLICATION
     return DocumentKind.CONFIGURATION
-
-
-def _shipped(command: act.Save, name: str, own: Path | None) -> No:
-    """What comes with Onika is not changed by the way."""
-    label = Reason.of("run.save_copy_in", base=str(own))
-    here = () if own is None else (Remedy(label, act.Save(command.doc, name, str(own))),)
-    again = act.Save(command.doc, command.name, command.base, overwrites=True)
-    meant = Remedy(Reason.of("run.change_shipped"), again)
-    return No(Reason.of("run.would_be_shipped", name=name), (*here, _elsewhere(), meant))
 
 
 def _elsewhere() -> Remedy:

@@ -1,6 +1,6 @@
 """Acts on dictionaries: open and close; and how they follow their files (requirements D01, D15)."""
 
-from collections.abc import Iterable, Sequence, Set
+from collections.abc import Iterable, Set
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,6 +11,7 @@ from onika.desk.environment.state.dictionary import has_dictionary, open_diction
 from onika.desk.environment.state.model import Model
 from onika.files import onk
 from onika.store.base_directory import BaseDirectory
+from onika.store.search_path import with_base
 from onika.store.site import Site
 from onika.store.user_path import user_path
 from onika.wire import act
@@ -58,7 +59,7 @@ def reread(model: Model, changed: Set[Path]) -> Done:
     bases = [dictionary.base for dictionary in model.dictionaries]
     for home in sorted({path.parent.parent for path in icons}):
         if home in model.search and BaseDirectory(home) not in bases and _is_new(BaseDirectory(home), changed):
-            bases = _inserted(bases, BaseDirectory(home), model.search)
+            bases = with_base(bases, BaseDirectory(home), model.search)
     return rearranged(model, bases, changed)
 
 
@@ -89,7 +90,7 @@ def rearranged(model: Model, bases: Iterable[BaseDirectory], changed: Set[Path])
 
 def in_order(model: Model, base: BaseDirectory, site: Site) -> list[BaseDirectory]:
     """The base directories of the open dictionaries and one more: where the search path has it, else last."""
-    return _inserted(
+    return with_base(
         [dictionary.base for dictionary in model.dictionaries], base, [directory.path for directory in site.directories]
     )
 
@@ -97,20 +98,6 @@ def in_order(model: Model, base: BaseDirectory, site: Site) -> list[BaseDirector
 def is_icon(path: Path) -> bool:
     """Whether a path is one where a base directory has its icons."""
     return path.suffix == onk.ENDING and path.parent.name == "dict"
-
-
-def _inserted(bases: Sequence[BaseDirectory], base: BaseDirectory, search: Iterable[Path]) -> list[BaseDirectory]:
-    places = {path.resolve(): place for place, path in enumerate(search)}
-    place = places.get(base.path.resolve(), len(places))
-    at = next(
-        (
-            at
-            for at, base_directory in enumerate(bases)
-            if places.get(base_directory.path.resolve(), len(places)) > place
-        ),
-        len(bases),
-    )
-    return [*bases[:at], base, *bases[at:]]
 
 
 def _is_new(base: BaseDirectory, changed: Set[Path]) -> bool:

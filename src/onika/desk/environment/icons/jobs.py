@@ -20,6 +20,7 @@ from onika.desk.environment.state.picture_digits import painted
 from onika.desk.plan.icon_names import kind_named
 from onika.model.onikon import Onikon
 from onika.model.picture import Picture
+from onika.store.own_copy import saving_place
 from onika.wire import act, page
 from onika.wire.view import DraftView, Remedy, ShowSaveAs
 from onika.words.fault import Refusal
@@ -42,14 +43,17 @@ def make_job(model: Model, command: act.MakeJob, outside: Services) -> Done | No
     picture = painted(command.picture)
     if not isinstance(picture, Picture):
         return No(Reason.of("desk.picture_unkept", why=picture), fields={"picture": picture})
-    name, path = job.name, job.path
+    name, home = job.name, saving_place(job.home.path, outside.site)
+    if isinstance(home, Refusal):
+        return No(home.reason)
+    path = home.onikon_file(name)
     meant = Remedy(Reason.of("desk.replace_it"), msgspec.structs.replace(command, overwrites=True))
     if path.exists() and not command.overwrites:
         return No(job.taken or Reason.of("desk.there_already", path=str(path)), (meant,))
     description = " ".join(command.description.split())
     words = told_again(job.former.value, description) if job.former else ()
     made = Onikon(name, job.kind.type, description, (), picture, job.kind.more_targets, words)
-    saved = job.home.save_onikon(made, job.former, overwrites=command.overwrites)
+    saved = home.save_onikon(made, job.former, overwrites=command.overwrites)
     if isinstance(saved, Refusal):
         again = overwriting(saved, msgspec.structs.replace(command, overwrites=True), Reason.of("desk.replace_it"))
         return No(saved.reason, () if command.overwrites else again)

@@ -1,7 +1,6 @@
 """Icons of a dictionary are changed and deleted; what is placed stays as it is (requirements D05, D08)."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import msgspec
 
@@ -20,6 +19,7 @@ from onika.model.onikon import Onikon
 from onika.model.picture import Picture
 from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import OpenedText
+from onika.store.own_copy import saving_place
 from onika.store.shipped import is_shipped
 from onika.store.user_path import user_path
 from onika.wire import act, page
@@ -40,20 +40,22 @@ def edit_onikon(model: Model, command: act.EditOnikon, outside: Services) -> Don
     other = user_path(command.base, outside.site.own) if command.base else home.path
     if isinstance(other, Reason):
         return No(other, fields={"base": other})
-    target = BaseDirectory(other)
-    if is_shipped(target.path) and not command.overwrites:
-        return _shipped(command, outside.site.own)
+    target = saving_place(other, outside.site)
+    if isinstance(target, Refusal):
+        return No(target.reason)
     changed = _changed(model, command, opened.value)
     if isinstance(changed, No):
         return changed
     is_copy = target.path.resolve() != home.path.resolve()
-    saved = target.save_onikon(changed, None if is_copy else opened, overwrites=command.overwrites and not is_copy)
+    saved = target.save_onikon(changed, opened, overwrites=command.overwrites and not is_copy)
     if isinstance(saved, Refusal):
         meant = overwriting(saved, msgspec.structs.replace(command, overwrites=True))
         return No(saved.reason, () if is_copy or command.overwrites else meant)
     gone = forgotten(opened.value, changed.description)
     lost = Reason.of("desk.icon_words_lost", why=gone) if gone else NOTHING
     text = Reason.of("desk.icon_changed", name=command.onikon, path=str(saved.path), lost=lost)
+    if is_copy and is_shipped(home.path):
+        text = Reason.of("desk.icon_own", name=command.onikon, path=str(saved.path), base=home.path.name, lost=lost)
     now = shown_at_once(model, saved.path, outside.site)
     return Done(now, value=str(saved.path), says=(page.Say("success", text),))
 
@@ -106,17 +108,6 @@ def _changed(model: Model, command: act.EditOnikon, onikon: Onikon) -> Onikon | 
         return onikon
     description = " ".join(command.description.split())
     return replace(onikon, description=description, words=told_again(onikon, description))
-
-
-def _shipped(command: act.EditOnikon, own: Path | None) -> No:
-    """What comes with Onika is not changed by the way; a copy of the user's own comes before it."""
-    here = () if own is None else (_copied_to(command, str(own)),)
-    meant = Remedy(Reason.of("desk.change_shipped_one"), msgspec.structs.replace(command, overwrites=True))
-    return No(Reason.of("desk.icon_of_onika", name=command.onikon), (*here, meant))
-
-
-def _copied_to(command: act.EditOnikon, own: str) -> Remedy:
-    return Remedy(Reason.of("desk.save_copy_in", path=own), msgspec.structs.replace(command, base=own))
 
 
 def _placed(model: Model, onikon: Onikon) -> Reason:

@@ -1,7 +1,5 @@
 """Targets are made: a type, a picture and values, written into a dictionary (requirements D08, D15, B10)."""
 
-from pathlib import Path
-
 import msgspec
 
 from onika.desk.environment.icons.dictionaries import shown_at_once
@@ -19,7 +17,7 @@ from onika.model.onikon import Onikon
 from onika.model.picture import Picture
 from onika.model.syntax import IconType
 from onika.store.base_directory import BaseDirectory
-from onika.store.shipped import is_shipped
+from onika.store.own_copy import saving_place
 from onika.store.site import Site
 from onika.store.user_path import user_path
 from onika.wire import act, page
@@ -42,7 +40,9 @@ def make_target(model: Model, command: act.MakeTarget, outside: Services) -> Don
     wrong = _wrong(model, command)
     if wrong:
         return No(target_values.refusal_text(wrong), fields=wrong)
-    home = BaseDirectory(base)
+    home = saving_place(base, outside.site)
+    if isinstance(home, Refusal):
+        return No(home.reason, fields={"base": home.reason})
     taken = _taken(model, command, home, outside.site)
     if taken:
         return taken
@@ -90,8 +90,6 @@ def _wrong(model: Model, command: act.MakeTarget) -> dict[str, Reason]:
 
 def _taken(model: Model, command: act.MakeTarget, home: BaseDirectory, site: Site) -> No | None:
     """Why the name may not be used there, if so (D15)."""
-    if is_shipped(home.path) and not command.overwrites:
-        return _shipped(command, site.own)
     there = _standing(model, command, home)
     if there is not None:
         return there
@@ -142,12 +140,3 @@ def _over(command: act.MakeTarget, label: Reason | None = None) -> tuple[Remedy,
     if command.overwrites:
         return ()
     return (Remedy(label or Reason.of("desk.replace_it"), again),)
-
-
-def _shipped(command: act.MakeTarget, own: Path | None) -> No:
-    """What comes with Onika is not changed by the way."""
-    here = msgspec.structs.replace(command, base="")
-    remedies = () if own is None else (Remedy(Reason.of("desk.save_in", path=str(own)), here),)
-    return No(
-        Reason.of("desk.part_of_onika", name=command.name), (*remedies, *_over(command, Reason.of("desk.change_onika")))
-    )
