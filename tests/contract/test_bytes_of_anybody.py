@@ -21,6 +21,7 @@ from onika.link.signal_journal import SignalJournal
 from onika.wire import event
 from onika.wire.frame import FrameReader, frame
 from onika.wire.packet import VERSION, Ack, Beat, Bye, Hello, Part, ReplyPacket, RequestPacket, decode, encode
+from onika.words.reason import NOTHING
 
 _PACKETS = (
     Hello(VERSION, "me", "", 0),
@@ -30,7 +31,7 @@ _PACKETS = (
     Ack(1),
     Beat(1, 0, 0),
     ReplyPacket(1, False, 0, b""),
-    Bye("closed", ""),
+    Bye("closed", NOTHING),
 )
 
 

@@ -23,6 +23,7 @@ from onika.link.session import EnvironmentSession
 from onika.link.session_channels import SessionChannels
 from onika.link.sessions import Introduction
 from onika.wire.packet import Bye, Hello, Packet, encode
+from onika.words.reason import Reason
 
 _MS = 1_000_000
 _STORM_NS = 4_000 * _MS
@@ -163,7 +164,7 @@ class NetworkHistory:
     def _crash_environment(self) -> None:
         environment = self._time.random.choice(self._environments)
         if self._time.random.random() < 0.3:
-            environment.session_channels.close("enough", self._clock(environment))
+            environment.session_channels.close(Reason.plain("enough"), self._clock(environment))
             self._witness.leaves(environment.name)
         environment.is_up = False
         for plug in list(environment.plugs.values()):

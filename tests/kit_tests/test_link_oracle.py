@@ -17,6 +17,7 @@ from onika.link.link_events import (
 )
 from onika.link.state import LinkState
 from onika.wire.packet import Ack, Bye, Hello, SignalPacket, Welcome
+from onika.words.reason import NOTHING
 
 ENV, RT = Who.ENVIRONMENT, Who.RUNTIME
 
@@ -109,7 +110,7 @@ def test_a_witness_finds_what_is_wrong(news, fault):
 @pytest.mark.parametrize(("who", "packet"), [(RT, SignalPacket(1, b"")), (ENV, Ack(1))])
 def test_a_witness_hears_who_speaks_before_the_greeting(who, packet):
     witness = watching()
-    witness.sent(who, cable(), Bye("closed", ""))
+    witness.sent(who, cable(), Bye("closed", NOTHING))
     assert witness.faults == []
     witness.sent(who, cable(), packet)
     assert len(witness.faults) == 1

@@ -13,8 +13,9 @@ from onika.wire.packet import (
     SignalPacket,
     Welcome,
 )
+from onika.words.reason import NOTHING
 
-EVERYWHERE = (Hello(1, "me", "", 0), Welcome(1, "e", 0, True, 0), Beat(1, 0), Bye("closed", ""))
+EVERYWHERE = (Hello(1, "me", "", 0), Welcome(1, "e", 0, True, 0), Beat(1, 0), Bye("closed", NOTHING))
 OWN = {
     Channel.SESSION: (RequestPacket(1, 1, 0, 0, b""), ReplyPacket(1, False, 0, b""), Part(1, 0, b"")),
     Channel.SIGNAL: (SignalPacket(1, b""), Ack(1)),

@@ -28,6 +28,7 @@ from onika.wire.packet import (
     SignalPacket,
     Welcome,
 )
+from onika.words.reason import Reason
 
 ROOM = 1_000_000
 TERMS = LinkTerms(beat_ns=0, suspect_ns=0, lost_ns=1000, greeting_ns=1000, piece=4)
@@ -189,8 +190,9 @@ def test_what_only_an_environment_says_ends_the_connection(packet):
     end.feed(packet, 0)
     (turned,) = end.take_notices()
     assert (turned.state, turned.lost.cause) == (LinkState.APART, LossCause.GARBAGE)
-    (bye,) = packets(end)
-    assert (bye.cause, type(packet).__name__ in bye.reason) == ("garbage", True)
+    not_its_part = Reason.of("link.not_of_runtime", packet=type(packet).__name__)
+    assert turned.lost.reason == Reason.of("link.garbage", detail=not_its_part)
+    assert packets(end) == [Bye("garbage", turned.lost.reason)]
 
 
 def test_parts_without_end_end_the_connection():
@@ -202,7 +204,8 @@ def test_parts_without_end_end_the_connection():
 
 
 @pytest.mark.parametrize(
-    "packet", [Welcome(VERSION + 1, "e", 0, False, 0), Bye("version", "this runtime speaks version 2 of the link")]
+    "packet",
+    [Welcome(VERSION + 1, "e", 0, False, 0), Bye("version", f"this runtime speaks version {VERSION + 1} of the link")],
 )
 def test_another_version_ends_the_link_for_good(packet):  # R-B06
     end = ClientEnd("me", TERMS)
@@ -211,13 +214,13 @@ def test_another_version_ends_the_link_for_good(packet):  # R-B06
     end.feed(packet, 0)
     turned, failed = end.take_notices()[1:]
     assert (turned.state, turned.lost.cause) == (LinkState.ENDED, LossCause.VERSION)
-    assert "version 2" in str(turned.lost)
+    assert f"version {VERSION + 1} " in str(turned.lost)
     assert failed == RequestFailed(1, RequestFate.LOST)
 
 
 def test_a_good_bye_leaves_the_way_open_for_a_new_connection():
     end = linked()
-    end.feed(Bye("closed", "going home"), 0)
+    end.feed(Bye("closed", Reason.plain("going home")), 0)
     (turned,) = end.take_notices()
     assert (turned.state, str(turned.lost)) == (LinkState.APART, "the other side closed the connection: going home")
     end.open(0)
@@ -235,9 +238,9 @@ def test_silence_ends_the_connection_and_keeps_what_may_be_asked_again():
 def test_a_closed_link_says_good_bye_and_fails_what_was_asked():
     end = linked()
     end.request(b"a", 0)
-    end.close("enough")
+    end.close(Reason.plain("enough"))
     assert events(end) == [RequestFailed(1, RequestFate.LOST)]
-    assert packets(end) == [Bye("closed", "enough")]
+    assert packets(end) == [Bye("closed", Reason.plain("enough"))]
     end.close()
     assert (end.take_notices(), packets(end)) == ([], [])
     end.request(b"b", 0)

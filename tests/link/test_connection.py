@@ -18,6 +18,7 @@ from onika.link.lost import LinkLost, LossCause
 from onika.link.runtime_port import ServerPort
 from onika.link.signal_journal import SignalJournal
 from onika.link.state import LinkState
+from onika.words.reason import Reason, in_language, reason_of
 
 TERMS = LinkTerms(beat_ns=100_000_000, suspect_ns=500_000_000, lost_ns=2_000_000_000, greeting_ns=3_000_000_000)
 
@@ -78,8 +79,9 @@ def test_the_first_request_may_come_before_the_greeting():
 def test_an_answer_that_does_not_come_in_time_is_a_time_out_and_no_loss():
     runtime = Runtime()
     connection = runtime.connection()
-    with pytest.raises(TimeoutError, match="no answer within 1 s"):
+    with pytest.raises(TimeoutError, match="no answer within 1 s") as late:
         connection.request(b"think", timeout_s=1)
+    assert in_language(reason_of(late.value), "es") == "no hubo respuesta en 1 s"
     assert connection.state is LinkState.LINKED
     assert connection.request(b"a") == b"re: a"
 
@@ -159,7 +161,7 @@ def test_a_link_that_was_closed_here_says_good_bye_and_stays_closed():
     runtime = Runtime()
     connection = runtime.connection()
     connection.open()
-    connection.close("enough")
+    connection.close(Reason.plain("enough"))
     runtime.serve()
     assert not runtime.port.is_open
     with pytest.raises(LinkLost) as caught:

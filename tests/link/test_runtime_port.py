@@ -9,6 +9,7 @@ from onika.link.reply_log import ReplyLog
 from onika.link.runtime_port import ServerPort
 from onika.link.signal_journal import SignalJournal
 from onika.link.state import LinkState
+from onika.words.reason import Reason
 
 
 def linked(make_pair=memory_pair, port=None):
@@ -81,10 +82,10 @@ def test_two_ports_of_a_runtime_serve_two_environments():  # R-X12
 def test_a_closed_port_lets_the_last_words_out_and_then_the_connection():
     port, connection = linked()
     port.signal(b"last", 0)
-    port.close(0, "quitting")
+    port.close(0, Reason.of("link.runtime_ends"))
     assert not port.is_open
     assert connection.poll()[0] == SignalReceived(1, b"last")
-    with pytest.raises(LinkLost, match="quitting"):
+    with pytest.raises(LinkLost, match="the runtime ends"):
         connection.request(b"a")
 
 

@@ -2,6 +2,7 @@ from onika.link.body_parts import split
 from onika.link.readings import Readings
 from onika.link.send_queues import SendQueues
 from onika.wire.packet import Ack, Bye, ReadingPacket, RequestPacket
+from onika.words.reason import NOTHING
 
 
 def request(number, body=b""):
@@ -55,9 +56,9 @@ def test_what_waits_already_is_not_queued_twice_but_may_be_said_again_later():
 def test_the_last_word_comes_when_all_else_is_said():
     queues = SendQueues(Readings())
     queues.session([], request(1, bytes(100)))
-    queues.last(Bye("closed", ""))
+    queues.last(Bye("closed", NOTHING))
     assert queues.take(0, 0) == []
-    assert queues.take(1, 0) == [request(1, bytes(100)), Bye("closed", "")]
+    assert queues.take(1, 0) == [request(1, bytes(100)), Bye("closed", NOTHING)]
     assert queues.take(1, 0) == []
 
 
@@ -67,7 +68,7 @@ def test_nothing_of_one_connection_goes_over_another():
     queues = SendQueues(readings)
     queues.session([], request(1))
     queues.signal(Ack(1))
-    queues.last(Bye("closed", ""))
+    queues.last(Bye("closed", NOTHING))
     queues.clear()
     assert queues.take(10_000, 0) == []
     queues.session([], request(1))

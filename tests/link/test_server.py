@@ -21,6 +21,7 @@ from onika.wire.packet import (
     SignalPacket,
     Welcome,
 )
+from onika.words.reason import NOTHING, Reason
 
 ROOM = 1_000_000
 TERMS = LinkTerms(beat_ns=0, suspect_ns=0, lost_ns=1000, greeting_ns=1000, piece=4, window=3)
@@ -187,7 +188,7 @@ def test_who_falls_behind_the_journal_is_cut_and_begins_anew():
         end.signal(b"", 0)
     turned = end.take_notices()[-1]
     assert (turned.state, turned.lost.cause) == (LinkState.APART, LossCause.BEHIND)
-    assert packets(end) == [Bye("behind", "signal 4 is forgotten")]
+    assert packets(end) == [Bye("behind", Reason.of("link.signal_forgotten", number=4))]
     end.open(0)
     end.feed(hello(seq=3), 0)
     assert requests(end) == [Greeted("me", False)]
@@ -285,14 +286,18 @@ def test_a_closed_link_still_says_what_was_answered_and_signalled():
     end.feed(request(1), 0)
     end.reply(1, b"A")
     end.signal(b"x", 0)
-    end.close("quitting")
-    assert packets(end) == [SignalPacket(1, b"x"), ReplyPacket(1, False, 0, b"A"), Bye("closed", "quitting")]
+    end.close(Reason.of("link.runtime_ends"))
+    assert packets(end) == [
+        SignalPacket(1, b"x"),
+        ReplyPacket(1, False, 0, b"A"),
+        Bye("closed", Reason.of("link.runtime_ends")),
+    ]
     assert end.state is LinkState.ENDED
 
 
 def test_a_client_that_said_good_bye_is_forgotten():
     end = greet(made())
-    end.feed(Bye("closed", ""), 0)
+    end.feed(Bye("closed", NOTHING), 0)
     assert end.state is LinkState.APART
     end.open(0)
     end.feed(hello(), 0)

@@ -14,6 +14,7 @@ from onika.link.lost import LossCause
 from onika.link.session_channels import SessionChannels
 from onika.link.sessions import Introduction, Sessions
 from onika.link.state import LinkState
+from onika.words.reason import Reason
 
 MS = 1_000_000
 
@@ -140,7 +141,7 @@ def test_signals_of_an_old_life_are_not_told_in_a_new_one():  # R-F01
 def test_the_end_is_said_on_all_channels():
     net = Net()
     net.talk()
-    net.session_channels.close("enough", net.now)
+    net.session_channels.close(Reason.plain("enough"), net.now)
     net.talk()
     assert net.session_channels.state is LinkState.ENDED
     assert net.session_channels.carriers == []

@@ -7,6 +7,7 @@ from onika.link.client import ClientEnd
 from onika.link.link_terms import LOCAL
 from onika.link.pump import Pump
 from onika.link.sessions import Introduction, Sessions
+from onika.words.reason import NOTHING, Reason
 
 MINUTE = 60_000_000_000
 
@@ -53,7 +54,7 @@ def test_a_client_that_comes_back_finds_its_session():  # R-F01
     _, end = inn.come("a")
     inn.sessions.find("ann#1").signal(b"one", inn.now)
     inn.pumps.clear()
-    assert inn.come("a", end=end) == ("", end)
+    assert inn.come("a", end=end) == (NOTHING, end)
     assert inn.names() == ["ann#1"]
 
 
@@ -61,20 +62,20 @@ def test_another_users_session_is_not_his():  # R-X12
     inn = Inn()
     inn.come("a")
     why, _ = inn.come("a", user="mallory")
-    assert why == "this session is another user's"
+    assert why == Reason.of("link.another_users")
 
 
 @pytest.mark.parametrize("channel", [Channel.SIGNAL, Channel.STREAM])
 def test_only_a_channel_that_asks_begins_a_session(channel):
     why, _ = Inn().come("a", channel=channel)
-    assert "no such session" in why
+    assert why == Reason.of("link.no_session")
 
 
 def test_a_second_shape_of_connections_is_turned_away():
     inn = Inn()
     inn.come("a")
     why, _ = inn.come("a", channel=Channel.SIGNAL)
-    assert "one connection for everything" in why
+    assert why == Reason.of("link.channels_mixed")
 
 
 def test_a_new_program_under_an_old_name_gets_a_new_session_and_the_old_is_lost():  # R-X12
@@ -113,10 +114,10 @@ def test_where_there_is_no_room_one_who_is_away_makes_it_and_one_who_is_there_do
     inn = Inn(keep=2)
     inn.come("a")
     inn.come("b")
-    assert inn.come("c")[0] == "there are 2 sessions already"
+    assert inn.come("c")[0] == Reason.of("link.sessions_full", count=2)
     inn.pumps[0].drop()
     inn.talk()
-    assert inn.come("c")[0] == ""
+    assert inn.come("c")[0] == NOTHING
     assert inn.names() == ["ann#2", "ann#3"]
     assert inn.sessions.lost(inn.now) == ["ann#1"]
 

@@ -17,6 +17,7 @@ from onika.wire.packet import (
     decode,
     encode,
 )
+from onika.words.reason import Reason
 
 COUNT = st.integers(0, 2**63 - 1)
 NAME = st.text(max_size=128)
@@ -31,6 +32,7 @@ PACKETS = st.one_of(
     st.builds(ReadingPacket, COUNT, NAME, st.binary()),
     st.builds(Beat, COUNT, COUNT),
     st.builds(Bye, st.sampled_from(["closed", "version", "garbage", "behind"]), st.text(max_size=1000)),
+    st.builds(Bye, st.sampled_from(["closed", "garbage", "refused"]), st.builds(Reason.plain, st.text(max_size=1000))),
 )
 
 
@@ -74,3 +76,15 @@ def test_a_packet_that_is_cut_short_or_followed_by_more_is_refused(packet, data)
 def test_what_is_nearly_a_packet_is_refused(words):
     with pytest.raises(ValueError, match="expected a packet"):
         decode(msgspec.msgpack.encode(words))
+
+
+def test_the_good_bye_between_two_versions_has_the_form_that_every_version_reads():  # R-B06
+    refusal = "this runtime speaks version 9 of the link, not 3"
+    assert msgspec.msgpack.decode(encode(Bye("version", refusal))) == ["bye", "version", refusal]
+    assert decode(encode(Bye("version", refusal))) == Bye("version", refusal)
+
+
+def test_a_million_letters_in_the_place_of_a_word_are_refused_in_a_short_sentence():
+    with pytest.raises(ValueError, match="expected a packet of the link") as refusal:
+        decode(msgspec.msgpack.encode(["bye", "x" * 1_000_000, ""]))
+    assert len(str(refusal.value)) < 500

@@ -279,7 +279,7 @@ def _come_to_rest(server: RequestServer, driver: WallDriver) -> None:
 def _say_last(server: RequestServer) -> None:
     """Let the last words out, for a moment at most."""
     until = monotonic_ns() + 500_000_000
-    server.close("the runtime ends")
+    server.close(Reason.of("link.runtime_ends"))
     while server.is_waiting and monotonic_ns() < until:
         select.select([], server.writers(), [], 0.05)
         server.requests()

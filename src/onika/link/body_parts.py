@@ -1,6 +1,7 @@
 """Parts of a long body: split by the sender, gathered by the receiver (§5.8.2: large data is split)."""
 
 from onika.wire.packet import Part
+from onika.words.reason import Reason
 
 
 def split(number: int, body: bytes, piece: int) -> tuple[list[Part], bytes]:
@@ -26,7 +27,7 @@ class BodyAssembly:
         # every part costs something, so that endless empty ones are noticed too
         self._bytes += len(part.body) + 64
         if self._bytes > self._limit:
-            raise ValueError(f"expected bodies of {self._limit} bytes at most, found longer ones")
+            raise ValueError(Reason.of("link.body_limit", limit=self._limit))
         pieces[part.index] = part.body
 
     def complete(self, number: int, parts: int, last: bytes) -> bytes | None:

@@ -1,7 +1,6 @@
 """A carrier: one connection that brings payloads, whole and in order, and never makes anybody wait."""
 
 import math
-import os
 import select
 import socket
 from collections import deque
@@ -11,6 +10,8 @@ from typing import Protocol, runtime_checkable
 
 from onika.link import lost
 from onika.wire.frame import FRAME_LIMIT, FrameReader, frame
+from onika.words.reason import Reason, reason_of
+from onika.words.system_error import system_reason
 
 BUFFER_LIMIT = 16 * 1024 * 1024
 """Bytes that may wait for a slow reader before the connection is cut."""
@@ -108,7 +109,7 @@ class SocketCarrier:
         self._waiting += frame(payload, self._frame_limit)
         self.flush()
         if len(self._waiting) > self._buffer_limit:
-            raise lost.behind(f"{len(self._waiting)} bytes wait to be sent")
+            raise lost.behind(Reason.of("link.waits_to_be_sent", count=len(self._waiting)))
 
     def flush(self) -> None:
         """Send what waits, as far as it goes now."""
@@ -139,13 +140,14 @@ class SocketCarrier:
                 taken += len(data)
                 self._held += self._reader.feed(data)
                 if not data:
-                    self._end = lost.closed("" if self._reader.is_between_frames else "in the middle of a message")
+                    is_whole = self._reader.is_between_frames
+                    self._end = lost.closed() if is_whole else lost.closed(Reason.of("link.in_a_message"))
         except (BlockingIOError, InterruptedError):
             pass
         except ValueError as fault:
-            self._end = lost.garbage(str(fault))
+            self._end = lost.garbage(reason_of(fault))
         except OSError as fault:
-            self._end = lost.closed(os.strerror(fault.errno or 0))
+            self._end = lost.closed(system_reason(fault))
 
     def close(self) -> None:
         """Let the connection go, with all that waits."""
@@ -186,7 +188,7 @@ class MemoryCarrier:
         self._peer._inbox.append(payload)
         self._peer._inbox_bytes += len(payload)
         if self._peer._inbox_bytes > self._buffer_limit:
-            raise lost.behind(f"{self._peer._inbox_bytes} bytes wait to be received")
+            raise lost.behind(Reason.of("link.waits_to_be_received", count=self._peer._inbox_bytes))
 
     def flush(self) -> None:
         """Nothing ever waits here."""

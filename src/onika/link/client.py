@@ -34,6 +34,7 @@ from onika.wire.packet import (
     SignalPacket,
     Welcome,
 )
+from onika.words.reason import NOTHING, Reason, as_reason, reason_of
 
 
 @dataclass(slots=True)
@@ -89,13 +90,13 @@ class ClientEnd:
         if self.state not in (LinkState.APART, LinkState.ENDED):
             self._end(LinkEvent.CUT, why)
             if why.cause is lost.LossCause.GARBAGE:
-                self._queues.last(Bye("garbage", str(why)[:1000]))
+                self._queues.last(Bye("garbage", why.reason))
 
     def follow(self, epoch: str) -> None:
         """To a channel that does not ask: the session it belongs to is in this epoch; in a new one it begins anew."""
         self._accepted, self.epoch = (self._accepted if epoch == self.epoch else 0), epoch
 
-    def close(self, reason: str = "closed") -> None:
+    def close(self, reason: Reason = NOTHING) -> None:
         """End the link for good; the good-bye is still to be sent."""
         if self.state is LinkState.ENDED:
             return
@@ -181,7 +182,7 @@ class ClientEnd:
 
     def _feed_linked(self, packet: Packet, now_ns: int) -> None:
         if not self._channel.carries(packet):
-            self._garbage(f"{type(packet).__name__} has no place on the {self._channel.value} channel")
+            self._garbage(Reason.of("link.no_place", packet=type(packet).__name__, channel=self._channel.value))
             return
         match packet:
             case SignalPacket():
@@ -204,7 +205,7 @@ class ClientEnd:
             self._end(LinkEvent.REFUSED, lost.version(VERSION, packet.version))
             return
         if not self._channel.asks and packet.epoch != self.epoch:
-            self.cut(lost.closed("the runtime was started anew"))
+            self.cut(lost.closed(Reason.of("link.runtime_anew")))
             return
         first, resumed = not self.epoch, packet.resumed and packet.epoch == self.epoch
         self._clock_ahead_ns = packet.clock_ns - now_ns
@@ -243,7 +244,7 @@ class ClientEnd:
         try:
             self._assembly.put(packet)
         except ValueError as fault:
-            self._garbage(str(fault))
+            self._garbage(reason_of(fault))
 
     def _read(self, packet: ReadingPacket) -> None:
         if packet.count > self._reading:
@@ -251,19 +252,15 @@ class ClientEnd:
             self._notices.append(ReadingReceived(packet.key, packet.body))
 
     def _bye(self, packet: Bye) -> None:
-        if packet.cause == "version":
-            self._end(
-                LinkEvent.REFUSED if self.state is LinkState.GREETING else LinkEvent.CUT,
-                lost.link_lost(packet.cause, packet.reason),
-            )
-        else:
-            self._end(LinkEvent.CUT, lost.link_lost(packet.cause, packet.reason))
+        is_refused = packet.cause == "version" and self.state is LinkState.GREETING
+        end = LinkEvent.REFUSED if is_refused else LinkEvent.CUT
+        self._end(end, lost.link_lost(packet.cause, as_reason(packet.reason)))
 
     def _unexpected(self, packet: Packet) -> None:
         if isinstance(packet, Hello | RequestPacket | Ack):
-            self._garbage(f"a runtime does not say {type(packet).__name__}")
+            self._garbage(Reason.of("link.not_of_runtime", packet=type(packet).__name__))
 
-    def _garbage(self, detail: str) -> None:
+    def _garbage(self, detail: Reason) -> None:
         self.cut(lost.garbage(detail))
 
     def _send(self, number: int, now_ns: int) -> None:

@@ -19,6 +19,7 @@ from onika.link.link_terms import LOCAL, LinkTerms
 from onika.link.lost import LinkLost, closed, here
 from onika.link.session_channels import SessionChannels
 from onika.link.state import LinkState
+from onika.words.reason import NOTHING, Reason
 
 Clock = Callable[[], int]
 """A clock that never goes back, in ns (`time.monotonic_ns`)."""
@@ -114,7 +115,7 @@ class Connection:
         self._serve()
         while self.state not in (LinkState.LINKED, LinkState.SUSPECT):
             self._raise_if_gone()
-            self._step(until_ns, f"no greeting within {timeout_s:g} s")
+            self._step(until_ns, Reason.of("link.no_greeting", seconds=timeout_s))
         return self.epoch
 
     def request(self, body: bytes, timeout_s: float = 5.0, once: bool = False, urgent: bool = False) -> bytes:
@@ -134,7 +135,7 @@ class Connection:
         try:
             while number not in self._outcomes:
                 self._raise_if_gone()
-                self._step(now_ns + limit_ns, f"no answer within {timeout_s:g} s")
+                self._step(now_ns + limit_ns, Reason.of("link.no_answer_within", seconds=timeout_s))
             return self._outcome(self._outcomes[number], timeout_s)
         finally:
             self._awaited.discard(number)
@@ -164,7 +165,7 @@ class Connection:
         self._readings.clear()
         return news
 
-    def close(self, reason: str = "closed", timeout_s: float = 1.0) -> None:
+    def close(self, reason: Reason = NOTHING, timeout_s: float = 1.0) -> None:
         """Say good-bye and let the connection go; waits a little for a slow reader."""
         until_ns = self._clock() + round(timeout_s * 1e9)
         self._session.close(reason, self._clock())
@@ -181,9 +182,9 @@ class Connection:
     def _is_gone(self) -> bool:
         return self.state in (LinkState.APART, LinkState.ENDED) and not self.comes_back
 
-    def _step(self, until_ns: int, text: str) -> None:
+    def _step(self, until_ns: int, late: Reason) -> None:
         if self._clock() >= until_ns:
-            raise TimeoutError(text)
+            raise TimeoutError(late)
         self._rest(until_ns)
         self._serve()
 
@@ -243,7 +244,7 @@ class Connection:
         if isinstance(outcome, ReplyReceived):
             return outcome.body
         if outcome.fate is RequestFate.LOST:
-            raise self._lost or closed("it may or may not have been carried out")
+            raise self._lost or closed(outcome.fate.reason)
         if outcome.fate is RequestFate.UNSENT and self.state in (LinkState.APART, LinkState.ENDED):
             raise self._lost or closed()
-        raise TimeoutError(f"not begun within {timeout_s:g} s: {outcome.fate.reason}")
+        raise TimeoutError(Reason.of("link.not_begun", seconds=timeout_s, fate=outcome.fate.reason))

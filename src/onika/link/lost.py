@@ -2,6 +2,7 @@
 
 from enum import Enum
 
+from onika.wire.packet import VERSION
 from onika.words.reason import NOTHING, Reason
 
 
@@ -37,10 +38,10 @@ class LossCause(Enum):
 class LinkLost(Exception):
     """The connection is no more; `cause` says which kind, `reason` says it to people."""
 
-    def __init__(self, cause: LossCause, text: Reason) -> None:
+    def __init__(self, cause: LossCause, reason: Reason) -> None:
         self.cause = cause
-        self.reason = text if isinstance(text, Reason) else Reason.plain(text)
-        super().__init__(self.reason)
+        self.reason = reason
+        super().__init__(reason)
 
     @property
     def is_final(self) -> bool:
@@ -48,10 +49,9 @@ class LinkLost(Exception):
         return self.cause in (LossCause.VERSION, LossCause.CERTIFICATE, LossCause.TOKEN, LossCause.FORBIDDEN)
 
 
-def closed(detail: str = "") -> LinkLost:
+def closed(why: Reason = NOTHING) -> LinkLost:
     """The other side closed the connection or ceased to be."""
-    why = Reason.of("link.because", why=Reason.plain(detail)) if detail else NOTHING
-    return LinkLost(LossCause.CLOSED, Reason.of("link.closed", why=why))
+    return LinkLost(LossCause.CLOSED, Reason.of("link.closed", why=_because(why)))
 
 
 def silent(seconds: float) -> LinkLost:
@@ -64,23 +64,29 @@ def version(mine: int, theirs: int) -> LinkLost:
     return LinkLost(LossCause.VERSION, Reason.of("link.version", mine=mine, theirs=theirs))
 
 
-def garbage(detail: str) -> LinkLost:
-    """The other side sent something that is no packet."""
-    return LinkLost(LossCause.GARBAGE, Reason.of("link.garbage", detail=Reason.plain(detail)))
+def garbage(detail: Reason) -> LinkLost:
+    """The other side sent something that is no packet, or none that has its place there."""
+    return LinkLost(LossCause.GARBAGE, Reason.of("link.garbage", detail=detail))
 
 
-def link_lost(cause: str, reason: str) -> LinkLost:
+def link_lost(cause: str, why: Reason) -> LinkLost:
     """What the other side's good-bye says."""
     if cause == "closed":
-        return closed(reason)
-    return LinkLost(LossCause(cause), Reason.of("link.ended_there", why=Reason.plain(reason)))
+        return closed(why)
+    if cause == "version":
+        return LinkLost(LossCause.VERSION, Reason.of("link.version_there", mine=VERSION, why=_because(why)))
+    return LinkLost(LossCause(cause), Reason.of("link.ended_there", why=_because(why)))
 
 
-def behind(detail: str) -> LinkLost:
+def behind(detail: Reason) -> LinkLost:
     """A reader was too slow."""
-    return LinkLost(LossCause.BEHIND, Reason.of("link.behind", detail=Reason.plain(detail)))
+    return LinkLost(LossCause.BEHIND, Reason.of("link.behind", detail=detail))
 
 
-def here(detail: str = "closed") -> LinkLost:
+def here(why: Reason = NOTHING) -> LinkLost:
     """This side closed the connection itself."""
-    return LinkLost(LossCause.HERE, Reason.of("link.ended_here", why=Reason.plain(detail)))
+    return LinkLost(LossCause.HERE, Reason.of("link.ended_here", why=_because(why)))
+
+
+def _because(why: Reason) -> Reason:
+    return Reason.of("link.because", why=why) if why else NOTHING

@@ -6,6 +6,7 @@ from onika.link.carrier import Carrier
 from onika.link.lost import LinkLost, garbage, here
 from onika.link.state import LinkState
 from onika.wire.packet import Packet, decode, encode
+from onika.words.reason import reason_of
 
 LOW_WATER = 128 * 1024
 """Bytes under way beyond which only signals and beats are added."""
@@ -95,4 +96,4 @@ class Pump:
         except LinkLost as why:
             self._end.cut(why)
         except ValueError as fault:
-            self._end.cut(garbage(str(fault)))
+            self._end.cut(garbage(reason_of(fault)))

@@ -12,6 +12,7 @@ from onika.link.reply_log import ReplyLog
 from onika.link.server import ServerEnd
 from onika.link.signal_journal import SignalJournal
 from onika.link.state import LinkState
+from onika.words.reason import NOTHING, Reason
 
 MakeServer = Callable[[SignalJournal, ReplyLog, LinkTerms, Channel], ServerEnd]
 """Makes the end that decides."""
@@ -97,7 +98,7 @@ class ServerPort:
         """Show the newest value under a key; it goes at the next `service`, if there is room on the way."""
         self._end.reading(key, body, now_ns)
 
-    def close(self, now_ns: int, reason: str = "closed") -> None:
+    def close(self, now_ns: int, reason: Reason = NOTHING) -> None:
         """Say good-bye; serve on while `is_open`, so that a slow reader gets what was said last."""
         self._end.close(reason)
         self._pump.push(now_ns)

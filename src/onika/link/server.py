@@ -27,6 +27,7 @@ from onika.wire.packet import (
     SignalPacket,
     Welcome,
 )
+from onika.words.reason import NOTHING, Reason, as_reason, reason_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,9 +87,9 @@ class ServerEnd:
         if self.state not in (LinkState.APART, LinkState.ENDED):
             self._end(LinkEvent.CUT, why)
             if why.cause is lost.LossCause.GARBAGE:
-                self._queues.last(Bye("garbage", str(why)[:1000]))
+                self._queues.last(Bye("garbage", why.reason))
 
-    def close(self, reason: str = "closed") -> None:
+    def close(self, reason: Reason = NOTHING) -> None:
         """End the link for good; signals and answers so far and the good-bye are still to be sent."""
         if self.state is LinkState.ENDED:
             return
@@ -159,11 +160,11 @@ class ServerEnd:
             case Bye():
                 self._bye(packet)
             case _:
-                self._garbage(f"an environment does not begin with {type(packet).__name__}")
+                self._garbage(Reason.of("link.begins_unfit", packet=type(packet).__name__))
 
     def _feed_linked(self, client_replies: ClientReplies, packet: Packet, now_ns: int) -> None:
         if not self._channel.carries(packet):
-            self._garbage(f"{type(packet).__name__} has no place on the {self._channel.value} channel")
+            self._garbage(Reason.of("link.no_place", packet=type(packet).__name__, channel=self._channel.value))
             return
         match packet:
             case RequestPacket():
@@ -179,12 +180,13 @@ class ServerEnd:
             case Beat():  # it was heard, that is all it is for
                 self.link_quality = self.link_quality.after(packet, now_ns)
             case _:
-                self._garbage(f"an environment does not say {type(packet).__name__}")
+                self._garbage(Reason.of("link.not_of_environment", packet=type(packet).__name__))
 
     def _hello(self, hello: Hello, now_ns: int) -> None:
         if hello.version != VERSION:
             self._end(LinkEvent.CUT, lost.version(VERSION, hello.version))
-            self._queues.last(Bye("version", f"this runtime speaks version {VERSION} of the link, not {hello.version}"))
+            refusal = Reason.of("link.version_refused", mine=VERSION, theirs=hello.version)
+            self._queues.last(Bye("version", refusal.text))  # a sentence: every version of the link reads it
             return
         client_replies = self._replies.find(hello.client)
         same_epoch = hello.epoch == self._journal.epoch
@@ -204,7 +206,7 @@ class ServerEnd:
 
     def _hello_again(self, client_replies: ClientReplies, hello: Hello) -> None:
         if hello.client != client_replies.client:
-            self._garbage("a second greeting by somebody else")
+            self._garbage(Reason.of("link.second_greeting"))
         elif self._welcome is not None:
             # it may have been lost: the same once more, for what was said since goes on from there
             self._queues.signal(self._welcome)
@@ -214,7 +216,7 @@ class ServerEnd:
         if len(client_replies.under_way) + len(
             client_replies.answers
         ) >= self._terms.unsettled and client_replies.is_new(request.number):
-            self._garbage(f"more than {self._terms.unsettled} requests that are not settled")
+            self._garbage(Reason.of("link.unsettled", limit=self._terms.unsettled))
             return
         if request.number in client_replies.answers:
             self._repeat(client_replies, request.number)
@@ -250,11 +252,11 @@ class ServerEnd:
         try:
             self._assembly.put(part)
         except ValueError as fault:
-            self._garbage(str(fault))
+            self._garbage(reason_of(fault))
 
     def _ack(self, ack: Ack, now_ns: int) -> None:
         if ack.seq > self._journal.last:
-            self._garbage(f"signal {ack.seq} acknowledged, {self._journal.last} are there")
+            self._garbage(Reason.of("link.acknowledged_ahead", number=ack.seq, last=self._journal.last))
         elif ack.seq > self._acked:
             self._acked = ack.seq
             self._sent_to = max(self._sent_to, ack.seq)
@@ -268,7 +270,7 @@ class ServerEnd:
         if self._sent_to == self._acked:
             self._progress_ns = now_ns
         if not self._journal.reaches_back_to(self._sent_to):
-            why = f"signal {self._sent_to + 1} is forgotten"
+            why = Reason.of("link.signal_forgotten", number=self._sent_to + 1)
             self._end(LinkEvent.CUT, lost.behind(why))
             self._queues.last(Bye("behind", why))
             return
@@ -286,9 +288,9 @@ class ServerEnd:
     def _bye(self, packet: Bye) -> None:
         if packet.cause == "closed" and self._client_replies is not None:
             self._replies.close(self._client_replies.client)
-        self._end(LinkEvent.CUT, lost.closed(packet.reason))
+        self._end(LinkEvent.CUT, lost.closed(as_reason(packet.reason)))
 
-    def _garbage(self, detail: str) -> None:
+    def _garbage(self, detail: Reason) -> None:
         self.cut(lost.garbage(detail))
 
     def _end(self, event: LinkEvent, why: lost.LinkLost) -> None:

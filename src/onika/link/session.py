@@ -11,6 +11,7 @@ from onika.link.runtime_port import MakeServer, ServerPort
 from onika.link.server import ServerEnd
 from onika.link.signal_journal import SignalJournal
 from onika.link.state import LinkState
+from onika.words.reason import Reason
 
 _LINKED = (LinkState.LINKED, LinkState.SUSPECT)
 
@@ -156,7 +157,7 @@ class EnvironmentSession:
             port.reading(key, body, now_ns)
             self._has_shown = True
 
-    def close(self, reason: str, now_ns: int) -> None:
+    def close(self, reason: Reason, now_ns: int) -> None:
         """Say good-bye on every channel; serve on while there are `ports`."""
         for port in self._ports.values():
             port.close(now_ns, reason)

@@ -15,6 +15,7 @@ from onika.link.link_terms import LOCAL, LinkTerms
 from onika.link.lost import LinkLost
 from onika.link.pump import Pump
 from onika.link.state import LinkState
+from onika.words.reason import Reason
 
 _MS = 1_000_000
 _FIRST_NS = 250 * _MS
@@ -165,7 +166,7 @@ class SessionChannels:
                 times.append(max(0, channel_end.connect_ns - now_ns))
         return min(times, default=None)
 
-    def close(self, reason: str, now_ns: int) -> None:
+    def close(self, reason: Reason, now_ns: int) -> None:
         """End the session for good; the good-byes are still to be sent."""
         for channel_end in reversed(self._channel_ends.values()):
             channel_end.end.close(reason)
@@ -207,7 +208,7 @@ class SessionChannels:
             if channel_end is self._first or channel_end.end.epoch == self.epoch:
                 continue
             if channel_end.end.state is not LinkState.APART:
-                channel_end.end.cut(lost.closed("the runtime was started anew"))
+                channel_end.end.cut(lost.closed(Reason.of("link.runtime_anew")))
                 channel_end.pump.drop()
             channel_end.end.take_notices()
             channel_end.end.follow(self.epoch)

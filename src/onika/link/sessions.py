@@ -10,6 +10,7 @@ from onika.link.runtime_port import MakeServer
 from onika.link.server import ServerEnd
 from onika.link.session import EnvironmentSession
 from onika.link.signal_journal import SignalJournal
+from onika.words.reason import NOTHING, Reason
 
 _FORGET_NS = 600 * 1_000_000_000
 _KEEP = 32
@@ -68,25 +69,25 @@ class Sessions:
         session.attach(Channel.ALL, carrier, now_ns)
         return session
 
-    def admit(self, new: Introduction, carrier: Carrier, now_ns: int) -> str:
+    def admit(self, new: Introduction, carrier: Carrier, now_ns: int) -> Reason:
         """Take a connection to its session, which is made where there is none; else why it is turned away."""
         session = self._by_client.get(new.client)
         if session is not None and session.caller.user != new.caller.user:
-            return "this session is another user's"
+            return Reason.of("link.another_users")
         if session is not None and self._begins_anew(session, new):
             self._part(session)
             session = None
         if session is None and not new.channel.asks:
-            return "there is no such session; greet on the session channel first"
+            return Reason.of("link.no_session")
         if session is not None and not session.fits(new.channel):
-            return "a session has one connection for everything, or one for each channel"
+            return Reason.of("link.channels_mixed")
         if session is None:
             if not self._has_room():
-                return f"there are {self._keep} sessions already"
+                return Reason.of("link.sessions_full", count=self._keep)
             session = self._begin(new)
         session.caller = new.caller
         session.attach(new.channel, carrier, now_ns)
-        return ""
+        return NOTHING
 
     def lost(self, now_ns: int) -> list[str]:
         """The sessions given up since the last call; those that are away for long are forgotten too."""

@@ -1,6 +1,5 @@
 """A carrier over a WebSocket, on the environment's side: a payload is one binary message, over TLS where requested."""
 
-import os
 import socket
 import ssl
 from collections import deque
@@ -12,6 +11,8 @@ from onika.link import lost
 from onika.link.carrier import BUFFER_LIMIT
 from onika.link.heartbeat import HeartbeatSender
 from onika.link.websocket_messages import WebSocketMessages
+from onika.words.reason import Reason, reason_of
+from onika.words.system_error import system_reason
 
 _CHUNK = 64 * 1024
 _TURN = 1024 * 1024
@@ -61,7 +62,7 @@ class WebSocketCarrier:
         self._protocol.send_binary(payload)
         self.flush()
         if len(self._waiting) > self._buffer_limit:
-            raise lost.behind(f"{len(self._waiting)} bytes wait to be sent")
+            raise lost.behind(Reason.of("link.waits_to_be_sent", count=len(self._waiting)))
 
     def flush(self) -> None:
         """Send what waits, as far as it goes now."""
@@ -114,18 +115,18 @@ class WebSocketCarrier:
                     self._protocol.receive_eof()
                 self._sort()
                 if not data:
-                    self._end = self._end or lost.closed(self._protocol.close_reason or "")
+                    self._end = self._end or _closed(self._protocol)
         except _WOULD_WAIT:
             pass
         except OSError as fault:
-            self._end = lost.closed(fault.strerror or os.strerror(fault.errno or 0))
+            self._end = lost.closed(system_reason(fault))
         self.flush()
 
     def _sort(self) -> None:
         try:
             self._held += self._messages.feed(self._protocol.events_received())
         except ValueError as fault:
-            self._end = lost.garbage(str(fault))
+            self._end = lost.garbage(reason_of(fault))
         if self._protocol.parser_exc is not None and self._end is None and self._protocol.state is not State.OPEN:
             self._end = _ended(self._protocol)
 
@@ -133,5 +134,10 @@ class WebSocketCarrier:
 def _ended(protocol: ClientProtocol) -> lost.LinkLost:
     """Why the protocol let the connection go by itself."""
     if protocol.close_rcvd is not None or protocol.close_sent is None:
-        return lost.closed(protocol.close_reason or "")
-    return lost.garbage(protocol.close_sent.reason or "no WebSocket")
+        return _closed(protocol)
+    why = Reason.plain(protocol.close_sent.reason) or Reason.of("link.broken_websocket")
+    return lost.garbage(why)
+
+
+def _closed(protocol: ClientProtocol) -> lost.LinkLost:
+    return lost.closed(Reason.plain(protocol.close_reason or ""))

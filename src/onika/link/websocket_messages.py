@@ -5,6 +5,8 @@ import logging
 from websockets.frames import Frame, Opcode
 from websockets.http11 import Request, Response
 
+from onika.words.reason import Reason
+
 SILENT = logging.getLogger("onika.websocket")
 """For the protocol's own remarks, which would name headers and so tokens: nobody hears them."""
 SILENT.disabled = True
@@ -23,7 +25,7 @@ class WebSocketMessages:
             if not isinstance(frame, Frame) or frame.opcode not in (Opcode.TEXT, Opcode.BINARY, Opcode.CONT):
                 continue  # pings are answered by the protocol
             if frame.opcode is Opcode.TEXT:
-                raise ValueError("expected binary messages, found a text")
+                raise ValueError(Reason.of("link.text_message"))
             self._begun.append(bytes(frame.data))
             if frame.fin:
                 payloads.append(b"".join(self._begun))

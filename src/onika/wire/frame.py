@@ -2,6 +2,8 @@
 
 import struct
 
+from onika.words.reason import NOTHING, Reason, reason_of
+
 FRAME_LIMIT = 1 << 20
 """Longest payload in bytes that a reader accepts unless told otherwise."""
 
@@ -20,7 +22,7 @@ class FrameReader:
     def __init__(self, limit: int = FRAME_LIMIT) -> None:
         self._limit = limit
         self._rest = bytearray()
-        self._fault = ""
+        self._fault = NOTHING
 
     @property
     def is_between_frames(self) -> bool:
@@ -52,11 +54,11 @@ class FrameReader:
         try:
             _check(length, self._limit)
         except ValueError as fault:
-            self._fault = str(fault)
+            self._fault = reason_of(fault)
             self._rest.clear()
             raise
 
 
 def _check(length: int, limit: int) -> None:
     if not 1 <= length <= limit:
-        raise ValueError(f"expected a frame of 1 to {limit} bytes, found one of {length}")
+        raise ValueError(Reason.of("link.frame_limit", limit=limit, length=length))

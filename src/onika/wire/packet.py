@@ -10,7 +10,9 @@ from typing import Annotated, Literal
 
 import msgspec
 
-VERSION = 2
+from onika.words.reason import Reason
+
+VERSION = 3
 """Version of this language; two ends of different versions do not talk."""
 
 Count = Annotated[int, msgspec.Meta(ge=0, le=2**63 - 1)]
@@ -100,13 +102,19 @@ class Beat(msgspec.Struct, frozen=True, array_like=True, tag="beat", forbid_unkn
 
 
 class Bye(msgspec.Struct, frozen=True, array_like=True, tag="bye", forbid_unknown_fields=True):
-    """The last word on a connection and why."""
+    """The last word on a connection and why.
+
+    With the cause `version` the reason is a sentence in English, which every version of the link can read.
+    """
 
     cause: Literal["closed", "version", "garbage", "behind", "refused"]
-    reason: Sentence
+    reason: Sentence | Reason
 
 
 Packet = Hello | Welcome | RequestPacket | ReplyPacket | Part | SignalPacket | Ack | ReadingPacket | Beat | Bye
+
+_LONGEST = 300
+"""Characters that are said of why bytes are no packet: they may be a million letters in the place of a word."""
 
 _encoder = msgspec.msgpack.Encoder()
 _decoder: msgspec.msgpack.Decoder[Packet] = msgspec.msgpack.Decoder(Packet)
@@ -122,4 +130,5 @@ def decode(payload: bytes) -> Packet:
     try:
         return _decoder.decode(payload)
     except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as fault:
-        raise ValueError(f"expected a packet of the link, found {len(payload)} other bytes: {fault}") from None
+        why = Reason.plain(str(fault)[:_LONGEST])
+        raise ValueError(Reason.of("link.no_packet", count=len(payload), why=why)) from None

@@ -127,8 +127,8 @@ def test_who_comes_and_goes_is_a_line_once_and_not_for_each_connection(book):  #
     audit_log = AuditLog(book)
     caller = Caller("ann", Role.VIEWER, "192.0.2.7", False)
     for channel in (Channel.SESSION, Channel.SIGNAL, Channel.STREAM):
-        audit_log.came(Introduction(channel, "c", "", caller), "")
-    audit_log.came(Introduction(Channel.ALL, "c", "", caller), "there are 32 sessions already")
+        audit_log.came(Introduction(channel, "c", "", caller), NOTHING)
+    audit_log.came(Introduction(Channel.ALL, "c", "", caller), Reason.of("link.sessions_full", count=32))
     audit_log.lost("ann#2")
     audit_log.garbage("ann#2", "no request")
     results = [(what, about.get("result")) for what, _, about in book.lines]

@@ -15,6 +15,7 @@ from onika.link.channel import Channel
 from onika.link.token import digest
 from onika.wire.frame import FrameReader, frame
 from onika.wire.packet import Beat, Bye, Hello, decode, encode
+from onika.words.reason import Reason
 
 ANN = User("ann", Role.OWNER, digest("anns"))
 HELLO = encode(Hello(2, "me", "", 0))
@@ -123,7 +124,7 @@ def test_one_who_does_not_begin_with_hello_is_told():
         visitor.say(encode(Beat(1, 1)))
         with pytest.raises(ConnectionRefused, match="no hello"):
             await greeting
-        assert decode((await visitor.hear())[0]) == Bye("garbage", "an environment begins with hello")
+        assert decode((await visitor.hear())[0]) == Bye("garbage", Reason.of("link.hello_first"))
 
     in_loop(story)
 

@@ -13,7 +13,7 @@ from onika.link.link_terms import REMOTE
 from onika.link.lost import LinkLost, LossCause
 from onika.link.token import read_token, token_path
 from onika.link.websocket_opening import WebSocketOpening
-from onika.words.reason import Reason
+from onika.words.reason import Reason, reason_of
 
 
 class RemoteRuntime(RuntimeConversation):
@@ -30,7 +30,7 @@ class RemoteRuntime(RuntimeConversation):
             self._connection.close(timeout_s=0.0)
             if isinstance(lost, LinkLost):
                 raise
-            late = Reason.of("link.late", address=str(self._opening.address), why=Reason.plain(str(lost)))
+            late = Reason.of("link.late", address=str(self._opening.address), why=reason_of(lost))
             raise LinkLost(LossCause.TIMEOUT, late) from None
         return self
 

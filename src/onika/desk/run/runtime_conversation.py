@@ -19,7 +19,7 @@ from onika.link.lost import LinkLost, LossCause
 from onika.link.state import LinkState
 from onika.wire import event, live, request
 from onika.wire.foresight import WhatIf
-from onika.words.reason import NOTHING, Reason
+from onika.words.reason import NOTHING, Reason, reason_of
 
 PATIENCE_S = 60.0
 """How long a response may take."""
@@ -184,6 +184,4 @@ def in_short(reason: Reason) -> Reason:
 
 def why_lost(lost: LinkLost | TimeoutError) -> Reason:
     """Why a link is lost, in the words of whoever noticed."""
-    if isinstance(lost, LinkLost):
-        return lost.reason
-    return Reason.plain(str(lost))
+    return lost.reason if isinstance(lost, LinkLost) else reason_of(lost)

@@ -62,7 +62,7 @@ class AuditLog:
         """Something came that is no request."""
         self._note("garbage", who=session, result=text)
 
-    def came(self, new: Introduction, why_not: str) -> None:
+    def came(self, new: Introduction, why_not: Reason) -> None:
         """Somebody has connected, or was turned away."""
         if new.channel.asks:
             caller = new.caller

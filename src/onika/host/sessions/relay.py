@@ -16,6 +16,7 @@ from onika.link.heartbeat import HEADER, HeartbeatKey
 from onika.link.websocket_messages import SILENT, WebSocketMessages
 from onika.wire.frame import FRAME_LIMIT, FrameReader, frame
 from onika.wire.packet import Beat, Bye, Hello, decode, encode
+from onika.words.reason import NOTHING, Reason
 
 TAKING_S = 10.0
 """How long somebody may take nothing of what is sent to him."""
@@ -62,9 +63,9 @@ class Relay:
         try:
             hello = decode(payloads[0])
         except ValueError:
-            hello = Bye("garbage", "")
+            hello = Bye("garbage", NOTHING)
         if not isinstance(hello, Hello):
-            self._protocol.send_binary(encode(Bye("garbage", "an environment begins with hello")))
+            self._protocol.send_binary(encode(Bye("garbage", Reason.of("link.hello_first"))))
             await self._send()
             raise ConnectionRefused("no hello")
         return answer, hello, payloads

@@ -82,7 +82,7 @@ class RequestObserver(Protocol):
         """Something came that is no request."""
         ...
 
-    def came(self, new: Introduction, why_not: str) -> None:
+    def came(self, new: Introduction, why_not: Reason) -> None:
         """Somebody has connected, or was turned away."""
         ...
 
@@ -220,7 +220,7 @@ class RequestServer:
             self.watcher.answered(call, response)
         session.reply(number, request.encode(response), self._clock())
 
-    def close(self, reason: str) -> None:
+    def close(self, reason: Reason) -> None:
         """Say good-bye to everybody; `requests` and `is_waiting` go on until it is out."""
         self.flush()
         for session in self._sessions.sessions:
