@@ -987,6 +987,8 @@ export interface DocumentView {
   problems?: Record<string, ProblemView>;
   connection?: 'connecting' | 'live' | 'lost' | 'none';
   subsystem?: string;
+  application?: string;
+  has_ended?: boolean;
   holder?: string;
   is_held_here?: boolean;
   offered_by?: string;
@@ -1525,7 +1527,7 @@ export interface ShowValues {
 
 /** A task of a running application. */
 export interface LivingTaskView {
-  state: string;
+  state: '' | 'ASKING' | 'ERROR' | 'KILLING' | 'OFF' | 'ON' | 'SPAWNING' | 'WAITING';
   note?: Reason;
   rtpu?: string;
   hz?: number;

@@ -60,9 +60,17 @@ export async function openInPlace(path: string): Promise<boolean> {
 /** Go to a configuration at the lower level: in the place of one that lives, as in the dissertation; else beside the others. */
 export async function goInto(path: string): Promise<void> {
   if (look.isUpperOnly) return goTo('tasks') // which is refused, and says why
-  const { connection, tasks = {} } = desk.live.documents[canvas.doc] ?? {}
-  if (connection !== 'live' || !Object.keys(tasks).length) await open(path)
+  const { connection, application, tasks = {} } = desk.live.documents[canvas.doc] ?? {}
+  if (application || connection !== 'live' || !Object.keys(tasks).length) await open(path)
   else if (await openInPlace(path)) show(canvas.doc)
+}
+
+/** Look at a configuration as it lives in a subsystem of a running application: it is watched, nothing of it changes. */
+export async function lookInto(path: string, subsystem: string): Promise<void> {
+  if (look.isUpperOnly) return goTo('tasks') // which is refused, and says why
+  if (!(await open(path))) return
+  const { application, has_ended, subsystem: shown } = desk.live.documents[canvas.doc] ?? {}
+  if (!(application && !has_ended && shown === subsystem)) await act({ t: 'Connect', doc: canvas.doc, subsystem })
 }
 
 export function save(): void {

@@ -6,6 +6,8 @@ import { watchAgain } from '../values/frames'
 import { takenAsks } from '../holding/held'
 import { everything } from '../holding/standing.svelte'
 import { asking, asks } from '../question/asks.svelte'
+import { inside } from '../progress/inside'
+import { look } from '../state/look.svelte'
 import { isWorldShown, plot, showWorld } from '../monitor/plots.svelte'
 import { t } from '../texts/index.svelte'
 
@@ -54,6 +56,15 @@ command({
   level: 'tasks',
   when: () => firstAsking() !== undefined,
   run: () => asks.open(firstAsking() ?? ''),
+})
+
+command({
+  id: 'strip.inside',
+  title: () => t('strip.inside'),
+  group: 'view',
+  level: 'applications',
+  when: () => Object.keys(inside()).length > 0,
+  run: () => (look.isInside = !look.isInside),
 })
 
 const firstWorld = (): string | undefined =>

@@ -1,4 +1,4 @@
-// The cells of the strip beside the table: plots of variables as `DOC/NAME`, workcells as `world:NAME`.
+// The cells of the strip beside the table: plots of variables as `DOC/NAME` or `@SUBSYSTEM/NAME`, workcells as `world:NAME`.
 import { canvas } from '../state/canvas.svelte'
 import { send } from '../link/link'
 

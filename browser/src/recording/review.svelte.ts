@@ -7,6 +7,7 @@ import { look } from '../state/look.svelte'
 import { workspace } from '../state/workspace.svelte'
 import { keep, kept } from '../state/kept'
 import { send } from '../link/link'
+import { subsystemOf } from '../progress/inside'
 import { Past } from '../progress/past'
 import { Refusal } from '../link/refusal'
 import type { Marked } from '../values/marks'
@@ -219,7 +220,8 @@ class Review implements Source {
   /** As it was recorded: `SUBSYSTEM/NAME` of a `DOC/NAME`. */
   private nameOf(key: string): string {
     const slash = key.indexOf('/')
-    return `${this.instant?.homes?.[key.slice(0, slash)] ?? ''}/${key.slice(slash + 1)}`
+    const doc = key.slice(0, slash)
+    return `${subsystemOf(doc) || (this.instant?.homes?.[doc] ?? '')}/${key.slice(slash + 1)}`
   }
 }
 
@@ -229,6 +231,7 @@ desk.treeAt = treeAt(() => ({
   worlds: review.recording?.worlds ?? [],
   doc: review.recording?.doc ?? '',
   redirects: review.recording?.redirects ?? [],
+  inside: review.recording?.inside ?? {},
 }))
 /** Asks what a world consists of: the one that is there, or as it was recorded. */
 export const sceneOf = (world: string, of_other = false): AnyAct =>

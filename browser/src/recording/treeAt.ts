@@ -9,6 +9,8 @@ import type {
   RedirectView,
   RuntimeView,
   StepView,
+  LivingTaskView,
+  SubsystemView,
 } from '../api.gen'
 import type { FullTree } from '../link/desk.svelte'
 import { MARK } from '../widgets/mark'
@@ -20,6 +22,8 @@ export interface Then {
   /** The application whose run it was, and who stood for whom in it. */
   doc?: string
   redirects?: readonly RedirectView[]
+  /** What lived in its subsystems. */
+  inside?: Readonly<Record<string, SubsystemView>>
 }
 
 /** Makes the tree as it was at an instant; what it reads of `then` is what the drawing follows. */
@@ -42,11 +46,11 @@ export function treeAt(then: () => Then): (live: FullTree) => FullTree {
     over(all, (name, value) => (value && typeof value === 'object' ? seen(value as T, name) : value))
 
   const homeOf = (doc: string): string => then().instant?.homes?.[doc] ?? ''
-  const stateIn = (doc: string, task: string): PlacedView['state'] => {
-    const home = homeOf(doc)
+  const stateWithin = (home: string, task: string): NonNullable<PlacedView['state']> => {
     const state = (home && then().instant?.tasks?.[`${home}/${task}`]) || ''
-    return (state in MARK ? state : '') as PlacedView['state'] // in any other it did not live
+    return (state in MARK ? state : '') as NonNullable<PlacedView['state']> // in any other it did not live
   }
+  const stateIn = (doc: string, task: string): PlacedView['state'] => stateWithin(homeOf(doc), task)
 
   const placed = (view: PlacedView, doc: string, task: string): PlacedView =>
     over(view, (name, value) => {
@@ -66,6 +70,7 @@ export function treeAt(then: () => Then): (live: FullTree) => FullTree {
     over(view, (name, value) => {
       if (name === 'connection') return homeOf(doc) ? 'live' : 'none'
       if (name === 'subsystem') return homeOf(doc)
+      if (name === 'application') return ''
       if (name === 'tasks' && value)
         return each(value as Record<string, PlacedView>, (task, its) => placed(task, doc, its))
       if (name === 'loci' && value) return each(value as Record<string, LocusView>, (dot) => locus(dot, doc))
@@ -81,13 +86,24 @@ export function treeAt(then: () => Then): (live: FullTree) => FullTree {
       return name === 'steps' && value ? each(value as Record<string, StepView>, step) : value
     })
 
+  const living = (view: LivingTaskView, home: string, task: string): LivingTaskView =>
+    over(view, (name, value) => (name === 'state' ? stateWithin(home, task) : value))
+  const subsystem = (view: SubsystemView, home: string): SubsystemView =>
+    over(view, (name, value) =>
+      name === 'tasks' && value
+        ? each(value as Record<string, LivingTaskView>, (task, its) => living(task, home, its))
+        : value,
+    )
+
   const runtime = (view: RuntimeView): RuntimeView =>
     over(view, (name, value) =>
       name === 'worlds'
         ? Object.fromEntries(then().worlds.map((world) => [world, true]))
         : name === 'units'
           ? {}
-          : value,
+          : name === 'inside'
+            ? each({ ...then().inside }, subsystem)
+            : value,
     )
 
   return (live) =>

@@ -13,6 +13,8 @@ interface Canvas {
   libraryTask: string
   /** The library shown. */
   library: string
+  /** What the tables beneath show: a document, or `@SUBSYSTEM` of a running application; empty: the document shown. */
+  subject: string
   /** The table shown beneath the canvas. */
   strip: StripTab
   /** Variables plotted on the canvas. */
@@ -29,6 +31,7 @@ export const canvas: Canvas = $state({
   pickedLocus: '',
   libraryTask: '',
   library: kept('library', ''),
+  subject: '',
   strip: 'tasks',
   pinned: [],
   plots: [],

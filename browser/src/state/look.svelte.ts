@@ -11,6 +11,8 @@ interface Look {
   level: Level
   /** Whether the lower level is hidden. */
   isUpperOnly: boolean
+  /** Whether the tables of what runs stand beneath the upper level too. */
+  isInside: boolean
   /** How the dictionary shows its icons. */
   presentation: Presentation
   theme: Theme
@@ -26,6 +28,7 @@ const language: Language = globalThis.navigator?.language?.startsWith('es') ? 'e
 export const look: Look = $state({
   level: kept<Level>('level', 'tasks'),
   isUpperOnly: kept('isUpperOnly', false),
+  isInside: false,
   presentation: kept<Presentation>('presentation', 'both'),
   theme: kept<Theme>('theme', 'auto'),
   language: kept<Language>('language', language),

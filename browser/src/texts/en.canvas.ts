@@ -125,6 +125,12 @@ export const enCanvas = {
   'canvas.group.turnOff': 'Switch the supermodule OFF',
   'canvas.empty.title': 'Nothing is placed here yet.',
   'canvas.empty.say': 'Drag a task in from the library, or double click and type its name.',
+  'canvas.run.belongs': 'Belongs to flow {flow} of {name}',
+  'canvas.run.watched': 'Watched: only its steps change it.',
+  'canvas.run.over': '{name} has ended. This is the configuration as its file has it.',
+  'canvas.run.fine': 'Fine',
+  'canvas.run.icon': 'To the icon',
+  'canvas.run.leave': 'Look no more',
   'canvas.lost.title': 'Not connected',
   'canvas.lost.say':
     'The line to {name} broke. What you see is how it was then; what runs there goes on by its own rules.',

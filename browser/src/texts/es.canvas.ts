@@ -127,6 +127,12 @@ export const esCanvas: Record<keyof typeof enCanvas, string> = {
   'canvas.group.turnOff': 'Desactivar el supermódulo',
   'canvas.empty.title': 'Aquí todavía no hay nada.',
   'canvas.empty.say': 'Arrastre una tarea desde la biblioteca, o haga doble clic y escriba su nombre.',
+  'canvas.run.belongs': 'Pertenece al flujo {flow} de {name}',
+  'canvas.run.watched': 'Solo se mira: la cambian sus pasos.',
+  'canvas.run.over': '{name} ha terminado. Esta es la configuración como está en su archivo.',
+  'canvas.run.fine': 'De acuerdo',
+  'canvas.run.icon': 'Al icono',
+  'canvas.run.leave': 'Dejar de mirar',
   'canvas.lost.title': 'Sin conexión',
   'canvas.lost.say':
     'Se cortó la línea con {name}. Lo que ve es como estaba entonces; lo que allí funciona sigue según sus propias reglas.',

@@ -1,16 +1,23 @@
 // What is known of a document's variables: their type and unit stand at the pins that use them.
-import type { DocumentView, LocusView, PinView, TaskView } from '../api.gen'
+import type { LocusView, PinView, TaskView } from '../api.gen'
+
+type SharedLocus = Pick<LocusView, 'line' | 'is_constant' | 'writers' | 'readers'>
+/** A document, or a subsystem in which an application runs. */
+export interface Shared {
+  tasks?: Readonly<Record<string, unknown>>
+  loci?: Readonly<Record<string, SharedLocus>>
+}
 
 export interface VariableRow {
   name: string
   type: string
   unit: string
   meaning: string
-  locus: LocusView
+  locus: SharedLocus
 }
 
 /** All variables of a document by name. A writer's word on type and unit counts more than a reader's. */
-export function variables(doc: DocumentView, tasks: Record<string, TaskView>): VariableRow[] {
+export function variables(doc: Shared, tasks: Record<string, TaskView>): VariableRow[] {
   const pins = new Map<string, PinView>()
   for (const task of Object.keys(doc.tasks ?? {}))
     for (const pin of tasks[task]?.pins ?? []) {

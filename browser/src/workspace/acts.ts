@@ -7,7 +7,8 @@ import { look } from '../state/look.svelte'
 import { pickSteps, workspace, type Place } from '../state/workspace.svelte'
 import { note } from '../link/note'
 import type { Point } from '../act/refused.svelte'
-import { goInto, open } from '../act/opening'
+import { goInto, lookInto, open } from '../act/opening'
+import { subsystemAt } from '../progress/inside'
 import { t } from '../texts/index.svelte'
 import { flowOf, headOf, inReadingOrder, wholeOf } from '../application/actions'
 import { readPlace } from './place'
@@ -194,14 +195,20 @@ export function quickAt(hole: number): void {
   workspaceState.opened = { kind: 'quick', words: '' }
 }
 
-/** Show what stands behind an icon (D12): an application in its tab; a configuration at the lower level, in the place of a live one. */
+/**
+ * Show what stands behind an icon (D12): an application in its tab; a configuration at the lower level, in the place of a
+ * live one, or as it lives where its application runs.
+ */
 export async function expand(step: number): Promise<void> {
   const view = workspaceState.step(step)
   const name = view?.name ?? ''
   if (!view || !name) return
   const path = desk.tree.onikons[name]?.source || name
   if (view.role === 'application') await open(path)
-  else if (view.role === 'job') await goInto(path)
+  else if (view.role === 'job') {
+    const subsystem = desk.live.run?.doc === workspace.app && !desk.live.review ? subsystemAt(step) : ''
+    await (subsystem ? lookInto(path, subsystem) : goInto(path))
+  }
 }
 
 /** Why a step cannot be expanded; empty: it can. */

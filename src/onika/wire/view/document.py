@@ -84,6 +84,10 @@ class DocumentView(View, frozen=True):
     problems: dict[str, ProblemView] = field(default_factory=dict)
     connection: Literal["none", "connecting", "live", "lost"] = "none"
     subsystem: str = ""
+    application: str = ""
+    """What runs in the subsystem, which it only looks into; empty: it is connected by hand, or not at all."""
+    has_ended: bool = False
+    """Whether that application is over: it is a plain configuration again."""
     holder: str = ""
     is_held_here: bool = False
     offered_by: str = ""

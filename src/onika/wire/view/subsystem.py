@@ -2,6 +2,7 @@
 
 from msgspec import field
 
+from onika.wire.view.document import State
 from onika.wire.view.view import View
 from onika.words.reason import NOTHING, Reason
 
@@ -9,8 +10,8 @@ from onika.words.reason import NOTHING, Reason
 class LivingTaskView(View, frozen=True):
     """A task of a running application."""
 
-    state: str
-    """A word of the lifecycle of tasks; in a recording empty, as each instant tells it."""
+    state: State
+    """In a recording empty: each instant tells it."""
     note: Reason = NOTHING
     """Why it failed, where it is in ERROR and that was told."""
     rtpu: str = ""

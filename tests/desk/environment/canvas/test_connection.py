@@ -111,8 +111,9 @@ def test_where_there_is_no_runtime_the_session_goes_on_unconnected(duet):  # R-C
 def test_an_application_that_runs_is_not_disturbed(duet):  # reading 30
     home = live.SubsystemStanding("main", "anna#2", "assemble", ())
     duet.rebuffs = {live.Survey: live.Standing((home,), (), (), True, False, 0.0)}
-    refused = duet.answer(act.Connect(duet.new(), subsystem="main")).no
-    assert "application assemble runs in subsystem main" in str(refused.reason)
+    doc = duet.new("a")
+    assert str(duet.do(act.Connect(doc, subsystem="main"))) == "it shows main of assemble"
+    assert duet.document(doc).live is None and {type(message) for message in duet.carried_out} == {live.Survey}
 
 
 def test_whoever_may_not_take_it_watches(duet):  # R-X12

@@ -15,11 +15,12 @@ from onika.desk.environment.reconcile.merge import Merged, merged, runtime_view
 from onika.desk.environment.reconcile.presence import ask_company
 from onika.desk.environment.reconcile.reconciliation import living_units
 from onika.desk.environment.reconcile.task_plan import birth
+from onika.desk.environment.reconcile.watched_runs import application_in
 from onika.desk.environment.reconcile.watches import is_going
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.history import UndoStep
-from onika.desk.environment.state.live import SubsystemFacts
+from onika.desk.environment.state.live import SubsystemFacts, WatchedRun
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_file import DocumentKind
 from onika.wire import act, live, page, request, view
@@ -48,12 +49,13 @@ def connect(model: Model, document: Document, command: act.Connect, outside: Ser
     url = command.url or (
         model.runtime.address if subsystem_facts is not None else ""
     )  # a lost one is looked for where it was
-    model = model.with_document(replace(document, live=SubsystemFacts(wish)))
+    former = document.watched
+    model = model.with_document(replace(document, live=SubsystemFacts(wish), watched=None))
     if model.runtime.state != "linked" or url not in ("", model.runtime.address):
         model = replace(model, runtime=view.RuntimeView("starting", url))
     model, outcome = yield from _joined(model, document.id, wish, RequiredRuntime(url, command.token), outside)
     if not isinstance(outcome, Done | No):
-        yield InterimModel(_as_before(model, document.id, subsystem_facts, outcome))
+        yield InterimModel(_as_before(model, document.id, subsystem_facts, former, outcome))
         name = model.documents[document.id].name
         return No(
             Reason.of("desk.not_connected_for", name=name, why=outcome),
@@ -65,10 +67,10 @@ def connect(model: Model, document: Document, command: act.Connect, outside: Ser
 @on_document
 def disconnect(model: Model, document: Document, command: act.Disconnect, _outside: Services) -> Done | No:
     """Leave what runs as it is; the layout stays, what was known of its tasks does not."""
-    if document.live is None:
+    if document.live is None and document.watched is None:
         return No(Reason.of("desk.not_connected", name=document.name))
     content = replace(document.content, wanted={})
-    return Done(model.with_document(replace(document, content=content, live=None)))
+    return Done(model.with_document(replace(document, content=content, live=None, watched=None)))
 
 
 def connected(model: Model, doc: str, standing: live.Standing, outside: Services, me: str = "") -> Done:
@@ -129,7 +131,10 @@ def _joined(
         return model, refusal(standing)
     model = replace(model, runtime=runtime_view(model.runtime, standing))
     name = wish or _subsystem(model, document, standing)
-    reason = _occupied(model, name, document, standing)
+    application = application_in(standing, name)
+    if application:
+        return model, _watching(model, document, WatchedRun(name, application))
+    reason = _occupied(model, name, document)
     if reason:
         return model, reason
     model, response = yield Ask(model.with_document(replace(document, live=SubsystemFacts(name))), live.Take(name))
@@ -145,9 +150,19 @@ def _joined(
     return done.model, replace(done, orders=(*done.orders, ask_company()))
 
 
-def _as_before(model: Model, doc: str, former: SubsystemFacts | None, reason: Reason) -> Model:
+def _watching(model: Model, document: Document, watched: WatchedRun) -> Done:
+    """A document that looks into a running application: nothing of it is asked of the runtime."""
+    subsystem, application = watched.subsystem, watched.application
+    content = replace(document.content, wanted={})
+    model = model.with_document(replace(document, content=content, live=None, watched=watched))
+    return Done(model, value=Reason.of("desk.looks_into", subsystem=subsystem, application=application))
+
+
+def _as_before(
+    model: Model, doc: str, former: SubsystemFacts | None, watched: WatchedRun | None, reason: Reason
+) -> Model:
     """The model where a document could not be connected."""
-    model = model.with_document(replace(model.documents[doc], live=former))
+    model = model.with_document(replace(model.documents[doc], live=former, watched=watched))
     if model.runtime.state == "starting":
         model = replace(model, runtime=msgspec.structs.replace(model.runtime, state="lost", text=reason))
     return model
@@ -167,16 +182,11 @@ def _subsystem(model: Model, document: Document, standing: live.Standing) -> str
     return _MAIN
 
 
-def _occupied(model: Model, name: str, document: Document, standing: live.Standing) -> Reason:
+def _occupied(model: Model, name: str, document: Document) -> Reason:
     """Why this subsystem is not for this document."""
     for other in model.documents.values():
         if other.live is not None and other.live.subsystem == name and other.id != document.id:
             return Reason.of("desk.subsystem_connected", name=other.name, subsystem=name)
-    running = [
-        subsystem.application for subsystem in standing.subsystems if subsystem.name == name and subsystem.application
-    ]
-    if running:
-        return Reason.of("desk.subsystem_runs", application=running[0], subsystem=name)
     return NOTHING
 
 

@@ -9,6 +9,7 @@ from onika.desk.environment.outcome.runtime_refusal import refusal, simply_done
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.reconciliation import accepted, under_way
 from onika.desk.environment.reconcile.task_plan import code_of
+from onika.desk.environment.reconcile.watched_runs import is_on, refusal as watched_by
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.model import Model
@@ -23,7 +24,7 @@ def turn(model: Model, document: Document, command: act.Turn, _outside: Services
     missing = absent(document, command.tasks) or _unknown(model, document, command.tasks)
     if missing:
         return missing
-    subsystem_facts = _connected(document)
+    subsystem_facts = _connected(model, document)
     if isinstance(subsystem_facts, No):
         return subsystem_facts
     broken = [name for name in command.tasks if subsystem_facts.state_of(name) == "ERROR"]
@@ -51,7 +52,7 @@ def turn(model: Model, document: Document, command: act.Turn, _outside: Services
 @on_document
 def toggle(model: Model, document: Document, command: act.Toggle, outside: Services) -> Done | No | Procedure:
     """ON to OFF and back; a task in ERROR is cleared, and comes on again where that is wanted (C11)."""
-    subsystem_facts = _connected(document)
+    subsystem_facts = _connected(model, document)
     if isinstance(subsystem_facts, No):
         return subsystem_facts
     state = subsystem_facts.state_of(command.task)
@@ -67,7 +68,7 @@ def toggle(model: Model, document: Document, command: act.Toggle, outside: Servi
 @on_document
 def clear(model: Model, document: Document, command: act.Clear, _outside: Services) -> No | Procedure:
     """Bring a task out of ERROR, and on again where that is asked; one that cannot be cleared stays in it (C28)."""
-    of_living = _of_living(document, command.task)
+    of_living = _of_living(model, document, command.task)
     if isinstance(of_living, No):
         return of_living
     if of_living.state_of(command.task) != "ERROR":
@@ -84,7 +85,7 @@ def clear(model: Model, document: Document, command: act.Clear, _outside: Servic
 @on_document
 def reinit(model: Model, document: Document, command: act.Reinit, _outside: Services) -> No | Procedure:
     """Initialise a task anew, and all that need its constants."""
-    of_living = _of_living(document, command.task)
+    of_living = _of_living(model, document, command.task)
     if isinstance(of_living, No):
         return of_living
     return _asked(model, document, live.Reinit(of_living.subsystem, command.task), command.task)
@@ -93,7 +94,7 @@ def reinit(model: Model, document: Document, command: act.Reinit, _outside: Serv
 @on_document
 def renew(model: Model, document: Document, command: act.Renew, _outside: Services) -> No | Procedure:
     """Exchange the code of a living task for what its file says now."""
-    of_living = _of_living(document, command.task)
+    of_living = _of_living(model, document, command.task)
     if isinstance(of_living, No):
         return of_living
     task = model.libraries.tasks.get(command.task)
@@ -108,7 +109,7 @@ def renew(model: Model, document: Document, command: act.Renew, _outside: Servic
 @on_document
 def answer(model: Model, document: Document, command: act.Answer, _outside: Services) -> No | Procedure:
     """Answer what a task asks; it asks again, with the reason, where the answer will not do (C13)."""
-    of_living = _of_living(document, command.task)
+    of_living = _of_living(model, document, command.task)
     if isinstance(of_living, No):
         return of_living
     if of_living.state_of(command.task) != "ASKING":
@@ -127,7 +128,9 @@ def _asked(model: Model, document: Document, order: request.Request, task: str) 
     return No(refusal(response))
 
 
-def _connected(document: Document) -> SubsystemFacts | No:
+def _connected(model: Model, document: Document) -> SubsystemFacts | No:
+    if document.watched is not None and is_on(model, document.watched):
+        return watched_by(model, document, document.watched)
     subsystem_facts = document.live
     if subsystem_facts is None or subsystem_facts.state != "live":
         connect = (Remedy(Reason.of("desk.connect_it"), act.Connect(document.id)),)
@@ -139,8 +142,8 @@ def _connected(document: Document) -> SubsystemFacts | No:
     return subsystem_facts
 
 
-def _of_living(document: Document, task: str) -> SubsystemFacts | No:
-    subsystem_facts = _connected(document)
+def _of_living(model: Model, document: Document, task: str) -> SubsystemFacts | No:
+    subsystem_facts = _connected(model, document)
     if isinstance(subsystem_facts, No) or task in subsystem_facts.tasks:
         return subsystem_facts
     return No(Reason.of("desk.not_living", task=task))

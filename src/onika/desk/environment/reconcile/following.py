@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from onika.desk.environment.outcome.outcome import Done, News, No, Order
 from onika.desk.environment.outcome.services import Services
-from onika.desk.environment.reconcile import event_reducer, joint_limits, run_reducer as hearing_run
+from onika.desk.environment.reconcile import event_reducer, joint_limits, run_reducer as hearing_run, watched_runs
 from onika.desk.environment.reconcile.breakpoints import changed_breakpoints
 from onika.desk.environment.reconcile.descriptions import describe
 from onika.desk.environment.reconcile.reconciliation import next_change, noted, pursue_all
@@ -20,6 +20,9 @@ def follow(before: Model, after: Model, outside: Services) -> Done | No:
     marked = changed_breakpoints(before, after)
     if before.documents is after.documents and before.libraries is after.libraries:
         return Done(after, orders=marked)
+    hindered = watched_runs.changed(before, after)
+    if hindered is not None:
+        return hindered
     model, docs = noted(after, before.libraries)
     changed = (
         document.id for document in model.documents.values() if document.id in docs or _is_changed(before, document)

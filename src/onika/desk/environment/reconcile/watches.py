@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from math import isnan
 
+from onika.desk.environment.reconcile import watched_runs
 from onika.desk.environment.state.model import Model
 from onika.wire import holding, live
 
@@ -65,8 +66,8 @@ def _home_in_run(model: Model, doc: str, name: str) -> str:
 
 
 def homes_within(model: Model) -> dict[str, str]:
-    """The subsystems of running applications, each as what can be looked into: `@SUBSYSTEM`."""
-    return {f"{_INTO}{subsystem}": subsystem for subsystem in model.runtime.inside}
+    """The subsystems of running applications: as `@SUBSYSTEM`, and by the documents that look into them."""
+    return {f"{_INTO}{subsystem}": subsystem for subsystem in model.runtime.inside} | watched_runs.homes(model)
 
 
 def homes_of(model: Model) -> dict[str, str]:

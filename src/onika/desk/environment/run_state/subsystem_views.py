@@ -1,12 +1,13 @@
 """What lives in the subsystems of running applications, whoever began them (requirements C14, C27, E11)."""
 
 from collections.abc import Iterable, Iterator, Mapping
+from typing import cast
 
 from msgspec import structs
 
 from onika.wire import event, live
 from onika.wire.plan import PlannedTask
-from onika.wire.view import LivingTaskView, RuntimeView, SharedVariableView, SubsystemView
+from onika.wire.view import LivingTaskView, RuntimeView, SharedVariableView, State, SubsystemView
 from onika.words.name import resolve
 from onika.words.reason import NOTHING
 
@@ -32,7 +33,7 @@ def turned(runtime: RuntimeView, message: event.TaskState) -> RuntimeView:
     if message.state == _KILLED:
         return _with(runtime, message.subsystem, message.task, None)
     note = task.note if message.state == _FAILED else NOTHING
-    task = structs.replace(task, state=message.state, note=note)
+    task = structs.replace(task, state=cast("State", message.state), note=note)
     return _with(runtime, message.subsystem, message.task, task)
 
 
@@ -68,7 +69,7 @@ def _living(standing: live.TaskStanding, former: LivingTaskView | None) -> Livin
     note = standing.reason
     if not note and former is not None and standing.state == _FAILED:
         note = former.note
-    return LivingTaskView(standing.state, note, standing.rtpu, standing.frequency or 0.0)
+    return LivingTaskView(cast("State", standing.state), note, standing.rtpu, standing.frequency or 0.0)
 
 
 def _variables(tasks: tuple[PlannedTask, ...]) -> dict[str, SharedVariableView]:

@@ -131,6 +131,9 @@ def document_view(
         objections=_kept({name: why for name, why in objected.items() if name not in greyed}, old.objections),
         problems=_kept(troubles, old.problems),
     )
+    if document.watched is not None:
+        application, has_ended = document.watched.application, document.live is None
+        view = structs.replace(view, application=application, has_ended=has_ended, subsystem=document.watched.subsystem)
     return _with_subsystem(view, document.live)
 
 

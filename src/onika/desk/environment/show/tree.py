@@ -5,12 +5,14 @@ from typing import Any
 
 from onika.desk.environment.outcome.on_file import is_running
 from onika.desk.environment.outcome.trouble import problems
+from onika.desk.environment.reconcile.watched_runs import is_on
 from onika.desk.environment.show.application_view import ApplicationProjector
 from onika.desk.environment.show.button_view import button_views
 from onika.desk.environment.show.dictionary_view import dictionary_views, onikon_views
 from onika.desk.environment.show.document_view import document_view, library_views, module_sentences, task_views
 from onika.desk.environment.show.greying import GreyedTasks
 from onika.desk.environment.show.objections import objections
+from onika.desk.environment.show.watched_document import in_run, stand_ins
 from onika.desk.environment.show.wiring import MadeDocument
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.icon_types import type_views
@@ -20,7 +22,7 @@ from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.desk.environment.state.pictures import PictureSet
 from onika.desk.environment.state.preference_values import preference_values
 from onika.desk.plan.icon_names import several
-from onika.wire.view import ApplicationView, DocumentView, Tree
+from onika.wire.view import ApplicationView, DocumentView, HoldView, Tree
 from onika.words.reason import NOTHING
 
 
@@ -103,6 +105,7 @@ class Projector:
         }
 
     def _document(self, document: Document, order: int, model: Model) -> DocumentView:
+        document = self._in_run(document, model)
         libraries, key = model.libraries, f"document {document.id}"
         seen = self._seen.get(document.id)
         names = document.content.names
@@ -125,6 +128,21 @@ class Projector:
         )
         self._seen[document.id] = MadeDocument(document, libraries, view)
         return view
+
+    def _in_run(self, document: Document, model: Model) -> Document:
+        """As it is shown where it looks into a running application."""
+        watched, runtime = document.watched, model.runtime
+        if watched is None or not is_on(model, watched):
+            return document
+        subsystem, substitutes = runtime.inside[watched.subsystem], stand_ins(model, watched.subsystem)
+        holder = runtime.holds.get(watched.subsystem, HoldView()).holder
+        me = next((name for name, session in runtime.sessions.items() if session.is_you), "")
+        seen: Document = self._once(
+            f"run {document.id}",
+            (document, subsystem, (holder, me), substitutes),
+            lambda: in_run(document, subsystem, holder, me, substitutes),
+        )
+        return seen
 
     def _forget(self, doc: str) -> None:
         """A document is closed, and its id is never used again."""

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from onika.desk.environment.state.content import Content
-from onika.desk.environment.state.live import SubsystemFacts
+from onika.desk.environment.state.live import SubsystemFacts, WatchedRun
 from onika.desk.environment.state.open_file import DocumentKind, OpenFile
 from onika.model.configuration import Configuration
 
@@ -17,6 +17,8 @@ class Document(OpenFile[Configuration, Content]):
     content: Content
     live: SubsystemFacts | None = None
     """What is known of it in the running system; None: it is not connected."""
+    watched: WatchedRun | None = None
+    """The running application that it looks into, or looked into last."""
 
     @property
     def name(self) -> str:
@@ -48,6 +50,11 @@ class Document(OpenFile[Configuration, Content]):
         if self.opened:
             return self.opened.value
         return Configuration(self.name)
+
+    def means(self, content: Content) -> bool:
+        """Whether other content differs from its own in looks only."""
+        is_same = _meaning(content.configuration) == _meaning(self.content.configuration)
+        return is_same and content.wanted == self.content.wanted
 
     def having(self, content: Content) -> "Document":
         """With other content."""

@@ -65,6 +65,14 @@ class Offer:
 
 
 @dataclass(frozen=True, slots=True)
+class WatchedRun:
+    """A subsystem that an application has, or had, and that a document looks into without changing anything."""
+
+    subsystem: str
+    application: str
+
+
+@dataclass(frozen=True, slots=True)
 class SubsystemFacts:
     """A document's subsystem."""
 

@@ -1,0 +1,48 @@
+// What lives inside running applications, and how its tasks and the icons of the application lead to each other.
+import type { SubsystemView } from '../api.gen'
+import { desk } from '../link/desk.svelte'
+
+const INTO = '@'
+/** Ahead of others in a table of what needs a look. */
+const WORKING = ['ERROR', 'ASKING', 'WAITING', 'ON']
+
+/** By subsystem. */
+export const inside = (): Record<string, SubsystemView> => desk.tree.runtime.inside ?? {}
+
+/** By which id a subsystem of a running application is watched and shown. */
+export const intoOf = (subsystem: string): string => INTO + subsystem
+export const subsystemOf = (id: string): string => (id.startsWith(INTO) ? id.slice(INTO.length) : '')
+
+const stepsByTask = (): Readonly<Record<string, readonly number[]>> =>
+  desk.tree.review?.recording.steps_by_task ?? desk.tree.run?.steps_by_task ?? {}
+
+/** The step of the application whose icon a task belongs to: the one that is carried out, else its first one; 0: none. */
+export function stepOf(subsystem: string, task: string): number {
+  const steps = stepsByTask()[`${subsystem}/${task}`] ?? []
+  const now = desk.tree.run?.flows?.[subsystem]?.step ?? 0
+  return steps.includes(now) ? now : (steps[0] ?? 0)
+}
+
+/** The subsystem in which a step of the application that runs is carried out, or would be; empty: in none. */
+export function subsystemAt(step: number): string {
+  const run = desk.tree.run
+  const now = Object.entries(run?.flows ?? {}).find(([, flow]) => flow.step === step)?.[0]
+  if (now && now in inside()) return now
+  const address = Object.entries(stepsByTask()).find(([, steps]) => steps.includes(step))?.[0] ?? ''
+  const subsystem = address.slice(0, address.lastIndexOf('/'))
+  return subsystem in inside() ? subsystem : ''
+}
+
+/** The task that works now: of the present action, first one that stands still, then the trigger; empty: none does. */
+export function worksNow(subsystem: string): string {
+  const tasks = inside()[subsystem]?.tasks ?? {}
+  const now = desk.tree.run?.flows?.[subsystem]?.step ?? 0
+  const steps = stepsByTask()
+  const rank = (name: string): number => {
+    const state = WORKING.indexOf(tasks[name]?.state ?? '')
+    const isOfNow = (steps[`${subsystem}/${name}`] ?? []).includes(now)
+    return (isOfNow ? 0 : 100) + state * 10 + (desk.tree.tasks[name]?.is_trigger ? 0 : 1)
+  }
+  const working = Object.keys(tasks).filter((name) => WORKING.includes(tasks[name]?.state ?? ''))
+  return working.sort((a, b) => rank(a) - rank(b))[0] ?? ''
+}
