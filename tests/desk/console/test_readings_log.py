@@ -1,5 +1,3 @@
-from onika.desk.console import readings_log
-from onika.wire.live import Values
 from onika.words.argument import split
 
 
@@ -28,8 +26,3 @@ def test_a_file_that_cannot_be_written_is_told_and_nothing_is_left(sit, tmp_path
     sitting.runtime.refusals["Read"] = "not yours"
     assert str(sitting.fails(f"log {tmp_path}/x.log").reason) == "expected variables of main, found not yours"
     assert list(tmp_path.iterdir()) == []
-
-
-def test_a_type_that_the_runtime_says_counts_more_than_the_look_of_a_value():
-    values = Values({"X": 1.0, "Y": 1.0}, 0.0, {"X": "float"})
-    assert readings_log.rows("main", values) == ["0.000000 main X float 1.0", "0.000000 main Y double 1.0"]

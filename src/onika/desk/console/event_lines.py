@@ -3,10 +3,10 @@
 from collections.abc import Callable, Iterator
 
 from onika.desk.console.display import Tone
-from onika.desk.console.value import shown
 from onika.desk.run import explanation_text, transfer_text
 from onika.desk.run.item_text import bounds, default
 from onika.desk.run.positions import waits
+from onika.desk.run.value_text import shown
 from onika.wire import event
 from onika.words.reason import NOTHING, Reason
 

@@ -9,8 +9,9 @@ from onika.desk.console.display import Tone
 from onika.desk.console.session import ConsoleSession, Faults
 from onika.desk.console.site_library import SiteLibrary
 from onika.desk.console.task_lines import missing
-from onika.desk.console.value import in_a_line, shown, type_of
+from onika.desk.run.readings_text import types_of
 from onika.desk.run.text_table import Cell
+from onika.desk.run.value_text import in_a_line, shown
 from onika.wire import live, request
 from onika.words.name import TASK_NAME
 from onika.words.reason import Reason
@@ -192,11 +193,6 @@ def refused(session: ConsoleSession, expected: Reason, answer: request.Response)
     """The fault of an answer that is not what was asked for."""
     reason = answer.reason if isinstance(answer, request.Refused) else Reason.plain(str(answer))
     return session.no(Reason.of("console.refused", expected=expected, reason=reason))
-
-
-def types_of(values: live.Values) -> dict[str, str]:
-    """The type of each variable: as the runtime says, else as its value looks."""
-    return {name: values.types.get(name) or type_of(current) for name, current in values.values.items()}
 
 
 def _element(session: ConsoleSession, name: str, whole: Any, index: str) -> tuple[Any, Faults]:

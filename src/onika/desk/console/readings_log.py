@@ -1,15 +1,14 @@
 """Writes a log of the current readings: one file, whole or not at all (requirement A12).
 
-A line for each variable: time in s, subsystem, name, type, then all values row by row, parted by blanks; texts in
-double quotes as in an argument line. Lines that begin with `#` say when and what.
+Lines that begin with `#` say when and what; the others are those of `readings_text`.
 """
 
 from datetime import datetime
 from pathlib import Path
 
-from onika.desk.console.inspection import refused, types_of
+from onika.desk.console.inspection import refused
 from onika.desk.console.session import ConsoleSession, Faults
-from onika.desk.console.value import words as exact
+from onika.desk.run.readings_text import HEADER, rows
 from onika.files import whole
 from onika.wire import live
 from onika.words.fault import Refusal
@@ -29,18 +28,9 @@ def log(session: ConsoleSession, words: Words) -> Faults:
             return refused(session, Reason.of("console.variables_of", subsystem=subsystem), answer)
         lines += rows(subsystem, answer)
     moment = datetime.now().astimezone().isoformat(timespec="seconds")
-    head = f"# {session.in_words(Reason.of('console.readings_at', moment=moment))}\n# TIME SUBSYSTEM NAME TYPE VALUES\n"
+    head = f"# {session.in_words(Reason.of('console.readings_at', moment=moment))}\n{HEADER}"
     written = whole.write(path, head + "".join(line + "\n" for line in lines), whole.ANYTHING)
     if isinstance(written, Refusal):
         return session.no(Reason.of("console.unwritable", reason=written.sentence), Reason.of("desk.nothing_written"))
     session.say(Reason.of("console.variables_logged", path=str(path), count=len(lines)))
     return ()
-
-
-def rows(subsystem: str, values: live.Values) -> list[str]:
-    """One line for each variable, by name."""
-    types = types_of(values)
-    return [
-        f"{values.now_s:.6f} {subsystem} {name} {types[name]} {exact(values.values[name])}"
-        for name in sorted(values.values)
-    ]

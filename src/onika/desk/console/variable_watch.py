@@ -7,7 +7,7 @@ from onika.desk.console.display import Tone
 from onika.desk.console.inspection import value
 from onika.desk.console.session import ConsoleSession, Faults
 from onika.desk.console.task_lines import positive
-from onika.desk.console.value import shown
+from onika.desk.run.value_text import shown
 from onika.words.reason import Reason
 
 Words = tuple[str, ...]

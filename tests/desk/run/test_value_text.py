@@ -1,7 +1,7 @@
 import pytest
 from hypothesis import given, strategies as st
 
-from onika.desk.console.value import flat, shown, type_of, words
+from onika.desk.run.value_text import flat, shown, type_of, words
 from onika.words.argument import split
 
 
