@@ -719,6 +719,20 @@ export interface Answer {
   line: string;
 }
 
+/** Ask a module for something by name, as its code offers it (A05); replied with the value as text. */
+export interface AskModule {
+  t: 'AskModule';
+  doc: string;
+  task: string;
+  name: string;
+}
+
+/** Check the memory of a running subsystem's variables (A12); replied with what is unsound, as sentences. */
+export interface CheckMemory {
+  t: 'CheckMemory';
+  doc: string;
+}
+
 /** Bring a task out of ERROR, and on again where that is wanted. */
 export interface Clear {
   t: 'Clear';
@@ -740,6 +754,12 @@ export interface Connect {
 /** Leave what runs as it is, and go on unconnected. */
 export interface Disconnect {
   t: 'Disconnect';
+  doc: string;
+}
+
+/** Ask for the present readings of a running subsystem as lines of a log (A12); replied with its text. */
+export interface LogReadings {
+  t: 'LogReadings';
   doc: string;
 }
 
@@ -771,6 +791,15 @@ export interface Scene {
 /** Stop everything: every drive holds (law 27). Always carried out first, never refused. */
 export interface Stop {
   t: 'Stop';
+}
+
+/** Tell a module a new value of something by name (A05); replied with the value it has then, where it says so. */
+export interface TellModule {
+  t: 'TellModule';
+  doc: string;
+  task: string;
+  name: string;
+  value: string;
 }
 
 /** ON to OFF and back; a task in ERROR is cleared (C11). */
@@ -1676,6 +1705,6 @@ export interface Numbered {
   cid: number;
 }
 
-export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | SaveTask | ForgetTask | ReadText | WriteText | Connect | Disconnect | Turn | Toggle | Clear | Reinit | Renew | Answer | Stop | Reset | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Run | Redirect | Seats | Steer | SkipTo | Dismiss | StartAnew | Preflight | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
+export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | SaveTask | ForgetTask | ReadText | WriteText | Connect | Disconnect | Turn | Toggle | Clear | Reinit | Renew | AskModule | TellModule | CheckMemory | LogReadings | Answer | Stop | Reset | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Run | Redirect | Seats | Steer | SkipTo | Dismiss | StartAnew | Preflight | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
 export type AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say;
 export type AnyShow = ShowTask | ShowPin | ShowLocus | ShowSource | ShowAnswer | ShowLibraryTask | ShowLibraries | ShowConnect | ShowSaveAs | ShowStep | ShowFits | ShowValues | ShowLoop | ShowConfiguration | ShowOnikon | ShowTarget;

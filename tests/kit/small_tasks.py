@@ -3,7 +3,8 @@
     lab = small_laboratory(tmp_path / "bench")
 
 `wave` is read by `calm`, `calm` by `show`; `tone` writes what `wave` writes, `swell` has its module and another name;
-`gain` gives the constant that `needs` takes, `drift` writes it every cycle; `aim` asks where to; `sick` always fails;
+`gain` gives the constant that `needs` takes, `drift` writes it every cycle; `aim` asks where to; `dial` is
+set by name; `sick` always fails;
 `hurry` reads what `calm` writes in another unit.
 """
 
@@ -25,6 +26,12 @@ MODULES = {
     "gain": ("GAIN = OutConst('double', '-', 'a factor')", "return"),
     "needs": ("GAIN = InConst('double', '-', 'a factor')", "self.GAIN"),
     "drift": ("GAIN = OutVar('double', '-', 'a factor that drifts')", "self.GAIN = 1.0"),
+    "dial": (
+        "DIAL = OutVar('double', 'm', 'what it was set to')\n    _dial = 0.0\n\n"
+        "    def get(self, name):\n        return {'dial': self._dial}[name]\n\n"
+        "    def set(self, name, value):\n        self._dial = float(value)",
+        "self.DIAL = self._dial",
+    ),
     "aim": (
         "AIM = OutVar('double', 'm', 'where to')\n"
         "    place = Input('double', 'm', 'where to go', low=-1.0, high=2.0)\n\n"

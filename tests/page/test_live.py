@@ -317,3 +317,31 @@ def test_what_a_fault_would_lead_to_is_said_and_nothing_is_touched(me):  # R-X24
     panel.get_by_role("button", name="Close").first.click()
     me.state("wave", "ON")
     me.state("calm", "ON")
+
+
+def test_a_module_is_told_and_asked_by_name_in_its_sheet(me, excused):  # R-A05
+    place(me, "dial")
+    me.box("dial").click()
+    me.sheet.get_by_text("Get and set by name").click()
+    me.sheet.get_by_role("textbox", name="name", exact=True).fill("dial")
+    me.sheet.get_by_role("textbox", name="value", exact=True).fill("2.5")
+    me.sheet.get_by_role("button", name="Set", exact=True).click()
+    expect(me.sheet).to_contain_text("dial was set to 2.5")
+    me.sheet.get_by_role("textbox", name="value", exact=True).fill("7")
+    me.sheet.get_by_role("button", name="Get", exact=True).click()
+    expect(me.sheet).to_contain_text("dial = 2.5")
+    me.sheet.get_by_role("textbox", name="value", exact=True).fill("far")
+    me.sheet.get_by_role("button", name="Set", exact=True).click()
+    expect(me.page.get_by_role("alertdialog", name="Refused")).to_contain_text("dial refuses")
+
+
+def test_the_memory_is_checked_and_the_readings_are_saved_to_a_file(me):  # R-A12
+    place(me, "wave")
+    me.page.keyboard.press("Escape")
+    me.canvas.click(position={"x": 500, "y": 300})
+    me.sheet.get_by_role("button", name="Check the memory").click()
+    expect(me.page.get_by_text("is sound").first).to_be_visible()
+    with me.page.expect_download() as download:
+        me.sheet.get_by_role("button", name="Save the readings").click()
+    lines = download.value.path().read_text().splitlines()
+    assert any(re.match(r"\d+\.\d{6} \S+ WAVE double \S+$", line) for line in lines)

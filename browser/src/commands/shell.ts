@@ -8,6 +8,7 @@ import { closeDialog, dialogs, openDialog, type DialogName } from '../state/dial
 import { look, type Theme } from '../state/look.svelte'
 import { goTo, shownDocument, shownId, shownOne, step } from '../act/documents.svelte'
 import { openBlank, save } from '../act/opening'
+import { checkMemory, saveReadings } from '../monitor/memory'
 import { stopEverything } from '../shell/stopping'
 import { startTutorial } from '../help/tutorial.svelte'
 import { t } from '../texts/index.svelte'
@@ -195,6 +196,22 @@ command({
   title: () => t('connect.leave'),
   when: isConnected,
   run: () => act({ t: 'Disconnect', doc: canvas.doc }),
+})
+command({
+  id: 'run.checkMemory',
+  group: 'run',
+  level: 'tasks',
+  title: () => t('memory.check'),
+  when: isConnected,
+  run: () => checkMemory(canvas.doc),
+})
+command({
+  id: 'run.saveReadings',
+  group: 'run',
+  level: 'tasks',
+  title: () => t('memory.save'),
+  when: isConnected,
+  run: () => saveReadings(canvas.doc),
 })
 command({
   id: 'run.take',

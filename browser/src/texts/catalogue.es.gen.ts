@@ -718,6 +718,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "desk.measured_sources": "{sources:and}",
   "desk.measured_unfit": "lo medido no encaja: {reasons:;}",
   "desk.module_name": "se esperaba un nombre de {longest} letras, cifras y _ como mucho, que empiece por una letra y no sea una palabra de Python; hay {name:quoted}",
+  "desk.module_refused": "{task} lo rechaza: {why}",
   "desk.moment_a_flow": "un flujo",
   "desk.moment_action_done": "la acción {number} de {flow} está hecha",
   "desk.moment_began": "la acción {number} de {flow} ha empezado",

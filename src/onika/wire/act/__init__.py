@@ -114,14 +114,18 @@ from onika.wire.act.run import (
 )
 from onika.wire.act.running import (
     Answer as Answer,
+    AskModule as AskModule,
+    CheckMemory as CheckMemory,
     Clear as Clear,
     Connect as Connect,
     Disconnect as Disconnect,
+    LogReadings as LogReadings,
     Reinit as Reinit,
     Renew as Renew,
     Reset as Reset,
     Scene as Scene,
     Stop as Stop,
+    TellModule as TellModule,
     Toggle as Toggle,
     Turn as Turn,
     Watch as Watch,
@@ -172,6 +176,10 @@ AnyAct = (
     | Clear
     | Reinit
     | Renew
+    | AskModule
+    | TellModule
+    | CheckMemory
+    | LogReadings
     | Answer
     | Stop
     | Reset

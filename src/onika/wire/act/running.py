@@ -61,6 +61,35 @@ class Renew(Act, frozen=True):
     task: str
 
 
+class AskModule(Act, frozen=True):
+    """Ask a module for something by name, as its code offers it (A05); replied with the value as text."""
+
+    doc: str
+    task: str
+    name: str
+
+
+class TellModule(Act, frozen=True):
+    """Tell a module a new value of something by name (A05); replied with the value it has then, where it says so."""
+
+    doc: str
+    task: str
+    name: str
+    value: str
+
+
+class CheckMemory(Act, frozen=True):
+    """Check the memory of a running subsystem's variables (A12); replied with what is unsound, as sentences."""
+
+    doc: str
+
+
+class LogReadings(Act, frozen=True):
+    """Ask for the present readings of a running subsystem as lines of a log (A12); replied with its text."""
+
+    doc: str
+
+
 class Answer(Act, frozen=True):
     """Answer what a task asks, in the words of an argument line (C13)."""
 
