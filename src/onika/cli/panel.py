@@ -14,7 +14,7 @@ from onika.cli.language import say
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.run.flow_status import FlowStatus
 from onika.desk.run.flow_tracker import FlowTracker
-from onika.desk.run.positions import waits
+from onika.desk.run.positions import state_word, waits
 from onika.wire import event
 from onika.wire.steer import Position
 from onika.words.reason import Reason
@@ -29,19 +29,19 @@ MARKS = {
 """How a task's state is shown."""
 
 FLOWS = {
-    "ready": ("○", "bright_black", Reason.of("cli.flow_ready")),
-    "spawning": ("○", "bright_black", Reason.of("cli.flow_spawning")),
-    "running": ("▶", "cyan", Reason.of("cli.flow_running")),
-    "waiting": ("⧗", "yellow", Reason.of("cli.flow_waiting")),
-    "joining": ("⧗", "yellow", Reason.of("cli.flow_joining")),
-    "paused": ("‖", "bold yellow", Reason.of("cli.flow_paused")),
-    "stopped": ("✕", "bold red", Reason.of("cli.flow_stopped")),
-    "clearing": ("↻", "magenta", Reason.of("cli.flow_clearing")),
-    "done": ("✓", "green", Reason.of("cli.flow_done")),
-    "killing": ("○", "bright_black", Reason.of("cli.flow_killing")),
-    "ended": ("✓", "bright_black", Reason.of("cli.flow_ended")),
+    "ready": ("○", "bright_black"),
+    "spawning": ("○", "bright_black"),
+    "running": ("▶", "cyan"),
+    "waiting": ("⧗", "yellow"),
+    "joining": ("⧗", "yellow"),
+    "paused": ("‖", "bold yellow"),
+    "stopped": ("✕", "bold red"),
+    "clearing": ("↻", "magenta"),
+    "done": ("✓", "green"),
+    "killing": ("○", "bright_black"),
+    "ended": ("✓", "bright_black"),
 }
-"""How a flow's state is shown: its mark, its style and its word."""
+"""How a flow's state is shown: its mark and its style."""
 
 _BAR = 16
 
@@ -99,7 +99,8 @@ class Panel:
 
     def _flow(self, number: int, subsystem: str, several: bool) -> tuple[RenderableType, ...]:
         spot, count = self.where.statuses[subsystem], max(self.flow_index.count(subsystem), 1)
-        mark, style, word = FLOWS.get(spot.state, ("·", "", Reason.plain(spot.state)))
+        mark, style = FLOWS.get(spot.state, ("·", ""))
+        word = state_word(spot.state)
         is_chosen = self.bindings.chosen == number
         label = f"{'›' if is_chosen else ' '}{number} {subsystem}" if several else " "
         position = self._positions.get(subsystem)

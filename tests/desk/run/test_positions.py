@@ -1,8 +1,10 @@
 import pytest
 
 from onika.desk.plan.flow_index import FlowIndex, IndexedFlow
-from onika.desk.run.positions import lines, remark, state, waits
+from onika.desk.run.positions import lines, remark, state, state_word, waits
+from onika.engine.flow import FlowState
 from onika.wire.steer import Position
+from onika.words.reason import Reason, in_language
 
 CAST = FlowIndex((IndexedFlow("flow0", ("lift", "turn"), frozenset()), IndexedFlow("flow1", ("wait",), frozenset())))
 
@@ -36,9 +38,16 @@ def test_what_there_is_to_say_besides(position, sentence):  # R-E11
 
 def test_a_pause_that_is_still_to_come_is_said():  # R-E07
     assert str(state(Position("flow0", "running", 0, is_pausing=True))) == "running, will pause"
-    assert state(Position("flow0", "paused", 0, is_pausing=True)) == "paused"
+    assert state(Position("flow0", "paused", 0, is_pausing=True)) == Reason.of("desk.state_paused")
 
 
 def test_of_a_tag_the_word_of_the_file_is_shown():  # R-X03
     assert str(waits("assemble a", ("flow0", "flow2"))) == "waits at a for flow0 and flow2"
     assert str(waits("", ())) == "waits"
+
+
+def test_every_state_of_a_flow_has_a_word_in_both_languages():  # R-E11, R-G03
+    words = {state.value: state_word(state.value) for state in FlowState}
+    assert {name: str(word) for name, word in words.items()} == {name: name for name in words}
+    assert all(in_language(word, "es") != word.text for word in words.values())
+    assert state_word("of a later release") == Reason.plain("of a later release")

@@ -8,6 +8,20 @@ from onika.desk.run.text_table import Cell
 from onika.wire.steer import Position
 from onika.words.reason import Reason
 
+_STATES = {
+    "ready": Reason.of("desk.state_ready"),
+    "spawning": Reason.of("desk.state_spawning"),
+    "running": Reason.of("desk.state_running"),
+    "waiting": Reason.of("desk.state_waiting"),
+    "joining": Reason.of("desk.state_joining"),
+    "paused": Reason.of("desk.state_paused"),
+    "stopped": Reason.of("desk.state_stopped"),
+    "clearing": Reason.of("desk.state_clearing"),
+    "done": Reason.of("desk.state_done"),
+    "killing": Reason.of("desk.state_killing"),
+    "ended": Reason.of("desk.state_ended"),
+}
+
 
 def lines(positions: Sequence[Position], flow_index: FlowIndex, say: Callable[[Reason], str] = str) -> list[str]:
     """A table: flow, state, action as people count them, and what there is to say besides; `say` makes the words."""
@@ -18,11 +32,17 @@ def lines(positions: Sequence[Position], flow_index: FlowIndex, say: Callable[[R
     return text_table.lines(head, rows, say)
 
 
-def state(position: Position) -> Cell:
-    """Its state in a word or two; the word is the one that a console line takes too."""
+def state(position: Position) -> Reason:
+    """Its state in a word or two."""
+    word = state_word(position.state)
     if position.is_pausing and position.state != "paused":
-        return Reason.of("desk.state_will_pause", state=position.state)
-    return position.state
+        return Reason.of("desk.state_will_pause", state=word)
+    return word
+
+
+def state_word(flow_state: str) -> Reason:
+    """The word for a state of a flow; in English it is the one that a console line takes too."""
+    return _STATES.get(flow_state) or Reason.plain(flow_state)
 
 
 def remark(position: Position) -> Reason:
