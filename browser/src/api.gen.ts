@@ -579,6 +579,29 @@ export interface SetButton {
   spawns_terminal?: boolean;
 }
 
+/** Put a replaced text where it was; what stands there now is kept in its place. The value is the path. */
+export interface BringBack {
+  t: 'BringBack';
+  number: number;
+}
+
+/** Ask for a file of one's own and the shipped one before which it stands; `view.TwoTextsView`. */
+export interface CompareWithShipped {
+  t: 'CompareWithShipped';
+  path: string;
+}
+
+/** Go back to the shipped file: the copy goes where `BringBack` finds it. The value is the shipped one's path. */
+export interface GoBackToShipped {
+  t: 'GoBackToShipped';
+  path: string;
+}
+
+/** Ask for the texts that can be brought back, the newest first; a tuple of `view.ReplacedView`. */
+export interface Replaced {
+  t: 'Replaced';
+}
+
 /** Put the recording away; what runs now is shown again. */
 export interface CloseRecording {
   t: 'CloseRecording';
@@ -1168,6 +1191,15 @@ export interface PeekView {
   flows?: ((PeekIcon)[])[];
 }
 
+/** A text that can be brought back: where it was, and until when, in s since 1970. */
+export interface ReplacedView {
+  number: number;
+  path: string;
+  moment_s: number;
+  lines: number;
+  is_there?: boolean;
+}
+
 /** The tasks of every flow that is not nested, by its subsystem; where there are several, those of all by "". */
 export interface SeatsView {
   flows?: Record<string, (SeatView)[]>;
@@ -1189,6 +1221,14 @@ export interface TextView {
   stamp: string;
   faults?: ([number, Reason])[];
   is_read_only?: boolean;
+}
+
+/** A file of the user's own and the shipped one before which it stands. */
+export interface TwoTextsView {
+  path: string;
+  text: string;
+  shipped_path: string;
+  shipped_text: string;
 }
 
 /** The first difference of two recorded runs, or why they cannot be compared; without a text there is none. */
@@ -1598,6 +1638,7 @@ export interface ConfigurationFile {
 export interface Tree {
   libraries?: Record<string, LibraryView>;
   tasks?: Record<string, TaskView>;
+  own_copies?: Record<string, string>;
   module_sentences?: Record<string, Record<string, Record<string, string>>>;
   documents?: Record<string, DocumentView>;
   files?: Record<string, ConfigurationFile>;
@@ -1705,6 +1746,6 @@ export interface Numbered {
   cid: number;
 }
 
-export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | SaveTask | ForgetTask | ReadText | WriteText | Connect | Disconnect | Turn | Toggle | Clear | Reinit | Renew | AskModule | TellModule | CheckMemory | LogReadings | Answer | Stop | Reset | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Run | Redirect | Seats | Steer | SkipTo | Dismiss | StartAnew | Preflight | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
+export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | SaveTask | ForgetTask | ReadText | WriteText | CompareWithShipped | GoBackToShipped | Replaced | BringBack | Connect | Disconnect | Turn | Toggle | Clear | Reinit | Renew | AskModule | TellModule | CheckMemory | LogReadings | Answer | Stop | Reset | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Run | Redirect | Seats | Steer | SkipTo | Dismiss | StartAnew | Preflight | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
 export type AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say;
 export type AnyShow = ShowTask | ShowPin | ShowLocus | ShowSource | ShowAnswer | ShowLibraryTask | ShowLibraries | ShowConnect | ShowSaveAs | ShowStep | ShowFits | ShowValues | ShowLoop | ShowConfiguration | ShowOnikon | ShowTarget;

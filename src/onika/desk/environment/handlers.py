@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from onika.desk.environment import buttons, diary, preferences
+from onika.desk.environment import buttons, diary, own_copies, preferences
 from onika.desk.environment.canvas import (
     check,
     clipboard,
@@ -82,6 +82,10 @@ HANDLERS: Mapping[type, Handler] = {
     act.ForgetTask: library_tasks.forget_task,
     act.ReadText: source_texts.read_text,
     act.WriteText: source_texts.write_text,
+    act.CompareWithShipped: own_copies.compare_with_shipped,
+    act.GoBackToShipped: own_copies.go_back_to_shipped,
+    act.Replaced: own_copies.replaced,
+    act.BringBack: own_copies.bring_back,
     act.Copy: clipboard.copy,
     act.Cut: clipboard.cut,
     act.Paste: clipboard.paste,

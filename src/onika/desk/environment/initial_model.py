@@ -10,6 +10,7 @@ from onika.desk.environment.state import settings
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.store.library import open_libraries
+from onika.store.own_copy import own_copies
 from onika.store.site import Site
 from onika.wire import page
 
@@ -33,6 +34,7 @@ def opened(site: Site, state: Path | None, environment: Mapping[str, str]) -> tu
         settings=kept,
         buttons=buttons,
         search=tuple(base.path for base in site.directories),
+        own_copies={str(copy.own): copy.laboratory for copy in own_copies(site)},
         flow_pictures=("".join(ends[0].rows), "".join(ends[1].rows)),
     )
     model = with_syntax(listed.beside(model), syntax, bases)

@@ -1,6 +1,7 @@
 """What others have changed on the disk is taken over where that loses nothing, and told where it would (C01, X10)."""
 
 from collections.abc import Iterable, Set
+from dataclasses import replace
 from pathlib import Path
 
 from onika.desk.environment.canvas import libraries
@@ -11,6 +12,7 @@ from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.state.model import Model
 from onika.files import syntax
 from onika.store.opened_text import Faults
+from onika.store.own_copy import own_copies
 from onika.store.site import Site
 
 
@@ -29,7 +31,14 @@ def refreshed(model: Model, changed: Set[Path], site: Site | None = None) -> Don
         model, says = defined.model, [*says, *defined.says]
     model, lines, wrong = on_disk.refreshed(model, changed)
     faults = tuple(fault for fault in faults if fault not in wrong)
+    model = model if site is None or not changed else with_own_copies(model, site)
     return Done(model, orders=done.orders, says=(*says, *lines, *told(faults)))
+
+
+def with_own_copies(model: Model, site: Site) -> Model:
+    """With the files that stand before shipped ones as they are now."""
+    copies = {str(copy.own): copy.laboratory for copy in own_copies(site)}
+    return model if copies == model.own_copies else replace(model, own_copies=copies)
 
 
 def _listed(model: Model, paths: Iterable[Path]) -> tuple[Model, Faults]:

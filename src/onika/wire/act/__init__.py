@@ -90,6 +90,12 @@ from onika.wire.act.library import (
     WriteText as WriteText,
 )
 from onika.wire.act.own import Halt as Halt, Note as Note, Prefer as Prefer, Press as Press, SetButton as SetButton
+from onika.wire.act.own_copy import (
+    BringBack as BringBack,
+    CompareWithShipped as CompareWithShipped,
+    GoBackToShipped as GoBackToShipped,
+    Replaced as Replaced,
+)
 from onika.wire.act.review import (
     CloseRecording as CloseRecording,
     CompareWith as CompareWith,
@@ -169,6 +175,10 @@ AnyAct = (
     | ForgetTask
     | ReadText
     | WriteText
+    | CompareWithShipped
+    | GoBackToShipped
+    | Replaced
+    | BringBack
     | Connect
     | Disconnect
     | Turn

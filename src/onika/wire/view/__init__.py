@@ -39,9 +39,11 @@ from onika.wire.view.reply import (
     DraftView as DraftView,
     PeekIcon as PeekIcon,
     PeekView as PeekView,
+    ReplacedView as ReplacedView,
     SeatsView as SeatsView,
     SeatView as SeatView,
     TextView as TextView,
+    TwoTextsView as TwoTextsView,
 )
 from onika.wire.view.review import (
     DifferenceView as DifferenceView,

@@ -16,6 +16,26 @@ class TextView(View, frozen=True):
     is_read_only: bool = False
 
 
+class TwoTextsView(View, frozen=True):
+    """A file of the user's own and the shipped one before which it stands."""
+
+    path: str
+    text: str
+    shipped_path: str
+    shipped_text: str
+
+
+class ReplacedView(View, frozen=True):
+    """A text that can be brought back: where it was, and until when, in s since 1970."""
+
+    number: int
+    path: str
+    moment_s: float
+    lines: int
+    is_there: bool = False
+    """Whether the file holds just that now."""
+
+
 class DraftView(View, frozen=True):
     """The job that a configuration would make."""
 

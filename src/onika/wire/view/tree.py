@@ -40,6 +40,8 @@ class Tree(View, frozen=True):
 
     libraries: dict[str, LibraryView] = field(default_factory=dict)
     tasks: dict[str, TaskView] = field(default_factory=dict)
+    own_copies: dict[str, str] = field(default_factory=dict)
+    """Files that stand before shipped ones, by path, with the name of the laboratory of those."""
     module_sentences: dict[str, dict[str, dict[str, str]]] = field(default_factory=dict)
     """What modules of open libraries say in other languages: translations by module, language and sentence."""
     documents: dict[str, DocumentView] = field(default_factory=dict)

@@ -60,7 +60,7 @@ def test_what_it_says_in_other_languages_stays_as_long_as_it_says_the_same(cabin
 
 def test_an_icon_is_deleted_only_where_that_is_meant_and_who_has_it_is_told(cabinet):  # R-D05
     no = cabinet.no(act.RemoveOnikon("rest"))
-    assert "nothing brings it back" in str(no.reason) and "in naps" in str(no.reason)
+    assert "*Bring back*" in str(no.reason) and "in naps" in str(no.reason)
     cabinet.do(no.remedies[0].act)
     assert cabinet.names == ["grip"] and not cabinet.base.onikon_file("rest").exists()
     assert "in naps" not in str(cabinet.no(act.RemoveOnikon("grip")).reason)

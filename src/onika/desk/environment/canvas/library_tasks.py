@@ -9,6 +9,7 @@ from onika.desk.environment.outcome import pin_changes
 from onika.desk.environment.outcome.clash import clashes, refused
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import overwriting
+from onika.desk.environment.outcome.replacing import kept, present_text
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state import task_edit
 from onika.desk.environment.state.model import Model
@@ -94,6 +95,7 @@ def save_task(model: Model, command: act.SaveTask, outside: Services) -> Done | 
         return Done(model, value=str(path))
     if is_shipped(base.path):
         return _copied(model, command.task, changed, outside)
+    former = present_text(path)
     done = base.save_task(record, changed, overwrites=command.overwrites)
     if isinstance(done, Refusal):
         remedies = (
@@ -101,7 +103,8 @@ def save_task(model: Model, command: act.SaveTask, outside: Services) -> Done | 
             Remedy(Reason.of("desk.take_as_filed"), act.ForgetTask(command.task)),
         )
         return No(done.reason, remedies)
-    return replace(_as_filed(model, command.task, path), value=str(path))
+    filed = _as_filed(model, command.task, path)
+    return replace(filed, value=str(path), says=(*filed.says, *kept(path, former, outside)))
 
 
 def forget_task(model: Model, command: act.ForgetTask, _outside: Services) -> Done | No:

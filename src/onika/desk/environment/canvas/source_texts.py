@@ -9,6 +9,7 @@ from pathlib import Path
 from onika.desk.environment.canvas import libraries
 from onika.desk.environment.canvas.library_tasks import saved_as_own, unknown
 from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.replacing import kept, present_text
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.outcome.trouble import said
 from onika.desk.environment.state.model import Model
@@ -50,6 +51,7 @@ def write_text(model: Model, command: act.WriteText, outside: Services) -> Done 
         return No(Reason.of("desk.text_unstamped"))
     if is_shipped(path):
         return _copied(model, path, command, outside.site)
+    former = present_text(path)
     try:
         refused = whole.write(path, command.text, whole.ANYTHING if command.overwrites else command.stamp)
     except ValueError:
@@ -60,7 +62,8 @@ def write_text(model: Model, command: act.WriteText, outside: Services) -> Done 
     done = libraries.reread(model, {path})
     left_out = command.kind == "rmod" and path.stem not in done.model.libraries.tasks
     message = page.Say("warning", Reason.of("desk.saved_at_fault", name=path.name))
-    return replace(done, value=view, says=(message,) if left_out else done.says)
+    says = (message,) if left_out else done.says
+    return replace(done, value=view, says=(*says, *kept(path, former, outside)))
 
 
 def _copied(model: Model, path: Path, command: act.WriteText, site: Site) -> Done | No:

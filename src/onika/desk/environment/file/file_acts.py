@@ -14,6 +14,7 @@ from onika.desk.environment.file.file_kind import FileKind
 from onika.desk.environment.outcome.on_file import AnyFile, busy, on_file
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import overwriting
+from onika.desk.environment.outcome.replacing import kept, present_text
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_file import DocumentKind
@@ -64,12 +65,14 @@ def save(model: Model, file: AnyFile, command: act.Save, outside: Services) -> D
     loss = kind.loss(file, kind.path(home, name))
     if loss and not command.overwrites:
         return No(loss, (_elsewhere(), Remedy(Reason.of("desk.overwrite_it"), again)))
+    former = present_text(kind.path(home, name))
     opened = kind.write(home, name, file, overwrites=command.overwrites)
     if isinstance(opened, No):
         return opened
     if isinstance(opened, Refusal):
         return No(opened.reason, (*overwriting(opened, again), _elsewhere()))
     done = kind.saved(model, file, opened, home.path)
+    done = replace(done, says=(*done.says, *kept(opened.path, former, outside)))
     copied = page.Say("success", Reason.of("desk.saved_as_own", path=str(opened.path), base=base.name), file.id)
     return done if home.path == base else replace(done, says=(*done.says, copied))
 

@@ -8,6 +8,7 @@ from onika.desk.environment.icons.dictionaries import shown_at_once
 from onika.desk.environment.icons.uses import users_of
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import overwriting
+from onika.desk.environment.outcome.replacing import kept, present_text
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state import target_values
 from onika.desk.environment.state.dictionary import home_of
@@ -47,6 +48,7 @@ def edit_onikon(model: Model, command: act.EditOnikon, outside: Services) -> Don
     if isinstance(changed, No):
         return changed
     is_copy = target.path.resolve() != home.path.resolve()
+    former = present_text(target.onikon_file(command.onikon))
     saved = target.save_onikon(changed, opened, overwrites=command.overwrites and not is_copy)
     if isinstance(saved, Refusal):
         meant = overwriting(saved, msgspec.structs.replace(command, overwrites=True))
@@ -57,11 +59,11 @@ def edit_onikon(model: Model, command: act.EditOnikon, outside: Services) -> Don
     if is_copy and is_shipped(home.path):
         text = Reason.of("desk.icon_own", name=command.onikon, path=str(saved.path), base=home.path.name, lost=lost)
     now = shown_at_once(model, saved.path, outside.site)
-    return Done(now, value=str(saved.path), says=(page.Say("success", text),))
+    return Done(now, value=str(saved.path), says=(page.Say("success", text), *kept(saved.path, former, outside)))
 
 
 def remove_onikon(model: Model, command: act.RemoveOnikon, outside: Services) -> Done | No:
-    """Delete the file of an icon; nothing brings it back, so it is asked first, with whom it is placed."""
+    """Delete the file of an icon; it is asked first, with where it is placed."""
     place = _found(model, command.onikon)
     if isinstance(place, No):
         return place
@@ -72,12 +74,14 @@ def remove_onikon(model: Model, command: act.RemoveOnikon, outside: Services) ->
     if not command.confirmed:
         reason = Reason.of("desk.icon_file_deleted", path=str(opened.path), placed=_placed(model, opened.value))
         return No(reason, (Remedy(Reason.of("desk.delete_it"), act.RemoveOnikon(command.onikon, confirmed=True)),))
+    former = present_text(opened.path)
     try:
         opened.path.unlink(missing_ok=True)
     except OSError as error:
         return No(Reason.of("desk.not_deleted", path=str(opened.path), why=str(error.strerror)))
     now = shown_at_once(model, opened.path, outside.site)
-    return Done(now, says=(page.Say("success", Reason.of("desk.icon_deleted", name=command.onikon)),))
+    says = page.Say("success", Reason.of("desk.icon_deleted", name=command.onikon))
+    return Done(now, says=(says, *kept(opened.path, former, outside)))
 
 
 def _found(model: Model, name: str) -> tuple[BaseDirectory, OpenedText[Onikon]] | No:

@@ -52,6 +52,7 @@ class Projector:
             ),
             documents=documents,
             files=dict(model.files),
+            own_copies=dict(model.own_copies),
             application_files=dict(model.application_files),
             clipboard=" ".join(placed.task for placed in model.clipboard.placed),
             runtime=model.runtime,

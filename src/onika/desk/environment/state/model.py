@@ -55,6 +55,8 @@ class Model:
     dictionaries: tuple[Dictionary, ...] = ()
     search: tuple[Path, ...] = ()
     """The search path, as far as names are looked for by it here."""
+    own_copies: Mapping[str, str] = field(default_factory=dict)
+    """Files that stand before shipped ones, by path, with the name of the laboratory of those."""
     limits: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
     """Constants that bound the values of targets, as far as a runtime has told them."""
     icon_clipboard: tuple[Step, ...] = ()
