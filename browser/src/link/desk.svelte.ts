@@ -14,6 +14,7 @@ export function fullTree(tree: Tree): FullTree {
     libraries: {},
     tasks: {},
     module_sentences: {},
+    own_copies: {},
     documents: {},
     files: {},
     clipboard: '',

@@ -32,7 +32,7 @@ def test_going_back_leaves_the_shipped_one_in_force_and_loses_nothing(desk):  # 
     assert desk.do(act.GoBackToShipped(path)) == str(desk.generic.code_file("pd"))
     tree = desk.environment.tree
     assert (tree.tasks["pd"].code, copies(desk)) == (str(desk.generic.code_file("pd")), {})
-    (kept,) = desk.do(act.Replaced())
+    (kept,) = desk.do(act.ListReplaced())
     assert (kept.path, kept.lines, kept.is_there) == (path, 1, False)
     assert desk.do(act.BringBack(kept.number)) == path
     assert desk.own.code_file("pd").read_text() == "mine = 1\n" and copies(desk) == {"pd.py": "generic"}
@@ -56,10 +56,10 @@ def test_an_open_configuration_goes_back_as_a_step_that_can_be_taken_back(desk):
 def test_what_is_saved_over_can_be_brought_back_and_that_too(desk):  # R-X10
     desk.write("pd", "code", "first = 1\n")
     desk.write("pd", "code", "second = 1\n")
-    (kept,) = desk.do(act.Replaced())
+    (kept,) = desk.do(act.ListReplaced())
     desk.do(act.BringBack(kept.number))
     assert desk.own.code_file("pd").read_text() == "first = 1\n"
-    last, before = desk.do(act.Replaced())
+    last, before = desk.do(act.ListReplaced())
     assert (before.is_there, last.is_there) == (True, False)
     desk.do(act.BringBack(last.number))
     assert desk.own.code_file("pd").read_text() == "second = 1\n"
@@ -69,7 +69,7 @@ def test_a_deleted_icon_is_brought_back(desk):  # R-X10
     desk.do(act.EditOnikon("pauseC", "mine"))
     desk.do(act.RemoveOnikon("pauseC", confirmed=True))
     assert desk.environment.tree.onikons["pauseC"].description != "mine"
-    desk.do(act.BringBack(desk.do(act.Replaced())[0].number))
+    desk.do(act.BringBack(desk.do(act.ListReplaced())[0].number))
     assert desk.environment.tree.onikons["pauseC"].description == "mine"
 
 
@@ -82,7 +82,7 @@ def test_what_is_no_copy_is_neither_compared_nor_gone_back_from(desk, path):  # 
 
 
 def test_what_is_not_kept_any_more_is_not_brought_back(desk):  # R-B07
-    assert desk.do(act.Replaced()) == ()
+    assert desk.do(act.ListReplaced()) == ()
     assert desk.no(act.BringBack(7)).reason.key == "desk.nothing_to_bring_back"
 
 

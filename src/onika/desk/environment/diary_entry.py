@@ -78,7 +78,7 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.WriteText: ("save_text", "lexi"),
     act.CompareWithShipped: ("compare_with_shipped", "main"),
     act.GoBackToShipped: ("go_back_to_shipped", "main"),
-    act.Replaced: ("list_replaced", "main"),
+    act.ListReplaced: ("list_replaced", "main"),
     act.BringBack: ("bring_back", "main"),
     act.Connect: ("connect", "conf"),
     act.Disconnect: ("disconnect", "conf"),

@@ -84,7 +84,7 @@ HANDLERS: Mapping[type, Handler] = {
     act.WriteText: source_texts.write_text,
     act.CompareWithShipped: own_copies.compare_with_shipped,
     act.GoBackToShipped: own_copies.go_back_to_shipped,
-    act.Replaced: own_copies.replaced,
+    act.ListReplaced: own_copies.replaced,
     act.BringBack: own_copies.bring_back,
     act.Copy: clipboard.copy,
     act.Cut: clipboard.cut,

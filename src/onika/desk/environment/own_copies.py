@@ -55,7 +55,7 @@ def go_back_to_shipped(model: Model, command: act.GoBackToShipped, outside: Serv
     return replace(done, value=str(copy.shipped), says=(*done.says, says))
 
 
-def replaced(model: Model, _command: act.Replaced, outside: Services) -> Done | No:
+def replaced(model: Model, _command: act.ListReplaced, outside: Services) -> Done | No:
     """The texts that can be brought back."""
     texts = () if outside.state is None else ReplacedTexts(outside.state).listed()
     return Done(model, value=tuple(map(_view, texts)))

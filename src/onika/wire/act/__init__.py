@@ -94,7 +94,7 @@ from onika.wire.act.own_copy import (
     BringBack as BringBack,
     CompareWithShipped as CompareWithShipped,
     GoBackToShipped as GoBackToShipped,
-    Replaced as Replaced,
+    ListReplaced as ListReplaced,
 )
 from onika.wire.act.review import (
     CloseRecording as CloseRecording,
@@ -177,7 +177,7 @@ AnyAct = (
     | WriteText
     | CompareWithShipped
     | GoBackToShipped
-    | Replaced
+    | ListReplaced
     | BringBack
     | Connect
     | Disconnect

@@ -15,7 +15,7 @@ class GoBackToShipped(Act, frozen=True):
     path: str
 
 
-class Replaced(Act, frozen=True):
+class ListReplaced(Act, frozen=True):
     """Ask for the texts that can be brought back, the newest first; a tuple of `view.ReplacedView`."""
 
 
