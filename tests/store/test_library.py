@@ -106,7 +106,9 @@ def test_what_is_no_file_is_told_and_nothing_waits_for_it(base: BaseDirectory) -
 def test_a_file_that_may_not_be_read_is_told(base: BaseDirectory) -> None:
     module(base, "secret.rmod").write_text(TEXT)  # R-B07
     module(base, "secret.rmod").chmod(0)
-    assert sentences(open_library(base)) == ["secret.rmod: a file that can be read, found Permission denied"]
+    assert sentences(open_library(base)) == [
+        "secret.rmod: a file that can be read, found this user is not permitted to"
+    ]
 
 
 def test_a_folder_that_is_none_is_told_and_an_absent_one_is_empty(tmp_path: Path) -> None:

@@ -3,7 +3,7 @@ import os
 
 import pytest
 
-from onika.words.reason import Reason
+from onika.words.reason import Reason, in_language
 from onika.words.system_error import is_used_up, system_reason, system_reason_with_place
 
 
@@ -23,6 +23,14 @@ def test_what_is_used_up_is_said_in_words_of_its_own(code, key):  # R-B07, R-X01
 
 def test_anything_else_is_said_as_the_system_says_it():
     assert str(system_reason(OSError(errno.EXDEV, "Invalid cross-device link"))) == "Invalid cross-device link"
+
+
+def test_what_happens_often_is_said_in_the_words_of_the_system_and_in_spanish():  # R-G03
+    missing = system_reason(FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT)))
+    assert (str(missing), in_language(missing, "es")) == (
+        os.strerror(errno.ENOENT),
+        "no existe ese archivo o directorio",
+    )
 
 
 def test_a_reason_that_it_was_raised_with_is_kept():

@@ -15,6 +15,7 @@ from onika.link.token import read_token
 from onika.web.program import EnvironmentOptions, EnvironmentProgram
 from onika.web.server import bound
 from onika.words.reason import Reason
+from onika.words.system_error import system_reason
 
 PORT = 8420
 
@@ -52,8 +53,7 @@ def carry_out(given: argparse.Namespace) -> int:
         listening = bound(PORT if given.port is None else given.port)
     except OSError as taken:
         if given.port is not None:
-            why = Reason.plain(taken.strerror or "")
-            given.complain(say(Reason.of("cli.port_taken", port=given.port, why=why)))
+            given.complain(say(Reason.of("cli.port_taken", port=given.port, why=system_reason(taken))))
         listening = bound(0)
     token = "" if given.token_file is None else read_token(given.token_file)
     options = EnvironmentOptions(

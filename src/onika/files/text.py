@@ -6,6 +6,7 @@ from pathlib import Path
 
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
+from onika.words.system_error import system_reason
 
 LARGEST = 24 * 2**20
 """Bytes of the largest file that is read; an application of ten thousand icons has two thirds of it."""
@@ -21,7 +22,7 @@ def load(path: Path, file: str) -> tuple[str | None, tuple[Fault, ...]]:
     try:
         data = _data(path)
     except OSError as error:
-        reason = error.strerror or type(error).__name__
+        reason = system_reason(error)
         return None, (
             Fault(Place(file), Reason.of("files.unreadable", reason=reason), Reason.of("words.file_left_out")),
         )

@@ -21,6 +21,7 @@ from onika.link.websocket import WebSocketCarrier
 from onika.link.websocket_messages import SILENT
 from onika.wire.frame import FRAME_LIMIT
 from onika.words.reason import Reason
+from onika.words.system_error import system_reason
 
 CONNECT_S = 1.5
 """How long a machine may take to answer at all."""
@@ -52,7 +53,7 @@ class WebSocketOpening:
                 LossCause.TIMEOUT, Reason.of("link.no_answer", address=str(self.address), seconds=CONNECT_S)
             ) from None
         except OSError as fault:
-            nobody = Reason.of("link.nobody", address=str(self.address), why=_system(fault))
+            nobody = Reason.of("link.nobody", address=str(self.address), why=system_reason(fault))
             raise LinkLost(LossCause.UNREACHABLE, nobody) from None
         try:
             return self._open(connected, channel, until)
@@ -82,7 +83,7 @@ class WebSocketOpening:
             not_private = Reason.of("link.not_private", address=str(self.address), why=why)
             raise LinkLost(LossCause.CERTIFICATE, not_private) from None
         except OSError as fault:
-            ended = Reason.of("link.opening_ended", address=str(self.address), why=_system(fault))
+            ended = Reason.of("link.opening_ended", address=str(self.address), why=system_reason(fault))
             raise LinkLost(LossCause.UNREACHABLE, ended) from None
         return WebSocketCarrier(private, protocol, heartbeat_sender=_heartbeat_sender(private, protocol))
 
@@ -116,11 +117,6 @@ class WebSocketOpening:
         if fault is not None:
             no_websocket = Reason.of("link.no_websocket", address=str(self.address), why=Reason.plain(str(fault)))
             raise LinkLost(LossCause.GARBAGE, no_websocket)
-
-
-def _system(fault: OSError) -> Reason:
-    """What the operating system says."""
-    return Reason.plain(str(fault.strerror))
 
 
 def _heartbeat_sender(connected: socket.socket, protocol: ClientProtocol) -> HeartbeatSender | None:

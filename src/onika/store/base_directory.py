@@ -17,6 +17,7 @@ from onika.store.opened_text import Faults, OpenedText, Read, open_file, put, sa
 from onika.words.fault import Fault, Place, Refusal
 from onika.words.name import TASK_NAME
 from onika.words.reason import Reason
+from onika.words.system_error import system_reason
 
 _T = TypeVar("_T")
 
@@ -90,7 +91,7 @@ class BaseDirectory:
                 names.append(
                     Fault(
                         place,
-                        Reason.of("store.unreadable_folder", strerror=error.strerror or ""),
+                        Reason.of("store.unreadable_folder", why=system_reason(error)),
                         Reason.of("store.files_left_out"),
                     )
                 )

@@ -15,6 +15,21 @@ _REASONS: Mapping[int, Reason] = {
     errno.ENOMEM: Reason.of("words.memory_used"),
     errno.EACCES: Reason.of("words.not_permitted"),
     errno.EPERM: Reason.of("words.not_permitted"),
+    errno.ENOENT: Reason.of("words.no_such_file"),
+    errno.EEXIST: Reason.of("words.file_exists"),
+    errno.ENOTDIR: Reason.of("words.not_a_directory"),
+    errno.EISDIR: Reason.of("words.is_a_directory"),
+    errno.ENAMETOOLONG: Reason.of("words.name_too_long"),
+    errno.EIO: Reason.of("words.io_error"),
+    errno.ELOOP: Reason.of("words.link_loop"),
+    errno.ECONNREFUSED: Reason.of("words.connection_refused"),
+    errno.ECONNRESET: Reason.of("words.connection_reset"),
+    errno.EPIPE: Reason.of("words.broken_pipe"),
+    errno.ETIMEDOUT: Reason.of("words.connection_timed_out"),
+    errno.EHOSTUNREACH: Reason.of("words.host_unreachable"),
+    errno.ENETUNREACH: Reason.of("words.network_unreachable"),
+    errno.EADDRINUSE: Reason.of("words.address_in_use"),
+    errno.EADDRNOTAVAIL: Reason.of("words.address_unavailable"),
 }
 
 

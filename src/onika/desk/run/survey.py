@@ -18,6 +18,7 @@ from onika.wire import request
 from onika.wire.plan import Code, PlannedTask
 from onika.words.fault import Fault, Place, parted
 from onika.words.reason import Reason
+from onika.words.system_error import system_reason
 
 _FOLDERS = ("module", "conf", "dict", "appl", "prefs")
 
@@ -51,7 +52,7 @@ def survey(path: Path, site: Site, note: Note = lambda _text: None) -> tuple[lis
     try:
         files_of = _files_of_bases(whole)
     except OSError as error:
-        unreadable = Reason.of("desk.directory_unreadable", strerror=error.strerror or "")
+        unreadable = Reason.of("desk.directory_unreadable", why=system_reason(error))
         return [], [Fault(Place(str(path)), unreadable, Reason.of("words.left_out"))]
     files = [file for files_of_base in files_of.values() for file in files_of_base]
     if not files and not _is_base_directory(whole):

@@ -35,6 +35,7 @@ from onika.link.heartbeat import LENGTH
 from onika.link.launcher import die_with_parent
 from onika.wire.packet import Hello
 from onika.words.reason import Reason
+from onika.words.system_error import system_reason
 
 GREETING_S = 5.0
 """How long everything may take until the greeting is there: TLS, HTTP, WebSocket, hello."""
@@ -229,8 +230,7 @@ def main(words: list[str]) -> None:
         beats = hear_beats(listener)
         acceptor = Acceptor(listening, post)
     except OSError as wrong:
-        why = Reason.plain(wrong.strerror or str(wrong))
-        reason = Reason.of("host.cannot_listen", host=listening.host, port=listening.port, why=why)
+        reason = Reason.of("host.cannot_listen", host=listening.host, port=listening.port, why=system_reason(wrong))
         post.send(encode(ListenFailed(reason)))
         return
     post.send(encode(ListenerReady(listener.getsockname()[1])))

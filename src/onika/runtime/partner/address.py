@@ -4,6 +4,7 @@ import socket
 from dataclasses import dataclass
 
 from onika.words.reason import Reason
+from onika.words.system_error import system_reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +26,7 @@ class PartnerAddress:
             try:
                 addresses = socket.getaddrinfo(host.strip("[]"), int(port), type=socket.SOCK_STREAM)
             except OSError as wrong:
-                raise ValueError(Reason.of("runtime.machine_name", host=host, why=str(wrong.strerror))) from None
+                raise ValueError(Reason.of("runtime.machine_name", host=host, why=system_reason(wrong))) from None
             family, _, _, _, place = addresses[0]
             return cls(words, family, place)  # type: ignore[arg-type]
         raise ValueError(Reason.of("runtime.partner_address", words=words))

@@ -21,6 +21,7 @@ from onika.runtime.partner.answer import PartnerAnswer
 from onika.runtime.partner.guarded_child import GuardedChild
 from onika.runtime.partner.protocol import PartnerProtocol
 from onika.words.reason import NOTHING, Reason, reason_of
+from onika.words.system_error import system_reason
 
 _RETRY_NS = 50_000_000
 _AT_ONCE = 1 << 16
@@ -205,7 +206,7 @@ class Partner:
         try:
             line, self._stands = address.call()
         except OSError as wrong:
-            self._why = Reason.of("runtime.nobody_listens", why=str(wrong.strerror))
+            self._why = Reason.of("runtime.nobody_listens", why=system_reason(wrong))
             if self._started is not None and self._started.how_ended:
                 self._fail(Reason.of("runtime.its_program", how=self._started.how_ended))
             return
@@ -226,7 +227,7 @@ class Partner:
             self._epoll.modify(line, select.EPOLLIN | select.EPOLLOUT)
             return
         except OSError as wrong:
-            self._lose(Reason.of("runtime.connection_broke", why=str(wrong.strerror)))
+            self._lose(Reason.of("runtime.connection_broke", why=system_reason(wrong)))
             return
         self._epoll.modify(line, select.EPOLLIN)
 
@@ -234,7 +235,7 @@ class Partner:
         if not self._stands:
             code = line.getsockopt(socket.SOL_SOCKET, socket.SO_ERROR)
             if code:
-                self._why = Reason.of("runtime.nobody_listens", why=os.strerror(code))
+                self._why = Reason.of("runtime.nobody_listens", why=system_reason(OSError(code, os.strerror(code))))
                 self._drop()
                 return
             self._stands = True

@@ -27,6 +27,7 @@ from onika.wire import act, page
 from onika.wire.view import Remedy
 from onika.words.fault import Refusal
 from onika.words.reason import NOTHING, Reason
+from onika.words.system_error import system_reason
 
 _MOST = 5
 """Applications that are named."""
@@ -78,7 +79,7 @@ def remove_onikon(model: Model, command: act.RemoveOnikon, outside: Services) ->
     try:
         opened.path.unlink(missing_ok=True)
     except OSError as error:
-        return No(Reason.of("desk.not_deleted", path=str(opened.path), why=str(error.strerror)))
+        return No(Reason.of("desk.not_deleted", path=str(opened.path), why=system_reason(error)))
     now = shown_at_once(model, opened.path, outside.site)
     says = page.Say("success", Reason.of("desk.icon_deleted", name=command.onikon))
     return Done(now, says=(says, *kept(opened.path, former, outside)))

@@ -31,6 +31,7 @@ from onika.wire.view import KeepingView, Remedy
 from onika.words.condition import Condition
 from onika.words.name import TASK_NAME
 from onika.words.reason import Reason, reason_of
+from onika.words.system_error import system_reason
 
 _NICE = 10
 
@@ -106,7 +107,7 @@ def _path(opened: OpenApplication, wanted: str, outside: Services) -> Path | No:
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as wrong:
-        return _unnamed(Reason.of("run.keep_folder", folder=str(path.parent), why=str(wrong.strerror)))
+        return _unnamed(Reason.of("run.keep_folder", folder=str(path.parent), why=system_reason(wrong)))
     return path
 
 
