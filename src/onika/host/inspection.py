@@ -7,6 +7,7 @@ from typing import Protocol
 
 from onika.host.sessions.request_server import RequestServer
 from onika.host.subsystems.subsystem_registry import Subsystems
+from onika.host.units.driver_clock import DriverClock
 from onika.model.lifecycle import State
 from onika.runtime import news
 from onika.runtime.bus import Poses
@@ -22,18 +23,8 @@ _SLOWEST_HZ = 0.1
 Answer = Callable[[request.Response], None]
 
 
-class InspectedDriver(Protocol):
+class InspectedDriver(DriverClock, Protocol):
     """The driver, as far as it can be looked at."""
-
-    @property
-    def now(self) -> int:
-        """The runtime's time in ns."""
-        ...
-
-    @property
-    def is_virtual(self) -> bool:
-        """Whether time is virtual."""
-        ...
 
     @property
     def worlds(self) -> tuple[str, ...]:

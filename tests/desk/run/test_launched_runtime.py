@@ -4,7 +4,8 @@ import sys
 
 import pytest
 
-from kit.plan_builder import PlanBuilder, action
+from kit.bell_plan import bell
+from kit.plan_builder import action
 from kit.rail_world import rail_tasks
 from onika.desk.run import launched_runtime as room
 from onika.desk.run.launched_runtime import LaunchedRuntime
@@ -15,18 +16,6 @@ from onika.words.reason import Reason
 
 pytestmark = pytest.mark.site
 
-BELL = """
-import sys
-from onika.module import Module, finish
-
-class Bell(Module):
-    trigger = True
-
-    def cycle(self):
-        print("ding", self.now)
-        return finish()
-"""
-
 
 @pytest.fixture
 def puppet(monkeypatch):
@@ -36,12 +25,6 @@ def puppet(monkeypatch):
         monkeypatch.setattr(room, "launch", lambda words, **how: launch(words, (sys.executable, "-c", code), **how))
 
     return use
-
-
-def bell():
-    shop = PlanBuilder()
-    shop.task("bell", BELL)
-    return shop.plan([action("bell")])
 
 
 def events_of(runtime):

@@ -2,29 +2,11 @@ from itertools import islice
 
 import pytest
 
-from kit.plan_builder import PlanBuilder, action
+from kit.bell_plan import bell
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.desk.run.runtime_conversation import NumberedResponse, in_short
 from onika.wire import event, live, request
 from onika.words.reason import NOTHING, Reason
-
-BELL = """
-import sys
-from onika.module import Module, finish
-
-class Bell(Module):
-    trigger = True
-
-    def cycle(self):
-        print("ding", self.now)
-        return finish()
-"""
-
-
-def bell():
-    shop = PlanBuilder()
-    shop.task("bell", BELL)
-    return shop.plan([action("bell")])
 
 
 @pytest.mark.site

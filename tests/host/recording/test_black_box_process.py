@@ -1,10 +1,10 @@
-import select
 import threading
-from time import monotonic, monotonic_ns
+from time import monotonic_ns
 
 import numpy as np
 import pytest
 
+from kit.next_message import next_message
 from kit.recording_builder import run
 from onika.desk.run.run_review import Review
 from onika.host.recording import black_box_process
@@ -51,13 +51,7 @@ class Beside:
         self.post.send(encode(RunOrder(1, order)))
 
     def word(self):
-        until = monotonic() + 10
-        while monotonic() < until:
-            select.select([self.post], [], [], 0.1)
-            received = self.post.receive()
-            if received is not None:
-                return decode_word(received[0])
-        raise TimeoutError("no word")
+        return decode_word(next_message(self.post))
 
     def close(self):
         self.post.close()

@@ -1,10 +1,10 @@
 import os
-import select
 import threading
-from time import monotonic, monotonic_ns
+from time import monotonic_ns
 
 import numpy as np
 
+from kit.next_message import next_message
 from kit.recording_builder import run
 from onika.host.recording import recording_process
 from onika.host.recording.recorded_variable import VariablePlace
@@ -47,13 +47,7 @@ class Beside:
         assert not self.thread.is_alive()
 
     def word(self):
-        until = monotonic() + 10
-        while monotonic() < until:
-            select.select([self.post], [], [], 0.1)
-            received = self.post.receive()
-            if received is not None:
-                return recording_process.decode_word(received[0])
-        raise TimeoutError
+        return recording_process.decode_word(next_message(self.post))
 
 
 def test_it_looks_by_itself_until_the_run_is_over(tmp_path):  # law 29

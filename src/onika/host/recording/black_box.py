@@ -18,6 +18,7 @@ from onika.host.recording.last_seconds import TracedEvent, TracedVariables
 from onika.host.recording.recorded_variable import places_of
 from onika.host.run.application_run import ApplicationRun
 from onika.host.subsystems.subsystem_registry import Subsystems
+from onika.host.units.driver_clock import DriverClock
 from onika.host.units.process_socket import ProcessSocket
 from onika.record import topics
 from onika.record.black_box_folder import black_box_path, fault_path
@@ -37,23 +38,8 @@ MOST_FAULTS = 4
 """Of a run that goes on after each fault so many first ones have a black box; of the others only its end."""
 
 
-class BoxedDriver(Protocol):
+class BoxedDriver(DriverClock, Protocol):
     """The driver, as far as a black box looks at it."""
-
-    @property
-    def now(self) -> int:
-        """The runtime's time in ns."""
-        ...
-
-    @property
-    def is_virtual(self) -> bool:
-        """Whether time is virtual."""
-        ...
-
-    @property
-    def turn(self) -> int:
-        """In virtual time: how often everything due at the present instant has been carried out."""
-        ...
 
     def each_instant(self, look: Callable[[], None]) -> None:
         """In virtual time: call this one too at the end of every instant."""

@@ -17,6 +17,7 @@ from onika.host.recording.run_description import RunDescriptions
 from onika.host.run.application_run import ApplicationRun, variable_units
 from onika.host.sessions.request_server import RequestServer
 from onika.host.subsystems.subsystem_registry import Subsystems
+from onika.host.units.driver_clock import DriverClock
 from onika.host.units.pose_stream import WorldPoses
 from onika.host.units.process_socket import ProcessSocket
 from onika.record import topics
@@ -35,26 +36,11 @@ END_NS = 5_000_000_000
 """How long the end of a run waits at most for its recording to be finished."""
 
 
-class RecordedDriver(Protocol):
+class RecordedDriver(DriverClock, Protocol):
     """The driver, as far as it is recorded."""
 
     options: tuple[str, ...]
     """What the runtime was started with beside, which changes what happens."""
-
-    @property
-    def turn(self) -> int:
-        """In virtual time: how often everything due at the present instant has been carried out."""
-        ...
-
-    @property
-    def now(self) -> int:
-        """The runtime's time in ns."""
-        ...
-
-    @property
-    def is_virtual(self) -> bool:
-        """Whether time is virtual."""
-        ...
 
     @property
     def with_fifo(self) -> bool:

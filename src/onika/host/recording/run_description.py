@@ -7,25 +7,16 @@ from typing import Protocol
 from msgspec.structs import replace
 
 from onika.host.subsystems.subsystem_registry import Subsystems
+from onika.host.units.driver_clock import DriverClock
 from onika.record.run import RunRecord
 from onika.wire import request
 
 
-class DescribedDriver(Protocol):
+class DescribedDriver(DriverClock, Protocol):
     """The driver, as far as a recording says how it was started."""
 
     options: tuple[str, ...]
     """What the runtime was started with beside, which changes what happens."""
-
-    @property
-    def now(self) -> int:
-        """The runtime's time in ns."""
-        ...
-
-    @property
-    def is_virtual(self) -> bool:
-        """Whether time is virtual."""
-        ...
 
     @property
     def worlds(self) -> Sequence[str]:

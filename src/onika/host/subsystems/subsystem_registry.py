@@ -9,6 +9,7 @@ from onika.host.run.replay import Replay
 from onika.host.run.status_poll import StatusPoll
 from onika.host.subsystems.live_subsystem import LiveSubsystem
 from onika.host.subsystems.load_forecast import LoadForecast
+from onika.host.units.driver_clock import DriverClock
 from onika.host.units.unit_registry import Units
 from onika.ring.segment import Segment
 from onika.runtime import command, news
@@ -23,23 +24,8 @@ Tell = Callable[[event.Event, str, str], None]
 """An event, the subsystem whose listeners hear it (empty: everybody), a session that hears it in any case."""
 
 
-class Tables(Units, Protocol):
+class Tables(Units, DriverClock, Protocol):
     """Units that can be shown memory, and told the time."""
-
-    @property
-    def now(self) -> int:
-        """The runtime's time in ns since its start."""
-        ...
-
-    @property
-    def is_virtual(self) -> bool:
-        """Whether time is virtual."""
-        ...
-
-    @property
-    def turn(self) -> int:
-        """In virtual time: how often everything due at the present instant has been carried out."""
-        ...
 
     def share(self, name: str, segment: Segment) -> None:
         """Let the RTPUs see a table."""
