@@ -17,10 +17,13 @@ import KeepPanel from './run/KeepPanel.svelte'
 import ButtonsPanel from './shell/ButtonsPanel.svelte'
 import ConnectPanel from './shell/ConnectPanel.svelte'
 import PreferencesPanel from './shell/PreferencesPanel.svelte'
+import BringBackPanel from './task/BringBackPanel.svelte'
+import OwnPanel from './task/OwnPanel.svelte'
 import SourcePanel from './task/SourcePanel.svelte'
 import type { DialogName } from './state/dialogs.svelte'
 
 export const DIALOGS: Partial<Record<DialogName, Component>> = {
+  bringBack: BringBackPanel,
   buttons: ButtonsPanel,
   connect: ConnectPanel,
   help: HelpSheet,
@@ -31,6 +34,7 @@ export const DIALOGS: Partial<Record<DialogName, Component>> = {
   keep: KeepPanel,
   newApplication: NewApplicationPanel,
   open: OpenPanel,
+  own: OwnPanel,
   preferences: PreferencesPanel,
   recordings: RecordingsPanel,
   redirect: RedirectPanel,
@@ -42,4 +46,4 @@ export const DIALOGS: Partial<Record<DialogName, Component>> = {
 }
 
 /** Those that begin anew each time they are opened, also while they are open. */
-export const KEYED: ReadonlySet<string> = new Set(['icon', 'keep', 'recordings', 'redirect'])
+export const KEYED: ReadonlySet<string> = new Set(['bringBack', 'icon', 'keep', 'own', 'recordings', 'redirect'])

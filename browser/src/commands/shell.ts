@@ -66,6 +66,7 @@ command({
   run: () => turn('saveAs'),
   whileTyping: true,
 })
+command({ id: 'file.bringBack', group: 'file', title: () => t('own.bringBack'), run: () => turn('bringBack') })
 command({
   id: 'file.close',
   group: 'file',
