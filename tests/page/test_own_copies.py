@@ -1,4 +1,4 @@
-"""What comes with Onika is changed in a copy of one's own, which is marked, compared, gone back from and brought back."""
+"""What comes with Onika is changed in a copy of one's own: marked, compared, gone back from, brought back."""
 
 import re
 
