@@ -49,6 +49,15 @@ describe('The tree at an instant', () => {
     expect(seen.documents['c1']!.tasks!['pd']!.state).toBe('')
   })
 
+  it('what lived in the subsystems of the run is shown in the states of the instant', () => {
+    const inside = {
+      flow0: { application: 'assemble', tasks: { pd: { state: '' as const }, grav: { state: '' as const } } },
+    }
+    const seen = treeAt(() => ({ instant: instant({ 'flow0/pd': 'ON' }), worlds: [], inside }))(live)
+    const { pd, grav } = seen.runtime.inside!['flow0']!.tasks!
+    expect([pd!.state, grav!.state, Object.keys(seen.runtime.inside!)]).toEqual(['ON', '', ['flow0']])
+  })
+
   it('before the first answer nothing is so', () => {
     const seen = treeAt(() => ({ instant: undefined, worlds: [] }))(live)
     expect(seen.run).toBeNull()
