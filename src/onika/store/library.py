@@ -60,7 +60,7 @@ def reopen_libraries(
         tasks = base.tasks
         names = [name for name in tasks if owners.setdefault(name, base) is base]
         hidden = [name for name in tasks if owners[name] is not base]
-        faults = [_again(base, name, owners[name]) for name in hidden]
+        faults = [_again(base, name, owners[name]) for name in hidden if not _is_copied(base, owners[name])]
         before = former_by_base.get(base)
         library = replace(_open(base, names, faults, before, changed), hidden=frozenset(hidden))
         opened.append(before if before == library else library)
@@ -94,6 +94,11 @@ def _read(base: BaseDirectory, name: str, former_record: Found | None, changed: 
     if file not in changed or (former_record[0] is not None and text.load(file, str(file))[0] == former_record[0].text):
         return former_record
     return base.task(name)
+
+
+def _is_copied(base: BaseDirectory, owner: BaseDirectory) -> bool:
+    """Whether what stands before a file is the user's own and the file a shipped one: that is meant."""
+    return is_shipped(base.path) and not is_shipped(owner.path)
 
 
 def _again(base: BaseDirectory, name: str, owner: BaseDirectory) -> Fault:

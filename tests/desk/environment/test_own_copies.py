@@ -19,6 +19,7 @@ def test_what_stands_before_a_shipped_file_is_marked_and_compared_with_it(desk):
     desk.write("pd", "code", "mine = 1\n")
     desk.look()
     assert copies(desk) == {"pd.py": "generic", "pd.rmod": "generic"}
+    assert desk.environment.tree.libraries[str(desk.generic.path)].faults == ()
     both = desk.do(act.CompareWithShipped(str(desk.own.code_file("pd"))))
     assert (both.text, both.shipped_text) == ("mine = 1\n", desk.generic.code_file("pd").read_text())
     assert both.shipped_path == str(desk.generic.code_file("pd"))
