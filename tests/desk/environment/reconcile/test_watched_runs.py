@@ -98,3 +98,10 @@ def test_two_configurations_look_into_one_flow(play, doc):  # R-C27
     play.turned("b", State.ON)
     assert (shown(play, doc).tasks["a"].state, shown(play, other).tasks["b"].state) == ("OFF", "ON")
     assert set(keys_of(play.environment.model, "flow0/B")) >= {f"{doc}/B", f"{other}/B", "@flow0/B"}
+
+
+def test_memory_and_readings_of_a_run_are_looked_at_from_there(play, doc):  # R-A12, R-C15
+    play.runtime.variables["flow0"] = {"A": 2.5}
+    assert play.do(act.CheckMemory(doc)) == ()
+    assert "flow0" in play.do(act.LogReadings(doc))
+    assert live.Check("flow0") in play.carried_out and live.Read("flow0") in play.carried_out

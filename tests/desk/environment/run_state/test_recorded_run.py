@@ -1,7 +1,7 @@
 import pytest
 
 from kit.laboratory import job
-from onika.wire import event
+from onika.wire import act, event
 from onika.words.reason import Reason
 
 
@@ -35,3 +35,14 @@ def test_why_it_cannot_be_gone_on_from_is_told(cinema, tape):  # R-X05
     assert str(cinema.look(tape.path).cannot_continue).endswith(
         "found tasks that had to do with the outside: flow0/gauge"
     )
+
+
+def test_what_lived_for_it_is_told_once_and_not_at_every_instant(cinema, tape):  # R-C27, R-E11, R-X05
+    tape.tell(0.0, event.Began(0, 0, 2, "aC", 0.0))
+    tape.end()
+    view = cinema.look(tape.path)
+    inside = view.inside["flow0"]
+    assert {name: task.state for name, task in inside.tasks.items()} == {"a": "", "b": ""}
+    assert {name: variable.writers for name, variable in inside.variables.items()} == {"A": ("a",), "B": ("b",)}
+    assert set(view.steps_by_task) == {"flow0/a", "flow0/b"}
+    assert cinema.do(act.Glance(0.0)).run.steps_by_task == {}

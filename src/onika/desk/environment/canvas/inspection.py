@@ -4,6 +4,7 @@ from onika.desk.environment.outcome.on_file import on_document
 from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.reconcile.watched_runs import is_on
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.model import Model
@@ -38,19 +39,29 @@ def tell_module(model: Model, document: Document, command: act.TellModule, _outs
 @on_document
 def check_memory(model: Model, document: Document, _command: act.CheckMemory, _outside: Services) -> No | Procedure:
     """The value is what is unsound in the memory of variables; nothing where it is sound."""
-    facts = _living(document)
-    if isinstance(facts, No):
-        return facts
-    return _findings(model, facts.subsystem)
+    subsystem = _readable(model, document)
+    if isinstance(subsystem, No):
+        return subsystem
+    return _findings(model, subsystem)
 
 
 @on_document
 def log_readings(model: Model, document: Document, _command: act.LogReadings, _outside: Services) -> No | Procedure:
     """The value is the text of a log: the present readings of all variables, exactly as they are."""
+    subsystem = _readable(model, document)
+    if isinstance(subsystem, No):
+        return subsystem
+    return _readings(model, subsystem)
+
+
+def _readable(model: Model, document: Document) -> str | No:
+    """The subsystem that a document is connected with, or that it looks into."""
+    if document.watched is not None and is_on(model, document.watched):
+        return document.watched.subsystem
     facts = _living(document)
     if isinstance(facts, No):
         return facts
-    return _readings(model, facts.subsystem)
+    return facts.subsystem
 
 
 def _value(model: Model, asked: live.Get | live.Set) -> Procedure:
