@@ -104,7 +104,7 @@ def law_task(probe: SampleTask) -> LawTask:
     code |= {"take": take} if probe.takes else {}
     return LawTask(
         probe.name, code, probe.period, probe.is_periodic, probe.crit, probe.rank, probe.cost, bool(probe.finish_after),
-        bool(probe.device), probe.device, probe.inconst, probe.outconst, probe.invar, probe.outvar,
+        bool(probe.device), False, probe.device, probe.inconst, probe.outconst, probe.invar, probe.outvar,
     )  # fmt: skip
 
 

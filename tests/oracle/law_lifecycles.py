@@ -187,10 +187,33 @@ class LawLifecycles:
             self._hold(life)
             if entry == "cycle" and not isinstance(wrong, LawBroken) and self._mends(task):
                 return True
-            life.release, life.state = None, after(life.state, LifecycleInput.FAIL)
-            self._tell(task, "ERROR")
+            was_working = life.state is State.ON and entry != "off"
+            self._fail(task)
+            if was_working and not task.passive:
+                self._starve(task)
             return False
         return True
+
+    def _fail(self, task: LawTask) -> None:
+        life = self._lives[task.name]
+        self._hold(life)
+        life.release, life.state = None, after(life.state, LifecycleInput.FAIL)
+        self._tell(task, "ERROR")
+
+    def _starve(self, failed: LawTask) -> None:
+        """Law 4: hardware that reads what this task wrote, from task to task, is in ERROR, and what that starves."""
+        for task in self._tasks.values():
+            is_on = self._lives[task.name].state is State.ON
+            if task.hardware and is_on and set(task.invar) & self._stale(set(failed.outvar), failed.name):
+                self._fail(task)
+                self._starve(task)
+
+    def _stale(self, names: set[str], failed: str) -> set[str]:
+        """Everything that tasks which are ON make, cycle by cycle, of these variables; hardware measures anew."""
+        working = [task for task in self._tasks.values() if self._lives[task.name].state is State.ON]
+        passing = [task for task in working if not task.hardware and task.name != failed]
+        more = {svar for task in passing if names & set(task.invar) for svar in task.outvar} - names
+        return self._stale(names | more, failed) if more else names
 
     def _mends(self, task: LawTask) -> bool:
         try:

@@ -73,6 +73,7 @@ class LawTask:
     cost: int = 0
     trigger: bool = False
     hardware: bool = False
+    passive: bool = False
     device: str = ""
     inconst: tuple[str, ...] = ()
     outconst: tuple[str, ...] = ()

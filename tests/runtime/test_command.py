@@ -33,6 +33,7 @@ COMMANDS = [
     command.Reset(),
     command.Stop(),
     command.Fail(Reason.plain("device server is gone")),
+    command.Starve("s", "t", Reason.plain("the writer has failed")),
     command.Quit(),
 ]  # fmt: skip
 

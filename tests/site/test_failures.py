@@ -268,6 +268,42 @@ def test_no_number_that_is_none_reaches_a_drive_through_the_variables(tmp_path, 
 
 
 @pytest.mark.parametrize("mode", [(), ("--virtual",)])
+def test_an_arm_is_not_driven_on_with_what_a_failed_task_wrote_though_the_run_waits(tmp_path, mode):  # law 4, R-E08
+    laboratory = Laboratory(tmp_path)
+    laboratory.module(
+        "relay",
+        "from onika.module import InConst, InVar, Module, ModuleError, OutVar\n"
+        "class Relay(Module):\n"
+        "    NDOF = InConst('int', '-', 'number of joints')\n"
+        "    TAU_PD = InVar('double[NDOF]', 'N m', 'torque of the servo')\n"
+        "    TAU_REF = OutVar('double[NDOF]', 'N m', 'wanted torque')\n"
+        "    def init(self):\n"
+        "        self._count = 0\n"
+        "    def cycle(self):\n"
+        "        self._count += 1\n"
+        "        if self._count == 100:\n"
+        "            raise ModuleError('ill')\n"
+        "        self.TAU_REF = self.TAU_PD\n",
+    )
+    laboratory.task(
+        "relay",
+        "MODULE relay\nDESC ill\nINCONST NDOF\nOUTCONST none\n"
+        "INVAR TAU_PD\nOUTVAR TAU_REF\nTASKTYPE periodic\nFREQ 500",
+    )
+    laboratory.configuration("relayC", "puma 500", "diff 500", "pd 500", "relay 500", "jtraj 250")
+    path = laboratory.application("relay", [job("relayC", "Joint job"), joints("up", 0.0, -1.57, 1.57, 0.0, 0.0, 0.0)])
+    with CliProcess("run", str(path), "--json", "--on-error", "wait", *mode) as console:
+        console.until(event="failed", task="puma")
+        console.interrupt()
+        aborted(console)
+    failed = failures(console)
+    assert "task relay, which wrote TAU_REF, is ERROR" in failed["puma"]["text"]
+    assert failed["puma"]["at_s"] == failed["relay"]["at_s"]
+    assert_held_in_time(console)
+    assert [event["cause"] for event in console.events if event["event"] == "drive"][1] == "commanded to hold"
+
+
+@pytest.mark.parametrize("mode", [(), ("--virtual",)])
 def test_no_number_that_is_none_reaches_a_drive_through_its_device(tmp_path, mode):  # law 5
     laboratory = Laboratory(tmp_path)
     laboratory.module(

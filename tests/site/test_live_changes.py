@@ -30,6 +30,35 @@ class Sick(Module):
         if self.SEEN >= 20.0:
             {act}
 """
+HAND = """
+from onika.module import InVar, Module, OutVar
+
+class Hand(Module):
+    hardware = True
+    GRIP = InVar("double", "-", "+1 opens, -1 closes")
+    GRIP_MEZ = OutVar("double[3]", "m,m/s,N", "opening, its speed, force on a finger")
+
+    def cycle(self):
+        self.GRIP_MEZ = self.device.read()
+        self.device.write((self.GRIP,))
+"""
+GRIP = """
+import os
+
+from onika.module import Module, OutVar
+
+class Grip(Module):
+    GRIP = OutVar("double", "-", "+1 opens, -1 closes")
+
+    def init(self):
+        self._count = 0
+
+    def cycle(self):
+        self._count += 1
+        self.GRIP = 1.0
+        if self._count == 50:
+            {act}
+"""
 _TURNS = 600
 """How often is asked at most until something has happened; each turn waits for events up to a tenth of a second."""
 
@@ -226,3 +255,19 @@ def test_a_module_that_prints_megabytes_holds_nobody_up(bench):  # law 30
     bench.cycled(40, "SEEN", "s1")
     far_goes_on(bench)
     assert bench.states("s1") == {"sick": "ON"}
+
+
+@pytest.mark.parametrize("act", ["raise ValueError('ill')", "os._exit(3)"])
+def test_a_device_is_not_driven_on_with_what_a_task_of_another_unit_wrote_that_has_failed(bench, act):  # laws 4, 30
+    bench.shop.task("hand", HAND, frequency=250.0, rtpu="rt0", local={"DEVICE": "boxes:gripper_left"})
+    bench.shop.task("grip", GRIP.format(act=act), frequency=100.0, rtpu="rt1")
+    assert bench.change(("hand", "grip"), ("hand", "grip"), subsystem="s1") == ""
+    (failed,) = bench.until(event.Failed, lambda failed: failed.task == "hand")
+    state = "ERROR" if "raise" in act else "KILLED"
+    assert f"task grip, which wrote GRIP, is {state}: the device is not driven on with that" in str(failed.text)
+    drives = bench.until(event.Drive, lambda drive: drive.device == "boxes:gripper_left" and drive.state == "HELD")
+    assert str(drives[-1].cause) == "commanded to hold"
+    if state == "ERROR":
+        (first,) = bench.until(event.Failed, lambda failed: failed.task == "grip")
+        assert failed.at_s - first.at_s < 0.5  # on a machine at rest some milliseconds
+    assert bench.states("s1")["hand"] == "ERROR"

@@ -1867,6 +1867,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "rules.waits_for_end": "espera el final de {other}",
   "rules.when_chosen": "cuando {choices}",
   "rules.without_tasks": "`{configuration}` no tiene tareas",
+  "rules.writer_failed": "la tarea {task}, que escribía {variable}, está en {state}: el dispositivo no se sigue moviendo con eso",
   "run.abort_it": "Interrumpirla",
   "run.abort_run": "Interrumpir la ejecución",
   "run.aborted_after": "{name} se interrumpió tras {done} {done:plural:acción|acciones}: {cause}",

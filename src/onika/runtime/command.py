@@ -192,6 +192,14 @@ class Fail(Struct, frozen=True, tag=True):
     cause: Reason
 
 
+class Starve(Struct, frozen=True, tag=True):
+    """A hardware task that is ON goes to ERROR: what it reads comes of a task elsewhere that has failed (law 4)."""
+
+    subsystem: str
+    task: str
+    cause: Reason
+
+
 class Quit(Struct, frozen=True, tag=True):
     """End the processing unit."""
 
@@ -215,6 +223,7 @@ Command = (
     | Stop
     | Reset
     | Fail
+    | Starve
     | Quit
 )
 

@@ -4,6 +4,7 @@ from collections.abc import Collection, Iterable, Mapping
 
 from onika.model.lifecycle import State
 from onika.model.rules.order import rank
+from onika.model.rules.starvation import starved
 from onika.runtime.command import BoundPort, DeviceGrant, Spawn
 from onika.runtime.table import Table
 from onika.runtime.wiring import WiredTask, upstream
@@ -112,6 +113,12 @@ class RunningSubsystem:
         gone = {svar for name in (*off, *on) for svar in self.members[name].wired.invar} - still_read
         fed = [self._fed[name] for name in on if name in self._fed]
         return tuple(sorted(gone.union(*fed)))
+
+    def starved(self, task: str) -> dict[str, str]:
+        """The hardware that this task fed, through tasks that are ON, and the variable of the task (law 4)."""
+        working = {name: member.wired for name, member in self.members.items() if member.state is State.ON}
+        hardware = [name for name, wired in working.items() if wired.sheet.hardware]
+        return starved(self.members[task].wired.meeting, [wired.meeting for wired in working.values()], hardware)
 
     def forget(self, names: Iterable[str]) -> None:
         """These steer nothing any more; an RTPU does the same once its tasks are off, as they may write till then."""

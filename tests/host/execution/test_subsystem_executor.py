@@ -177,3 +177,50 @@ def test_who_stays_keeps_its_state_and_learns_its_new_rank(scene):  # law 1
     assert scene.executor.state("servo") is State.ON
     ranks = [order.ranks for _, order in scene.take(command.Rank)]
     assert ranks in ([], [(("servo", 0),)])
+
+
+# A writer fails
+
+
+def failed(entry="cycle"):
+    return news.Failed("flow0", "servo", entry, Reason.plain("ill"), "", 0, "", 5 * MS)
+
+
+def working(scene):
+    scene.born()
+    for task in ("mass", "servo"):
+        scene.hear(news.Changed("flow0", task, "ON", 4 * MS))
+    scene.sent.clear()
+    return scene
+
+
+def test_hardware_on_another_unit_is_starved_when_its_writer_fails(scene):  # law 4
+    working(scene).hear(failed())
+    ((rtpu, order),) = scene.take(command.Starve)
+    assert (rtpu, order.subsystem, order.task) == ("rt0", "flow0", "mass")
+    assert str(order.cause) == "task servo, which wrote FORCE, is ERROR: the device is not driven on with that"
+
+
+def test_so_it_is_when_the_unit_of_its_writer_is_gone(scene):  # laws 4, 30
+    working(scene).lost["rt1"] = Reason.plain("rt1 was killed")
+    scene.executor.lost("rt1", 6 * MS)
+    ((rtpu, order),) = scene.take(command.Starve)
+    assert (rtpu, order.task) == ("rt0", "mass")
+    assert "task servo, which wrote FORCE, is KILLED" in str(order.cause)
+
+
+def test_hardware_that_is_gone_with_its_writer_is_told_nothing(scene):  # law 30
+    working(scene).lost.update(rt0=Reason.plain("rt0 was killed"), rt1=Reason.plain("rt1 was killed"))
+    scene.executor.lost("rt1", 6 * MS)
+    assert scene.sent == []
+
+
+def test_who_fails_as_it_goes_off_starves_nobody(scene):  # law 6
+    working(scene).hear(failed("off"))
+    assert scene.take(command.Starve) == []
+
+
+def test_who_fails_before_it_is_on_starves_nobody(scene):  # law 22
+    working(scene).hear(news.Changed("flow0", "servo", "OFF", 5 * MS))
+    scene.hear(failed("on"))
+    assert scene.take(command.Starve) == []

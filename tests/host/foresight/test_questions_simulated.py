@@ -41,7 +41,9 @@ def foretold(foresight):
 def happened(runtime):
     changes = {}
     for change in runtime.changes():
-        changes.setdefault((change.kind, change.subject), []).append((change.after, change.at_ms))
+        steps = changes.setdefault((change.kind, change.subject), [])
+        if not steps or steps[-1][0] != change.after:  # a flow that stands is told of a second error, too
+            steps.append((change.after, change.at_ms))
     return changes
 
 

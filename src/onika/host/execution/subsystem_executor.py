@@ -15,6 +15,7 @@ from onika.host.execution.switch_dispatch import Group, SwitchDispatch
 from onika.host.execution.task_events import TaskEvent, question_of
 from onika.host.units.unit_registry import Units
 from onika.model.lifecycle import State
+from onika.model.rules.starvation import writer_failed
 from onika.runtime import command, news
 from onika.runtime.subsystem import Member, RunningSubsystem
 from onika.runtime.wiring import WiredTask
@@ -223,6 +224,8 @@ class SubsystemExecutor:
         state = state_after(message)
         if state is not None:
             self._turn(message.task, state, at_ns)
+        if isinstance(message, news.Failed) and before is State.ON and message.entry != "off":
+            self._starve(message.task)
         if state in (State.ON, State.ASKING):
             self._dispatch.settled(message.task)
         if isinstance(message, news.Refused) and message.command == "spawn":
@@ -245,7 +248,18 @@ class SubsystemExecutor:
         """A task is gone without a word of its unit."""
         before = self.state(task)
         self._turn(task, State.KILLED, now)
+        if before is State.ON:
+            self._starve(task)
         self._client(news.Changed(self.name, task, State.KILLED.value, now), before)
+
+    def _starve(self, failed: str) -> None:
+        """No device on another unit is driven on with what this task wrote; its own unit has seen to that (law 4)."""
+        if self.members[failed].wired.sheet.passive:
+            return
+        for task, variable in self.subsystem.starved(failed).items():
+            if self.members[task].rtpu not in self._lost:
+                cause = writer_failed(failed, variable, self.state(failed))
+                self.send(task, command.Starve(self.name, task, cause))
 
     def _refuse(self, task: str, entry: str, reason: Reason) -> None:
         self._client(news.Refused(self.name, task, entry, reason), self.state(task))

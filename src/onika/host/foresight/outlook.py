@@ -5,7 +5,7 @@ here their orders are carried out on states alone. Every change is written down 
 """
 
 from collections import deque
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from copy import deepcopy
 from dataclasses import replace
 
@@ -16,6 +16,7 @@ from onika.host.recording.recorder import END_NS
 from onika.host.run.application_run import REST_NS
 from onika.host.run.engine_news import of_task
 from onika.model.lifecycle import LifecycleInput, State, after
+from onika.model.rules.starvation import starved, writer_failed
 from onika.ring.device import DriveState
 from onika.ring.drive import NEVER_NS, DriveInput, DriveMode, DriveUnit
 from onika.runtime import news
@@ -64,14 +65,32 @@ class Outlook:
     # What happens to tasks
 
     def fail(self, address: Address, cause: Reason, at_ms: float, is_heard: bool = True) -> None:
-        """It goes to ERROR and its device into hold, as `EntryPoints.fail` does; its run is told, if it still hears."""
-        if self.states[address] is State.KILLED:
-            return
-        self._hold(address, at_ms)
-        before = self.states[address]
-        self._turn(address, LifecycleInput.FAIL, at_ms, "Failed")
-        if is_heard:
-            self._hear(address, news.Failed(*address, "cycle", cause, "", 0, "", 0), before, at_ms)
+        """It goes to ERROR and its device into hold, as `EntryPoints.fail` does, and whom it starves with it.
+
+        Their run is told, if it still hears.
+        """
+        failures = list(self._failures(address, cause, at_ms))
+        for failed, before, message, failed_ms in failures:
+            if is_heard:
+                self._hear(failed, message, before, failed_ms)
+
+    def starve(self, fed: Iterable[tuple[Address, Reason]], at_ms: float) -> None:
+        """Tasks are gone that fed this hardware: what of it is still ON goes to ERROR."""
+        for address, cause in fed:
+            if self.states[address] is State.ON:
+                self.fail(address, cause, at_ms)
+
+    def fed_by(self, address: Address, state: State) -> list[tuple[Address, Reason]]:
+        """The hardware that a task feeds while it is ON, each with what it says when the task comes into this state."""
+        tasks = self.situation.tasks
+        if self.states[address] is not State.ON or tasks[address].wired.sheet.passive:
+            return []
+        subsystem, name = address
+        home = [facts for facts in tasks.values() if facts.subsystem == subsystem]
+        working = [facts.wired for facts in home if self.states[facts.address] is State.ON]
+        hardware = [wired.name for wired in working if wired.sheet.hardware]
+        fed = starved(tasks[address].wired.meeting, [wired.meeting for wired in working], hardware)
+        return [((subsystem, other), writer_failed(name, variable, state)) for other, variable in fed.items()]
 
     def turn_off(self, address: Address, at_ms: float, signal: str = "") -> None:
         """It goes off, by itself (`signal`) or as it was told; its device holds."""
@@ -153,6 +172,23 @@ class Outlook:
         return run in self._over
 
     # Inner
+
+    def _failures(
+        self, address: Address, cause: Reason, at_ms: float
+    ) -> Iterator[tuple[Address, State, news.Failed, float]]:
+        """Each task that fails by this, its state before, its news and the time."""
+        before = self.states[address]
+        if before is State.KILLED:
+            return
+        fed = self.fed_by(address, State.ERROR)
+        self._hold(address, at_ms)
+        self._turn(address, LifecycleInput.FAIL, at_ms, "Failed")
+        yield address, before, news.Failed(*address, "cycle", cause, "", 0, "", 0), at_ms
+        tasks = self.situation.tasks
+        for other, reason in fed:
+            if self.states[other] is State.ON:
+                is_elsewhere = tasks[other].unit != tasks[address].unit
+                yield from self._failures(other, reason, at_ms + LOOP_MS * is_elsewhere)
 
     def _hold(self, address: Address, at_ms: float) -> None:
         device = self.situation.tasks[address].device

@@ -33,9 +33,11 @@ def lose_unit(outlook: Outlook, unit: str, at_ms: float) -> None:
         outlook.drive(device, DriveInput.FENCE, at_ms)
         del outlook.claims[device]
     _end_runs(outlook, unit, at_ms)
-    for address, facts in tasks.items():
-        if facts.unit == unit:
-            outlook.kill(address, at_ms, is_heard=False)
+    lost = [address for address, facts in tasks.items() if facts.unit == unit]
+    fed = [starving for address in lost for starving in outlook.fed_by(address, State.KILLED)]
+    for address in lost:
+        outlook.kill(address, at_ms, is_heard=False)
+    outlook.starve(fed, at_ms + LOOP_MS)
 
 
 def vanish(outlook: Outlook, at_ms: float) -> None:

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 from onika.model.lifecycle import LifecycleInput
+from onika.model.rules.starvation import writer_failed
 from onika.model.signal import Signal
 from onika.runtime import news
 from onika.runtime.error import AskAgain, LawBroken
@@ -87,6 +88,7 @@ class EntryPoints:
         task.hold()
         if entry == "cycle" and not isinstance(wrong, LawBroken) and self._mended(task, wrong):
             return
+        was_working = task.is_on and entry != "off"
         self._unit.leave(task, now)
         self._unit.prepared.drop(task.address[0])
         task.step(LifecycleInput.FAIL)
@@ -94,6 +96,14 @@ class EntryPoints:
         text = self._traced(task, wrong) if isinstance(wrong, LawBroken) else raised(wrong, task.spawn.module)
         values = values_of(task.binding)
         self._unit.tell(news.Failed(*task.address, entry, text, path, line, trace, now, task.activation, values))
+        if was_working and not task.passive:
+            self._starve(task, now)
+
+    def _starve(self, failed: RunningTask, now: int) -> None:
+        """No device is driven on with what this task wrote; what goes off by itself has left a last value instead."""
+        for task, variable in self._unit.starved_by(failed):
+            cause = writer_failed(failed.spawn.task, variable, failed.state)
+            self.fail(task, "cycle", LawBroken(cause), now)
 
     def _mended(self, task: RunningTask, wrong: BaseException) -> bool:
         try:

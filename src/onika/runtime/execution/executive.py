@@ -179,6 +179,8 @@ class Executive:
                 self._exchange.swap(order, now)
             case command.Fail():
                 self._lifecycle.fail_devices(order.cause, now)
+            case command.Starve():
+                self._lifecycle.starve(order, now)
             case command.Stop() | command.Quit():
                 self._lifecycle.stop(now)
             case command.Reset():

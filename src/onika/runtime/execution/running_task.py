@@ -7,6 +7,7 @@ from types import SimpleNamespace
 from msgspec import structs
 
 from onika.model.lifecycle import LifecycleInput, State, after
+from onika.model.rules.order import Ports
 from onika.model.signal import Signal, off
 from onika.runtime.command import BoundPort, Spawn
 from onika.runtime.counters import Counters
@@ -112,6 +113,16 @@ class RunningTask:
     def key(self) -> tuple[int, int, str]:
         """Its place among tasks with the same deadline (law 1)."""
         return -type(self.module).crit, self.spawn.rank, f"{self.spawn.subsystem}/{self.spawn.task}"
+
+    @property
+    def data_flow(self) -> Ports:
+        """The variables that it reads and writes in every cycle."""
+        bound = {port.port: port.svar for port in self.spawn.ports}
+        ports = [declared.port(name) for name, declared in type(self.module).declared_ports.items()]
+        moved = [(port.kind.is_input, bound[port.name]) for port in ports if port.kind.at_cycle]
+        reads = tuple(variable for is_input, variable in moved if is_input)
+        writes = tuple(variable for is_input, variable in moved if not is_input)
+        return Ports(self.spawn.task, invar=reads, outvar=writes)
 
     def step(self, step: LifecycleInput) -> None:
         """Change state as the table of lifecycles says."""

@@ -7,7 +7,7 @@ from types import CodeType
 from onika.model.lifecycle import LifecycleInput, State, refusal
 from onika.model.signal import Signal, SignalKind
 from onika.runtime import command, news
-from onika.runtime.error import AskAgain, ModuleError
+from onika.runtime.error import AskAgain, LawBroken, ModuleError
 from onika.runtime.execution.entry_points import RAISED, EntryPoints
 from onika.runtime.execution.running_task import RunningTask
 from onika.runtime.execution.unit import Address, ProcessingUnit
@@ -96,6 +96,12 @@ class TaskLifecycle:
         for task in self._unit.tasks.values():
             if task.device is not None and task.is_on:
                 self._entry_points.fail(task, "device", ModuleError(cause), now)
+
+    def starve(self, order: command.Starve, now: int) -> None:
+        """This task goes to ERROR if it is ON: elsewhere a task has failed on whose values it feeds."""
+        task = self._unit.tasks.get((order.subsystem, order.task))
+        if task is not None and task.is_on:
+            self._entry_points.fail(task, "cycle", LawBroken(order.cause), now)
 
     # On and off
 

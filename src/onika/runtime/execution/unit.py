@@ -3,6 +3,7 @@
 import select
 from collections.abc import MutableMapping
 
+from onika.model.rules.starvation import starved
 from onika.ring.slots import Ring
 from onika.runtime import news
 from onika.runtime.execution.running_task import RunningTask
@@ -163,6 +164,14 @@ class ProcessingUnit:
                     if reason := running.input_guard.transfer.objection(svar, value):
                         return reason
         return NOTHING
+
+    def starved_by(self, failed: RunningTask) -> list[tuple[RunningTask, str]]:
+        """The hardware here that is fed by a task that fails, through tasks that are ON, and the variable it wrote."""
+        home = failed.spawn.subsystem
+        working = {task.spawn.task: task for task in self.tasks.values() if task.is_on and task.spawn.subsystem == home}
+        hardware = [name for name, task in working.items() if task.hardware]
+        fed = starved(failed.data_flow, [task.data_flow for task in working.values()], hardware)
+        return [(working[name], variable) for name, variable in fed.items()]
 
     def forget(self, subsystem: str, names: tuple[str, ...]) -> None:
         """These variables steer nothing any more (law 3)."""
