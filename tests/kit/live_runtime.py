@@ -11,12 +11,13 @@ the cause of the outcome, and then nothing has changed. An application is over a
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Protocol
 
 from onika.model.lifecycle import IllegalTransition, LifecycleInput, State, after
 from onika.wire import event, holding, live, request, steer
 from onika.wire.foresight import Foreseen, Foresight, WhatIf
 from onika.wire.plan import PlannedTask
+from onika.wire.samples import Sample, Sampled
 from onika.words.reason import NOTHING, Reason
 
 
@@ -30,6 +31,14 @@ class _Life:
     frequency: float | None = None
     arguments: str = ""
     said: dict[str, str] = field(default_factory=dict)
+
+
+class SamplingRuntime(Protocol):
+    """Has values at every cycle."""
+
+    def ask(self, message: Sample) -> Sampled:
+        """Answer with them."""
+        ...
 
 
 class LiveRuntime:
@@ -62,6 +71,8 @@ class LiveRuntime:
         self.lives: dict[str, dict[str, _Life]] = {}
         self.variables: dict[str, dict[str, Any]] = {}
         self.scenes: dict[str, dict[str, Any]] = {}
+        self.sampling: SamplingRuntime | None = None
+        """What answers for values at every cycle."""
         self.foresights: tuple[Foresight, ...] = ()
         """What it foresees, whatever the plan."""
         self.findings: dict[str, tuple[str, ...]] = {}
@@ -110,6 +121,8 @@ class LiveRuntime:
         if reason is not None:
             return request.Refused(reason)
         match message:
+            case Sample() if self.sampling is not None:
+                return self.sampling.ask(message)
             case WhatIf():
                 return self._foresee(message)
             case live.Change() | live.Clear() | live.Reinit() | live.Swap() | live.Close():

@@ -20,6 +20,7 @@ from onika.host.recording.black_box import BlackBox
 from onika.host.recording.black_box_holder import BlackBoxHolder
 from onika.host.recording.recorder import Recorder
 from onika.host.recording.run_description import RunDescriptions
+from onika.host.recording.sampling import Sampling
 from onika.host.sessions.control_authority import ControlAuthority
 from onika.host.sessions.leases import Leases
 from onika.host.sessions.presence import Presence
@@ -34,6 +35,7 @@ from onika.record.black_box_folder import clear_unfinished
 from onika.ring.segment import SharedMemoryRefused
 from onika.wire import holding, live, request, steer
 from onika.wire.foresight import WhatIf
+from onika.wire.samples import Sample
 from onika.words.reason import Reason, reason_of
 
 
@@ -60,6 +62,7 @@ class RuntimeProgram:
         self.authority = ControlAuthority(self.subsystems, server.tell, self._run_commands, self._presence.sessions)
         self.leases = Leases(self.authority, server.hearing, lease_ns, deaf=server.deaf_ns)
         self._look = Inspection(self.subsystems, driver, server, rtpus)
+        self._sampling = Sampling(self.subsystems, driver)
         self._descriptions = RunDescriptions(self.subsystems, driver, rtpus)
         self._recorder = Recorder(self.subsystems, driver, server, self._descriptions)
         self.motion = Motion(self.subsystems, driver, server.tell)
@@ -98,7 +101,9 @@ class RuntimeProgram:
     def wait_s(self, most_s: float) -> float:
         """How long to wait at most, where nothing else is to be done for so long."""
         now = monotonic_ns()
-        due = [one for one in (self._look.due_ns(now), self.leases.due_ns()) if one is not None]
+        due = [
+            one for one in (self._look.due_ns(now), self._sampling.due_ns(now), self.leases.due_ns()) if one is not None
+        ]
         return min([most_s, *(one * 1e-9 for one in due)])
 
     def serve(self) -> None:
@@ -131,6 +136,7 @@ class RuntimeProgram:
             if run.is_through(self._driver.is_at_rest):
                 self.applications.end(run)
         self._look.show(monotonic_ns())
+        self._sampling.serve()
         return goes_on
 
     def _lease_of(self, session: str) -> int:
@@ -191,6 +197,8 @@ class RuntimeProgram:
                 self._editor.ask(call.asked, answer)
             case live.Status():
                 self._look.status(answer)
+            case Sample():
+                answer(self._sampling.answer(call.asked))
             case live.Advance():
                 self._advance(call.asked.seconds, answer)
             case WhatIf():

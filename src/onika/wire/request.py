@@ -7,6 +7,7 @@ from onika.wire.foresight import Foreseen, WhatIf
 from onika.wire.holding import Company, HoldingRequest
 from onika.wire.live import LiveRequest, LiveResponse
 from onika.wire.plan import Code, Index, Plan, PlannedTask
+from onika.wire.samples import Sample, Sampled
 from onika.wire.steer import Positions, SteerRequest
 from onika.words.reason import NOTHING, Reason
 
@@ -151,8 +152,8 @@ class Worlds(Struct, frozen=True, tag=True):
 
 
 _RunRequest = Prepare | Inspect | Begin | Reply | Abort | Stop | Snapshot | Quit
-Request = _RunRequest | SteerRequest | LiveRequest | HoldingRequest | WhatIf
-Response = Prepared | Done | Refused | Worlds | Positions | Company | LiveResponse | Foreseen
+Request = _RunRequest | SteerRequest | LiveRequest | HoldingRequest | WhatIf | Sample
+Response = Prepared | Done | Refused | Worlds | Positions | Company | LiveResponse | Foreseen | Sampled
 
 encode = msgspec.msgpack.Encoder().encode
 decode_request = msgspec.msgpack.Decoder(Request).decode

@@ -6,6 +6,7 @@ from onika.desk.console import (
     inspection,
     readings_log,
     run_lines,
+    scope_lines,
     steering_lines,
     task_lines,
     time_lines,
@@ -129,6 +130,15 @@ LOOKS = (
         ("file", "subsystem"),
         1,
         more=Reason.of("console.more_log"),
+    ),
+    Command(
+        "scope",
+        "scope FILE SECONDS NAME…",
+        Reason.of("console.does_scope"),
+        scope_lines.scope,
+        ("file", "", "variable"),
+        3,
+        more=Reason.of("console.more_scope"),
     ),
     Command(
         "jumps",

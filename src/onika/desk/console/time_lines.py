@@ -37,9 +37,7 @@ def wait(session: ConsoleSession, words: Words) -> Faults:
     text = words[0]
     seconds = positive(text)
     if seconds is not None:
-        if session.standing().is_virtual:
-            return _advance(session, seconds)
-        return _sleep(session, seconds)
+        return pass_time(session, seconds)
     match = _WITHIN.match(text)
     condition, limit = (match[1], positive(match[2])) if match else (text, _USUAL_S)
     if limit is None:
@@ -56,6 +54,13 @@ def wait(session: ConsoleSession, words: Words) -> Faults:
     except ValueError:
         return session.no(Reason.of("console.wait_usage", text=text))
     return _variable(session, expectation, limit)
+
+
+def pass_time(session: ConsoleSession, seconds: float) -> Faults:
+    """Let so many seconds of the runtime's time pass."""
+    if session.standing().is_virtual:
+        return _advance(session, seconds)
+    return _sleep(session, seconds)
 
 
 def ended(session: ConsoleSession, within_s: float | None = None) -> Faults:

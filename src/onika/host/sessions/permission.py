@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from onika.link.caller import PARENT, Caller, Role
 from onika.wire import holding, live, request, steer
 from onika.wire.foresight import WhatIf
+from onika.wire.samples import Sample
 from onika.words.reason import NOTHING, Reason
 
 _LOOKING = (
@@ -18,6 +19,7 @@ _LOOKING = (
     live.Scene,
     steer.Who,
     WhatIf,
+    Sample,
     holding.Sessions,
     holding.OnlyWatch,
 )

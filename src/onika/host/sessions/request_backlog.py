@@ -5,9 +5,10 @@ from typing import get_args
 
 from onika.host.sessions.request_server import SessionRequest
 from onika.wire import holding, live, request
+from onika.wire.samples import Sample
 
 _AT_ONCE = (
-    *(request.Stop, live.Reset, request.Abort, request.Quit, live.Survey, live.Read, live.Attend, live.Touch),
+    *(request.Stop, live.Reset, request.Abort, request.Quit, live.Survey, live.Read, live.Attend, live.Touch, Sample),
     *get_args(holding.HoldingRequest),
 )
 """What never waits behind another request."""

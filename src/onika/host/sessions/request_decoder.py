@@ -11,6 +11,7 @@ import msgspec
 from onika.host.loading.plan_form import wrong_name
 from onika.record import topics
 from onika.wire import live, request, steer
+from onika.wire.samples import Sample
 from onika.words.reason import NOTHING, Reason
 
 _LONGEST_NAME = 4096
@@ -44,6 +45,8 @@ def _wrong(message: request.Request) -> Reason:
             return wrong_name(message.subsystem, "subsystem")
         case live.Attend():
             return _wrong_attend(message)
+        case Sample() if any(len(name) > _LONGEST_NAME for name in message.variables):
+            return Reason.of("host.text_form", what="variables", most=_LONGEST_NAME)
         case live.Advance():
             return _within("seconds", message.seconds)
         case live.Touch() if not isfinite(message.value):
