@@ -2,7 +2,7 @@
 import { en } from '../texts/en'
 import { es } from '../texts/es'
 import type { Language } from '../state/look.svelte'
-import type { Connectives } from './sentences'
+import type { Connectives } from './tale'
 
 const CATALOGUES = { en, es }
 

@@ -3,7 +3,8 @@ import { describe, expect, it } from 'vitest'
 import type { ApplicationView, StepView, TypeView } from '../../src/api.gen'
 import { en } from '../../src/texts/en'
 import { es } from '../../src/texts/es'
-import { asText, briefs, tell, textOf, type Connectives } from '../../src/sentences/sentences'
+import { briefs, tell } from '../../src/sentences/sentences'
+import { asText, textOf, type Connectives } from '../../src/sentences/tale'
 
 const english: Connectives = { code: 'en', say: (key) => en[key] }
 const spanish: Connectives = { code: 'es', say: (key) => es[key] }
