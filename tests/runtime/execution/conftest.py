@@ -1,0 +1,10 @@
+import pytest
+
+from kit.task_place import Place
+
+
+@pytest.fixture
+def place():
+    place = Place()
+    yield place
+    place.segment.close()
