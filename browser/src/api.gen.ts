@@ -1642,6 +1642,7 @@ export interface Tree {
   module_sentences?: Record<string, Record<string, Record<string, string>>>;
   documents?: Record<string, DocumentView>;
   files?: Record<string, ConfigurationFile>;
+  loads?: Record<string, number>;
   clipboard?: string;
   runtime?: RuntimeView;
   preferences?: Record<string, unknown>;

@@ -335,6 +335,13 @@ def test_a_module_is_told_and_asked_by_name_in_its_sheet(me, excused):  # R-A05
     expect(me.page.get_by_role("alertdialog", name="Refused")).to_contain_text("dial refuses")
 
 
+def test_an_icon_of_the_library_foretells_its_load_once_its_code_was_measured(me):  # R-X13
+    place(me, "wave")
+    turn(me, "wave")
+    expect(me.icon("wave")).to_have_accessible_name(re.compile(r"takes \d+ % of a unit"), timeout=30_000)
+    expect(me.icon("calm")).not_to_have_accessible_name(re.compile("takes"))
+
+
 def test_the_memory_is_checked_and_the_readings_are_saved_to_a_file(me):  # R-A12
     place(me, "wave")
     me.page.keyboard.press("Escape")

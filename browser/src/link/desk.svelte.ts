@@ -17,6 +17,7 @@ export function fullTree(tree: Tree): FullTree {
     own_copies: {},
     documents: {},
     files: {},
+    loads: {},
     clipboard: '',
     runtime: {},
     preferences: {},

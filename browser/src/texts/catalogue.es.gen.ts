@@ -2105,6 +2105,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "run.no_task": "no hay ninguna tarea {name}",
   "run.no_task_open": "ninguna biblioteca abierta tiene una tarea {name}: se conserva en el archivo y no se ejecuta",
   "run.no_terminal": "no se encontró ningún terminal: {name} se ejecuta aquí",
+  "run.no_time_left": "{task} tomaría {share:.2f} de una unidad de proceso, y la que tiene más tiempo libre, {unit}, está ocupada {load:.2f}: {use:.2f}, más que todo su tiempo. Una frecuencia menor hace sitio, y también apagar lo que está ON",
   "run.no_trigger": "no hay ningún disparador que termine el trabajo {job}",
   "run.no_unit": "no hay ninguna unidad {name}: sus tareas se ejecutan en {instead}",
   "run.no_world": "no hay mundo para el dispositivo {device}, pero sí {worlds}",

@@ -243,6 +243,7 @@ export const enShell = {
   'library.found': 'Tasks found for {wanted}',
   'library.nothing': 'No task has “{wanted}” in its name, description or variables.',
   'library.none': 'No library is open. A directory with .rmod files becomes one.',
+  'library.load': 'takes {percent} % of a unit',
   'library.greyed': '{name}, {why}: may not be placed',
   'library.whyNot': 'Why {name} may not be placed',
   'library.place': 'Place it in the middle',

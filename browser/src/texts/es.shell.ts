@@ -246,6 +246,7 @@ export const esShell: Record<keyof typeof enShell, string> = {
   'library.found': 'Tareas encontradas con {wanted}',
   'library.nothing': 'Ninguna tarea tiene «{wanted}» en su nombre, descripción o variables.',
   'library.none': 'No hay bibliotecas abiertas. Una carpeta con archivos .rmod se vuelve una.',
+  'library.load': 'ocupa el {percent} % de una unidad',
   'library.greyed': '{name}, {why}: no se puede colocar',
   'library.whyNot': 'Por qué no se puede colocar {name}',
   'library.place': 'Colocarla en el centro',

@@ -87,7 +87,7 @@ class Inspection:
         def told(came: dict[str, news.Statuses]) -> None:
             figures = tuple(_figure(statuses.rtpu, status) for statuses in came.values() for status in statuses.tasks)
             loads = {name: statuses.load for name, statuses in came.items()}
-            answer(live.Figures(figures, loads, tuple(_overloads(came))))
+            answer(live.Figures(figures, loads, tuple(_overloads(came)), self._subsystems.forecast.cycles_us))
 
         self._subsystems.status_poll.call(told)
 

@@ -291,6 +291,8 @@ class Figures(Struct, frozen=True, tag=True):
     loads: dict[str, float]
     overloads: tuple[Reason, ...] = ()
     """Sentences about units that have or will have more to do than time (X13)."""
+    cycles_us: dict[str, float] = {}
+    """The mean time of a cycle in microseconds, by the digest of the code, wherever it was measured (X13)."""
 
 
 class Findings(Struct, frozen=True, tag=True):

@@ -122,3 +122,13 @@ def test_short_vectors_keep_their_shape(rig):  # R-A18
     source = "from onika.module import Module, OutVar\nclass One(Module):\n    T = OutVar('double[2,2]')"
     rig.spawn("three", source)
     assert values_of(rig.task("three").binding) == {"T": [[0.0, 0.0], [0.0, 0.0]]}
+
+
+def test_a_load_is_not_judged_by_the_few_cycles_since_a_status(rig):  # R-X13
+    rig.switch(on=["one"]).run(45 * MS).do(command.Report())
+    whole = load_of(rig.task("one")).cycles
+    rig.run(10 * MS)
+    assert rig.task("one").counters.cycles == 1
+    assert load_of(rig.task("one")).cycles == whole > 1
+    rig.run(60 * MS)
+    assert load_of(rig.task("one")).cycles == rig.task("one").counters.cycles >= whole

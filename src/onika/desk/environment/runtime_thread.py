@@ -186,8 +186,8 @@ class RuntimeThread:
             self._post(lambda: _tell(environment, came))
         self._frames.put(multiplexer.readings(), multiplexer.figures, environment.model)
         if multiplexer.figures is not None:
-            loads = multiplexer.figures.loads
-            self._post(lambda: environment.become(lambda model: runtime_loss.with_loads(model, loads)))
+            loads, cycles_us = multiplexer.figures.loads, multiplexer.figures.cycles_us
+            self._post(lambda: environment.become(lambda model: runtime_loss.with_loads(model, loads, cycles_us)))
 
     def _reach(self, reach: RequiredRuntime) -> Reason:
         """Have the runtime there; why it is not, else nothing."""

@@ -38,6 +38,11 @@ class LoadForecast:
             if load.cycles >= _ENOUGH_CYCLES:
                 self._cycles_us[digest] = load.mean_us
 
+    @property
+    def cycles_us(self) -> dict[str, float]:
+        """The mean time of a cycle by the digest of the code, of what was measured long enough."""
+        return dict(self._cycles_us)
+
     def warnings(
         self, off: Iterable[tuple[str, str]], coming: Iterable[ComingTask]
     ) -> list[tuple[ComingTask, float, Reason]]:

@@ -12,6 +12,8 @@ from onika.runtime.table import value_of
 
 TICK_MS = get_clock_info("monotonic").resolution * 1e3
 """The tick of the clock by which all units run."""
+_FEW_CYCLES = 20
+"""With fewer since the last status those before it say more."""
 _LONGEST_LIST = 64
 """Elements of an array that are told of a failure; a picture would be too long a read."""
 
@@ -49,8 +51,9 @@ def status_of(task: RunningTask, now: int) -> TaskStatus:
 
 
 def load_of(task: RunningTask) -> TaskLoad:
-    """What the task costs by its newest figures, those before the last status where there are none since."""
-    profile = task.counters if task.counters.cycles else task.last_profile
+    """What the task costs by its newest figures, those before the last status where there are few since."""
+    is_new = task.counters.cycles >= min(_FEW_CYCLES, task.last_profile.cycles or 1)
+    profile = task.counters if is_new else task.last_profile
     spawn = task.spawn
     return TaskLoad(
         spawn.subsystem,

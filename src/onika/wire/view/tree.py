@@ -46,6 +46,8 @@ class Tree(View, frozen=True):
     """What modules of open libraries say in other languages: translations by module, language and sentence."""
     documents: dict[str, DocumentView] = field(default_factory=dict)
     files: dict[str, ConfigurationFile] = field(default_factory=dict)
+    loads: dict[str, float] = field(default_factory=dict)
+    """By task of a library: the share of a processing unit that it would take, as far as it was measured (X13)."""
     clipboard: str = ""
     """What is in the buffer, in words."""
     runtime: RuntimeView = RuntimeView()

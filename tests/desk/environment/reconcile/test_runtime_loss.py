@@ -47,9 +47,9 @@ def test_what_a_runtime_printed_last_is_told_at_its_side_and_nowhere_else(tmp_pa
 
 def test_loads_are_shown_and_only_what_has_changed(duet):  # R-A11
     duet.connected("a")
-    model = with_loads(duet.environment.model, {"rt0": 0.5012}).model
+    model = with_loads(duet.environment.model, {"rt0": 0.5012}, {}).model
     assert model.runtime.units["rt0"].load == 0.5 and model.runtime.units["rt1"].load == 0.25
-    assert with_loads(model, {"rt0": 0.4999}).model is model
+    assert with_loads(model, {"rt0": 0.4999}, {}).model is model
 
 
 def test_what_runs_is_aborted_and_says_so_once(tmp_path):  # R-E10

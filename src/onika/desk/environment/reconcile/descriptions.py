@@ -23,6 +23,7 @@ class LearntDescriptions:
 
     sheets: Mapping[str, ModuleSheet] = field(default_factory=dict)
     unread: Mapping[str, Reason] = field(default_factory=dict)
+    digests: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def names(self) -> frozenset[str]:
@@ -34,7 +35,12 @@ class LearntDescriptions:
         if not self.names:
             return model
         libraries = model.libraries
-        new = replace(libraries, sheets={**libraries.sheets, **self.sheets}, unread={**libraries.unread, **self.unread})
+        new = replace(
+            libraries,
+            sheets={**libraries.sheets, **self.sheets},
+            unread={**libraries.unread, **self.unread},
+            digests={**libraries.digests, **self.digests},
+        )
         return replace(model, libraries=new)
 
 
@@ -60,14 +66,16 @@ def forgotten(model: Model, module: str) -> Model:
         return model
     sheets = {name: sheet for name, sheet in libraries.sheets.items() if name != module}
     unread = {name: reason for name, reason in libraries.unread.items() if name != module}
-    return replace(model, libraries=replace(libraries, sheets=sheets, unread=unread))
+    digests = {name: digest for name, digest in libraries.digests.items() if name != module}
+    return replace(model, libraries=replace(libraries, sheets=sheets, unread=unread, digests=digests))
 
 
 def _told(model: Model, response: request.Response, module: str, digest: str, learnt: LearntDescriptions) -> Done:
     if not isinstance(response, live.Described):
         return Done(learnt.taken_over(model))  # the runtime is gone, or does not take code from here
     if digest in response.sheets:
-        learnt = replace(learnt, sheets={**learnt.sheets, module: response.sheets[digest]})
+        sheets = {**learnt.sheets, module: response.sheets[digest]}
+        learnt = replace(learnt, sheets=sheets, digests={**learnt.digests, module: digest})
     else:
         why = response.faults.get(digest, _UNREADABLE)
         learnt = replace(learnt, unread={**learnt.unread, module: why})

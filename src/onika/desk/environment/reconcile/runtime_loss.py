@@ -31,12 +31,13 @@ def lost(model: Model, reason: Reason) -> Done:
     return replace(done, says=(page.Say("error", text), *done.says))
 
 
-def with_loads(model: Model, loads: Mapping[str, float]) -> Done:
-    """The shares of their time that units have used at last."""
+def with_loads(model: Model, loads: Mapping[str, float], cycles_us: Mapping[str, float]) -> Done:
+    """The shares of their time that units have used at last, and what cycles of modules took."""
     units = {
         name: msgspec.structs.replace(unit, load=round(loads.get(name, unit.load), 2))
         for name, unit in model.runtime.units.items()
     }
-    if units == model.runtime.units:
+    runtime = model.runtime if units == model.runtime.units else msgspec.structs.replace(model.runtime, units=units)
+    if runtime is model.runtime and cycles_us == model.cycles_us:
         return Done(model)
-    return Done(replace(model, runtime=msgspec.structs.replace(model.runtime, units=units)))
+    return Done(replace(model, runtime=runtime, cycles_us=cycles_us))

@@ -11,6 +11,7 @@ from onika.desk.environment.show.button_view import button_views
 from onika.desk.environment.show.dictionary_view import dictionary_views, onikon_views
 from onika.desk.environment.show.document_view import document_view, library_views, module_sentences, task_views
 from onika.desk.environment.show.greying import GreyedTasks
+from onika.desk.environment.show.load_preview import joined, shares, without_time
 from onika.desk.environment.show.objections import objections
 from onika.desk.environment.show.watched_document import in_run, stand_ins
 from onika.desk.environment.show.wiring import MadeDocument
@@ -51,6 +52,7 @@ class Projector:
                 "sentences", (model.libraries.libraries,), lambda: module_sentences(model.libraries)
             ),
             documents=documents,
+            loads=self._loads(model),
             files=dict(model.files),
             own_copies=dict(model.own_copies),
             application_files=dict(model.application_files),
@@ -70,6 +72,20 @@ class Projector:
             keeping=model.keeping,
             people=model.people,
         )
+
+    def _loads(self, model: Model) -> dict[str, float]:
+        """What tasks would take of a unit; the same object where no share has changed to be seen."""
+        libraries = model.libraries
+        former: dict[str, float] = self._made.get("loads", ((), {}))[1]
+        now: dict[str, float] = self._once(
+            "loads",
+            (libraries.tasks, libraries.rates, libraries.digests, model.cycles_us),
+            lambda: shares(libraries, model.cycles_us),
+        )
+        if now == former:
+            self._made["loads"] = (self._made["loads"][0], former)
+            return former
+        return now
 
     def _applications(self, model: Model) -> dict[str, ApplicationView]:
         """What is shown of open applications, by their ids."""
@@ -122,6 +138,12 @@ class Projector:
             (names, (document.name,), libraries.tasks, warned),
             lambda: problems(document, libraries, with_warnings=warned, greyed=greyed),
         )
+        late = self._once(
+            f"load {document.id}",
+            (document, libraries.tasks, self._loads(model), model.runtime.units),
+            lambda: without_time(document, libraries, self._loads(model), model.runtime.units),
+        )
+        greyed = self._once(f"greyed {document.id}", (greyed, late), lambda: joined(greyed, late))
         view: DocumentView = self._once(
             key,
             (document, order, libraries, greyed, objected, troubles),

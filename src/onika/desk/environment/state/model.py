@@ -63,6 +63,8 @@ class Model:
     """The steps that were cut or copied last."""
     flow_pictures: tuple[str, str] = ("", "")
     """Those of the start and end icons, 1024 digits each."""
+    cycles_us: Mapping[str, float] = field(default_factory=dict)
+    """The mean time of a cycle in microseconds, by the digest of the code, as a runtime has measured it (X13)."""
     run: Run | None = None
     """The run of an application that goes on now, or the last one."""
     review_session: ReviewSession | None = None

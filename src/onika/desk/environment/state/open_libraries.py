@@ -28,6 +28,8 @@ class OpenLibraries:
     """Rates for later placements of this session, in Hz (reading 10)."""
     sheets: Mapping[str, ModuleSheet] = field(default_factory=dict)
     """What classes of modules declare, by the modules' names, as far as a runtime has read them."""
+    digests: Mapping[str, str] = field(default_factory=dict)
+    """By the modules' names: which code the sheet is of."""
     unread: Mapping[str, Reason] = field(default_factory=dict)
     """Why modules cannot be read, as a runtime says."""
     preferences: Preferences = field(default_factory=Preferences)
