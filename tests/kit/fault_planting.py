@@ -5,11 +5,11 @@ In subsystem flow0 an application runs: `mass` commands a device from unit rt0, 
 a test says so.
 """
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from math import isfinite
 
 from kit.direct_client import OpenGate
+from kit.foreseen_changes import Change, changes_of
 from kit.live_edits import LossyClient, LossyDriver
 from kit.mass_world import MassWorld
 from kit.plan_builder import PlanBuilder, action
@@ -73,16 +73,6 @@ class Lamp(Module):
 MS = 1_000_000
 _AFTER_MS = 150.0
 _LEASE_NS, _LOOK_NS = 250 * MS, 50 * MS
-
-
-@dataclass(frozen=True)
-class Change:
-    """One thing that has changed, and when: what an effect foretells."""
-
-    kind: str
-    subject: str
-    after: str
-    at_ms: float
 
 
 class SensitiveWorld(MassWorld):
@@ -269,25 +259,12 @@ class FaultyRuntime(LossyClient):
 
     def changes(self) -> list[Change]:
         """What has changed since the fault came, as sessions were told."""
-        return [change for at, message in self.server.times for change in self._change(at, message)]
+        times = [(self._at_ns(at, message), message) for at, message in self.server.times]
+        return [change for at, message in times for change in changes_of(message, (at - self.began_ns) / MS)]
 
-    def _change(self, at_ns: int, message: event.Event) -> Iterable[Change]:
-        ms = (at_ns - self.began_ns) / MS
-        match message:
-            case event.TaskState():
-                yield Change("task", f"{message.subsystem}/{message.task}", message.state, ms)
-            case event.Drive():
-                yield Change("drive", message.device, message.state, (message.at_ns - self.began_ns) / MS)
-            case event.Moved() if message.state in ("stopped", "paused"):
-                yield Change("flow", message.subsystem, message.state, ms)
-            case event.Result():
-                yield Change("run", "test", "completed" if message.completed else "aborted", ms)
-            case event.Held() if not message.holder:
-                yield Change("subsystem", message.subsystem, "", ms)
-            case event.Lost():
-                yield Change("unit", message.name, "LOST", ms)
-            case event.Stopped():
-                yield Change("runtime", "", "STOPPED", ms)
+    def _at_ns(self, at_ns: int, message: event.Event) -> int:
+        """A drive says itself when it changed."""
+        return message.at_ns if isinstance(message, event.Drive) else at_ns
 
     # Plants
 

@@ -3,6 +3,7 @@
 import pytest
 
 from kit.fault_planting import FaultyRuntime
+from kit.foreseen_changes import foretold, gathered
 from onika.host.foresight.questions import FAULTS
 from onika.wire import event, request
 from onika.words.reason import Reason
@@ -29,22 +30,8 @@ def questions():
 QUESTIONS = questions()
 
 
-def foretold(foresight):
-    """What is foreseen to be told, by what it is about: the states in their order, each with its time."""
-    changes = {}
-    for effect in foresight.effects:
-        if effect.after not in ("GONE", "CUT", "pausing"):
-            changes.setdefault((effect.kind, effect.subject), []).append((effect.after, effect.within_ms))
-    return changes
-
-
 def happened(runtime):
-    changes = {}
-    for change in runtime.changes():
-        steps = changes.setdefault((change.kind, change.subject), [])
-        if not steps or steps[-1][0] != change.after:  # a flow that stands is told of a second error, too
-            steps.append((change.after, change.at_ms))
-    return changes
+    return gathered(runtime.changes())
 
 
 def assert_equal(foresight, runtime):
