@@ -23,6 +23,17 @@ def test_the_servo_pulls_towards_the_reference_and_brakes():
     assert bench.cycle()["TAU_PD"] == pytest.approx(expected)
 
 
+@pytest.mark.parametrize(("stiff", "damp"), [(0.1, 2.0), (1.0, 1.0), (1.7, 0.3)])
+def test_stiffness_and_damping_of_the_servo_are_tuned_as_shares_of_the_robots_own(stiff, damp):  # R-B02
+    bench = Bench(GENERIC / "pd.py", frequency=500, constants=GAINS, local={"STIFF": stiff, "DAMP": damp}).init()
+    bench["Q_REF"], bench["Q_MEZ"] = np.full(6, 0.3), np.full(6, 0.2)
+    bench["Q^_REF"], bench["Q^_MEZ"] = np.full(6, 1.0), np.full(6, 1.5)
+    assert bench.on()["TAU_PD"] == pytest.approx(stiff * 0.1 * puma560.KP - damp * 0.5 * puma560.KD)
+    braking = Bench(GENERIC / "pd.py", frequency=500, constants=GAINS, local={"STIFF": stiff, "DAMP": damp}).init()
+    braking["Q^_MEZ"] = np.full(6, 1.5)
+    assert braking.forget("Q_REF").on().cycle()["TAU_PD"] == pytest.approx(-damp * 1.5 * puma560.KD)
+
+
 def test_the_servo_only_brakes_until_a_reference_is_in_force():  # law 3: nothing tears the arm away
     bench = Bench(GENERIC / "pd.py", frequency=500, constants=GAINS).init()
     bench["Q_REF"], bench["Q_MEZ"] = np.full(6, 2.0), np.zeros(6)
