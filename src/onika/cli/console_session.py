@@ -21,25 +21,25 @@ if TYPE_CHECKING:
     from onika.cli.terminal import Terminal
 
 
-class _RemoteRuntime:
-    """A face that is chosen once the console, which completes what is typed, is there."""
+class _LaterDisplay:
+    """A display that is chosen once the console is there, for a terminal completes what is typed with its help."""
 
     def __init__(self) -> None:
-        self.face: ConsoleDisplay | None = None
+        self.display: ConsoleDisplay | None = None
 
     def say(self, line: Reason, tone: Tone = Tone.PLAIN) -> None:
         """Pass it on."""
-        if self.face is not None:
-            self.face.say(line, tone)
+        if self.display is not None:
+            self.display.say(line, tone)
 
 
 def sit_down(runtime: Runtime, site: Site, script: Path | None, *, has_console: bool = True) -> int:
     """Hold the conversation, or carry out the script alone, or only serve; the exit code."""
-    wire = _RemoteRuntime()
-    session = ConsoleSession(runtime, site, wire, time.monotonic, in_words=say)
+    later = _LaterDisplay()
+    session = ConsoleSession(runtime, site, later, time.monotonic, in_words=say)
     console = Console(session)
     with in_order(), _desk(console) if has_console else PlainConsole() as desk:
-        wire.face = desk
+        later.display = desk
         faults = session.begin()
         for fault in faults:
             desk.say(fault.sentence, Tone.FAULT)

@@ -30,15 +30,15 @@ class VariableHistory:
         self._tables = dict(tables)
         self._every, self._kept = every_ns, kept_ns // every_ns + 1
         self._began = began_ns
-        self._films: dict[str, list[_Film]] = {name: [] for name in tables}
-        self._known = dict.fromkeys(tables, 0)
+        self._sampled: dict[str, list[_VariableBatch]] = {name: [] for name in tables}
+        self._entry_counts = dict.fromkeys(tables, 0)
         self._at: deque[int] = deque(maxlen=self._kept)
         self._next = 0
-        self._stood = self._kept
+        self._unchanged_count = self._kept
 
     def wake_at(self) -> int | None:
         """When `tick` has something to do; None while it sleeps, as it does at first."""
-        return None if self._stood >= self._kept else self._next
+        return None if self._unchanged_count >= self._kept else self._next
 
     def tick(self, now: int) -> None:
         """Look, if it is time; called more often, or as soon as something is heard of a task, it does no harm."""
@@ -52,34 +52,34 @@ class VariableHistory:
         if is_new:
             self._at.append(now)
         has_changed = False
-        for name, films in self._films.items():
-            self._meet(name, films)
-            for film in films:
-                has_changed |= film.take(is_new)
-        self._stood = 0 if has_changed else self._stood + 1
+        for name, batches in self._sampled.items():
+            self._meet(name, batches)
+            for batch in batches:
+                has_changed |= batch.take(is_new)
+        self._unchanged_count = 0 if has_changed else self._unchanged_count + 1
 
     def course(self, subsystem: str, variable: str, unit: str = "") -> event.Course | None:
         """The last seconds of a variable, oldest first; None where nothing was sampled of it."""
-        for film in self._films.get(subsystem, ()):
-            values = film.values(variable)
+        for batch in self._sampled.get(subsystem, ()):
+            values = batch.values(variable)
             if values:
-                at = [round((one - self._began) * 1e-9, 9) for one in self._at]
+                at = [round((sampled_ns - self._began) * 1e-9, 9) for sampled_ns in self._at]
                 return event.Course(variable, unit, tuple(at[-len(values) :]), tuple(values))
         return None
 
-    def _meet(self, name: str, films: list["_Film"]) -> None:
+    def _meet(self, name: str, batches: list["_VariableBatch"]) -> None:
         """Take up the variables that have come since; in a run none ever goes."""
         table = self._tables[name]
-        if len(table.entries) != self._known[name]:
-            met = {entry.name for film in films for entry in film.entries}
+        if len(table.entries) != self._entry_counts[name]:
+            met = {entry.name for batch in batches for entry in batch.entries}
             new = [entry for entry in table.entries.values() if entry.name not in met and _is_sampled(entry.shape)]
-            self._known[name] = len(table.entries)
+            self._entry_counts[name] = len(table.entries)
             if new:
-                films.append(_Film(table, new, self._kept))
+                batches.append(_VariableBatch(table, new, self._kept))
 
 
-class _Film:
-    """Pictures of variables that came together: one row of memory each, in which they lie side by side."""
+class _VariableBatch:
+    """The samples of variables that came together: each sample is a row of memory in which they lie side by side."""
 
     def __init__(self, table: Table, entries: list[TableEntry], kept: int) -> None:
         self.entries = entries
@@ -99,7 +99,7 @@ class _Film:
         self._unwritten = {entry.name: table.ring(entry.name) for entry in entries}
 
     def take(self, is_new: bool) -> bool:
-        """Take a picture, a new one or in place of the last one; whether it differs from the one before."""
+        """Take a sample, a new one or in place of the last one; whether it differs from the one before."""
         if is_new or not self._rows:
             self._taken += 1
         else:
@@ -108,19 +108,19 @@ class _Film:
             self._look_for_first_values()
         for refresh in self._refresh:
             refresh()
-        before, picture = self._rows[-1] if self._rows else b"", bytes(self._row)
-        differs = picture != before
-        self._rows.append(picture if differs else before)
+        before, sample = self._rows[-1] if self._rows else b"", bytes(self._row)
+        differs = sample != before
+        self._rows.append(sample if differs else before)
         return differs
 
     def _look_for_first_values(self) -> None:
-        """Before the picture is taken: what is written meanwhile is seen in it or in the next one."""
+        """Before the sample is taken: what is written meanwhile is seen in it or in the next one."""
         for name in [name for name, ring in self._unwritten.items() if ring.count]:
             self._since[name] = self._taken
             del self._unwritten[name]
 
     def values(self, variable: str) -> list[object]:
-        """What the pictures show of a variable since it was first written, oldest first."""
+        """What was sampled of a variable since it was first written, oldest first."""
         if variable not in self._since:
             return []
         shape = next(entry.shape for entry in self.entries if entry.name == variable)

@@ -82,7 +82,7 @@ class ModuleFacts:
             return cls
         try:
             reasons = cls.resolve(constants, list(targets))
-            return [None if reason is None else _said(reason, code) for reason in reasons]
+            return [None if reason is None else _module_reason(reason, code) for reason in reasons]
         except Exception as wrong:
             return self._fault(code, Reason.of("host.reach_failed", why=traceback_text(wrong)), wrong)
 
@@ -97,19 +97,19 @@ class ModuleFacts:
             poses = cls.poses(constants, list(targets))
             if poses is None:
                 return None
-            return [[float(number) for number in nine] for nine in poses]
+            return [[float(number) for number in pose] for pose in poses]
         except Exception as wrong:
             return self._fault(code, Reason.of("host.poses_failed", why=traceback_text(wrong)), wrong)
 
     def postures(
-        self, code: Code, constants: dict[str, Any], nines: list[list[float]]
+        self, code: Code, constants: dict[str, Any], poses: list[list[float]]
     ) -> list[list[float] | Reason] | Fault | None:
         """Joint values for Cartesian targets, each nearest to those before it, or why there are none."""
         cls = self._load(code)
         if isinstance(cls, Fault):
             return cls
         try:
-            postures = cls.postures(constants, list(nines))
+            postures = cls.postures(constants, list(poses))
             if postures is None:
                 return None
             return [_posture(posture, code) for posture in postures]
@@ -125,7 +125,7 @@ class ModuleFacts:
             identity = self._identity(device)
             if identity is None:
                 return NOTHING
-            return _said(cls.fits(constants, dict(identity)) or NOTHING, code)
+            return _module_reason(cls.fits(constants, dict(identity)) or NOTHING, code)
         except Exception as wrong:
             return self._fault(code, Reason.of("host.fit_failed", why=traceback_text(wrong)), wrong)
 
@@ -164,11 +164,11 @@ class ModuleFacts:
 def _posture(posture: Any, code: Code) -> list[float] | Reason:
     """The values of a posture, or why there is none."""
     if isinstance(posture, str | Reason):
-        return _said(posture, code)
+        return _module_reason(posture, code)
     return [float(value) for value in posture]
 
 
-def _said(sentence: str | Reason, code: Code) -> Reason:
+def _module_reason(sentence: str | Reason, code: Code) -> Reason:
     return sayable(of_sentence(sentence, {}), code.module)
 
 

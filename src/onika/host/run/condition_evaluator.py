@@ -1,4 +1,4 @@
-"""The judge: whether a condition on state variables holds at this moment, read from the tables of a run (law 8)."""
+"""Says whether a condition on state variables holds at this moment, as the tables of a run have them (law 8)."""
 
 from collections.abc import Mapping
 
@@ -8,18 +8,21 @@ from onika.words.condition import Condition
 
 
 class ConditionEvaluator:
-    """An address without a subsystem means the asking flow's own; what is not there never holds."""
+    """Evaluates conditions that are texts.
+
+    An address without a subsystem means the asking flow's own; what is not there never holds.
+    """
 
     def __init__(self, subsystems: Mapping[int, RunningSubsystem]) -> None:
         self._subsystems = subsystems
         self._by_name = {subsystem.name: subsystem for subsystem in subsystems.values()}
-        self._known: dict[str, Condition] = {}
+        self._parsed: dict[str, Condition] = {}
 
     def holds(self, flow: int, text: str) -> bool:
         """Whether it holds; raises ValueError for what is no condition."""
-        if text not in self._known:
-            self._known[text] = Condition.parse(text)
-        condition = self._known[text]
+        if text not in self._parsed:
+            self._parsed[text] = Condition.parse(text)
+        condition = self._parsed[text]
         home, _, name = condition.address.rpartition("/")
         subsystem = self._by_name.get(home) if home else self._subsystems[flow]
         if subsystem is None or name not in subsystem.table.entries:

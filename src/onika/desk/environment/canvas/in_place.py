@@ -31,11 +31,11 @@ def open_in_place(model: Model, document: Document, command: act.OpenInPlace, ou
     base, opened = configuration.base, configuration.opened
     content = _content(document, opened.value)
     if document.live is not None and document.live.state == "live" and not command.confirmed:
-        sentence = _told(model, document, document.live, content)
-        if sentence:
+        fate = _fate_of_tasks(model, document, document.live, content)
+        if fate:
             meant = Remedy(Reason.of("desk.go_on"), act.OpenInPlace(command.doc, command.path, confirmed=True))
             return No(
-                Reason.of("desk.in_place_outcome", name=opened.value.name, document=document.name, outcome=sentence),
+                Reason.of("desk.in_place_outcome", name=opened.value.name, document=document.name, outcome=fate),
                 (meant,),
             )
     new = replace(document, content=content, opened=opened, base=base.path, has_changed_on_disk=False)
@@ -51,7 +51,7 @@ def _content(document: Document, configuration: Configuration) -> Content:
     return Content(configuration, {placed.task: wanted.get(placed.task, False) for placed in configuration.placed})
 
 
-def _told(model: Model, document: Document, subsystem_facts: SubsystemFacts, content: Content) -> Reason:
+def _fate_of_tasks(model: Model, document: Document, subsystem_facts: SubsystemFacts, content: Content) -> Reason:
     """What becomes of each task; nothing: nothing happens to any."""
     what = reconfiguration(document.content, content, subsystem_facts, model.libraries, (), living_units(model))
     if what.is_nothing and not what.faults:
