@@ -66,6 +66,38 @@ def test_a_file_that_is_spoilt_or_cut_is_told_by_its_name(files, tmp_path, capsy
         assert files[1] in capsys.readouterr().err
 
 
+@pytest.fixture
+def boxes(tmp_path):
+    """A whole run of 4 s, and black boxes from 2 s on: of its end, and of a fault after which it went on."""
+    courses = {"whole": (None, 0.0), "end": ((2.0, 4.0), 2.0), "fault": ((2.0, 3.0), 2.0)}
+    for name, (held_s, begin) in courses.items():
+        tape = RecordingBuilder(tmp_path / f"{name}.mcap", held_s=held_s)
+        tape.variable("X", "double", *((at, at) for at in (0.0, 2.0, 3.0, 4.0) if begin <= at <= (held_s or (0, 4))[1]))
+        tape.end(completed="no", **{"goes_on": "yes"} if name == "fault" else {})
+    return {name: str(tmp_path / f"{name}.mcap") for name in courses}
+
+
+def test_show_says_of_a_black_box_from_when_to_when_it_is(boxes, capsys):  # R-X05
+    assert main(["recording", "show", boxes["end"]]) == 0
+    assert "a black box: the last seconds of a run that ended badly, from 2 s to 4 s\n" in capsys.readouterr().out
+    assert main(["recording", "show", boxes["fault"]]) == 0
+    stood = "a black box: the last seconds before the run stood still, from 2 s to 3 s; it was not over then\n"
+    assert stood in capsys.readouterr().out
+    assert main(["recording", "show", boxes["whole"]]) == 0
+    assert "black box" not in capsys.readouterr().out
+
+
+def test_diff_says_over_what_time_a_black_box_was_compared(boxes, capsys):  # R-X05
+    for pair in (("whole", "end"), ("end", "whole")):
+        assert main(["recording", "diff", *(boxes[name] for name in pair)]) == 0
+        said = "no difference\na black box: compared from 2 s to 4 s, times within 0.03 s\n"
+        assert capsys.readouterr().out == said
+    assert main(["recording", "diff", boxes["whole"], boxes["fault"], "--time", "0.1"]) == 0
+    assert "a black box: compared from 2 s to 3 s, times within 0.1 s\n" in capsys.readouterr().out
+    assert main(["recording", "diff", boxes["whole"], boxes["whole"]]) == 0
+    assert capsys.readouterr().out == "no difference\n"
+
+
 def test_runs_in_wall_time_are_compared_as_such_unless_it_is_said(tmp_path, capsys):  # R-X05
     files = []
     for name, speed in (("a", 1.0), ("b", 9.0)):

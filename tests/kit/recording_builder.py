@@ -15,7 +15,7 @@ from kit.plan_builder import action
 from kit.rail_world import rail_tasks
 from onika.record import topics, value
 from onika.record.reader import Reader
-from onika.record.run import END, RunRecord
+from onika.record.run import BLACK_BOX, END, RunRecord
 from onika.record.writer import Writer
 from onika.wire import event, request
 from onika.words.shape import Shape
@@ -30,12 +30,17 @@ def run(seed: int = 3, **other: Any) -> RunRecord:
 
 
 class RecordingBuilder:
-    """Times are seconds."""
+    """Times are seconds; of a black box `held_s` says from when to when it holds everything."""
 
-    def __init__(self, path: Path, recorded: RunRecord | None = None) -> None:
+    def __init__(
+        self, path: Path, recorded: RunRecord | None = None, held_s: tuple[float, float] | None = None
+    ) -> None:
         self.path = path
         self._stream = path.open("wb")
         self._writer = Writer(self._stream)
+        if held_s is not None:
+            begin, end = (str(_ns(at_s)) for at_s in held_s)
+            self._writer.note(BLACK_BOX, {"version": "1", "from_ns": begin, "to_ns": end})
         recorded = recorded or run()
         recorded.write(self._writer)
         self.plan = recorded.prepare.plan

@@ -35,9 +35,17 @@ BEGAN = "2026-11-21T23:15:00.000+00:00"
 class ReviewFixture(RunFixture):
     """`look` and `glance` do what a page does."""
 
-    def film(self, doc: str, name: str = "film", *, step: float = 1.0, ends: bool = True) -> Path:
+    def film(
+        self,
+        doc: str,
+        name: str = "film",
+        *,
+        step: float = 1.0,
+        ends: bool = True,
+        held_s: tuple[float, float] | None = None,
+    ) -> Path:
         """A recording of an open application as it is now; `step` is by how much A grows in a second."""
-        tape = self.tape(doc, name)
+        tape = self.tape(doc, name, held_s)
         for number, flow in enumerate(tape.plan.flows):
             self._act(tape, number, len(flow.actions))
         count = max(len(flow.actions) for flow in tape.plan.flows)
@@ -52,8 +60,8 @@ class ReviewFixture(RunFixture):
             tape.cut()
         return tape.path
 
-    def tape(self, doc: str, name: str = "film") -> RecordingBuilder:
-        """An empty recording of an open application as it is now."""
+    def tape(self, doc: str, name: str = "film", held_s: tuple[float, float] | None = None) -> RecordingBuilder:
+        """An empty recording of an open application as it is now, or a black box that holds so much of it."""
         syntax, opened = self.environment.model.syntax, self.environment.model.applications[doc]
         plan = ready(opened, self.site, syntax).plan if syntax is not None else None
         if plan is None:
@@ -61,7 +69,7 @@ class ReviewFixture(RunFixture):
         run = RunRecord(
             request.Prepare(plan, ()), request.Begin(), ("rt0",), is_virtual=True, is_fresh=True, began=BEGAN
         )
-        return RecordingBuilder(self.base.path / f"{name}.mcap", run)
+        return RecordingBuilder(self.base.path / f"{name}.mcap", run, held_s)
 
     def look(self, path: Path) -> RecordingView:
         """Look at a recording; what is shown of it."""

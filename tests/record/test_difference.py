@@ -131,8 +131,7 @@ def test_what_was_expected_of_a_run_is_no_difference(tmp_path):  # R-X05: only l
 
 def boxed(tmp_path, name, values, *events, goes_on=False):
     """A black box of what happened from 2 s to 4 s."""
-    recording = RecordingBuilder(tmp_path / f"{name}.mcap")
-    recording.note("black box", {"version": "1", "from_ns": "2000000000", "to_ns": "4000000000"})
+    recording = RecordingBuilder(tmp_path / f"{name}.mcap", held_s=(2.0, 4.0))
     recording.variable("X", "double[1]", *values)
     for at, action in events:
         recording.tell(at, event.Began(0, 0, 2, action, at))

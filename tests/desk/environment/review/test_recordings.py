@@ -24,11 +24,14 @@ def test_recordings_are_listed_newest_first_and_nothing_else(cinema):  # R-X05
     assert file.began_at_s > 1.7e9
 
 
-def test_black_boxes_are_listed_among_them(cinema):  # R-X05
+def test_black_boxes_are_listed_among_them_and_marked(cinema):  # R-X05
     doc = cinema.open([job("aC")])
-    folder = black_boxes_in(cinema.surroundings.state)
-    folder.mkdir(parents=True)
-    cinema.film(doc).rename(folder / "play-20261121-231500-77-1.mcap")
-    (file,) = cinema.later(act.Recordings()).value.files
-    assert file.path == str(folder / "play-20261121-231500-77-1.mcap")
-    assert not file.is_black_box
+    boxes, folder = black_boxes_in(cinema.surroundings.state), recordings_folder(cinema.surroundings.state)
+    for path in (boxes, folder):
+        path.mkdir(parents=True)
+    cinema.film(doc, "box", held_s=(0.4, 1.0)).rename(boxes / "play-20261121-231500-77-1.mcap")
+    cinema.film(doc, "whole").rename(folder / "whole.mcap")
+    by_path = {file.path: file for file in cinema.later(act.Recordings()).value.files}
+    box, whole = by_path[str(boxes / "play-20261121-231500-77-1.mcap")], by_path[str(folder / "whole.mcap")]
+    assert (box.is_black_box, round(box.took_s, 3)) == (True, 0.6)
+    assert (whole.is_black_box, whole.took_s) == (False, 1.0)
