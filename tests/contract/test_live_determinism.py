@@ -33,7 +33,7 @@ def fingerprint() -> str:
     _left(hand)
     _right(hand)
     _beside(hand)
-    words = [event.encode(news) for news in hand.asker.server.told if not isinstance(news, event.Result)]
+    words = [event.encode(news) for news in hand.asker.server.events if not isinstance(news, event.Result)]
     values = [repr(hand.values(subsystem=name)) for name in ("left", "right", "flow0")]
     return hashlib.sha256(b"".join(words) + "".join(values).encode() + hand.driver.digest.encode()).hexdigest()
 

@@ -91,7 +91,7 @@ class _Crowd:
         """The runtime still answers, and no number that is none came to its drive."""
         self.client.server.gone.append("session 0")
         assert isinstance(self.client.ask(live.Survey(), "the last"), live.Standing)
-        causes = [told.cause for told in self.client.server.told if isinstance(told, event.Drive)]
+        causes = [told.cause for told in self.client.server.events if isinstance(told, event.Drive)]
         assert all("no number" not in str(cause) for cause in causes)
 
 

@@ -37,9 +37,9 @@ def test_the_last_word_of_a_drive_comes_before_the_result(desk):  # law 17
     desk.ask(request.Prepare(plan("1.0"), ()))
     desk.ask(request.Begin())
     desk.to_the_end()
-    drives = [number for number, message in enumerate(desk.server.told) if isinstance(message, event.Drive)]
-    assert desk.server.told[drives[-1]].state == "HELD"
-    assert drives[-1] < len(desk.server.told) - 1
+    drives = [number for number, message in enumerate(desk.server.events) if isinstance(message, event.Drive)]
+    assert desk.server.events[drives[-1]].state == "HELD"
+    assert drives[-1] < len(desk.server.events) - 1
 
 
 def test_a_world_is_touched_and_what_is_not_there_refused(desk):  # R-K06
@@ -68,14 +68,14 @@ def test_a_run_is_ended_from_outside_with_the_cause(desk, wish):  # R-E07, law 2
     assert desk.ask(wish) == request.Done()
     result = desk.to_the_end()
     assert (result.completed, str(result.cause), result.done) == (False, "enough", 0)
-    assert [message.state for message in desk.server.told if isinstance(message, event.Drive)][-1] == "HELD"
+    assert [message.state for message in desk.server.events if isinstance(message, event.Drive)][-1] == "HELD"
 
 
 def test_an_answer_reaches_the_task_that_asks(desk):  # law 25
     desk.ask(request.Prepare(rail_tasks().plan([action("mass", "servo")]), ()))
     desk.ask(request.Begin(may_ask=True))
     assert desk.to_the_end() is None
-    question = desk.server.told[-1]
+    question = desk.server.events[-1]
     assert isinstance(question, event.Asked)
     (home,) = desk.ask(live.Survey()).subsystems
     assert (home.asks, home.on_loss) == ((question,), "stop")  # who comes later can be asked too

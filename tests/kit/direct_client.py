@@ -21,8 +21,9 @@ class OpenGate:
     def __init__(self) -> None:
         self.waiting: deque[SessionRequest] = deque()
         self.replies: dict[int, request.Response] = {}
-        self.told: list[event.Event] = []
-        self.heard: list[tuple[str, str, event.Event]] = []
+        self.events: list[event.Event] = []
+        self.deliveries: list[tuple[str, str, event.Event]] = []
+        """Each event with the subsystem whose listeners it is for, and a session that gets it in any case."""
         self.attends: dict[str, tuple[str, ...]] = {}
         self.shown: list[tuple[str, str, reading.Reading]] = []
         self.gone: list[str] = []
@@ -63,8 +64,8 @@ class OpenGate:
     def tell(self, message: event.Event, subsystem: str = "", session: str = "") -> None:
         """Say an event."""
         event.decode(event.encode(message))
-        self.told.append(message)
-        self.heard.append((subsystem, session, message))
+        self.events.append(message)
+        self.deliveries.append((subsystem, session, message))
         for ear in self.ears:
             ear(message, subsystem)
 
@@ -137,7 +138,7 @@ class DirectClient:
         self.program.advance(SECOND)
         ends = [
             message
-            for message in self.server.told
+            for message in self.server.events
             if isinstance(message, event.Edited) and message.number == answer.number
         ]
         if len(ends) != 1:
@@ -163,7 +164,7 @@ class DirectClient:
 
     def of(self, kind: type) -> list[event.Event]:
         """What was told of one kind."""
-        return [message for message in self.server.told if isinstance(message, kind)]
+        return [message for message in self.server.events if isinstance(message, kind)]
 
     def to_the_end(self) -> event.Result | None:
         """Let everything go on until nothing happens by itself."""
@@ -174,5 +175,5 @@ class DirectClient:
     @property
     def result(self) -> event.Result | None:
         """The last thing told, if it is a result."""
-        last = self.server.told[-1] if self.server.told else None
+        last = self.server.events[-1] if self.server.events else None
         return last if isinstance(last, event.Result) else None

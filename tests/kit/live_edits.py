@@ -239,7 +239,7 @@ class LiveEdits:
         """The outcomes that were told of an accepted request: one, if all is well."""
         return [
             str(message.cause)
-            for message in self.asker.server.told
+            for message in self.asker.server.events
             if isinstance(message, event.Edited) and message.number == number
         ]
 

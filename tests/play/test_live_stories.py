@@ -137,7 +137,7 @@ class Story:
         """Do something, and compare."""
         before, values = self.hand.standing(), self.values()
         self.left = {}
-        self.hand.asker.server.told.clear()
+        self.hand.asker.server.events.clear()
         if kind == "change":
             kill, spawn, on, off = what
             touched = self.change(kill, spawn, on, off - kill)
@@ -191,7 +191,7 @@ class Story:
     def swap(self, task, is_good):
         hand, code = self.hand, self.hand.shop.code(task)
         source = code.source + ("" if is_good else TAKES_NOTHING)
-        source += f"\n# {len(hand.asker.server.heard)}\n"
+        source += f"\n# {len(hand.asker.server.deliveries)}\n"
         planned = hand.shop.planned(task)
         hand.task(task, source, frequency=planned.frequency, module=planned.module, rtpu=planned.rtpu)
         self.cause = hand.swap(task)
@@ -249,5 +249,5 @@ def test_whatever_is_asked_what_lives_is_what_the_model_says(start, story):  # R
     subsystem = Story()
     for step in (*start, *story):
         subsystem.step(*step)
-    edited = [end for end in subsystem.hand.asker.server.heard if isinstance(end[2], event.Edited)]
+    edited = [end for end in subsystem.hand.asker.server.deliveries if isinstance(end[2], event.Edited)]
     assert len({end[2].number for end in edited}) == len(edited)

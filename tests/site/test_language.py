@@ -101,16 +101,16 @@ def test_an_endless_loop_goes_on_until_somebody_leaves_it():  # R-D11, R-E05, R-
     program = RuntimeProgram(server, driver, ModuleFacts(), ("rt0",))
     program.applications.take("me", prepare(planned.plan, planned.targets, ModuleFacts()))
     program.applications.begin("me", request.Begin())
-    while [message.index for message in server.told if isinstance(message, event.Began)].count(0) < 3:
+    while [message.index for message in server.events if isinstance(message, event.Began)].count(0) < 3:
         program.advance(0)
     server.waiting.append(SessionRequest(1, "me", Role.OWNER, steer.Leave("flow0")))
     program.serve()
     while program.advance(1_000_000_000):
         pass
     assert server.replies[1] == request.Done()
-    result = server.told[-1]
+    result = server.events[-1]
     assert (result.completed, str(result.cause)) == (True, "")
-    assert [message.action for message in server.told if isinstance(message, event.Began)] == [
+    assert [message.action for message in server.events if isinstance(message, event.Began)] == [
         "jmoveC aside",
         "jmoveC home",
         "noop",

@@ -99,7 +99,7 @@ def told_of(plan, targets, seed=0, offsets_m=0.0):
     program.applications.begin("me", request.Begin(watch=("LAMP",)))
     while program.advance(1_000_000_000):
         pass
-    return server.told, world
+    return server.events, world
 
 
 def result_of(planned, **more):

@@ -57,6 +57,6 @@ def test_boxes_that_stand_a_millimetre_elsewhere_are_put_together_as_well(seed):
     program.applications.begin("me", request.Begin(watch=("LAMP",)))
     while program.advance(1_000_000_000):
         pass
-    result = server.told[-1]
+    result = server.events[-1]
     assert isinstance(result, event.Result)
     assert (result.completed, result.values["LAMP"]) == (True, 1)

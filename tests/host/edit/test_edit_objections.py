@@ -107,9 +107,9 @@ def test_code_that_does_not_load_is_refused(hand):  # law 21
 
 def test_a_parameter_that_cannot_be_is_refused_before_anything_goes_off(hand):  # law 12
     order = live.Reinit("s0", "source", (("SIZE", ("many",)),))
-    hand.asker.server.told.clear()
+    hand.asker.server.events.clear()
     assert "'many'" in objections(hand, order)[0]
-    assert hand.asker.server.told == []
+    assert hand.asker.server.events == []
 
 
 def test_a_living_task_keeps_its_device(hand):  # law 16

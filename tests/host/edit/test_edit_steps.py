@@ -14,7 +14,7 @@ def hand():
 def test_a_task_turned_off_and_on_by_one_change_begins_anew(hand):  # R-A05
     hand.change(spawn=["counter"], on=["counter"])
     hand.let_pass(0.1)
-    hand.asker.server.told.clear()
+    hand.asker.server.events.clear()
     assert hand.change(off=["counter"], on=["counter"]) == ""
     assert [message.state for message in hand.asker.of(event.TaskState)] == ["OFF", "ON"]
 
@@ -135,5 +135,5 @@ def test_a_subsystem_that_is_closed_is_no_more(hand):  # R-A06
     hand.change(spawn=["source"], on=["source"])
     assert hand.outcome(hand.asker.ask(live.Close("s0"))) == ""
     assert hand.asker.ask(live.Survey()).subsystems == ()
-    assert hand.asker.server.told[-1] == event.Held("s0", "")
+    assert hand.asker.server.events[-1] == event.Held("s0", "")
     assert hand.change(spawn=["source"], on=["source"], session="you") == ""

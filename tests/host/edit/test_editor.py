@@ -54,7 +54,7 @@ def pushed():
         edits.task(name, PUSH.format(force=force), frequency=500.0)
     assert edits.change(spawn=["mass", "push"], on=["mass", "push"]) == ""
     edits.let_pass(0.2)
-    edits.asker.server.told.clear()
+    edits.asker.server.events.clear()
     return edits
 
 

@@ -66,7 +66,7 @@ def test_consumers_of_an_exchanged_constant_learn_it_and_come_on_again(hand):  #
     hand.task("other", SOURCE, module="other", local={"SIZE": "2"})
     hand.change(spawn=["source", "user", "counter"], on=["source", "user", "counter"])
     hand.let_pass(1.0)
-    hand.asker.server.told.clear()
+    hand.asker.server.events.clear()
     assert hand.change(spawn=["other"], kill=("source",), on=["other"]) == ""
     assert hand.states == {"user": "ON", "other": "ON", "counter": "ON"}
     turned = {(message.task, message.state) for message in hand.asker.of(event.TaskState)}
@@ -78,7 +78,7 @@ def test_a_change_of_dimension_is_one_transaction(hand):  # law 12, R-A03
     hand.change(spawn=["source", "user", "reader", "counter"], on=["source", "user", "reader", "counter"])
     hand.let_pass(1.0)
     assert len(hand.asker.values("ROW")["ROW"]) == 2
-    hand.asker.server.told.clear()
+    hand.asker.server.events.clear()
     assert hand.asker.outcome(hand.asker.ask(live.Reinit("s0", "source", (("SIZE", ("3",)),)))) == ""
     hand.let_pass(1.0)
     values = hand.asker.values("ROW", "SUM", "LEVEL")
@@ -220,7 +220,7 @@ def test_constants_of_a_newcomer_that_goes_again_are_as_if_it_had_never_been(han
     hand.let_pass(1.0)
     hand.figures()
     before = hand.values("N", "ROW")
-    hand.asker.server.told.clear()
+    hand.asker.server.events.clear()
     assert "no sensor" in hand.change(spawn=["other", "broken"], on=["other"], kill=["source"])
     assert hand.values("N", "ROW") == before
     assert {message.task for message in hand.asker.of(event.TaskState)} <= {"other", "broken"}

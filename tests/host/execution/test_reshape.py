@@ -91,7 +91,7 @@ def levels():
 def test_constants_pass_on_over_three_levels_and_units(levels):  # R-A13, law 10, law 12
     levels.let_pass(1.0)
     levels.figures()
-    levels.asker.server.told.clear()
+    levels.asker.server.events.clear()
     assert levels.reinit("source", SIZE="3") == ""
     levels.let_pass(1.0)
     assert levels.values("ALL")["ALL"] == 6.0

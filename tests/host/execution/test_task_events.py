@@ -46,7 +46,7 @@ def speaker():
     hand.task("speaker", SPEAKER)
     hand.change(spawn=["speaker"], on=["speaker"])
     hand.let_pass(0.1)
-    hand.asker.server.told.clear()
+    hand.asker.server.events.clear()
     return hand
 
 
@@ -66,7 +66,7 @@ def summaries(hand):
                 )
             ),
         )
-        for message in hand.asker.server.told
+        for message in hand.asker.server.events
     ]
 
 
@@ -116,9 +116,9 @@ def test_a_word_of_a_task_that_is_gone_is_told_to_nobody(speaker, word):  # R-A0
         "WARNING": news.Warned("s0", "speaker", Reason.plain("warm"), 1),
     }.get(word, news.Signalled("s0", "speaker", word, 0, NOTHING, 1))
     speaker.change(kill=["speaker"])
-    speaker.asker.server.told.clear()
+    speaker.asker.server.events.clear()
     subsystems.hear("rt0", late, 1)
-    assert speaker.asker.server.told == []
+    assert speaker.asker.server.events == []
     assert speaker.states == {}
 
 

@@ -37,7 +37,7 @@ def test_a_run_is_recorded_with_all_that_law_29_asks_for(path):  # R-X05, law 29
     assert reader.notes["end"]["hash"] == result.hash
     assert Series.all_of(reader)["flow0/X"].at(10**12) == pytest.approx(result.values.get("X", [2.0, 0.0]), abs=0.05)
     events = [topics.decode_happened(body).event for _, body in reader.messages(topics.EVENTS)]
-    expected = [message for message in desk.server.told if not isinstance(message, event.Company | event.Result)]
+    expected = [message for message in desk.server.events if not isinstance(message, event.Company | event.Result)]
     assert [message for message in events if not isinstance(message, event.Result)] == expected
     assert isinstance(events[-1], event.Result)
     assert reader.count(topics.frames("yard")) > 10

@@ -24,7 +24,7 @@ def test_a_run_knows_who_began_it_and_where_it_is():  # R-X12
 def test_its_events_are_for_who_began_it_and_for_listeners_of_its_subsystem():  # R-X12
     hand, _ = performed("1.0", session="one")
     hand.asker.to_the_end()
-    ours = [message for message in hand.asker.server.heard if not isinstance(message[2], event.Drive)]
+    ours = [message for message in hand.asker.server.deliveries if not isinstance(message[2], event.Drive)]
     assert {(where, who) for where, who, _ in ours if not where.startswith("@")} == {("flow0", "one")}
 
 

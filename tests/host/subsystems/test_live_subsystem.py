@@ -151,7 +151,7 @@ def test_other_subsystems_with_the_same_names_are_not_touched():  # R-A06
         assert hand.change(spawn=everyone, on=everyone, subsystem=subsystem) == ""
     hand.let_pass(1.0)
     before = hand.values("N", "LEVEL", "COUNT", subsystem="s1")
-    hand.asker.server.told.clear()
+    hand.asker.server.events.clear()
     assert hand.reinit("source", SIZE="3") == ""
     assert hand.change(kill=everyone) == ""
     assert {message.subsystem for message in hand.asker.of(event.TaskState)} == {"s0"}

@@ -80,7 +80,11 @@ def test_a_unit_that_is_lost_is_told_to_everybody_and_takes_its_tasks_along(hand
     hand.change(spawn=["counter", "source"], on=["counter", "source"])
     hand.driver.lose("rt1")
     assert subsystems.lost_units == {"rt1": Reason.plain("processing unit rt1 was lost")}
-    assert ("", "", event.Lost("rt1", Reason.plain("processing unit rt1 was lost"), 0.0)) in hand.asker.server.heard
+    assert (
+        "",
+        "",
+        event.Lost("rt1", Reason.plain("processing unit rt1 was lost"), 0.0),
+    ) in hand.asker.server.deliveries
     killed = [message for message in hand.asker.of(event.TaskState) if message.state == "KILLED"]
     assert [message.task for message in killed] == ["counter"]
     assert hand.states == {"source": "ON"}
@@ -118,16 +122,16 @@ def test_loads_are_not_asked_for_in_virtual_time(hand):  # law 14
 
 
 def test_words_of_nobody_are_told_to_nobody(hand, subsystems):
-    before = list(hand.asker.server.told)
+    before = list(hand.asker.server.events)
     for word in (news.Changed("s9", "x", "ON", 1), news.Got("s9", "x", "y", 1), news.Initialised("s0", "x")):
         subsystems.hear("rt0", word, 1)
-    assert hand.asker.server.told == before
+    assert hand.asker.server.events == before
 
 
 def test_an_event_of_a_subsystem_is_heard_by_its_listeners_and_its_holder(hand):  # R-X12
     hand.change(spawn=["counter"], session="one")
     receivers = {
-        (where, who) for where, who, message in hand.asker.server.heard if isinstance(message, event.TaskState)
+        (where, who) for where, who, message in hand.asker.server.deliveries if isinstance(message, event.TaskState)
     }
     assert receivers == {("s0", "one")}
 
