@@ -111,7 +111,7 @@ class StruckRuntime:
         self._names: dict[str, str] = {}
         self._now: dict[tuple[str, str], str] = {}
         self._told: list[Change] = []
-        self._pressed = ""
+        self._pressed, self._is_stopped = "", False
         self._silent: RemoteRuntime | None = None
         self._began_at = self._told_at = monotonic()
         self.failures: list[event.Failed] = []
@@ -171,6 +171,9 @@ class StruckRuntime:
             is_run = subsystem == "flow0"
             self.ask(request.Abort(Reason.plain("enough"), subsystem) if is_run else live.Close(subsystem))
         self.until(lambda: not self._living())
+        if self._is_stopped:  # only a holder leaves a stop, while there is one
+            self._do(live.Reset())
+        self._is_stopped = False
 
     # What is asked, and what is told
 
@@ -296,13 +299,28 @@ class StruckRuntime:
         end = monotonic() + LEASE_S + 1.0
         self.until(lambda: self._told_at > self._began_at or monotonic() > end)
 
+    def _stop(self, _subject: str) -> None:
+        self._is_stopped = True
+        self._do(request.Stop(Reason.plain("enough")))
+
     def _unit_killed(self, unit: str) -> None:
-        self.is_spent = True
-        os.kill(self._pid("onika.host.units.rtpu", f"--name {unit}"), signal.SIGKILL)
+        self._send(signal.SIGKILL, "onika.host.units.rtpu", f"--name {unit}")
+
+    def _unit_frozen(self, unit: str) -> None:
+        self._send(signal.SIGSTOP, "onika.host.units.rtpu", f"--name {unit}")
+        self.until(lambda: ("unit", unit) in self._now)
 
     def _devices_killed(self, _subject: str) -> None:
+        self._send(signal.SIGKILL, "onika.host.units.device_server")
+
+    def _devices_frozen(self, _subject: str) -> None:
+        self._send(signal.SIGSTOP, "onika.host.units.device_server")
+        self.until(lambda: ("unit", "device server") in self._now)
+
+    def _send(self, signum: signal.Signals, *words: str) -> None:
+        """This runtime is not whole any more."""
         self.is_spent = True
-        os.kill(self._pid("onika.host.units.device_server"), signal.SIGKILL)
+        os.kill(self._pid(*words), signum)
 
     def _runtime_killed(self, _subject: str) -> None:
         self.is_spent = True

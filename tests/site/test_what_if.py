@@ -90,6 +90,20 @@ def test_a_holder_who_is_silent(there):  # R-X24, R-X12
     assert_foreseen(there, "holder", "holder")
 
 
+def test_a_stop_of_everything(there):  # R-X24, law 27
+    there.begin()
+    there.hold()
+    assert_foreseen(there, "stop")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("fault", "subject"), [("unit-frozen", "rt0"), ("devices-frozen", "")])
+def test_a_process_that_is_frozen(there, fault, subject):  # R-X24, law 17
+    there.begin()
+    there.hold()
+    assert_foreseen(there, fault, subject)
+
+
 @pytest.mark.parametrize("unit", ["rt0", pytest.param("rt1", marks=pytest.mark.slow)])
 def test_a_unit_that_is_killed(there, unit):  # R-X24, law 17
     there.begin()
