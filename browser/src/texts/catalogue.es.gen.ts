@@ -1396,6 +1396,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "host.code_replaced_by_somebody": "código de un módulo ha reemplazado {what}, de lo que depende el runtime",
   "host.code_unlooked": "{name} no ha examinado su propio código en {seconds:.1f} s: código de un módulo se lo impide",
   "host.command_refused": "se rechaza {command}: {why}",
+  "host.commands_unread": "{name} ha dejado más de {megabytes} MB de órdenes sin leer",
   "host.condition_element": "se esperaba un solo número de {name}, que es {shape} y se cuenta desde 0; hay {text}",
   "host.condition_form": "se esperaba una dirección, una comparación y un número, como en 'LAMP == 1'; hay {text}",
   "host.condition_on_text": "se esperaba una condición sobre números; {name} es {shape}; hay {text}",

@@ -104,3 +104,19 @@ def test_how_much_waits_is_known():  # law 30
     assert ours.waiting == 1
     theirs.close()
     ours.close()
+
+
+def test_how_many_bytes_wait_is_known():  # law 30
+    ours, theirs = pair()
+    while not ours.is_waiting:
+        ours.send(bytes(100_000))
+    assert ours.unsent == 100_000
+    ours.send(b"more")
+    assert ours.unsent == 100_004
+    everything(theirs)
+    ours.flush()
+    assert ours.unsent == 0
+    ours.send(b"with room")
+    assert ours.unsent == 0
+    ours.close()
+    theirs.close()

@@ -4,7 +4,7 @@ import signal
 import pytest
 
 from onika.host.units import supervisor as room
-from onika.host.units.supervisor import HELD_NS, SILENT_NS, SLOW_NS, UNLOOKED_NS, Supervisor
+from onika.host.units.supervisor import HELD_NS, MOST_UNSENT, SILENT_NS, SLOW_NS, UNLOOKED_NS, Supervisor
 from onika.words.reason import NOTHING, Reason
 
 PUPPET = """
@@ -124,6 +124,17 @@ def test_announced_work_may_take_longer(supervisor, clock):  # law 30
     assert supervisor.troubles() == []
     clock[0] += 1
     assert len(supervisor.troubles()) == 1
+
+
+def test_a_process_that_leaves_its_commands_unread_does_not_fill_the_memory(supervisor, clock):  # law 30
+    process = up(supervisor)
+    beat(process, clock)
+    process.post.unsent = MOST_UNSENT
+    assert supervisor.troubles() == []
+    process.post.unsent += 1
+    expected = Reason.of("host.commands_unread", name="rt0", megabytes=64)
+    assert supervisor.troubles() == [(process, expected)]
+    assert process.process.poll() == -signal.SIGKILL
 
 
 def test_a_process_that_does_not_look_at_its_code_any_more_is_ended(supervisor, clock):  # law 14

@@ -18,6 +18,8 @@ class ProcessSocket:
     def __init__(self, end: socket.socket) -> None:
         self._socket = end
         self._outbox: deque[tuple[bytes, tuple[int, ...]]] = deque()
+        self.unsent = 0
+        """How many bytes wait to be sent, because the other end does not read."""
         self.is_closed = False
         self._buffer = bytearray(_LARGEST)  # one for all: to make it anew would cost more than to receive
         self._view = memoryview(self._buffer)
@@ -54,6 +56,7 @@ class ProcessSocket:
             except OSError:
                 pass  # `flush` finds out why
         self._outbox.append((body, descriptors))
+        self.unsent += len(body)
         self.flush()
 
     def flush(self) -> None:
@@ -68,12 +71,12 @@ class ProcessSocket:
             except BlockingIOError:
                 return
             except OSError as wrong:
-                self._outbox.popleft()
+                self._drop_first()
                 if wrong.errno == errno.EMSGSIZE:
                     raise ValueError(f"a datagram of {len(body)} bytes is too large for this system") from None
                 self.is_closed = True
                 return
-            self._outbox.popleft()
+            self._drop_first()
 
     def receive(self) -> tuple[bytes, list[int]] | None:
         """The next datagram and its descriptors, or None; `is_closed` when the other end is gone."""
@@ -88,6 +91,10 @@ class ProcessSocket:
             self.is_closed = True
             return None
         return bytes(self._view[:size]), _descriptors(words)
+
+    def _drop_first(self) -> None:
+        body, _ = self._outbox.popleft()
+        self.unsent -= len(body)
 
     def close(self) -> None:
         """Let go."""

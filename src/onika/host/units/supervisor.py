@@ -23,6 +23,9 @@ SLOW_NS = 15_000_000_000
 UNLOOKED_NS = 5_000_000_000
 """A process that has not looked at its own code for so long, as it does each second, was kept from it by a module."""
 
+MOST_UNSENT = 1 << 26
+"""A process that has left more bytes of commands unread than that does not get any further ones."""
+
 
 @dataclass(slots=True)
 class Supervised:
@@ -46,6 +49,8 @@ class Supervised:
             return self._ended(code)
         if not self.is_up:
             return self._stopped_at_start(now_ns)
+        if self.post.unsent > MOST_UNSENT:
+            return Reason.of("host.commands_unread", name=self.title, megabytes=MOST_UNSENT >> 20)
         silent = now_ns - self.heartbeat.last_ns
         patience = SLOW_NS if self.heartbeat.takes_long else SILENT_NS
         if silent <= patience:
