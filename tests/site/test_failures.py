@@ -362,6 +362,13 @@ def test_a_module_with_a_thread_that_spins_hangs_nobody(tmp_path):  # law 30
         assert console.left_over() == []
 
 
+def test_in_virtual_time_a_thread_that_spins_and_a_flood_of_words_hang_nobody(tmp_path):  # law 30
+    spin = "threading.Thread(target=lambda: [one for one in iter(int, 1)], daemon=True).start()"
+    with sick(tmp_path, f"{spin}; sys.stdout.write('x' * 4_000_000)", "--virtual", seconds=0.3) as console:
+        assert console.result()["state"] == "completed"
+        assert console.left_over() == []
+
+
 def test_in_virtual_time_a_module_that_raises_is_named_too(tmp_path):  # R-A09, R-X08
     with CliProcess("run", program(tmp_path, 'raise ValueError("bang")'), "--virtual", "--json") as console:
         assert "sick is in error: cycle: ValueError: bang" in aborted(console)["cause"]
@@ -380,6 +387,21 @@ def test_in_virtual_time_a_module_that_ends_the_runtime_is_survived(tmp_path, ac
         cause = aborted(console)["cause"]
     assert "the runtime is gone" in cause
     assert how in cause
+
+
+CHANGED = (
+    "import locale; locale.setlocale(locale.LC_ALL, 'C'); os.chdir('/'); os.environ.clear(); "
+    "[signal.signal(each, signal.SIG_IGN) for each in (signal.SIGTERM, signal.SIGINT, signal.SIGPIPE)]; "
+    "os.fork() or os._exit(0); endless = lambda: endless(); globals().update(endless=endless); endless()"
+)
+"""Everything of a process that all of its tasks share; then it calls itself without end."""
+
+
+@pytest.mark.parametrize("mode", [(), ("--virtual",)], ids=["wall", "virtual"])
+def test_changed_signals_locale_directory_and_environment_keep_no_end_from_coming(tmp_path, mode):  # R-E10, law 30
+    with sick(tmp_path, CHANGED, *mode) as console:
+        assert "sick is in error: cycle: RecursionError" in aborted(console)["cause"]
+    assert_held_in_time(console)
 
 
 def test_in_virtual_time_control_c_stops_the_run(tmp_path):  # R-E07
