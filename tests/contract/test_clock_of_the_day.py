@@ -1,0 +1,48 @@
+"""Nothing waits by the clock of the day: it may jump, by an hour or by a second, and no lease or deadline with it.
+
+The few files that look at it write down when something happened, for people to read.
+"""
+
+import ast
+from pathlib import Path
+
+import onika
+
+HOUSE = Path(onika.__file__).parent
+TELL_PEOPLE = {
+    "cli/own.py",
+    "desk/console/readings_log.py",
+    "desk/environment/diary.py",
+    "desk/environment/outcome/services.py",
+    "host/recording/black_box.py",
+    "host/recording/run_description.py",
+    "host/sessions/audit_trail.py",
+    "web/hub.py",
+}
+OF_THE_DAY = {("time", "time"), ("time", "time_ns"), ("datetime", "now"), ("datetime", "utcnow"), ("date", "today")}
+
+
+def looks_at_the_day(source: str) -> bool:
+    names = {
+        (node.value.id, node.attr)
+        for node in ast.walk(ast.parse(source))
+        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name)
+    }
+    imported = {
+        ("time", alias.name)
+        for node in ast.walk(ast.parse(source))
+        if isinstance(node, ast.ImportFrom) and node.module == "time"
+        for alias in node.names
+    }
+    return bool((names | imported) & OF_THE_DAY)
+
+
+def test_only_what_tells_people_when_something_was_looks_at_the_clock_of_the_day():  # R-F01
+    files = {str(path.relative_to(HOUSE)) for path in HOUSE.rglob("*.py") if looks_at_the_day(path.read_text())}
+    assert files == TELL_PEOPLE
+
+
+def test_a_file_that_would_wait_by_it_is_noticed():
+    assert looks_at_the_day("import time\nuntil = time.time() + 3")
+    assert looks_at_the_day("from time import time_ns")
+    assert not looks_at_the_day("from time import monotonic_ns\nuntil = monotonic_ns()")
