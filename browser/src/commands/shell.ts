@@ -11,6 +11,7 @@ import { openBlank, save } from '../act/opening'
 import { checkMemory, saveReadings } from '../monitor/memory'
 import { stopEverything } from '../shell/stopping'
 import { startTutorial } from '../help/tutorial.svelte'
+import { say } from '../texts/say'
 import { t } from '../texts/index.svelte'
 
 const isOpen = (): boolean => shownOne() !== undefined
@@ -121,6 +122,23 @@ command({
   keys: ['Ctrl+Shift+Z', 'Ctrl+Y'],
   when: () => !!shownOne()?.redo,
   run: () => act({ t: 'Redo', doc: shownId() }),
+})
+
+command({
+  id: 'edit.undoOwn',
+  group: 'edit',
+  title: () => t('edit.undoOwn', { what: say(desk.tree.own_undo) }),
+  keys: ['Alt+Z'],
+  when: () => !!say(desk.tree.own_undo),
+  run: () => act({ t: 'UndoOwn' }),
+})
+command({
+  id: 'edit.redoOwn',
+  group: 'edit',
+  title: () => t('edit.redoOwn', { what: say(desk.tree.own_redo) }),
+  keys: ['Alt+Shift+Z'],
+  when: () => !!say(desk.tree.own_redo),
+  run: () => act({ t: 'RedoOwn' }),
 })
 
 const findField = (): HTMLInputElement | null => document.querySelector('.library [role=searchbox]')

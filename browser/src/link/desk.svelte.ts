@@ -18,6 +18,8 @@ export function fullTree(tree: Tree): FullTree {
     documents: {},
     files: {},
     loads: {},
+    own_undo: plain(''),
+    own_redo: plain(''),
     clipboard: '',
     runtime: {},
     preferences: {},

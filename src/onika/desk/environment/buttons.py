@@ -5,6 +5,7 @@ from dataclasses import replace
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.restoration import own_step
 from onika.files import buttons as file
 from onika.model.button import Button
 from onika.store.opened_text import OpenedText
@@ -50,7 +51,17 @@ def set_button(model: Model, command: act.SetButton, outside: Services) -> Done 
     opened, faults = outside.site.open_buttons()
     if opened is None and faults:
         return No(Reason.of("run.buttons_left", faults=tuple(fault.sentence for fault in faults)))
-    return _saved(model, _changed(opened.value if opened else (), button), opened, outside)
+    former = opened.value if opened else ()
+    done = _saved(model, _changed(former, button), opened, outside)
+    if isinstance(done, No):
+        return done
+    there = next((other for other in former if other.name == name), Button(name, "", False))
+    step = own_step(Reason.of("run.changing_button", name=name), _setting(there), _setting(button))
+    return replace(done, own=step if there != button else None)
+
+
+def _setting(button: Button) -> act.SetButton:
+    return act.SetButton(button.name, button.command, button.spawns_terminal)
 
 
 def _find(model: Model, name: str) -> Button | None:

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from onika.desk.environment import buttons, diary, own_copies, preferences
+from onika.desk.environment import buttons, diary, own_copies, own_undo, preferences
 from onika.desk.environment.canvas import (
     check,
     clipboard,
@@ -101,6 +101,8 @@ HANDLERS: Mapping[type, Handler] = {
     act.Press: buttons.press,
     act.Halt: buttons.halt,
     act.SetButton: buttons.set_button,
+    act.UndoOwn: own_undo.undo_own,
+    act.RedoOwn: own_undo.redo_own,
     act.Note: diary.note,
     act.OpenInPlace: in_place.open_in_place,
     act.Rate: retuning.rate,

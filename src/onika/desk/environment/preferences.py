@@ -9,6 +9,7 @@ from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state import settings
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.preference_values import preference_values
+from onika.desk.environment.state.restoration import own_step
 from onika.desk.environment.state.settings import Settings
 from onika.model.preferences import STATUS_COLUMNS
 from onika.wire import act, page
@@ -47,7 +48,10 @@ def prefer(model: Model, command: act.Prefer, outside: Services) -> Done | No:
         settings=replace(model.settings, **of_settings),
         libraries=model.libraries if not of_file else replace(model.libraries, preferences=preferred),
     )
-    return Done(changed, says=tuple(_kept(of_file, of_settings, outside)))
+    before = {name: now[name] for name in taken}
+    step = own_step(Reason.of("run.changing_preferences"), act.Prefer(before), act.Prefer(taken))
+    own = step if before != taken else None
+    return Done(changed, says=tuple(_kept(of_file, of_settings, outside)), own=own)
 
 
 def leave(model: Model, outside: Services) -> Refusal | None:

@@ -89,7 +89,15 @@ from onika.wire.act.library import (
     SaveTask as SaveTask,
     WriteText as WriteText,
 )
-from onika.wire.act.own import Halt as Halt, Note as Note, Prefer as Prefer, Press as Press, SetButton as SetButton
+from onika.wire.act.own import (
+    Halt as Halt,
+    Note as Note,
+    Prefer as Prefer,
+    Press as Press,
+    RedoOwn as RedoOwn,
+    SetButton as SetButton,
+    UndoOwn as UndoOwn,
+)
 from onika.wire.act.own_copy import (
     BringBack as BringBack,
     CompareWithShipped as CompareWithShipped,
@@ -209,6 +217,8 @@ AnyAct = (
     | Press
     | Halt
     | SetButton
+    | UndoOwn
+    | RedoOwn
     | Note
     | NewApplication
     | InsertIcon

@@ -67,6 +67,9 @@ class Tree(View, frozen=True):
     """1024 digits each, by their keys; those of the start and end icons are `start` and `end`."""
     icon_clipboard: Reason = NOTHING
     """The icons in the buffer, in words."""
+    own_undo: Reason = NOTHING
+    """What was changed last outside of open files, and would be taken back (X10); empty: nothing."""
+    own_redo: Reason = NOTHING
     run: RunView | None = None
     review: ReviewView | None = None
     keeping: KeepingView | None = None

@@ -14,6 +14,7 @@ from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state import task_edit
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import OpenLibraries
+from onika.desk.environment.state.restoration import own_step
 from onika.files import rmod
 from onika.files.rmod import RmodText
 from onika.model.task import LocalLine, Task, TaskType
@@ -63,7 +64,11 @@ def library_rate(model: Model, command: act.LibraryRate, _outside: Services) -> 
         reason = Reason.of("desk.rate_form", hz=str(command.hz))
         return No(Reason.of("desk.rate_unfit", task=command.task, why=reason), fields={"hz": reason})
     rate = None if command.hz == task.frequency else command.hz
-    return Done(replace(model, libraries=model.libraries.rated({command.task: rate})))
+    former = model.libraries.rates.get(command.task) or task.frequency or command.hz
+    before, label = act.LibraryRate(command.task, former), Reason.of("run.changing_rate", task=command.task)
+    step = own_step(label, before, act.LibraryRate(command.task, command.hz))
+    own = step if former != command.hz else None
+    return Done(replace(model, libraries=model.libraries.rated({command.task: rate})), own=own)
 
 
 def local(model: Model, command: act.Local, _outside: Services) -> Done | No:

@@ -50,6 +50,8 @@ def redo(model: Model, file: AnyFile, command: act.Redo, _outside: Services) -> 
 
 def stepped(before: Model, done: Done, by: str, command: act.AnyAct) -> Model:
     """With one more step in the history of what was changed, as `done` says; taking back is none."""
+    if done.own is not None:
+        return replace(done.model, own=done.model.own.done(replace(done.own, by=by)))
     old, new = before.file(done.doc), done.model.file(done.doc)
     if not done.label or isinstance(command, act.Undo | act.Redo):
         return done.model

@@ -15,6 +15,7 @@ from onika.desk.environment.state.dictionary import home_of
 from onika.desk.environment.state.icon_words import forgotten, told_again
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.picture_digits import painted
+from onika.desk.environment.state.restoration import FileText, own_step
 from onika.desk.environment.state.target_items import items_of
 from onika.model.onikon import Onikon
 from onika.model.picture import Picture
@@ -60,7 +61,9 @@ def edit_onikon(model: Model, command: act.EditOnikon, outside: Services) -> Don
     if is_copy and is_shipped(home.path):
         text = Reason.of("desk.icon_own", name=command.onikon, path=str(saved.path), base=home.path.name, lost=lost)
     now = shown_at_once(model, saved.path, outside.site)
-    return Done(now, value=str(saved.path), says=(page.Say("success", text), *kept(saved.path, former, outside)))
+    label, file = Reason.of("run.changing_icon", name=command.onikon), FileText(saved.path, former or None)
+    says = (page.Say("success", text), *kept(saved.path, former, outside))
+    return Done(now, value=str(saved.path), says=says, own=own_step(label, file, FileText.of(saved.path)))
 
 
 def remove_onikon(model: Model, command: act.RemoveOnikon, outside: Services) -> Done | No:
@@ -82,7 +85,9 @@ def remove_onikon(model: Model, command: act.RemoveOnikon, outside: Services) ->
         return No(Reason.of("desk.not_deleted", path=str(opened.path), why=system_reason(error)))
     now = shown_at_once(model, opened.path, outside.site)
     says = page.Say("success", Reason.of("desk.icon_deleted", name=command.onikon))
-    return Done(now, says=(says, *kept(opened.path, former, outside)))
+    label = Reason.of("run.deleting_icon", name=command.onikon)
+    step = own_step(label, FileText(opened.path, former), FileText(opened.path, None))
+    return Done(now, says=(says, *kept(opened.path, former, outside)), own=step)
 
 
 def _found(model: Model, name: str) -> tuple[BaseDirectory, OpenedText[Onikon]] | No:

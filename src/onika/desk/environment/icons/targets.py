@@ -11,6 +11,7 @@ from onika.desk.environment.state.dictionary import home_of
 from onika.desk.environment.state.icon_types import role_of
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.picture_digits import painted
+from onika.desk.environment.state.restoration import FileText, own_step
 from onika.desk.environment.state.target_items import items_of
 from onika.desk.plan.icon_names import a_kind, kind_named
 from onika.model.onikon import Onikon
@@ -51,13 +52,15 @@ def make_target(model: Model, command: act.MakeTarget, outside: Services) -> Don
         raise TypeError(f"expected what was looked at before, found {typed!r}")
     onikon = Onikon(command.name, kind.name, " ".join(command.description.split()), typed, picture)
     former = home.open_onikon(command.name, model.syntax)[0] if model.syntax and command.overwrites else None
+    before = FileText.of(home.onikon_file(command.name))
     saved = home.save_onikon(onikon, former, overwrites=command.overwrites)
     if isinstance(saved, Refusal):
         again = msgspec.structs.replace(command, overwrites=True)
         return No(saved.reason, overwriting(saved, again, Reason.of("desk.replace_it")))
     text = Reason.of("desk.target_made", name=command.name, kind=a_kind(kind.name), path=str(saved.path))
     now = shown_at_once(model, saved.path, outside.site)
-    return Done(now, value=command.name, says=(page.Say("success", text),))
+    step = own_step(Reason.of("run.making_target", name=command.name), before, FileText.of(saved.path))
+    return Done(now, value=command.name, says=(page.Say("success", text),), own=step)
 
 
 def _kind(model: Model, name: str) -> IconType | No:

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any, Protocol, TypeVar
 
 from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.restoration import OwnStep
 from onika.wire import page
 from onika.wire.request import Request, Response
 from onika.wire.view import Remedy
@@ -89,6 +90,8 @@ class Done:
     says: tuple[page.Say, ...] = ()
     news: tuple[News, ...] = ()
     """What has come that acts may wait for."""
+    own: OwnStep | None = None
+    """A step that belongs to no open file."""
     awaits: SubsystemChange | None = None
     """The change of a running system that this leads to: the act is answered when it is accepted."""
 

@@ -67,6 +67,8 @@ class Projector:
             applications=self._applications(model),
             icon_clipboard=several(model.icon_clipboard) if model.icon_clipboard else NOTHING,
             **self._dictionaries(model),
+            own_undo=model.own.last.label if model.own.last else NOTHING,
+            own_redo=model.own.next.label if model.own.next else NOTHING,
             run=model.run.view if model.run is not None else None,
             review=model.review_session.view(model.applications) if model.review_session is not None else None,
             keeping=model.keeping,

@@ -11,8 +11,10 @@ from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.state.clipboard import Clipboard
 from onika.desk.environment.state.dictionary import Dictionary
 from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.history import History
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.environment.state.open_libraries import OpenLibraries
+from onika.desk.environment.state.restoration import OwnHistory
 from onika.desk.environment.state.settings import Settings
 from onika.model.application import Step
 from onika.model.button import Button
@@ -65,6 +67,8 @@ class Model:
     """Those of the start and end icons, 1024 digits each."""
     cycles_us: Mapping[str, float] = field(default_factory=dict)
     """The mean time of a cycle in microseconds, by the digest of the code, as a runtime has measured it (X13)."""
+    own: OwnHistory = field(default_factory=History)
+    """What was changed outside of open files, to be taken back (X10)."""
     run: Run | None = None
     """The run of an application that goes on now, or the last one."""
     review_session: ReviewSession | None = None
