@@ -1,5 +1,6 @@
+from onika.model.lifecycle import State
 from onika.model.rules.order import Ports
-from onika.model.rules.starvation import starved
+from onika.model.rules.starvation import starved, writer_failed
 
 
 def task(name, reads="", writes=""):
@@ -40,3 +41,8 @@ def test_nothing_comes_through_hardware_and_nobody_starves_itself():  # law 4
     assert starved(SERVO, [*EVERYBODY, follower], {*HARDWARE, "follower"}) == {"puma": "TAU_PD"}
     assert starved(ARM, EVERYBODY, HARDWARE) == {}
     assert starved(ARM, [*EVERYBODY, follower], {*HARDWARE, "follower"}) == {"follower": "Q_MEZ"}
+
+
+def test_why_a_device_is_not_driven_on_names_task_variable_and_state():  # law 4
+    said = str(writer_failed("pd", "TAU_PD", State.ERROR))
+    assert said == "task pd, which wrote TAU_PD, is ERROR: the device is not driven on with that"

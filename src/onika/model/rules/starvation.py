@@ -15,9 +15,7 @@ def starved(failed: Ports, working: Iterable[Ports], hardware: Collection[str]) 
     tasks = [task for task in working if task.name != failed.name]
     origins = {variable: variable for variable in failed.outvar}
     fed: dict[str, str] = {}
-    reached = -1
-    while reached != len(origins):
-        reached = len(origins)
+    for _ in tasks:  # each time at least one more task is reached, if any
         for task in tasks:
             stale = next((origins[variable] for variable in task.invar if variable in origins), None)
             if stale is None:
