@@ -815,6 +815,13 @@ export interface Reset {
   t: 'Reset';
 }
 
+/** Ask for values of variables at every cycle, as a scope shows them (C14); the value is a tuple of `view.SampledView`. */
+export interface SampleVariables {
+  t: 'SampleVariables';
+  variables: (string)[];
+  after?: (number)[];
+}
+
 /** Ask for what a world consists of; replied with it. */
 export interface Scene {
   t: 'Scene';
@@ -1208,6 +1215,17 @@ export interface ReplacedView {
   moment_s: number;
   lines: number;
   is_there?: boolean;
+}
+
+/** Values of a variable that came, each at a time, at every cycle of the task that writes it. */
+export interface SampledView {
+  variable: string;
+  last: number;
+  missed?: number;
+  labels?: (string)[];
+  at_s?: (number)[];
+  rows?: ((number)[])[];
+  reason?: Reason | null;
 }
 
 /** The tasks of every flow that is not nested, by its subsystem; where there are several, those of all by "". */
@@ -1759,6 +1777,6 @@ export interface Numbered {
   cid: number;
 }
 
-export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | SaveTask | ForgetTask | ReadText | WriteText | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | Connect | Disconnect | Turn | Toggle | Clear | Reinit | Renew | AskModule | TellModule | CheckMemory | LogReadings | Answer | Stop | Reset | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | UndoOwn | RedoOwn | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Run | Redirect | Seats | Steer | SkipTo | Dismiss | StartAnew | Preflight | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
+export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | SaveTask | ForgetTask | ReadText | WriteText | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | Connect | Disconnect | Turn | Toggle | Clear | Reinit | Renew | AskModule | TellModule | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | UndoOwn | RedoOwn | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Run | Redirect | Seats | Steer | SkipTo | Dismiss | StartAnew | Preflight | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
 export type AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say;
 export type AnyShow = ShowTask | ShowPin | ShowLocus | ShowSource | ShowAnswer | ShowLibraryTask | ShowLibraries | ShowConnect | ShowSaveAs | ShowStep | ShowFits | ShowValues | ShowLoop | ShowConfiguration | ShowOnikon | ShowTarget;

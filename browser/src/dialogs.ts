@@ -11,6 +11,7 @@ import WhatIfPanel from './foresight/WhatIfPanel.svelte'
 import HelpSheet from './help/HelpSheet.svelte'
 import HoldingPanel from './holding/HoldingPanel.svelte'
 import JobPanel from './picture/JobPanel.svelte'
+import ScopePanel from './monitor/ScopePanel.svelte'
 import RedirectPanel from './redirect/RedirectPanel.svelte'
 import RecordingsPanel from './review/RecordingsPanel.svelte'
 import KeepPanel from './run/KeepPanel.svelte'
@@ -40,6 +41,7 @@ export const DIALOGS: Partial<Record<DialogName, Component>> = {
   redirect: RedirectPanel,
   saveAs: SaveAsPanel,
   saveGroup: SaveGroupPanel,
+  scope: ScopePanel,
   source: SourcePanel,
   target: TargetPanel,
   whatIf: WhatIfPanel,

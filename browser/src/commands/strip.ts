@@ -1,5 +1,6 @@
 // Commands of the strip: its tables, plots, questions and the workcell.
 import { command } from '../state/commands'
+import { openDialog } from '../state/dialogs.svelte'
 import { desk } from '../link/desk.svelte'
 import { canvas, type StripTab } from '../state/canvas.svelte'
 import { watchAgain } from '../values/frames'
@@ -30,6 +31,7 @@ command({
   when: () => canvas.pickedLocus !== '',
   run: () => plot(canvas.pickedLocus),
 })
+command({ id: 'strip.scope', title: () => t('scope.open'), group: 'view', run: () => openDialog('scope') })
 command({
   id: 'strip.closePlots',
   title: () => t('strip.closePlots'),

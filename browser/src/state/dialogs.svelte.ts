@@ -18,6 +18,7 @@ export type DialogName =
   | 'redirect'
   | 'saveAs'
   | 'saveGroup'
+  | 'scope'
   | 'sheet'
   | 'source'
   | 'target'

@@ -802,6 +802,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "desk.not_read": "no se lee",
   "desk.not_readable_now": "el archivo no se puede leer ahora",
   "desk.not_repeatable": "se esperaba una ejecución que se repita (law 15); {given}",
+  "desk.not_sampled": "un osciloscopio muestra variables de configuraciones conectadas y de aplicaciones en marcha",
   "desk.not_so": "no es así",
   "desk.not_so_within": "que no es así en {seconds:g} s",
   "desk.nothing_checked": "no se comprueba nada",

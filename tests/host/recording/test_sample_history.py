@@ -105,3 +105,5 @@ def test_of_an_entry_made_anew_values_go_on_under_later_numbers():
     put(anew, 7)
     trace.take(anew, 2 * MS, MS, 0)
     assert numbers(trace.since(3)[1]) == [7]
+    assert numbers(trace.since(4)[1]) == []
+    assert numbers(trace.since(99)[1]) == [1, 2, 3, 7]  # they were counted by another history

@@ -14,6 +14,7 @@ from onika.desk.environment.canvas import (
     library_tasks,
     placement,
     retuning,
+    sampling,
     source_texts,
     task_commands,
 )
@@ -118,6 +119,7 @@ HANDLERS: Mapping[type, Handler] = {
     act.TellModule: inspection.tell_module,
     act.CheckMemory: inspection.check_memory,
     act.LogReadings: inspection.log_readings,
+    act.SampleVariables: sampling.sample,
     act.Answer: steering_run.answer,
     act.Stop: control_authority.stop,
     act.Reset: control_authority.reset,

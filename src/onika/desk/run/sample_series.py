@@ -29,7 +29,7 @@ class SampleSeries:
         values = np.frombuffer(trace.values, dtype=shape.type.code).reshape(-1, shape.count)
         self.rows += values.astype(float).tolist()
         for stretch in trace.stretches:
-            if self.last:
+            if 0 < self.last < stretch.first:  # else they are counted anew
                 self.missed += stretch.first - self.last - 1
             self.last = stretch.first + stretch.count - 1
             self.times += [stretch.begin_ns + place * stretch.step_ns for place in range(stretch.count)]

@@ -58,7 +58,9 @@ class SampleHistory:
         self._forget(now - KEPT_NS)
 
     def since(self, after: int) -> tuple[tuple[SampleStretch, ...], bytes]:
-        """The values whose numbers come after this one, as many as one answer holds."""
+        """The values whose numbers come after this one, as many as one answer holds; all, where it is not there yet."""
+        if after > self._last:
+            after = 0
         stretches: list[SampleStretch] = []
         values = bytearray()
         for piece in self._pieces:

@@ -137,6 +137,7 @@ from onika.wire.act.running import (
     Reinit as Reinit,
     Renew as Renew,
     Reset as Reset,
+    SampleVariables as SampleVariables,
     Scene as Scene,
     Stop as Stop,
     TellModule as TellModule,
@@ -198,6 +199,7 @@ AnyAct = (
     | TellModule
     | CheckMemory
     | LogReadings
+    | SampleVariables
     | Answer
     | Stop
     | Reset

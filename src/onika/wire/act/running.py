@@ -90,6 +90,16 @@ class LogReadings(Act, frozen=True):
     doc: str
 
 
+class SampleVariables(Act, frozen=True):
+    """Ask for values of variables at every cycle, as a scope shows them (C14); the value is a tuple of
+    `view.SampledView`."""
+
+    variables: tuple[str, ...]
+    """As `DOC/NAME` or `@SUBSYSTEM/NAME`, at most 16."""
+    after: tuple[int, ...] = ()
+    """Of each the number of the last value that came; empty: all that are kept are wanted."""
+
+
 class Answer(Act, frozen=True):
     """Answer what a task asks, in the words of an argument line (C13)."""
 

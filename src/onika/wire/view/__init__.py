@@ -40,6 +40,7 @@ from onika.wire.view.reply import (
     PeekIcon as PeekIcon,
     PeekView as PeekView,
     ReplacedView as ReplacedView,
+    SampledView as SampledView,
     SeatsView as SeatsView,
     SeatView as SeatView,
     TextView as TextView,

@@ -25,6 +25,23 @@ class TwoTextsView(View, frozen=True):
     shipped_text: str
 
 
+class SampledView(View, frozen=True):
+    """Values of a variable that came, each at a time, at every cycle of the task that writes it."""
+
+    variable: str
+    last: int
+    """The number of the last one, to be asked for what comes after it."""
+    missed: int = 0
+    """How many before these, and between them, were lost."""
+    labels: tuple[str, ...] = ()
+    """Of its elements, as columns of a table are called."""
+    at_s: tuple[float, ...] = ()
+    rows: tuple[tuple[float, ...], ...] = ()
+    """At each time the elements."""
+    reason: Reason | None = None
+    """Why no more comes."""
+
+
 class ReplacedView(View, frozen=True):
     """A text that can be brought back: where it was, and until when, in s since 1970."""
 

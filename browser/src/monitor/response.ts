@@ -1,0 +1,86 @@
+// How a measurement follows its reference: numbers only, of samples in the order of their times.
+
+/** A course in time: at each time its value. */
+export interface Course {
+  t: ArrayLike<number>
+  y: ArrayLike<number>
+}
+
+/** Measures of a step: times in s, parts of the step; NaN where there is none. */
+export interface Response {
+  /** From 10 % to 90 % of the way. */
+  rise_s: number
+  /** How far it goes beyond the target, as a part of the step. */
+  overshoot: number
+  /** From the step until it stays within 2 % of the step about the target. */
+  settling_s: number
+  /** Reference less measurement, over the last tenth of the time. */
+  steadyError: number
+  /** Root of the mean square of reference less measurement. */
+  rms: number
+}
+
+const FROM = 0.1
+const TO = 0.9
+const BAND = 0.02
+const REST = 0.1
+
+/** The value in force at each of the times: a state variable holds its last one. NaN before the first. */
+export function held(course: Course, times: ArrayLike<number>): Float64Array {
+  const values = new Float64Array(times.length)
+  let k = -1
+  for (let n = 0; n < times.length; n += 1) {
+    while (k + 1 < course.t.length && course.t[k + 1]! <= times[n]! + 1e-9) k += 1
+    values[n] = k < 0 ? NaN : course.y[k]!
+  }
+  return values
+}
+
+/** How `measured` follows `reference`, whose first step counts; times are those of the measurement. */
+export function response(reference: Course, measured: Course): Response {
+  const { t, y } = measured
+  const wanted = held(reference, t)
+  const begin = wanted.findIndex((value) => !Number.isNaN(value))
+  const none = { rise_s: NaN, overshoot: NaN, settling_s: NaN, steadyError: NaN, rms: NaN }
+  if (begin < 0) return none
+  const errors = Array.from({ length: t.length - begin }, (_, k) => wanted[begin + k]! - y[begin + k]!)
+  const rest = errors.slice(Math.floor(errors.length * (1 - REST)))
+  const whole = { ...none, steadyError: mean(rest), rms: Math.sqrt(mean(errors.map((error) => error * error))) }
+  const at = wanted.findIndex((value, k) => k > begin && value !== wanted[begin])
+  return at < 0 ? whole : { ...whole, ...step(t, y, at, wanted[wanted.length - 1]!) }
+}
+
+/** Of the step that is wanted from this sample on. */
+function step(
+  t: ArrayLike<number>,
+  y: ArrayLike<number>,
+  at: number,
+  target: number,
+): Pick<Response, 'rise_s' | 'overshoot' | 'settling_s'> {
+  const from = y[at]!
+  const size = target - from
+  if (size === 0) return { rise_s: NaN, overshoot: NaN, settling_s: NaN }
+  const way = (k: number): number => (y[k]! - from) / size
+  const from_s = reached(t, way, at, FROM)
+  const to_s = reached(t, way, at, TO)
+  let most = 0
+  let last = at - 1
+  for (let k = at; k < t.length; k += 1) {
+    most = Math.max(most, way(k) - 1)
+    if (Math.abs(way(k) - 1) > BAND) last = k
+  }
+  const settling_s = last + 1 < t.length ? t[last + 1]! - t[at]! : NaN
+  return { rise_s: to_s - from_s, overshoot: most, settling_s }
+}
+
+/** When a part of the way was reached first, between two samples where it lies between them. */
+function reached(t: ArrayLike<number>, way: (k: number) => number, at: number, part: number): number {
+  for (let k = at + 1; k < t.length; k += 1) {
+    if (way(k) < part) continue
+    const before = way(k - 1)
+    return before >= part ? t[k - 1]! : t[k - 1]! + ((part - before) / (way(k) - before)) * (t[k]! - t[k - 1]!)
+  }
+  return NaN
+}
+
+const mean = (values: readonly number[]): number => values.reduce((sum, value) => sum + value, 0) / values.length
