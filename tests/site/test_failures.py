@@ -6,11 +6,11 @@ Time is judged by the world's own log of its drives and by the runtime's own tim
 import os
 import signal
 import time
-from pathlib import Path
 
 import pytest
 
 from kit.cli_process import CliProcess
+from kit.failed_run import aborted, assert_held_in_time, failures
 from kit.laboratory import Laboratory, job, joints
 
 pytestmark = pytest.mark.site
@@ -46,7 +46,6 @@ class Sick(Module):
         {kill}
 """
 ARM = ("puma 500", "diff 500", "gravcomp 250", "pd 500", "torque_sum 500", "led_monitor 50")
-SILENCE_NS = 50_000_000
 
 
 def program(tmp_path, act="pass", init="pass", kill="pass", seconds=20.0):
@@ -58,31 +57,6 @@ def program(tmp_path, act="pass", init="pass", kill="pass", seconds=20.0):
     turn = 0.05 * seconds
     there = joints("there", turn, -1.57, 1.57, 0.0, 0.0, 0.0, duration=seconds)
     return str(laboratory.application("sick", [job("sickC", "Joint job"), there]))
-
-
-def aborted(console):
-    """The result of an aborted run, its cause in English, of which nothing is left behind."""
-    result = console.result()
-    if isinstance(result["cause"], dict):
-        result["cause"] = result["cause"]["text"]
-    assert (result["state"], result["exit"], console.code()) == ("aborted", 1, 1), result
-    assert console.left_over() == []
-    assert not [path for path in Path("/dev/shm").iterdir() if "onika" in path.name]
-    return result
-
-
-def assert_held_in_time(console):
-    """The first step of the world more than 50 ms after the last command no longer follows it."""
-    moves = [event for event in console.events if event["event"] == "drive"]
-    assert moves[0]["state"] == "DRIVEN"
-    held = moves[1]
-    assert held["state"] != "DRIVEN"
-    assert held["previous_step_ns"] - held["last_command_ns"] <= SILENCE_NS
-    assert "DRIVEN" not in [event["state"] for event in moves[1:]]
-
-
-def failures(console):
-    return {event["task"]: event for event in console.events if event["event"] == "failed"}
 
 
 def sick(tmp_path, act, *options, **settings):
@@ -231,105 +205,6 @@ def test_a_killed_command_line_takes_everything_with_it(tmp_path, mode):  # R-A1
         os.kill(console.pid, signal.SIGKILL)
         assert console.code() == -signal.SIGKILL
         assert console.left_over() == []
-
-
-@pytest.mark.parametrize("mode", [(), ("--virtual",)])
-def test_no_number_that_is_none_reaches_a_drive_through_the_variables(tmp_path, mode):  # law 5
-    laboratory = Laboratory(tmp_path)
-    laboratory.module(
-        "poison",
-        "import numpy as np\n"
-        "from onika.module import InConst, InVar, Module, OutVar\n"
-        "class Poison(Module):\n"
-        "    NDOF = InConst('int', '-', 'number of joints')\n"
-        "    TAU_PD = InVar('double[NDOF]', 'N m', 'torque of the servo')\n"
-        "    TAU_REF = OutVar('double[NDOF]', 'N m', 'wanted torque')\n"
-        "    def init(self):\n"
-        "        self._count = 0\n"
-        "    def cycle(self):\n"
-        "        self._count += 1\n"
-        "        self.TAU_REF = self.TAU_PD * (1.0 if self._count < 100 else np.nan)\n",
-    )
-    laboratory.task(
-        "poison",
-        "MODULE poison\nDESC bad\nINCONST NDOF\nOUTCONST none\n"
-        "INVAR TAU_PD\nOUTVAR TAU_REF\nTASKTYPE periodic\nFREQ 500",
-    )
-    laboratory.configuration("poisonC", "puma 500", "diff 500", "pd 500", "poison 500", "jtraj 250")
-    path = laboratory.application(
-        "poison", [job("poisonC", "Joint job"), joints("up", 0.0, -1.57, 1.57, 0.0, 0.0, 0.0)]
-    )
-    with CliProcess("run", str(path), "--json", *mode) as console:
-        cause = aborted(console)["cause"]
-    assert "puma is in error" in cause
-    assert "NaN or infinity in TAU_REF" in cause
-    assert_held_in_time(console)
-    assert [event["cause"] for event in console.events if event["event"] == "drive"][1] == "commanded to hold"
-
-
-@pytest.mark.parametrize("mode", [(), ("--virtual",)])
-def test_an_arm_is_not_driven_on_with_what_a_failed_task_wrote_though_the_run_waits(tmp_path, mode):  # law 4, R-E08
-    laboratory = Laboratory(tmp_path)
-    laboratory.module(
-        "relay",
-        "from onika.module import InConst, InVar, Module, ModuleError, OutVar\n"
-        "class Relay(Module):\n"
-        "    NDOF = InConst('int', '-', 'number of joints')\n"
-        "    TAU_PD = InVar('double[NDOF]', 'N m', 'torque of the servo')\n"
-        "    TAU_REF = OutVar('double[NDOF]', 'N m', 'wanted torque')\n"
-        "    def init(self):\n"
-        "        self._count = 0\n"
-        "    def cycle(self):\n"
-        "        self._count += 1\n"
-        "        if self._count == 100:\n"
-        "            raise ModuleError('ill')\n"
-        "        self.TAU_REF = self.TAU_PD\n",
-    )
-    laboratory.task(
-        "relay",
-        "MODULE relay\nDESC ill\nINCONST NDOF\nOUTCONST none\n"
-        "INVAR TAU_PD\nOUTVAR TAU_REF\nTASKTYPE periodic\nFREQ 500",
-    )
-    laboratory.configuration("relayC", "puma 500", "diff 500", "pd 500", "relay 500", "jtraj 250")
-    path = laboratory.application("relay", [job("relayC", "Joint job"), joints("up", 0.0, -1.57, 1.57, 0.0, 0.0, 0.0)])
-    with CliProcess("run", str(path), "--json", "--on-error", "wait", *mode) as console:
-        console.until(event="failed", task="puma")
-        console.interrupt()
-        aborted(console)
-    failed = failures(console)
-    assert "task relay, which wrote TAU_REF, is ERROR" in failed["puma"]["text"]
-    assert failed["puma"]["at_s"] == failed["relay"]["at_s"]
-    assert_held_in_time(console)
-    assert [event["cause"] for event in console.events if event["event"] == "drive"][1] == "commanded to hold"
-
-
-@pytest.mark.parametrize("mode", [(), ("--virtual",)])
-def test_no_number_that_is_none_reaches_a_drive_through_its_device(tmp_path, mode):  # law 5
-    laboratory = Laboratory(tmp_path)
-    laboratory.module(
-        "madhand",
-        "from onika.module import InVar, Module, OutVar\n"
-        "class Madhand(Module):\n"
-        "    hardware = True\n"
-        "    GRIP = InVar('double', '-', '+1 opens, -1 closes, 0 changes nothing')\n"
-        "    GRIP_MEZ = OutVar('double[3]', 'm,m/s,N', 'opening, its speed, force on a finger')\n"
-        "    def init(self):\n"
-        "        self._count = 0\n"
-        "    def cycle(self):\n"
-        "        self._count += 1\n"
-        "        self.GRIP_MEZ = self.device.read()\n"
-        "        self.device.write((1.0 if self._count < 50 else float('nan'),))\n",
-    )
-    laboratory.plain_task("madhand", reads="GRIP", writes="GRIP_MEZ", hz=250, local="DEVICE boxes:gripper_left\n")
-    laboratory.plain_task("opengrip", reads="GRIP_MEZ", writes="GRIP", hz=50, local="LEAST 9\nMOST 9\n")
-    laboratory.configuration("madC", "madhand 250", "opengrip 50")
-    with CliProcess("run", str(laboratory.application("mad", [job("madC")])), "--json", *mode) as console:
-        cause = aborted(console)["cause"]
-    assert "madhand is in error" in cause
-    assert "finite commands" in cause
-    causes = [event["cause"] for event in console.events if event["event"] == "drive"]
-    assert "command is not finite" not in causes
-    assert_held_in_time(console)
 
 
 def test_a_module_that_prints_megabytes_disturbs_nobody(tmp_path):  # law 30
