@@ -1,11 +1,14 @@
 """How a run ended that failed: its result, the tasks that failed, and whether every drive held in time."""
 
 from pathlib import Path
+from typing import Any
+
+from kit.cli_process import CliProcess
 
 SILENCE_NS = 50_000_000
 
 
-def aborted(console):
+def aborted(console: CliProcess) -> dict[str, Any]:
     """The result of an aborted run, its cause in English, of which nothing is left behind."""
     result = console.result()
     if isinstance(result["cause"], dict):
@@ -16,7 +19,7 @@ def aborted(console):
     return result
 
 
-def assert_held_in_time(console):
+def assert_held_in_time(console: CliProcess) -> None:
     """The first step of the world more than 50 ms after the last command no longer follows it."""
     moves = [event for event in console.events if event["event"] == "drive"]
     assert moves[0]["state"] == "DRIVEN"
@@ -26,5 +29,6 @@ def assert_held_in_time(console):
     assert "DRIVEN" not in [event["state"] for event in moves[1:]]
 
 
-def failures(console):
+def failures(console: CliProcess) -> dict[str, dict[str, Any]]:
+    """The event of each task that failed, by the task's name."""
     return {event["task"]: event for event in console.events if event["event"] == "failed"}

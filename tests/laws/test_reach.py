@@ -77,10 +77,10 @@ def test_the_same_arm_elsewhere_turns_its_joints_to_the_same_place_in_the_world(
 
 
 def test_the_elbow_stays_on_its_side_from_target_to_target():
-    nines = [nine_of_pose(pose_of(PUMA, q)) for q in (ABOVE_TRIANGLE, ABOVE_SQUARE) * 2]
+    poses = [nine_of_pose(pose_of(PUMA, q)) for q in (ABOVE_TRIANGLE, ABOVE_SQUARE) * 2]
     for elbow in (1.0, -1.0):
         near = np.array([-0.5 * elbow, 1.4 * elbow, 0.0, 0.0])
-        assert {float(np.sign(q[1])) for q in postures(SCARA, nines, near)} == {elbow}
+        assert {float(np.sign(q[1])) for q in postures(SCARA, poses, near)} == {elbow}
 
 
 def test_nine_numbers_that_are_no_pose_are_a_reason():

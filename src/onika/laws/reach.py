@@ -33,7 +33,7 @@ def poses(constants: Constants, targets: Sequence[Numbers]) -> list[Array]:
     return [nine_of_pose(arm.forward(target[:n])) for target in targets]
 
 
-def postures(constants: Constants, nines: Sequence[Numbers], near: Numbers | None = None) -> list[Array | str]:
+def postures(constants: Constants, poses: Sequence[Numbers], near: Numbers | None = None) -> list[Array | str]:
     """For each Cartesian target the joint values double[NDOF] nearest to those before it, or why there are none.
 
     The first is the one nearest to `near`, where nothing is said to the middle of all limits.
@@ -41,9 +41,9 @@ def postures(constants: Constants, nines: Sequence[Numbers], near: Numbers | Non
     inverse = _inverse(constants)
     here = 0.5 * (np.asarray(constants["QMIN"]) + np.asarray(constants["QMAX"])) if near is None else np.asarray(near)
     results: list[Array | str] = []
-    for nine in nines:
+    for pose in poses:
         try:
-            posture: Array | str = inverse.nearest(pose_of_nine(nine[:9]), here)
+            posture: Array | str = inverse.nearest(pose_of_nine(pose[:9]), here)
         except ValueError as wrong:
             posture = sentence_of(wrong)
         here = here if isinstance(posture, str) else posture

@@ -32,8 +32,8 @@ class Robot(Module):
         return [[values[0] / constants["SCALE"]] for values in targets]
 
     @classmethod
-    def postures(cls, constants, nines):
-        found = [nine[0] * constants["SCALE"] for nine in nines]
+    def postures(cls, constants, poses):
+        found = [nine[0] * constants["SCALE"] for nine in poses]
         return [[one] * constants["NDOF"] if abs(one) <= 10.0 else f"{one:g} is beyond" for one in found]
 """
 MOVE = """

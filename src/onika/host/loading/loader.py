@@ -128,7 +128,7 @@ def _fact(question: Question, facts: ModuleFacts) -> tuple[Any, Callable[[Any], 
         case AskPoses():
             return facts.poses(question.code, question.constants, question.targets), KnownPoses
         case AskPostures():
-            return facts.postures(question.code, question.constants, question.nines), Postures
+            return facts.postures(question.code, question.constants, question.poses), Postures
         case AskFit():
             objection = facts.fits(question.code, question.constants, question.device)
             return objection, lambda reason: Objections((reason,) if reason else ())

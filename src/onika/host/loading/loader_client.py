@@ -98,14 +98,14 @@ class LoaderClient:
         """The Cartesian targets that joint targets are for a robot module; None: it knows of no poses."""
         answer = self._ask(AskPoses(code, constants, targets), code)
         if isinstance(answer, KnownPoses):
-            return answer.nines
+            return answer.poses
         return fault_of(answer)
 
     def postures(
-        self, code: Code, constants: dict[str, Any], nines: list[list[float]]
+        self, code: Code, constants: dict[str, Any], poses: list[list[float]]
     ) -> list[list[float] | Reason] | Fault | None:
         """Joint values for Cartesian targets, each nearest to those before it, or why there are none."""
-        answer = self._ask(AskPostures(code, constants, nines), code)
+        answer = self._ask(AskPostures(code, constants, poses), code)
         if isinstance(answer, Postures):
             return answer.found
         return fault_of(answer)

@@ -46,7 +46,7 @@ class AskPostures(Struct, frozen=True, tag=True):
 
     code: Code
     constants: dict[str, Any]
-    nines: list[list[float]]
+    poses: list[list[float]]
 
 
 class AskFit(Struct, frozen=True, tag=True):
@@ -93,7 +93,7 @@ class Reach(Struct, frozen=True, tag=True):
 class KnownPoses(Struct, frozen=True, tag=True):
     """The answer to AskPoses; None: the robot knows of no poses."""
 
-    nines: list[list[float]] | None
+    poses: list[list[float]] | None
 
 
 class Postures(Struct, frozen=True, tag=True):

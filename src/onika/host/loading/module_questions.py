@@ -44,7 +44,7 @@ class ModuleQuestions(Protocol):
         ...
 
     def postures(
-        self, code: Code, constants: dict[str, Any], nines: list[list[float]]
+        self, code: Code, constants: dict[str, Any], poses: list[list[float]]
     ) -> list[list[float] | Reason] | Fault | None:
         """Joint values for Cartesian targets, each nearest to those before it, or why there are none."""
         ...

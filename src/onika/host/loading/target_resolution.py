@@ -107,14 +107,14 @@ class _Pair:
         """By way of the poses; what both take in the same way stays."""
         aims = list(self._counted(aims, theirs))
         values = [list(target.values) for _, target in aims]
-        nines = self._poses(self._old, theirs, values)
-        if nines is None:
+        poses = self._poses(self._old, theirs, values)
+        if poses is None:
             module = self._old.module
             self._refuse(aims, lambda target: Reason.of("host.poses_unknown", module=module, target=target))
             return
-        kept = self._kept(values, nines, ours) if theirs.get("NDOF") == ours.get("NDOF") else set()
+        kept = self._kept(values, poses, ours) if theirs.get("NDOF") == ours.get("NDOF") else set()
         changed = [k for k in range(len(aims)) if k not in kept]
-        postures = self._loading.postures(self._code[self._new.digest], ours, [nines[k] for k in changed])
+        postures = self._loading.postures(self._code[self._new.digest], ours, [poses[k] for k in changed])
         if isinstance(postures, Fault):
             self._found.faults.append(postures)
         elif postures is None:
@@ -162,7 +162,7 @@ class _Pair:
             return None
         return poses
 
-    def _kept(self, values: list[list[Any]], nines: list[list[float]], ours: dict[str, Any]) -> set[int]:
+    def _kept(self, values: list[list[Any]], poses: list[list[float]], ours: dict[str, Any]) -> set[int]:
         """The targets whose values bring the new robot to the same poses, within its limits."""
         code = self._code[self._new.digest]
         own = self._poses(self._new, ours, values)
@@ -171,7 +171,7 @@ class _Pair:
             return set()
         return {
             k
-            for k, (mine, theirs) in enumerate(zip(own, nines, strict=True))
+            for k, (mine, theirs) in enumerate(zip(own, poses, strict=True))
             if why[k] is None and max(abs(a - b) for a, b in zip(mine, theirs, strict=True)) <= _SAME
         }
 

@@ -65,6 +65,9 @@ class RunningTask:
         self._writes = self.binding.copies("out")
         self._checked_every = _cycles_to_check(spawn.frequency)
         self._views = views
+        declared = (port.port(name) for name, port in cls.declared_ports.items())
+        self._moved = tuple((port.name, port.kind.is_input) for port in declared if port.kind.at_cycle)
+        """The ports whose values move in every cycle, as loaded: a sick module may change what it declares."""
         self._wanted = cls.declared_inputs
         self._input: UserInput | None = None
         self.input_guard = self._make_input_guard() if cls.hardware else None
@@ -118,10 +121,8 @@ class RunningTask:
     def data_flow(self) -> Ports:
         """The variables that it reads and writes in every cycle."""
         bound = {port.port: port.svar for port in self.spawn.ports}
-        ports = [declared.port(name) for name, declared in type(self.module).declared_ports.items()]
-        moved = [(port.kind.is_input, bound[port.name]) for port in ports if port.kind.at_cycle]
-        reads = tuple(variable for is_input, variable in moved if is_input)
-        writes = tuple(variable for is_input, variable in moved if not is_input)
+        reads = tuple(bound[name] for name, is_input in self._moved if is_input)
+        writes = tuple(bound[name] for name, is_input in self._moved if not is_input)
         return Ports(self.spawn.task, invar=reads, outvar=writes)
 
     def step(self, step: LifecycleInput) -> None:

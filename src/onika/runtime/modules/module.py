@@ -204,7 +204,7 @@ class Module:
         return None
 
     @classmethod
-    def postures(cls, constants: dict[str, Any], nines: list[Any]) -> list[Any] | None:
+    def postures(cls, constants: dict[str, Any], poses: list[Any]) -> list[Any] | None:
         """Of a robot module: joint values for Cartesian targets, each nearest to those before it, or a reason why not.
 
         None: this robot knows of no poses.

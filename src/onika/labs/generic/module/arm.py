@@ -77,9 +77,9 @@ class Arm(Module):
         return reach.poses(constants, targets)
 
     @classmethod
-    def postures(cls, constants, nines):
+    def postures(cls, constants, poses):
         """The joint targets that Cartesian targets are, each nearest to the one before, or why there are none."""
-        return reach.postures(constants, nines, robot_of(constants["ROBOT"]).HOME)
+        return reach.postures(constants, poses, robot_of(constants["ROBOT"]).HOME)
 
     @classmethod
     def fits(cls, constants, local_values):
