@@ -11,7 +11,7 @@ import { readFileSync } from "node:fs";
 import http from "node:http";
 import https from "node:https";
 
-const VERSION = 2;
+const VERSION = 3;
 const [, , url, tokenFile, limit = "Infinity", ca] = process.argv;
 if (!tokenFile) {
   console.error("expected: node watch.mjs URL TOKEN-FILE [EVENTS] [CA.pem]");
@@ -162,10 +162,10 @@ function talk(socket, head) {
       console.log(JSON.stringify(unpack(said[1])));
       left -= 1;
     } else if (kind === "bye") {
-      end(`the runtime ended the link: ${said[0]}, ${said[1]}`);
+      end(`the runtime ended the link: ${said[0]}, ${said[1].text ?? said[1]}`);
     }
     if (left <= 0) {
-      say("bye", "closed", "seen enough");
+      say("bye", "closed", { key: "", text: "seen enough" });
       socket.end(frame(8, Buffer.from([0x03, 0xe8])), () => process.exit(0));
     }
   };

@@ -53,8 +53,18 @@ def test_secrets_are_kept_from_reading_and_recordings_from_writing(tmp_path):  #
     denied = {access.path.relative_to(tmp_path).as_posix(): access.denied for access in guarded(tmp_path)}
     assert denied.pop("recordings/a.mcap") == WRITING
     assert set(denied.values()) == {ANYTHING}
-    named = {".", "token", "console_history", "audit", "audit/audit.log", "diary", "diary/a.log", "black-boxes"}
-    assert set(denied) == named | {"black-boxes/a.mcap", "recordings", "recovery"}
+    named = {
+        ".",
+        "token",
+        "console_history",
+        "audit",
+        "audit/audit.log",
+        "diary",
+        "diary/a.log",
+        "black-boxes",
+        "replaced",
+    }
+    assert set(denied) == named | {"black-boxes/a.mcap", "recordings", "recovery", "replaced"}
 
 
 def test_a_state_directory_of_before_is_closed_at_the_next_start(tmp_path):  # R-X12

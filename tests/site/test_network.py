@@ -23,7 +23,7 @@ from onika.link.channel import Channel
 from onika.link.lost import LinkLost, LossCause
 from onika.link.websocket_opening import WebSocketOpening
 from onika.wire import event, live, request, steer
-from onika.wire.packet import Hello, RequestPacket, encode
+from onika.wire.packet import VERSION, Hello, RequestPacket, encode
 from onika.words.reason import Reason
 
 pytestmark = pytest.mark.site
@@ -99,7 +99,7 @@ def status(port, *lines, path="/", source="127.0.0.1"):
 def raw_client(reachable, name):
     """A connection for everything whose other side is this test, frame by frame."""
     carrier = WebSocketOpening(Address.parse(reachable.url), reachable.token)(Channel.ALL)
-    carrier.send(encode(Hello(2, name, "", 0)))
+    carrier.send(encode(Hello(VERSION, name, "", 0)))
     return carrier
 
 
@@ -322,8 +322,8 @@ def test_a_hand_made_websocket_is_answered_as_the_page_says(reachable):  # R-A19
     with socket.create_connection(("127.0.0.1", there.port)) as raw:
         raw.sendall(b"".join(protocol.data_to_send()))
         protocol.receive_data(raw.recv(4096))
-        protocol.send_binary(b"\x95\xa5hello\x02\xa4desk\xa0\x00")
+        protocol.send_binary(b"\x95\xa5hello\x03\xa4desk\xa0\x00")
         raw.sendall(b"".join(protocol.data_to_send()))
         protocol.receive_data(raw.recv(4096))
     frames = [bytes(frame.data) for frame in protocol.events_received()[1:]]
-    assert frames[0].startswith(b"\x96\xa7welcome\x02\xd9")
+    assert frames[0].startswith(b"\x96\xa7welcome\x03\xd9")
