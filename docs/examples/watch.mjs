@@ -165,7 +165,7 @@ function talk(socket, head) {
       end(`the runtime ended the link: ${said[0]}, ${said[1].text ?? said[1]}`);
     }
     if (left <= 0) {
-      say("bye", "closed", { key: "", text: "seen enough" });
+      say("bye", "closed", { key: "plain", text: "seen enough" });
       socket.end(frame(8, Buffer.from([0x03, 0xe8])), () => process.exit(0));
     }
   };
