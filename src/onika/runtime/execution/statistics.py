@@ -51,19 +51,15 @@ def status_of(task: RunningTask, now: int) -> TaskStatus:
 
 
 def load_of(task: RunningTask) -> TaskLoad:
-    """What the task costs by its newest figures, those before the last status where there are few since."""
-    is_new = task.counters.cycles >= min(_FEW_CYCLES, task.last_profile.cycles or 1)
-    profile = task.counters if is_new else task.last_profile
+    """What the task costs by its newest figures, with those before the last status where there are few since."""
+    newest = [task.counters]
+    if task.counters.cycles < _FEW_CYCLES:
+        newest.append(task.last_profile)
+    cycles = sum(profile.cycles for profile in newest)
+    mean_ns = sum(profile.total_ns for profile in newest) / cycles if cycles else 0.0
+    most_ns = max(profile.most_ns for profile in newest)
     spawn = task.spawn
-    return TaskLoad(
-        spawn.subsystem,
-        spawn.task,
-        task.is_on,
-        _reference_hz(task),
-        profile.mean_ns / 1e3,
-        profile.most_ns / 1e3,
-        profile.cycles,
-    )
+    return TaskLoad(spawn.subsystem, spawn.task, task.is_on, _reference_hz(task), mean_ns / 1e3, most_ns / 1e3, cycles)
 
 
 def values_of(binding: Binding) -> dict[str, Any]:
