@@ -10,6 +10,12 @@ from onika.store.shipped import shipped
 pytestmark = pytest.mark.page
 
 
+@pytest.fixture
+def program(begin, lab):
+    """A fresh one: what is its own stays its own."""
+    return begin(f"--base={lab.path}", "--no-connect")
+
+
 def test_shipped_code_that_is_changed_is_ones_own_and_the_way_back_loses_nothing(me):  # R-C05, R-X10
     shipped_file = shipped() / "generic" / "module" / "diff.py"
     before = shipped_file.read_bytes()

@@ -32,7 +32,7 @@ ROWS = (
 )
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def program(begin, tmp_path_factory):
     folder = tmp_path_factory.mktemp("onika")
     own = Laboratory(folder / "home" / "onika")
