@@ -70,8 +70,14 @@ export class Chart {
     return this.plot.ctx.canvas
   }
 
-  resize(width: number, height: number): void {
-    this.plot.setSize({ width: Math.max(120, width), height: Math.max(60, height) })
+  /** Fills its place, whatever size that gets, until what is given back is called: then it is gone. */
+  fill(place: HTMLElement): () => void {
+    const room = new ResizeObserver(() => this.resize(place.clientWidth, place.clientHeight))
+    room.observe(place)
+    return () => {
+      room.disconnect()
+      this.plot.destroy()
+    }
   }
 
   show(stretch: Stretch, span: readonly [number, number], marks: readonly Mark[], at_s = NaN): void {
@@ -93,8 +99,8 @@ export class Chart {
     this.former = undefined
   }
 
-  destroy(): void {
-    this.plot.destroy()
+  private resize(width: number, height: number): void {
+    this.plot.setSize({ width: Math.max(120, width), height: Math.max(60, height) })
   }
 
   /** Where two runs lie on one line of time, the shorter one ends before the other. */
