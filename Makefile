@@ -43,14 +43,14 @@ audit: $(VENV)/.installed-dev ## ask the advisory databases about all packages, 
 
 # The profile draws the same examples every time, so a change is judged by what it changed; `soak` draws new ones. What
 # starts programs runs apart from what starts browsers, and both from the rest: two of a kind at a time share the machine.
-# Those two meet the machine's clock: what fails in them is tried once more, and the summary names it as RERUN. A test
-# that is named there twice is a fault like any other.
+# Those two meet the machine's clock, and so do a few of the rest that start a process: what fails is tried once more,
+# and the summary names it as RERUN. A test that is named there twice is a fault like any other.
 # Of three files of the safety core every fourth mutant is tried here; `mutants` tries all of every file.
 SAMPLED := src/onika/ring/drive.py src/onika/runtime/transfer/input_guard.py src/onika/host/sessions/leases.py
 
 test: check ## the checks and all tests but the soak
 	PYTHONPATH=tools $(BIN)/python -m mutation --every 4 $(SAMPLED)
-	$(BIN)/pytest -m "not slow and not site and not page" --hypothesis-profile=ci --numprocesses=2 --dist=loadfile
+	$(BIN)/pytest -m "not slow and not site and not page" --hypothesis-profile=ci --numprocesses=2 --dist=loadfile --reruns 1 -rR
 	$(BIN)/pytest -m "site and not slow" --hypothesis-profile=ci --numprocesses=2 --dist=loadfile --reruns 1 -rR
 	$(BIN)/pytest -m "page and not slow" --hypothesis-profile=ci --numprocesses=2 --dist=loadfile --reruns 1 -rR
 
