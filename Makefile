@@ -48,11 +48,13 @@ audit: $(VENV)/.installed-dev ## ask the advisory databases about all packages, 
 # Of three files of the safety core every fourth mutant is tried here; `mutants` tries all of every file.
 SAMPLED := src/onika/ring/drive.py src/onika/runtime/transfer/input_guard.py src/onika/host/sessions/leases.py
 
+TWO_AT_A_TIME := --hypothesis-profile=ci --numprocesses=2 --dist=loadfile --reruns 1 -rR --durations=30 --durations-min=2
+
 test: check ## the checks and all tests but the soak
 	PYTHONPATH=tools $(BIN)/python -m mutation --every 4 $(SAMPLED)
-	$(BIN)/pytest -m "not slow and not site and not page" --hypothesis-profile=ci --numprocesses=2 --dist=loadfile --reruns 1 -rR
-	$(BIN)/pytest -m "site and not slow" --hypothesis-profile=ci --numprocesses=2 --dist=loadfile --reruns 1 -rR
-	$(BIN)/pytest -m "page and not slow" --hypothesis-profile=ci --numprocesses=2 --dist=loadfile --reruns 1 -rR
+	$(BIN)/pytest -m "not slow and not site and not page" $(TWO_AT_A_TIME)
+	$(BIN)/pytest -m "site and not slow" $(TWO_AT_A_TIME)
+	$(BIN)/pytest -m "page and not slow" $(TWO_AT_A_TIME)
 
 mutants: $(VENV)/.installed-dev ## plant a mutant in the safety core, thousands of times: a test has to notice each
 	PYTHONPATH=tools $(BIN)/python -m mutation
