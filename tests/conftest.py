@@ -19,6 +19,6 @@ def recordings(tmp_path_factory):
     yield
     folder = tmp_path_factory.getbasetemp()
     if next(folder.rglob("*.mcap"), None) is not None:
-        from kit.drive_replay import complaints_of_recordings
+        from kit.record.drive_replay import complaints_of_recordings
 
         assert list(complaints_of_recordings(folder)) == []

@@ -15,7 +15,7 @@ from contextlib import suppress
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
-from kit.blows import FREEZES, KINDS, Aftermath, Kind, Stage, blows, strike
+from kit.faults.blows import FREEZES, KINDS, Aftermath, Kind, Stage, blows, strike
 
 
 def campaign(stage: Stage, kinds: Sequence[Kind], count: int, is_freeze: bool, seed: int, is_loud: bool) -> int:

@@ -4,7 +4,7 @@ import signal
 
 import pytest
 
-from kit.live_runtime import LiveRuntime
+from kit.desk.live_runtime import LiveRuntime
 from onika.cli import console_session as room
 from onika.cli.console_session import sit_down
 from onika.cli.plain_console import PlainConsole

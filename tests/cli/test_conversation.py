@@ -3,7 +3,7 @@ import signal
 
 import pytest
 
-from kit.live_runtime import LiveRuntime
+from kit.desk.live_runtime import LiveRuntime
 from onika.cli.conversation import converse, next_line, run_batch, serve
 from onika.desk.console.console import Console
 from onika.desk.console.display import Tone

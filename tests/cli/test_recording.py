@@ -1,6 +1,6 @@
 import pytest
 
-from kit.recording_builder import RecordingBuilder, run
+from kit.record.recording_builder import RecordingBuilder, run
 from onika.cli import main
 
 

@@ -6,9 +6,9 @@ import msgspec
 import pytest
 from msgspec import inspect
 
-from kit.app_fixture import ONIKONS
-from kit.environment_fixture import EnvironmentFixture
-from kit.message_fuzz import TEXTS, MessageFuzz
+from kit.desk.app_fixture import ONIKONS
+from kit.desk.environment_fixture import EnvironmentFixture
+from kit.wire.message_fuzz import TEXTS, MessageFuzz
 from onika.desk.environment.initial_model import opened
 from onika.files.rmod import RmodText
 from onika.model.task import Task

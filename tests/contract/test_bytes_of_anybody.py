@@ -10,7 +10,7 @@ from random import Random
 
 import pytest
 
-from kit.recording_builder import RecordingBuilder
+from kit.record.recording_builder import RecordingBuilder
 from onika.cli.commands import carry_out
 from onika.desk.environment.file import recovery_record
 from onika.desk.environment.state import settings

@@ -7,8 +7,8 @@ import sys
 
 import pytest
 
-from kit.executive_rig import ExecutiveRig
-from kit.mass_world import MassWorld
+from kit.runtime.executive_rig import ExecutiveRig
+from kit.worlds.mass_world import MassWorld
 
 WALL = ("wall_s", "tasks", "switches_us", "runtime_pid")  # of the wall's clock, and of the process
 MS = 1_000_000

@@ -8,7 +8,7 @@ import msgspec
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
-from kit.struct_values import values_of
+from kit.wire.struct_values import values_of
 from onika import wire
 from onika.wire import act, event, packet, page, reading, request
 from onika.wire.view.view import View

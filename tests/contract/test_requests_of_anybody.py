@@ -6,11 +6,11 @@ from typing import get_args
 import pytest
 from msgspec.structs import replace
 
-from kit.direct_client import DirectClient
-from kit.message_fuzz import MessageFuzz
-from kit.plan_builder import action
-from kit.rail_world import rail_tasks
-from kit.request_crowd import honest_requests, names_of
+from kit.plans.plan_builder import action
+from kit.runtime.direct_client import DirectClient
+from kit.wire.message_fuzz import MessageFuzz
+from kit.wire.request_crowd import honest_requests, names_of
+from kit.worlds.rail_world import rail_tasks
 from onika.host.sessions.request_decoder import decode
 from onika.wire import event, holding, live, request
 from onika.wire.plan import Again, Choose, Do, Fork, Halt, Join, Jump, Meet, Plan, Rest, Unless

@@ -4,8 +4,8 @@ from functools import partial
 
 import pytest
 
-from kit.laboratory import HOLE, job
-from kit.run_fixture import RunFixture
+from kit.desk.run_fixture import RunFixture
+from kit.labs.laboratory import HOLE, job
 from onika.desk.environment.outcome.fault_text import said
 from onika.desk.environment.reconcile.runtime_loss import lost
 from onika.desk.environment.runs.readiness import ReadinessJudge, judged

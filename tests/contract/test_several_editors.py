@@ -11,9 +11,9 @@ from typing import Any, get_args
 import msgspec
 import pytest
 
-from kit.app_fixture import ONIKONS
-from kit.fake_runtime_env import FakeRuntimeEnv
-from kit.message_fuzz import MessageFuzz
+from kit.desk.app_fixture import ONIKONS
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
+from kit.wire.message_fuzz import MessageFuzz
 from onika.desk.environment.environment import ActAnswer
 from onika.desk.environment.outcome.outcome import Order
 from onika.desk.environment.state.model import Model

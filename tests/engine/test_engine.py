@@ -2,8 +2,8 @@ import sys
 
 import pytest
 
-from kit import build
-from kit.play import Play
+from kit.engine.play import Play
+from kit.plans import build
 from onika.engine.engine import Engine
 from onika.engine.news import Abort, Finished, Killed, Run, Settled, Spawned, TurnedOn
 from onika.engine.orders import Began, Done, End, Launch, Moved, RunNote, Settle, Spawn, Switch

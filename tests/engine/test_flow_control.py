@@ -2,9 +2,9 @@ from typing import get_args
 
 import pytest
 
-from kit import build
-from kit.flow_program import bottom, nested, program
-from kit.play_lines import JOB, ends
+from kit.engine.play_lines import JOB, ends
+from kit.plans import build
+from kit.plans.flow_program import bottom, nested, program
 from onika.engine.flow import FlowState
 from onika.engine.news import Abort, Cleared, Failed, Run, Spawned, TurnedOn
 from onika.engine.orders import Moved

@@ -1,6 +1,6 @@
-from kit import build
-from kit.flow_program import bottom, nested, program
-from kit.play_lines import JOB, NOOP
+from kit.engine.play_lines import JOB, NOOP
+from kit.plans import build
+from kit.plans.flow_program import bottom, nested, program
 from onika.engine.flow import FlowEvent, FlowState
 from onika.engine.flow_router import FlowRouter
 from onika.engine.orders import Began, Moved, Settle, Switch, Together

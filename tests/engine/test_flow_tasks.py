@@ -1,4 +1,4 @@
-from kit import build
+from kit.plans import build
 from onika.engine.flow_tasks import FlowTasks
 from onika.engine.orders import Kill, Launch, Off, Spawn, Switch
 from onika.engine.step import steps

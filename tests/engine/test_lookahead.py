@@ -1,7 +1,7 @@
 from hypothesis import given, settings, strategies as st
 
-from kit import build
-from kit.flow_program import bottom, branch, program, top
+from kit.plans import build
+from kit.plans.flow_program import bottom, branch, program, top
 from onika.engine.lookahead import ways
 from onika.engine.program import FlowProgram
 from onika.engine.walk import FinishValue, walk

@@ -1,4 +1,4 @@
-from kit import build
+from kit.plans import build
 from onika.engine.meeting import Meetings
 from onika.engine.program import FlowProgram
 from onika.wire.plan import Do, Halt, Meet

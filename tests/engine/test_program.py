@@ -1,7 +1,7 @@
 import pytest
 
-from kit import build
-from kit.flow_program import bottom, branch, nested, program, top
+from kit.plans import build
+from kit.plans.flow_program import bottom, branch, nested, program, top
 from onika.engine.program import FlowProgram, ProgramLoop, straight
 from onika.wire.plan import Again, Choose, Do, Fork, Halt, Join, Jump, Meet, Rest, Unless
 

@@ -1,7 +1,7 @@
 import pytest
 
-from kit import build
-from kit.flow_program import bottom, program, top
+from kit.plans import build
+from kit.plans.flow_program import bottom, program, top
 from onika.engine.flow import FlowEvent, FlowState
 from onika.engine.orders import Began, Done, Launch, Moved, RunNote, Switch
 from onika.engine.program import FlowProgram

@@ -1,5 +1,5 @@
-from kit import build
-from kit.play_lines import begins
+from kit.engine.play_lines import begins
+from kit.plans import build
 from onika.engine.news import Cleared, Failed, Finished, Run, Spawned, TurnedOn
 from onika.engine.orders import Clear, Off
 from onika.wire.steer import Recover

@@ -1,6 +1,6 @@
 import pytest
 
-from kit import build
+from kit.plans import build
 from onika.engine.orders import Launch
 from onika.engine.step import steps
 

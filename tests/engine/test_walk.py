@@ -1,7 +1,7 @@
 import pytest
 
-from kit import build
-from kit.flow_program import bottom, branch, program, top
+from kit.plans import build
+from kit.plans.flow_program import bottom, branch, program, top
 from onika.engine.program import FlowProgram
 from onika.engine.walk import NOOP, FinishValue, walk
 from onika.wire.plan import Do, Fork, Halt, Join, Meet, Rest

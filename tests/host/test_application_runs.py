@@ -1,8 +1,8 @@
 import pytest
 
-from kit.direct_client import DirectClient
-from kit.plan_builder import action
-from kit.rail_world import rail_tasks
+from kit.plans.plan_builder import action
+from kit.runtime.direct_client import DirectClient
+from kit.worlds.rail_world import rail_tasks
 from onika.ring.segment import Segment, SharedMemoryRefused
 from onika.wire import event, live, request
 from onika.wire.request import TargetValues

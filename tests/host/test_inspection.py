@@ -1,8 +1,8 @@
 import pytest
 
-from kit.live_edits import COUNTER, live_edits_with_tasks
-from kit.plan_builder import action
-from kit.rail_world import rail_tasks
+from kit.plans.plan_builder import action
+from kit.runtime.live_edits import COUNTER, live_edits_with_tasks
+from kit.worlds.rail_world import rail_tasks
 from onika.wire import live, reading, request
 
 SECOND = 1_000_000_000

@@ -1,9 +1,9 @@
 import pytest
 from msgspec.structs import replace
 
-from kit.direct_client import DirectClient
-from kit.plan_builder import action
-from kit.rail_world import YardLoading, rail_tasks
+from kit.plans.plan_builder import action
+from kit.runtime.direct_client import DirectClient
+from kit.worlds.rail_world import YardLoading, rail_tasks
 from onika.host.loading.loader_client import NotYet
 from onika.wire import event, live, request
 from onika.wire.plan import Again, Do, Halt

@@ -6,7 +6,7 @@ runtime's time is virtual.
 
 import pytest
 
-from kit.laboratory import Laboratory, job, joints
+from kit.labs.laboratory import Laboratory, job, joints
 from onika.desk.plan.compile import rtpus_of
 from onika.desk.plan.preparation import prepare_run
 from onika.host.loading.module_facts import ModuleFacts

@@ -6,9 +6,9 @@ from types import MappingProxyType
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from kit.executive_rig import HOME
-from kit.law_comparison import Exchanged, by_executive, by_law
-from kit.sample_task import MS, SampleTask
+from kit.labs.sample_task import MS, SampleTask
+from kit.runtime.executive_rig import HOME
+from kit.runtime.law_comparison import Exchanged, by_executive, by_law
 from onika.model.lifecycle import State
 from onika.runtime import command
 

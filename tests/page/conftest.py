@@ -15,8 +15,8 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, ConsoleMessage, Error, Locator, Page, expect, sync_playwright
 
-from kit.laboratory import Laboratory
-from kit.small_tasks import small_laboratory
+from kit.labs.laboratory import Laboratory
+from kit.labs.small_tasks import small_laboratory
 
 expect.set_options(timeout=10_000)
 

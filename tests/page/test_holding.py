@@ -10,8 +10,8 @@ from itertools import count
 import pytest
 from playwright.sync_api import expect
 
-from kit.laboratory import Laboratory, job, target
-from kit.small_tasks import small_laboratory
+from kit.labs.laboratory import Laboratory, job, target
+from kit.labs.small_tasks import small_laboratory
 from onika.link.token import digest, new_token
 
 from .test_access import violations_on

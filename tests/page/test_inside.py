@@ -5,7 +5,7 @@ import re
 import pytest
 from playwright.sync_api import expect
 
-from kit.laboratory import Laboratory, job
+from kit.labs.laboratory import Laboratory, job
 
 pytestmark = pytest.mark.page
 

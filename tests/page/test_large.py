@@ -5,7 +5,7 @@ import re
 import pytest
 from playwright.sync_api import expect
 
-from kit.laboratory import Laboratory
+from kit.labs.laboratory import Laboratory
 
 pytestmark = pytest.mark.page
 

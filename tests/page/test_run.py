@@ -7,8 +7,8 @@ import signal
 import pytest
 from playwright.sync_api import expect
 
-from kit.laboratory import Laboratory, job, target
-from kit.process_tree import runtime_of
+from kit.labs.laboratory import Laboratory, job, target
+from kit.process.process_tree import runtime_of
 
 pytestmark = pytest.mark.page
 

@@ -7,7 +7,7 @@ import signal
 import pytest
 from playwright.sync_api import expect
 
-from kit.process_tree import runtime_of
+from kit.process.process_tree import runtime_of
 
 pytestmark = pytest.mark.page
 

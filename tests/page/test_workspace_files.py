@@ -5,7 +5,7 @@ import re
 import pytest
 from playwright.sync_api import expect
 
-from kit.laboratory import Laboratory, job, joints
+from kit.labs.laboratory import Laboratory, job, joints
 from onika.store.shipped import shipped
 
 from .builder import CLOSE, OPEN, Builder

@@ -2,8 +2,8 @@
 
 import pytest
 
-from kit import build
-from kit.play import Play
+from kit.engine.play import Play
+from kit.plans import build
 from onika.engine.news import Abort, Failed, Finished, Illegal, Killed, Refused, Run, Settled, Spawned, TurnedOn
 from onika.engine.orders import Began, Done, End, Kill, Launch, Moved, Settle, Switch, Together
 from onika.words.reason import NOTHING, Reason

@@ -15,9 +15,9 @@ from hypothesis.stateful import (
     rule,
 )
 
-from kit.engine_sim import RUNTIME, EngineSim
-from kit.program_tree import Act, Loop, Pick, Side, engine_for, planned
-from kit.reference_engine import ReferenceEngine
+from kit.engine.engine_sim import RUNTIME, EngineSim
+from kit.engine.reference_engine import ReferenceEngine
+from kit.plans.program_tree import Act, Loop, Pick, Side, engine_for, planned
 from onika.engine import news
 from onika.engine.orders import Began, Done, Settle
 from onika.wire import steer

@@ -4,8 +4,8 @@ from collections import Counter
 
 from hypothesis import given, settings, strategies as st
 
-from kit import build
-from kit.fake_runtime import FakeRuntime, Fault
+from kit.engine.fake_runtime import FakeRuntime, Fault
+from kit.plans import build
 from onika.engine.orders import Began, Done, End, Kill, Settle, Spawn
 
 TRIGGERS = ("move", "grip", "pause")

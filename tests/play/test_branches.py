@@ -2,9 +2,9 @@
 
 import pytest
 
-from kit import build
-from kit.flow_program import bottom, branch, nested, program, top
-from kit.play_lines import JOB, NOOP, begins, ends, goes_on, passes, started
+from kit.engine.play_lines import JOB, NOOP, begins, ends, goes_on, passes, started
+from kit.plans import build
+from kit.plans.flow_program import bottom, branch, nested, program, top
 from onika.engine.news import TurnedOn
 from onika.engine.orders import Done, Moved, Off, RunNote, Settle, Together
 from onika.wire.plan import Do, Halt

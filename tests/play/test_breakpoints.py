@@ -2,9 +2,9 @@
 
 import pytest
 
-from kit import build
-from kit.flow_program import bottom, branch, program
-from kit.play_lines import JOB, begins, ends, goes_on, started
+from kit.engine.play_lines import JOB, begins, ends, goes_on, started
+from kit.plans import build
+from kit.plans.flow_program import bottom, branch, program
 from onika.engine.orders import Done, Moved, Settle
 from onika.wire.plan import Do, Rest
 from onika.wire.steer import Mark, Resume

@@ -2,9 +2,9 @@
 
 import pytest
 
-from kit import build
-from kit.error_lines import REACH, clearing, finish, on, running, started, stopped, where
-from kit.play import Play
+from kit.engine.error_lines import REACH, clearing, finish, on, running, started, stopped, where
+from kit.engine.play import Play
+from kit.plans import build
 from onika.engine.news import Abort, Cleared, Failed, Finished, Killed, Refused, Run, Spawned, TurnedOn
 from onika.engine.orders import Began, Clear, Done, End, Kill, Moved, Off, RunNote, Switch
 from onika.wire.steer import Recover

@@ -1,6 +1,6 @@
 """Small programs with every interleaving of what tasks, users and faults can do, looked at exhaustively (R-X03).
 
-What must hold after every single piece of news stands in `kit.engine_sim`: no lost signal, no action begun twice
+What must hold after every single piece of news stands in `kit.engine.engine_sim`: no lost signal, no action begun twice
 without a word, no order that a task cannot obey, exactly the right tasks ON. Here, what must hold of whole runs: every
 run can be ended and completed from everywhere, nothing stands still that was not foretold.
 """
@@ -10,8 +10,8 @@ from random import Random
 
 import pytest
 
-from kit.engine_sim import RUNTIME, EngineSim
-from kit.program_tree import Act, Loop, Pick, Side, engine_for, planned
+from kit.engine.engine_sim import RUNTIME, EngineSim
+from kit.plans.program_tree import Act, Loop, Pick, Side, engine_for, planned
 from onika.engine import news as told
 from onika.engine.flow import FlowState
 from onika.model.rules import meetings

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from hypothesis import example, given, settings, strategies as st
 from msgspec import structs
 
-from kit.live_edits import BROKEN, SOURCE, SULKY, live_edits_with_tasks
+from kit.runtime.live_edits import BROKEN, SOURCE, SULKY, live_edits_with_tasks
 from onika.wire import event, live
 
 NAMES = ("source", "other", "user", "reader", "counter", "sulky", "broken", "late")

@@ -2,9 +2,9 @@
 
 import pytest
 
-from kit import build
-from kit.flow_program import bottom, program, top
-from kit.play_lines import JOB, NOOP, begins, ends, passes, started
+from kit.engine.play_lines import JOB, NOOP, begins, ends, passes, started
+from kit.plans import build
+from kit.plans.flow_program import bottom, program, top
 from onika.engine.news import Abort, Killed, Run, Spawned, TurnedOn
 from onika.engine.orders import Done, End, Kill, Moved, Off, RunNote, Settle
 from onika.wire.plan import Do

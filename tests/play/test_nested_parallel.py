@@ -2,10 +2,10 @@
 
 import pytest
 
-from kit import build
-from kit.flow_program import bottom, nested, program
-from kit.play import Play
-from kit.play_lines import JOB, NOOP, begins, ends, goes_on, opened, passes, started
+from kit.engine.play import Play
+from kit.engine.play_lines import JOB, NOOP, begins, ends, goes_on, opened, passes, started
+from kit.plans import build
+from kit.plans.flow_program import bottom, nested, program
 from onika.engine.news import Cleared, Failed, Killed, Run, Settled, Spawned, TurnedOn
 from onika.engine.orders import Clear, Done, End, Kill, Moved, Off, Order, RunNote, Settle, Together
 from onika.wire.plan import Do, Halt, Meet

@@ -1,8 +1,8 @@
 """Stories of no-ops, which take no time (§4.3.2, R-D11)."""
 
-from kit import build
-from kit.play import Play
-from kit.play_lines import JOB, NOOP, begins, ends, goes_on, opened, passes, started
+from kit.engine.play import Play
+from kit.engine.play_lines import JOB, NOOP, begins, ends, goes_on, opened, passes, started
+from kit.plans import build
 from onika.engine.news import Run, Settled, Spawned
 from onika.engine.orders import Done, End, Moved, Settle, Together
 from onika.wire.steer import Pause, Resume

@@ -1,7 +1,7 @@
 """Stories of passive tasks, which may fall silent and harm nothing, and of others that do (§C.2, reading 17)."""
 
-from kit import build
-from kit.play import Play
+from kit.engine.play import Play
+from kit.plans import build
 from onika.engine.news import Failed, Finished, Refused, Run, Spawned, SwitchedOff, TurnedOn
 from onika.engine.orders import Began, Done, Launch, Moved, RunNote, Settle, Switch
 from onika.words.reason import Reason

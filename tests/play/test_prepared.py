@@ -2,10 +2,10 @@
 
 import pytest
 
-from kit import build
-from kit.flow_program import bottom, branch, nested, program, top
-from kit.play import Play
-from kit.play_lines import JOB, NOOP, ends, opened, passes, started
+from kit.engine.play import Play
+from kit.engine.play_lines import JOB, NOOP, ends, opened, passes, started
+from kit.plans import build
+from kit.plans.flow_program import bottom, branch, nested, program, top
 from onika.engine.news import Asked, Failed, Finished, Refused, Run, Spawned, SwitchedOff, TurnedOn
 from onika.engine.orders import Began, Case, Done, Launch, Moved, Settle, Switch
 from onika.wire.plan import Do, Rest

@@ -2,8 +2,8 @@
 
 import pytest
 
-from kit import build
-from kit.error_lines import AGAIN, MEET, REACH, clearing, finish, on, paused, running, started, stopped, where
+from kit.engine.error_lines import AGAIN, MEET, REACH, clearing, finish, on, paused, running, started, stopped, where
+from kit.plans import build
 from onika.engine.news import Cleared, Failed, Finished, Killed, Refused, Settled
 from onika.engine.orders import Began, Clear, Done, End, Kill, Moved, Off, RunNote, Settle, Switch, Together
 from onika.wire.steer import Pause, Recover, Resume, Skip, Step

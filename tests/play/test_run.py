@@ -1,7 +1,7 @@
 """Stories of runs that go well (§5.9.2, R-E02, R-E03, R-E14)."""
 
-from kit import build
-from kit.play import Play
+from kit.engine.play import Play
+from kit.plans import build
 from onika.engine.news import Asked, Finished, Killed, Run, Settled, Spawned, TurnedOn
 from onika.engine.orders import Began, Done, End, Kill, Launch, Moved, RunNote, Settle, Spawn, Switch, Together
 from onika.words.reason import Reason

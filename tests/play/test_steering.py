@@ -2,10 +2,10 @@
 
 import pytest
 
-from kit import build
-from kit.flow_program import bottom, program
-from kit.play import Play
-from kit.play_lines import JOB, NOOP, begins, ends, goes_on, opened, passes, started
+from kit.engine.play import Play
+from kit.engine.play_lines import JOB, NOOP, begins, ends, goes_on, opened, passes, started
+from kit.plans import build
+from kit.plans.flow_program import bottom, program
 from onika.engine.news import Abort, Killed, Run, Spawned, TurnedOn
 from onika.engine.orders import Done, End, Kill, Launch, Moved, Off, RunNote, Settle, Switch, Together
 from onika.wire.plan import Do

@@ -1,7 +1,8 @@
 """Stories of flows that wait for each other at synchronisation tags (§5.5.4, R-E04, reading 26)."""
 
-from kit import build, flow_program, play_lines
-from kit.play import Play
+from kit.engine import play_lines
+from kit.engine.play import Play
+from kit.plans import build, flow_program
 from onika.engine.news import Abort, Finished, Killed, Run, Settled, Spawned, TurnedOn
 from onika.engine.orders import Began, Done, End, Kill, Launch, Moved, Settle, Switch, Together
 from onika.wire.plan import Do, Halt, Meet

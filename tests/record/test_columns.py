@@ -1,7 +1,7 @@
 import csv
 import io
 
-from kit.recording_builder import RecordingBuilder
+from kit.record.recording_builder import RecordingBuilder
 from onika.record import columns
 from onika.record.series import Series
 

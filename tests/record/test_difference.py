@@ -1,7 +1,7 @@
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
-from kit.recording_builder import RecordingBuilder
+from kit.record.recording_builder import RecordingBuilder
 from onika.record.difference import first_difference
 from onika.record.reader import Reader
 from onika.record.tolerance import WALL, Tolerance

@@ -3,7 +3,7 @@ import math
 import numpy as np
 import pytest
 
-from kit.recording_builder import RecordingBuilder
+from kit.record.recording_builder import RecordingBuilder
 from onika.record.downsampled import Samples, is_drawn, parts, samples
 from onika.record.series import Series
 

@@ -3,7 +3,7 @@ import math
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
-from kit.recording_builder import RecordingBuilder
+from kit.record.recording_builder import RecordingBuilder
 from onika.record.mismatch import mismatches
 from onika.record.series import Series
 from onika.record.tolerance import Tolerance

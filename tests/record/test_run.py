@@ -1,7 +1,7 @@
 import pytest
 from msgspec import structs
 
-from kit.recording_builder import RecordingBuilder, run
+from kit.record.recording_builder import RecordingBuilder, run
 from onika.record.reader import Reader
 from onika.record.run import RunRecord, ending
 from onika.record.writer import Writer

@@ -1,4 +1,4 @@
-from kit.recording_builder import RecordingBuilder
+from kit.record.recording_builder import RecordingBuilder
 from onika.record.series import Series
 
 

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.recording_builder import RecordingBuilder
+from kit.record.recording_builder import RecordingBuilder
 from onika.record.reader import UNREADABLE
 from onika.record.summary import summary
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from msgspec import convert
 
-from kit.mass_world import MassWorld
+from kit.worlds.mass_world import MassWorld
 from onika.ring.device import DeviceOrder, DeviceSheet, DriveState
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment

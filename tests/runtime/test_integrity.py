@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
-from kit.build import task as planned
-from kit.executive_rig import ExecutiveRig
-from kit.module_source import module
+from kit.labs.module_source import module
+from kit.plans.build import task as planned
+from kit.runtime.executive_rig import ExecutiveRig
 from onika.ring.slots import LONGEST_SEALED, Ring
 from onika.runtime import command
 from onika.runtime.integrity import Accessor, accessor, check

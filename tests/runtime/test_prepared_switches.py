@@ -3,8 +3,8 @@
 import pytest
 from msgspec import structs
 
-from kit.executive_rig import HOME, ExecutiveRig
-from kit.module_source import COUNTER, cycle, module
+from kit.labs.module_source import COUNTER, cycle, module
+from kit.runtime.executive_rig import HOME, ExecutiveRig
 from onika.model.lifecycle import State
 from onika.model.signal import Signal, SignalKind
 from onika.runtime import command, news

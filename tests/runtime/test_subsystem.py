@@ -3,7 +3,7 @@
 import msgspec
 import pytest
 
-from kit.build import task
+from kit.plans.build import task
 from onika.model.lifecycle import State
 from onika.module import InBoth, InConst, InVar, Module, OutBoth, OutConst, OutVar
 from onika.ring.segment import Segment

@@ -2,7 +2,7 @@
 
 import msgspec
 
-from kit.build import task
+from kit.plans.build import task
 from onika.module import InBoth, InConst, InVar, Module, OutBoth, OutConst, OutVar
 from onika.runtime.modules.sheet import sheet_of
 from onika.runtime.wiring import disagreements, missing_constants, upstream, wire

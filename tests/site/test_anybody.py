@@ -10,9 +10,9 @@ from typing import get_args
 
 import pytest
 
-from kit.message_fuzz import MessageFuzz
-from kit.plan_builder import PlanBuilder, action
-from kit.request_crowd import honest_requests, names_of
+from kit.plans.plan_builder import PlanBuilder, action
+from kit.wire.message_fuzz import MessageFuzz
+from kit.wire.request_crowd import honest_requests, names_of
 from onika.desk.run.remote_runtime import RemoteRuntime
 from onika.link.address import Address
 from onika.link.websocket_opening import WebSocketOpening

@@ -4,8 +4,8 @@ import json
 
 import pytest
 
-from kit.cli_process import CliProcess
-from kit.laboratory import Laboratory, job, target
+from kit.labs.laboratory import Laboratory, job, target
+from kit.process.cli_process import CliProcess
 from onika.cli import main
 from onika.store.shipped import shipped
 from onika.store.site import open_site

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from kit.cli_process import CliProcess
-from kit.laboratory import Laboratory, job, joints
+from kit.labs.laboratory import Laboratory, job, joints
+from kit.process.cli_process import CliProcess
 from onika.desk.run.run_review import Review
 from onika.record.black_box_folder import black_box_folder, black_boxes
 

@@ -8,9 +8,9 @@ import signal
 
 import pytest
 
-from kit.blows import FREEZES, KINDS, LEFT_S, Blow, Kind, Stage, blows, strike
-from kit.cli_process import CliProcess
-from kit.traces import Traces
+from kit.faults.blows import FREEZES, KINDS, LEFT_S, Blow, Kind, Stage, blows, strike
+from kit.process.cli_process import CliProcess
+from kit.process.traces import Traces
 from onika.record.reader import Reader
 
 pytestmark = pytest.mark.site

@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from kit.laboratory import HOLE, Laboratory, job, joints, target
+from kit.labs.laboratory import HOLE, Laboratory, job, joints, target
 from onika.cli import main
 from onika.store.shipped import shipped_directories
 

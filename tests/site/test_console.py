@@ -10,8 +10,8 @@ import time
 
 import pytest
 
-from kit.cli_process import ONIKA, CliProcess
-from kit.process_tree import runtime_of
+from kit.process.cli_process import ONIKA, CliProcess
+from kit.process.process_tree import runtime_of
 
 pytestmark = pytest.mark.site
 

@@ -6,7 +6,7 @@ import time
 
 import pytest
 
-from kit.laboratory import Laboratory
+from kit.labs.laboratory import Laboratory
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.outcome.services import Services

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 import pytest
 
-from kit.cli_process import CliProcess
-from kit.laboratory import Laboratory, job, joints
+from kit.labs.laboratory import Laboratory, job, joints
+from kit.process.cli_process import CliProcess
 
 pytestmark = pytest.mark.site
 

@@ -9,9 +9,9 @@ import time
 
 import pytest
 
-from kit.cli_process import CliProcess
-from kit.failed_run import aborted, assert_held_in_time, failures
-from kit.laboratory import Laboratory, job, joints
+from kit.labs.laboratory import Laboratory, job, joints
+from kit.process.cli_process import CliProcess
+from kit.process.failed_run import aborted, assert_held_in_time, failures
 
 pytestmark = pytest.mark.site
 

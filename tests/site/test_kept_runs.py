@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 import pytest
 
 import onika
-from kit.mutants import mutants
+from kit.plans.mutants import mutants
 from onika.cli import main
 from onika.desk.trial.account import give_account
 from onika.desk.trial.judging import judge

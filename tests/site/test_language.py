@@ -4,8 +4,8 @@ import json
 
 import pytest
 
-from kit.direct_client import OpenGate
-from kit.laboratory import Laboratory, job, target
+from kit.labs.laboratory import Laboratory, job, target
+from kit.runtime.direct_client import OpenGate
 from onika.cli import main
 from onika.desk.plan.preparation import prepare_run
 from onika.host.loading.module_facts import ModuleFacts

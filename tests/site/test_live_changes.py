@@ -7,8 +7,8 @@ cycles more than those without. On a machine of its own, with real-time priority
 
 import pytest
 
-from kit.live_edits import COUNTER, SOURCE, USER
-from kit.plan_builder import PlanBuilder
+from kit.plans.plan_builder import PlanBuilder
+from kit.runtime.live_edits import COUNTER, SOURCE, USER
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.wire import event, live, request
 

@@ -5,7 +5,7 @@ from time import monotonic
 
 import pytest
 
-from kit.laboratory import Laboratory, job
+from kit.labs.laboratory import Laboratory, job
 from onika.desk.plan.preparation import prepare_run
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.store.site import open_site

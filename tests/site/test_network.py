@@ -15,7 +15,7 @@ import pytest
 from websockets.client import ClientProtocol
 from websockets.uri import parse_uri
 
-from kit.plan_builder import PlanBuilder, action
+from kit.plans.plan_builder import PlanBuilder, action
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.desk.run.remote_runtime import connect
 from onika.link.address import Address

@@ -5,7 +5,7 @@ import subprocess
 
 import pytest
 
-from kit.cli_process import ONIKA
+from kit.process.cli_process import ONIKA
 
 pytestmark = pytest.mark.site
 

@@ -4,7 +4,7 @@ import struct
 
 import pytest
 
-from kit.laboratory import Laboratory, job
+from kit.labs.laboratory import Laboratory, job
 from onika.cli import main
 
 pytestmark = pytest.mark.site

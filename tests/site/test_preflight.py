@@ -2,8 +2,8 @@
 
 import pytest
 
-from kit.laboratory import job, joints
-from kit.preflight_cases import (
+from kit.labs.laboratory import job, joints
+from kit.plans.preflight_cases import (
     ASIDE,
     BEYOND,
     FAR,

@@ -8,8 +8,8 @@ import subprocess
 
 import pytest
 
-from kit.cli_process import ONIKA
-from kit.laboratory import Laboratory, job
+from kit.labs.laboratory import Laboratory, job
+from kit.process.cli_process import ONIKA
 from onika.cli import main
 
 pytestmark = pytest.mark.site

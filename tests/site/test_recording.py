@@ -8,9 +8,9 @@ from time import monotonic, sleep
 
 import pytest
 
-from kit.cli_process import ONIKA
-from kit.environment_fixture import EnvironmentFixture
-from kit.laboratory import Laboratory, job
+from kit.desk.environment_fixture import EnvironmentFixture
+from kit.labs.laboratory import Laboratory, job
+from kit.process.cli_process import ONIKA
 from onika.cli import main
 from onika.desk.environment.initial_model import opened
 from onika.desk.run.recorded_run import RecordingSource, inputs_of

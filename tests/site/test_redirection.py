@@ -2,7 +2,7 @@
 
 import pytest
 
-from kit.laboratory import Laboratory, job, joints
+from kit.labs.laboratory import Laboratory, job, joints
 from onika.cli import main
 from onika.store.site import open_site
 

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from kit.laboratory import HOLE, Laboratory, job, joints, target
+from kit.labs.laboratory import HOLE, Laboratory, job, joints, target
 from onika.cli import main
 
 pytestmark = pytest.mark.site

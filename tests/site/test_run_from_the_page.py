@@ -8,7 +8,7 @@ import time
 
 import pytest
 
-from kit.laboratory import Laboratory, job, joints, target
+from kit.labs.laboratory import Laboratory, job, joints, target
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.outcome.services import Services

@@ -3,8 +3,8 @@
 import pytest
 from msgspec.structs import replace
 
-from kit.direct_client import OpenGate
-from kit.laboratory import Laboratory, job, joints, target
+from kit.labs.laboratory import Laboratory, job, joints, target
+from kit.runtime.direct_client import OpenGate
 from onika.cli import main
 from onika.desk.plan.preparation import prepare_run
 from onika.host.loading.module_facts import ModuleFacts

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from kit.laboratory import Laboratory, job, joints
+from kit.labs.laboratory import Laboratory, job, joints
 from onika.cli import main
 
 pytestmark = pytest.mark.site

@@ -11,7 +11,7 @@ from time import monotonic
 
 import pytest
 
-from kit.cli_process import ONIKA, CliProcess
+from kit.process.cli_process import ONIKA, CliProcess
 from onika.desk.run.run import start
 from onika.desk.run.running_application import Running
 from onika.desk.run.settings import RunSettings

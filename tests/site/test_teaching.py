@@ -5,7 +5,7 @@ import time
 import numpy as np
 import pytest
 
-from kit.dictionary_fixture import WHITE
+from kit.desk.dictionary_fixture import WHITE
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.initial_model import opened

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from kit.direct_client import OpenGate
+from kit.runtime.direct_client import OpenGate
 from onika.cli import main
 from onika.desk.plan.preparation import prepare_run
 from onika.host.loading.module_facts import ModuleFacts

@@ -6,8 +6,8 @@ again.
 
 import pytest
 
-from kit.foreseen_changes import foretold
-from kit.struck_runtime import StruckRuntime
+from kit.faults.foreseen_changes import foretold
+from kit.faults.struck_runtime import StruckRuntime
 
 pytestmark = pytest.mark.site
 

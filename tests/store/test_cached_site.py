@@ -1,6 +1,6 @@
 import os
 
-from kit.laboratory import Laboratory, job
+from kit.labs.laboratory import Laboratory, job
 from onika.store.cached_site import RememberingSite
 from onika.store.site import open_site
 

@@ -4,7 +4,7 @@ import threading
 
 import pytest
 
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.model.task import Task
 from onika.web.app import application
 from onika.web.hub import Hub

@@ -3,7 +3,7 @@ import asyncio
 import msgspec
 import pytest
 
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.model.task import Task
 from onika.web.hub import Hub
 from onika.wire import act, page

@@ -7,7 +7,7 @@ import threading
 import pytest
 from websockets.sync.client import connect
 
-from kit.laboratory import Laboratory, job
+from kit.labs.laboratory import Laboratory, job
 from onika.files.rmod import RmodText
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory

@@ -1,8 +1,8 @@
 import msgspec
 import pytest
 
-from kit.plan_builder import action
-from kit.rail_world import rail_tasks
+from kit.plans.plan_builder import action
+from kit.worlds.rail_world import rail_tasks
 from onika.wire import request
 
 

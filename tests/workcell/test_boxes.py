@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kit.assembler import DT, GRASP_M, Assembler
+from kit.worlds.assembler import DT, GRASP_M, Assembler
 from onika.laws import puma560
 from onika.laws.path import quintic
 from onika.ring.device import DeviceOrder, DriveState

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kit.assembler import DT, Assembler
+from kit.worlds.assembler import DT, Assembler
 from onika.laws import adept_one, puma560
 from onika.laws.arm import SerialArm
 from onika.laws.filter import Derivative

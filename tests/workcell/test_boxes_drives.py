@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from kit.assembler import DT, Assembler
+from kit.worlds.assembler import DT, Assembler
 from onika.laws import puma560
 from onika.laws.path import quintic
 from onika.ring.device import DeviceOrder, DriveEvent, DriveState

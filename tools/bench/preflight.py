@@ -13,7 +13,7 @@ from time import perf_counter
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests"))
 
-from kit.laboratory import Laboratory, job, joints, target
+from kit.labs.laboratory import Laboratory, job, joints, target
 from onika.desk.plan.preparation import prepare_run
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.model.redirect import Redirect

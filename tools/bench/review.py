@@ -19,7 +19,7 @@ import msgspec
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "src"))
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests"))
 
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.initial_model import opened
 from onika.record.reader import Reader
 from onika.record.run import RunRecord

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.live_runtime import LiveRuntime
+from kit.desk.live_runtime import LiveRuntime
 from onika.desk.console.console import Console
 from onika.desk.console.display import Tone
 from onika.desk.console.session import ConsoleSession

@@ -2,7 +2,7 @@ from random import Random
 
 import pytest
 
-from kit.message_fuzz import TEXTS
+from kit.wire.message_fuzz import TEXTS
 from onika.desk.console.display import Tone
 from onika.wire import live, request
 from onika.words.fault import Place

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.live_runtime import LiveRuntime
+from kit.desk.live_runtime import LiveRuntime
 from onika.desk.console.session import ConsoleSession
 from onika.wire import event, live, request
 from onika.wire.plan import Plan

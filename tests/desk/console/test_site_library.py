@@ -1,6 +1,6 @@
 import pytest
 
-from kit.build import task
+from kit.plans.build import task
 from onika.desk.console.site_library import SiteLibrary, altered
 from onika.store.site import open_site
 from onika.words.fault import Place

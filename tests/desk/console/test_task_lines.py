@@ -1,6 +1,6 @@
 import pytest
 
-from kit.laboratory import Laboratory
+from kit.labs.laboratory import Laboratory
 from onika.wire import live
 from onika.words.reason import Reason
 

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.review_fixture import ReviewFixture
+from kit.desk.review_fixture import ReviewFixture
 
 
 @pytest.fixture

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.app_fixture import AppFixture
+from kit.desk.app_fixture import AppFixture
 from onika.desk.environment.application_entry import ApplicationNames, things
 from onika.desk.environment.diary_entry import entry
 from onika.wire import act

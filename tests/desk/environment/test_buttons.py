@@ -1,6 +1,6 @@
 import pytest
 
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.outcome.button_commands import Commands
 from onika.files import buttons as file
 from onika.model.button import Button

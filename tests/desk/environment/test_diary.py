@@ -1,6 +1,6 @@
 import pytest
 
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.diary import Diary
 from onika.wire import act
 

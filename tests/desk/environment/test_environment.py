@@ -3,7 +3,7 @@ from dataclasses import replace
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.outcome.outcome import (
     Ask,
     AwaitedNews,

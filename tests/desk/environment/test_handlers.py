@@ -1,6 +1,6 @@
 from typing import get_args
 
-from kit.app_fixture import AppFixture
+from kit.desk.app_fixture import AppFixture
 from onika.desk.environment.handlers import HANDLERS
 from onika.wire import act
 

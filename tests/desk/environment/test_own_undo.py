@@ -1,7 +1,7 @@
 import pytest
 
-from kit.dictionary_fixture import WHITE, DictionaryFixture, plain
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.dictionary_fixture import WHITE, DictionaryFixture, plain
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.model.button import Button
 from onika.model.task import Task
 from onika.wire import act

@@ -2,7 +2,7 @@ from dataclasses import asdict
 
 import pytest
 
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.preferences import leave
 from onika.desk.environment.state import settings
 from onika.files import preferences as file

@@ -7,8 +7,8 @@ from collections import deque
 
 import pytest
 
-from kit.environment_fixture import EnvironmentFixture
-from kit.live_runtime import LiveRuntime
+from kit.desk.environment_fixture import EnvironmentFixture
+from kit.desk.live_runtime import LiveRuntime
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.outcome.outcome import Order, RequiredRuntime, Simulator
 from onika.desk.environment.runtime_thread import RuntimeThread

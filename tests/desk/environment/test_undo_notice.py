@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from kit.app_fixture import AppFixture
+from kit.desk.app_fixture import AppFixture
 from onika.desk.environment.outcome.outcome import Done
 from onika.wire import act
 

@@ -2,7 +2,7 @@ from hashlib import sha256
 
 import pytest
 
-from kit.laboratory import HOLE, Laboratory, job, joints
+from kit.labs.laboratory import HOLE, Laboratory, job, joints
 from onika.desk.plan.compile import Compiler, rtpus_of
 from onika.store.program import load
 from onika.store.site import open_site

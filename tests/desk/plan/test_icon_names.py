@@ -1,4 +1,4 @@
-from kit.app_fixture import onikon
+from kit.desk.app_fixture import onikon
 from onika.desk.plan.icon_names import a_kind, kind_named, named, quoted, several, step_named
 from onika.model.application import Branch, Hole, Icon
 from onika.words.reason import in_language

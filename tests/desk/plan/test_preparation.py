@@ -1,6 +1,6 @@
 import pytest
 
-from kit.laboratory import HOLE, Laboratory, job, joints
+from kit.labs.laboratory import HOLE, Laboratory, job, joints
 from onika.desk.plan.preparation import fault_of, prepare, prepare_run
 from onika.store.site import open_site
 from onika.wire.request import FaultText

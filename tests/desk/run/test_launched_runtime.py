@@ -4,9 +4,9 @@ import sys
 
 import pytest
 
-from kit.bell_plan import bell
-from kit.plan_builder import action
-from kit.rail_world import rail_tasks
+from kit.plans.bell_plan import bell
+from kit.plans.plan_builder import action
+from kit.worlds.rail_world import rail_tasks
 from onika.desk.run import launched_runtime as room
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.link.launcher import launch

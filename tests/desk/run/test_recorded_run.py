@@ -1,6 +1,6 @@
 import pytest
 
-from kit.recording_builder import RecordingBuilder, run
+from kit.record.recording_builder import RecordingBuilder, run
 from onika.desk.run.recorded_run import RecordedRun, RecordingSource, events_of, inputs_of, recorded_run
 from onika.wire import event, request, steer
 from onika.wire.request import decode_request

@@ -1,4 +1,4 @@
-from kit.recording_builder import RecordingBuilder
+from kit.record.recording_builder import RecordingBuilder
 from onika.desk.run.recording_digest import digest_lines
 from onika.desk.run.run_review import Review
 from onika.wire import event

@@ -2,7 +2,7 @@ import signal
 
 import pytest
 
-from kit.scripted_runtime import After, KeepingWatcher, ScriptedRuntime
+from kit.desk.scripted_runtime import After, KeepingWatcher, ScriptedRuntime
 from onika.desk.run import run as room
 from onika.desk.run.run import run, start
 from onika.desk.run.settings import RunSettings

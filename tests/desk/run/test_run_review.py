@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from kit.recording_builder import RecordingBuilder
+from kit.record.recording_builder import RecordingBuilder
 from onika.desk.run.run_review import Interval, Review
 from onika.record import foxglove, topics
 from onika.wire import event

@@ -2,7 +2,7 @@ from itertools import islice
 
 import pytest
 
-from kit.bell_plan import bell
+from kit.plans.bell_plan import bell
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.desk.run.runtime_conversation import NumberedResponse, in_short
 from onika.wire import event, live, request

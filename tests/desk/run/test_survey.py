@@ -2,7 +2,7 @@ from pathlib import Path
 
 import pytest
 
-from kit.laboratory import Laboratory, job, joints
+from kit.labs.laboratory import Laboratory, job, joints
 from onika.desk.run import survey as room
 from onika.desk.run.survey import survey
 from onika.store.site import open_site

@@ -1,7 +1,7 @@
 import pytest
 from msgspec.structs import replace
 
-from kit.laboratory import Laboratory, job, target
+from kit.labs.laboratory import Laboratory, job, target
 from onika.desk.plan.preparation import prepare_run
 from onika.desk.run.settings import RunSettings
 from onika.desk.trial.account import digest_of, give_account, timed_events

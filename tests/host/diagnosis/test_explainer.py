@@ -5,8 +5,8 @@ import struct
 import pytest
 from msgspec import structs
 
-from kit.plan_builder import PlanBuilder, action
-from kit.rail_world import YardLoading
+from kit.plans.plan_builder import PlanBuilder, action
+from kit.worlds.rail_world import YardLoading
 from onika.engine import news as said
 from onika.engine.engine import Engine
 from onika.host.diagnosis.explainer import Explainer

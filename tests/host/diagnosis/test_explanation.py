@@ -2,8 +2,8 @@ import struct
 
 import pytest
 
-from kit.plan_builder import PlanBuilder, action
-from kit.rail_world import YardLoading
+from kit.plans.plan_builder import PlanBuilder, action
+from kit.worlds.rail_world import YardLoading
 from onika.host.diagnosis import explanation
 from onika.host.diagnosis.explanation import explain
 from onika.host.diagnosis.stop_cause import Cause, CauseKind

@@ -1,6 +1,6 @@
 import math
 
-from kit.plan_builder import PlanBuilder
+from kit.plans.plan_builder import PlanBuilder
 from onika.host.diagnosis.nan_origin import Suspicion, is_no_number, suspicion
 from onika.module import InVar, Module, OutVar
 from onika.runtime.modules.sheet import sheet_of

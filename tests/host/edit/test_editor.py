@@ -2,8 +2,8 @@
 
 import pytest
 
-from kit.live_edits import COUNTER, LiveEdits, live_edits_with_tasks
-from kit.rail_world import MASS, rail_tasks
+from kit.runtime.live_edits import COUNTER, LiveEdits, live_edits_with_tasks
+from kit.worlds.rail_world import MASS, rail_tasks
 from onika.wire import event, live, request
 from onika.words.reason import Reason
 

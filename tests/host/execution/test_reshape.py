@@ -1,7 +1,7 @@
 import pytest
 
-from kit.live_edits import READER, SOURCE, USER, live_edits_with_tasks
-from kit.rail_world import MASS, rail_tasks
+from kit.runtime.live_edits import READER, SOURCE, USER, live_edits_with_tasks
+from kit.worlds.rail_world import MASS, rail_tasks
 from onika.wire import event, live
 
 

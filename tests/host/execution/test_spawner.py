@@ -1,8 +1,8 @@
 import pytest
 
-from kit.live_edits import LiveEdits, live_edits_with_tasks
-from kit.plan_builder import action
-from kit.rail_world import YardLoading, rail_tasks
+from kit.plans.plan_builder import action
+from kit.runtime.live_edits import LiveEdits, live_edits_with_tasks
+from kit.worlds.rail_world import YardLoading, rail_tasks
 from onika.host.execution.spawner import Spawner, shape_fault
 from onika.host.loading.plan_preparation import prepare
 from onika.ring.segment import Segment

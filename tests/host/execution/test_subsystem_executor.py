@@ -2,9 +2,9 @@
 
 import pytest
 
-from kit.executor import executor
-from kit.plan_builder import action
-from kit.rail_world import YardLoading, rail_tasks
+from kit.plans.plan_builder import action
+from kit.runtime.executor import executor
+from kit.worlds.rail_world import YardLoading, rail_tasks
 from onika.engine import orders
 from onika.host.loading.plan_preparation import prepare
 from onika.model.lifecycle import State

@@ -2,7 +2,7 @@ from itertools import count
 
 import pytest
 
-from kit.plan_builder import PlanBuilder, action
+from kit.plans.plan_builder import PlanBuilder, action
 from onika.engine.orders import Launch, Switch
 from onika.host.execution.switch_dispatch import SwitchDispatch
 from onika.host.loading.module_facts import ModuleFacts

@@ -3,7 +3,7 @@
 import pytest
 from msgspec import structs
 
-from kit.live_edits import LiveEdits
+from kit.runtime.live_edits import LiveEdits
 from onika.host.execution.task_events import by_hand, in_a_run, question_of
 from onika.runtime import news
 from onika.runtime.user_input import AskedItem

@@ -1,4 +1,4 @@
-from kit.fault_planting import FaultyRuntime
+from kit.faults.fault_planting import FaultyRuntime
 from onika.words.reason import in_language
 
 

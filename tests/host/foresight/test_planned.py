@@ -1,4 +1,4 @@
-from kit.fault_planting import FaultyRuntime
+from kit.faults.fault_planting import FaultyRuntime
 
 
 def test_a_plan_is_answered_at_its_first_step_before_anything_runs():  # R-X24

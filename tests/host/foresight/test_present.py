@@ -1,4 +1,4 @@
-from kit.fault_planting import FaultyRuntime
+from kit.faults.fault_planting import FaultyRuntime
 from onika.host.foresight.present import present
 from onika.model.lifecycle import State
 from onika.ring.drive import DriveMode

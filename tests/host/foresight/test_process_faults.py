@@ -1,4 +1,4 @@
-from kit.fault_planting import FaultyRuntime
+from kit.faults.fault_planting import FaultyRuntime
 
 
 def test_with_its_program_everything_of_a_runtime_is_gone_and_nobody_is_told():  # R-X24

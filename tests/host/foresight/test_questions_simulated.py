@@ -2,8 +2,8 @@
 
 import pytest
 
-from kit.fault_planting import FaultyRuntime
-from kit.foreseen_changes import foretold, gathered
+from kit.faults.fault_planting import FaultyRuntime
+from kit.faults.foreseen_changes import foretold, gathered
 from onika.host.foresight.questions import FAULTS
 from onika.wire import event, request
 from onika.words.reason import Reason

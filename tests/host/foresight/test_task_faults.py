@@ -1,6 +1,6 @@
 import pytest
 
-from kit.fault_planting import FaultyRuntime
+from kit.faults.fault_planting import FaultyRuntime
 
 
 @pytest.fixture

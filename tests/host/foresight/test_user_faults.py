@@ -1,4 +1,4 @@
-from kit.fault_planting import FaultyRuntime
+from kit.faults.fault_planting import FaultyRuntime
 
 
 def test_a_runtime_ends_with_the_program_that_launched_it():  # R-X24, R-A15

@@ -2,7 +2,7 @@ import inspect
 
 import pytest
 
-from kit.rail_world import YardLoading
+from kit.worlds.rail_world import YardLoading
 from onika.host.loading.loader_client import LoaderClient
 from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.module_questions import ModuleQuestions

@@ -1,8 +1,8 @@
 import pytest
 
-from kit.live_edits import SOURCE
-from kit.plan_builder import PlanBuilder
-from kit.rail_world import YardLoading
+from kit.plans.plan_builder import PlanBuilder
+from kit.runtime.live_edits import SOURCE
+from kit.worlds.rail_world import YardLoading
 from onika.host.loading.plan_checks import (
     absent_devices,
     conflicts,

@@ -1,8 +1,8 @@
 import pytest
 from msgspec.structs import replace
 
-from kit.plan_builder import action
-from kit.rail_world import rail_tasks
+from kit.plans.plan_builder import action
+from kit.worlds.rail_world import rail_tasks
 from onika.host.loading.plan_form import shown, wrong_code, wrong_plan, wrong_tasks
 from onika.wire.plan import Choose, Do, Fork, Halt, Join, Jump, Rest
 from onika.wire.request import TargetValues

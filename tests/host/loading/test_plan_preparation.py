@@ -1,7 +1,7 @@
 import pytest
 
-from kit.plan_builder import PlanBuilder, action
-from kit.rail_world import YardLoading
+from kit.plans.plan_builder import PlanBuilder, action
+from kit.worlds.rail_world import YardLoading
 from onika.host.loading.plan_preparation import inspect, prepare
 from onika.wire.request import TargetValues
 from onika.words.fault import Fault, Place

@@ -1,7 +1,7 @@
 import pytest
 from msgspec.structs import replace
 
-from kit.plan_builder import PlanBuilder, action
+from kit.plans.plan_builder import PlanBuilder, action
 from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare
 from onika.host.loading.target_resolution import JOINT

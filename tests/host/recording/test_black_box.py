@@ -3,9 +3,9 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from kit.direct_client import DirectClient
-from kit.plan_builder import action
-from kit.rail_world import rail_tasks
+from kit.plans.plan_builder import action
+from kit.runtime.direct_client import DirectClient
+from kit.worlds.rail_world import rail_tasks
 from onika.desk.run.run_review import Review
 from onika.host.recording.black_box import MOST_FAULTS
 from onika.host.recording.black_box_holder import InProcessHolder

@@ -4,7 +4,7 @@ from time import monotonic, monotonic_ns
 import numpy as np
 import pytest
 
-from kit.recording_builder import run
+from kit.record.recording_builder import run
 from onika.desk.run.run_review import Review
 from onika.host.recording.black_box_holder import HolderProcess, InProcessHolder
 from onika.host.recording.black_box_orders import CloseBlackBox, OpenBlackBox

@@ -4,8 +4,8 @@ from time import monotonic_ns
 import numpy as np
 import pytest
 
-from kit.next_message import next_message
-from kit.recording_builder import run
+from kit.process.next_message import next_message
+from kit.record.recording_builder import run
 from onika.desk.run.run_review import Review
 from onika.host.recording import black_box_process
 from onika.host.recording.black_box_orders import (

@@ -1,4 +1,4 @@
-from kit.recording_builder import run
+from kit.record.recording_builder import run
 from onika.desk.run.run_review import Review
 from onika.host.recording.black_box_orders import OpenBlackBox
 from onika.host.recording.held_run import HeldRun

@@ -3,7 +3,7 @@ import io
 import numpy as np
 import pytest
 
-from kit.recording_builder import run
+from kit.record.recording_builder import run
 from onika.host.recording.last_seconds import LastSeconds, TracedEvent, TracedVariables
 from onika.host.recording.recorded_variable import places_of
 from onika.record import topics

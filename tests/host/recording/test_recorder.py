@@ -2,9 +2,9 @@ from time import monotonic_ns
 
 import pytest
 
-from kit.direct_client import DirectClient
-from kit.plan_builder import action
-from kit.rail_world import rail_tasks
+from kit.plans.plan_builder import action
+from kit.runtime.direct_client import DirectClient
+from kit.worlds.rail_world import rail_tasks
 from onika.desk.run.recorded_run import inputs_of
 from onika.host.units.realtime_factor import FASTEST, SLOWEST, RealtimeFactor
 from onika.record import topics

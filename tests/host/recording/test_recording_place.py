@@ -5,7 +5,7 @@ from time import monotonic
 
 import pytest
 
-from kit.recording_builder import run
+from kit.record.recording_builder import run
 from onika.host.recording import recording_place
 from onika.host.recording.recording_place import InProcessWriter, WriterProcess
 from onika.host.recording.recording_sink import AddMessage, BeginRecording, FinishRecording

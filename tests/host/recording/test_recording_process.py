@@ -4,8 +4,8 @@ from time import monotonic_ns
 
 import numpy as np
 
-from kit.next_message import next_message
-from kit.recording_builder import run
+from kit.process.next_message import next_message
+from kit.record.recording_builder import run
 from onika.host.recording import recording_process
 from onika.host.recording.recorded_variable import VariablePlace
 from onika.host.recording.recording_sink import AddVariables, BeginRecording, FinishRecording, encode

@@ -1,6 +1,6 @@
-from kit.direct_client import DirectClient
-from kit.plan_builder import action
-from kit.rail_world import rail_tasks
+from kit.plans.plan_builder import action
+from kit.runtime.direct_client import DirectClient
+from kit.worlds.rail_world import rail_tasks
 from onika.host.recording.run_description import RunDescriptions
 from onika.wire import request
 

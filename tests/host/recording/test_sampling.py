@@ -3,7 +3,7 @@ from itertools import pairwise
 
 import pytest
 
-from kit.live_edits import live_edits_with_tasks
+from kit.runtime.live_edits import live_edits_with_tasks
 from onika.host.recording.sampling import MOST_TRACES
 from onika.wire.request import Refused
 from onika.wire.samples import MOST_VARIABLES, Sample, Sampled

@@ -1,6 +1,6 @@
-from kit.live_edits import LiveEdits
-from kit.plan_builder import action
-from kit.rail_world import rail_tasks
+from kit.plans.plan_builder import action
+from kit.runtime.live_edits import LiveEdits
+from kit.worlds.rail_world import rail_tasks
 from onika.wire import event, request
 
 

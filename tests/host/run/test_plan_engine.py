@@ -1,5 +1,5 @@
-from kit.plan_builder import action
-from kit.runner_rig import RunnerRig
+from kit.plans.plan_builder import action
+from kit.runtime.runner_rig import RunnerRig
 from onika.engine.engine import Engine
 
 

@@ -1,6 +1,6 @@
 from msgspec import structs
 
-from kit import build
+from kit.plans import build
 from onika.engine import orders
 from onika.host.run.run_events import RunEvents
 from onika.host.run.run_statistics import Meeting

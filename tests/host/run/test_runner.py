@@ -1,7 +1,7 @@
 import pytest
 
-from kit.plan_builder import action
-from kit.runner_rig import NotingUnits, RunnerRig
+from kit.plans.plan_builder import action
+from kit.runtime.runner_rig import NotingUnits, RunnerRig
 from onika.runtime import command, news
 from onika.wire import event, steer
 from onika.wire.request import Begin

@@ -1,7 +1,7 @@
 """A runner answers what tasks ask from what was given beforehand, or asks whoever is there."""
 
-from kit.plan_builder import action
-from kit.runner_rig import RunnerRig
+from kit.plans.plan_builder import action
+from kit.runtime.runner_rig import RunnerRig
 from onika.runtime import command, news
 from onika.runtime.user_input import AskedItem
 from onika.wire import event

@@ -2,8 +2,8 @@
 
 import pytest
 
-from kit.executor import executor
-from kit.plan_builder import PlanBuilder, action
+from kit.plans.plan_builder import PlanBuilder, action
+from kit.runtime.executor import executor
 from onika.engine import orders
 from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare

@@ -1,7 +1,7 @@
 import pytest
 
-from kit.plan_builder import action
-from kit.rail_world import rail_tasks
+from kit.plans.plan_builder import action
+from kit.worlds.rail_world import rail_tasks
 from onika.host.sessions.audit_log import AuditLog
 from onika.host.sessions.request_server import SessionRequest
 from onika.link.caller import Caller, Role

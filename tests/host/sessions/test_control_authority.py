@@ -1,8 +1,8 @@
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from kit.live_edits import live_edits_with_tasks
-from kit.rail_world import rail_tasks
+from kit.runtime.live_edits import live_edits_with_tasks
+from kit.worlds.rail_world import rail_tasks
 from onika.wire import event, holding, live, request, steer
 from onika.words.reason import Reason
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from kit.authority_bench import AuthorityBench, LiveFake
+from kit.runtime.authority_bench import AuthorityBench, LiveFake
 from onika.wire import event, holding, live, request, steer
 from onika.wire.plan import Code
 from onika.words.reason import NOTHING, Reason

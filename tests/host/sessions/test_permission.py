@@ -1,7 +1,7 @@
 import pytest
 
-from kit.module_source import COUNTER
-from kit.plan_builder import PlanBuilder
+from kit.labs.module_source import COUNTER
+from kit.plans.plan_builder import PlanBuilder
 from onika.host.sessions.permission import brings_code, changes_nothing, refusal
 from onika.link.caller import PARENT, Caller, Role
 from onika.wire import holding, live, request, steer

@@ -2,7 +2,7 @@ import socket
 
 import pytest
 
-from kit.plan_builder import PlanBuilder, action
+from kit.plans.plan_builder import PlanBuilder, action
 from onika.host.sessions.request_server import RequestServer, SessionRequest
 from onika.link.caller import Caller, Role
 from onika.link.carrier import SocketCarrier, memory_pair

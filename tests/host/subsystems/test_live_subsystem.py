@@ -1,7 +1,7 @@
 import pytest
 
-from kit.live_edits import BROKEN, COUNTER, SOURCE, live_edits_with_tasks
-from kit.plan_builder import PlanBuilder
+from kit.plans.plan_builder import PlanBuilder
+from kit.runtime.live_edits import BROKEN, COUNTER, SOURCE, live_edits_with_tasks
 from onika.host.edit import transactions
 from onika.host.subsystems.live_subsystem import LiveSubsystem
 from onika.model.rules.reconfiguration import exchange

@@ -1,8 +1,8 @@
 import pytest
 
-from kit.live_edits import live_edits_with_tasks
-from kit.plan_builder import action
-from kit.rail_world import rail_tasks
+from kit.plans.plan_builder import action
+from kit.runtime.live_edits import live_edits_with_tasks
+from kit.worlds.rail_world import rail_tasks
 from onika.runtime import command, news
 from onika.wire import event, live, request
 from onika.words.reason import Reason

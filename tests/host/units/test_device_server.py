@@ -6,7 +6,7 @@ from time import monotonic_ns
 import numpy as np
 import pytest
 
-from kit.mass_world import MassWorld
+from kit.worlds.mass_world import MassWorld
 from onika.host.units import device_server as room
 from onika.host.units.device_server import DeviceServer
 from onika.host.units.heartbeat import SIZE, Heartbeat

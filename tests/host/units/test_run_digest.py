@@ -1,4 +1,4 @@
-from kit.mass_world import MassWorld
+from kit.worlds.mass_world import MassWorld
 from onika.host.units.run_digest import Digest
 from onika.runtime import news
 

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.mass_world import MassWorld
+from kit.worlds.mass_world import MassWorld
 from onika.host.units.served_worlds import ServedWorlds
 from onika.ring.device import DeviceOrder, DriveState
 from onika.ring.drive import DriveMode

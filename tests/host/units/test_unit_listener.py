@@ -2,7 +2,7 @@ import inspect
 
 import pytest
 
-from kit.live_edits import LossyDriver
+from kit.runtime.live_edits import LossyDriver
 from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.host.units.unit_listener import UnitListener
 

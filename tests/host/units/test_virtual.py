@@ -3,9 +3,9 @@ from time import monotonic_ns
 
 import pytest
 
-from kit.mass_world import MassWorld
-from kit.plan_builder import PlanBuilder, action
-from kit.rail_world import YardLoading, rail_tasks
+from kit.plans.plan_builder import PlanBuilder, action
+from kit.worlds.mass_world import MassWorld
+from kit.worlds.rail_world import YardLoading, rail_tasks
 from onika.host.loading.plan_preparation import prepare
 from onika.host.run.runner import Runner
 from onika.host.units.realtime_factor import RealtimeFactor

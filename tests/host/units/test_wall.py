@@ -4,7 +4,7 @@ import signal
 
 import pytest
 
-from kit.plan_builder import PlanBuilder, action
+from kit.plans.plan_builder import PlanBuilder, action
 from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare
 from onika.host.run.runner import Runner

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.mass_world import MassWorld
+from kit.worlds.mass_world import MassWorld
 from onika.host.units.world_buses import Buses
 from onika.ring.device import DeviceOrder
 from onika.ring.drive import DriveMode

@@ -2,7 +2,7 @@
 
 from hypothesis import given, settings, strategies as st
 
-from kit.program_tree import Act, Loop, Pick, Side, planned
+from kit.plans.program_tree import Act, Loop, Pick, Side, planned
 from onika.model.rules import meetings
 from onika.words.fault import Place
 from onika.words.reason import Reason

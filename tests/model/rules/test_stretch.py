@@ -2,8 +2,8 @@
 
 import pytest
 
-from kit import build
-from kit.program_tree import Act, Loop, Pick, Side, planned
+from kit.plans import build
+from kit.plans.program_tree import Act, Loop, Pick, Side, planned
 from onika.model.rules.stretch import ENDLESS, IDLE, FlowOutcome, FlowStop, ReturnValue, program_of, ways
 from onika.wire.plan import Do, Halt, Meet, Rest
 from onika.words.reason import Reason

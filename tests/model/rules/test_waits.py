@@ -2,7 +2,7 @@
 
 from hypothesis import given, settings, strategies as st
 
-from kit.program_tree import Act, Loop, Pick, Side, planned
+from kit.plans.program_tree import Act, Loop, Pick, Side, planned
 from onika.model.rules.waits import FlowWait, Waits
 from onika.wire.plan import Again, Choose, Fork, Halt, Join, Jump, Meet, Unless
 

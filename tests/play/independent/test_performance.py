@@ -3,7 +3,7 @@
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from kit import build
+from kit.plans import build
 from onika.engine.engine import Engine
 from onika.engine.news import Abort, Failed, Finished, Illegal, News, Refused, Run, Spawned, SwitchedOff, TurnedOn
 from onika.engine.orders import Began, Done, Kill, Moved, Order, RunNote, Settle, Spawn, Switch, Together

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.task_place import Place
+from kit.runtime.task_place import Place
 
 
 @pytest.fixture

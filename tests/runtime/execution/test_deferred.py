@@ -3,8 +3,8 @@
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from kit.executive_rig import HOME, ExecutiveRig
-from kit.module_source import COUNTER, module
+from kit.labs.module_source import COUNTER, module
+from kit.runtime.executive_rig import HOME, ExecutiveRig
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from onika.runtime.execution.deferred import PATIENCE_NS

@@ -2,9 +2,9 @@
 
 import pytest
 
-from kit.executive_rig import HOME, ExecutiveRig
-from kit.mass_world import MassWorld
-from kit.module_source import HEAD, module
+from kit.labs.module_source import HEAD, module
+from kit.runtime.executive_rig import HOME, ExecutiveRig
+from kit.worlds.mass_world import MassWorld
 from onika.model.lifecycle import State
 from onika.ring.device import DriveState
 from onika.runtime import command, news

@@ -4,8 +4,8 @@ import select
 
 import pytest
 
-from kit.executive_rig import HOME, rig_of
-from kit.module_source import COUNTER, module
+from kit.labs.module_source import COUNTER, module
+from kit.runtime.executive_rig import HOME, rig_of
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from onika.testing.fake_partner import FakePartner

@@ -4,9 +4,9 @@ import hashlib
 
 import pytest
 
-from kit.executive_rig import HOME, ExecutiveRig
-from kit.mass_world import MassWorld
-from kit.module_source import COUNTER, cycle, module
+from kit.labs.module_source import COUNTER, cycle, module
+from kit.runtime.executive_rig import HOME, ExecutiveRig
+from kit.worlds.mass_world import MassWorld
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from onika.runtime.execution.statistics import status_of

@@ -2,7 +2,7 @@
 
 import pytest
 
-from kit.executive_rig import HOME, ExecutiveRig
+from kit.runtime.executive_rig import HOME, ExecutiveRig
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from onika.runtime.execution.statistics import load_of, status_of, values_of

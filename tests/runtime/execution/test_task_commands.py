@@ -2,8 +2,8 @@
 
 import pytest
 
-from kit.executive_rig import HOME, ExecutiveRig, rig_of
-from kit.module_source import module
+from kit.labs.module_source import module
+from kit.runtime.executive_rig import HOME, ExecutiveRig, rig_of
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from onika.words.shape import Shape

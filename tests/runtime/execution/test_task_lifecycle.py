@@ -3,8 +3,8 @@
 import pytest
 from msgspec import structs
 
-from kit.executive_rig import HOME, ExecutiveRig, rig_of
-from kit.module_source import COUNTER, HEAD, module
+from kit.labs.module_source import COUNTER, HEAD, module
+from kit.runtime.executive_rig import HOME, ExecutiveRig, rig_of
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 

@@ -4,8 +4,8 @@ import os
 
 import pytest
 
-from kit.executive_rig import HOME, ExecutiveRig
-from kit.module_source import COUNTER, module
+from kit.labs.module_source import COUNTER, module
+from kit.runtime.executive_rig import HOME, ExecutiveRig
 from onika.runtime.execution.running_task import RunningTask
 from onika.runtime.execution.unit import ProcessingUnit
 

@@ -2,8 +2,8 @@
 
 import pytest
 
-from kit.executive_rig import ExecutiveRig
-from kit.module_source import COUNTER, module
+from kit.labs.module_source import COUNTER, module
+from kit.runtime.executive_rig import ExecutiveRig
 from onika.model.lifecycle import State
 from onika.runtime import news
 from onika.runtime.execution.running_task import CHECKED_EVERY

@@ -5,7 +5,7 @@ import re
 import numpy as np
 import pytest
 
-from kit.executive_rig import ExecutiveRig
+from kit.runtime.executive_rig import ExecutiveRig
 from onika.model.lifecycle import State
 from onika.module import InBoth, InConst, Input, InVar, Local, Module, OutConst, OutVar, module
 from onika.runtime import command, news

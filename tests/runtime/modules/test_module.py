@@ -4,8 +4,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from kit.executive_rig import ExecutiveRig
-from kit.module_source import module
+from kit.labs.module_source import module
+from kit.runtime.executive_rig import ExecutiveRig
 from onika.model.lifecycle import State
 from onika.module import Input, InVar, Local, Module, ModuleError, OutVar
 from onika.ring.device import DeviceOrder, DriveState

@@ -6,8 +6,8 @@ from itertools import pairwise
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from kit.executive_rig import HOME, ExecutiveRig
-from kit.mass_world import MassWorld
+from kit.runtime.executive_rig import HOME, ExecutiveRig
+from kit.worlds.mass_world import MassWorld
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from onika.runtime.modules.code import load

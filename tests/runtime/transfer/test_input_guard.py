@@ -1,7 +1,7 @@
 import pytest
 
-from kit.executive_rig import ExecutiveRig
-from kit.mass_world import MassWorld
+from kit.runtime.executive_rig import ExecutiveRig
+from kit.worlds.mass_world import MassWorld
 from onika.runtime import command, news
 
 MS = 1_000_000

@@ -1,7 +1,7 @@
 from dataclasses import replace
 
-from kit.app_fixture import AppFixture
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.app_fixture import AppFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.state.open_application import Judgement
 from onika.model.task import Task
 from onika.wire import act

@@ -1,8 +1,8 @@
 import pytest
 
-from kit.fake_runtime_env import FakeRuntimeEnv
-from kit.laboratory import job
-from kit.run_fixture import RunFixture
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
+from kit.desk.run_fixture import RunFixture
+from kit.labs.laboratory import job
 from onika.desk.environment.canvas.connection import connected
 from onika.desk.environment.reconcile.runtime_loss import lost
 from onika.model.task import Task

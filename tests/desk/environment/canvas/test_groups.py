@@ -1,8 +1,8 @@
 import pytest
 
-from kit.environment_fixture import EnvironmentFixture
-from kit.fake_runtime_env import FakeRuntimeEnv
-from kit.laboratory import Laboratory
+from kit.desk.environment_fixture import EnvironmentFixture
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
+from kit.labs.laboratory import Laboratory
 from onika.files import conf
 from onika.model.configuration import Group
 from onika.model.rules.order import Ports

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.fake_runtime_env import FakeRuntimeEnv
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
 from onika.model.task import Task
 from onika.wire import act, live, request
 from onika.words.reason import Reason

@@ -1,7 +1,7 @@
 import pytest
 
-from kit.fake_runtime_env import FakeRuntimeEnv
-from kit.live_runtime import LiveRuntime
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
+from kit.desk.live_runtime import LiveRuntime
 from onika.model.task import Task
 from onika.wire import act, event, live, request
 from onika.words.reason import Reason

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.files import rmod
 from onika.files.rmod import RmodText
 from onika.model.task import Task

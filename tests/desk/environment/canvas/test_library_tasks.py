@@ -3,8 +3,8 @@ from dataclasses import replace
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from kit.environment_fixture import EnvironmentFixture
-from kit.installed_fixture import InstalledFixture
+from kit.desk.environment_fixture import EnvironmentFixture
+from kit.desk.installed_fixture import InstalledFixture
 from onika.files import rmod
 from onika.model.task import LocalLine, Task, TaskType
 from onika.wire import act

@@ -2,7 +2,7 @@ import math
 
 import pytest
 
-from kit.fake_runtime_env import FakeRuntimeEnv
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
 from onika.model.task import Task, TaskType
 from onika.wire import act
 

@@ -2,8 +2,8 @@ import struct
 
 import pytest
 
-from kit.fake_runtime_env import FakeRuntimeEnv
-from kit.live_runtime import LiveRuntime
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
+from kit.desk.live_runtime import LiveRuntime
 from onika.model.task import Task
 from onika.wire import act
 from onika.wire.samples import Sample, Sampled, SampleStretch, SampleTrace

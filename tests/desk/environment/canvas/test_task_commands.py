@@ -2,9 +2,9 @@ from dataclasses import replace
 
 import pytest
 
-from kit.fake_runtime_env import FakeRuntimeEnv
-from kit.laboratory import Laboratory
-from kit.live_runtime import LiveRuntime
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
+from kit.desk.live_runtime import LiveRuntime
+from kit.labs.laboratory import Laboratory
 from onika.desk.environment.outcome.outcome import Done
 from onika.model.task import Task, TaskType
 from onika.wire import act, event, live, request

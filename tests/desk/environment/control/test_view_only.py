@@ -3,7 +3,7 @@ from dataclasses import replace
 import msgspec
 import pytest
 
-from kit.fake_runtime_env import FakeRuntimeEnv
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
 from onika.desk.environment.outcome.outcome import Done
 from onika.model.task import Task
 from onika.wire import act, event, holding, live, request

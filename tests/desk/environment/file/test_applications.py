@@ -3,8 +3,8 @@ from pathlib import Path
 
 import pytest
 
-from kit.app_fixture import AppFixture
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.app_fixture import AppFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.initial_model import opened
 from onika.store.shipped import shipped
 from onika.store.site import Site

@@ -1,7 +1,7 @@
 import pytest
 
-from kit.environment_fixture import EnvironmentFixture
-from kit.fake_runtime_env import FakeRuntimeEnv
+from kit.desk.environment_fixture import EnvironmentFixture
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
 from onika.model.task import Task
 from onika.wire import act, live
 from onika.wire.view import ShowSaveAs

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.app_fixture import AppFixture
+from kit.desk.app_fixture import AppFixture
 from onika.desk.environment.file.file_acts import KINDS
 from onika.desk.environment.state.open_file import DocumentKind
 from onika.wire import act

@@ -1,6 +1,6 @@
 from pathlib import Path
 
-from kit.laboratory import HOLE, Laboratory, job
+from kit.labs.laboratory import HOLE, Laboratory, job
 from onika.desk.environment.file.file_index import (
     again,
     application,

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.file.file_kind import FileReading, names_of, place
 from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.state.open_file import DocumentKind

@@ -5,8 +5,8 @@ import sys
 
 import pytest
 
-from kit.app_fixture import AppFixture
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.app_fixture import AppFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.file.autosave import Autosave, UnsavedChange
 from onika.desk.environment.file.recovery import Recovery, reopened
 from onika.desk.environment.file.recovery_record import RecoveryRecord, rescue_of

@@ -3,7 +3,7 @@ from pathlib import Path
 
 import pytest
 
-from kit.app_fixture import AppFixture
+from kit.desk.app_fixture import AppFixture
 from onika.desk.environment.file.recovery_record import (
     RecoveryRecord,
     application_of,

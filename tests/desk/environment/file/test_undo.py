@@ -1,6 +1,6 @@
 from hypothesis import given, strategies as st
 
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.file.undo import edits_between, moved_wanted
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.open_libraries import OpenLibraries

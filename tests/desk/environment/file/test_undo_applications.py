@@ -1,7 +1,7 @@
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
-from kit.app_fixture import ONIKONS, AppFixture
+from kit.desk.app_fixture import ONIKONS, AppFixture
 from onika.desk.environment.outcome.on_file import syntax_of
 from onika.desk.environment.show.application_view import ApplicationProjector
 from onika.model.flow_path import flows_by_path, spots

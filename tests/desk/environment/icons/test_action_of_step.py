@@ -1,6 +1,6 @@
 import pytest
 
-from kit.app_fixture import ONIKONS, AppFixture
+from kit.desk.app_fixture import ONIKONS, AppFixture
 from onika.desk.environment.icons.action_of_step import action_of, exchanged, unmarked
 from onika.model.application import AppFlow, Icon
 

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.app_fixture import AppFixture
+from kit.desk.app_fixture import AppFixture
 from onika.desk.environment.icons.alteration import altered, flow_at, place_behind, reflowed, spots_of
 from onika.desk.environment.outcome.outcome import No
 from onika.model.application import AppFlow

@@ -1,7 +1,7 @@
 import pytest
 
-from kit.dictionary_fixture import WHITE, DictionaryFixture, plain
-from kit.laboratory import HOLE, Laboratory, job
+from kit.desk.dictionary_fixture import WHITE, DictionaryFixture, plain
+from kit.labs.laboratory import HOLE, Laboratory, job
 from onika.model.initials import drawn
 from onika.model.onikon import Onikon
 from onika.wire import act

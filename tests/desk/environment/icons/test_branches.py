@@ -1,6 +1,6 @@
 import pytest
 
-from kit.app_fixture import AppFixture
+from kit.desk.app_fixture import AppFixture
 from onika.desk.environment.icons.branches import conditions_of
 from onika.wire import act
 

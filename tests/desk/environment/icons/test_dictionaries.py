@@ -1,6 +1,6 @@
 import pytest
 
-from kit.dictionary_fixture import DictionaryFixture, plain
+from kit.desk.dictionary_fixture import DictionaryFixture, plain
 from onika.desk.environment.icons.dictionaries import in_order, is_icon
 from onika.store.base_directory import BaseDirectory
 from onika.wire import act

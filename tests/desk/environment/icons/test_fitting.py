@@ -1,6 +1,6 @@
 import pytest
 
-from kit.app_fixture import ONIKONS, AppFixture, onikon as made
+from kit.desk.app_fixture import ONIKONS, AppFixture, onikon as made
 from onika.desk.environment.icons.fitting import fitting_behind, misfit, onikon
 from onika.desk.environment.outcome.outcome import No
 from onika.model.application import AppFlow, Icon

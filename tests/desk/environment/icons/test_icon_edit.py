@@ -1,6 +1,6 @@
 import pytest
 
-from kit.app_fixture import AppFixture
+from kit.desk.app_fixture import AppFixture
 from onika.wire import act
 
 VALUES = (("1", "2", "3", "4", "5", "6"), ("0.5",))

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.app_fixture import ONIKONS, AppFixture, onikon
+from kit.desk.app_fixture import ONIKONS, AppFixture, onikon
 from onika.wire import act
 from onika.wire.view import ShowFits
 

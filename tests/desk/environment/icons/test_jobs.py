@@ -2,8 +2,8 @@ from dataclasses import replace
 
 import pytest
 
-from kit.dictionary_fixture import DictionaryFixture, plain
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.dictionary_fixture import DictionaryFixture, plain
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.outcome.outcome import Done
 from onika.files import syntax as syntax_file
 from onika.model.onikon import Onikon

@@ -1,7 +1,7 @@
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
-from kit.app_fixture import ONIKONS, AppFixture
+from kit.desk.app_fixture import ONIKONS, AppFixture
 from onika.desk.environment.icons.loops import for_pasting, tags
 from onika.model.application import AppFlow, Icon
 from onika.model.rules import loop

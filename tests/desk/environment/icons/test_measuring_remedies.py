@@ -1,4 +1,4 @@
-from kit.dictionary_fixture import DictionaryFixture
+from kit.desk.dictionary_fixture import DictionaryFixture
 from onika.desk.environment.icons.measured_variables import measures_of
 from onika.desk.environment.icons.measuring_remedies import ways_to_measure
 from onika.wire import act

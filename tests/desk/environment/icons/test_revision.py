@@ -2,8 +2,8 @@ from pathlib import Path
 
 import pytest
 
-from kit.dictionary_fixture import WHITE, DictionaryFixture, plain
-from kit.laboratory import Laboratory, target
+from kit.desk.dictionary_fixture import WHITE, DictionaryFixture, plain
+from kit.labs.laboratory import Laboratory, target
 from onika.wire import act
 
 

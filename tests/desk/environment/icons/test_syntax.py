@@ -1,7 +1,7 @@
 import pytest
 
-from kit.dictionary_fixture import WHITE, DictionaryFixture, plain
-from kit.laboratory import HOLE, Laboratory, job
+from kit.desk.dictionary_fixture import WHITE, DictionaryFixture, plain
+from kit.labs.laboratory import HOLE, Laboratory, job
 from onika.wire import act
 
 WELD = ("ONIKON Weld job", "LEFTEDGE 1", "RIGHTEDGE 7", "ONIKON Weld application", "LEFTEDGE 1", "RIGHTEDGE 7")

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.dictionary_fixture import WHITE, DictionaryFixture, plain
+from kit.desk.dictionary_fixture import WHITE, DictionaryFixture, plain
 from onika.wire import act
 
 SECOND = (("1.5",),)

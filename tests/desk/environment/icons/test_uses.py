@@ -1,5 +1,5 @@
-from kit.dictionary_fixture import DictionaryFixture, plain
-from kit.laboratory import Laboratory, job
+from kit.desk.dictionary_fixture import DictionaryFixture, plain
+from kit.labs.laboratory import Laboratory, job
 from onika.desk.environment.icons.uses import users_of
 from onika.wire import act
 

@@ -1,4 +1,4 @@
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.outcome.clash import clashes, refused
 from onika.model.task import Task
 from onika.wire import act

@@ -1,7 +1,7 @@
 import pytest
 
-from kit.laboratory import HOLE, job, joints
-from kit.run_fixture import RunFixture
+from kit.desk.run_fixture import RunFixture
+from kit.labs.laboratory import HOLE, job, joints
 from onika.desk.environment.runs.readiness import ReadinessCase, ReadinessJudge
 from onika.wire import act
 from onika.wire.view import ShowFits, ShowLoop, ShowStep, ShowTarget

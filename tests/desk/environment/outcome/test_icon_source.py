@@ -1,7 +1,7 @@
 import pytest
 
-from kit.dictionary_fixture import DictionaryFixture, plain
-from kit.laboratory import HOLE, Laboratory, job
+from kit.desk.dictionary_fixture import DictionaryFixture, plain
+from kit.labs.laboratory import HOLE, Laboratory, job
 from onika.words.reason import NOTHING
 
 TASK = """MODULE {0}\nDESC x\nINCONST none\nOUTCONST none\nINVAR none\nOUTVAR none\nTASKTYPE periodic\nFREQ 10\n{1}"""

@@ -3,8 +3,8 @@ from dataclasses import replace
 import pytest
 from msgspec import structs
 
-from kit.app_fixture import AppFixture
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.app_fixture import AppFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.outcome.on_file import is_running
 from onika.desk.environment.run_state.membership import StepMembership

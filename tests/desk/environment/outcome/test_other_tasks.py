@@ -1,4 +1,4 @@
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.outcome.other_tasks import with_other_tasks
 from onika.model.configuration import Configuration
 from onika.model.task import Task

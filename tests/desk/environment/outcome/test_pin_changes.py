@@ -1,4 +1,4 @@
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.outcome.pin_changes import resettled, settled
 from onika.desk.environment.state.content import Content
 from onika.model.task import Task

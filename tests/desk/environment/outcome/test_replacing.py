@@ -1,6 +1,6 @@
 from pathlib import Path
 
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.outcome.replacing import kept, present_text
 from onika.store.replaced_texts import ReplacedTexts
 

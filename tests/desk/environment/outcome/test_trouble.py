@@ -1,6 +1,6 @@
 import pytest
 
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.outcome.trouble import error_view
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document

@@ -1,6 +1,6 @@
 from dataclasses import replace
 
-from kit.app_fixture import ONIKONS, AppFixture
+from kit.desk.app_fixture import ONIKONS, AppFixture
 from onika.desk.environment.outcome.unread_faults import not_run, told
 from onika.model.application import AppFlow, Application, Icon
 from onika.wire import act

@@ -3,8 +3,8 @@ from functools import partial
 
 import pytest
 
-from kit.fake_runtime_env import FakeRuntimeEnv
-from kit.live_runtime import LiveRuntime
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
+from kit.desk.live_runtime import LiveRuntime
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.reconcile.descriptions import describe, forgotten
 from onika.desk.environment.refresh import refreshed

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.fake_runtime_env import FakeRuntimeEnv
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
 from onika.model.task import Task
 from onika.wire import event, live, view
 from onika.wire.view import ShowTask

@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from kit.fake_runtime_env import FakeRuntimeEnv
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
 from onika.desk.environment.canvas.libraries import reread
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.state.target_items import items_of

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.fake_runtime_env import FakeRuntimeEnv
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
 from onika.desk.environment.reconcile.merge import runtime_view, seen, task_of
 from onika.desk.plan.compile import planned_task
 from onika.model.task import LocalLine, Task

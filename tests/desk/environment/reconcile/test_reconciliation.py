@@ -1,8 +1,8 @@
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from kit.fake_runtime_env import FakeRuntimeEnv
-from kit.live_runtime import LiveRuntime
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
+from kit.desk.live_runtime import LiveRuntime
 from onika.desk.environment.reconcile.reconciliation import accepted, edited
 from onika.model.lifecycle import State
 from onika.model.task import Task

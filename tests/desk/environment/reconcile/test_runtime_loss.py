@@ -1,9 +1,9 @@
 import pytest
 
-from kit.fake_runtime_env import FakeRuntimeEnv
-from kit.laboratory import job
-from kit.live_runtime import LiveRuntime
-from kit.run_fixture import RunFixture
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
+from kit.desk.live_runtime import LiveRuntime
+from kit.desk.run_fixture import RunFixture
+from kit.labs.laboratory import job
 from onika.desk.environment.reconcile.runtime_loss import lost, with_loads
 from onika.model.task import Task
 from onika.wire import act

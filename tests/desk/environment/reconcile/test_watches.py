@@ -2,9 +2,9 @@ import math
 
 import pytest
 
-from kit.fake_runtime_env import FakeRuntimeEnv
-from kit.laboratory import job
-from kit.run_fixture import RunFixture
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
+from kit.desk.run_fixture import RunFixture
+from kit.labs.laboratory import job
 from onika.desk.environment.reconcile.watches import Watch, homes_of, keys_of
 from onika.model.task import Task
 from onika.wire import holding, live

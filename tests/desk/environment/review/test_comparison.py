@@ -3,7 +3,7 @@ from dataclasses import replace
 import pytest
 from msgspec import structs
 
-from kit.laboratory import job
+from kit.labs.laboratory import job
 from onika.wire import act
 
 

@@ -4,9 +4,9 @@ from queue import Empty, Queue
 
 import pytest
 
-from kit.laboratory import job
-from kit.recording_builder import RecordingBuilder, run as recorded
-from kit.run_fixture import RunFixture
+from kit.desk.run_fixture import RunFixture
+from kit.labs.laboratory import job
+from kit.record.recording_builder import RecordingBuilder, run as recorded
 from onika.desk.environment import initial_model
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.handlers import HANDLERS

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.laboratory import job
+from kit.labs.laboratory import job
 from onika.wire import act
 
 

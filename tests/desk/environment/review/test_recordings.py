@@ -1,4 +1,4 @@
-from kit.laboratory import job
+from kit.labs.laboratory import job
 from onika.desk.environment.file.recordings_folder import recordings_folder
 from onika.record.black_box_folder import black_boxes_in
 from onika.wire import act

@@ -1,8 +1,8 @@
 import pytest
 from msgspec import structs
 
-from kit.laboratory import job
-from kit.recording_builder import RecordingBuilder, run
+from kit.labs.laboratory import job
+from kit.record.recording_builder import RecordingBuilder, run
 from onika.wire import act, request
 
 THREE = [job("aC"), job("bC"), job("cC")]

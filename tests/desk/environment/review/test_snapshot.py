@@ -1,9 +1,9 @@
 import pytest
 from msgspec import structs
 
-from kit.laboratory import job
-from kit.recording_builder import RecordingBuilder, run
-from kit.review_fixture import LAMP
+from kit.desk.review_fixture import LAMP
+from kit.labs.laboratory import job
+from kit.record.recording_builder import RecordingBuilder, run
 from onika.wire import act, event
 
 

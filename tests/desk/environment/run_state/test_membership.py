@@ -1,4 +1,4 @@
-from kit.laboratory import HOLE, job, joints
+from kit.labs.laboratory import HOLE, job, joints
 from onika.desk.environment.run_state.membership import StepMembership, icons
 from onika.files import appl
 from onika.model.flow_path import numbered

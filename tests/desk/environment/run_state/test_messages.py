@@ -1,7 +1,7 @@
 import pytest
 
-from kit.laboratory import job, joints
-from kit.run_fixture import RunFixture
+from kit.desk.run_fixture import RunFixture
+from kit.labs.laboratory import job, joints
 from onika.words.reason import Reason
 
 TRIGGER = (

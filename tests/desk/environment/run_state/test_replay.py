@@ -1,4 +1,4 @@
-from kit.recording_builder import run
+from kit.record.recording_builder import run
 from onika.desk.environment.run_state import flow_progress
 from onika.desk.environment.run_state.membership import StepMembership
 from onika.desk.environment.run_state.replay import RunHistory

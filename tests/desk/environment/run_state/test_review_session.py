@@ -1,4 +1,4 @@
-from kit.laboratory import job
+from kit.labs.laboratory import job
 from onika.desk.environment.run_state.review_session import ReviewSession
 from onika.wire import act
 

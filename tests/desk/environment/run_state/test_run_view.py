@@ -1,7 +1,7 @@
 import pytest
 
-from kit.laboratory import job
-from kit.run_fixture import RunFixture
+from kit.desk.run_fixture import RunFixture
+from kit.labs.laboratory import job
 from onika.desk.environment.run_state.run_view import is_question, left_for, loops, stop_view, tag
 from onika.wire import act, event
 from onika.wire.view import ChoiceView

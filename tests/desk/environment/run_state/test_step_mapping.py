@@ -1,7 +1,7 @@
 import pytest
 from msgspec import structs
 
-from kit.recording_builder import run
+from kit.record.recording_builder import run
 from onika.desk.environment.run_state.membership import StepMembership
 from onika.desk.environment.run_state.messages import IconWording
 from onika.desk.environment.run_state.step_mapping import CurrentApplication, recast

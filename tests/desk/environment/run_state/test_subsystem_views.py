@@ -1,9 +1,9 @@
 import pytest
 
-from kit.fake_runtime_env import FakeRuntimeEnv
-from kit.laboratory import job
-from kit.plan_builder import PlanBuilder
-from kit.run_fixture import RunFixture
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
+from kit.desk.run_fixture import RunFixture
+from kit.labs.laboratory import job
+from kit.plans.plan_builder import PlanBuilder
 from onika.desk.environment.run_state.subsystem_views import planned
 from onika.model.lifecycle import State
 from onika.wire import act, event

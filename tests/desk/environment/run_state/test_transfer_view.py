@@ -1,5 +1,5 @@
-from kit.laboratory import job
-from kit.run_fixture import RunFixture
+from kit.desk.run_fixture import RunFixture
+from kit.labs.laboratory import job
 from onika.desk.environment.run_state.transfer_view import jump_view
 from onika.wire import event, view
 from onika.wire.figures import VariableSteps

@@ -1,7 +1,7 @@
 import pytest
 
-from kit.laboratory import HOLE, job
-from kit.run_fixture import RunFixture
+from kit.desk.run_fixture import RunFixture
+from kit.labs.laboratory import HOLE, job
 from onika.wire import act, event, live, request
 from onika.wire.view import ShowFits, ShowValues
 from onika.words.reason import NOTHING, Reason

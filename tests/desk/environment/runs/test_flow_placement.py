@@ -2,8 +2,8 @@ from dataclasses import replace
 
 import pytest
 
-from kit.laboratory import job
-from kit.run_fixture import RunFixture
+from kit.desk.run_fixture import RunFixture
+from kit.labs.laboratory import job
 from onika.desk.environment.runs import flow_placement
 from onika.wire import act, view
 

@@ -1,8 +1,8 @@
 import pytest
 
-from kit.fake_runtime_env import FakeRuntimeEnv
-from kit.laboratory import job
-from kit.run_fixture import RunFixture
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
+from kit.desk.run_fixture import RunFixture
+from kit.labs.laboratory import job
 from onika.wire import act, foresight, request
 from onika.wire.foresight import Effect, Foresight
 from onika.words.fault import NOT_RUN

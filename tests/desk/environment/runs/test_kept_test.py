@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from kit.laboratory import HOLE, job
-from kit.run_fixture import RunFixture
+from kit.desk.run_fixture import RunFixture
+from kit.labs.laboratory import HOLE, job
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.runs import kept_test
 from onika.desk.environment.state.open_application import Judgement

@@ -1,7 +1,7 @@
 import pytest
 
-from kit.laboratory import Laboratory, job
-from kit.run_fixture import RunFixture
+from kit.desk.run_fixture import RunFixture
+from kit.labs.laboratory import Laboratory, job
 from onika.wire import act, live
 
 TWIN = "MODULE b\nDESC a twin\nINCONST none\nOUTCONST none\nINVAR none\nOUTVAR E\nTASKTYPE periodic\nFREQ 10"

@@ -1,8 +1,8 @@
 import pytest
 from msgspec.structs import replace
 
-from kit.laboratory import HOLE, job
-from kit.run_fixture import RunFixture
+from kit.desk.run_fixture import RunFixture
+from kit.labs.laboratory import HOLE, job
 from onika.wire import act, request
 from onika.words.fault import NOT_RUN
 from onika.words.reason import Reason

@@ -1,7 +1,7 @@
 import pytest
 
-from kit.laboratory import job, target
-from kit.run_fixture import RunFixture
+from kit.desk.run_fixture import RunFixture
+from kit.labs.laboratory import job, target
 from onika.desk.environment.runs.preflight_result import worth_noting
 from onika.desk.environment.runs.readiness import ReadinessCase, ReadinessJudge, judged
 from onika.desk.environment.state.open_application import PreflightResult

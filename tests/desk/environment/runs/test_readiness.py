@@ -5,9 +5,9 @@ from functools import partial
 
 import pytest
 
-from kit.environment_fixture import EnvironmentFixture
-from kit.laboratory import HOLE, job
-from kit.run_fixture import RunFixture
+from kit.desk.environment_fixture import EnvironmentFixture
+from kit.desk.run_fixture import RunFixture
+from kit.labs.laboratory import HOLE, job
 from onika.desk.environment.runs.readiness import ReadinessCase, ReadinessJudge, judged
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.model.application import AppFlow, Application, Branch, Hole, Icon

@@ -2,8 +2,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from kit.laboratory import job
-from kit.run_fixture import RunFixture
+from kit.desk.run_fixture import RunFixture
+from kit.labs.laboratory import job
 from onika.desk.environment.runs import recording
 from onika.wire import act, request
 from onika.words.reason import Reason

@@ -1,7 +1,7 @@
 import pytest
 
-from kit.laboratory import job
-from kit.run_fixture import RunFixture
+from kit.desk.run_fixture import RunFixture
+from kit.labs.laboratory import job
 from onika.wire import act, live, request
 from onika.words.reason import Reason
 

@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from kit.app_fixture import AppFixture
+from kit.desk.app_fixture import AppFixture
 from onika.desk.environment.show.application_view import ApplicationProjector
 from onika.desk.environment.state.open_application import Judgement
 from onika.wire import act

@@ -1,6 +1,6 @@
 from dataclasses import replace
 
-from kit.dictionary_fixture import DictionaryFixture, plain
+from kit.desk.dictionary_fixture import DictionaryFixture, plain
 from onika.desk.environment.show.dictionary_view import dictionary_views, onikon_views
 from onika.desk.environment.state.model import Model
 

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.task import Task

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.app_fixture import AppFixture
+from kit.desk.app_fixture import AppFixture
 from onika.desk.environment.icons.alteration import flow_at
 from onika.desk.environment.show.step_view import step_views
 from onika.wire import act

@@ -1,4 +1,4 @@
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.refresh import refreshed
 from onika.desk.environment.show.tree import Projector
 from onika.desk.environment.show.tree_difference import difference

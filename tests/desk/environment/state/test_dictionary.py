@@ -1,4 +1,4 @@
-from kit.dictionary_fixture import plain
+from kit.desk.dictionary_fixture import plain
 from onika.desk.environment.state.dictionary import find, has_dictionary, home_of, open_dictionaries
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import open_site

@@ -1,4 +1,4 @@
-from kit.dictionary_fixture import DictionaryFixture
+from kit.desk.dictionary_fixture import DictionaryFixture
 from onika.desk.environment.state.icon_types import edges_of, role_of, type_views
 from onika.desk.environment.state.model import Model
 from onika.model.syntax import IconType

@@ -1,6 +1,6 @@
 from dataclasses import replace
 
-from kit.dictionary_fixture import DictionaryFixture, plain
+from kit.desk.dictionary_fixture import DictionaryFixture, plain
 from onika.desk.environment.state.icon_words import for_placing, forgotten, told_again, words_of
 
 SPOKEN = replace(plain("grip", description="close the hand"), words=(("es", "cierra la mano"),))

@@ -1,7 +1,7 @@
 from dataclasses import replace
 from pathlib import Path
 
-from kit.app_fixture import ONIKONS
+from kit.desk.app_fixture import ONIKONS
 from onika.desk.environment.state.open_application import Judgement, OpenApplication
 from onika.model.application import AppFlow, Application, Icon
 from onika.store.opened_text import OpenedText

@@ -1,4 +1,4 @@
-from kit.dictionary_fixture import DictionaryFixture, plain
+from kit.desk.dictionary_fixture import DictionaryFixture, plain
 from onika.desk.environment.state.pictures import PictureSet, drawn, key_of
 from onika.model.initials import drawn as initial
 from onika.model.picture import blank, framed

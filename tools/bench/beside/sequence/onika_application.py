@@ -10,7 +10,7 @@ from time import perf_counter_ns
 
 import onika
 from beside.contestant import Figures, serve
-from kit.plan_builder import PlanBuilder, action
+from kit.plans.plan_builder import PlanBuilder, action
 from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare
 from onika.host.program import RuntimeProgram

@@ -1,0 +1,1 @@
+"""What tests of the engine tell it: playbooks, simulated tasks, and the engine once more in its simplest form."""

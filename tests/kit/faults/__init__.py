@@ -1,0 +1,1 @@
+"""Faults on purpose: planted, foreseen and struck, each held against what then happens."""

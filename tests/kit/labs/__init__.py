@@ -1,0 +1,1 @@
+"""Laboratories, tasks and modules that a test writes down for itself."""

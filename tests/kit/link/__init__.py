@@ -1,0 +1,1 @@
+"""A simulated network with everything that goes wrong in it, and the oracle that watches."""

@@ -1,0 +1,1 @@
+"""Programs of ours as processes: begun, read, and what they leave behind."""

@@ -1,0 +1,1 @@
+"""Recordings that a test writes, and the replay of all of them."""

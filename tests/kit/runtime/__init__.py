@@ -1,0 +1,1 @@
+"""Parts of a runtime by themselves, without processes: a rig for each."""

@@ -1,0 +1,1 @@
+"""Messages as somebody may send them: honest, garbled, and any at all."""

@@ -1,0 +1,1 @@
+"""Small worlds with the modules that drive them."""
