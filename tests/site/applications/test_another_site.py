@@ -10,7 +10,7 @@ from onika.cli import main
 
 pytestmark = pytest.mark.site
 
-OTHER = Path(__file__).parents[1] / "data" / "other_site"
+OTHER = Path(__file__).parents[2] / "data" / "other_site"
 GOAL = ["Q_MEZ[0] < 0.01", "Q_MEZ[0] > -0.01", "Q_MEZ[4] > 0.775", "Q_MEZ[4] < 0.796"]
 
 

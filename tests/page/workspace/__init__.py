@@ -1,0 +1,1 @@
+"""The upper level at the page: pictures in flows, dictionaries, and what is made of both."""
