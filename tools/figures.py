@@ -1,8 +1,8 @@
 """Counts what makes code hard to read: vague and ambiguous names, conditionals, complex functions, crowded folders.
 
 Usage: python tools/figures.py [--check] [--root ROOT]. Prints a table of what is counted in src/onika (folders also in
-browser/src) and where the worst stand. The limits stand in pyproject.toml under [tool.onika.figures]; with --check the
-tool ends with 1 if a figure is above its limit. A limit may only be lowered.
+browser/src and tests) and where the worst stand. The limits stand in pyproject.toml under [tool.onika.figures]; with
+--check the tool ends with 1 if a figure is above its limit. A limit may only be lowered.
 """
 
 import argparse
@@ -95,6 +95,8 @@ def count(root: Path) -> Figures:
     for path in sorted((root / "browser" / "src").rglob("*")):
         if path.is_file():
             _count_page(figures, path.relative_to(root).as_posix(), path)
+    for path in (root / "tests").rglob("*.py"):
+        figures.folders[path.parent.relative_to(root).as_posix()] += 1
     figures.functions.sort(key=lambda row: (-row[0], row[1]))
     figures.mutual = sorted(f"{left} and {right}" for left, right in _mutual(root))
     figures.ambiguous = shared_names.unexplained(root)

@@ -66,6 +66,11 @@ def test_folders_of_the_page_count_too(house):
     assert figure(root, "folder")[2:] == (3, ["3 browser/src/canvas", "1 src/onika"])
 
 
+def test_folders_of_tests_count_too(house):
+    root = house({f"tests/kit/{number}.py": "" for number in range(4)})
+    assert figure(root, "folder")[2:] == (4, ["4 tests/kit", "1 src/onika"])
+
+
 @pytest.mark.parametrize(
     "line",
     [
