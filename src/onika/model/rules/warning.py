@@ -1,6 +1,7 @@
 """Situations worth a warning but never forbidden, Equations (5) and (6) (dissertation §5.3.3)."""
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 from onika.model.task import Task
 from onika.words.fault import Fault, Place
@@ -18,7 +19,7 @@ def self_fed(task: Task, place: Place) -> tuple[Fault, ...]:
     return tuple(
         Fault(
             place,
-            Reason.of("rules.self_fed", task=task.name, svar=svar),
+            _reads_and_writes(task.name, svar),
             USED_AS_IT_IS,
             is_note=True,
         )
@@ -56,3 +57,8 @@ def further_triggers(tasks: Sequence[Task], place: Place) -> tuple[Fault, ...]:
         )
         for task in triggers[1:]
     )
+
+
+@lru_cache(maxsize=4096)  # a canvas says it of the same tasks after every act
+def _reads_and_writes(task: str, svar: str) -> Reason:
+    return Reason.of("rules.self_fed", task=task, svar=svar)

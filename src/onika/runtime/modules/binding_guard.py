@@ -1,6 +1,9 @@
 """The binding guard: it finds what a module may not do to itself while it lives, such as replacing a bound port."""
 
 from collections.abc import Collection
+from operator import attrgetter, is_
+from types import MappingProxyType
+from typing import Any
 
 from onika.runtime.declaration import PortDeclaration, slot
 from onika.runtime.error import LawBroken
@@ -9,6 +12,9 @@ from onika.runtime.modules.module import Module
 from onika.words.reason import Reason
 
 _FLAGS = ("trigger", "passive", "hardware", "crit")
+
+
+_flags_of = attrgetter(*_FLAGS)
 
 
 class BindingChanged(LawBroken):
@@ -23,7 +29,10 @@ class BindingGuard:
         self._class = type(instance)
         self._ports = dict(self._class.declared_ports)
         self._flags = {flag: getattr(self._class, flag) for flag in _FLAGS}
-        self._buffers = {port: getattr(instance, slot(port)) for port in self._ports}
+        self._buffers = {slot(port): getattr(instance, slot(port)) for port in self._ports}
+        self._definitions = tuple((vars(cls), tuple(vars(cls).values())) for cls in _own_classes(self._class))
+        self._harmless: Collection[str] = ()
+        """The attributes that the instance had when it was last looked at, and no fault was found."""
         self.known: Collection[str] = ()
 
     def check(self) -> None:
@@ -34,7 +43,24 @@ class BindingGuard:
 
     def faults(self) -> list[Reason]:
         """Everything that is wrong by now, as sentences."""
-        return [*self._strays(), *self._class_faults(), *self._lost_buffers()]
+        if self._is_unchanged():
+            return []
+        faults = [*self._strays(), *self._class_faults(), *self._lost_buffers()]
+        self._harmless = () if faults else frozenset(vars(self._instance))
+        return faults
+
+    def _is_unchanged(self) -> bool:
+        """Whether all is the same objects as before: asked first, since every switch looks at every task it turns."""
+        instance, own = self._instance, vars(self._instance)
+        return (
+            own.keys() == self._harmless
+            and type(instance) is self._class
+            and all(map(is_, map(own.get, self._buffers), self._buffers.values()))
+            and all(_holds(now, then) for now, then in self._definitions)
+            and self._class.declared_ports.keys() == self._ports.keys()
+            and all(map(is_, map(self._class.declared_ports.get, self._ports), self._ports.values()))
+            and _flags_of(instance) == tuple(self._flags.values())
+        )
 
     def _strays(self) -> list[Reason]:
         names = undeclared(self._instance)
@@ -65,7 +91,17 @@ class BindingGuard:
 
     def _lost_buffers(self) -> list[Reason]:
         own = vars(self._instance)
-        lost = sorted(port for port, buffer in self._buffers.items() if own.get(slot(port)) is not buffer)
+        lost = sorted(port for port in self._ports if own.get(slot(port)) is not self._buffers[slot(port)])
         if lost:
             return [Reason.of("runtime.memory_exchanged", names=tuple(lost))]
         return []
+
+
+def _own_classes(cls: type[Module]) -> list[type]:
+    """The class of a module and those of its author's that it stands on."""
+    return [base for base in cls.__mro__ if base not in Module.__mro__]
+
+
+def _holds(now: MappingProxyType[str, Any], then: tuple[Any, ...]) -> bool:
+    """Whether a class holds the very objects that it held then."""
+    return len(now) == len(then) and all(map(is_, now.values(), then))

@@ -1,6 +1,7 @@
 """What is wrong with a document and its tasks, in words, with the ways out."""
 
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 
 from onika.desk.environment.outcome.remedy import reasons
 from onika.desk.environment.state.document import Document
@@ -122,4 +123,9 @@ def _conflict(document: Document, later: Task, earlier: Task, refused: Sequence[
 
 def said(fault: Fault) -> Reason:
     """A fault as a sentence without its place."""
-    return Reason.of("run.fault_instead", reason=fault.reason, instead=fault.instead)
+    return _with_what_follows(fault.reason, fault.instead)
+
+
+@lru_cache(maxsize=4096)
+def _with_what_follows(reason: Reason, instead: Reason) -> Reason:
+    return Reason.of("run.fault_instead", reason=reason, instead=instead)
