@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from onika.model import parameter
 from onika.ring.device import DeviceSheet
 from onika.ring.slots import Ring
-from onika.runtime import parameter
 from onika.runtime.command import DeviceGrant, Spawn
 from onika.runtime.declaration import PortDeclaration, slot
 from onika.runtime.device import Device

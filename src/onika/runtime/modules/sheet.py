@@ -1,17 +1,15 @@
 """The sheet of a module's class, read off the class and compared with `.rmod` files (law 24)."""
 
 from collections.abc import Iterator
-from math import inf
 from typing import Any
 
+from onika.model import parameter
 from onika.model.port import PortKind
 from onika.model.task import Task
-from onika.runtime import parameter
 from onika.runtime.modules.module import Module
 from onika.wire.sheet import InputSheet, LocalSheet, ModuleSheet, PortSheet
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
-from onika.words.shape import Shape
 
 
 def sheet_of(cls: type[Module]) -> ModuleSheet:
@@ -97,7 +95,7 @@ def _unlike_parameters(task: Task, sheet: ModuleSheet) -> Iterator[Reason]:
         if declared is None:
             continue
         try:
-            _within(declared, parameter.parse(line.key, Shape.parse(declared.shape), line.words))
+            parameter.check(declared, line.words)
         except ValueError as wrong:
             yield Reason.of("runtime.local_unfit", key=line.key, shape=declared.shape, why=reason_of(wrong))
 
@@ -118,14 +116,6 @@ def strangers(task: Task, sheet: ModuleSheet) -> list[str]:
     """LOCAL lines that the module does not declare: kept in the file, but perhaps a typing mistake."""
     names = {local.name for local in sheet.locals} | {"DEVICE"}
     return [line.key for line in task.local if line.key not in names]
-
-
-def _within(local: LocalSheet, value: Any) -> None:
-    low, high = -inf if local.low is None else local.low, inf if local.high is None else local.high
-    for number in value if isinstance(value, list) else [value]:
-        if not isinstance(number, str) and not low <= number <= high:
-            figures = {"low": f"{low:g}", "high": f"{high:g}", "number": f"{number:.12g}"}
-            raise ValueError(Reason.of("runtime.local_outside", name=local.name, unit=local.unit, **figures))
 
 
 SLOWEST_HARDWARE_HZ = 40.0
