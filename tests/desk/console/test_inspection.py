@@ -44,8 +44,8 @@ def test_the_library_says_what_there_is_to_use(sit):
     sitting = sit()
     output = sitting.does("library j*")
     jobs = ["jmoveC", "jmove_rightC", "jmove_scaraC", "jmove_viaC"]
-    assert [line.split()[0] for line in output] == ["name", "jtraj", "jvia", *jobs]
-    assert "joint path of fifth order" in output[1]
+    assert [line.split()[0] for line in output] == ["name", "jgenerator", "jtraj", "jvia", *jobs]
+    assert "joint path of fifth order" in output[2]
     assert sitting.does("library nothing") == ["nothing is called so"]
 
 
