@@ -19,6 +19,7 @@ import engine_page
 import house_picture
 import message_page
 import typescript
+import unit_table
 from onika.desk.plan.compile import UNKNOWN, planned_task
 from onika.engine import flow
 from onika.host.units.world_registry import open_world, split
@@ -120,6 +121,7 @@ PAGES: Mapping[str, Callable[[], str]] = {
     "docs/pictures/house.svg": house_picture.picture,
     "browser/src/api.gen.ts": typescript.source,
     "browser/src/texts/catalogue.es.gen.ts": partial(catalogues.source, "es"),
+    "browser/src/values/units.gen.ts": unit_table.source,
 }
 """Every generated file by its path in the repository."""
 

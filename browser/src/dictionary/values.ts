@@ -39,14 +39,6 @@ export function labelOf({ item, index }: Field): string {
     : `[${index}]`
 }
 
-const ANGLE = /^\s*([+-]?(?:\d+\.?\d*|\.\d+))\s*(?:°|deg|grados?)\s*$/i
-
-/** An angle typed in degrees where radians are asked for, as radians; other words as they are. */
-export function inUnit(word: string, unit: string): string {
-  const match = unit === 'rad' ? ANGLE.exec(word.replace('−', '-')) : null
-  return match ? String(Number(((Number(match[1]) * Math.PI) / 180).toPrecision(10))) : word
-}
-
 /** A number of radians in degrees, for reading; empty where it is none. */
 export function degrees(word: string, unit: string): string {
   const value = Number(word)

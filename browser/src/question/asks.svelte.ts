@@ -22,6 +22,8 @@ export class Asks {
   /** Tasks whose question was put aside; it opens again when they ask anew. */
   private readonly aside = new Map<string, AskView>()
   private order: string[] = $state([])
+  /** What was typed and not sent, by the question itself: it goes with it. */
+  private readonly drafts = new WeakMap<AskView, readonly string[]>()
 
   /** All who ask now, by their names. */
   take(all: Readonly<Record<string, AskView>>): void {
@@ -42,6 +44,16 @@ export class Asks {
   putAside(ask: AskView | undefined): void {
     if (ask) this.aside.set(this.shown, ask)
     this.shown = this.next()
+  }
+
+  /** What was typed as an answer is kept while the question stands, also where it is put aside. */
+  keep(ask: AskView, words: readonly string[]): void {
+    this.drafts.set(ask, [...words])
+  }
+
+  /** What was typed already; undefined: nothing. */
+  draft(ask: AskView): readonly string[] | undefined {
+    return this.drafts.get(ask)
   }
 
   /** Somebody wants to answer this one. */

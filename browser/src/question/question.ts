@@ -92,6 +92,25 @@ export function line(words: readonly string[]): string {
   return words.map((word) => (word && !/[\s"]/.test(word) ? word : `"${word.replace(/[\\"]/g, '\\$&')}"`)).join(' ')
 }
 
+const PASTED = /"(?:\\.|[^"\\])*"|[^\s;]+/g
+
+/**
+ * The words of a pasted line, one for each field from the one on it was pasted into; undefined: it is one word, or belongs
+ * into a field that takes a whole line. Between numbers may stand blanks, commas or semicolons, around them brackets.
+ */
+export function pasted(text: string, row: Field): string[] | undefined {
+  if (row.item.type === 'line') return undefined
+  const hasGaps = /[\s;]/.test(text.trim())
+  const isList = hasGaps || (text.match(/,/g) ?? []).length > 1 || /^\s*\[.*,.*\]\s*$/.test(text)
+  if (!isList) return undefined
+  const spaced = hasGaps ? text : text.replaceAll(',', ' ')
+  const words = (spaced.replace(/[[\](){}]/g, ' ').match(PASTED) ?? []).map((word) =>
+    word.startsWith('"') ? word.slice(1, -1).replace(/\\(.)/g, '$1') : word.replace(/,$/, '').replace(',', '.'),
+  )
+  const given = words.filter(Boolean)
+  return given.length > 1 ? given : undefined
+}
+
 /** What Up and Down make of a number: one step more or less, with Shift ten; undefined: the key or the word is another. */
 export function stepped(
   field: Field,

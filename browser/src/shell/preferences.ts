@@ -1,5 +1,6 @@
 // The preferences in groups a person would look in, and what is not in any of them.
 import type { TextKey } from '../texts/index.svelte'
+import { UNITS } from '../values/units.gen'
 
 export type Value = boolean | number | string | string[]
 
@@ -13,8 +14,12 @@ const GROUPS: [TextKey, string[]][] = [
   ['prefer.icons', ['min_size', 'min_pin_separation', 'step_size', 'pin_length', 'shows_period']],
   ['prefer.wires', ['show_inconst', 'show_outconst', 'show_invar', 'show_outvar', 'locus_size', 'hit_tolerance']],
   ['prefer.figures', ['status_columns', 'shows_warnings']],
+  ['prefer.units', Object.keys(UNITS)],
   ['prefer.study', ['keeps_diary']],
 ]
+
+/** What there is to choose from; undefined: it is no choice. */
+export const choices = (name: string): string[] | undefined => (UNITS[name] ? Object.keys(UNITS[name]) : undefined)
 
 export function grouped(preferences: Readonly<Record<string, unknown>>): [TextKey, Field[]][] {
   const grouped = new Set(GROUPS.flatMap(([, names]) => names))

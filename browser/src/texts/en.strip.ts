@@ -142,6 +142,7 @@ export const enStrip = {
   'ask.sent': '{name} has its answer.',
   'ask.opened': '{name} asks for {items}.',
   'ask.answer': 'Answer what a task asks',
+  'ask.pasted': '{n} value filled in, {left} left over.|{n} values filled in, {left} left over.',
   'ask.empty': 'A value is needed here.',
   'ask.word': 'This is one word: no blanks.',
   'ask.character': '“{found}” is not one character.',

@@ -10,6 +10,7 @@ import { enRecording } from './en.recording'
 import { enRedirect } from './en.redirect'
 import { enShell } from './en.shell'
 import { enStrip } from './en.strip'
+import { enTune } from './en.tune'
 import { enUpper } from './en.upper'
 
 export const en = {
@@ -25,5 +26,6 @@ export const en = {
   ...enRedirect,
   ...enHolding,
   ...enRecording,
+  ...enTune,
 }
 export type TextKey = keyof typeof en

@@ -145,6 +145,7 @@ export const esStrip: Record<keyof typeof enStrip, string> = {
   'ask.sent': '{name} tiene su respuesta.',
   'ask.opened': '{name} pide {items}.',
   'ask.answer': 'Responder a lo que pide una tarea',
+  'ask.pasted': '{n} valor puesto, sobran {left}.|{n} valores puestos, sobran {left}.',
   'ask.empty': 'Aquí hace falta un valor.',
   'ask.word': 'Es una sola palabra: sin espacios.',
   'ask.character': '«{found}» no es un solo carácter.',

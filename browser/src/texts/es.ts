@@ -11,6 +11,7 @@ import { esRecording } from './es.recording'
 import { esRedirect } from './es.redirect'
 import { esShell } from './es.shell'
 import { esStrip } from './es.strip'
+import { esTune } from './es.tune'
 import { esUpper } from './es.upper'
 
 export const es: Record<TextKey, string> = {
@@ -26,4 +27,5 @@ export const es: Record<TextKey, string> = {
   ...esRedirect,
   ...esHolding,
   ...esRecording,
+  ...esTune,
 }

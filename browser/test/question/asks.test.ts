@@ -63,4 +63,12 @@ describe('questions of tasks (C13)', () => {
     asks.open('pd')
     expect([asks.shown, asks.wanted]).toEqual(['jtraj', ''])
   })
+
+  it('keep what was typed while they are put aside, and nothing of another question', () => {
+    asks.keep(one, ['0.5', '1'])
+    asks.putAside(one)
+    asks.open('jtraj')
+    expect(asks.draft(one)).toEqual(['0.5', '1'])
+    expect(asks.draft(ask())).toBeUndefined()
+  })
 })

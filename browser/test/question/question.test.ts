@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest'
 import type { AskItem } from '../../src/api.gen'
-import { complaint, ends, fields, first, line, step, stepped } from '../../src/question/question'
+import { complaint, ends, fields, first, line, pasted, step, stepped } from '../../src/question/question'
 
 const item = (more: Partial<AskItem>): AskItem => ({
   name: 'endpoint',
@@ -100,5 +100,26 @@ describe('Up and Down in a number', () => {
   it('do nothing in what is no number, and other keys nothing at all', () => {
     expect(stepped(row, 'two', { key: 'ArrowUp', shiftKey: false })).toBeUndefined()
     expect(stepped(row, '0', { key: 'Enter', shiftKey: false })).toBeUndefined()
+  })
+})
+
+describe('a pasted line', () => {
+  it('gives one word for each field, whatever stands between the numbers', () => {
+    for (const text of ['0.1 0.2 -3e-1', '0.1, 0.2, -3e-1', '[0.1,0.2,-3e-1]', '0.1;0.2;-3e-1', '0.1\t0.2\n-3e-1\n'])
+      expect(pasted(text, field({}))).toEqual(['0.1', '0.2', '-3e-1'])
+  })
+
+  it('takes a comma within a number for a point where gaps part the numbers', () => {
+    expect(pasted('0,5 1,25', field({}))).toEqual(['0.5', '1.25'])
+  })
+
+  it('is left to the field where it is one word, or the field takes a whole line', () => {
+    expect(pasted('0.5', field({}))).toBeUndefined()
+    expect(pasted('0,5', field({}))).toBeUndefined()
+    expect(pasted('two words', field({ type: 'line' }))).toBeUndefined()
+  })
+
+  it('keeps quoted words together', () => {
+    expect(pasted('"a b" 2', field({ type: 'string' }))).toEqual(['a b', '2'])
   })
 })

@@ -28,7 +28,19 @@ def test_a_page_sees_the_preferences_that_change_something_by_their_names(sittin
         "shows_warnings": True,
         "keeps_diary": True,
         "shows_lower": True,
+        "angle_unit": "rad",
+        "length_unit": "m",
     }
+
+
+def test_units_to_read_are_chosen_out_of_those_that_are_known(sitting):  # R-G08
+    sitting.do(act.Prefer({"angle_unit": "deg", "length_unit": "mm"}))
+    settings_now = sitting.environment.model.settings
+    assert (settings_now.angle_unit, settings_now.length_unit) == ("deg", "mm")
+    for value in ("furlong", "mm", 1, None, ["deg"]):
+        assert sitting.no(act.Prefer({"angle_unit": value})).fields["angle_unit"].key == "run.one_of"
+    sitting.do(act.UndoOwn())
+    assert sitting.environment.model.settings.angle_unit == "rad"
 
 
 def test_preferences_of_every_kind_are_changed(sitting):  # R-G01

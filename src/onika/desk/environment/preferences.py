@@ -15,6 +15,7 @@ from onika.model.preferences import STATUS_COLUMNS
 from onika.wire import act, page
 from onika.words.fault import Refusal
 from onika.words.reason import Reason, reason_of
+from onika.words.unit import UNITS
 
 _LONGEST = 10_000
 """Pixels or characters: what is longer is found on no screen."""
@@ -59,7 +60,7 @@ def leave(model: Model, outside: Services) -> Refusal | None:
     return outside.site.keep_preferences(model.preferences)
 
 
-def _kept(of_file: Mapping[str, Any], of_settings: Mapping[str, bool], outside: Services) -> Iterator[page.Say]:
+def _kept(of_file: Mapping[str, Any], of_settings: Mapping[str, Any], outside: Services) -> Iterator[page.Say]:
     """Write what was asked for; a no is told, and the change holds for this session."""
     refused = [_filed(of_file, outside)] if of_file else []
     if of_settings:
@@ -90,6 +91,8 @@ def _taken(name: str, value: Any, now: Mapping[str, Any]) -> Any:
         return _flag(value)
     if isinstance(before, int):
         return _length(value)
+    if name in UNITS:
+        return _unit(name, value)
     return _columns(value)
 
 
@@ -106,6 +109,12 @@ def _length(value: Any) -> int:
     if not 1 <= value <= _LONGEST:
         raise _Wrong(Reason.of("run.number_range", most=_LONGEST, given=int(value)))
     return int(value)
+
+
+def _unit(name: str, value: Any) -> str:
+    if not isinstance(value, str) or value not in UNITS[name]:
+        raise _Wrong(Reason.of("run.one_of", words=tuple(UNITS[name])))
+    return value
 
 
 def _columns(value: Any) -> tuple[str, ...]:

@@ -42,3 +42,8 @@ def test_a_file_that_cannot_be_read_is_named_and_the_defaults_hold(tmp_path, con
 def test_where_they_cannot_be_written_the_reason_is_given(tmp_path):
     (tmp_path / "state").write_text("")
     assert isinstance(keep(tmp_path / "state", {"keeps_diary": True}), Refusal)
+
+
+def test_a_unit_that_nobody_knows_is_that_of_files(tmp_path):  # R-G08
+    keep(tmp_path, {"angle_unit": "deg", "length_unit": "furlong"})
+    assert read(tmp_path, {})[0] == Settings(angle_unit="deg")

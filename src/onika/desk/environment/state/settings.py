@@ -1,4 +1,4 @@
-"""What a user wants of the environment that the preference file has no line for (requirements C08, C20, G05, H01).
+"""What a user wants of the environment that the preference file has no line for (requirements C08, C20, G05, G08, H01).
 
 They are kept as `habits.json` in the state directory; ONIKA_WARNINGS and ONIKA_LOWER rule over the file.
 """
@@ -6,6 +6,7 @@ They are kept as `habits.json` in the state directory; ONIKA_WARNINGS and ONIKA_
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import msgspec
 
@@ -14,6 +15,7 @@ from onika.files.state_directory import make_own
 from onika.words.fault import Refusal
 from onika.words.reason import NOTHING, Reason
 from onika.words.system_error import system_reason
+from onika.words.unit import UNITS
 
 NAME = "habits.json"
 
@@ -22,22 +24,28 @@ _NO = ("", "0", "no", "off", "false")
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """Whether warnings are shown, whether a diary is kept, and whether the lower level is there to be gone to."""
+    """Whether warnings are shown, a diary is kept and the lower level is there to be gone to; and units to read."""
 
     shows_warnings: bool = True
     keeps_diary: bool = True
     shows_lower: bool = True
+    angle_unit: str = "rad"
+    """In which angles are read and typed (`words.unit`); files hold radians."""
+    length_unit: str = "m"
+    """The same of lengths; files hold metres."""
 
 
 def read(state: Path | None, environment: Mapping[str, str]) -> tuple[Settings, Reason]:
     """The settings of a user, and a sentence where the file cannot be read: then the defaults hold."""
     settings, wrong = _kept(state / NAME if state else None)
     named = {"shows_warnings": "ONIKA_WARNINGS", "shows_lower": "ONIKA_LOWER"}
-    overrides = {habit: environment[name].lower() not in _NO for habit, name in named.items() if name in environment}
+    overrides: dict[str, Any] = {
+        habit: environment[name].lower() not in _NO for habit, name in named.items() if name in environment
+    }
     return replace(settings, **overrides), wrong
 
 
-def keep(state: Path | None, values: Mapping[str, bool]) -> Refusal | None:
+def keep(state: Path | None, values: Mapping[str, Any]) -> Refusal | None:
     """Write these, beside what is kept of the others; without a state directory they hold for this session."""
     if state is None:
         return None
@@ -50,6 +58,14 @@ def keep(state: Path | None, values: Mapping[str, bool]) -> Refusal | None:
     return done if isinstance(done, Refusal) else None
 
 
+def _known(settings: Settings) -> Settings:
+    """With the units of files in place of those that nobody knows."""
+    unknown: dict[str, Any] = {
+        name: next(iter(units)) for name, units in UNITS.items() if getattr(settings, name) not in units
+    }
+    return replace(settings, **unknown)
+
+
 def _kept(path: Path | None) -> tuple[Settings, Reason]:
     if path is None or not path.exists():
         return Settings(), NOTHING
@@ -57,6 +73,6 @@ def _kept(path: Path | None) -> tuple[Settings, Reason]:
     if content is None:
         return Settings(), faults[0].sentence
     try:
-        return msgspec.json.decode(content, type=Settings), NOTHING
+        return _known(msgspec.json.decode(content, type=Settings)), NOTHING
     except msgspec.DecodeError as wrong:
         return Settings(), Reason.of("run.defaults_hold", path=str(path), why=str(wrong))
