@@ -612,6 +612,34 @@ export interface ListReplaced {
   t: 'ListReplaced';
 }
 
+/** Keep the parameters of the tasks of a configuration as they are now, under a name. */
+export interface KeepSet {
+  t: 'KeepSet';
+  doc: string;
+  name: string;
+  overwrites?: boolean;
+}
+
+/** Ask for the parameter sets of a configuration, and for its parameters as they are now. */
+export interface ListSets {
+  t: 'ListSets';
+  doc: string;
+}
+
+/** Keep a set no longer. */
+export interface RemoveSet {
+  t: 'RemoveSet';
+  doc: string;
+  name: string;
+}
+
+/** Take all values of a set over, or none: where one is refused nothing changes. */
+export interface SwitchSet {
+  t: 'SwitchSet';
+  doc: string;
+  name: string;
+}
+
 /** Put the recording away; what runs now is shown again. */
 export interface CloseRecording {
   t: 'CloseRecording';
@@ -866,6 +894,14 @@ export interface Watch {
   worlds?: (string)[];
   figures?: boolean;
   hz?: number;
+}
+
+/** Write a variable of a running subsystem that no task writes, in SI units, row by row. */
+export interface WriteVariable {
+  t: 'WriteVariable';
+  doc: string;
+  variable: string;
+  values: (number)[];
 }
 
 /** A flow: the numbers of its steps in order, without start and end. */
@@ -1141,6 +1177,18 @@ export interface LibraryView {
   is_shipped?: boolean;
 }
 
+/** A parameter of a task's module: what the module declares of it, and its words here. */
+export interface ParameterView {
+  name: string;
+  words?: (string)[];
+  shape?: string;
+  unit?: string;
+  meaning?: string;
+  low?: number | null;
+  high?: number | null;
+  default?: (string)[];
+}
+
 /** A pin of a task icon; `y` lies below the icon's upper edge. */
 export interface PinView {
   name: string;
@@ -1168,6 +1216,7 @@ export interface TaskView {
   object_type?: string;
   is_trigger?: boolean;
   local?: ([string, (string)[]])[];
+  parameters?: (ParameterView)[];
   is_changed?: boolean;
   path?: string;
   code?: string;
@@ -1191,6 +1240,19 @@ export interface DraftView {
   picture?: string;
   description?: string;
   path?: string;
+}
+
+/** The parameter sets of a configuration, where they are kept, and its parameters as they are now. */
+export interface ParameterSetsView {
+  path: string;
+  sets?: (ParameterSetView)[];
+  present?: ([string, string, (string)[]])[];
+}
+
+/** A parameter set: tasks, each with the name of a parameter and its words. */
+export interface ParameterSetView {
+  name: string;
+  values?: ([string, string, (string)[]])[];
 }
 
 /** An icon in small: the digits of its picture, and the keys of its edges. */
@@ -1777,6 +1839,6 @@ export interface Numbered {
   cid: number;
 }
 
-export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | SaveTask | ForgetTask | ReadText | WriteText | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | Connect | Disconnect | Turn | Toggle | Clear | Reinit | Renew | AskModule | TellModule | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | UndoOwn | RedoOwn | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Run | Redirect | Seats | Steer | SkipTo | Dismiss | StartAnew | Preflight | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
+export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | Connect | Disconnect | Turn | Toggle | Clear | Reinit | Renew | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | UndoOwn | RedoOwn | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Run | Redirect | Seats | Steer | SkipTo | Dismiss | StartAnew | Preflight | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
 export type AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say;
 export type AnyShow = ShowTask | ShowPin | ShowLocus | ShowSource | ShowAnswer | ShowLibraryTask | ShowLibraries | ShowConnect | ShowSaveAs | ShowStep | ShowFits | ShowValues | ShowLoop | ShowConfiguration | ShowOnikon | ShowTarget;

@@ -20,6 +20,7 @@ import ConnectPanel from './shell/ConnectPanel.svelte'
 import PreferencesPanel from './shell/PreferencesPanel.svelte'
 import BringBackPanel from './task/BringBackPanel.svelte'
 import OwnPanel from './task/OwnPanel.svelte'
+import SetsPanel from './task/SetsPanel.svelte'
 import SourcePanel from './task/SourcePanel.svelte'
 import type { DialogName } from './state/dialogs.svelte'
 
@@ -42,6 +43,7 @@ export const DIALOGS: Partial<Record<DialogName, Component>> = {
   saveAs: SaveAsPanel,
   saveGroup: SaveGroupPanel,
   scope: ScopePanel,
+  sets: SetsPanel,
   source: SourcePanel,
   target: TargetPanel,
   whatIf: WhatIfPanel,

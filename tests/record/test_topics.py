@@ -14,6 +14,7 @@ def test_a_request_comes_back_as_it_was():  # law 29
     for order in (
         request.Reply("flow0", "gauge", '0.5 "two"'),
         live.Touch("boxes", "panic", 1.0),
+        live.Write("main", "Q", (0.5, 1.0)),
         request.Abort(Reason.plain("x")),
     ):
         message = topics.RequestRecord(2, "me", order)

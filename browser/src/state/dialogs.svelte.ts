@@ -19,6 +19,7 @@ export type DialogName =
   | 'saveAs'
   | 'saveGroup'
   | 'scope'
+  | 'sets'
   | 'sheet'
   | 'source'
   | 'target'

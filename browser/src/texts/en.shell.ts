@@ -311,7 +311,6 @@ export const enShell = {
   'sheet.writtenBy': 'Written by {names}.',
   'sheet.writtenByNobody': 'Nobody writes it here.',
   'sheet.noPorts': 'It reads and writes nothing.',
-  'sheet.local': 'Local',
   'sheet.localOf': 'Parameter {key}',
   'sheet.byName': 'Get and set by name',
   'sheet.moduleName': 'name',

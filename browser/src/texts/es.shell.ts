@@ -314,7 +314,6 @@ export const esShell: Record<keyof typeof enShell, string> = {
   'sheet.writtenBy': 'La escribe: {names}.',
   'sheet.writtenByNobody': 'Aquí no la escribe nadie.',
   'sheet.noPorts': 'No lee ni escribe nada.',
-  'sheet.local': 'Local',
   'sheet.localOf': 'Parámetro {key}',
   'sheet.byName': 'Consultar y fijar por nombre',
   'sheet.moduleName': 'nombre',

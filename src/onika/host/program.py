@@ -261,14 +261,8 @@ class RuntimeProgram:
         match message:
             case live.Change():
                 return self.authority.takes(session, message.subsystem, self._editor.change(message))
-            case live.Reinit():
-                return self._editor.reinit(message)
-            case live.Swap():
-                return self._editor.swap(message)
-            case live.Clear():
-                return self._editor.clear(message)
-            case live.Close():
-                return self._editor.close(message)
+            case live.Reinit() | live.Swap() | live.Clear() | live.Write() | live.Close():
+                return self._edit(message)
             case live.Reset():
                 self.motion.allow(session)
                 return request.Done()
@@ -283,6 +277,19 @@ class RuntimeProgram:
             case holding.Sessions():
                 return self._presence.answer(session)
         return self._look.answer(session, message, self.motion.is_stopped)
+
+    def _edit(self, message: live.Reinit | live.Swap | live.Clear | live.Write | live.Close) -> request.Response:
+        match message:
+            case live.Reinit():
+                return self._editor.reinit(message)
+            case live.Swap():
+                return self._editor.swap(message)
+            case live.Clear():
+                return self._editor.clear(message)
+            case live.Write():
+                return self._editor.write(message)
+            case live.Close():
+                return self._editor.close(message)
 
     def _touch(self, message: live.Touch) -> request.Response:
         try:

@@ -26,6 +26,7 @@ STEERING = (
     live.Touch,
     live.Change,
     live.Set,
+    live.Write,
     live.Reinit,
     live.Swap,
     live.Clear,

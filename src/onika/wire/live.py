@@ -76,6 +76,15 @@ class Set(Struct, frozen=True, tag=True):
     value: str
 
 
+class Write(Struct, frozen=True, tag=True):
+    """Write a variable that no task of a subsystem writes, in SI units; replied by Done or Refused."""
+
+    subsystem: str
+    name: str
+    values: tuple[float, ...]
+    """All of its elements, row by row."""
+
+
 class Status(Struct, frozen=True, tag=True):
     """Ask for the figures of every task; counters begin anew with it (A11, A17). Replied by Figures."""
 
@@ -165,6 +174,7 @@ LiveRequest = (
     | Swap
     | Get
     | Set
+    | Write
     | Status
     | Survey
     | Read

@@ -110,3 +110,10 @@ def test_defaults_are_the_answer_where_every_input_has_one(sit):
 @pytest.mark.parametrize("line", ["rate diff 5", "reinit diff", "swap diff", "get diff x", "set diff x 1"])
 def test_what_does_not_live_cannot_be_altered(sit, line):
     assert sit().fails(line).reason == Reason.of("console.none_living", subsystem="main", name="diff")
+
+
+def test_a_variable_that_nobody_writes_is_written_element_by_element(sit):  # R-C27
+    sitting = sit()
+    sitting.does("spawn jtraj", "write Q_MEZ 0 0.5 -1e-3")
+    assert sitting.requests_of(live.Write) == [live.Write("main", "Q_MEZ", (0.0, 0.5, -0.001))]
+    assert sitting.fails("write Q_MEZ 0 half").reason == Reason.of("console.numbers", words="0 half")

@@ -10,7 +10,8 @@ from onika.words.reason import NOTHING, Reason
 CODE = Code("d", "m", "m.py", "x = 1")
 CHANGES = [
     live.Change("s0", off=("t",)), live.Clear("s0", "t"), live.Reinit("s0", "t"), live.Swap("s0", "t", CODE),
-    live.Set("s0", "t", "X", "1"), live.Close("s0"), live.Release("s0"), request.Reply("s0", "t", "1"),
+    live.Set("s0", "t", "X", "1"), live.Write("s0", "X", (1.0,)),
+    live.Close("s0"), live.Release("s0"), request.Reply("s0", "t", "1"),
 ]  # fmt: skip
 LATE = [change for change in CHANGES if not isinstance(change, live.Release)]
 

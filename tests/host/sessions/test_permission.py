@@ -26,6 +26,7 @@ COMMANDS = [
     request.Begin(), request.Abort(Reason.plain("x")), request.Reply("s", "t", ""),
     request.Prepare(Plan("a", (), ()), ()),
     live.Change("s"), live.Take("s"), live.Release("s"), live.Set("s", "t", "n", "1"), live.Reset(), live.Close("s"),
+    live.Write("s", "X", (1.0,)),
     live.Touch("w", "panic", 1.0), live.Reinit("s", "t", (("GAIN", ("1",)),)),
     holding.Hand("s", "ann"), holding.Decline("s"),
 ]  # fmt: skip

@@ -85,6 +85,7 @@ CHANGES = (
     Command("rate", "rate TASK HZ", Reason.of("console.does_rate"), tuning_lines.rate, ("task", ""), 2, 2),
     Command("get", "get TASK NAME", Reason.of("console.does_get"), tuning_lines.get, ("task", ""), 2, 2),
     Command("set", "set TASK NAME VALUE", Reason.of("console.does_set"), tuning_lines.put, ("task", ""), 3, raw=2),
+    Command("write", "write VARIABLE VALUE…", Reason.of("console.does_write"), tuning_lines.write, ("variable",), 2),
     Command(
         "reinit",
         "reinit TASK [KEY WORDS…]",

@@ -78,6 +78,16 @@ def put(session: ConsoleSession, words: Words) -> Faults:
     return missing(session, subsystem, (name,)) or _value(session, words[1], message)
 
 
+def write(session: ConsoleSession, words: Words) -> Faults:
+    """Write a variable that no task writes, element by element."""
+    subsystem, name = session.address(words[0])
+    try:
+        values = tuple(float(word) for word in words[1:])
+    except ValueError:
+        return session.no(Reason.of("console.numbers", words=" ".join(words[1:])))
+    return session.order(live.Write(subsystem, name, values))
+
+
 def answer(session: ConsoleSession, words: Words) -> Faults:
     """The argument line that a task asks for."""
     subsystem, name = session.address(words[0])

@@ -17,6 +17,7 @@ from onika.desk.environment.outcome.outcome import (
     Work,
 )
 from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.parameter_log import changed_parameters
 from onika.desk.environment.reconcile import following
 from onika.desk.environment.show.tree import Projector
 from onika.desk.environment.show.tree_difference import difference
@@ -185,9 +186,10 @@ class Environment:
         return replace(outcome, model=followed.model, orders=(*outcome.orders, *followed.orders), says=says, news=news)
 
     def _adopt(self, done: Done, by: str) -> None:
+        logged = tuple(changed_parameters(self.model, done.model))
         self.model = done.model
         self._show(by)
-        for message in done.says:
+        for message in (*done.says, *logged):
             self.say(message)
         for order in done.orders:
             self._channel.send(order)

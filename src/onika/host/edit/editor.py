@@ -5,7 +5,7 @@ from typing import Any
 
 from msgspec import structs
 
-from onika.host.edit import edit_objections, transactions
+from onika.host.edit import edit_objections, hand_writing, transactions
 from onika.host.loading.module_questions import ModuleQuestions
 from onika.host.loading.plan_checks import absent_devices, conflicts, cycles, shapeless, shared_devices
 from onika.host.loading.plan_form import wrong_code, wrong_tasks
@@ -137,6 +137,13 @@ class LiveEditor:
             return request.Refused(Reason.of("host.not_in_error", task=order.task, state=live.state(order.task).value))
         wired = live.members[order.task].wired
         return self._begin(live, _still(live, wired, transactions.clearing(live, order.task)))
+
+    def write(self, order: asked.Write) -> request.Response:
+        """Write a variable that nobody writes."""
+        live = self._subsystems.live.get(order.subsystem)
+        if live is None:
+            return request.Refused(Reason.of("host.not_by_hand", subsystem=order.subsystem))
+        return hand_writing.write(live, order)
 
     def close(self, order: asked.Close) -> request.Response:
         """Kill every task of a subsystem."""

@@ -14,7 +14,10 @@ from onika.link.caller import Role
 from onika.wire import event, holding, live, request, steer
 from onika.words.reason import NOTHING, Reason
 
-_HOLDER_ONLY = (live.Change, live.Clear, live.Reinit, live.Swap, live.Set, live.Close, live.Release, request.Reply)
+_HOLDER_ONLY = (
+    *(live.Change, live.Clear, live.Reinit, live.Swap, live.Set, live.Write, live.Close, live.Release),
+    request.Reply,
+)
 """What changes a subsystem."""
 
 _FENCED = (*(one for one in _HOLDER_ONLY if one is not live.Release), *get_args(steer.Steering), holding.Hand)

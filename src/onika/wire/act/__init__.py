@@ -104,6 +104,12 @@ from onika.wire.act.own_copy import (
     GoBackToShipped as GoBackToShipped,
     ListReplaced as ListReplaced,
 )
+from onika.wire.act.parameter_set import (
+    KeepSet as KeepSet,
+    ListSets as ListSets,
+    RemoveSet as RemoveSet,
+    SwitchSet as SwitchSet,
+)
 from onika.wire.act.review import (
     CloseRecording as CloseRecording,
     CompareWith as CompareWith,
@@ -144,6 +150,7 @@ from onika.wire.act.running import (
     Toggle as Toggle,
     Turn as Turn,
     Watch as Watch,
+    WriteVariable as WriteVariable,
 )
 
 AnyAct = (
@@ -180,6 +187,10 @@ AnyAct = (
     | Alias
     | LibraryRate
     | Local
+    | ListSets
+    | KeepSet
+    | SwitchSet
+    | RemoveSet
     | SaveTask
     | ForgetTask
     | ReadText
@@ -197,6 +208,7 @@ AnyAct = (
     | Renew
     | AskModule
     | TellModule
+    | WriteVariable
     | CheckMemory
     | LogReadings
     | SampleVariables

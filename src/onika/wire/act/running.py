@@ -78,6 +78,14 @@ class TellModule(Act, frozen=True):
     value: str
 
 
+class WriteVariable(Act, frozen=True):
+    """Write a variable of a running subsystem that no task writes, in SI units, row by row."""
+
+    doc: str
+    variable: str
+    values: tuple[float, ...]
+
+
 class CheckMemory(Act, frozen=True):
     """Check the memory of a running subsystem's variables (A12); replied with what is unsound, as sentences."""
 

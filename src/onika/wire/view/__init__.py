@@ -33,10 +33,17 @@ from onika.wire.view.foresight import (
     ForesightsView as ForesightsView,
     ForesightView as ForesightView,
 )
-from onika.wire.view.library import LibraryView as LibraryView, PinView as PinView, TaskView as TaskView
+from onika.wire.view.library import (
+    LibraryView as LibraryView,
+    ParameterView as ParameterView,
+    PinView as PinView,
+    TaskView as TaskView,
+)
 from onika.wire.view.reply import (
     CandidateView as CandidateView,
     DraftView as DraftView,
+    ParameterSetsView as ParameterSetsView,
+    ParameterSetView as ParameterSetView,
     PeekIcon as PeekIcon,
     PeekView as PeekView,
     ReplacedView as ReplacedView,

@@ -20,6 +20,21 @@ class PinView(View, frozen=True):
     meaning: str = ""
 
 
+class ParameterView(View, frozen=True):
+    """A parameter of a task's module: what the module declares of it, and its words here."""
+
+    name: str
+    words: tuple[str, ...] = ()
+    """As the LOCAL line has them, else as the default is; none: the line is missing."""
+    shape: str = ""
+    """Empty where the module does not declare it, or its class is not read yet."""
+    unit: str = ""
+    meaning: str = ""
+    low: float | None = None
+    high: float | None = None
+    default: tuple[str, ...] = ()
+
+
 class TaskView(View, frozen=True):
     """A task of a library, with what was changed of it in this session."""
 
@@ -37,6 +52,9 @@ class TaskView(View, frozen=True):
     object_type: str = ""
     is_trigger: bool = False
     local: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    """The lines of its LOCAL block."""
+    parameters: tuple[ParameterView, ...] = ()
+    """Those that its module declares, in their order, then the other lines of its LOCAL block."""
     is_changed: bool = False
     """Whether it is no longer as its file says."""
     path: str = ""

@@ -53,6 +53,21 @@ class ReplacedView(View, frozen=True):
     """Whether the file holds just that now."""
 
 
+class ParameterSetView(View, frozen=True):
+    """A parameter set: tasks, each with the name of a parameter and its words."""
+
+    name: str
+    values: tuple[tuple[str, str, tuple[str, ...]], ...] = ()
+
+
+class ParameterSetsView(View, frozen=True):
+    """The parameter sets of a configuration, where they are kept, and its parameters as they are now."""
+
+    path: str
+    sets: tuple[ParameterSetView, ...] = ()
+    present: tuple[tuple[str, str, tuple[str, ...]], ...] = ()
+
+
 class DraftView(View, frozen=True):
     """The job that a configuration would make."""
 

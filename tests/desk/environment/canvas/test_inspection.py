@@ -67,3 +67,16 @@ def test_what_is_not_connected_has_no_memory_to_look_into_and_a_runtime_says_why
     duet.rebuffs = {kind: request.Refused(Reason.plain("not now")) for kind in (live.Check, live.Read)}
     assert str(duet.no(act.CheckMemory(doc)).reason) == "not now"
     assert str(duet.no(act.LogReadings(doc)).reason) == "not now"
+
+
+def test_a_variable_is_written_by_hand_by_who_holds_it(duet):  # R-C27, law 27
+    doc = duet.connected("a")
+    duet.do(act.WriteVariable(doc, "B", (0.5, 1.0)))
+    assert [message for message in duet.carried_out if isinstance(message, live.Write)] == [
+        live.Write("Untitled-1", "B", (0.5, 1.0))
+    ]
+    duet.rebuffs = {live.Write: request.Refused(Reason.plain("A is written by a"))}
+    assert str(duet.no(act.WriteVariable(doc, "A", (1.0,))).reason) == "A is written by a"
+    duet.tell(event.Held("Untitled-1", "Anna"))
+    assert duet.no(act.WriteVariable(doc, "B", (1.0,))).remedies[0].act == act.Take(doc)
+    assert duet.no(act.WriteVariable(duet.new("b"), "B", (1.0,))).remedies[0].label.key == "desk.connect_it"

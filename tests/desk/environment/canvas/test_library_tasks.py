@@ -6,7 +6,7 @@ from hypothesis import given, settings, strategies as st
 from kit.desk.environment_fixture import EnvironmentFixture
 from kit.desk.installed_fixture import InstalledFixture
 from onika.files import rmod
-from onika.model.task import LocalLine, Task, TaskType
+from onika.model.task import Task, TaskType
 from onika.wire import act
 from onika.wire.view import ShowPin, ShowTask
 
@@ -116,7 +116,6 @@ def test_a_task_or_pin_that_is_not_there_is_named(sitting):  # R-C04
     assert str(sitting.no(act.Alias("nobody", "Q", "R")).reason) == "no open library has a task nobody"
     assert str(sitting.no(act.Alias("writer", "Z", "R")).reason) == "writer has no pin Z"
     assert "nobody" in str(sitting.no(act.LibraryRate("nobody", 1.0)).reason)
-    assert "nobody" in str(sitting.no(act.Local("nobody", ())).reason)
     assert "nobody" in str(sitting.no(act.SaveTask("nobody")).reason)
     assert "nobody" in str(sitting.no(act.ForgetTask("nobody")).reason)
 
@@ -166,29 +165,6 @@ def test_a_rate_that_is_none_is_refused(sitting, hz):  # R-C04
 
 def test_only_periodic_tasks_have_a_rate_to_set(sitting):  # R-C04
     assert "aperiodic" in str(sitting.no(act.LibraryRate("slow", 5.0)).fields["hz"])
-
-
-def test_parameters_are_changed_and_taken_back(sitting):  # R-C04
-    doc = sitting.new("writer")
-    sitting.do(act.Local("writer", (("GAIN", ("1", "2.5")), ("OFF", ())), doc))
-    assert task(sitting, "writer").local == (LocalLine("GAIN", ("1", "2.5")), LocalLine("OFF", ()))
-    sitting.do(act.Undo(doc))
-    assert task(sitting, "writer").local == ()
-
-
-@pytest.mark.parametrize(
-    "line",
-    [("MODULE", ("x",)), ("EOF", ()), ("9A", ("x",)), ("", ()), ("A", ("two words",)), ("A", ("a\nB",)), ("A", ("",)),
-     ("#A", ()), ("A", ("\x00",)), ("A B", ())],
-)  # fmt: skip
-def test_a_parameter_that_no_file_could_hold_is_refused_beside_its_line(sitting, line):  # R-B07
-    no = sitting.no(act.Local("writer", (("GOOD", ("1",)), line)))
-    assert list(no.fields) == ["line 1"]
-
-
-def test_a_parameter_given_twice_is_refused(sitting):  # R-B07
-    fields = sitting.no(act.Local("writer", (("A", ("1",)), ("A", ("2",))))).fields
-    assert {line: str(why) for line, why in fields.items()} == {"line 1": "expected A once"}
 
 
 def test_saving_a_task_writes_what_was_changed_and_nothing_else(sitting):  # R-C04

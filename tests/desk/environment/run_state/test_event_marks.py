@@ -63,6 +63,7 @@ def test_errors_standstills_meetings_and_ends_are_marked(cinema):  # R-X05
         (request.Reply("flow0", "b", "1 2"), "command", "answer to b: 1 2"),
         (live.Touch("yard", "button", 1.0), "command", "button is pressed"),
         (live.Set("flow0", "b", "GAIN", "3"), "command", "set GAIN of b to 3"),
+        (live.Write("main", "Q", (0.5, -1.0)), "command", "wrote 0.5 -1 to Q"),
         (live.Clear("flow0", "b"), "command", "bring out of its error: b"),
         (live.Reset(), "command", "allow motion again"),
     ],

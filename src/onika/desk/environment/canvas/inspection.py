@@ -1,8 +1,8 @@
-"""Acts that look into a running subsystem: what its modules offer by name, its memory, its readings (A05, A12)."""
+"""Acts on what a running subsystem holds: values of modules by name, variables, memory, readings (A05, A12)."""
 
 from onika.desk.environment.outcome.on_file import on_document
 from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure
-from onika.desk.environment.outcome.runtime_refusal import refusal
+from onika.desk.environment.outcome.runtime_refusal import refusal, simply_done
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.watched_runs import is_on
 from onika.desk.environment.state.document import Document
@@ -31,9 +31,19 @@ def tell_module(model: Model, document: Document, command: act.TellModule, _outs
     if isinstance(facts, No):
         return facts
     if facts.is_foreign:
-        reason = Reason.of("desk.held_by", name=facts.subsystem, holder=facts.holder)
-        return No(reason, (Remedy(Reason.of("desk.take_it"), act.Take(document.id)),))
+        return _foreign(document, facts)
     return _value(model, live.Set(facts.subsystem, command.task, command.name, command.value))
+
+
+@on_document
+def write_variable(model: Model, document: Document, command: act.WriteVariable, _outside: Services) -> No | Procedure:
+    """Write a variable that no task writes; only who holds the subsystem may, and the runtime judges the value."""
+    facts = _living(document)
+    if isinstance(facts, No):
+        return facts
+    if facts.is_foreign:
+        return _foreign(document, facts)
+    return simply_done(model, live.Write(facts.subsystem, command.variable, command.values))
 
 
 @on_document
@@ -91,6 +101,11 @@ def _living(document: Document) -> SubsystemFacts | No:
         return facts
     connect = Remedy(Reason.of("desk.connect_it"), act.Connect(document.id))
     return No(Reason.of("desk.not_connected", name=document.name), (connect,))
+
+
+def _foreign(document: Document, facts: SubsystemFacts) -> No:
+    reason = Reason.of("desk.held_by", name=facts.subsystem, holder=facts.holder)
+    return No(reason, (Remedy(Reason.of("desk.take_it"), act.Take(document.id)),))
 
 
 def _with_task(document: Document, task: str) -> SubsystemFacts | No:

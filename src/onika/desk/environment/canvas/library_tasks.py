@@ -1,4 +1,4 @@
-"""Acts on tasks of the libraries: aliases, rates, parameters; kept for the session or saved (requirements C04, C23)."""
+"""Acts on tasks of the libraries: aliases and rates; kept for the session or saved (requirements C04, C23)."""
 
 import math
 from dataclasses import replace
@@ -16,8 +16,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.desk.environment.state.restoration import own_step
 from onika.files import rmod
-from onika.files.rmod import RmodText
-from onika.model.task import LocalLine, Task, TaskType
+from onika.model.task import Task, TaskType
 from onika.store.base_directory import BaseDirectory
 from onika.store.own_copy import copied_with_code
 from onika.store.shipped import is_shipped
@@ -25,7 +24,7 @@ from onika.wire import act, page
 from onika.wire.view import Remedy, ShowLibraries
 from onika.words.fault import Refusal
 from onika.words.name import SVAR_NAME
-from onika.words.reason import NOTHING, Reason, reason_of
+from onika.words.reason import Reason
 
 
 def alias(model: Model, command: act.Alias, _outside: Services) -> Done | No:
@@ -46,7 +45,7 @@ def alias(model: Model, command: act.Alias, _outside: Services) -> Done | No:
     if against:
         return refused(Reason.of("desk.pin_cannot_be", pin=command.pin, task=command.task, name=name), against, "svar")
     return Done(
-        _taken_over(model, libraries),
+        taken_over(model, libraries),
         Reason.of("desk.aliasing", pin=command.pin, task=command.task, name=name),
         command.doc,
     )
@@ -69,23 +68,6 @@ def library_rate(model: Model, command: act.LibraryRate, _outside: Services) -> 
     step = own_step(label, before, act.LibraryRate(command.task, command.hz))
     own = step if former != command.hz else None
     return Done(replace(model, libraries=model.libraries.rated({command.task: rate})), own=own)
-
-
-def local(model: Model, command: act.Local, _outside: Services) -> Done | No:
-    """Other parameters of a module; the file's own reader says what may stand there."""
-    task = model.libraries.tasks.get(command.task)
-    if task is None:
-        return unknown(command.task)
-    lines = tuple(LocalLine(key, words) for key, words in command.lines)
-    wrong = {f"line {number}": text for number, line in enumerate(lines) if (text := _wrong(task, line))}
-    keys = [line.key for line in lines]
-    wrong |= {
-        f"line {number}": Reason.of("desk.key_once", key=key) for number, key in enumerate(keys) if key in keys[:number]
-    }
-    if wrong:
-        return No(Reason.of("desk.parameters_unfit", task=command.task, reasons=tuple(wrong.values())), fields=wrong)
-    libraries = model.libraries.edited({command.task: replace(task, local=lines)})
-    return Done(_taken_over(model, libraries), Reason.of("desk.setting_parameters", task=command.task), command.doc)
 
 
 def save_task(model: Model, command: act.SaveTask, outside: Services) -> Done | No:
@@ -134,7 +116,7 @@ def _copied(model: Model, name: str, changed: Task, outside: Services) -> Done |
     done = saved_here(model, set(copied))
     unchanged = done.model.libraries.edited({name: None}).rated({name: None})
     says = (*done.says, saved_as_own(copied[0], home))
-    return replace(done, model=_taken_over(done.model, unchanged), says=says, value=str(copied[0]))
+    return replace(done, model=taken_over(done.model, unchanged), says=says, value=str(copied[0]))
 
 
 def saved_as_own(path: Path, base: BaseDirectory) -> page.Say:
@@ -147,7 +129,7 @@ def unknown(name: str) -> No:
     return No(Reason.of("desk.no_task", name=name), (Remedy(Reason.of("desk.open_library"), show=ShowLibraries()),))
 
 
-def _taken_over(model: Model, libraries: OpenLibraries) -> Model:
+def taken_over(model: Model, libraries: OpenLibraries) -> Model:
     """With changed tasks, wherever they are placed."""
     return pin_changes.resettled(replace(model, libraries=libraries), model.libraries)
 
@@ -156,21 +138,4 @@ def _as_filed(model: Model, name: str, path: Path) -> Done:
     """With the file read again, and nothing changed of it here."""
     done = reread(model, {path})
     unchanged = done.model.libraries.edited({name: None}).rated({name: None})
-    return replace(done, model=_taken_over(done.model, unchanged))
-
-
-def _wrong(task: Task, line: LocalLine) -> Reason:
-    """Why a line cannot stand in the LOCAL block, if so: read again it must be the same."""
-    alone = replace(task, local=(line,))
-    try:
-        text = rmod.write(RmodText(alone), alone)
-    except ValueError as error:
-        return reason_of(error)
-    record, faults = rmod.read(text, task.name, task.name)
-    if record is not None and record.task.local == (line,):
-        return NOTHING
-    fault = next((fault for fault in faults if not fault.is_note), None)
-    shown = " ".join((line.key, *line.words))
-    if fault:
-        return fault.reason
-    return Reason.of("desk.no_key_line", line=shown)
+    return replace(done, model=taken_over(done.model, unchanged))

@@ -87,6 +87,9 @@ def _by_hand(command: request.Request) -> Reason:
             return Reason.of("run.pressed" if command.value else "run.let_go", part=command.part)
         case live.Set():
             return Reason.of("run.set_value", name=command.name, task=command.task, value=command.value)
+        case live.Write():
+            value = " ".join(f"{value:g}" for value in command.values)
+            return Reason.of("run.wrote_value", name=command.name, value=value)
         case live.Clear():
             return Reason.of("run.brought_out", task=command.task)
         case live.Reinit():

@@ -9,10 +9,12 @@ from onika.desk.environment.show.wiring import MadeDocument, group_views, locus_
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.open_libraries import OpenLibraries
+from onika.model.parameter import default_words
 from onika.model.task import Task
 from onika.store.module_catalogue import merged
 from onika.store.shipped import is_shipped
-from onika.wire.view import DocumentView, LibraryView, Objection, PinView, ProblemView, TaskView
+from onika.wire.sheet import ModuleSheet
+from onika.wire.view import DocumentView, LibraryView, Objection, ParameterView, PinView, ProblemView, TaskView
 from onika.words.reason import NOTHING
 
 _V = TypeVar("_V")
@@ -96,10 +98,31 @@ def _task(name: str, task: Task, order: int, libraries: OpenLibraries) -> TaskVi
         object_type=task.object_type or "",
         is_trigger=bool(sheet.trigger) if sheet else task.object_type is not None,
         local=tuple((line.key, line.words) for line in task.local),
+        parameters=_parameters(task, sheet),
         is_changed=name in libraries.edits,
         path=str(library.base.task_file(name)),
         code=str(code) if code else "",
     )
+
+
+def _parameters(task: Task, sheet: ModuleSheet | None) -> tuple[ParameterView, ...]:
+    """The parameters of a task: those that its module declares, then other lines of its LOCAL block."""
+    lines = {line.key: line.words for line in task.local}
+    declared = {local.name: local for local in sheet.locals} if sheet else {}
+    views = [
+        ParameterView(
+            name,
+            lines.get(name, default_words(local)),
+            local.shape,
+            local.unit,
+            local.meaning,
+            local.low,
+            local.high,
+            default_words(local),
+        )
+        for name, local in declared.items()
+    ]
+    return (*views, *(ParameterView(name, words) for name, words in lines.items() if name not in declared))
 
 
 def document_view(

@@ -1,0 +1,123 @@
+"""Variables that nobody writes are written by hand, and only those."""
+
+import pytest
+
+from kit.live_edits import COUNTER, LiveEdits
+from kit.rail_world import rail_tasks
+from onika.wire import live, request
+
+FOLLOWER = """
+from onika.module import InConst, InVar, Module, OutConst, OutVar
+
+class Follower(Module):
+    N = OutConst("int", "-", "how many")
+    LEVEL = InVar("double", "m", "a level")
+    HITS = InVar("int", "-", "a count")
+    ROW = InVar("double[3]", "m", "three levels")
+    NAME = InVar("string", "-", "a name")
+    SUM = OutVar("double", "m", "all of it")
+
+    def init(self):
+        self.N = 3
+
+    def cycle(self):
+        self.SUM = self.LEVEL + self.HITS + float(sum(self.ROW))
+"""
+USER = """
+from onika.module import InConst, InVar, Module, OutVar
+
+class User(Module):
+    M = InConst("int", "-", "how many")
+    OUT = OutVar("double", "m", "nothing")
+
+    def cycle(self):
+        pass
+"""
+
+
+@pytest.fixture
+def hand():
+    edits = LiveEdits()
+    edits.task("follower", FOLLOWER)
+    edits.task("counter", COUNTER)
+    assert edits.change(spawn=["follower", "counter"], on=["follower", "counter"]) == ""
+    return edits
+
+
+def write(edits, name, *values, session="me"):
+    return edits.asker.ask(live.Write("s0", name, tuple(map(float, values))), session)
+
+
+def read(edits, *names):
+    return edits.asker.ask(live.Read("s0", names)).values
+
+
+def test_what_nobody_writes_is_written_and_read_by_tasks_in_their_next_cycle(hand):  # R-C27
+    assert write(hand, "LEVEL", 0.5) == request.Done()
+    assert write(hand, "HITS", 2) == request.Done()
+    assert write(hand, "ROW", 1.0, 2.0, 3.5) == request.Done()
+    assert read(hand, "LEVEL", "HITS", "ROW") == {"LEVEL": 0.5, "HITS": 2, "ROW": [1.0, 2.0, 3.5]}
+    hand.let_pass(0.2)
+    assert read(hand, "SUM") == {"SUM": 9.0}
+
+
+def test_the_memory_of_what_is_written_by_hand_stays_sound(hand):  # R-A12
+    for value in range(20):
+        write(hand, "LEVEL", value)
+        write(hand, "ROW", value, value, value)
+        hand.let_pass(0.05)
+        assert hand.asker.ask(live.Check("s0")) == live.Findings(())
+
+
+@pytest.mark.parametrize(
+    ("name", "values", "key"),
+    [
+        ("SUM", (1.0,), "host.hand_written"),
+        ("N", (1.0,), "host.hand_written"),
+        ("NAME", (1.0,), "host.hand_text"),
+        ("NOBODY", (1.0,), "host.not_read"),
+        ("LEVEL", (), "host.hand_value"),
+        ("LEVEL", (1.0, 2.0), "host.hand_value"),
+        ("ROW", (1.0,), "host.hand_value"),
+        ("LEVEL", (float("nan"),), "host.hand_value"),
+        ("ROW", (1.0, 2.0, float("inf")), "host.hand_value"),
+        ("HITS", (1.5,), "host.hand_value"),
+        ("HITS", (1e12,), "host.hand_value"),
+    ],
+)
+def test_what_cannot_be_written_so_is_refused_and_nothing_is_changed(hand, name, values, key):  # R-B07
+    before = read(hand, "LEVEL", "HITS", "ROW")
+    answer = write(hand, name, *values)
+    assert isinstance(answer, request.Refused)
+    assert answer.reason.key == key
+    assert read(hand, "LEVEL", "HITS", "ROW") == before
+
+
+def test_a_variable_is_no_longer_free_when_a_task_comes_that_writes_it(hand):  # R-C27
+    hand.shop.task("feeder", COUNTER.replace("COUNT", "LEVEL").replace('"-"', '"m"'))
+    assert write(hand, "LEVEL", 1.0) == request.Done()
+    assert hand.change(spawn=["feeder"]) == ""
+    assert write(hand, "LEVEL", 2.0).reason.key == "host.hand_written"  # also while it is OFF
+    assert hand.change(on=["feeder"]) == ""
+    hand.let_pass(0.2)
+    assert hand.asker.ask(live.Check("s0")) == live.Findings(())
+
+
+def test_what_moves_a_device_without_a_task_between_is_not_written_by_hand():  # law 33
+    edits = LiveEdits()
+    edits.shop = rail_tasks()
+    assert edits.change(spawn=["mass"], on=["mass"]) == ""
+    assert write(edits, "FORCE", 50.0).reason.key == "host.hand_device"
+
+
+def test_only_the_holder_writes_and_only_what_is_held_by_hand(hand):  # law 27
+    assert write(hand, "LEVEL", 1.0, session="other").reason.key == "host.held_stop"
+    assert hand.asker.ask(live.Write("s9", "LEVEL", (1.0,))).reason.key == "host.not_by_hand"
+
+
+def test_a_constant_that_waits_for_its_supplier_is_not_written_by_hand():  # law 12
+    edits = LiveEdits()
+    edits.task("user", USER)
+    edits.change(spawn=["user"])
+    answer = write(edits, "M", 3)
+    assert answer.reason.key in ("host.hand_constant", "host.not_read")
