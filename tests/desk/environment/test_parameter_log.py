@@ -1,6 +1,6 @@
 import pytest
 
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.model.task import LocalLine, Task
 from onika.wire import act
 from onika.wire.view import ShowTask

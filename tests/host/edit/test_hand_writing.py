@@ -2,8 +2,8 @@
 
 import pytest
 
-from kit.live_edits import COUNTER, LiveEdits
-from kit.rail_world import rail_tasks
+from kit.runtime.live_edits import COUNTER, LiveEdits
+from kit.worlds.rail_world import rail_tasks
 from onika.wire import live, request
 
 FOLLOWER = """

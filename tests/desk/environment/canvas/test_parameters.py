@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from kit.environment_fixture import EnvironmentFixture
+from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.outcome.outcome import Done
 from onika.model.task import LocalLine, Task
 from onika.wire import act
