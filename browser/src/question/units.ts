@@ -2,7 +2,7 @@
 import { factorNamed, factorOf, scale } from '../values/units'
 import { isNumber, type Field } from './question'
 
-const DIGITS = 15
+const DIGITS = 10
 const SHOWN = 12
 const TYPED = /^\s*([+\-−]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*([^\d\s].*?)?\s*$/
 const DUST = 1e-9
