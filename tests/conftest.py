@@ -5,6 +5,17 @@ What all end with: whatever recordings tell of drives, the drives' table made it
 
 import pytest
 
+_BY_TEXT = ("page", "site", "slow")
+"""The marks whose tests are wanted alone, by the commands of `make`; each file says in its text which it bears."""
+
+
+def pytest_ignore_collect(collection_path, config):
+    """Leaves out, unread, what does not bear the mark that is wanted: to import every test takes half a minute."""
+    wanted = config.getoption("markexpr").partition(" ")[0]
+    if wanted in _BY_TEXT and collection_path.suffix == ".py":
+        return f"mark.{wanted}" not in collection_path.read_text(encoding="utf-8") or None
+    return None
+
 
 @pytest.fixture(autouse=True, scope="session")
 def state(tmp_path_factory):
