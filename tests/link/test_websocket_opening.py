@@ -3,10 +3,12 @@ import threading
 
 import pytest
 
+from onika.link import refusal_header
 from onika.link.address import Address
 from onika.link.channel import Channel
 from onika.link.lost import LinkLost, LossCause
 from onika.link.websocket_opening import WebSocketOpening
+from onika.words.reason import Reason, in_language
 
 
 class Door:
@@ -50,6 +52,25 @@ def test_each_refusal_has_its_own_cause(answer, cause):  # R-F01
     assert "s3cret" not in str(lost.value)
     assert b"GET /signal HTTP/1.1" in door.asked
     assert b"Authorization: Bearer s3cret" in door.asked
+
+
+def test_why_a_runtime_refuses_keeps_its_key_and_its_arguments():  # R-G03
+    reason = Reason.of("host.no_such_path", paths=("/", "/signal"))
+    head = f"HTTP/1.1 404 Not Found\r\nContent-Length: 3\r\n{refusal_header.HEADER}: {refusal_header.written(reason)}"
+    door = Door(f"{head}\r\n\r\nno\n".encode())
+    with pytest.raises(LinkLost) as lost:
+        WebSocketOpening(door.address, "x")(Channel.SIGNAL)
+    door.close()
+    assert lost.value.reason.args["why"] == reason
+    assert "se esperaba uno de /, /signal" in in_language(lost.value.reason, "es")
+
+
+def test_a_refusal_of_a_foreign_program_is_told_as_it_came():
+    door = Door(b"HTTP/1.1 403 No\r\nOnika-Reason: {}\r\nContent-Length: 7\r\n\r\nno way\n")
+    with pytest.raises(LinkLost) as lost:
+        WebSocketOpening(door.address, "x")(Channel.SIGNAL)
+    door.close()
+    assert lost.value.reason.args["why"] == Reason.plain("no way")
 
 
 def test_where_nobody_listens_nobody_can_be_reached():

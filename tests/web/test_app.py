@@ -5,6 +5,9 @@ import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import connect
 
+from onika.link import refusal_header
+from onika.words.reason import Reason, in_language
+
 pytestmark = pytest.mark.site
 
 
@@ -42,6 +45,32 @@ def test_without_the_key_there_is_no_page(served, path):
     answer, body = get(served, path)
     assert answer.status == 403
     assert "address that Onika printed" in body
+
+
+REFUSALS = [
+    ("/", {}, 403, "desk.page_without_key"),
+    ("/", {"Host": "evil.example"}, 421, "desk.no_such_host"),
+    ("/nothing", {}, 404, "desk.no_such_page"),
+    ("/assets/nothing.js", {}, 404, "desk.no_such_page"),
+]
+
+
+@pytest.mark.parametrize(("path", "headers", "status", "key"), REFUSALS)
+def test_a_refusal_speaks_the_language_of_the_browser_and_names_its_key(served, path, headers, status, key):  # R-G03
+    answer, body = get(served, path, **{"Accept-Language": "fr;q=0.9, es-MX;q=0.8, en;q=0.1", **headers})
+    assert (answer.status, answer.headers["content-language"]) == (status, "es")
+    reason = refusal_header.read(answer.headers[refusal_header.HEADER])
+    assert reason == Reason.of(key)
+    assert body == f"{in_language(reason, 'es')}\n"
+
+
+def test_a_page_is_only_read(served):
+    link = http.client.HTTPConnection(served.address, timeout=10)
+    link.request("POST", "/", headers={"Host": served.address})
+    answer = link.getresponse()
+    assert refusal_header.read(answer.headers[refusal_header.HEADER]) == Reason.of("desk.only_read")
+    assert answer.status == 405
+    link.close()
 
 
 def test_a_page_under_a_foreign_name_is_refused(served):  # DNS rebinding

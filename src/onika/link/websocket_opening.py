@@ -13,6 +13,7 @@ from websockets.http11 import Response
 from websockets.protocol import State
 from websockets.uri import parse_uri
 
+from onika.link import refusal_header
 from onika.link.address import Address
 from onika.link.channel import Channel
 from onika.link.heartbeat import HEADER, HeartbeatKey, HeartbeatSender
@@ -111,12 +112,19 @@ class WebSocketOpening:
         if isinstance(fault, InvalidStatus):
             status = fault.response.status_code
             cause, words = _REFUSED.get(status, (LossCause.REFUSED, Reason.of("link.no_link_there")))
-            body = bytes(fault.response.body or b"").decode("utf-8", "replace").strip()[:500]
-            why = Reason.plain(body) if body else words
+            why = _reason_in(fault.response) or words
             raise LinkLost(cause, Reason.of("link.refused", address=str(self.address), status=status, why=why))
         if fault is not None:
             no_websocket = Reason.of("link.no_websocket", address=str(self.address), why=Reason.plain(str(fault)))
             raise LinkLost(LossCause.GARBAGE, no_websocket)
+
+
+def _reason_in(refusal: Response) -> Reason:
+    """Why a request was refused: as a runtime says it to programs, else the text that came with it."""
+    reason = refusal_header.read(",".join(refusal.headers.get_all(refusal_header.HEADER)))
+    if reason is not None:
+        return reason
+    return Reason.plain(bytes(refusal.body or b"").decode("utf-8", "replace").strip()[:500])
 
 
 def _heartbeat_sender(connected: socket.socket, protocol: ClientProtocol) -> HeartbeatSender | None:

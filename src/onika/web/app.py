@@ -11,11 +11,12 @@ from starlette.routing import Mount, Route, WebSocketRoute
 from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket
 
+from onika.link import refusal_header
 from onika.web.headers import StrictHeaders
 from onika.web.hub import Hub
 from onika.web.login import Login
+from onika.words.accepted_language import accepted_language
 from onika.words.reason import Reason, in_language
-from onika.words.sentence import LANGUAGES
 
 STATIC = Path(__file__).parent / "static"
 """The page as it was built."""
@@ -28,21 +29,21 @@ def application(login: Login, hub: Hub, static: Path = STATIC) -> Starlette:
 
     async def page(request: Request) -> Response:
         if not login.is_ours(request.headers):
-            return _text(request, Reason.of("desk.no_such_host"), 421)
+            return _refused(request, Reason.of("desk.no_such_host"), 421)
         key = request.query_params.get("key")
         if key is not None and not login.knows(request.cookies):
             cookie = login.enter(key)
             if cookie is None:
-                return _text(request, Reason.of("desk.page_without_key"), 403)
+                return _refused(request, Reason.of("desk.page_without_key"), 403)
             return _with_cookie(RedirectResponse("/", 303), login.cookie_name, cookie)
         if key is not None:
             return RedirectResponse("/", 303)
         if not login.knows(request.cookies):
-            return _text(request, Reason.of("desk.page_without_key"), 403)
+            return _refused(request, Reason.of("desk.page_without_key"), 403)
         index = static / "index.html"
         if index.is_file():
             return FileResponse(index)
-        return _text(request, Reason.of("desk.page_not_built"), 503)
+        return _refused(request, Reason.of("desk.page_not_built"), 503)
 
     async def talk(socket: WebSocket) -> None:
         if not (login.is_own_page(socket.headers) and login.knows(socket.cookies)):
@@ -54,7 +55,11 @@ def application(login: Login, hub: Hub, static: Path = STATIC) -> Starlette:
     routes: list[Route | Mount | WebSocketRoute] = [Route("/", page), WebSocketRoute("/ws", talk)]
     if (static / "assets").is_dir():
         routes.append(Mount("/assets", StaticFiles(directory=static / "assets")))
-    return Starlette(routes=routes, middleware=[Middleware(StrictHeaders)])
+    return Starlette(
+        routes=routes,
+        middleware=[Middleware(StrictHeaders)],
+        exception_handlers={404: _nothing_there, 405: _only_read},
+    )
 
 
 async def _converse(socket: WebSocket, hub: Hub) -> None:
@@ -74,11 +79,19 @@ async def _converse(socket: WebSocket, hub: Hub) -> None:
         hub.leave(client)
 
 
-def _text(request: Request, reason: Reason, code: int) -> Response:
-    """A sentence in the language that the browser likes best of ours."""
-    wanted = (word.strip()[:2].lower() for word in request.headers.get("accept-language", "").split(","))
-    language = next((word for word in wanted if word in LANGUAGES), LANGUAGES[0])
-    return PlainTextResponse(f"{in_language(reason, language)}\n", code)
+async def _nothing_there(request: Request, _exception: Exception) -> Response:
+    return _refused(request, Reason.of("desk.no_such_page"), 404)
+
+
+async def _only_read(request: Request, _exception: Exception) -> Response:
+    return _refused(request, Reason.of("desk.only_read"), 405)
+
+
+def _refused(request: Request, reason: Reason, code: int) -> Response:
+    """The sentence in the language of ours that the browser likes best, and the reason in a header for programs."""
+    language = accepted_language(",".join(request.headers.getlist("accept-language")))
+    headers = {"content-language": language, refusal_header.HEADER: refusal_header.written(reason)}
+    return PlainTextResponse(f"{in_language(reason, language)}\n", code, headers)
 
 
 def _with_cookie(response: Response, name: str, cookie: str) -> Response:

@@ -10,12 +10,13 @@ from websockets.uri import parse_uri
 from onika.host.sessions.admission import Admission
 from onika.host.sessions.relay import ConnectionRefused, Relay
 from onika.host.sessions.users import User, Users
+from onika.link import refusal_header
 from onika.link.caller import Role
 from onika.link.channel import Channel
 from onika.link.token import digest
 from onika.wire.frame import FrameReader, frame
 from onika.wire.packet import Beat, Bye, Hello, decode, encode
-from onika.words.reason import Reason
+from onika.words.reason import Reason, in_language
 
 ANN = User("ann", Role.OWNER, digest("anns"))
 HELLO = encode(Hello(2, "me", "", 0))
@@ -39,9 +40,11 @@ class Visitor:
         self.writer.close()
         await asyncio.sleep(0)
 
-    def ask(self, token="anns"):
+    def ask(self, token="anns", languages=()):
         request = self.protocol.connect()
         request.headers["Authorization"] = f"Bearer {token}"
+        for language in languages:
+            request.headers["Accept-Language"] = language
         self.protocol.send_request(request)
         self.flush()
 
@@ -100,6 +103,42 @@ def test_a_wrong_token_is_answered_and_ends_it():
         with pytest.raises(ConnectionRefused, match="401"):
             await visitor.greet()
         assert (await visitor.reader.read(65536)).startswith(b"HTTP/1.1 401 ")
+
+    in_loop(story)
+
+
+def answer_in(data):
+    """Status, headers and body of an HTTP answer."""
+    head, _, body = data.decode().partition("\r\n\r\n")
+    status, *lines = head.split("\r\n")
+    return status, dict(line.split(": ", 1) for line in lines), body
+
+
+@pytest.mark.parametrize(("languages", "language"), [((), "en"), (("es",), "es"), (("fr", "es;q=0.4"), "es")])
+def test_a_refusal_is_said_in_the_language_that_was_asked_for_and_names_its_key(languages, language):  # R-G03
+    async def story(visitor):
+        visitor.ask("wrong", languages)
+        with pytest.raises(ConnectionRefused):
+            await visitor.greet()
+        status, headers, body = answer_in(await visitor.reader.read(65536))
+        wrong = Reason.of("host.wrong_token")
+        assert status == "HTTP/1.1 401 Unauthorized"
+        assert headers["Content-Language"] == language
+        assert refusal_header.read(headers[refusal_header.HEADER]) == wrong
+        assert body == f"{in_language(wrong, language)}\n"
+        assert int(headers["Content-Length"]) == len(body.encode())
+
+    in_loop(story)
+
+
+def test_who_opens_no_websocket_is_told_so_and_what_it_would_take():
+    async def story(visitor):
+        visitor.writer.write(b"GET / HTTP/1.1\r\nHost: localhost\r\nAccept-Language: es\r\n\r\n")
+        with pytest.raises(ConnectionRefused, match="426"):
+            await visitor.greet()
+        _, headers, body = answer_in(await visitor.reader.read(65536))
+        assert headers["Upgrade"] == "websocket"
+        assert body == f"{in_language(Reason.of('host.no_handshake'), 'es')}\n"
 
     in_loop(story)
 

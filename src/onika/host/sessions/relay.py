@@ -12,17 +12,21 @@ from websockets.server import ServerProtocol
 
 from onika.host.sessions.admission import Admission, LetIn, TurnedAway
 from onika.host.sessions.heartbeat_registry import HeartbeatRegistry
+from onika.link import refusal_header
 from onika.link.heartbeat import HEADER, HeartbeatKey
 from onika.link.websocket_messages import SILENT, WebSocketMessages
 from onika.wire.frame import FRAME_LIMIT, FrameReader, frame
 from onika.wire.packet import Beat, Bye, Hello, decode, encode
-from onika.words.reason import NOTHING, Reason
+from onika.words.accepted_language import accepted_language
+from onika.words.reason import NOTHING, Reason, in_language
 
 TAKING_S = 10.0
 """How long somebody may take nothing of what is sent to him."""
 _CHUNK = 64 * 1024
 _TURN = 8 * 1024
 """Bytes from outside that are looked at before it is somebody else's turn: some hundred of the smallest frames."""
+_DEMANDS = ("Allow", "Upgrade")
+"""Headers in which a refusal of the library says what it would take."""
 _MIN_RTT = 148
 """Where it stands in the `tcp_info` of Linux, in us."""
 
@@ -103,20 +107,34 @@ class Relay:
                 raise ConnectionRefused("no HTTP")
 
     def _answer(self, request: Request, admission: Admission) -> LetIn:
-        response = self._protocol.accept(request)  # 400, 405, 426: no WebSocket at all
-        answer: LetIn | TurnedAway | None = None
-        if response.status_code == 101:
-            answer = admission.judge(request.path, request.headers.raw_items(), self._address, monotonic_ns())
-            if isinstance(answer, TurnedAway):
-                response = self._protocol.reject(answer.status, f"{answer.reason}\n")
-            elif answer.channel.asks:
-                self._agree(response)
+        response = self._protocol.accept(request)
+        answer = self._judge(request, response, admission)
+        if isinstance(answer, TurnedAway):
+            response = self._refusal(answer, request, response)
+        elif answer.channel.asks:
+            self._agree(response)
         self._protocol.send_response(response)
         for data in self._protocol.data_to_send():
             self._writer.write(data)
         if not isinstance(answer, LetIn):
             raise ConnectionRefused(f"status {response.status_code}")
         return answer
+
+    def _judge(self, request: Request, response: Response, admission: Admission) -> LetIn | TurnedAway:
+        if response.status_code != 101:  # 400, 405, 426: the library says what is wrong with it, in English
+            return TurnedAway(response.status_code, Reason.of("host.no_handshake"))
+        return admission.judge(request.path, request.headers.raw_items(), self._address, monotonic_ns())
+
+    def _refusal(self, refusal: TurnedAway, request: Request, response: Response) -> Response:
+        """The sentence in the language of whoever asked, and the reason in a header for programs."""
+        language = accepted_language(",".join(request.headers.get_all("Accept-Language")))
+        refused = self._protocol.reject(refusal.status, f"{in_language(refusal.reason, language)}\n")
+        refused.headers["Content-Language"] = language
+        refused.headers[refusal_header.HEADER] = refusal_header.written(refusal.reason)
+        if response.status_code == refusal.status:
+            demands = [name for name in _DEMANDS if name in response.headers]
+            refused.headers.update({name: response.headers[name] for name in demands})
+        return refused
 
     def _agree(self, response: Response) -> None:
         """Tell the other end, and nobody else, how it may beat beside this connection."""
