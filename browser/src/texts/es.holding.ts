@@ -14,7 +14,7 @@ export const esHolding: Record<keyof typeof enHolding, string> = {
   'holding.chipPeople': '{n} conectado|{n} conectados',
   'holding.people': 'Conectados',
   'holding.peopleOne': 'No hay nadie más conectado.',
-  'holding.unknown': 'Preguntando al entorno de ejecución…',
+  'holding.unknown': 'Preguntando al runtime…',
   'holding.you': 'usted',
   'holding.role.viewer': 'puede mirar y parar',
   'holding.role.operator': 'operador',
@@ -52,8 +52,8 @@ export const esHolding: Record<keyof typeof enHolding, string> = {
   'holding.decline': 'Rechazar',
   'holding.offersLabel': 'Ofertas y pérdidas',
   'holding.lost': 'Usted ya no tiene {what}',
-  'holding.silent': 'El entorno de ejecución no oyó nada desde aquí durante {s} s.',
-  'holding.cut': 'Se cortó la conexión con el entorno de ejecución.',
+  'holding.silent': 'El runtime no oyó nada desde aquí durante {s} s.',
+  'holding.cut': 'Se cortó la conexión con el runtime.',
   'holding.lostAbout':
     'Las tareas de {what} están apagadas y sus dispositivos se mantienen quietos. Nada se enciende solo.',
   'holding.lostRun':
@@ -73,11 +73,11 @@ export const esHolding: Record<keyof typeof enHolding, string> = {
   'holding.onLoss.run': 'Si se pierde a quien la tiene, sigue; otro puede tomarla.',
   'holding.watch': 'Solo mirar',
   'holding.watchAbout':
-    'Quien solo mira no cambia nada en este entorno de ejecución, pulse lo que pulse; Parar sigue funcionando. Dura hasta que usted lo termine aquí, lo que le conecta de nuevo.',
+    'Quien solo mira no cambia nada en este runtime, pulse lo que pulse; Parar sigue funcionando. Dura hasta que usted lo termine aquí, lo que le conecta de nuevo.',
   'holding.watchFirst': 'Suelte antes lo que tiene.',
   'holding.watching': 'Usted solo mira: nada de lo que se pulse aquí cambia algo. Parar sigue funcionando.',
   'holding.watchNoMore': 'Dejar de solo mirar',
-  'holding.noRuntime': 'Todavía no hay ningún entorno de ejecución.',
+  'holding.noRuntime': 'Todavía no hay ningún runtime.',
   'holding.stop': 'Parar es para todos, tenga quien tenga el mando.',
-  'holding.local': 'El entorno de ejecución se inició aquí; nadie más puede llegar a él.',
+  'holding.local': 'El runtime se inició aquí; nadie más puede llegar a él.',
 }

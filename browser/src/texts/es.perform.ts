@@ -104,7 +104,7 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
   'perform.noCause': 'no se conoce el motivo',
   'perform.putBack': 'Devolver la célula a su estado inicial',
   'perform.putBackHint':
-    'Termina el ejecutor con todo lo que vive en él y lo arranca de nuevo: todo vuelve a estar donde estaba al principio',
+    'Termina el runtime con todo lo que vive en él y lo arranca de nuevo: todo vuelve a estar donde estaba al principio',
   'perform.dismiss': 'Descartar',
   'perform.why': '¿Por qué?',
   'perform.workcell': 'Célula',
@@ -119,7 +119,7 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
   'stopped.title.shutdown': '{flow} se detuvo: {task} exige terminar',
   'stopped.title.refused': '{flow} se detuvo: {task} no se pudo encender',
   'stopped.title.asking': '{flow} se detuvo: {task} no obtuvo respuesta',
-  'stopped.title.lost': 'Parada: ha desaparecido un proceso del ejecutor',
+  'stopped.title.lost': 'Parada: ha desaparecido un proceso del runtime',
   'stopped.title.deadlock': 'Parada: los flujos se esperan unos a otros en círculo',
   'stopped.title.deserted': '{flow} espera a un flujo que no vendrá',
   'stopped.title.user': 'Parada por el usuario',

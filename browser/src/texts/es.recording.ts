@@ -22,7 +22,7 @@ export const esRecording: Record<keyof typeof enRecording, string> = {
   'recording.goesOn': 'Simulada: la ejecución grabada hasta {n} s, y desde ahí sigue.',
   'recording.leave': 'Salir del simulador',
   'recording.leaveHint':
-    'Termina el simulador con todo lo que vive en él e inicia el entorno de ejecución habitual, con la célula como al principio',
+    'Termina el simulador con todo lo que vive en él e inicia el runtime habitual, con la célula como al principio',
 
   'keep.title': 'Guardar {name} como prueba',
   'keep.about':
