@@ -39,13 +39,13 @@ def listen(*runtimes, until, seconds=20.0):
         assert monotonic() < end, "it did not come"
         select.select([fd for runtime in runtimes for fd in runtime.readers()], [], [], 0.02)
         for runtime in runtimes:
-            runtime.heard += list(runtime.messages())
+            runtime.received += list(runtime.messages())
 
 
 @contextmanager
 def session(there):
     with connect(*there) as runtime:
-        runtime.heard = []
+        runtime.received = []
         runtime.you = runtime.ask(holding.Sessions()).you
         runtime.ask(live.Attend(("*",)))
         yield runtime
@@ -59,7 +59,7 @@ def lease(asking, of):
 def lost(watcher, subsystem):
     return [
         message
-        for message in watcher.heard
+        for message in watcher.received
         if isinstance(message, event.Held) and message.subsystem == subsystem and not message.holder
     ]
 
@@ -92,7 +92,7 @@ class Eavesdropper(HeartbeatSender):
 
     def __init__(self, heartbeat_key, host, family):
         super().__init__(heartbeat_key, host, family)
-        self.at, self.heard = (host, heartbeat_key.port), [heartbeat_key.beat(count) for count in range(1, 40)]
+        self.at, self.beats = (host, heartbeat_key.port), [heartbeat_key.beat(count) for count in range(1, 40)]
         Eavesdropper.last = self
 
 
@@ -104,11 +104,11 @@ def test_beats_that_were_overheard_or_forged_keep_nobody_alive(there, monkeypatc
         listen(watcher, holder, until=lambda: lease(watcher, holder) == 0.25)
         beats = monotonic() + 45 * EVERY_NS * 1e-9
         listen(watcher, holder, until=lambda: monotonic() > beats)  # its own count is beyond what was overheard
-        forged = [beat[:-1] + bytes([beat[-1] ^ 1]) for beat in thief.heard]
+        forged = [beat[:-1] + bytes([beat[-1] ^ 1]) for beat in thief.beats]
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as air:
 
             def is_lost():
-                for datagram in (*thief.heard, *forged, os.urandom(32), b"", os.urandom(2000)):
+                for datagram in (*thief.beats, *forged, os.urandom(32), b"", os.urandom(2000)):
                     air.sendto(datagram, thief.at)
                 return bool(lost(watcher, "robbed"))
 

@@ -25,9 +25,9 @@ class Run:
     """One run of a plan on a driver of its own."""
 
     def __init__(self, shop, *flows, begin=None, rtpus=("rt0",), watch=lambda _task: None):
-        self.told = []
+        self.messages = []
         self.worlds = []
-        self.driver = VirtualDriver(rtpus, self.told.append, worlds=self._open, watch=watch)
+        self.driver = VirtualDriver(rtpus, self.messages.append, worlds=self._open, watch=watch)
         self._begin(shop, flows, begin or Begin(watch=("X", "flow0/X", "flow1/X")), rtpus)
 
     def _open(self, name):
@@ -45,7 +45,7 @@ class Run:
             subsystems[number] = RunningSubsystem(
                 flow.subsystem, table, prepared.flows[number], on, prepared.constants[number]
             )
-        self.runner = Runner(prepared, begin, subsystems, self.driver, self.told.append)
+        self.runner = Runner(prepared, begin, subsystems, self.driver, self.messages.append)
         self.driver.listen(self.runner)
         self.driver.begin()
         self.runner.start(self.driver.now)
@@ -56,7 +56,7 @@ class Run:
         return self
 
     def of(self, kind):
-        return [message for message in self.told if isinstance(message, kind)]
+        return [message for message in self.messages if isinstance(message, kind)]
 
     @property
     def result(self):
@@ -79,7 +79,7 @@ def test_a_run_comes_to_its_end_and_the_world_to_where_it_was_told():  # R-E03, 
 def test_equal_runs_are_equal_bit_for_bit():  # R-X08, law 14
     first, other = (Run(rail_tasks(), move("1.0", "-2.0")).to_the_end() for _ in range(2))
     assert first.driver.digest == other.driver.digest
-    assert first.told == other.told
+    assert first.messages == other.messages
 
 
 def test_different_runs_are_different():  # R-X08

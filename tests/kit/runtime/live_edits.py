@@ -93,7 +93,7 @@ class LossyDriver(VirtualDriver):
     def __init__(self, rtpus: tuple[str, ...], server: OpenGate) -> None:
         super().__init__(rtpus, server.tell, worlds=lambda _name: MassWorld())
         self.gone: set[str] = set()
-        self.heard: list[news.News] = []
+        self.news: list[news.News] = []
         self.fatal: tuple[int, str] | None = None
         self._watched: RuntimeProgram | None = None
         self.commands: list[tuple[str, command.Command]] = []
@@ -149,7 +149,7 @@ class LossyDriver(VirtualDriver):
         """Pass on what a unit that is there says."""
         if rtpu in self.gone:
             return
-        self.heard.append(message)
+        self.news.append(message)
         self._program.subsystems.hear(rtpu, message, now)
         if self.fatal is not None:
             left, unit = self.fatal
@@ -236,7 +236,7 @@ class LiveEdits:
         return self.asker.outcome(answer)
 
     def edited(self, number: int) -> list[str]:
-        """The outcomes that were told of an accepted request: one, if all is well."""
+        """The outcomes of an accepted request: one, if all is well."""
         return [
             str(message.cause)
             for message in self.asker.server.events

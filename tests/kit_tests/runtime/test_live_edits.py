@@ -17,10 +17,10 @@ def test_a_lost_unit_is_silent_deaf_and_empty():
     hand.change(spawn=["counter", "source"], on=["counter", "source"])
     hand.driver.lose("rt1")
     hand.work()
-    count = len(hand.driver.heard)
+    count = len(hand.driver.news)
     hand.driver.send("rt1", command.Report())
     hand.work()
-    assert len(hand.driver.heard) == count
+    assert len(hand.driver.news) == count
     assert list(hand.driver.living()) == [("s0", "source")]
 
 
@@ -31,7 +31,7 @@ def test_a_unit_is_lost_after_so_many_words():
     hand.asker.send(hand.order(("counter", "second")))
     hand.work()
     assert hand.driver.gone == {"rt0"}
-    assert len(hand.driver.heard) == 1
+    assert len(hand.driver.news) == 1
 
 
 def test_outcomes_are_found_by_number():
