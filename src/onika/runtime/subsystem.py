@@ -116,9 +116,17 @@ class RunningSubsystem:
 
     def starved(self, task: str) -> dict[str, str]:
         """The hardware that this task fed, through tasks that are ON, and the variable of the task (law 4)."""
-        working = {name: member.wired for name, member in self.members.items() if member.state is State.ON}
-        hardware = [name for name, wired in working.items() if wired.sheet.hardware]
-        return starved(self.members[task].wired.meeting, [wired.meeting for wired in working.values()], hardware)
+        return self.fed(task, [name for name, member in self.members.items() if member.state is State.ON])
+
+    def fed(self, task: str, through: Collection[str]) -> dict[str, str]:
+        """The hardware among these tasks that a task feeds through them, and the variable of the task (law 4)."""
+        hardware = [name for name in through if self.is_hardware(name)]
+        working = [self.members[name].wired.meeting for name in through]
+        return starved(self.members[task].wired.meeting, working, hardware)
+
+    def is_hardware(self, task: str) -> bool:
+        """Whether a task commands a device."""
+        return self.members[task].wired.sheet.hardware
 
     def forget(self, names: Iterable[str]) -> None:
         """These steer nothing any more; an RTPU does the same once its tasks are off, as they may write till then."""

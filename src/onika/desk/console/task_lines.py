@@ -1,6 +1,6 @@
 """Console commands for the life of tasks: spawn, on, off, kill, clear, config (requirements A05, A13, A14)."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from onika.desk.console.session import ConsoleSession, Faults
@@ -84,9 +84,22 @@ def clear(session: ConsoleSession, words: Words) -> Faults:
     """Bring a task out of ERROR, or, without a name, every task of the subsystem that is in it."""
     if not words:
         broken = [name for name, task in session.tasks().items() if task.state == "ERROR"]
-        return tuple(fault for name in broken for fault in session.order(live.Clear(session.subsystem, name)))
+        return _clear_all(session, broken)
     subsystem, name = session.address(words[0])
     return missing(session, subsystem, (name,)) or session.order(live.Clear(subsystem, name))
+
+
+def _clear_all(session: ConsoleSession, broken: Sequence[str]) -> Faults:
+    """Clear these; a device waits until those are cleared that feed it, wherever they stand in the list."""
+    faults: Faults = ()
+    while broken:
+        refusals = {name: session.order(live.Clear(session.subsystem, name)) for name in broken}
+        refused = [name for name, wrong in refusals.items() if wrong]
+        faults = tuple(fault for name in refused for fault in refusals[name])
+        if len(refused) == len(broken):
+            break
+        broken = refused
+    return faults
 
 
 def configure(session: ConsoleSession, words: Words) -> Faults:

@@ -7,6 +7,7 @@ happens, none waits for ever.
 from collections.abc import Collection, Generator, Mapping, Sequence
 
 from onika.engine import orders
+from onika.host.edit import failed_writers
 from onika.host.execution.spawner import shape_fault
 from onika.host.subsystems.live_subsystem import LiveSubsystem, Wait
 from onika.model.lifecycle import State
@@ -75,7 +76,8 @@ def _objections(
     live: LiveSubsystem, off: Collection[str], on: Sequence[str], rates: Sequence[str]
 ) -> Mapping[str, Reason]:
     """What can be seen to be wrong with a switch before it is sent out, by task."""
-    objections = {task: _of_entry("on", why) for task, why in live.executor.subsystem.clashes(off, on)}
+    whys = {**failed_writers.objections_to_switch(live, off, on), **dict(live.executor.subsystem.clashes(off, on))}
+    objections = {task: _of_entry("on", why) for task, why in whys.items()}
     for task in (*rates, *on):
         entry = "on" if task in on else "rate"
         if live.state(task) is State.KILLED:

@@ -6,6 +6,7 @@ from typing import Any
 from msgspec import structs
 
 from onika.host.edit import edit_objections, hand_writing, transactions
+from onika.host.edit import edit_objections, failed_writers, transactions
 from onika.host.loading.module_questions import ModuleQuestions
 from onika.host.loading.plan_checks import absent_devices, conflicts, cycles, shapeless, shared_devices
 from onika.host.loading.plan_form import wrong_code, wrong_tasks
@@ -135,6 +136,9 @@ class LiveEditor:
             return refusal
         if live.state(order.task) is not State.ERROR:
             return request.Refused(Reason.of("host.not_in_error", task=order.task, state=live.state(order.task).value))
+        objection = NOTHING if live.is_busy else failed_writers.objection_to_clear(live, order.task)
+        if objection:
+            return request.Refused(objection)
         wired = live.members[order.task].wired
         return self._begin(live, _still(live, wired, transactions.clearing(live, order.task)))
 

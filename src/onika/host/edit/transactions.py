@@ -7,6 +7,7 @@ What was prepared is taken back then, and what was ON is ON again.
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
+from onika.host.edit import failed_writers
 from onika.host.edit.edit_steps import Lines, Newcomer, Step, clear, kill, reinit, spawn, switch, tasks_on, tell
 from onika.host.subsystems.live_subsystem import LiveSubsystem, Transaction
 from onika.model.lifecycle import State
@@ -142,7 +143,10 @@ def swap(live: LiveSubsystem, task: str, wired: WiredTask) -> Transaction:
 
 
 def clearing(live: LiveSubsystem, task: str) -> Transaction:
-    """Bring a task out of ERROR."""
+    """Bring a task out of ERROR, unless what fed it is still in it."""
+    objection = failed_writers.objection_to_clear(live, task)
+    if objection:
+        return objection
     yield from clear(live, task)
     return live.outcomes.trouble([task])
 

@@ -56,6 +56,8 @@ class SubsystemExecutor:
         self._expected: list[str] = []
         self.open_questions: dict[str, event.Asked | None] = {}
         """Every task that waits for user input, with its question where it is known already."""
+        self.failed_at_work: set[str] = set()
+        """The tasks in ERROR that were ON when they failed, and on which others depend (law 4)."""
         self._began = 0
 
     # What there is
@@ -225,7 +227,7 @@ class SubsystemExecutor:
         if state is not None:
             self._turn(message.task, state, at_ns)
         if isinstance(message, news.Failed) and before is State.ON and message.entry != "off":
-            self._starve(message.task)
+            self._has_failed_at_work(message.task)
         if state in (State.ON, State.ASKING):
             self._dispatch.settled(message.task)
         if isinstance(message, news.Refused) and message.command == "spawn":
@@ -252,6 +254,11 @@ class SubsystemExecutor:
             self._starve(task)
         self._client(news.Changed(self.name, task, State.KILLED.value, now), before)
 
+    def _has_failed_at_work(self, task: str) -> None:
+        if not self.members[task].wired.sheet.passive:
+            self.failed_at_work.add(task)
+        self._starve(task)
+
     def _starve(self, failed: str) -> None:
         """No device on another unit is driven on with what this task wrote; its own unit has seen to that (law 4)."""
         if self.members[failed].wired.sheet.passive:
@@ -267,6 +274,8 @@ class SubsystemExecutor:
     def _turn(self, task: str, state: State, at_ns: int) -> None:
         member = self.members[task]
         member.state = state
+        if state is not State.ERROR:
+            self.failed_at_work.discard(task)
         if state is State.ASKING:
             self.open_questions[task] = None
         else:

@@ -1,5 +1,6 @@
 """Acts on living tasks: ON, OFF, out of ERROR, initialise anew, answer (requirements C11, C13, C28)."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 from onika.desk.environment.canvas.placement import absent, several
@@ -125,7 +126,15 @@ def _asked(model: Model, document: Document, order: request.Request, task: str) 
     if isinstance(response, live.Accepted):
         return done
     yield InterimModel(done.model, says=done.says, orders=done.orders, news=done.news)
-    return No(refusal(response))
+    why = refusal(response)
+    return No(why, tuple(_writers_first(document, why)))
+
+
+def _writers_first(document: Document, why: Reason) -> Iterator[Remedy]:
+    """Where a device waits for tasks that feed it and have failed: these are cleared before it."""
+    writers = why.args["writers"] if why.key == "host.clear_writers_first" else ()
+    for writer in writers if isinstance(writers, tuple) else ():
+        yield Remedy(Reason.of("desk.clear_writer", task=writer), act.Clear(document.id, str(writer)))
 
 
 def _connected(model: Model, document: Document) -> SubsystemFacts | No:
