@@ -62,10 +62,14 @@ def _beginning_anew(outlook: Outlook) -> tuple[Reason, ...]:
 
 
 def _clearing(outlook: Outlook) -> tuple[Reason, ...]:
-    """By hand: tasks in ERROR are cleared and turned on by whoever holds them."""
-    failed = tuple(
-        "/".join(address)
+    """By hand: whoever holds tasks in ERROR clears them and turns them on, writers before the device that they feed."""
+    tasks = outlook.situation.tasks
+    failures = [effect.subject for effect in outlook.effects if effect.after == State.ERROR.value]
+    by_hand = {
+        "/".join(address): tasks[address].wired.sheet.hardware
         for address, state in outlook.states.items()
         if state is State.ERROR and outlook.situation.run_of(address[0]) is None
-    )
+    }
+    in_order = [*(task for task in by_hand if task not in failures), *filter(by_hand.__contains__, failures)]
+    failed = tuple(sorted(dict.fromkeys(in_order), key=by_hand.__getitem__))
     return (Reason.of("foresight.do_clear", tasks=failed),) if failed else ()
