@@ -1,9 +1,10 @@
 """Keeps the layout of a file: carries its comments and blank lines over into a newer text (requirement B01)."""
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
-from difflib import SequenceMatcher
+
+from onika.files.line_matching import matches
 
 Key = tuple[str, ...]
 
@@ -35,15 +36,15 @@ def carry(former: str, new: str, key: Callable[[str], Key] = words_of) -> str:
     old_entries, old_tail = _entries(former, key)
     new_entries, new_tail = _entries(new, key)
     parts: list[str] = []
-    for tag, i, i_end, j, j_end in _opcodes([e.key for e in old_entries], [e.key for e in new_entries]):
-        if tag == "equal":
-            parts += [entry.lead + entry.raw for entry in old_entries[i:i_end]]
-            continue
-        leads = [entry.lead for entry in old_entries[i:i_end]]
-        fresh = new_entries[j:j_end]
+    old_end = new_end = 0
+    for match in matches([entry.key for entry in old_entries], [entry.key for entry in new_entries]):
+        leads = [entry.lead for entry in old_entries[old_end : match.old]]
+        fresh = new_entries[new_end : match.new]
         parts += [lead + entry.raw for lead, entry in zip(leads, fresh, strict=False)]
         parts += [_comments(lead) for lead in leads[len(fresh) :]]
         parts += [entry.lead + entry.raw for entry in fresh[len(leads) :]]
+        old_end, new_end = match.old + match.lines, match.new + match.lines
+        parts += [entry.lead + entry.raw for entry in old_entries[match.old : old_end]]
     return "".join(parts) + (old_tail if old_entries else new_tail)
 
 
@@ -60,19 +61,6 @@ def _ended_as(former: str, new: str) -> str:
     if former.partition("\n")[0].endswith("\r"):
         return new.replace("\n", "\r\n")
     return new
-
-
-def _opcodes(old: list[Key], new: list[Key]) -> Iterator[tuple[str, int, int, int, int]]:
-    """How `new` comes from `old`; what is alike at both ends is not searched, as that takes long in large files."""
-    most = min(len(old), len(new))
-    head = next((at for at in range(most) if old[at] != new[at]), most)
-    tail = next((at for at in range(most - head) if old[-1 - at] != new[-1 - at]), most - head)
-    yield "equal", 0, head, 0, head
-    old_end, new_end = len(old) - tail, len(new) - tail
-    matcher = SequenceMatcher(None, old[head:old_end], new[head:new_end], autojunk=False)
-    for tag, i, i_end, j, j_end in matcher.get_opcodes():
-        yield tag, head + i, head + i_end, head + j, head + j_end
-    yield "equal", old_end, len(old), new_end, len(new)
 
 
 def _entries(text: str, key: Callable[[str], Key]) -> tuple[list[_Entry], str]:
