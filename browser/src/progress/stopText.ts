@@ -53,10 +53,16 @@ function capital(sentence: string): string {
   return sentence.charAt(0).toUpperCase() + sentence.slice(1)
 }
 
+/** What a word of steering is called where it is offered; one that is not known keeps its word. */
+export function choiceTitle(verb: string): string {
+  const key = TITLES[verb]
+  return key ? t(key) : verb
+}
+
 /** The choices in order. What each does is told by whoever knows the run. */
 export function choicesOf(run: RunView, stop: StopView): Choice[] {
   return (stop.choices ?? []).map(({ verb, subsystem = '', meaning, act = null }) => {
-    const title = TITLES[verb] ? t(TITLES[verb]) : verb
+    const title = choiceTitle(verb)
     const isOther = run.flows?.[subsystem] !== undefined && subsystem !== stop.subsystem && isSeveral(run)
     return {
       verb,

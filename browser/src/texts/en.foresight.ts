@@ -21,6 +21,9 @@ export const enForesight = {
   'whatIf.ms': '{n} ms',
   'whatIf.tasks': 'Tasks',
   'whatIf.toDo': 'What a person has to do then',
+  'whatIf.reset': 'whoever holds it allows motion again; nothing moves by that.',
+  'whatIf.endFrozen':
+    'press Stop; where nothing answers, this ends a runtime that was started here. One elsewhere has to be ended on its machine.',
   'whatIf.notes': 'Worth knowing',
   'whatIf.again': 'Ask again',
   'whatIf.kind.stop': 'Stop is pressed',

@@ -23,6 +23,9 @@ export const esForesight: Record<keyof typeof enForesight, string> = {
   'whatIf.ms': '{n} ms',
   'whatIf.tasks': 'Tareas',
   'whatIf.toDo': 'Qué tiene que hacer una persona entonces',
+  'whatIf.reset': 'quien lo tiene permite otra vez el movimiento; con eso no se mueve nada.',
+  'whatIf.endFrozen':
+    'pulse Parar; si nada contesta, esto termina un runtime que se inició aquí. Uno de otro sitio hay que terminarlo en su máquina.',
   'whatIf.notes': 'Conviene saber',
   'whatIf.again': 'Preguntar otra vez',
   'whatIf.kind.stop': 'Se pulsa la parada',

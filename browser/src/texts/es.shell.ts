@@ -78,7 +78,7 @@ export const esShell: Record<keyof typeof enShell, string> = {
   'stop.lateRemote':
     'Quién tiene qué lo juzga el propio sistema, así que su plazo no ayuda mientras calla. Quien esté a su lado puede terminarlo o usar la parada de emergencia.',
   'stop.again': 'Pedirlo otra vez',
-  'stop.endRuntime': 'Terminar el sistema',
+  'stop.endRuntime': 'Terminar el runtime',
   'toasts.label': 'Lo que se acaba de decir',
   'toasts.show': 'Mostrar',
 
