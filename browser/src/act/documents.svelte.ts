@@ -7,7 +7,7 @@ import { pickSteps, workspace, type Place } from '../state/workspace.svelte'
 import { Refusal } from '../link/refusal'
 import { showRefusal } from './refused.svelte'
 import { t } from '../texts/index.svelte'
-import { plain } from '../texts/say'
+import { plain, say } from '../texts/say'
 
 export type Opened = DocumentView | ApplicationView
 
@@ -31,6 +31,11 @@ export const shownDocument = (): DocumentView | undefined => desk.live.documents
 /** The id of what is shown at the level that is on show; empty: nothing is. */
 export const shownId = (): string => shownAt(look.level)
 export const shownOne = (): Opened | undefined => allOf(look.level)[shownId()]
+
+/** What Undo takes back, in words: the last step of what is shown, or of what belongs to no file; empty: nothing. */
+export const toUndo = (): string => say((shownOne() ?? { undo: desk.live.own_undo }).undo)
+/** What Redo does again. */
+export const toRedo = (): string => say((shownOne() ?? { redo: desk.live.own_redo }).redo)
 
 /** Go to a level; what is shown and picked at the other one stays. */
 export function goTo(level: Level): void {

@@ -6,12 +6,11 @@ import { desk } from '../link/desk.svelte'
 import { canvas } from '../state/canvas.svelte'
 import { closeDialog, dialogs, openDialog, type DialogName } from '../state/dialogs.svelte'
 import { look, type Theme } from '../state/look.svelte'
-import { goTo, shownDocument, shownId, shownOne, step } from '../act/documents.svelte'
+import { goTo, shownDocument, shownId, shownOne, step, toRedo, toUndo } from '../act/documents.svelte'
 import { openBlank, save } from '../act/opening'
 import { checkMemory, saveReadings } from '../monitor/memory'
 import { stopEverything } from '../shell/stopping'
 import { startTutorial } from '../help/tutorial.svelte'
-import { say } from '../texts/say'
 import { t } from '../texts/index.svelte'
 
 const isOpen = (): boolean => shownOne() !== undefined
@@ -112,7 +111,7 @@ command({
   group: 'edit',
   title: () => t('edit.undo'),
   keys: ['Ctrl+Z'],
-  when: () => !!shownOne()?.undo,
+  when: () => !!toUndo(),
   run: () => act({ t: 'Undo', doc: shownId() }),
 })
 command({
@@ -120,25 +119,8 @@ command({
   group: 'edit',
   title: () => t('edit.redo'),
   keys: ['Ctrl+Shift+Z', 'Ctrl+Y'],
-  when: () => !!shownOne()?.redo,
+  when: () => !!toRedo(),
   run: () => act({ t: 'Redo', doc: shownId() }),
-})
-
-command({
-  id: 'edit.undoOwn',
-  group: 'edit',
-  title: () => t('edit.undoOwn', { what: say(desk.tree.own_undo) }),
-  keys: ['Alt+Z'],
-  when: () => !!say(desk.tree.own_undo),
-  run: () => act({ t: 'UndoOwn' }),
-})
-command({
-  id: 'edit.redoOwn',
-  group: 'edit',
-  title: () => t('edit.redoOwn', { what: say(desk.tree.own_redo) }),
-  keys: ['Alt+Shift+Z'],
-  when: () => !!say(desk.tree.own_redo),
-  run: () => act({ t: 'RedoOwn' }),
 })
 
 const findField = (): HTMLInputElement | null => document.querySelector('.library [role=searchbox]')

@@ -25,8 +25,6 @@ export const enShell = {
   'file.next': 'Next configuration',
   'file.previous': 'Previous configuration',
   'file.library': 'Open a library…',
-  'edit.undoOwn': 'Take back: {what}',
-  'edit.redoOwn': 'Do again: {what}',
   'edit.undo': 'Undo',
   'edit.redo': 'Redo',
   'edit.undoOf': 'Undo: {what}',

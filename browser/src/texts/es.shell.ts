@@ -27,8 +27,6 @@ export const esShell: Record<keyof typeof enShell, string> = {
   'file.next': 'Configuración siguiente',
   'file.previous': 'Configuración anterior',
   'file.library': 'Abrir una biblioteca…',
-  'edit.undoOwn': 'Deshacer: {what}',
-  'edit.redoOwn': 'Rehacer: {what}',
   'edit.undo': 'Deshacer',
   'edit.redo': 'Rehacer',
   'edit.undoOf': 'Deshacer: {what}',

@@ -16,7 +16,7 @@ def shared(tmp_path):
 
 
 def notices(sitting):
-    return [say.text.key for say in sitting.says if say.text.key in ("run.undone_elsewhere", "run.redone_elsewhere")]
+    return [say.text.key for say in sitting.says if say.text.key.endswith("_elsewhere")]
 
 
 def test_taking_back_what_another_did_is_told_to_both(shared):  # R-X10
@@ -26,6 +26,14 @@ def test_taking_back_what_another_did_is_told_to_both(shared):  # R-X10
     assert notices(shared) == ["run.undone_elsewhere"]
     shared.do(act.Redo(doc), by="second")
     assert notices(shared)[1] == "run.redone_elsewhere"
+
+
+def test_so_it_is_of_what_belongs_to_no_file(shared):  # R-X10
+    doc = shared.begun()
+    shared.do(act.Prefer({"pin_length": 9}), by="first")
+    shared.do(act.Undo(doc), by="second")
+    shared.do(act.Redo(doc), by="second")
+    assert notices(shared) == ["run.own_undone_elsewhere", "run.own_redone_elsewhere"]
 
 
 def test_taking_back_what_one_did_oneself_needs_no_word(shared):  # R-X10

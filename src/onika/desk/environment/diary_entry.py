@@ -110,8 +110,6 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.Press: ("press_button", "button"),
     act.Halt: ("halt_button", "button"),
     act.SetButton: ("set_button", "button"),
-    act.UndoOwn: ("undo", "main"),
-    act.RedoOwn: ("redo", "main"),
     act.Run: ("run_appl", "appl"),
     act.Steer: ("steer_appl", "appl"),
     act.Redirect: ("redirect_task", "appl"),

@@ -22,7 +22,7 @@ from onika.desk.environment.canvas import (
 )
 from onika.desk.environment.control import control_authority, held_subsystems, view_only
 from onika.desk.environment.environment import Handler
-from onika.desk.environment.file import applications, configurations, file_acts, undo
+from onika.desk.environment.file import applications, configurations, file_acts
 from onika.desk.environment.icons import (
     branches,
     clipboard as icon_buffer,
@@ -67,8 +67,8 @@ HANDLERS: Mapping[type, Handler] = {
     act.Close: file_acts.close,
     act.Reload: relink.relinked(file_acts.reload),
     act.Keep: file_acts.keep,
-    act.Undo: undo.undo,
-    act.Redo: undo.redo,
+    act.Undo: own_undo.undo,
+    act.Redo: own_undo.redo,
     act.Place: placement.place,
     act.Exchange: placement.exchange,
     act.Remove: placement.remove,
@@ -108,8 +108,6 @@ HANDLERS: Mapping[type, Handler] = {
     act.Press: buttons.press,
     act.Halt: buttons.halt,
     act.SetButton: buttons.set_button,
-    act.UndoOwn: own_undo.undo_own,
-    act.RedoOwn: own_undo.redo_own,
     act.Note: diary.note,
     act.OpenInPlace: in_place.open_in_place,
     act.Rate: retuning.rate,

@@ -1,14 +1,19 @@
-"""Undo and Redo of what belongs to no open file: icons, targets, preferences, buttons, library rates (X10)."""
+"""Undo and Redo in one order, of an open file and of what belongs to none (requirement X10).
+
+The latter are icons of dictionaries, targets, preferences, buttons and rates of libraries.
+"""
 
 from dataclasses import replace
 
 from onika.desk.environment import buttons, preferences
 from onika.desk.environment.canvas import library_tasks
+from onika.desk.environment.file.undo import redo as redo_file, undo as undo_file
 from onika.desk.environment.icons.dictionaries import shown_at_once
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.restoration import FileText, Restoration
+from onika.desk.environment.state.undo_order import redoable, undoable
 from onika.files import whole
 from onika.wire import act
 from onika.words.fault import Refusal
@@ -16,26 +21,30 @@ from onika.words.reason import Reason
 from onika.words.system_error import system_reason
 
 
-def undo_own(model: Model, _command: act.UndoOwn, outside: Services) -> Done | No:
-    """Take the last such change back."""
-    step = model.own.last
+def undo(model: Model, command: act.Undo, outside: Services) -> Done | No:
+    """Take back what was done last: to the open file, or to what belongs to none."""
+    file, step = model.file(command.doc), model.own.last
+    if command.doc and (file is None or step is not undoable(model, file)):
+        return undo_file(model, command, outside)
     if step is None:
         return No(Reason.of("run.nothing_to_undo"))
     done = _restored(model, step.after, step.before, outside)
     if isinstance(done, No):
         return done
-    return replace(done, model=replace(done.model, own=model.own.undone()), own=None)
+    return replace(done, model=replace(done.model, own=model.own.undone(model.next_step)), own=None)
 
 
-def redo_own(model: Model, _command: act.RedoOwn, outside: Services) -> Done | No:
-    """Do the change again that was taken back last."""
-    step = model.own.next
+def redo(model: Model, command: act.Redo, outside: Services) -> Done | No:
+    """Do again what was taken back last."""
+    file, step = model.file(command.doc), model.own.next
+    if command.doc and (file is None or step is not redoable(model, file)):
+        return redo_file(model, command, outside)
     if step is None:
         return No(Reason.of("run.nothing_to_redo"))
     done = _restored(model, step.before, step.after, outside)
     if isinstance(done, No):
         return done
-    return replace(done, model=replace(done.model, own=model.own.redone()), own=None)
+    return replace(done, model=replace(done.model, own=model.own.redone(model.next_step)), own=None)
 
 
 def _restored(model: Model, now: Restoration, then: Restoration, outside: Services) -> Done | No:

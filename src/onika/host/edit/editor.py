@@ -5,8 +5,7 @@ from typing import Any
 
 from msgspec import structs
 
-from onika.host.edit import edit_objections, hand_writing, transactions
-from onika.host.edit import edit_objections, failed_writers, transactions
+from onika.host.edit import edit_objections, failed_writers, hand_writing, transactions
 from onika.host.loading.module_questions import ModuleQuestions
 from onika.host.loading.plan_checks import absent_devices, conflicts, cycles, shapeless, shared_devices
 from onika.host.loading.plan_form import wrong_code, wrong_tasks

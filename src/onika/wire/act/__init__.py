@@ -94,9 +94,7 @@ from onika.wire.act.own import (
     Note as Note,
     Prefer as Prefer,
     Press as Press,
-    RedoOwn as RedoOwn,
     SetButton as SetButton,
-    UndoOwn as UndoOwn,
 )
 from onika.wire.act.own_copy import (
     BringBack as BringBack,
@@ -231,8 +229,6 @@ AnyAct = (
     | Press
     | Halt
     | SetButton
-    | UndoOwn
-    | RedoOwn
     | Note
     | NewApplication
     | InsertIcon

@@ -62,7 +62,10 @@ class Keep(Act, frozen=True):
 
 
 class Undo(Act, frozen=True):
-    """Take the last step of a document back, in the running system too (law 22)."""
+    """Take the last step back, in the running system too (law 22): of a document, or of what belongs to none (X10).
+
+    Without a document only the latter. What was done later goes first.
+    """
 
     doc: str
     confirmed: bool = False

@@ -31,14 +31,6 @@ class SetButton(Act, frozen=True):
     spawns_terminal: bool = False
 
 
-class UndoOwn(Act, frozen=True):
-    """Take back the last change of an icon of a dictionary, a target, preferences, a button or a library rate (X10)."""
-
-
-class RedoOwn(Act, frozen=True):
-    """Do again what was taken back so."""
-
-
 class Note(Act, frozen=True):
     """What the page alone knows of: a selection, a view opened (H01); into the diary, no step."""
 

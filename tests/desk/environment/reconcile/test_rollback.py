@@ -33,7 +33,7 @@ def test_what_was_taken_back_in_vain_can_be_taken_back_again():  # R-X10
     content = Content(Configuration("c"))
     step = UndoStep(Reason.plain("turning a ON"), "me", content, content)
     before = History((step,))
-    undone = before.undone()
+    undone = before.undone(9)
     assert without_steps(undone, before, undone) is before
 
 

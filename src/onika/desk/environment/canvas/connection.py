@@ -82,7 +82,7 @@ def connected(model: Model, doc: str, standing: live.Standing, outside: Services
     subsystem_facts = document.live or SubsystemFacts(_MAIN)
     model = replace(model, runtime=runtime_view(model.runtime, standing))
     merged_document = merged(model, document, replace(subsystem_facts, me=me), standing)
-    model = model.with_document(_stepped(document, merged_document))
+    model = model.with_document(_stepped(document, merged_document, model.next_step))
     done = _spawned(model, merged_document, outside)
     described = describe(done.model)
     bounds = joint_limits.connected(described.model, described.model.documents[doc])
@@ -190,13 +190,13 @@ def _occupied(model: Model, name: str, document: Document) -> Reason:
     return NOTHING
 
 
-def _stepped(document: Document, merged_tasks: Merged) -> Document:
+def _stepped(document: Document, merged_tasks: Merged, number: int) -> Document:
     """With a step, where connecting has changed what stands on the canvas."""
     old, new = document.content, merged_tasks.document.content
     if old.configuration is new.configuration:
         return settled(merged_tasks.document)
     wanted = {name: new.wanted.get(name, False) for name in old.names}
-    step = UndoStep(Reason.of("desk.connecting"), "", Content(old.configuration, wanted), new)
+    step = UndoStep(Reason.of("desk.connecting"), "", Content(old.configuration, wanted), new, number)
     return settled(replace(merged_tasks.document, history=document.history.done(step)))
 
 

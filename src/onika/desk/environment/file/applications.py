@@ -111,10 +111,11 @@ class Applications:
         """The steps of its file are taken over."""
         return Done(model.with_application(_taken_over(opened, reading)), label=READ_AGAIN, doc=opened.id)
 
-    def refreshed(self, opened: OpenApplication, reading: FileReading[Application]) -> OpenApplication:
-        """With what its file says now."""
+    def refreshed(self, opened: OpenApplication, reading: FileReading[Application], step: int) -> OpenApplication:
+        """With what its file says now, as a step with this number."""
         now = _taken_over(opened, reading)
-        return replace(now, history=now.history.done(UndoStep(READ_AGAIN, "", opened.application, now.application)))
+        change = UndoStep(READ_AGAIN, "", opened.application, now.application, step)
+        return replace(now, history=now.history.done(change))
 
     def is_in_use(self, model: Model, opened: OpenApplication) -> bool:
         """Whether it runs."""

@@ -107,10 +107,10 @@ class Configurations:
         document = replace(document, opened=reading.opened, has_changed_on_disk=False)
         return with_other_tasks(model, document, reading.opened.value, READ_AGAIN)
 
-    def refreshed(self, document: Document, reading: FileReading[Configuration]) -> Document:
-        """With what its file says now."""
+    def refreshed(self, document: Document, reading: FileReading[Configuration], step: int) -> Document:
+        """With what its file says now, as a step with this number."""
         content = Content(reading.opened.value)
-        history = document.history.done(UndoStep(READ_AGAIN, "", document.content, content))
+        history = document.history.done(UndoStep(READ_AGAIN, "", document.content, content, step))
         return replace(document, content=content, history=history, opened=reading.opened, has_changed_on_disk=False)
 
     def is_in_use(self, _model: Model, document: Document) -> bool:

@@ -69,8 +69,8 @@ class FileKind(Protocol[_F, _T]):
         """What stands in the file now is taken over, as a step."""
         ...
 
-    def refreshed(self, file: _F, reading: FileReading[_T], /) -> _F:
-        """The same, with its step in the history, where nothing that lives or runs is concerned."""
+    def refreshed(self, file: _F, reading: FileReading[_T], step: int, /) -> _F:
+        """The same, with its step in the history under this number, where nothing that lives or runs is concerned."""
         ...
 
     def is_in_use(self, model: Model, file: _F, /) -> bool:

@@ -47,6 +47,6 @@ def _refreshed(model: Model, file: AnyFile, path: Path, former: str) -> tuple[An
     if file.is_unsaved or kind.is_in_use(model, file):
         line = Reason.of("run.changed_stays", name=name)
         return file.differing(True), [page.Say("warning", line, file.id)], ()
-    now = kind.refreshed(file, reading)
+    now = kind.refreshed(file, reading, model.next_step)
     line = Reason.of("run.changed_read_again", name=name)
     return now, [page.Say("warning" if reading.is_partial else "info", line, file.id)], ()

@@ -24,41 +24,41 @@ from onika.words.reason import Reason
 
 @on_file
 def undo(model: Model, file: AnyFile, command: act.Undo, _outside: Services) -> Done | No:
-    """Take the last step back."""
+    """Take the last step of a file back."""
     refused_ = busy(model, file)
     if refused_ is not None:
         return refused_
     if file.history.last is None:
         return No(Reason.of("run.nothing_to_undo"))
     if isinstance(file, OpenApplication):
-        return _application(model, file, file.history.undone(), is_undo=True)
+        return _application(model, file, file.history.undone(model.next_step), is_undo=True)
     return _undone(model, file, file.history.last, command)
 
 
 @on_file
 def redo(model: Model, file: AnyFile, command: act.Redo, _outside: Services) -> Done | No:
-    """Do the step again that was taken back last."""
+    """Do the step of a file again that was taken back last."""
     refused_ = busy(model, file)
     if refused_ is not None:
         return refused_
     if file.history.next is None:
         return No(Reason.of("run.nothing_to_redo"))
     if isinstance(file, OpenApplication):
-        return _application(model, file, file.history.redone(), is_undo=False)
+        return _application(model, file, file.history.redone(model.next_step), is_undo=False)
     return _redone(model, file, file.history.next, command)
 
 
 def stepped(before: Model, done: Done, by: str, command: act.AnyAct) -> Model:
     """With one more step in the history of what was changed, as `done` says; taking back is none."""
     if done.own is not None:
-        return replace(done.model, own=done.model.own.done(replace(done.own, by=by)))
+        return replace(done.model, own=done.model.own.done(replace(done.own, by=by, number=before.next_step)))
     old, new = before.file(done.doc), done.model.file(done.doc)
     if not done.label or isinstance(command, act.Undo | act.Redo):
         return done.model
     if isinstance(old, OpenApplication) and isinstance(new, OpenApplication):
         if old.application is new.application:
             return done.model
-        change = UndoStep(done.label, by, old.application, new.application)
+        change = UndoStep(done.label, by, old.application, new.application, before.next_step)
         return done.model.with_application(replace(new, history=new.history.done(change)))
     if not isinstance(old, Document) or not isinstance(new, Document):
         return done.model
@@ -66,7 +66,17 @@ def stepped(before: Model, done: Done, by: str, command: act.AnyAct) -> Model:
     if old.content == new.content and not edited:
         return done.model
     backwards = edits_between(done.model.libraries, before.libraries)
-    step = UndoStep(done.label, by, old.content, new.content, backwards, edited, before.libraries, done.model.libraries)
+    step = UndoStep(
+        done.label,
+        by,
+        old.content,
+        new.content,
+        before.next_step,
+        backwards,
+        edited,
+        before.libraries,
+        done.model.libraries,
+    )
     if isinstance(command, act.OpenInPlace):
         step = replace(step, file_before=FileState(old.opened, old.base), file_after=FileState(new.opened, new.base))
     return done.model.with_document(replace(new, history=new.history.done(step)))
@@ -138,7 +148,8 @@ def _undone(model: Model, document: Document, step: UndoStep[Content], command: 
     way = _Way(
         step, step.after, step.before, step.edits_after, step.edits_before, step.libraries_before, step.file_before
     )
-    return _restored(model, document, way, document.history.undone(), Reason.of("run.not_undone", step=step.label))
+    cannot = Reason.of("run.not_undone", step=step.label)
+    return _restored(model, document, way, document.history.undone(model.next_step), cannot)
 
 
 def _redone(model: Model, document: Document, step: UndoStep[Content], command: act.Redo) -> Done | No:
@@ -150,7 +161,8 @@ def _redone(model: Model, document: Document, step: UndoStep[Content], command: 
     way = _Way(
         step, step.before, step.after, step.edits_before, step.edits_after, step.libraries_after, step.file_after
     )
-    return _restored(model, document, way, document.history.redone(), Reason.of("run.not_redone", step=step.label))
+    cannot = Reason.of("run.not_redone", step=step.label)
+    return _restored(model, document, way, document.history.redone(model.next_step), cannot)
 
 
 def _application(model: Model, opened: OpenApplication, history: History[Application], *, is_undo: bool) -> Done:

@@ -13,12 +13,12 @@ from onika.desk.environment.outcome.on_file import syntax_of
 from onika.desk.environment.show.step_view import MadeStep, step_views
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication, PreflightResult
+from onika.desk.environment.state.undo_order import label_of, redoable, undoable
 from onika.model.application import AppFlow, Hole
 from onika.model.flow_path import flows_by_path
 from onika.model.redirect import Redirect
 from onika.model.syntax import END, START, Syntax
 from onika.wire.view import AppFlowView, ApplicationView, FaultView, RedirectView, StepView
-from onika.words.reason import NOTHING
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +42,6 @@ class ApplicationProjector:
 
     def view(self, opened: OpenApplication, order: int, model: Model, *, is_running: bool) -> ApplicationView:
         """The application as it is now; `order` is its place among those that are open."""
-        past = opened.history
         self._look(opened, model)
         looked = opened.looked_at(model.runtime.address)
         return ApplicationView(
@@ -52,8 +51,8 @@ class ApplicationProjector:
             base=str(opened.base or ""),
             is_dirty=opened.is_dirty,
             has_changed_on_disk=opened.has_changed_on_disk,
-            undo=past.last.label if past.last else NOTHING,
-            redo=past.next.label if past.next else NOTHING,
+            undo=label_of(undoable(model, opened)),
+            redo=label_of(redoable(model, opened)),
             is_parallel=opened.application.is_parallel,
             flows={path: flow.view for path, flow in self._flows.items()},
             steps=self._marked(opened if looked else None),

@@ -8,14 +8,15 @@ from msgspec import structs
 from onika.desk.environment.show.wiring import MadeDocument, group_views, locus_views, placed_views
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import SubsystemFacts
+from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import OpenLibraries
+from onika.desk.environment.state.undo_order import label_of, redoable, undoable
 from onika.model.parameter import default_words
 from onika.model.task import Task
 from onika.store.module_catalogue import merged
 from onika.store.shipped import is_shipped
 from onika.wire.sheet import ModuleSheet
 from onika.wire.view import DocumentView, LibraryView, Objection, ParameterView, PinView, ProblemView, TaskView
-from onika.words.reason import NOTHING
 
 _V = TypeVar("_V")
 
@@ -128,15 +129,15 @@ def _parameters(task: Task, sheet: ModuleSheet | None) -> tuple[ParameterView, .
 def document_view(
     document: Document,
     order: int,
-    libraries: OpenLibraries,
+    model: Model,
     greyed: dict[str, tuple[Objection, ...]],
     objected: dict[str, tuple[Objection, ...]],
     troubles: dict[str, ProblemView],
     seen: MadeDocument | None,
 ) -> DocumentView:
     """A document; parts that look as they did are the same objects."""
+    libraries = model.libraries
     old = seen.view if seen else DocumentView("", 0)
-    last, following = document.history.last, document.history.next
     view = DocumentView(
         name=document.name,
         order=order,
@@ -145,8 +146,8 @@ def document_view(
         is_dirty=document.is_dirty,
         is_moved=document.is_moved,
         has_changed_on_disk=document.has_changed_on_disk,
-        undo=last.label if last else NOTHING,
-        redo=following.label if following else NOTHING,
+        undo=label_of(undoable(model, document)),
+        redo=label_of(redoable(model, document)),
         tasks=placed_views(document, libraries, seen),
         loci=locus_views(document, libraries, seen),
         groups=group_views(document, seen),

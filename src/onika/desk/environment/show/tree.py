@@ -101,7 +101,7 @@ class Projector:
     def _application(self, opened: OpenApplication, order: int, model: Model) -> ApplicationView:
         sight = self._sights.setdefault(opened.id, ApplicationProjector())
         runs = is_running(model, opened.id)
-        of = (opened, order, runs, model.syntax, model.dictionaries)
+        of = (opened, order, runs, model.syntax, model.dictionaries, model.own)
         view: ApplicationView = self._once(
             f"application {opened.id}", of, lambda: sight.view(opened, order, model, is_running=runs)
         )
@@ -148,8 +148,8 @@ class Projector:
         greyed = self._once(f"greyed {document.id}", (greyed, late), lambda: joined(greyed, late))
         view: DocumentView = self._once(
             key,
-            (document, order, libraries, greyed, objected, troubles),
-            lambda: document_view(document, order, libraries, greyed, objected, troubles, seen),
+            (document, order, libraries, greyed, objected, troubles, model.own),
+            lambda: document_view(document, order, model, greyed, objected, troubles, seen),
         )
         self._seen[document.id] = MadeDocument(document, libraries, view)
         return view

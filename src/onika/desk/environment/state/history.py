@@ -1,7 +1,7 @@
 """What was done to an open file, so that it can be taken back and done again (requirement X10)."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Generic, TypeVar
 
@@ -36,6 +36,8 @@ class UndoStep(Generic[_C]):
     by: str
     before: _C
     after: _C
+    number: int = 0
+    """Of two steps, also of two histories, the larger was done, taken back or done again later."""
     edits_before: Edits = field(default_factory=dict)
     edits_after: Edits = field(default_factory=dict)
     libraries_before: OpenLibraries | None = None
@@ -67,10 +69,15 @@ class History(Generic[_C]):
         """With one more step; what was taken back is gone."""
         return History((*self.past, step)[-_KEPT:])
 
-    def undone(self) -> "History[_C]":
-        """With the last step taken back; raises IndexError where there is none."""
-        return History(self.past[:-1], (*self.future, self.past[-1]))
+    def undone(self, number: int) -> "History[_C]":
+        """With the last step taken back, under a new number; raises IndexError where there is none."""
+        return History(self.past[:-1], (*self.future, replace(self.past[-1], number=number)))
 
-    def redone(self) -> "History[_C]":
-        """With the next step done again; raises IndexError where there is none."""
-        return History((*self.past, self.future[-1]), self.future[:-1])
+    def redone(self, number: int) -> "History[_C]":
+        """With the next step done again, under a new number; raises IndexError where there is none."""
+        return History((*self.past, replace(self.future[-1], number=number)), self.future[:-1])
+
+    @property
+    def newest(self) -> int:
+        """The largest number of its steps; 0: it has none."""
+        return max((step.number for step in (self.last, self.next) if step is not None), default=0)

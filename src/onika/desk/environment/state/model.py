@@ -92,6 +92,11 @@ class Model:
         """All that is open: configurations, then applications."""
         return *self.documents.values(), *self.applications.values()
 
+    @property
+    def next_step(self) -> int:
+        """The number of what is done next: larger than that of every step of what is open."""
+        return 1 + max(history.newest for history in (self.own, *(file.history for file in self.open_files)))
+
     def file(self, doc: str) -> Document | OpenApplication | None:
         """The open file of this id."""
         return self.documents.get(doc) or self.applications.get(doc)
