@@ -1,4 +1,3 @@
-import pytest
 from msgspec.structs import replace
 
 from onika.wire import event, request
@@ -24,7 +23,10 @@ def test_an_application_is_redirected_by_further_words(sit):  # R-E09, R-A16
     (flow,) = sitting.requests_of(request.Prepare)[0].plan.flows
     assert [(name, old.name) for name, old in flow.replaced] == [("puma_kin", "puma")]
     sitting.does("wait run")
-    assert str(sitting.fails("run go_home puma").reason) == "expected [FLOW:]TASK=TASK, found 'puma'"
+    assert (
+        str(sitting.fails("run go_home puma").reason)
+        == "expected [FLOW:]TASK=TASK or [FLOW:]WORLD:=WORLD:, found 'puma'"
+    )
     output = sitting.console.carry_out("run go_home puma=gripper")
     assert any("does not write" in str(fault.reason) for fault in output)
 
@@ -110,14 +112,24 @@ def test_the_end_of_what_another_runs_is_not_the_end_of_ours(sit):
     assert sitting.session.running == ""
 
 
-@pytest.mark.parametrize(("line", "name"), [("calibrate", "calibrate"), ("calibrate C", "calibrate_C")])
-def test_calibration_is_an_application_of_the_laboratory(sit, tmp_path, line, name):  # R-A16
+def test_calibration_is_an_application_of_the_laboratory(sit, tmp_path):  # R-A16
     sitting = sit()
-    fault = sitting.fails(line)
-    assert fault.reason == Reason.of("console.no_calibration", name=name)
-    assert "measure absolute angles" in str(fault.instead)
+    assert sitting.fails("calibrate C").reason == Reason.of("console.no_calibration", name="calibrate_C")
     (tmp_path / "appl").mkdir()
     shipped = sitting.session.site.application_file("go_home")
-    (tmp_path / "appl" / f"{name}.appl").write_text(shipped.read_text())
-    sitting.does(line)
-    assert sitting.requests_of(request.Prepare)[0].plan.application == name
+    (tmp_path / "appl" / "calibrate_C.appl").write_text(shipped.read_text())
+    sitting.does("calibrate C")
+    assert sitting.requests_of(request.Prepare)[0].plan.application == "calibrate_C"
+    assert sitting.requests_of(request.Begin)[0].watch == ()  # nobody in it writes Q_OFF
+
+
+def test_the_shipped_calibration_tells_at_its_end_how_far_joints_are_off(sit):  # R-A16
+    sitting = sit()
+    sitting.does("calibrate")
+    assert sitting.requests_of(request.Prepare)[0].plan.application == "calibrate"
+    assert sitting.requests_of(request.Begin)[0].watch == ("flow0/Q_OFF",)
+    values = {"flow0/Q_OFF": [0.001, -0.002]}
+    sitting.runtime.tell(event.Result(True, NOTHING, 3, 3, 9.0, 9.0, values, (), ""))
+    start = len(sitting.lines)
+    sitting.session.hear()
+    assert any("flow0/Q_OFF" in line and "-0.002" in line for line in sitting.lines[start:])

@@ -37,6 +37,8 @@ def lines(message: event.Event, say: Callable[[Reason], str] = str) -> Iterator[
         case event.Stopped():
             yield _stopped(message)
         case event.Result():
+            for name in sorted(message.values):
+                yield from ((Reason.plain(line), Tone.PLAIN) for line in shown(name, message.values[name]))
             yield _result(message)
 
 

@@ -6,19 +6,26 @@ from onika.desk.console.site_library import SiteLibrary
 from onika.desk.console.time_lines import ended, until_asked
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.preparation import prepare_run
+from onika.model.planned import task_of
 from onika.model.redirect import Redirect
 from onika.wire import request
+from onika.wire.plan import Plan
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
 
 Words = tuple[str, ...]
 HOME = "go_home"
 CALIBRATE = "calibrate"
+OFF = "Q_OFF"
+"""The variable that tells how far joints are off; read at the end of a calibration."""
 
 
 def run(session: ConsoleSession, words: Words) -> Faults:
     """Begin an application; in a script, go on to its end, or to a question, which the next line may answer."""
-    faults = begin(session, words)
+    return _to_its_end(session, begin(session, words))
+
+
+def _to_its_end(session: ConsoleSession, faults: Faults) -> Faults:
     if faults or not session.in_script:
         return faults
     faults = until_asked(session)
@@ -29,6 +36,11 @@ def run(session: ConsoleSession, words: Words) -> Faults:
 
 def begin(session: ConsoleSession, words: Words) -> Faults:
     """Begin an application, and go on with the next line at once, in a script too."""
+    return _begun(session, words)
+
+
+def _begun(session: ConsoleSession, words: Words, watch: Words = ()) -> Faults:
+    """Begin an application; of the variables to watch those that its tasks write are told at its end."""
     if session.running:
         return session.no(Reason.of("console.one_runs_already", name=session.running))
     try:
@@ -42,7 +54,7 @@ def begin(session: ConsoleSession, words: Words) -> Faults:
         return prepared.faults
     faults = session.order(request.Prepare(prepared.plan, prepared.targets))
     on_error = "abort" if session.in_script else "wait"
-    faults = faults or session.order(request.Begin(may_ask=True, on_error=on_error))
+    faults = faults or session.order(request.Begin(_written(prepared.plan, watch), may_ask=True, on_error=on_error))
     if faults:
         return faults
     session.running, session.result = prepared.name, None
@@ -76,5 +88,11 @@ def calibrate(session: ConsoleSession, words: Words) -> Faults:
     """Run the application `calibrate_ROBOT`, or `calibrate`, of the laboratory."""
     name = f"{CALIBRATE}_{words[0]}" if words else CALIBRATE
     if name in SiteLibrary(session.site, session.place).applications:
-        return run(session, (name,))
-    return session.no(Reason.of("console.no_calibration", name=name), Reason.of("console.calibration_unneeded"))
+        return _to_its_end(session, _begun(session, (name,), (OFF,)))
+    return session.no(Reason.of("console.no_calibration", name=name))
+
+
+def _written(plan: Plan, names: Words) -> Words:
+    """Those of the variables that tasks of a flow write, by their addresses."""
+    written = {flow.subsystem: {svar for task in flow.tasks for svar in task_of(task).outputs} for flow in plan.flows}
+    return tuple(f"{subsystem}/{name}" for subsystem, svars in written.items() for name in names if name in svars)
