@@ -82,6 +82,7 @@ def _run(words: list[str]) -> None:
             bound()
             still_garbage()
             program = RuntimeProgram(server, virtual, loader_client, rtpus)
+            _adopt(program, listener)
             _keep_last_seconds(program, None if given.no_black_box else InProcessHolder(), InProcessHolder)
             _virtual(program, server, virtual, ending)
         else:
@@ -93,6 +94,7 @@ def _run(words: list[str]) -> None:
             try:
                 lease_ns = None if given.lease is None else round(given.lease * 1e9)
                 program = RuntimeProgram(server, wall, loader_client, rtpus, lease_ns)
+                _adopt(program, listener)
                 _keep_last_seconds(program, holder, HolderProcess)
                 _wall(program, server, wall, ending)
             finally:
@@ -170,9 +172,9 @@ def _watch(server: RequestServer, audit: AuditTrail) -> None:
 
 
 def _server(given: argparse.Namespace, listener: ListenerProcess | None, audit: AuditTrail | None) -> RequestServer:
-    server = RequestServer(Sessions(secrets.token_hex(16)), monotonic_ns, listener, given.accept_code)
+    server = RequestServer(Sessions(secrets.token_hex(16)), monotonic_ns, accepts_code=given.accept_code)
     if listener is not None:
-        server.addresses = (listener.address,)
+        server.welcome(listener)
     if audit is not None:
         _watch(server, audit)
     if given.link_fd is not None:
@@ -209,6 +211,12 @@ def _listener(given: argparse.Namespace) -> ListenerProcess | None:
     sys.stdout.write(f"onika runtime: listening on {listener.address}{token}\n")
     sys.stdout.flush()
     return listener
+
+
+def _adopt(program: RuntimeProgram, listener: ListenerProcess | None) -> None:
+    """What listens from the start may be closed later."""
+    if listener is not None:
+        program.network.adopt(listener)
 
 
 def _guard_files(given: argparse.Namespace) -> None:

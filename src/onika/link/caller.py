@@ -14,7 +14,7 @@ class Role(IntEnum):
     PROGRAMMER = 3
     """Brings code."""
     OWNER = 4
-    """Ends the runtime."""
+    """Ends the runtime, and opens it to others or closes it."""
 
     @property
     def word(self) -> str:

@@ -1,4 +1,4 @@
-"""What is asked about who may change a subsystem: take, hand over, only watch (law 27, requirement X12)."""
+"""What is asked about who may change a subsystem, and who may come in at all (law 27, requirements X12, A16)."""
 
 from msgspec import Struct
 
@@ -31,7 +31,23 @@ class Sessions(Struct, frozen=True, tag=True):
     """Ask who is there; replied by Company."""
 
 
-HoldingRequest = Hand | Decline | OnlyWatch | Sessions
+class Listen(Struct, frozen=True, tag=True):
+    """Open the runtime to others at `place`, `HOST:PORT`; replied by Listening. Files are those of its machine."""
+
+    place: str
+    role: str = "viewer"
+    """Of whoever comes with the token that is made for it: on this machine only, until it is closed."""
+    certificate: str = ""
+    key: str = ""
+    users: str = ""
+    names: tuple[str, ...] = ()
+
+
+class StopListening(Struct, frozen=True, tag=True):
+    """Let nobody in any more; those who are inside are told good-bye, and count as lost."""
+
+
+HoldingRequest = Hand | Decline | OnlyWatch | Sessions | Listen | StopListening
 
 
 class SessionStanding(Struct, frozen=True):
@@ -44,6 +60,18 @@ class SessionStanding(Struct, frozen=True):
     only_watches: bool = False
     lease_s: float = 0.0
     """For how long it may be silent before it holds nothing any more; 0: for ever."""
+
+
+class Listening(Struct, frozen=True, tag=True):
+    """Where others reach the runtime from now on."""
+
+    addresses: tuple[str, ...]
+    token_at: str = ""
+    """The file with the token of this machine's user, who is its owner; empty: it does not count there."""
+    token: str = ""
+    """One more, that is told here and never again; empty: only users with names are let in."""
+    role: str = ""
+    """Of whoever comes with it."""
 
 
 class Company(Struct, frozen=True, tag=True):

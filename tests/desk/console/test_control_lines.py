@@ -22,19 +22,6 @@ def test_a_subsystem_is_taken_and_released(sit):  # R-X12
     assert len(sitting.requests_of(live.Take)) == 2
 
 
-def test_the_network_channel_is_named_where_it_was_opened_at_the_start(sit):  # R-A16
-    sitting = sit(addresses=("127.0.0.1:7994",))
-    for line in ("open", "listen 127.0.0.1:7994", "network"):
-        assert sitting.does(line) == ["others reach this runtime at 127.0.0.1:7994"]
-    assert sitting.fails("open 0.0.0.0:1").reason == Reason.of("console.listens_elsewhere", addresses="127.0.0.1:7994")
-
-
-def test_where_it_was_not_opened_the_console_says_how(sit):  # R-A16
-    fault = sit().fails("open 127.0.0.1:8000")
-    assert fault.reason == Reason.of("console.listens_to_nobody")
-    assert "`onika runtime --listen 127.0.0.1:8000`" in str(fault.instead)
-
-
 def test_a_subsystem_is_offered_to_another_session_or_no_more(sit):  # R-X12
     sitting = sit()
     sitting.does("spawn puma")

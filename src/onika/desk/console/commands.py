@@ -1,6 +1,7 @@
 """The table of all console commands, in the groups in which `help` shows them."""
 
 from onika.desk.console import (
+    channel_lines,
     control_lines,
     foresight_lines,
     inspection,
@@ -179,7 +180,7 @@ FLOWS = (
 WHOLE = (
     Command(
         "run",
-        "run APPLICATION [[FLOW:]TASK=TASK …]",
+        "run APPLICATION [[FLOW:]OLD=NEW …]",
         Reason.of("console.does_run"),
         run_lines.run,
         ("application", ""),
@@ -188,7 +189,7 @@ WHOLE = (
     ),
     Command(
         "begin",
-        "begin APPLICATION [[FLOW:]TASK=TASK …]",
+        "begin APPLICATION [[FLOW:]OLD=NEW …]",
         Reason.of("console.does_begin"),
         run_lines.begin,
         ("application", ""),
@@ -234,9 +235,17 @@ WHOLE = (
         "decline", "decline [SUBSYSTEM]", Reason.of("console.does_decline"), control_lines.decline, ("subsystem",), 0, 1
     ),
     Command("sessions", "sessions", Reason.of("console.does_sessions"), control_lines.sessions, most=0),
-    Command("open", "open [HOST:PORT]", Reason.of("console.does_open"), control_lines.open_channel, most=1),
-    Command("listen", "listen [HOST:PORT]", Reason.of("console.does_listen"), control_lines.open_channel, most=1),
-    Command("network", "network", Reason.of("console.does_listen"), control_lines.open_channel, most=0),
+    Command(
+        "open",
+        "open [HOST:PORT] [ROLE] [cert=FILE key=FILE users=FILE]",
+        Reason.of("console.does_open"),
+        channel_lines.open_channel,
+        most=5,
+        more=Reason.of("console.more_open"),
+    ),
+    Command("listen", "listen [HOST:PORT] …", Reason.of("console.does_listen"), channel_lines.open_channel, most=5),
+    Command("network", "network", Reason.of("console.does_listen"), channel_lines.open_channel, most=0),
+    Command("close", "close", Reason.of("console.does_close"), channel_lines.close_channel, most=0),
     Command("advance", "advance SECONDS", Reason.of("console.does_advance"), time_lines.advance, (), 1, 1),
     Command(
         "wait",

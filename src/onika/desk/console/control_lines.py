@@ -1,4 +1,4 @@
-"""Console commands about who may move the robots: stop, reset, take, release, hand, decline, open (law 27, §E.1)."""
+"""Console commands about who may move the robots: stop, reset, take, release, hand, decline (law 27, §E.1)."""
 
 from collections.abc import Iterator
 
@@ -89,21 +89,6 @@ def _marks(other: holding.SessionStanding, held: list[str], *, is_own: bool) -> 
         yield Reason.of("console.silent_at_most", seconds=other.lease_s)
     if held:
         yield Reason.of("console.holds", names=tuple(held))
-
-
-def open_channel(session: ConsoleSession, words: Words) -> Faults:
-    """Say where others reach this runtime; it listens from its start or never."""
-    addresses = session.standing().addresses
-    if addresses and (not words or words[0] in addresses):
-        for address in addresses:
-            session.say(Reason.of("console.reached_at", address=address), Tone.GOOD)
-        return ()
-    wanted = words[0] if words else "127.0.0.1:7994"
-    if addresses:
-        reason = Reason.of("console.listens_elsewhere", addresses=" ".join(addresses))
-    else:
-        reason = Reason.of("console.listens_to_nobody")
-    return session.no(reason, Reason.of("console.start_listening", address=wanted))
 
 
 def _hand(session: ConsoleSession, message: request.Request) -> Faults:

@@ -76,16 +76,24 @@ class ListenerProcess:
     def open(self) -> None:
         """Wait until it listens. Raises OSError with the reason why it cannot."""
         until = monotonic() + _START_S
-        while not self._post.is_closed and (left := until - monotonic()) > 0:
+        while (left := until - monotonic()) > 0:
             select.select([self._post], [], [], left)
-            came = self._post.receive()
-            match _decode(came[0]) if came else None:
-                case ListenerReady(port):
-                    self.address = self._listening.address(port)
-                    return
-                case ListenFailed(reason):
-                    raise OSError(reason)
+            if self.look():
+                return
         raise OSError(Reason.of("host.porter_not_started"))
+
+    def look(self) -> bool:
+        """Whether it listens by now; never waits. Raises OSError with the reason why it cannot."""
+        came = self._post.receive()
+        match _decode(came[0]) if came else None:
+            case ListenerReady(port):
+                self.address = self._listening.address(port)
+                return True
+            case ListenFailed(reason):
+                raise OSError(reason)
+        if self._post.is_closed:
+            raise OSError(Reason.of("host.porter_not_started"))
+        return False
 
     def arrivals(self) -> list[tuple[Introduction, socket.socket]]:
         """Who has come since the last call."""
@@ -117,6 +125,15 @@ class ListenerProcess:
         if code < 0:
             return Reason.of("host.porter_killed", signal=-code)
         return Reason.of("host.porter_ended", code=code)
+
+    def leave(self) -> None:
+        """Let it end: it takes nobody in any more, and passes on what was said last."""
+        self._post.close()
+
+    @property
+    def is_gone(self) -> bool:
+        """Whether its process has ended."""
+        return self._process.poll() is not None
 
     def close(self) -> None:
         """End it."""

@@ -17,6 +17,7 @@ _LOOKING = (
     live.Check,
     live.Attend,
     live.Scene,
+    live.ListWorlds,
     steer.Who,
     WhatIf,
     Sample,
@@ -85,6 +86,6 @@ def _least(message: request.Request) -> Role:
         return Role.VIEWER
     if brings_code(message):
         return Role.PROGRAMMER
-    if isinstance(message, request.Quit):
+    if isinstance(message, request.Quit | holding.Listen | holding.StopListening):
         return Role.OWNER
     return Role.OPERATOR

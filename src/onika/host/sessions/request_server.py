@@ -49,6 +49,9 @@ class Descriptor(Protocol):
 class ConnectionSource(Protocol):
     """Where guests come from: the listener, or a test's."""
 
+    address: str
+    """Where others reach it."""
+
     @property
     def post(self) -> Descriptor:
         """Readable when somebody has come, or at its end."""
@@ -135,6 +138,19 @@ class RequestServer:
         """Serve the program that launched this one; the name of its session."""
         self._parent = self._sessions.adopt(carrier, self._clock(), terms)
         return self._parent.name
+
+    def welcome(self, listener: ConnectionSource) -> None:
+        """From now on take in who comes there."""
+        self._listener = listener
+        self.addresses = (listener.address,)
+
+    def dismiss(self, reason: Reason) -> None:
+        """Nobody comes any more, and whoever came is told good-bye; the launching program stays."""
+        self.flush()
+        self._listener, self.addresses = None, ()
+        for session in self._sessions.sessions:
+            if session is not self._parent:
+                session.close(reason, self._clock())
 
     def readers(self) -> list[Descriptor]:
         """What to wait for reading."""
@@ -287,7 +303,7 @@ class RequestServer:
                 carrier.close()
         ending = self._listener.ending()
         if ending:
-            self._listener = None
+            self._listener, self.addresses = None, ()
             self.tell(event.Lost("porter", ending, self._clock() * 1e-9))
 
     def _judge(self, session: EnvironmentSession, each: RequestReceived) -> SessionRequest | None:
