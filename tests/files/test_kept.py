@@ -67,7 +67,7 @@ def test_units_and_tolerances_may_be_left_out_and_written_as_people_do():  # R-X
         ("ACTION      opengripC", "ACTION", "the name of an action after ACTION"),
         ("ROBOT       puma boxes:arm_left", "ROBOT puma", "a hardware task and its device after ROBOT"),
         ("EXPECT      LAMP == 1", "EXPECT LAMP = 1", "a condition such as LAMP == 1 after EXPECT"),
-        ("REDIRECT    puma=scara", "REDIRECT puma", "[FLOW:]TASK=TASK after REDIRECT"),
+        ("REDIRECT    puma=scara", "REDIRECT puma", "[FLOW:]TASK=TASK or [FLOW:]WORLD:=WORLD: after REDIRECT"),
         ("ANSWER      wait duration 0.5", "ANSWER wait", "a task, the name of an input and its values after ANSWER"),
         ("MEET        triangle flow0 flow1", "MEET triangle", "a tag and the flows that met there after MEET"),
         ("END\nAFTER       LAMP 1\n", "", "END of the flow before"),

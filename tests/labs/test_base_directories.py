@@ -20,7 +20,19 @@ from onika.workcell.layout import base
 SITE = open_site((), {}, None)
 SYNTAX = SITE.syntax()[0]
 SPEED = 0.6 * puma560.QDMAX  # LOCAL SPEED of jtraj
-TRIGGERS = {"jtraj", "jvia", "ctraj", "opengrip", "closegrip", "repeat", "pause", "holds", "wider", "lamp_lit", "calibration"}
+TRIGGERS = {
+    "jtraj",
+    "jvia",
+    "ctraj",
+    "opengrip",
+    "closegrip",
+    "repeat",
+    "pause",
+    "holds",
+    "wider",
+    "lamp_lit",
+    "calibration",
+}
 MOVES = ("jmove", "cmove", "visit")
 BEGINS_ELSEWHERE = {"put_back", "visit"}
 """Applications that are nested in others, and begin where those have gone."""

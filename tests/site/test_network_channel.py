@@ -5,7 +5,7 @@ import subprocess
 
 import pytest
 
-from kit.cli_process import ONIKA, CliProcess
+from kit.process.cli_process import ONIKA, CliProcess
 
 pytestmark = pytest.mark.site
 

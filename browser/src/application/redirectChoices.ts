@@ -3,11 +3,17 @@ import type { ApplicationView, RedirectView } from '../api.gen'
 import { t } from '../texts/index.svelte'
 import { flowWord } from './words'
 
+/** A task by its name, a world without its colon. */
+const bare = (name: string): string => name.replace(/:$/, '')
+
+/** Who stands for whom, wherever it holds. */
+export const standInText = ({ old, new: other }: RedirectView): string =>
+  t('redirect.wish', { old: bare(old), new: bare(other) })
+
 /** A wish in words: `puma → scara`, with its flow where it holds in one only. */
-export function choiceText({ old, new: other, flow }: RedirectView): string {
-  return flow
-    ? t('redirect.wishIn', { old, new: other, flow: flowWord(flow) })
-    : t('redirect.wish', { old, new: other })
+export function choiceText(choice: RedirectView): string {
+  const { old, new: other, flow } = choice
+  return flow ? t('redirect.wishIn', { old: bare(old), new: bare(other), flow: flowWord(flow) }) : standInText(choice)
 }
 
 /** Those that mean a task of a flow of the application, by its path; a flow in a branch has those of the flow around it. */

@@ -99,7 +99,7 @@ export function treeAt(then: () => Then): (live: FullTree) => FullTree {
     over(view, (name, value) =>
       name === 'worlds'
         ? Object.fromEntries(then().worlds.map((world) => [world, true]))
-        : name === 'units'
+        : name === 'units' || name === 'world_kinds'
           ? {}
           : name === 'inside'
             ? each({ ...then().inside }, subsystem)

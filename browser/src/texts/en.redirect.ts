@@ -32,6 +32,23 @@ export const enRedirect = {
   'redirect.readFault': 'fault: {text}',
   'redirect.readWarning': 'worth knowing: {text}',
 
+  'world.head': 'Worlds',
+  'world.say':
+    'The same tasks drive the devices of another world: one arm real, the other simulated. No command of one world reaches another.',
+  'world.ofProgram': 'the world that the program names',
+  'world.which': 'Which world stands for {world}',
+  'world.differs': 'In each flow another world stands here. What you choose holds for all of them.',
+  'world.simulated': '{world} · simulated',
+  'world.real': '{world} · real',
+  'world.simulatedHint': 'A simulated world: nothing outside the program moves.',
+  'world.realHint': 'A real world: machines move.',
+  'world.unknownHint': 'No runtime has said yet whether this world is real.',
+  'world.copy': 'a copy of its own',
+  'world.find': 'Look which worlds there are',
+  'world.finding': 'Looking…',
+  'world.isNow': '{new} stands for {old} now.',
+  'world.isBack': '{old} is driven again.',
+
   'check.run': 'Check before running',
   'check.short': 'Check',
   'check.hint': 'Looks at everything that could keep it from running. Nothing moves.',

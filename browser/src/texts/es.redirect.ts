@@ -34,6 +34,23 @@ export const esRedirect: Record<keyof typeof enRedirect, string> = {
   'redirect.readFault': 'fallo: {text}',
   'redirect.readWarning': 'conviene saber: {text}',
 
+  'world.head': 'Mundos',
+  'world.say':
+    'Las mismas tareas accionan los dispositivos de otro mundo: un brazo real y el otro simulado. Ninguna orden de un mundo llega a otro.',
+  'world.ofProgram': 'el mundo que nombra el programa',
+  'world.which': 'Qué mundo está en lugar de {world}',
+  'world.differs': 'En cada flujo está aquí otro mundo. Lo que elija vale para todos.',
+  'world.simulated': '{world} · simulado',
+  'world.real': '{world} · real',
+  'world.simulatedHint': 'Un mundo simulado: nada se mueve fuera del programa.',
+  'world.realHint': 'Un mundo real: se mueven máquinas.',
+  'world.unknownHint': 'Ningún runtime ha dicho aún si este mundo es real.',
+  'world.copy': 'una copia propia',
+  'world.find': 'Buscar qué mundos hay',
+  'world.finding': 'Buscando…',
+  'world.isNow': 'Ahora {new} está en lugar de {old}.',
+  'world.isBack': 'Se acciona de nuevo {old}.',
+
   'check.run': 'Comprobar antes de ejecutar',
   'check.short': 'Comprobar',
   'check.hint': 'Examina todo lo que podría impedir que se ejecute. Nada se mueve.',

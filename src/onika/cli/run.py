@@ -76,7 +76,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
         "--subsystem", action="append", default=[], metavar="NAME", help=say(Reason.of("cli.run_subsystem"))
     )
     parser.add_argument(
-        "--redirect", action="append", default=[], type=_redirect, metavar="[FLOW:]TASK=TASK",
+        "--redirect", action="append", default=[], type=_redirect, metavar="[FLOW:]OLD=NEW",
         help=say(Reason.of("cli.run_redirect")),
     )  # fmt: skip
     parser.add_argument("--script", type=script_file, metavar="FILE", help=say(Reason.of("cli.run_script")))

@@ -31,6 +31,11 @@ class InspectedDriver(DriverClock, Protocol):
         """The worlds that are open."""
         ...
 
+    @property
+    def simulated(self) -> tuple[str, ...]:
+        """Those of them in which nothing outside the program moves."""
+        ...
+
     def scene(self, world: str) -> dict[str, object] | None:
         """What an open world consists of."""
         ...
@@ -164,7 +169,8 @@ class Inspection:
         rtpus = tuple(live.RtpuStanding(name, name in lost, loads.get(name, 0.0)) for name in self._rtpus)
         seen = self._seen
         now_s, addresses = seen.now * 1e-9, self._server.addresses
-        return live.Standing(subsystems, rtpus, seen.worlds, seen.is_virtual, is_stopped, now_s, addresses)
+        simulated = seen.simulated
+        return live.Standing(subsystems, rtpus, seen.worlds, seen.is_virtual, is_stopped, now_s, addresses, simulated)
 
     def _subsystem(self, name: str) -> live.SubsystemStanding:
         run = self._subsystems.run_in(name)

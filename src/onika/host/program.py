@@ -16,6 +16,7 @@ from onika.host.loading.loader_client import LoaderClient, NotYet
 from onika.host.loading.module_description import describe
 from onika.host.loading.module_questions import ModuleQuestions
 from onika.host.loading.plan_preparation import inspect, prepare
+from onika.host.loading.world_kinds import world_list
 from onika.host.recording.black_box import BlackBox
 from onika.host.recording.black_box_holder import BlackBoxHolder
 from onika.host.recording.recorder import Recorder
@@ -23,6 +24,7 @@ from onika.host.recording.run_description import RunDescriptions
 from onika.host.recording.sampling import Sampling
 from onika.host.sessions.control_authority import ControlAuthority
 from onika.host.sessions.leases import Leases
+from onika.host.sessions.network_channel import NetworkChannel
 from onika.host.sessions.presence import Presence
 from onika.host.sessions.request_backlog import Answer, Backlog
 from onika.host.sessions.request_server import RequestServer, SessionRequest
@@ -30,6 +32,7 @@ from onika.host.subsystems.motion import Motion
 from onika.host.subsystems.run_commands import RunCommands
 from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.host.units.process_socket import ProcessSocket
+from onika.host.units.world_registry import offered_worlds
 from onika.link.caller import Role
 from onika.record.black_box_folder import clear_unfinished
 from onika.ring.segment import SharedMemoryRefused
@@ -61,6 +64,7 @@ class RuntimeProgram:
         self._presence = Presence(server, lambda: self.authority.watching, self._lease_of)
         self.authority = ControlAuthority(self.subsystems, server.tell, self._run_commands, self._presence.sessions)
         self.leases = Leases(self.authority, server.hearing, lease_ns, deaf=server.deaf_ns)
+        self.network = NetworkChannel(server)
         self._look = Inspection(self.subsystems, driver, server, rtpus)
         self._sampling = Sampling(self.subsystems, driver)
         self._descriptions = RunDescriptions(self.subsystems, driver, rtpus)
@@ -82,7 +86,7 @@ class RuntimeProgram:
         """What to wait for besides the request server and the driver: the loader, and who writes recordings."""
         loader = [self._loading.post] if isinstance(self._loading, LoaderClient) else []
         black_box = self._black_box.readers() if self._black_box is not None else ()
-        return [*loader, *self._recorder.readers(), *black_box]
+        return [*loader, *self._recorder.readers(), *black_box, *self.network.readers()]
 
     def keep_last_seconds(
         self, folder: Path, holder: BlackBoxHolder, make_holder: Callable[[], BlackBoxHolder]
@@ -95,20 +99,20 @@ class RuntimeProgram:
 
     def close(self) -> None:
         """The runtime ends: what is still to be written of its runs is written."""
+        self.network.finish()
         if self._black_box is not None:
             self._black_box.finish()
 
     def wait_s(self, most_s: float) -> float:
         """How long to wait at most, where nothing else is to be done for so long."""
         now = monotonic_ns()
-        due = [
-            one for one in (self._look.due_ns(now), self._sampling.due_ns(now), self.leases.due_ns()) if one is not None
-        ]
-        return min([most_s, *(one * 1e-9 for one in due)])
+        dues = (self._look.due_ns(now), self._sampling.due_ns(now), self.leases.due_ns(), self.network.due_ns())
+        return min([most_s, *(due * 1e-9 for due in dues if due is not None)])
 
     def serve(self) -> None:
         """Carry out what was asked; look after sessions that are gone."""
         self._try_again()
+        self.network.serve()
         calls = self._server.requests()
         for session in self.leases.judge(self._driver.now):  # before anything that takes time
             self.applications.forget(session)
@@ -199,6 +203,10 @@ class RuntimeProgram:
                 self._look.status(answer)
             case Sample():
                 answer(self._sampling.answer(call.asked))
+            case holding.Listen():
+                self.network.open(call.asked, answer)
+            case holding.StopListening():
+                self.network.close(answer)
             case live.Advance():
                 self._advance(call.asked.seconds, answer)
             case WhatIf():
@@ -232,11 +240,12 @@ class RuntimeProgram:
                 prepared = prepare(message.plan, message.targets, self._loading)
                 self.applications.take(session, prepared)
                 self._descriptions.keep(session, message)
-                return replace(refused(prepared.faults, prepared.notes), resolved=tuple(prepared.resolved))
+                resolved, worlds = tuple(prepared.resolved), prepared.worlds
+                return replace(refused(prepared.faults, prepared.notes), resolved=resolved, worlds=worlds)
             case request.Inspect():
                 return refused(*inspect(message.tasks, message.code, self._loading))
-            case live.Describe():
-                return describe(message.code, self._loading)
+            case live.Describe() | live.ListWorlds():
+                return self._described(message)
             case request.Begin():
                 return self.applications.begin(session, message)
             case request.Reply():
@@ -256,6 +265,12 @@ class RuntimeProgram:
                 self.is_over = True
                 return request.Done()
         return self._by_hand(session, message)
+
+    def _described(self, message: live.Describe | live.ListWorlds) -> request.Response:
+        """What the code of modules or worlds says of itself."""
+        if isinstance(message, live.Describe):
+            return describe(message.code, self._loading)
+        return world_list(offered_worlds(), self._loading)
 
     def _by_hand(self, session: str, message: request.Request) -> request.Response:
         match message:

@@ -116,6 +116,11 @@ class Bus:
         self._commands: dict[str, _Commands] = {}
         self._publishers: dict[str, Callable[[], None]] = {}
 
+    @property
+    def is_simulated(self) -> bool:
+        """Whether nothing outside the program moves; a world that does not say so (`is_simulated`) counts as real."""
+        return getattr(self.world, "is_simulated", False) is True
+
     def grant(self, device: str, epoch: int) -> DeviceGrant:
         """Give a task the device: claimed for one writer if it takes commands, shared if it only publishes.
 

@@ -161,6 +161,10 @@ class Reset(Struct, frozen=True, tag=True):
     """After a Stop: allow motion again (law 27)."""
 
 
+class ListWorlds(Struct, frozen=True, tag=True):
+    """Ask which worlds are installed, and which of them are simulated; replied by WorldList."""
+
+
 class Advance(Struct, frozen=True, tag=True):
     """In virtual time: let so many seconds pass; replied by Done when they have."""
 
@@ -186,6 +190,7 @@ LiveRequest = (
     | Attend
     | Scene
     | Touch
+    | ListWorlds
     | Reset
     | Advance
 )
@@ -264,6 +269,8 @@ class Standing(Struct, frozen=True, tag=True):
     now_s: float
     addresses: tuple[str, ...] = ()
     """Where it listens for others; none where it was started for its launcher alone."""
+    simulated: tuple[str, ...] = ()
+    """Those of `worlds` in which nothing outside the program moves; the others are real."""
 
 
 class TaskFigure(Struct, frozen=True):
@@ -311,10 +318,17 @@ class Findings(Struct, frozen=True, tag=True):
     findings: tuple[Reason, ...]
 
 
+class WorldList(Struct, frozen=True, tag=True):
+    """The worlds that are installed: whether they are simulated, and why others cannot be used."""
+
+    simulated: dict[str, bool]
+    faults: dict[str, Reason] = {}
+
+
 class Scenery(Struct, frozen=True, tag=True):
     """What a world consists of, once; poses follow as readings."""
 
     scene: dict[str, Any]
 
 
-LiveResponse = Accepted | Value | Values | Standing | Figures | Findings | Scenery | Described
+LiveResponse = Accepted | Value | Values | Standing | Figures | Findings | Scenery | WorldList | Described

@@ -148,6 +148,8 @@ class PlannedFlow(Struct, frozen=True):
     """The flow that begins this one again and again, where it belongs to a nested parallel application."""
     replaced: tuple[tuple[str, PlannedTask], ...] = ()
     """Of a redirected flow: the names of tasks that stand for others, each with the task that it stands for."""
+    worlds: tuple[tuple[str, str], ...] = ()
+    """The worlds that its tasks' files name, each with the one that is driven: another one where it is redirected."""
 
 
 class Plan(Struct, frozen=True):

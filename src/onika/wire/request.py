@@ -4,7 +4,7 @@ import msgspec
 from msgspec import Struct
 
 from onika.wire.foresight import Foreseen, WhatIf
-from onika.wire.holding import Company, HoldingRequest
+from onika.wire.holding import Company, HoldingRequest, Listening
 from onika.wire.live import LiveRequest, LiveResponse
 from onika.wire.plan import Code, Index, Plan, PlannedTask
 from onika.wire.samples import Sample, Sampled
@@ -133,6 +133,8 @@ class Prepared(Struct, frozen=True, tag=True):
     faults: tuple[FaultText, ...]
     notes: tuple[Reason, ...] = ()
     resolved: tuple[Resolved, ...] = ()
+    worlds: dict[str, bool] = {}
+    """The worlds that it drives: whether they are simulated."""
 
 
 class Done(Struct, frozen=True, tag=True):
@@ -153,7 +155,7 @@ class Worlds(Struct, frozen=True, tag=True):
 
 _RunRequest = Prepare | Inspect | Begin | Reply | Abort | Stop | Snapshot | Quit
 Request = _RunRequest | SteerRequest | LiveRequest | HoldingRequest | WhatIf | Sample
-Response = Prepared | Done | Refused | Worlds | Positions | Company | LiveResponse | Foreseen | Sampled
+Response = Prepared | Done | Refused | Worlds | Positions | Company | Listening | LiveResponse | Foreseen | Sampled
 
 encode = msgspec.msgpack.Encoder().encode
 decode_request = msgspec.msgpack.Decoder(Request).decode

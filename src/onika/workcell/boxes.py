@@ -39,6 +39,8 @@ class BoxesWorld:
     """
 
     step_ns = round(STEP_S * 1e9)
+    is_simulated = True
+    """Nothing outside this program moves."""
 
     def __init__(self, seed: int = 0, offsets_m: float = 0.0) -> None:
         self._boxes = layout.boxes(seed, offsets_m)

@@ -26,9 +26,19 @@ def test_status_of_a_task_shows_every_figure(sit):  # R-A11
 def test_an_overload_that_is_foretold_is_told(sit, monkeypatch):  # R-X13
     sitting = sit()
     figures = live.Figures((), {"rt0": 0.95}, (Reason.plain("rt0 will have 1.2 s of work in a second"),))
-    monkeypatch.setattr(sitting.runtime, "_look", lambda message: figures)
+    look = sitting.runtime._look
+    monkeypatch.setattr(sitting.runtime, "_look", lambda asked: figures if asked == live.Status() else look(asked))
     assert sitting.does("status")[-1] == "rt0 will have 1.2 s of work in a second"
     assert sitting.tones[-1] is Tone.FAULT
+
+
+def test_status_says_who_drives_which_world_where_one_is_real(sit):  # R-E09, R-A11
+    sitting = sit()
+    sitting.does("spawn puma")
+    sitting.runtime.worlds = {"boxes": True}
+    assert not any("drives" in line for line in sitting.does("status"))
+    sitting.runtime.worlds = {"boxes": False}
+    assert sitting.does("status")[-1] == "main drives boxes (real)"
 
 
 def test_the_living_tasks_are_listed_by_subsystem(sit):  # R-A06

@@ -84,7 +84,7 @@ def server(monkeypatch):
 
 
 def test_a_world_is_opened_and_steps_on_the_grid_of_wall_time(server):  # law 16
-    assert server.open() == room.WorldOpened("yard")
+    assert server.open() == room.WorldOpened("yard", False)
     grant = server.claim()
     first = server.state(grant)[0]
     while server.state(grant)[0] < first + 0.05:

@@ -68,6 +68,31 @@ def test_a_world_is_opened_by_its_name_and_an_unknown_one_refused(opened):  # la
     assert opened.served.names == ("yard", "field")
 
 
+def test_a_world_says_at_its_opening_whether_it_is_simulated(opened):  # R-E09
+    opened.worlds["model"] = Yard("model")
+    opened.worlds["model"].is_simulated = True
+    kinds = [opened.served.open(name, Segment.create(name, SEGMENT_SIZE), 0) for name in ("model", "yard")]
+    assert kinds == [True, False]
+
+
+def test_what_is_done_with_a_device_of_one_world_does_nothing_to_its_namesake_in_another(opened):  # R-E09, law 18
+    yard, field = opened.open("yard"), opened.open("field")
+    opened.served.grant("yard:m0", 4)
+    opened.served.grant("field:m0", 5)
+    opened.served.step("yard", 20 * MS)
+    yard.command("m0", 4, DeviceOrder.DRIVE, [1.0])
+    opened.served.step("yard", 30 * MS)
+    opened.served.step("field", 30 * MS)
+    assert opened.served.modes()["yard:m0"] is not DriveMode.HELD
+    assert opened.served.modes()["field:m0"] is DriveMode.HELD
+    assert (yard.state("m0")[2] > 0.0, field.state("m0")[2]) == (True, 0.0)
+    opened.served.fence(5)
+    opened.served.release("field:m0", 5)
+    opened.served.touch("field", "panic", 1.0)
+    assert yard.orders == [("fence", 5)]
+    assert opened.served.modes()["yard:m0"] is not DriveMode.HELD
+
+
 def test_a_stop_stops_every_world_that_is_open_and_those_that_are_opened_later(opened):  # law 27, R-X24
     yard, field = opened.open("yard"), opened.open("field")
     opened.served.stop()

@@ -1,7 +1,23 @@
+import importlib
+import sys
+
 import pytest
 from hypothesis import given, strategies as st
 
-from onika.host.units.world_registry import open_world, refuse_unknown, split
+from kit.worlds.installed_world import CELL, install_world
+from onika.host.units.world_registry import is_simulated, offered_worlds, open_world, refuse_unknown, split
+
+
+@pytest.fixture
+def cell(tmp_path, monkeypatch):
+    """Two installed worlds that do not say that nothing moves: one says the contrary, one says nothing."""
+    install_world(tmp_path, "cell")
+    install_world(tmp_path, "silent", CELL.replace("is_simulated = False", "is_simulated = 'no'"))
+    monkeypatch.syspath_prepend(tmp_path)
+    importlib.invalidate_caches()
+    yield
+    for name in ("cell_of_test", "silent_of_test"):
+        sys.modules.pop(name, None)
 
 
 def test_a_world_is_found_by_its_name():  # law 16
@@ -26,6 +42,31 @@ def test_a_world_that_cannot_be_shaken_is_as_it_is(monkeypatch):  # R-X07
 def test_an_unknown_world_names_those_there_are():  # law 16
     with pytest.raises(ValueError, match=r"expected a world \(boxes.*\), found 'atlantis'"):
         open_world("atlantis")
+
+
+def test_a_copy_of_a_simulated_world_is_a_world_of_its_own():  # R-E09
+    here, there = open_world("boxes"), open_world("boxes@copy")
+    here.claim("arm_left", 1)
+    there.claim("arm_left", 2)
+    assert (is_simulated("boxes"), is_simulated("boxes@copy")) == (True, True)
+    for name in ("boxes@", "@copy", "atlantis@copy"):
+        with pytest.raises(ValueError, match=f"found '{name}'"):
+            open_world(name)
+
+
+@pytest.mark.usefixtures("cell")
+def test_a_world_that_does_not_say_that_it_is_simulated_is_real_and_no_copy_is_made_of_it():  # R-E09
+    assert offered_worlds() == ("boxes", "cell", "silent")
+    for name in ("cell", "silent"):
+        assert is_simulated(name) is False
+        open_world(name)
+        with pytest.raises(ValueError, match=f"expected a simulated world to make a copy of, found {name}, which is"):
+            open_world(f"{name}@copy")
+
+
+def test_whether_an_unknown_world_is_simulated_nobody_says():  # R-E09
+    with pytest.raises(ValueError, match="found 'atlantis'"):
+        is_simulated("atlantis")
 
 
 def test_a_world_that_is_not_open_is_refused_with_those_that_are():

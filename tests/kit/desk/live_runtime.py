@@ -83,6 +83,8 @@ class LiveRuntime:
         self.sessions: tuple[holding.SessionStanding, ...] = (holding.SessionStanding("you", "owner"),)
         self.faults: tuple[request.FaultText, ...] = ()
         """What the next code or plan is found to be wrong with."""
+        self.worlds: dict[str, bool] = {}
+        """The worlds that are installed: whether they are simulated."""
 
     def events(self, timeout_s: float) -> Iterator[event.Event]:
         """What happened since the last call; it never waits."""
@@ -135,7 +137,14 @@ class LiveRuntime:
                 return steer.Positions(self.positions)
             case request.Prepare():
                 self._prepared = message.plan.application
-                return request.Prepared(self.faults)
+                return request.Prepared(self.faults, worlds=self.worlds)
+            case live.ListWorlds():
+                return live.WorldList(self.worlds)
+            case holding.Listen():
+                self.addresses = (f"ws://{message.place}",)
+                return holding.Listening(self.addresses, "/state/token", "tell-me-once", message.role)
+            case holding.StopListening():
+                self.addresses = ()
         return self._command(message)
 
     def _foresee(self, message: WhatIf) -> request.Response:
@@ -177,7 +186,10 @@ class LiveRuntime:
         )
         subsystems += tuple(live.SubsystemStanding(position.subsystem, "", "played", ()) for position in self.positions)
         rtpus = tuple(live.RtpuStanding(name, False, 0.25) for name in self._rtpus)
-        return live.Standing(subsystems, rtpus, (), self._is_virtual, self.is_stopped, self.now_s, self.addresses)
+        worlds = tuple(self.worlds)
+        simulated = tuple(world for world in worlds if self.worlds[world])
+        stands = self._is_virtual, self.is_stopped, self.now_s
+        return live.Standing(subsystems, rtpus, worlds, *stands, self.addresses, simulated)
 
     def _task(self, life: _Life) -> live.TaskStanding:
         return live.TaskStanding(life.task, life.state.value, life.state is State.ON, life.rtpu, life.frequency)

@@ -1,8 +1,11 @@
 """Applications on other robots than they were made for, from the command line, their files as they were (E09)."""
 
+import os
+
 import pytest
 
 from kit.labs.laboratory import Laboratory, job, joints
+from kit.worlds.installed_world import install_world
 from onika.cli import main
 from onika.store.site import open_site
 
@@ -73,3 +76,59 @@ def test_a_redirection_that_is_none_is_refused_as_a_word(capsys, text):  # R-E09
     with pytest.raises(SystemExit):
         main(["run", "assemble", "--redirect", text])
     assert "expected [FLOW:]TASK=TASK" in capsys.readouterr().err
+
+
+@pytest.fixture
+def cell(tmp_path, monkeypatch):
+    """A world that counts as real is installed; it has the devices of `boxes`."""
+    folder = tmp_path / "packages"
+    folder.mkdir()
+    search = os.pathsep.join(filter(None, (str(install_world(folder, "cell")), os.environ.get("PYTHONPATH"))))
+    monkeypatch.setenv("PYTHONPATH", search)
+
+
+def test_one_arm_is_simulated_beside_another_one_in_its_own_world(capsys, tmp_path):  # R-E09
+    def flow(first, duration):
+        meet = job("jmoveC", "Joint job", "SYNCHTAG meet")
+        begin = joints("begin", first, -1.1, 2.2, 0.0, 0.7, 0.8, duration=duration)
+        return [job("jmoveC", "Joint job"), begin, meet, joints("end", -first, -1.1, 2.2, 0.0, 0.7, 0.8)]
+
+    path = str(Laboratory(tmp_path).application("twins", flow(0.8, 1.0), flow(-0.6, 2.0), parallel=True))
+    assert run(capsys, path)[0] == 2, "one arm cannot be driven by two flows"
+    goals = ("--expect", "flow0/Q_MEZ[0] < -0.79", "--expect", "flow1/Q_MEZ[0] > 0.59")
+    code, output = run(capsys, path, "--redirect", "1:boxes:=boxes@copy:", *goals)
+    assert (code, output.count(": yes")) == (0, 2), output
+    assert "flow0 drives boxes (simulated)" in output
+    assert "flow1 drives boxes@copy (simulated)" in output
+
+
+@pytest.mark.usefixtures("cell")
+@pytest.mark.parametrize("time", ["virtual", "wall"])
+def test_one_arm_is_real_and_the_other_simulated_and_that_is_told(capsys, time):  # R-E09
+    goals = ("--expect", "flow0/Q_MEZ[1] < -1.5", "--expect", "flow1/Q_MEZ[1] < -1.5")
+    words = ("two_arms", "--redirect", "0:boxes:=cell:", *goals)
+    if time == "virtual":
+        code, output = run(capsys, *words)
+    else:
+        code = main(["run", *words])
+        captured = capsys.readouterr()
+        output = captured.out + captured.err
+    assert code == 0, output
+    assert "flow0 drives cell (real)" in output
+    assert "flow1 drives boxes (simulated)" in output
+
+
+@pytest.mark.usefixtures("cell")
+@pytest.mark.parametrize(
+    ("world", "reason"),
+    [
+        ("cell@copy", "expected a simulated world to make a copy of, found cell, which is real"),
+        ("atlantis", "atlantis"),
+        ("cell", "cell:arm_left"),
+    ],
+)
+def test_a_world_that_cannot_stand_there_is_told_before_anything_moves(capsys, tmp_path, world, reason):  # R-E09
+    steps = [job("jmoveC", "Joint job"), joints("there", 0.8, -1.1, 2.2, 0.0, 0.7, 0.8)]
+    path = str(Laboratory(tmp_path).application("twins", steps, steps, parallel=True))
+    code, output = run(capsys, path, "--redirect", "0:boxes:=cell:", "--redirect", f"1:boxes:={world}:")
+    assert (code, reason in output) == (2, True), output

@@ -2,6 +2,7 @@
 
 import fnmatch
 import re
+from collections.abc import Iterator
 from typing import Any
 
 from onika.desk.console import status as columns
@@ -12,6 +13,9 @@ from onika.desk.console.task_lines import missing
 from onika.desk.run.readings_text import types_of
 from onika.desk.run.text_table import Cell
 from onika.desk.run.value_text import in_a_line, shown
+from onika.desk.run.world_text import drive_lines
+from onika.model.planned import task_of
+from onika.model.rules.worlds import worlds_of
 from onika.wire import live, request
 from onika.words.name import TASK_NAME
 from onika.words.reason import Reason
@@ -48,7 +52,19 @@ def status(session: ConsoleSession, words: Words) -> Faults:
         session.say(Reason.of("console.load", loads=loads))
     for sentence in figures.overloads:
         session.say(sentence, Tone.FAULT)
+    if not words:
+        for line in _drives(session.look_again()):
+            session.say(line)
     return ()
+
+
+def _drives(standing: live.Standing) -> Iterator[Reason]:
+    """Which subsystem drives which world."""
+    worlds = {
+        subsystem.name: worlds_of(task_of(task.task) for task in subsystem.tasks if task.state != "KILLED")
+        for subsystem in standing.subsystems
+    }
+    return drive_lines(worlds, {world: world in standing.simulated for world in standing.worlds})
 
 
 def tasks(session: ConsoleSession, words: Words) -> Faults:

@@ -143,6 +143,7 @@ HANDLERS: Mapping[type, Handler] = {
     act.Preflight: preflight.preflight,
     act.Redirect: redirection.redirect,
     act.Seats: redirection.seats,
+    act.FindWorlds: redirection.find_worlds,
     act.SkipTo: steering_run.skip_to,
     act.Dismiss: steering_run.dismiss,
     act.StartAnew: restart.start_anew,

@@ -7,8 +7,9 @@ from onika.desk.plan.sequence import FlowSequence, SequencedAction, Sequencer, p
 from onika.files import text
 from onika.model.application import Icon
 from onika.model.configuration import Placed
-from onika.model.redirect import Choice, Redirect, choice
+from onika.model.redirect import Choice, Redirect, choice, world_choice
 from onika.model.rules.redirection import redirected
+from onika.model.rules.worlds import relocated, worlds_of
 from onika.model.syntax import Syntax
 from onika.model.task import Task
 from onika.store.program import ApplicationProgram
@@ -86,6 +87,7 @@ class Compiler:
         tasks: dict[str, PlannedTask] = {}
         actions: list[PlannedAction] = []
         chosen = choice(self._redirects, line.subsystem)
+        worlds = world_choice(self._redirects, line.subsystem)
         crews = {
             name: redirected(configuration, chosen, self._program.tasks)
             for name, configuration in self._program.configurations.items()
@@ -100,7 +102,7 @@ class Compiler:
                 self._wanted.add(member.task)
                 task = self._program.tasks.get(member.task)
                 if task is not None and member.task not in tasks and task.module in self._digests:
-                    tasks[member.task] = self._task(task, member.rtpu)
+                    tasks[member.task] = self._task(relocated(task, worlds), member.rtpu)
             actions.append(self._action(doing, placed, tasks))
             for target in doing.targets:
                 kind = plain_type(target.onikon.type)
@@ -108,7 +110,9 @@ class Compiler:
                 self.targets.append(TargetValues(number, index, kind, values, name))
         living, program = tuple(tasks.values()), tuple(line.program)
         replacements = tuple((name, old) for name, old in replaced.items() if name in tasks)
-        return PlannedFlow(line.subsystem, living, tuple(actions), program, line.parent, replacements)
+        named = worlds_of(self._program.tasks[name] for name in tasks)
+        driven = tuple((world, worlds.get(world, world)) for world in named)
+        return PlannedFlow(line.subsystem, living, tuple(actions), program, line.parent, replacements, driven)
 
     def _replaced(self, job: str, chosen: Choice) -> Iterator[tuple[str, PlannedTask]]:
         """The tasks of a job that others stand for, by the names of these; without a digest where they have no code."""

@@ -87,7 +87,7 @@ def fault_of(text: FaultText) -> Fault:
 def _judged(
     program: ApplicationProgram, syntax: Syntax, place: Place, home: Site, faults: Faults, redirects: Sequence[Redirect]
 ) -> PreparedRun:
-    program = joined(program, sorted({redirect.new for redirect in redirects}), home)
+    program = joined(program, sorted({redirect.new for redirect in redirects if not redirect.is_of_world}), home)
     sound = redirection.sound(redirects, program)
     judged = readiness.faults(
         program.application,

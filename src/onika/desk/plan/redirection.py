@@ -3,12 +3,14 @@
 Nothing here touches a file: a choice lives as long as the session, or as one run of the command line (requirement E09).
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
+from onika.desk.plan import world_redirection
 from onika.desk.plan.subsystem_renaming import chiefs
-from onika.model.redirect import Choice, Redirect, choice
+from onika.model.redirect import Choice, Redirect, choice, world_choice
 from onika.model.rules.redirection import Candidate, candidates, is_alike, shortcomings
+from onika.model.rules.worlds import relocated
 from onika.model.task import Task
 from onika.store.program import ApplicationProgram
 from onika.wire.plan import Plan
@@ -32,9 +34,12 @@ def sound(redirects: Sequence[Redirect], program: ApplicationProgram) -> tuple[R
     return tuple(
         redirect
         for redirect in redirects
-        if redirect.old in known_tasks
-        and redirect.new in known_tasks
-        and is_alike(known_tasks[redirect.old], known_tasks[redirect.new])
+        if redirect.is_of_world
+        or (
+            redirect.old in known_tasks
+            and redirect.new in known_tasks
+            and is_alike(known_tasks[redirect.old], known_tasks[redirect.new])
+        )
     )
 
 
@@ -48,13 +53,14 @@ def faults(redirects: Sequence[Redirect], plan: Plan, program: ApplicationProgra
             every = ", ".join(flow.subsystem for flow in plan.flows)
             yield Fault(place, Reason.of("desk.flow_unknown", names=every, flow=redirect.flow), NOT_RUN)
             continue
+        if redirect.is_of_world:
+            yield from world_redirection.faults(redirect, place, _where(redirect, plan), plan)
+            continue
         used = _used(plan, program, subsystems)
         if redirect.new not in program.tasks:
             yield Fault(place, Reason.of("desk.task_unknown", new=redirect.new), NOT_RUN)
         if redirect.old not in used:
-            where = (
-                Reason.of("desk.flow_named", flow=redirect.flow) if redirect.flow else Reason.plain(plan.application)
-            )
+            where = _where(redirect, plan)
             yield Fault(
                 place,
                 Reason.of("desk.task_not_of_flow", where=where, used=tuple(sorted(used)), old=redirect.old),
@@ -80,19 +86,28 @@ def seats(
     for home in homes:
         own = _within(plan, home)
         elsewhere = [flow.subsystem for flow in plan.flows if flow.subsystem not in own]
-        others = list(_living(plan, program, redirects, elsewhere).values())
+        others = list(_living(plan, program, redirects, elsewhere))
+        moved = world_choice(redirects, home)
+        offered = [relocated(task, moved) for task in library]
         seats = []
         for task in _used(plan, program, own).values():
             crews = dict(_crews_of(plan, program, redirects, own, task.name))
             taken_by = choice(redirects, home).get(task.name, task.name)
-            seats.append(RedirectableTask(task, taken_by, tuple(candidates(task, library, crews, others))))
+            seats.append(RedirectableTask(task, taken_by, tuple(candidates(task, offered, crews, others))))
         seats_of[home] = tuple(seats)
     return seats_of
 
 
-def homes_of(task: str, plan: Plan, program: ApplicationProgram) -> tuple[str, ...]:
-    """The flows that are not nested and use a task, themselves or in what is nested in them."""
-    return tuple(home for home in chiefs(plan) if task in _used(plan, program, _within(plan, home)))
+def homes_of(redirect: Redirect, plan: Plan, program: ApplicationProgram) -> tuple[str, ...]:
+    """The flows that are not nested and use what is redirected, themselves or in what is nested in them."""
+    if redirect.is_of_world:
+        return world_redirection.homes_of(redirect, plan)
+    return tuple(home for home in chiefs(plan) if redirect.old in _used(plan, program, _within(plan, home)))
+
+
+def _where(redirect: Redirect, plan: Plan) -> Reason:
+    """The flow that a redirection is meant for, or the whole application."""
+    return Reason.of("desk.flow_named", flow=redirect.flow) if redirect.flow else Reason.plain(plan.application)
 
 
 def _within(plan: Plan, home: str) -> list[str]:
@@ -133,15 +148,12 @@ def _used(plan: Plan, program: ApplicationProgram, subsystems: Iterable[str]) ->
 
 def _living(
     plan: Plan, program: ApplicationProgram, redirects: Sequence[Redirect], subsystems: Iterable[str]
-) -> Mapping[str, Task]:
+) -> Iterator[Task]:
     """The tasks of flows as they will live."""
-    replaced: dict[str, Task] = {}
     for subsystem in subsystems:
-        chosen = choice(redirects, subsystem)
+        chosen, worlds = choice(redirects, subsystem), world_choice(redirects, subsystem)
         for name in _used(plan, program, [subsystem]):
-            task = _in_place(name, chosen, program)
-            replaced[task.name] = task
-    return replaced
+            yield relocated(_in_place(name, chosen, program), worlds)
 
 
 def _crews_of(
@@ -156,13 +168,14 @@ def _crews(
 ) -> Iterator[tuple[str, Sequence[Task]]]:
     """The jobs that use `old`, each with its tasks: those that stand for others in their places, `old` as it is."""
     chosen = {name: new for name, new in choice(redirects, subsystem).items() if name != old}
+    worlds = world_choice(redirects, subsystem)
     for job in _jobs(plan, subsystem):
         configuration = program.configurations.get(job)
         names = (
             [placed.task for placed in configuration.placed if placed.task in program.tasks] if configuration else []
         )
         if old in names:
-            yield job, [_in_place(name, chosen, program) for name in names]
+            yield job, [relocated(_in_place(name, chosen, program), worlds) for name in names]
 
 
 def _in_place(name: str, chosen: Choice, program: ApplicationProgram) -> Task:

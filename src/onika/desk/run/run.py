@@ -7,6 +7,7 @@ from typing import Protocol
 
 from onika.desk.plan.compile import rtpus_of
 from onika.desk.plan.flow_index import FlowIndex
+from onika.desk.plan.flow_worlds import worlds_by_flow
 from onika.desk.plan.preparation import PreparedRun, fault_of, prepare_run
 from onika.desk.plan.substitutes import with_substitutes
 from onika.desk.plan.subsystem_renaming import chiefs, rehoused
@@ -21,6 +22,7 @@ from onika.desk.run.runtime_conversation import RuntimeConversation
 from onika.desk.run.script_player import ScriptPlayer
 from onika.desk.run.settings import RunSettings
 from onika.desk.run.steering_script import ScriptLine
+from onika.desk.run.world_text import drive_lines
 from onika.link.lost import LinkLost
 from onika.model.redirect import Redirect
 from onika.store.site import Site
@@ -255,6 +257,7 @@ def _prepare(prepared: PreparedRun, plan: Plan, runtime: RuntimeConversation, ou
     if isinstance(answer, request.Prepared):
         outcome.faults += [fault for fault in map(fault_of, answer.faults) if fault not in outcome.faults]
         outcome.notes += answer.notes
+        outcome.notes += drive_lines(worlds_by_flow(plan), answer.worlds)
     elif isinstance(answer, request.Refused):
         outcome.faults.append(
             Fault(

@@ -18,12 +18,14 @@ from onika.host.loading.loader_messages import (
     AskConstants,
     AskDevices,
     AskFit,
+    AskKind,
     AskPoses,
     AskPostures,
     AskReach,
     AskSheet,
     Constants,
     Devices,
+    Kind,
     KnownPoses,
     Objections,
     Postures,
@@ -123,6 +125,8 @@ def _fact(question: Question, facts: ModuleFacts) -> tuple[Any, Callable[[Any], 
             return facts.constants(question.code, question.local), Constants
         case AskDevices():
             return facts.devices(question.world), Devices
+        case AskKind():
+            return facts.is_simulated(question.world), Kind
         case AskReach():
             return facts.resolve(question.code, question.constants, question.targets), Reach
         case AskPoses():
@@ -148,7 +152,7 @@ def _packed(question: Question, facts: ModuleFacts) -> bytes:
 
 def _asked_about(question: Question) -> tuple[str, str]:
     """The file that a question is about, and its name."""
-    if isinstance(question, AskDevices | AskCompany):
+    if isinstance(question, AskDevices | AskCompany | AskKind):
         return question.world, question.world
     return question.code.path, question.code.module
 

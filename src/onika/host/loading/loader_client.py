@@ -15,12 +15,14 @@ from onika.host.loading.loader_messages import (
     AskConstants,
     AskDevices,
     AskFit,
+    AskKind,
     AskPoses,
     AskPostures,
     AskReach,
     AskSheet,
     Constants,
     Devices,
+    Kind,
     KnownPoses,
     Lines,
     Objections,
@@ -81,6 +83,13 @@ class LoaderClient:
         answer = self._ask(AskDevices(world), Code("", world, world, ""))
         if isinstance(answer, Devices):
             return answer.names
+        return fault_of(answer)
+
+    def is_simulated(self, world: str) -> bool | Fault:
+        """Whether a world is simulated."""
+        answer = self._ask(AskKind(world), Code("", world, world, ""))
+        if isinstance(answer, Kind):
+            return answer.is_simulated
         return fault_of(answer)
 
     def resolve(

@@ -71,6 +71,12 @@ class AskDevices(Struct, frozen=True, tag=True):
     world: str
 
 
+class AskKind(Struct, frozen=True, tag=True):
+    """Ask whether a world is simulated."""
+
+    world: str
+
+
 class Sheet(Struct, frozen=True, tag=True):
     """The answer to AskSheet, and how long the module took to load where its libraries are there already."""
 
@@ -114,11 +120,17 @@ class Devices(Struct, frozen=True, tag=True):
     names: tuple[str, ...]
 
 
+class Kind(Struct, frozen=True, tag=True):
+    """The answer to AskKind."""
+
+    is_simulated: bool
+
+
 class UnusableModule(Struct, frozen=True, tag=True):
     """The module cannot be used."""
 
     fault: FaultText
 
 
-Question = AskSheet | AskConstants | AskReach | AskDevices | AskPoses | AskPostures | AskFit | AskCompany
-Answer = Sheet | Constants | Reach | Devices | KnownPoses | Postures | Objections | UnusableModule
+Question = AskSheet | AskConstants | AskReach | AskDevices | AskPoses | AskPostures | AskFit | AskCompany | AskKind
+Answer = Sheet | Constants | Reach | Devices | KnownPoses | Postures | Objections | Kind | UnusableModule

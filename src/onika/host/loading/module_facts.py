@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from onika.host.units.world_registry import open_world
+from onika.host.units.world_registry import is_simulated, open_world
 from onika.runtime.bus import World
 from onika.runtime.modules.binding import locals_of
 from onika.runtime.modules.code import line_in, load, sayable, traceback_text
@@ -70,6 +70,13 @@ class ModuleFacts:
         """The devices of a world."""
         try:
             return tuple(sheet.name for sheet in self._world(world).devices())
+        except Exception as wrong:
+            return Fault(Place(world), reason_of(wrong), Reason.of("host.no_device_used"))
+
+    def is_simulated(self, world: str) -> bool | Fault:
+        """Whether a world is simulated; it is not opened for that."""
+        try:
+            return is_simulated(world)
         except Exception as wrong:
             return Fault(Place(world), reason_of(wrong), Reason.of("host.no_device_used"))
 

@@ -31,6 +31,10 @@ class ModuleQuestions(Protocol):
         """The devices of a world."""
         ...
 
+    def is_simulated(self, world: str) -> bool | Fault:
+        """Whether a world is simulated: nothing outside the program moves."""
+        ...
+
     def resolve(
         self, code: Code, constants: dict[str, Any], targets: list[tuple[str, list[Any]]]
     ) -> list[Reason | None] | Fault:

@@ -21,6 +21,7 @@ from onika.host.loading.plan_checks import (
 from onika.host.loading.plan_conditions import wrong_conditions
 from onika.host.loading.plan_form import wrong_code, wrong_plan, wrong_tasks
 from onika.host.loading.target_resolution import Resolution, notes_on_resolved, resolve
+from onika.host.loading.world_kinds import driven_kinds
 from onika.model.planned import task_of
 from onika.runtime.modules.sheet import differences, strangers
 from onika.runtime.user_input import UserInput
@@ -44,6 +45,8 @@ class Preparation:
     """By flow: what robot modules say of themselves before they live, by variable."""
     resolved: list[Resolved] = field(default_factory=list)
     """Joint targets that other robots take by way of their poses."""
+    worlds: dict[str, bool] = field(default_factory=dict)
+    """The worlds that it drives: whether they are simulated."""
     faults: list[Fault] = field(default_factory=list)
     notes: list[Reason] = field(default_factory=list)
 
@@ -71,6 +74,7 @@ def prepare(plan: Plan, targets: Sequence[TargetValues], loading: ModuleQuestion
         preparation.faults += wrong_conditions(plan.flows, preparation.flows, preparation.constants)
     everyone = [wired_task for flow in preparation.flows for wired_task in flow]
     preparation.faults += absent_devices(everyone, loading) + unfit_together(everyone, loading)
+    preparation.worlds = driven_kinds(everyone, loading)
     preparation.faults = sorted(set(preparation.faults))
     preparation.notes = list(dict.fromkeys(preparation.notes))
     return preparation

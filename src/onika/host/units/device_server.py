@@ -103,9 +103,10 @@ class Denied(Struct, frozen=True, tag=True):
 
 
 class WorldOpened(Struct, frozen=True, tag=True):
-    """The world is there and steps."""
+    """The world is there and steps; in a simulated one nothing outside the program moves."""
 
     world: str
+    is_simulated: bool
 
 
 class PartTouched(Struct, frozen=True, tag=True):
@@ -250,8 +251,8 @@ class DeviceServer:
         try:
             match order:
                 case OpenWorld():
-                    self._worlds.open(order.world, Segment.attach(descriptors[0]), self._now())
-                    return WorldOpened(order.world)
+                    is_simulated = self._worlds.open(order.world, Segment.attach(descriptors[0]), self._now())
+                    return WorldOpened(order.world, is_simulated)
                 case ClaimDevice():
                     return Granted(self._worlds.grant(order.device, order.epoch))
                 case TouchPart():

@@ -28,13 +28,14 @@ class ServedWorlds:
         """The worlds that are open."""
         return tuple(self._buses)
 
-    def open(self, name: str, segment: Segment, now: int) -> None:
-        """Open a world; after a stop it is stopped too. Raises ValueError with the reason."""
+    def open(self, name: str, segment: Segment, now: int) -> bool:
+        """Open a world; after a stop it is stopped too. Whether it is simulated; raises ValueError with the reason."""
         world = self._worlds(name)
         if self._is_stopped:
             world.stop()
         self._buses[name] = Bus(name, world, segment)
         self._behind[name] = now - world.now_ns
+        return self._buses[name].is_simulated
 
     def grant(self, device: str, epoch: int) -> DeviceGrant:
         """Claim `world:device` for the writer of this epoch; raises ValueError with the reason."""

@@ -95,6 +95,11 @@ class VirtualDriver:
         """The worlds that are open."""
         return self._buses.names
 
+    @property
+    def simulated(self) -> tuple[str, ...]:
+        """Those of them in which nothing outside the program moves."""
+        return self._buses.simulated
+
     def scene(self, world: str) -> dict[str, object] | None:
         """What an open world consists of."""
         return self._buses.scene(world)

@@ -40,6 +40,7 @@ class WallDriver:
         self._supervisor = Supervisor(self._zero, with_fifo)
         self._segments: list[Segment] = []
         self._opened: set[str] = set()
+        self._simulated: set[str] = set()
         self._shown: set[str] = set()
         self._poses: dict[str, Poses] = {}
         self._claims: dict[str, tuple[int, str]] = {}
@@ -117,6 +118,11 @@ class WallDriver:
     def worlds(self) -> tuple[str, ...]:
         """The worlds that are open."""
         return tuple(sorted(self._opened))
+
+    @property
+    def simulated(self) -> tuple[str, ...]:
+        """Those of them in which nothing outside the program moves."""
+        return tuple(sorted(self._simulated))
 
     def scene(self, world: str) -> dict[str, object] | None:
         """What an open world consists of; from then on its poses are told."""
@@ -309,6 +315,8 @@ class WallDriver:
         if isinstance(answer, device_server.Denied):
             raise ValueError(answer.reason)
         self._opened.add(world)
+        if isinstance(answer, device_server.WorldOpened) and answer.is_simulated:
+            self._simulated.add(world)
         for supervised in self._rtpus.values():
             supervised.post.send(rtpu.encode(rtpu.Share(f"bus:{world}")), (segment.fd,))
 

@@ -36,6 +36,11 @@ class Buses:
         """The worlds themselves, in the order they were opened."""
         return (bus.world for bus in self._buses.values())
 
+    @property
+    def simulated(self) -> tuple[str, ...]:
+        """Those of them in which nothing outside the program moves."""
+        return tuple(name for name, bus in self._buses.items() if bus.is_simulated)
+
     def grant(self, device: str, now: int) -> DeviceGrant:
         """Claim `world:device`; raises ValueError with the reason."""
         world, name = split(device)

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection
 from importlib.metadata import entry_points
-from typing import cast
+from typing import Any, cast
 
 from onika.runtime.bus import World
 from onika.words.reason import Reason
@@ -13,15 +13,27 @@ GROUP = "onika.worlds"
 def open_world(name: str, shake: int | None = None) -> World:
     """A new world; raises ValueError with the known names where there is none called so.
 
-    `shake` is a seed: its things then stand a little elsewhere, where the world knows how (a method `shaken`).
+    Of a simulated one, `boxes@NAME` is a copy of its own, in which nothing touches what is in `boxes`. `shake` is a
+    seed: its things then stand a little elsewhere, where the world knows how (a method `shaken`).
     """
-    offered = entry_points(group=GROUP)
-    if name not in offered.names:
-        worlds = tuple(sorted(offered.names)) or Reason.of("host.none_installed")
-        raise ValueError(Reason.of("host.no_such_world", worlds=worlds, world=name))
-    kind = offered[name].load()
+    kind = _kind(name)
+    if _is_copy(name) and not _is_simulated(kind):
+        raise ValueError(Reason.of("host.no_copy_of_real", world=name.partition("@")[0]))
     shaken = getattr(kind, "shaken", None) if shake is not None else None
     return cast(World, kind() if shaken is None else shaken(shake))
+
+
+def is_simulated(name: str) -> bool:
+    """Whether a world only computes what it shows; one that does not say so counts as real.
+
+    It is not opened for that. Raises ValueError where there is none called so.
+    """
+    return _is_simulated(_kind(name))
+
+
+def offered_worlds() -> tuple[str, ...]:
+    """The names of the worlds that are installed; no code of them is executed for that."""
+    return tuple(sorted(entry_points(group=GROUP).names))
 
 
 def refuse_unknown(world: str, opened: Collection[str]) -> None:
@@ -37,3 +49,21 @@ def split(device: str) -> tuple[str, str]:
     if not (colon and world and name):
         raise ValueError(Reason.of("host.device_form", device=device))
     return world, name
+
+
+def _kind(name: str) -> Any:
+    """The class of a world, also of a copy."""
+    offered = entry_points(group=GROUP)
+    plain = name.partition("@")[0] if _is_copy(name) else name
+    if plain not in offered.names:
+        worlds = tuple(sorted(offered.names)) or Reason.of("host.none_installed")
+        raise ValueError(Reason.of("host.no_such_world", worlds=worlds, world=name))
+    return offered[plain].load()
+
+
+def _is_copy(name: str) -> bool:
+    return all(name.partition("@"))
+
+
+def _is_simulated(kind: Any) -> bool:
+    return getattr(kind, "is_simulated", False) is True

@@ -5,11 +5,12 @@ from dataclasses import dataclass, field
 
 from onika.model.application import Branch, Icon
 from onika.model.configuration import Configuration
-from onika.model.redirect import Redirect, choice
+from onika.model.redirect import Redirect, choice, world_choice
 from onika.model.rules import union
 from onika.model.rules.nesting import Nest
 from onika.model.rules.outline import Outline, Passage
 from onika.model.rules.redirection import redirected
+from onika.model.rules.worlds import all_relocated
 from onika.model.syntax import Syntax
 from onika.model.task import Task
 from onika.words.condition import Condition
@@ -62,7 +63,7 @@ def faults(
     for subsystem in by_name.values():
         configurations = crew(subsystem, files, tasks, redirects)
         used = list(configurations.values())
-        own = union.tasks_of(used, tasks)
+        own = union.tasks_of(used, all_relocated(tasks, world_choice(redirects, subsystem.name)))
         subsystem.variables = union.variables(own)
         placed = {placed.task for configuration in used for placed in configuration.placed}
         subsystem.is_known = len(used) == len(subsystem.uses) and placed <= tasks.keys()

@@ -121,6 +121,7 @@ from onika.wire.act.review import (
 )
 from onika.wire.act.run import (
     Dismiss as Dismiss,
+    FindWorlds as FindWorlds,
     Preflight as Preflight,
     Redirect as Redirect,
     Run as Run,
@@ -257,6 +258,7 @@ AnyAct = (
     | Run
     | Redirect
     | Seats
+    | FindWorlds
     | Steer
     | SkipTo
     | Dismiss

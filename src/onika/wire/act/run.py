@@ -48,7 +48,10 @@ class WhatIf(Act, frozen=True):
 
 
 class Redirect(Act, frozen=True):
-    """Let another task stand for one while this application is open; its file stays as it is (E09)."""
+    """Let another task or world stand for one while this application is open; its file stays as it is (E09).
+
+    A world is named with its colon, as in `boxes:`.
+    """
 
     doc: str
     flow: str
@@ -62,6 +65,10 @@ class Seats(Act, frozen=True):
     """Which tasks the flows of an application use, and who could stand for each; the value is a `view.SeatsView`."""
 
     doc: str
+
+
+class FindWorlds(Act, frozen=True):
+    """Ask the runtime which worlds it has, and which of them are simulated; it is started where there is none (E09)."""
 
 
 class Steer(Act, frozen=True):

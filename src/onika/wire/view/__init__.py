@@ -52,6 +52,7 @@ from onika.wire.view.reply import (
     SeatView as SeatView,
     TextView as TextView,
     TwoTextsView as TwoTextsView,
+    WorldSeatView as WorldSeatView,
 )
 from onika.wire.view.review import (
     DifferenceView as DifferenceView,

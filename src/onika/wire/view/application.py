@@ -54,7 +54,7 @@ class AppFlowView(View, frozen=True):
 
 
 class RedirectView(View, frozen=True):
-    """A task that stands for another one in a flow, by its subsystem, or in all of them."""
+    """A task that stands for another one in a flow, by its subsystem, or in all of them; or a world, with its colon."""
 
     old: str
     new: str
@@ -98,6 +98,8 @@ class ApplicationView(View, frozen=True):
     """Whether a runtime has looked at what is here now, with what it found among `faults`."""
     is_running: bool = False
     redirects: tuple[RedirectView, ...] = ()
+    worlds: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    """The worlds that its flows drive, by their subsystems, as it was judged last."""
 
 
 class ApplicationFile(View, frozen=True):

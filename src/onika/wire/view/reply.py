@@ -104,10 +104,20 @@ class SeatView(View, frozen=True):
     """Whether it has a device: the others are generic, and learn from it what robot it is."""
 
 
+class WorldSeatView(View, frozen=True):
+    """A world that the files of a flow's tasks name, and who stands for it now."""
+
+    world: str
+    taken_by: str
+    """Empty: in each flow another one."""
+
+
 class SeatsView(View, frozen=True):
     """The tasks of every flow that is not nested, by its subsystem; where there are several, those of all by ""."""
 
     flows: dict[str, tuple[SeatView, ...]] = field(default_factory=dict)
+    worlds: dict[str, tuple[WorldSeatView, ...]] = field(default_factory=dict)
+    """The worlds of the same flows."""
 
 
 class PeekIcon(View, frozen=True):

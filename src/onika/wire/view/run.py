@@ -47,6 +47,8 @@ class FlowRunView(View, frozen=True):
     is_nested: bool = False
     text: Reason = NOTHING
     """Why it stands, where that is worth a word."""
+    worlds: tuple[str, ...] = ()
+    """The worlds in which its tasks have devices."""
 
 
 class MeetView(View, frozen=True):

@@ -68,6 +68,7 @@ class RuntimeView(View, frozen=True):
     stop_text: Reason = NOTHING
     units: dict[str, UnitView] = field(default_factory=dict)
     worlds: dict[str, bool] = field(default_factory=dict)
+    """Those that are open."""
     subsystems: dict[str, str] = field(default_factory=dict)
     """Names of those that live, with what holds them."""
     holds: dict[str, HoldView] = field(default_factory=dict)
@@ -76,3 +77,5 @@ class RuntimeView(View, frozen=True):
     """Who is there, by name."""
     inside: dict[str, SubsystemView] = field(default_factory=dict)
     """What lives in those in which an application runs."""
+    world_kinds: dict[str, Literal["simulated", "real"]] = field(default_factory=dict)
+    """What is known of worlds, open or not; in a simulated one nothing outside the program moves."""

@@ -28,15 +28,16 @@ def test_the_runtime_is_shown_as_it_stands():
     homes = (live.SubsystemStanding("left", "anna#2", "", ()), live.SubsystemStanding("right", "", "assemble", ()))
     units = (live.RtpuStanding("rt0", False, 0.123), live.RtpuStanding("rt1", True, 0.0))
     shown = runtime_view(
-        view.RuntimeView(address="ws://x", stop_text=Reason.plain("why")),
-        live.Standing(homes, units, ("boxes",), True, True, 1.0),
+        view.RuntimeView(address="ws://x", stop_text=Reason.plain("why"), world_kinds={"sea": "real", "boxes": "real"}),
+        live.Standing(homes, units, ("boxes", "cell"), True, True, 1.0, simulated=("boxes",)),
     )
     assert shown == view.RuntimeView(
         "linked", "ws://x", NOTHING, True, True, Reason.plain("why"),
-        {"rt0": view.UnitView(0.12), "rt1": view.UnitView(0.0, True)}, {"boxes": True},
+        {"rt0": view.UnitView(0.12), "rt1": view.UnitView(0.0, True)}, {"boxes": True, "cell": True},
         {"left": "anna#2", "right": "assemble"},
         {"left": view.HoldView("anna#2"), "right": view.HoldView("", "assemble")},
         inside={"right": view.SubsystemView("assemble")},
+        world_kinds={"sea": "real", "boxes": "simulated", "cell": "real"},
     )  # fmt: skip
 
 

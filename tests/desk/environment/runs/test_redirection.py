@@ -116,3 +116,69 @@ def test_a_wish_for_all_flows_is_told_with_those_that_it_means(play):  # R-E09
         judgement = judge.judge(case)
         play.environment.become(lambda model, judgement=judgement: judged(model, doc, judgement))
     assert shown(play, doc) == (RedirectView("a", "twin", homes=("flow1",)),)
+
+
+@pytest.fixture
+def cell(play):
+    """Task `a` has its device in the world `cell`, which is real."""
+    play.files.plain_task("a", writes="A", local="DEVICE cell:arm\n")
+    play.runtime.worlds = {"cell": False, "boxes": True}
+    return play
+
+
+def judge_all(play, doc):
+    judge = ReadinessJudge(play.site)
+    for case in judge.cases(play.environment.model):
+        judgement = judge.judge(case)
+        play.environment.become(lambda model, judgement=judgement: judged(model, doc, judgement))
+
+
+def devices(play):
+    flows = play.carried(request.Prepare)[-1].plan.flows
+    return [dict(flow.tasks[0].local)["DEVICE"] for flow in flows]
+
+
+def worlds(play, doc):
+    return play.environment.tree.applications[doc].worlds
+
+
+def test_one_flow_drives_another_world_and_the_page_is_told_which_drives_which(cell):  # R-E09
+    doc = cell.open([job("aC")], [job("aC")], parallel=True)
+    cell.do(act.Redirect(doc, "flow1", "cell:", "boxes:"))
+    assert shown(cell, doc) == (RedirectView("cell:", "boxes:", "flow1", ("flow1",)),)
+    judge_all(cell, doc)
+    assert worlds(cell, doc) == {"flow0": ("cell",), "flow1": ("boxes",)}
+    cell.run(doc)
+    assert devices(cell) == [("cell:arm",), ("boxes:arm",)]
+    assert [flow.worlds for flow in cell.view.flows.values()] == [("cell",), ("boxes",)]
+    assert cell.environment.tree.runtime.world_kinds == {"cell": "real", "boxes": "simulated"}
+
+
+def test_the_worlds_of_each_flow_are_offered_and_taken_back(cell):  # R-E09
+    doc = cell.open([job("aC")], [job("aC")], parallel=True)
+    cell.do(act.Redirect(doc, "flow1", "cell:", "boxes:"))
+    seats = cell.do(act.Seats(doc)).worlds
+    assert {flow: [(seat.world, seat.taken_by) for seat in some] for flow, some in seats.items()} == {
+        "": [("cell", "")],
+        "flow0": [("cell", "cell")],
+        "flow1": [("cell", "boxes")],
+    }
+    cell.do(act.Redirect(doc, "flow1", "cell:", ""))
+    assert shown(cell, doc) == ()
+    assert [seat.taken_by for seat in cell.do(act.Seats(doc)).worlds[""]] == ["cell"]
+
+
+def test_the_runtime_tells_which_worlds_there_are_and_is_started_for_it(cell):  # R-E09
+    cell.do(act.FindWorlds())
+    assert cell.environment.tree.runtime.world_kinds == {"cell": "real", "boxes": "simulated"}
+    assert cell.environment.tree.runtime.state == "linked"
+
+
+def test_a_world_that_is_none_or_that_no_flow_drives_is_refused(cell):  # R-E09, R-X01
+    doc = cell.open([job("aC")])
+    for new in ("boxes", "bo xes:", "boxes@:"):
+        assert "[FLOW:]WORLD:=WORLD:" in str(cell.no(act.Redirect(doc, "", "cell:", new)).reason)
+    assert "expected a world of play (cell:), found sea:" in str(
+        cell.no(act.Redirect(doc, "", "sea:", "boxes:")).reason
+    )
+    assert shown(cell, doc) == ()

@@ -184,8 +184,10 @@ class FaultViews:
         file = Path(fault.place.file)
         for one in self.redirects:
             is_of_it = fault.place.file == f"redirect {one}" or file.name == f"{one.new}{rmod.ENDING}"
-            if is_of_it or _is_of_reach(fault) or _is_of_company(fault):
-                yield Remedy(Reason.of("run.let_again", task=one.old), act.Redirect(self.doc, one.home, one.old, ""))
+            is_of_robot = _is_of_reach(fault) or _is_of_company(fault)
+            if is_of_it or (_is_of_world(fault, one.new) if one.is_of_world else is_of_robot):
+                label = Reason.of("run.let_again", task=one.old.removesuffix(":"))
+                yield Remedy(label, act.Redirect(self.doc, one.home, one.old, ""))
         for way in fault.remedies:
             if isinstance(way, Reason) and way.key == "desk.redirect_to":
                 old, new = str(way.args["old"]), str(way.args["new"])
@@ -239,6 +241,11 @@ def _is_of_company(fault: Fault) -> bool:
 
 def _is_of_values(fault: Fault) -> bool:
     return fault.reason.key == "host.values_unfit"
+
+
+def _is_of_world(fault: Fault, world: str) -> bool:
+    """Whether it names a world, by the name with its colon, or a device of it."""
+    return any(f"{value}:".startswith(world) for value in arguments(fault.reason).values())
 
 
 def _named(name: str, program: ApplicationProgram) -> list[str]:

@@ -7,6 +7,7 @@ from functools import partial
 from onika.desk.environment.outcome.outcome import Done, Order
 from onika.desk.environment.reconcile import holders
 from onika.desk.environment.reconcile.live_facts import alive, settled, with_standing
+from onika.desk.environment.reconcile.world_kinds import kinds
 from onika.desk.environment.run_state import subsystem_views
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
@@ -85,6 +86,7 @@ def runtime_view(former: view.RuntimeView, standing: live.Standing) -> view.Runt
             for rtpu_standing in standing.rtpus
         },
         worlds=dict.fromkeys(standing.worlds, True),
+        world_kinds={**former.world_kinds, **kinds({name: name in standing.simulated for name in standing.worlds})},
         subsystems={subsystem.name: subsystem.application or subsystem.holder for subsystem in standing.subsystems},
         holds=holders.surveyed(former.holds, standing),
         sessions=former.sessions,

@@ -95,9 +95,11 @@ def _redirects(review: Review) -> Iterator[RedirectView]:
     """Flows are meant by their order: what runs may be called otherwise than a flow of the application."""
     plan = review.run.prepare.plan
     for order, flow in enumerate(plan.flows):
-        for name, old in flow.replaced:
-            home = f"flow{order}"
-            yield RedirectView(old.name, name, home if len(plan.flows) > 1 else "", (home,))
+        home = f"flow{order}"
+        stands = [(old.name, name) for name, old in flow.replaced]
+        stands += [(f"{named}:", f"{driven}:") for named, driven in flow.worlds if named != driven]
+        for old_name, new_name in stands:
+            yield RedirectView(old_name, new_name, home if len(plan.flows) > 1 else "", (home,))
 
 
 def _passages(flow: ReviewedFlow, run: Run, number: int) -> tuple[PassageView, ...]:

@@ -9,6 +9,7 @@ from msgspec import structs
 from onika.desk.environment.run_state.membership import StepMembership
 from onika.desk.environment.run_state.messages import IconWording
 from onika.desk.plan.flow_index import FlowIndex
+from onika.desk.plan.flow_worlds import driven_worlds
 from onika.desk.run.flow_status import FlowStatus
 from onika.wire import event
 from onika.wire.plan import Again, Plan, PlannedAction, Unless
@@ -127,7 +128,9 @@ def begun(
 ) -> Run:
     """A run that is about to begin; `at_s` is seconds since 1970."""
     flows = {
-        flow.subsystem: FlowRunView(order, of=len(flow.actions), is_nested=flow.parent is not None)
+        flow.subsystem: FlowRunView(
+            order, of=len(flow.actions), is_nested=flow.parent is not None, worlds=driven_worlds(flow)
+        )
         for order, flow in enumerate(plan.flows)
     }
     of = sum(len(flow.actions) for flow in plan.flows)

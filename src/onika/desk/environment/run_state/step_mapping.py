@@ -152,6 +152,12 @@ def _changed(recorded: Plan, present: CurrentApplication, partners: _Partners) -
 def _redirected(recorded: Plan) -> tuple[Reason, ...]:
     """Who stood for whom; where there are several flows, in which."""
     replaced = [(number, name, old.name) for number, flow in enumerate(recorded.flows) for name, old in flow.replaced]
+    replaced += [
+        (number, driven, named)
+        for number, flow in enumerate(recorded.flows)
+        for named, driven in flow.worlds
+        if named != driven
+    ]
     if len(recorded.flows) > 1:
         return tuple(Reason.of("run.stood_for_in", name=name, old=old, number=number) for number, name, old in replaced)
     return tuple(Reason.of("run.stood_for", name=name, old=old) for _, name, old in replaced)

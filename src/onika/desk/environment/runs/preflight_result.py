@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from onika.desk.environment.outcome.fault_view import FaultViews
+from onika.desk.environment.reconcile.world_kinds import with_kinds
 from onika.desk.environment.runs.retarget_marks import marked
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import PreflightResult
@@ -23,6 +24,7 @@ _RESOLVED = ("host.resolved", "host.resolved_often")
 
 def looked(model: Model, troubles: FaultViews, plan: Plan, prepared: Prepared) -> Model:
     """The model with what was found at the steps where it stands; `plan` has their numbers as lines."""
+    model = with_kinds(model, prepared.worlds)
     opened = model.applications.get(troubles.doc)
     if opened is None:
         return model

@@ -19,6 +19,7 @@ from onika.desk.environment.runs.unsaved import Changed
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import Judgement, OpenApplication
 from onika.desk.plan import redirection
+from onika.desk.plan.flow_worlds import worlds_by_flow
 from onika.desk.plan.preparation import PreparedRun
 from onika.model.application import Application
 from onika.model.redirect import Redirect
@@ -95,7 +96,8 @@ class ReadinessJudge:
         )
         troubles = FaultViews.of(opened, case.syntax, prepared, self._site)
         fault_views = (*troubles.views(prepared), *_unsaved(case, troubles, prepared.program), *_unchosen(opened))
-        return Judgement(opened.application, fault_views, case.has_new_files, _homes(opened, prepared))
+        worlds = worlds_by_flow(prepared.plan) if prepared.plan is not None else {}
+        return Judgement(opened.application, fault_views, case.has_new_files, _homes(opened, prepared), worlds)
 
     def _is_new(self, case: ReadinessCase) -> bool:
         former = self._known.get(case.opened.id)
@@ -138,8 +140,9 @@ def judged(model: Model, doc: str, judgement: Judgement) -> Done:
         opened = replace(opened, looked=None)
     former = opened.judgement
     if former is not None and former.faults == judgement.faults:
-        judgement = Judgement(judgement.of, former.faults, homes=judgement.homes)
-        is_same = former.of is judgement.of and former.homes == judgement.homes
+        judgement = Judgement(judgement.of, former.faults, homes=judgement.homes, worlds=judgement.worlds)
+        stays = (former.homes, former.worlds) == (judgement.homes, judgement.worlds)
+        is_same = former.of is judgement.of and stays
         if is_same and opened is model.applications[doc]:
             return Done(model)
     return Done(model.with_application(replace(opened, judgement=judgement)))
@@ -149,7 +152,7 @@ def _homes(opened: OpenApplication, prepared: PreparedRun) -> dict[str, tuple[st
     plan, program = prepared.plan, prepared.program
     if plan is None or program is None:
         return {}
-    return {redirect.old: redirection.homes_of(redirect.old, plan, program) for redirect in opened.redirects}
+    return {redirect.old: redirection.homes_of(redirect, plan, program) for redirect in opened.redirects}
 
 
 def _unsaved(case: ReadinessCase, troubles: FaultViews, program: ApplicationProgram | None) -> Iterator[FaultView]:

@@ -7,26 +7,36 @@ from msgspec import structs
 
 from onika.desk.environment.outcome.fault_text import said
 from onika.desk.environment.outcome.on_file import on_application, on_resting_application, syntax_of
-from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.outcome import Ask, Done, InterimModel, No, Procedure, RequiredRuntime
+from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.reconcile.merge import runtime_view
+from onika.desk.environment.reconcile.world_kinds import with_kinds
+from onika.desk.environment.runs import flow_placement
 from onika.desk.environment.runs.begin import ready
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.plan import redirection
+from onika.desk.plan import redirection, world_redirection
 from onika.desk.plan.preparation import PreparedRun
 from onika.desk.plan.redirection import RedirectableTask
+from onika.desk.run.runtime_conversation import in_short
 from onika.model.redirect import Redirect
 from onika.model.rules.union import devices
 from onika.store.library import open_libraries
-from onika.wire import act
-from onika.wire.view import CandidateView, SeatsView, SeatView
-from onika.words.reason import Reason
+from onika.wire import act, live
+from onika.wire.view import CandidateView, SeatsView, SeatView, WorldSeatView
+from onika.words.reason import Reason, reason_of
 
 
 @on_resting_application
 def redirect(model: Model, opened: OpenApplication, command: act.Redirect, outside: Services) -> Done | No:
     """Let a task stand for another one; refused with all reasons why it cannot."""
     wish = Redirect(command.old, command.new or command.old, command.flow)
+    if wish.is_of_world:
+        try:
+            Redirect.parse(str(wish))
+        except ValueError as wrong:
+            return No(reason_of(wrong))
     is_split = bool(wish.home) and any(redirect.old == wish.old and not redirect.home for redirect in opened.redirects)
     before = ready(opened, outside.site, syntax_of(model)) if is_split else None
     others = tuple(_others(opened.redirects, wish, before))
@@ -47,7 +57,7 @@ def _others(redirects: tuple[Redirect, ...], wish: Redirect, prepared: PreparedR
         if redirect.old != wish.old or (wish.home and redirect.home and redirect.home != wish.home):
             yield redirect
         elif prepared is not None and not redirect.home and prepared.plan is not None and prepared.program is not None:
-            homes = redirection.homes_of(redirect.old, prepared.plan, prepared.program)
+            homes = redirection.homes_of(redirect, prepared.plan, prepared.program)
             yield from (replace(redirect, flow=home) for home in homes if home != wish.home)
 
 
@@ -62,7 +72,29 @@ def seats(model: Model, opened: OpenApplication, command: act.Seats, outside: Se
     ]
     seats = redirection.seats(prepared.program, prepared.plan, opened.redirects, library_tasks)
     flows = {flow: tuple(map(_seat, some)) for flow, some in seats.items()}
-    return Done(model, value=SeatsView(flows if len(flows) < 2 else {"": _everywhere(flows), **flows}))
+    worlds = {
+        flow: tuple(WorldSeatView(seat.world, seat.taken_by) for seat in some)
+        for flow, some in world_redirection.world_seats(prepared.plan, opened.redirects).items()
+    }
+    if len(flows) < 2:
+        return Done(model, value=SeatsView(flows, worlds))
+    return Done(model, value=SeatsView({"": _everywhere(flows), **flows}, {"": _worlds_everywhere(worlds), **worlds}))
+
+
+def find_worlds(model: Model, _asked: act.FindWorlds, _outside: Services) -> Procedure:
+    """Which worlds the runtime has, to be shown with it; it is started where there is none."""
+    url = model.runtime.address
+    state = model.runtime if model.runtime.state == "linked" else flow_placement.starting(model.runtime)
+    model, standing = yield Ask(replace(model, runtime=state), live.Survey(), RequiredRuntime(url))
+    if not isinstance(standing, live.Standing):
+        why = refusal(standing)
+        yield InterimModel(flow_placement.lost(model, why))
+        return No(Reason.of("run.no_runtime", why=in_short(why)))
+    model, response = yield Ask(replace(model, runtime=runtime_view(model.runtime, standing)), live.ListWorlds())
+    if not isinstance(response, live.WorldList):
+        yield InterimModel(model)
+        return No(refusal(response))
+    return Done(with_kinds(model, response.simulated), value=response.faults)
 
 
 def _everywhere(flows: dict[str, tuple[SeatView, ...]]) -> tuple[SeatView, ...]:
@@ -72,6 +104,14 @@ def _everywhere(flows: dict[str, tuple[SeatView, ...]]) -> tuple[SeatView, ...]:
         for seat_view in some:
             by_home.setdefault(seat_view.task, []).append(seat_view)
     return tuple(map(_joined, by_home.values()))
+
+
+def _worlds_everywhere(worlds: dict[str, tuple[WorldSeatView, ...]]) -> tuple[WorldSeatView, ...]:
+    """The worlds of all flows as those of one."""
+    holders: dict[str, set[str]] = {}
+    for seat in (seat for some in worlds.values() for seat in some):
+        holders.setdefault(seat.world, set()).add(seat.taken_by)
+    return tuple(WorldSeatView(world, min(who) if len(who) == 1 else "") for world, who in sorted(holders.items()))
 
 
 def _joined(seats: Sequence[SeatView]) -> SeatView:

@@ -62,6 +62,7 @@ class ApplicationProjector:
             is_checked=looked is not None,
             is_running=is_running,
             redirects=tuple(_wish(opened, redirect) for redirect in opened.redirects),
+            worlds=dict(opened.judgement.worlds) if opened.judgement is not None else {},
         )
 
     def _marked(self, looked_at: OpenApplication | None) -> dict[str, StepView]:

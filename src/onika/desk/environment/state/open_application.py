@@ -23,6 +23,8 @@ class Judgement:
     """Whether files that it uses have changed since it was looked at before."""
     homes: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     """Of each task for which another one stands: the flows that use it."""
+    worlds: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """The worlds that each flow drives which is not nested, with what is nested in it, by its subsystem."""
 
 
 @dataclass(frozen=True, slots=True)
