@@ -3,7 +3,9 @@
 import pytest
 
 from kit.runtime.live_edits import LiveEdits
+from onika.host.edit.failed_writers import objection_to_clear, objections_to_switch
 from onika.wire import live
+from onika.words.reason import NOTHING
 
 MASS = """
 from onika.module import InVar, Module, OutVar
@@ -78,6 +80,12 @@ def test_what_starved_a_device_is_cleared_before_it_two_steps_up(edits):  # law 
     assert edits.states == {"mass": "ON", "servo": "ON", "way": "ON"}
 
 
+def test_where_nothing_is_in_the_way_there_is_no_objection(edits):
+    live_subsystem = edits.asker.program.subsystems.live["s0"]
+    assert objection_to_clear(live_subsystem, "mass") == NOTHING
+    assert objections_to_switch(live_subsystem, (), ["mass"]) == {}
+
+
 def test_a_task_between_that_was_turned_off_makes_no_difference(edits):  # law 4
     sicken(edits, "way")
     assert edits.change(off=["servo"]) == ""
@@ -104,6 +112,12 @@ def test_nor_does_a_task_come_on_that_would_lead_to_a_device_what_such_a_writer_
     assert edits.states["mass"] == "ON"
     assert edits.change(on=["servo"]) == f"servo: on: {WOULD_BE_DRIVEN}"
     assert edits.states == {"mass": "ON", "servo": "OFF", "way": "ERROR"}
+
+
+def test_what_is_off_between_leads_nothing_to_a_device(edits):  # law 6
+    assert edits.change(off=["servo", "mass"]) == ""
+    sicken(edits, "way")
+    assert edits.change(on=["mass"]) == ""
 
 
 def test_who_names_the_failed_task_as_one_that_is_to_be_off_wants_it_so(edits):  # law 6

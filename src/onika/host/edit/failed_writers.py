@@ -19,7 +19,7 @@ def objection_to_clear(live: LiveSubsystem, task: str) -> Reason:
     writers = [
         failed
         for failed in sorted(live.executor.failed_at_work)
-        if failed != task and not subsystem.is_hardware(failed) and task in subsystem.fed(failed, live.members)
+        if not subsystem.is_hardware(failed) and task in subsystem.fed(failed, live.members)
     ]
     if not writers:
         return NOTHING
@@ -33,10 +33,7 @@ def objections_to_switch(live: LiveSubsystem, off: Collection[str], on: Collecti
     staying = {task for task in live.members if live.is_on(task)} - {*off}
     objections: dict[str, Reason] = {}
     for failed in sorted(live.executor.failed_at_work - {*off}):
-        fed_before = subsystem.fed(failed, staying)
         for driven in subsystem.fed(failed, staying | {*on}):
-            if driven in fed_before and driven not in on:
-                continue  # this switch is not what feeds it
             coming = [driven] if driven in on else on
             reason = Reason.of("host.fed_by_failed", driven=driven, writer=failed)
             objections.update(dict.fromkeys(coming, reason))
