@@ -319,6 +319,20 @@ def test_what_a_fault_would_lead_to_is_said_and_nothing_is_touched(me):  # R-X24
     me.state("calm", "ON")
 
 
+def test_what_if_is_in_sight_beside_stop_on_a_narrow_screen(me):  # R-X24, R-G04
+    place(me, "wave")
+    turn(me, "wave")
+    me.page.set_viewport_size({"width": 360, "height": 740})
+    banner = me.page.get_by_role("banner")
+    asking = banner.get_by_role("button", name="What if…?")
+    stop = banner.get_by_role("button", name="Stop", exact=True)
+    box, end = asking.bounding_box(), stop.bounding_box()["x"]
+    assert box["x"] >= 0 and box["x"] + box["width"] <= end
+    asking.click()
+    expect(me.page.get_by_role("dialog", name="What if?").get_by_label("A fault")).to_be_visible()
+    me.page.set_viewport_size({"width": 1200, "height": 800})
+
+
 def test_a_module_is_told_and_asked_by_name_in_its_sheet(me, excused):  # R-A05
     place(me, "dial")
     me.box("dial").click()
