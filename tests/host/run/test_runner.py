@@ -109,6 +109,22 @@ def test_an_abort_before_a_task_was_sent_kills_it_on_paper():  # law 10
     assert rig.runner.is_over
 
 
+def test_an_abort_is_told_with_its_time():  # R-E14
+    rig = RunnerRig(BOTH).start()  # the arm's constant is not there: `go` ends on paper, at once
+    rig.runner.abort(Reason.plain("enough"), rig.now + 2_000_000_000)
+    assert [(change.task, change.state, change.at_s) for change in rig.of(event.TaskState)] == [("go", "KILLED", 2.0)]
+
+
+def test_after_an_abort_nobody_waits_for_a_switch_that_was_prepared():  # R-E14
+    rig = RunnerRig([action("bell"), action("bell", "show")]).start().spawned("bell", "show").turned_on("bell")
+    assert rig.units.take(command.PreparedSwitch)
+    answers = []
+    rig.runner.steer(steer.Skip("flow0", 1), rig.now, answers.append)
+    assert answers == []  # the unit has not said yet that nothing is prepared any more
+    rig.runner.abort(Reason.plain("enough"), rig.now)
+    assert len(answers) == 1 and answers[0]
+
+
 def test_a_second_abort_changes_nothing():
     rig = RunnerRig([action("bell")]).start().spawned("bell")
     rig.runner.abort(Reason.plain("first"), rig.now)
