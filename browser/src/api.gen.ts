@@ -1837,6 +1837,7 @@ export interface Say {
   doc?: string;
   where?: AnyShow | null;
   at_s?: number;
+  is_quiet?: boolean;
 }
 
 /** What is left of an act that cannot be read: the number by which it is answered. */

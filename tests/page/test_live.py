@@ -1,6 +1,7 @@
 """A configuration that lives: states, errors, questions, figures, values, and undo in the running system too."""
 
 import re
+from pathlib import Path
 
 import pytest
 from playwright.sync_api import expect
@@ -127,10 +128,110 @@ def test_a_question_put_aside_is_opened_again_from_the_icon(me):  # R-C13
     place(me, "aim")
     turn(me, "aim", state="ASKING")
     form = me.page.get_by_role("dialog", name=re.compile("aim asks"))
+    expect(form).to_contain_text("where to go")
+    field = form.get_by_role("textbox", name=re.compile("^place, m"))
+    field.fill("0.75")
     form.get_by_role("button", name="Not now").click()
     expect(form).to_have_count(0)
     me.page.get_by_role("group", name="question of aim").get_by_role("button", name="Answer…").click()
-    expect(form).to_be_visible()
+    expect(field).to_have_value("0.75")
+
+
+def test_lengths_are_read_and_typed_in_the_unit_that_is_preferred(me):  # R-G08
+    place(me, "aim")
+    me.page.keyboard.press("Control+,")
+    panel = me.page.get_by_role("dialog", name="Preferences")
+    panel.get_by_label("Lengths").select_option("mm")
+    turn(me, "aim", state="ASKING")
+    form = me.page.get_by_role("dialog", name=re.compile("aim asks"))
+    field = form.get_by_role("textbox", name=re.compile("^place, mm · −1000 … 2000"))
+    field.fill("2500")
+    expect(form).to_contain_text("2500 is above 2000")
+    field.fill("1250")
+    form.get_by_role("button", name="Send").click()
+    me.state("aim", "ON")
+    me.strip.get_by_role("tab", name="Variables 1").click()
+    value = me.strip.get_by_role("row", name=re.compile("AIM double mm")).get_by_role("gridcell").nth(2)
+    expect(value).to_have_text("1250")
+    panel.get_by_label("Lengths").select_option("m")
+    expect(me.strip.get_by_role("row", name=re.compile("AIM double m ")).get_by_role("gridcell").nth(2)).to_have_text(
+        "1.250"
+    )
+    me.page.keyboard.press("Escape")
+
+
+def test_a_variable_that_nobody_writes_is_written_by_hand(me):  # R-C27
+    place(me, "calm")
+    turn(me, "calm")
+    me.locus("WAVE").focus()
+    me.page.keyboard.press("Enter")
+    card = me.page.get_by_role("dialog", name=re.compile("^locus WAVE"))
+    field = card.get_by_role("textbox", name=re.compile("^Value of WAVE"))
+    field.fill("3")
+    field.press("Enter")
+    me.strip.get_by_role("tab", name="Variables 2").click()
+    calm = me.strip.get_by_role("row", name=re.compile("CALM double m ")).get_by_role("gridcell").nth(2)
+    expect(calm).to_have_text("1.500")
+    slider = card.get_by_role("slider")
+    slider.focus()
+    slider.press("Home")
+    expect(calm).to_have_text("−0.500")
+    me.page.keyboard.press("Escape")
+    expect(card).to_have_count(0)
+
+
+def test_a_parameter_is_tuned_while_its_task_is_on_told_where_it_is_refused_and_taken_back(me):  # R-C04, R-X10
+    place(me, "wave", "calm")
+    turn(me, "wave", "calm")
+    me.box("calm").click()
+    share = me.sheet.get_by_role("textbox", name="Parameter SHARE")
+    expect(me.sheet).to_contain_text("how much of it")
+    expect(share).to_have_value("0.5")
+    share.fill("7")
+    share.press("Enter")
+    expect(me.sheet.get_by_role("alert")).to_contain_text("expected 0..1")
+    share.press("Escape")
+    expect(share).to_have_value("0.5")
+    slider = me.sheet.get_by_role("slider", name="SHARE, slider")
+    slider.focus()
+    slider.press("Home")
+    expect(share).to_have_value("0")
+    me.strip.get_by_role("tab", name="Variables 2").click()
+    calm = me.strip.get_by_role("row", name=re.compile("CALM double m ")).get_by_role("gridcell").nth(2)
+    expect(calm).to_have_text(re.compile("^−?0(\\.000)?$"))
+    me.state("calm", "ON")
+    me.strip.get_by_role("tab", name="Log").click()
+    expect(me.strip).to_contain_text("parameters of calm: SHARE was –, is 0 now")
+    me.page.keyboard.press("Control+z")
+    expect(share).to_have_value("0.5")
+    me.state("calm", "ON")
+
+
+def test_parameter_sets_are_kept_compared_and_switched_all_or_none(me):  # R-C04, R-X10
+    place(me, "calm")
+    me.page.keyboard.press("Control+s")
+    saving = me.page.get_by_role("dialog", name=re.compile("^Save"))
+    saving.get_by_role("textbox").first.fill("tuned")
+    saving.get_by_role("button", name="Save", exact=True).click()
+    me.box("calm").click()
+    me.sheet.get_by_role("button", name="Parameter sets…").click()
+    panel = me.page.get_by_role("dialog", name="Parameter sets of tuned")
+    share = me.sheet.get_by_role("textbox", name="Parameter SHARE")
+    for name, word in (("soft", "0.25"), ("hard", "1")):
+        share.fill(word)
+        share.press("Enter")
+        panel.get_by_role("textbox", name="Name of a new set").fill(name)
+        panel.get_by_role("button", name="Keep as they are now").click()
+        expect(panel.get_by_role("columnheader", name=re.compile(f"^{name}"))).to_be_visible()
+    expect(panel.get_by_role("row", name="calm SHARE 1 0.25 1")).to_be_visible()
+    panel.get_by_role("button", name="Switch to soft").click()
+    expect(share).to_have_value("0.25")
+    expect(panel.get_by_role("row", name="calm SHARE 0.25 0.25 1")).to_be_visible()
+    file = Path(re.search(r"in (\S+\.sets)\.", panel.inner_text())[1])
+    file.write_text(file.read_text().replace("SHARE 1", "SHARE 3"))
+    panel.get_by_role("button", name="Switch to hard").click()
+    expect(me.page.get_by_role("alertdialog", name="Refused")).to_contain_text("nothing is changed")
+    expect(share).to_have_value("0.25")
 
 
 def test_the_status_view_shows_figures_and_the_columns_that_are_chosen(me):  # R-C14, R-C27, R-G01

@@ -13,11 +13,11 @@ export const toasts: { lines: Line[] } = $state({ lines: [] })
 
 const NEWS_S = 5
 
-/** Something was said: into the log; and while it is news, on the screen, aloud, and as a sound where that is wished. */
+/** Something was said: into the log; and while it is news, if it is not quiet, on the screen, aloud, and as a sound where that is wished. */
 export function notify(message: Say): void {
   const line = addLine(message)
   const sentence = say(message.text)
-  if (line.at_s! < Date.now() / 1000 - NEWS_S) return // from before this page was opened
+  if (message.is_quiet || line.at_s! < Date.now() / 1000 - NEWS_S) return // from before this page was opened
   toasts.lines = [...toasts.lines.filter((other) => say(other.text) !== sentence), line].slice(-MOST)
   announce(sentence)
   if (look.sounds) play(message.level)

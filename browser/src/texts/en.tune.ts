@@ -2,7 +2,7 @@
 export const enTune = {
   'tune.parameters': 'Parameters',
   'tune.range': '{range} {unit}',
-  'tune.default': 'else {value}',
+  'tune.default': 'default {value}',
   'tune.sets': 'Parameter sets…',
   'tune.setsTitle': 'Parameter sets of {name}',
   'tune.setsAbout':

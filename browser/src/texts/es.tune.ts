@@ -4,7 +4,7 @@ import type { enTune } from './en.tune'
 export const esTune: Record<keyof typeof enTune, string> = {
   'tune.parameters': 'Parámetros',
   'tune.range': '{range} {unit}',
-  'tune.default': 'si no, {value}',
+  'tune.default': 'por omisión {value}',
   'tune.sets': 'Juegos de parámetros…',
   'tune.setsTitle': 'Juegos de parámetros de {name}',
   'tune.setsAbout':

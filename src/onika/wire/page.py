@@ -83,6 +83,8 @@ class Say(Message, frozen=True):
     where: AnyShow | None = None
     at_s: float = 0.0
     """Seconds since 1970, when it was said."""
+    is_quiet: bool = False
+    """Whether it goes into the log alone."""
 
 
 AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say

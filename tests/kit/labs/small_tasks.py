@@ -17,8 +17,9 @@ MODULES = {
     "wave": ("WAVE = OutVar('double', 'm', 'a swing')", "self.WAVE = np.sin(self.now)"),
     "tone": ("WAVE = OutVar('double', 'm', 'a swing')", "self.WAVE = 1.0"),
     "calm": (
-        "WAVE = InVar('double', 'm', 'what swings')\n    CALM = OutVar('double', 'm', 'half of it')",
-        "self.CALM = self.WAVE / 2",
+        "WAVE = InVar('double', 'm', 'what swings')\n    CALM = OutVar('double', 'm', 'half of it')\n"
+        "    SHARE = Local('double', '-', 'how much of it', default=0.5, low=0.0, high=1.0)",
+        "self.CALM = self.WAVE * self.SHARE",
     ),
     "show": ("CALM = InVar('double', 'm', 'what is shown')", "self.CALM"),
     "hurry": ("CALM = InVar('double', 's', 'a time')", "self.CALM"),
@@ -41,7 +42,7 @@ MODULES = {
 }
 """Tasks without a device: what each declares, and what it does in a cycle."""
 
-_HEAD = "import numpy as np\n\nfrom onika.module import InConst, Input, InVar, Module, OutConst, OutVar\n\n\n"
+_HEAD = "import numpy as np\n\nfrom onika.module import InConst, Input, InVar, Local, Module, OutConst, OutVar\n\n\n"
 
 
 def _source(name: str, declared: str, cycle: str) -> str:

@@ -17,7 +17,8 @@ def changed_parameters(before: Model, after: Model) -> Iterator[page.Say]:
         if old is None or new is None or old.local == new.local:
             continue
         changes = tuple(_changes(old, new))
-        yield page.Say("info", Reason.of("run.parameters_changed", task=name, changes=changes), where=ShowTask(name))
+        text = Reason.of("run.parameters_changed", task=name, changes=changes)
+        yield page.Say("info", text, where=ShowTask(name), is_quiet=True)
 
 
 def _changes(old: Task, new: Task) -> Iterator[Reason]:
