@@ -17,7 +17,7 @@ export const enTune = {
   'tune.replace': 'Replace',
   'tune.replaceBy': 'Replace {name} by the parameters as they are now',
   'tune.remove': 'Remove',
-  'tune.removeSet': 'Remove {name}; Alt+Z brings it back',
+  'tune.removeSet': 'Remove {name}; Ctrl+Z brings it back',
   'tune.parameter': 'Parameter',
   'tune.onlyDifferent': 'Only what differs',
   'tune.allSame': 'All sets are as the parameters are now.',

@@ -19,7 +19,7 @@ export const esTune: Record<keyof typeof enTune, string> = {
   'tune.replace': 'Reemplazar',
   'tune.replaceBy': 'Reemplazar {name} por los parámetros como están ahora',
   'tune.remove': 'Quitar',
-  'tune.removeSet': 'Quitar {name}; Alt+Z lo devuelve',
+  'tune.removeSet': 'Quitar {name}; Ctrl+Z lo devuelve',
   'tune.parameter': 'Parámetro',
   'tune.onlyDifferent': 'Solo lo que difiere',
   'tune.allSame': 'Todos los juegos son como los parámetros ahora.',

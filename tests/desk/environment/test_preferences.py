@@ -39,7 +39,7 @@ def test_units_to_read_are_chosen_out_of_those_that_are_known(sitting):  # R-G08
     assert (settings_now.angle_unit, settings_now.length_unit) == ("deg", "mm")
     for value in ("furlong", "mm", 1, None, ["deg"]):
         assert sitting.no(act.Prefer({"angle_unit": value})).fields["angle_unit"].key == "run.one_of"
-    sitting.do(act.UndoOwn())
+    sitting.do(act.Undo(""))
     assert sitting.environment.model.settings.angle_unit == "rad"
 
 
@@ -91,7 +91,7 @@ def test_icons_take_their_new_sizes_at_once_and_loci_stay(sitting):  # R-G01, R-
     sitting.do(act.Prefer({"min_size": 300}))
     assert sitting.environment.tree.tasks["pd"].height == 300
     assert sitting.environment.tree.documents[doc].loci == loci
-    assert str(sitting.environment.tree.documents[doc].undo) == "placing pd"
+    assert str(sitting.environment.tree.documents[doc].undo) == "changing preferences"
 
 
 def test_the_users_file_is_written_at_once_where_there_is_one(sitting):  # R-B12

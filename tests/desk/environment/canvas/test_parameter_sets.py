@@ -120,11 +120,11 @@ def test_what_was_done_to_sets_is_taken_back_and_done_again(sitting, doc):  # R-
     sitting.do(act.KeepSet(doc, "soft"))
     text = file(sitting).read_text()
     assert sitting.do(act.RemoveSet(doc, "soft")).sets == ()
-    sitting.do(act.UndoOwn())
+    sitting.do(act.Undo(doc))
     assert file(sitting).read_text() == text
-    sitting.do(act.UndoOwn())
+    sitting.do(act.Undo(doc))
     assert not file(sitting).exists()
-    sitting.do(act.RedoOwn())
+    sitting.do(act.Redo(doc))
     assert file(sitting).read_text() == text
 
 
