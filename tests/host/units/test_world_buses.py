@@ -30,6 +30,36 @@ def test_a_world_is_opened_with_its_first_device_and_stands_where_the_others_sta
     assert [world.now_ns for world in buses.worlds] == [20 * MS]
 
 
+def test_the_open_worlds_that_are_simulated_are_told_and_no_others(messages):  # R-E09
+    def open_world(name):
+        world = MassWorld()
+        world.is_simulated = {"yard": True, "odd": "yes"}.get(name, False)
+        return world
+
+    buses = Buses({}, open_world, messages.append)
+    assert buses.simulated == ()
+    for name in ("cell", "yard", "odd"):
+        buses.grant(f"{name}:m0", 0)
+    assert (buses.names, buses.simulated) == (("cell", "yard", "odd"), ("yard",))
+
+
+def test_what_drives_a_device_in_one_world_moves_nothing_in_another(messages):  # R-E09, law 18
+    worlds = {}
+    buses = Buses({}, lambda name: worlds.setdefault(name, MassWorld()), messages.append)
+    buses.grant("cell:m0", 0)
+    buses.grant("yard:m0", 0)
+    worlds["yard"].command("m0", 2, DeviceOrder.DRIVE, [1.0])
+    buses.step(30 * MS)
+    assert (worlds["yard"].state("m0")[2] > 0.0, worlds["cell"].state("m0")[2]) == (True, 0.0)
+    buses.touch("yard", "panic", 1.0)
+    assert buses.modes() == {
+        "cell:m0": DriveMode.HELD,
+        "cell:m1": DriveMode.HELD,
+        "yard:m0": DriveMode.PRESSED,
+        "yard:m1": DriveMode.PRESSED,
+    }
+
+
 def test_a_device_is_claimed_once_until_it_is_given_back(buses):  # law 18
     buses.grant("yard:m0", 0)
     with pytest.raises(ValueError, match="m0"):
