@@ -103,19 +103,13 @@ def test_one_arm_is_simulated_beside_another_one_in_its_own_world(capsys, tmp_pa
 
 
 @pytest.mark.usefixtures("cell")
-@pytest.mark.parametrize("time", ["virtual", "wall"])
-def test_one_arm_is_real_and_the_other_simulated_and_that_is_told(capsys, time):  # R-E09
+def test_one_arm_is_real_and_the_other_simulated_in_wall_time_and_that_is_told(capsys):  # R-E09
     goals = ("--expect", "flow0/Q_MEZ[1] < -1.5", "--expect", "flow1/Q_MEZ[1] < -1.5")
-    words = ("two_arms", "--redirect", "0:boxes:=cell:", *goals)
-    if time == "virtual":
-        code, output = run(capsys, *words)
-    else:
-        code = main(["run", *words])
-        captured = capsys.readouterr()
-        output = captured.out + captured.err
-    assert code == 0, output
-    assert "flow0 drives cell (real)" in output
-    assert "flow1 drives boxes (simulated)" in output
+    code = main(["run", "two_arms", "--redirect", "0:boxes:=cell:", *goals])
+    captured = capsys.readouterr()
+    assert code == 0, captured.out + captured.err
+    assert "flow0 drives cell (real)" in captured.out + captured.err
+    assert "flow1 drives boxes (simulated)" in captured.out + captured.err
 
 
 @pytest.mark.usefixtures("cell")
