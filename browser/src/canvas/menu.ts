@@ -26,6 +26,7 @@ import {
 } from '../scene/acts'
 import { askForChange, askForName, openInsert, openSaving, pickedGroups, turnGroup, ungroup } from '../group/grouping'
 import { isAllOn, summary } from '../scene/groups'
+import { makeTarget } from '../scene/variableTarget'
 import { canvasState, type Opened } from '../scene/canvasState.svelte'
 
 export function menuOf(opened: Opened): { label: string; items: Item[] } | undefined {
@@ -147,6 +148,13 @@ function locusItems(svar: string, at: Point): Item[] {
       isOff: canvas.plots.includes(svar),
     },
     { label: t(isDrawn ? 'canvas.hideLines' : 'canvas.showLines'), keys: 'Shift+Enter', run: () => toggleLines(svar) },
+    {
+      label: t('target.of'),
+      run: () => makeTarget(svar, at),
+      isOff: !canvasState.hasValues,
+      note: canvasState.hasValues ? undefined : t('canvas.noValue'),
+      begins: true,
+    },
   ]
 }
 

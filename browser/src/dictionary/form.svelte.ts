@@ -13,7 +13,7 @@ export class ValuesDraft {
   /** Whether what is missing is complained of, too. */
   isAsked = $state(false)
   present: Record<string, number[]> | undefined = $state.raw()
-  private readonly items: readonly ItemView[]
+  private items: readonly ItemView[] = $state.raw([])
   readonly rows: readonly Field[] = $derived.by(() => rowsOf(askOf(this.items, this.present)))
 
   constructor(items: readonly ItemView[], values?: Nested, words?: string[]) {
@@ -28,6 +28,15 @@ export class ValuesDraft {
   /** The place of the first word that is wrong; -1: none is. */
   get firstWrong(): number {
     return this.rows.findIndex((row, k) => complaint(row, this.words[k] ?? '') !== undefined)
+  }
+
+  /** The words of one item; where a constant of the robot says how many there are, there are as many as these. */
+  put(name: string, words: readonly string[]): void {
+    const before = this.values
+    this.items = this.items.map((item) =>
+      item.name === name && item.dimension ? { ...item, count: words.length } : item,
+    )
+    this.words = this.items.flatMap((item, k) => (item.name === name ? [...words] : (before[k] ?? [])))
   }
 
   /** Take over what was measured; answers with the names of what still lacks. */

@@ -84,6 +84,8 @@ export const enDictionary = {
   'target.take': 'Take present values',
   'target.taking': 'Reading…',
   'target.took': 'Read from {source}.',
+  'target.of': 'Make a target of it…',
+  'target.into': 'They are',
   'target.tookIt': 'Read from the robot.',
   'target.lacks': 'Nothing measures {names}: please enter it.|Nothing measures {names}: please enter them.',
   'target.base': 'Kept in',

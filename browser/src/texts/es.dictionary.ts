@@ -86,6 +86,8 @@ export const esDictionary: Record<keyof typeof enDictionary, string> = {
   'target.take': 'Tomar los valores actuales',
   'target.taking': 'Leyendo…',
   'target.took': 'Leído de {source}.',
+  'target.of': 'Hacer de ella un objetivo…',
+  'target.into': 'Son',
   'target.tookIt': 'Leído del robot.',
   'target.lacks': 'Nada mide {names}: escríbalo.|Nada mide {names}: escríbalos.',
   'target.base': 'Se guarda en',

@@ -9,6 +9,7 @@ from onika.desk.console import (
     run_lines,
     scope_lines,
     steering_lines,
+    target_lines,
     task_lines,
     time_lines,
     transfer_lines,
@@ -132,6 +133,15 @@ LOOKS = (
         ("file", "subsystem"),
         1,
         more=Reason.of("console.more_log"),
+    ),
+    Command(
+        "target",
+        "target NAME VARIABLE [TYPE] [DATUM=VALUES…] [in DIRECTORY]",
+        Reason.of("console.does_target"),
+        target_lines.target,
+        ("", "variable", ""),
+        2,
+        more=Reason.of("console.more_target"),
     ),
     Command(
         "scope",

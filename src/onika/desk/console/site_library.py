@@ -1,6 +1,6 @@
 """Looks up tasks, code and targets on the search path for a console, with a fault where there is none."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from difflib import get_close_matches
 from hashlib import sha256
 from pathlib import Path
@@ -8,10 +8,14 @@ from pathlib import Path
 import msgspec
 
 from onika.desk.plan.compile import UNKNOWN, planned_task
+from onika.desk.plan.declarations import declared_inputs, declared_ports
+from onika.desk.plan.target_inputs import measured_kinds
 from onika.model.configuration import Configuration
+from onika.model.syntax import IconType, Syntax
 from onika.model.task import Task
 from onika.store.site import Site
 from onika.wire.plan import Code, PlannedTask
+from onika.wire.sheet import PortSheet
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
 
@@ -70,6 +74,15 @@ class SiteLibrary:
             return None, None, faults
         return planned_task(task, rtpu, code.digest, file), code, ()
 
+    @property
+    def ports(self) -> Iterator[tuple[Task, tuple[PortSheet, ...]]]:
+        """The ports of all tasks, as far as their code says them."""
+        return ((task, declared_ports(code)) for task, code in self._coded())
+
+    def target_kinds(self, syntax: Syntax) -> list[tuple[IconType, dict[str, str]]]:
+        """The types of targets that have data, each with the units of these as the tasks say them that take it."""
+        return measured_kinds(syntax, [(task, declared_inputs(code)) for task, code in self._coded()])
+
     def code(self, module: str, path: Path) -> tuple[Code | None, Faults]:
         """The code of a module as it stands in a file now."""
         try:
@@ -96,6 +109,14 @@ class SiteLibrary:
         if not onikon.values:
             return "", (Fault(self._place, Reason.of("desk.target_without_values", text=text), _INSTEAD),)
         return onikon.argument_line(types), faults
+
+    def _coded(self) -> Iterator[tuple[Task, Path]]:
+        """All tasks that have code."""
+        for name in self.tasks:
+            record, _ = self._site.task(name)
+            path = self._site.code_file(record.task) if record else None
+            if record is not None and path is not None:
+                yield record.task, path
 
     def _none(self, what: Reason, name: str, names: tuple[str, ...]) -> Faults:
         near = get_close_matches(name, names, 3)

@@ -67,6 +67,7 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.EditOnikon: ("edit_icon", "dict"),
     act.RemoveOnikon: ("delete_icon", "dict"),
     act.Teach: ("teach_target", "dict"),
+    act.FitTargets: ("fit_target", "conf"),
     act.OpenLibrary: ("open_lexi", "lexi"),
     act.CloseLibrary: ("close_lexi", "lexi"),
     act.Alias: ("set_alias", "lexi"),
@@ -129,7 +130,21 @@ _EVENTS: dict[type, tuple[str, str]] = {
 _BOTH = (act.Open, act.Close, act.Save, act.Reload, act.Keep, act.Undo, act.Redo, act.Check, act.MakeJob, act.Draft)
 """Acts on either kind of document: of an application they are called so, and stand in its window."""
 
-_THINGS = ("onikon", "tasks", "task", "new", "svars", "name", "library", "path", "url", "values", "loci", "line")
+_THINGS = (
+    "onikon",
+    "tasks",
+    "task",
+    "new",
+    "svars",
+    "variable",
+    "name",
+    "library",
+    "path",
+    "url",
+    "values",
+    "loci",
+    "line",
+)
 """The fields of acts that name what is acted upon; the first that says something counts."""
 
 

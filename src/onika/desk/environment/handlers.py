@@ -36,6 +36,7 @@ from onika.desk.environment.icons import (
     revision,
     targets,
     teaching,
+    variable_targets,
 )
 from onika.desk.environment.reconcile import presence
 from onika.desk.environment.review import (
@@ -169,6 +170,7 @@ HANDLERS: Mapping[type, Handler] = {
     act.CloseDictionary: dictionaries.close_dictionary,
     act.MakeTarget: targets.make_target,
     act.Teach: teaching.teach,
+    act.FitTargets: variable_targets.fit_targets,
     act.EditOnikon: revision.edit_onikon,
     act.RemoveOnikon: revision.remove_onikon,
     act.Continue: continuation.continue_run,

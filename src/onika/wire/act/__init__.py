@@ -50,6 +50,7 @@ from onika.wire.act.canvas import (
 from onika.wire.act.dictionary import (
     CloseDictionary as CloseDictionary,
     EditOnikon as EditOnikon,
+    FitTargets as FitTargets,
     MakeTarget as MakeTarget,
     OpenDictionary as OpenDictionary,
     RemoveOnikon as RemoveOnikon,
@@ -255,6 +256,7 @@ AnyAct = (
     | EditOnikon
     | RemoveOnikon
     | Teach
+    | FitTargets
     | Run
     | Redirect
     | Seats

@@ -54,3 +54,13 @@ class Teach(Act, frozen=True):
     type: str
     subsystem: str = ""
     """Where several measure it; empty: the one of an open configuration, else the first."""
+
+
+class FitTargets(Act, frozen=True):
+    """Ask which targets a state variable makes as it is now (C30); replied by `view.TargetFitsView`."""
+
+    variable: str
+    doc: str = ""
+    """The configuration in whose subsystem it is."""
+    subsystem: str = ""
+    """Where it is, if no open configuration shows it."""

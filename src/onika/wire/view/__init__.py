@@ -17,6 +17,8 @@ from onika.wire.view.dictionary import (
     ItemView as ItemView,
     OnikonView as OnikonView,
     Role as Role,
+    TargetFitsView as TargetFitsView,
+    TargetFitView as TargetFitView,
     TaughtView as TaughtView,
     TypeView as TypeView,
 )

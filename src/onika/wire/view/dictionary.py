@@ -87,3 +87,21 @@ class TaughtView(View, frozen=True):
     """Where it was read."""
     others: tuple[str, ...] = ()
     """The other subsystems that measure it."""
+
+
+class TargetFitView(View, frozen=True):
+    """A datum of a type of target that a state variable gives, with its values as words."""
+
+    type: str
+    item: str
+    values: tuple[str, ...]
+
+
+class TargetFitsView(View, frozen=True):
+    """The targets that a state variable makes as it is now."""
+
+    variable: str
+    shape: str
+    source: Reason
+    """What was read, in words."""
+    fits: tuple[TargetFitView, ...]

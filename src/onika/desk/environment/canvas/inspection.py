@@ -49,7 +49,7 @@ def write_variable(model: Model, document: Document, command: act.WriteVariable,
 @on_document
 def check_memory(model: Model, document: Document, _command: act.CheckMemory, _outside: Services) -> No | Procedure:
     """The value is what is unsound in the memory of variables; nothing where it is sound."""
-    subsystem = _readable(model, document)
+    subsystem = readable_subsystem(model, document)
     if isinstance(subsystem, No):
         return subsystem
     return _findings(model, subsystem)
@@ -58,13 +58,13 @@ def check_memory(model: Model, document: Document, _command: act.CheckMemory, _o
 @on_document
 def log_readings(model: Model, document: Document, _command: act.LogReadings, _outside: Services) -> No | Procedure:
     """The value is the text of a log: the present readings of all variables, exactly as they are."""
-    subsystem = _readable(model, document)
+    subsystem = readable_subsystem(model, document)
     if isinstance(subsystem, No):
         return subsystem
     return _readings(model, subsystem)
 
 
-def _readable(model: Model, document: Document) -> str | No:
+def readable_subsystem(model: Model, document: Document) -> str | No:
     """The subsystem that a document is connected with, or that it looks into."""
     if document.watched is not None and is_on(model, document.watched):
         return document.watched.subsystem

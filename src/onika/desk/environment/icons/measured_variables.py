@@ -4,9 +4,9 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from onika.desk.environment.icons import pose_numbers
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.target_items import ports_of, uses_of
+from onika.model import pose_numbers
 from onika.model.port import PortKind
 from onika.model.syntax import IconType
 from onika.wire.sheet import InputSheet, PortSheet

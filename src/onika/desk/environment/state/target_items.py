@@ -1,12 +1,13 @@
 """The data of a type of target, with the units and bounds of the tasks that take it (requirements D08, B10)."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from onika.desk.environment.state.declarations import declared_inputs, declared_ports
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import OpenLibraries
-from onika.model.syntax import DataItem, IconType, Syntax, same_type
+from onika.desk.plan.declarations import declared_inputs, declared_ports
+from onika.desk.plan.target_inputs import paired, takes
+from onika.model.syntax import DataItem, IconType, Syntax
 from onika.model.task import Task
 from onika.wire.sheet import InputSheet, PortSheet
 from onika.wire.view import ItemView
@@ -40,7 +41,7 @@ def uses_of(libraries: OpenLibraries, syntax: Syntax, kind: IconType) -> dict[st
     uses_by_type: dict[str, tuple[InputUse, ...]] = {}
     for task in libraries.tasks.values() if kind.is_target else ():
         if takes(task, kind, syntax):
-            for item, taken in _paired(kind.items, inputs_of(libraries, task)):
+            for item, taken in paired(kind.items, inputs_of(libraries, task)):
                 uses_by_type[item.name] = (*uses_by_type.get(item.name, ()), InputUse(task, taken))
     return uses_by_type
 
@@ -61,20 +62,6 @@ def ports_of(libraries: OpenLibraries, task: Task) -> tuple[PortSheet, ...]:
         return sheet.ports
     code = libraries.code_file(task.name)
     return declared_ports(code) if code else ()
-
-
-def takes(task: Task, kind: IconType, syntax: Syntax) -> bool:
-    """Whether a task's first target is of this type."""
-    job = syntax.find(task.object_type) if task.object_type else None
-    return job is not None and job.needs_target and same_type(syntax.object_of(job), kind.name)
-
-
-def _paired(items: Sequence[DataItem], inputs: Sequence[InputSheet]) -> Iterator[tuple[DataItem, InputSheet]]:
-    """Each datum with the input that takes it: in order, as long as they are of one type, as an argument line is."""
-    for item, taken in zip(items, inputs, strict=False):
-        if taken.shape.partition("[")[0].strip() != item.type.value:
-            return
-        yield item, taken
 
 
 def _view(item: DataItem, uses: Sequence[InputUse], limits: Limits) -> ItemView:

@@ -1,6 +1,6 @@
 import os
 
-from onika.desk.environment.state.declarations import declared_inputs, declared_ports
+from onika.desk.plan.declarations import declared_inputs, declared_ports
 from onika.runtime.modules.code import load
 from onika.runtime.modules.sheet import sheet_of
 from onika.store.shipped import shipped

@@ -1,7 +1,7 @@
 import numpy as np
 
-from onika.desk.environment.icons.pose_numbers import nine_of
 from onika.laws.frames import nine_of_pose, pose_of_nine
+from onika.model.pose_numbers import nine_of
 
 
 def test_a_frame_has_the_nine_numbers_of_the_target_that_leads_to_it():  # reading 44, R-D13
