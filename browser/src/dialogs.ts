@@ -19,6 +19,7 @@ import ButtonsPanel from './shell/ButtonsPanel.svelte'
 import ConnectPanel from './shell/ConnectPanel.svelte'
 import PreferencesPanel from './shell/PreferencesPanel.svelte'
 import BringBackPanel from './task/BringBackPanel.svelte'
+import NewModulePanel from './task/NewModulePanel.svelte'
 import OwnPanel from './task/OwnPanel.svelte'
 import SetsPanel from './task/SetsPanel.svelte'
 import SourcePanel from './task/SourcePanel.svelte'
@@ -35,6 +36,7 @@ export const DIALOGS: Partial<Record<DialogName, Component>> = {
   job: JobPanel,
   keep: KeepPanel,
   newApplication: NewApplicationPanel,
+  newModule: NewModulePanel,
   open: OpenPanel,
   own: OwnPanel,
   preferences: PreferencesPanel,

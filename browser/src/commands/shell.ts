@@ -105,6 +105,14 @@ command({
   title: () => t('file.library'),
   run: () => turn('open', { what: 'library' }),
 })
+command({
+  id: 'library.newModule',
+  group: 'library',
+  level: 'tasks',
+  title: () => t('newModule.menu'),
+  keys: ['Alt+M'],
+  run: () => turn('newModule'),
+})
 
 command({
   id: 'edit.undo',

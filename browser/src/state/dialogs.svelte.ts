@@ -10,6 +10,7 @@ export type DialogName =
   | 'job'
   | 'keep'
   | 'newApplication'
+  | 'newModule'
   | 'bringBack'
   | 'open'
   | 'own'

@@ -234,6 +234,12 @@ export const enShell = {
   'buttons.command': 'Command',
   'buttons.terminal': 'in a terminal of its own',
 
+  'newModule.menu': 'New module…',
+  'newModule.title': 'New module',
+  'newModule.nameHint': 'low_pass',
+  'newModule.create': 'Make it',
+  'newModule.about':
+    'A module that works, its .rmod and a test are written from a template. Its task is in the library at once.',
   'library.title': 'Task library',
   'library.find': 'Find a task',
   'library.findHere': 'Find a task, off the canvas',
@@ -346,6 +352,10 @@ export const enShell = {
   'source.reading': 'Reading…',
   'source.readOnly': 'may only be read',
   'source.saved': 'saved',
+  'source.test': 'Test',
+  'source.loading': 'loading…',
+  'source.loaded': 'saved and loaded',
+  'source.unloaded': 'saved, not loaded: {why}',
   'source.revert': 'Undo all changes',
   'source.twoTitle': 'The file has changed meanwhile.',
   'source.twoAbout': 'Lines with − stand in the file only, lines with + only in your text.',

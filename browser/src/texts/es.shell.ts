@@ -237,6 +237,12 @@ export const esShell: Record<keyof typeof enShell, string> = {
   'buttons.command': 'Orden',
   'buttons.terminal': 'en un terminal propio',
 
+  'newModule.menu': 'Módulo nuevo…',
+  'newModule.title': 'Módulo nuevo',
+  'newModule.nameHint': 'paso_bajo',
+  'newModule.create': 'Crearlo',
+  'newModule.about':
+    'De una plantilla se escriben un módulo que funciona, su .rmod y una prueba. Su tarea está enseguida en la biblioteca.',
   'library.title': 'Biblioteca de tareas',
   'library.find': 'Buscar una tarea',
   'library.findHere': 'Buscar una tarea, fuera del lienzo',
@@ -349,6 +355,10 @@ export const esShell: Record<keyof typeof enShell, string> = {
   'source.reading': 'Leyendo…',
   'source.readOnly': 'solo se puede leer',
   'source.saved': 'guardado',
+  'source.test': 'Prueba',
+  'source.loading': 'cargando…',
+  'source.loaded': 'guardado y cargado',
+  'source.unloaded': 'guardado, sin cargar: {why}',
   'source.revert': 'Deshacer todos los cambios',
   'source.twoTitle': 'El archivo ha cambiado entretanto.',
   'source.twoAbout': 'Las líneas con − están solo en el archivo; las líneas con +, solo en su texto.',

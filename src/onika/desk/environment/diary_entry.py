@@ -80,6 +80,7 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.ForgetTask: ("forget_task", "lexi"),
     act.ReadText: ("view_text", "lexi"),
     act.WriteText: ("save_text", "lexi"),
+    act.NewModule: ("new_module", "lexi"),
     act.CompareWithShipped: ("compare_with_shipped", "main"),
     act.GoBackToShipped: ("go_back_to_shipped", "main"),
     act.ListReplaced: ("list_replaced", "main"),

@@ -84,7 +84,9 @@ from onika.wire.act.library import (
     CloseLibrary as CloseLibrary,
     ForgetTask as ForgetTask,
     LibraryRate as LibraryRate,
+    LoadModule as LoadModule,
     Local as Local,
+    NewModule as NewModule,
     OpenLibrary as OpenLibrary,
     ReadText as ReadText,
     SaveTask as SaveTask,
@@ -195,6 +197,8 @@ AnyAct = (
     | ForgetTask
     | ReadText
     | WriteText
+    | NewModule
+    | LoadModule
     | CompareWithShipped
     | GoBackToShipped
     | ListReplaced

@@ -56,17 +56,31 @@ class ForgetTask(Act, frozen=True):
 
 
 class ReadText(Act, frozen=True):
-    """Ask for the text of a task's `.rmod` or of its module's code; replied by `view.TextView`."""
+    """Ask for the text of a task's `.rmod`, of its module's code or of its test; replied by `view.TextView`."""
 
     task: str
-    kind: Literal["rmod", "code"]
+    kind: Literal["rmod", "code", "test"]
 
 
 class WriteText(Act, frozen=True):
     """Save such a text where the file is still what was read (`stamp`), and tell its faults."""
 
     task: str
-    kind: Literal["rmod", "code"]
+    kind: Literal["rmod", "code", "test"]
     text: str
     stamp: str
     overwrites: bool = False
+
+
+class NewModule(Act, frozen=True):
+    """Write a new module with its `.rmod` and its test from a template (C31); replied with the name of the task."""
+
+    name: str
+    base: str = ""
+    """Empty: the user's own base directory."""
+
+
+class LoadModule(Act, frozen=True):
+    """Have the runtime load a task's module as its file is now; replied by `view.LoadedView`."""
+
+    task: str

@@ -48,6 +48,7 @@ from onika.wire.view.reply import (
     ParameterSetView as ParameterSetView,
     PeekIcon as PeekIcon,
     PeekView as PeekView,
+    LoadedView as LoadedView,
     ReplacedView as ReplacedView,
     SampledView as SampledView,
     SeatsView as SeatsView,

@@ -16,6 +16,13 @@ class TextView(View, frozen=True):
     is_read_only: bool = False
 
 
+class LoadedView(View, frozen=True):
+    """What a runtime says of a module's code that it has loaded; no faults: it is ready."""
+
+    faults: tuple[tuple[int, Reason], ...] = ()
+    """By the lines of the code; 0: the whole."""
+
+
 class TwoTextsView(View, frozen=True):
     """A file of the user's own and the shipped one before which it stands."""
 

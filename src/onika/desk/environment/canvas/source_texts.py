@@ -1,4 +1,4 @@
-"""The texts behind tasks, to be read and edited: `.rmod` files and the code of modules (requirements C05, C23)."""
+"""The texts behind tasks, to be read and edited: `.rmod` files, the code of modules, their tests (C05, C23, C31)."""
 
 import os
 import re
@@ -29,7 +29,7 @@ _STAMP = re.compile(r"[0-9a-f]{64}\Z")
 
 
 def read_text(model: Model, command: act.ReadText, _outside: Services) -> Done | No:
-    """The text of a task's `.rmod` or of its module's code, with what is wrong with it."""
+    """The text of a task's `.rmod`, of its module's code or of its test, with what is wrong with it."""
     path = _path(model, command.task, command.kind)
     if isinstance(path, No):
         return path
@@ -90,7 +90,7 @@ def _copied(model: Model, path: Path, command: act.WriteText, site: Site) -> Don
 
 def _path(model: Model, task: str, kind: str) -> Path | No:
     """Where the text is; always inside an open library."""
-    path = _rmod(model, task) if kind == "rmod" else _code(model, task)
+    path = _PLACES[kind](model, task)
     if isinstance(path, No):
         return path
     file = path.resolve()
@@ -117,6 +117,20 @@ def _code(model: Model, task: str) -> Path | No:
     if path is None:
         return No(Reason.of("desk.no_source", module=described.module, task=task))
     return path
+
+
+def _test(model: Model, task: str) -> Path | No:
+    """The test of a task's module, in the base directory in which the code is."""
+    code = _code(model, task)
+    if isinstance(code, No):
+        return code
+    path = code.parent.parent / "tests" / f"test_{code.stem}.py"
+    if path.is_file():
+        return path
+    return No(Reason.of("desk.no_test", module=code.stem, path=str(path)))
+
+
+_PLACES = {"rmod": _rmod, "code": _code, "test": _test}
 
 
 def _refused(path: Path, refused: Refusal, command: act.WriteText) -> No:
