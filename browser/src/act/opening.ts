@@ -57,6 +57,11 @@ export async function openInPlace(path: string): Promise<boolean> {
   return true
 }
 
+/** Bring the tasks of a configuration to life, OFF, beside those of the one shown (C32); false where it was refused. */
+export async function keepAlive(path: string): Promise<boolean> {
+  return (await act({ t: 'KeepAlive', doc: canvas.doc, path })) !== undefined
+}
+
 /** Go to a configuration at the lower level: in the place of one that lives, as in the dissertation; else beside the others. */
 export async function goInto(path: string): Promise<void> {
   if (look.isUpperOnly) return goTo('tasks') // which is refused, and says why

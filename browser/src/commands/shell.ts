@@ -222,6 +222,19 @@ command({
   when: isConnected,
   run: () => saveReadings(canvas.doc),
 })
+const keptNames = (): string[] => Object.keys(shownDocument()?.kept ?? {}).sort()
+command({
+  id: 'run.switchKept',
+  group: 'run',
+  level: 'tasks',
+  title: () => t('kept.next'),
+  when: () => keptNames().length > 0,
+  run: () => {
+    const shown = shownDocument()?.name ?? ''
+    const name = keptNames().find((kept) => kept > shown) ?? keptNames()[0]
+    if (name) return act({ t: 'SwitchTo', doc: canvas.doc, name })
+  },
+})
 command({
   id: 'run.take',
   group: 'run',

@@ -161,6 +161,18 @@ def test_a_configuration_replaces_what_is_there_and_leaves_what_is_in_both(sit):
     assert dict(second.rates)["puma"] == 500.0
 
 
+def test_a_switch_turns_others_off_and_keeps_them_alive(sit):  # R-C32
+    sitting = sit()
+    sitting.does("config jmoveC @home", "spawn all of cmoveC", "switch cmoveC 1 2 3")
+    states = sitting.states()
+    assert states["jtraj"] == "OFF" and {states[name] for name in CMOVE} == {"ON"}
+    change = sitting.requests_of(live.Change)[-1]
+    assert (change.kill, change.spawn, change.off) == ((), (), ("jtraj",))
+    sitting.does("switch jmoveC @home")
+    assert (sitting.states()["jtraj"], sitting.states()["ctraj"]) == ("ON", "OFF")
+    assert sitting.fails("switch nothing").reason.key == "desk.not_on_search_path"
+
+
 def test_a_configuration_with_a_missing_task_changes_nothing(sit, tmp_path):
     Laboratory(tmp_path).configuration("lost", "gone 9")
     sitting = sit()

@@ -72,6 +72,16 @@ TASKS = (
         more=Reason.of("console.more_config"),
     ),
     Command(
+        "switch",
+        "switch NAME [ARGUMENTS | @TARGET]",
+        Reason.of("console.does_switch"),
+        task_lines.switch,
+        ("configuration", ""),
+        1,
+        raw=1,
+        more=Reason.of("console.more_switch"),
+    ),
+    Command(
         "answer",
         "answer TASK [ARGUMENTS | @TARGET]",
         Reason.of("console.does_answer"),

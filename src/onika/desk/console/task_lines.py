@@ -3,6 +3,8 @@
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+import msgspec
+
 from onika.desk.console.session import ConsoleSession, Faults
 from onika.desk.console.site_library import SiteLibrary, altered
 from onika.desk.plan.compile import UNKNOWN
@@ -104,6 +106,22 @@ def _clear_all(session: ConsoleSession, broken: Sequence[str]) -> Faults:
 
 def configure(session: ConsoleSession, words: Words) -> Faults:
     """Have exactly the tasks of a configuration, ON: what is in both keeps cycling untouched (requirement A13)."""
+    return _reconfigured(session, words, lambda others: live.Change(session.subsystem, kill=tuple(others)))
+
+
+def switch(session: ConsoleSession, words: Words) -> Faults:
+    """Have the tasks of a configuration ON and all others OFF; who lives lives on, who lacks is spawned (C32)."""
+    return _reconfigured(session, words, lambda others: live.Change(session.subsystem, off=_moving(others)))
+
+
+def _moving(tasks: Mapping[str, live.TaskStanding]) -> Words:
+    return tuple(name for name, task in tasks.items() if task.state in ("ON", "ASKING"))
+
+
+def _reconfigured(
+    session: ConsoleSession, words: Words, leave: Callable[[Mapping[str, live.TaskStanding]], live.Change]
+) -> Faults:
+    """The tasks of a configuration are ON; `leave` says what becomes of the others that live."""
     library = SiteLibrary(session.site, session.place)
     configuration, faults = library.configuration(words[0])
     line, wrong = library.arguments(words[1] if len(words) > 1 else "")
@@ -114,13 +132,9 @@ def configure(session: ConsoleSession, words: Words) -> Faults:
     planned, code, faults = _placed(session, configuration, set(living))
     resting = [name for name in names if name not in living or living[name].state != "ON"]
     starts, wrong = _starts(library, resting, line)
-    change = live.Change(
-        session.subsystem,
-        kill=tuple(name for name in living if name not in names),
-        spawn=planned,
-        code=code,
-        on=starts,
-        rates=tuple(_rates(configuration, living)),
+    others = {name: task for name, task in living.items() if name not in names}
+    change = msgspec.structs.replace(
+        leave(others), spawn=planned, code=code, on=starts, rates=tuple(_rates(configuration, living))
     )
     return tuple(dict.fromkeys((*faults, *wrong))) or session.order(change)
 

@@ -135,6 +135,9 @@ from onika.wire.act.run import (
     WhatIf as WhatIf,
 )
 from onika.wire.act.running import (
+    KeepAlive as KeepAlive,
+    LetGo as LetGo,
+    SwitchTo as SwitchTo,
     Answer as Answer,
     AskModule as AskModule,
     CheckMemory as CheckMemory,
@@ -205,6 +208,9 @@ AnyAct = (
     | BringBack
     | Connect
     | Disconnect
+    | KeepAlive
+    | SwitchTo
+    | LetGo
     | Turn
     | Toggle
     | Clear

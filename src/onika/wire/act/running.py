@@ -22,6 +22,28 @@ class Disconnect(Act, frozen=True):
     doc: str
 
 
+class KeepAlive(Act, frozen=True):
+    """Bring the tasks of one more configuration to life, OFF, beside those of a connected one (C32)."""
+
+    doc: str
+    path: str
+
+
+class SwitchTo(Act, frozen=True):
+    """Have the tasks of a configuration that is kept alive ON, and all others OFF, as one change."""
+
+    doc: str
+    name: str
+
+
+class LetGo(Act, frozen=True):
+    """Keep a configuration alive no more: tasks that no other one has are ended."""
+
+    doc: str
+    name: str
+    discards: bool = False
+
+
 class Turn(Act, frozen=True):
     """Turn tasks ON or OFF."""
 

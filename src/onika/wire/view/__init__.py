@@ -25,6 +25,7 @@ from onika.wire.view.dictionary import (
 from onika.wire.view.document import (
     DocumentView as DocumentView,
     GroupView as GroupView,
+    KeptView as KeptView,
     LocusView as LocusView,
     PlacedView as PlacedView,
     ProblemView as ProblemView,

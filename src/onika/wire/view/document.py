@@ -59,6 +59,16 @@ class GroupView(View, frozen=True):
     tasks: tuple[str, ...]
 
 
+class KeptView(View, frozen=True):
+    """A configuration that is kept alive beside the one that is shown (C32)."""
+
+    order: int
+    tasks: dict[str, State] = field(default_factory=dict)
+    """The states of its tasks."""
+    path: str = ""
+    is_dirty: bool = False
+
+
 class DocumentView(View, frozen=True):
     """An open configuration."""
 
@@ -77,6 +87,8 @@ class DocumentView(View, frozen=True):
     loci: dict[str, LocusView] = field(default_factory=dict)
     groups: dict[str, GroupView] = field(default_factory=dict)
     """The supermodules, by their names (C17)."""
+    kept: dict[str, KeptView] = field(default_factory=dict)
+    """The configurations that one act switches to, by their names."""
     greyed: dict[str, tuple[Objection, ...]] = field(default_factory=dict)
     """Library tasks that may not be placed, Equations (2) and (3), each with all its reasons."""
     objections: dict[str, tuple[Objection, ...]] = field(default_factory=dict)

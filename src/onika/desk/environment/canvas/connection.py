@@ -69,7 +69,7 @@ def disconnect(model: Model, document: Document, command: act.Disconnect, _outsi
     """Leave what runs as it is; the layout stays, what was known of its tasks does not."""
     if document.live is None and document.watched is None:
         return No(Reason.of("desk.not_connected", name=document.name))
-    content = replace(document.content, wanted={})
+    content = replace(document.content, wanted={}, kept=())
     return Done(model.with_document(replace(document, content=content, live=None, watched=None)))
 
 
@@ -153,7 +153,7 @@ def _joined(
 def _watching(model: Model, document: Document, watched: WatchedRun) -> Done:
     """A document that looks into a running application: nothing of it is asked of the runtime."""
     subsystem, application = watched.subsystem, watched.application
-    content = replace(document.content, wanted={})
+    content = replace(document.content, wanted={}, kept=())
     model = model.with_document(replace(document, content=content, live=None, watched=watched))
     return Done(model, value=Reason.of("desk.looks_into", subsystem=subsystem, application=application))
 
@@ -197,6 +197,7 @@ def _stepped(document: Document, merged_tasks: Merged, number: int) -> Document:
         return settled(merged_tasks.document)
     wanted = {name: new.wanted.get(name, False) for name in old.names}
     step = UndoStep(Reason.of("desk.connecting"), "", Content(old.configuration, wanted), new, number)
+    step = UndoStep(Reason.of("desk.connecting"), "", Content(old.configuration, wanted, old.kept), new)
     return settled(replace(merged_tasks.document, history=document.history.done(step)))
 
 

@@ -47,8 +47,8 @@ def _content(document: Document, configuration: Configuration) -> Content:
     """What both have is wanted as before; newcomers stay OFF by hand (reading 14)."""
     if document.live is None:
         return Content(configuration)
-    wanted = document.content.wanted
-    return Content(configuration, {placed.task: wanted.get(placed.task, False) for placed in configuration.placed})
+    new, wanted = replace(document.content, configuration=configuration), document.content.wanted
+    return replace(new, wanted={name: wanted.get(name, False) and name in new.names for name in new.union})
 
 
 def _fate_of_tasks(model: Model, document: Document, subsystem_facts: SubsystemFacts, content: Content) -> Reason:

@@ -25,7 +25,7 @@ def turn(model: Model, document: Document, command: act.Turn, _outside: Services
     missing = absent(document, command.tasks) or _unknown(model, document, command.tasks)
     if missing:
         return missing
-    subsystem_facts = _connected(model, document)
+    subsystem_facts = held_facts(model, document)
     if isinstance(subsystem_facts, No):
         return subsystem_facts
     broken = [name for name in command.tasks if subsystem_facts.state_of(name) == "ERROR"]
@@ -53,7 +53,7 @@ def turn(model: Model, document: Document, command: act.Turn, _outside: Services
 @on_document
 def toggle(model: Model, document: Document, command: act.Toggle, outside: Services) -> Done | No | Procedure:
     """ON to OFF and back; a task in ERROR is cleared, and comes on again where that is wanted (C11)."""
-    subsystem_facts = _connected(model, document)
+    subsystem_facts = held_facts(model, document)
     if isinstance(subsystem_facts, No):
         return subsystem_facts
     state = subsystem_facts.state_of(command.task)
@@ -138,6 +138,8 @@ def _writers_first(document: Document, why: Reason) -> Iterator[Remedy]:
 
 
 def _connected(model: Model, document: Document) -> SubsystemFacts | No:
+def held_facts(model: Model, document: Document) -> SubsystemFacts | No:
+    """What is known of the subsystem of a document, where its tasks live and may be changed from here."""
     if document.watched is not None and is_on(model, document.watched):
         return watched_by(model, document, document.watched)
     subsystem_facts = document.live
@@ -151,8 +153,19 @@ def _connected(model: Model, document: Document) -> SubsystemFacts | No:
     return subsystem_facts
 
 
+def _asked(model: Model, document: Document, order: request.Request, task: str) -> Procedure:
+    """Something about one task that changes nothing in the document, and whose outcome is told later."""
+    document, key = under_way(document, task)
+    model, response = yield Ask(model.with_document(document), order)
+    done = accepted(model, response, document.id, key)
+    if isinstance(response, live.Accepted):
+        return done
+    yield InterimModel(done.model, says=done.says, orders=done.orders, news=done.news)
+    return No(refusal(response))
+
+
 def _of_living(model: Model, document: Document, task: str) -> SubsystemFacts | No:
-    subsystem_facts = _connected(model, document)
+    subsystem_facts = held_facts(model, document)
     if isinstance(subsystem_facts, No) or task in subsystem_facts.tasks:
         return subsystem_facts
     return No(Reason.of("desk.not_living", task=task))

@@ -78,6 +78,8 @@ def stepped(before: Model, done: Done, by: str, command: act.AnyAct) -> Model:
         done.model.libraries,
     )
     if isinstance(command, act.OpenInPlace):
+    step = UndoStep(done.label, by, old.content, new.content, backwards, edited, before.libraries, done.model.libraries)
+    if isinstance(command, act.OpenInPlace | act.SwitchTo):
         step = replace(step, file_before=FileState(old.opened, old.base), file_after=FileState(new.opened, new.base))
     return done.model.with_document(replace(new, history=new.history.done(step)))
 
@@ -176,12 +178,13 @@ def _application(model: Model, opened: OpenApplication, history: History[Applica
 
 def _restored(model: Model, document: Document, way: _Way, history: History[Content], cannot: Reason) -> Done | No:
     wanted = moved_wanted(document.content.wanted, way.start, way.end) if document.live else {}
-    names = {placed.task for placed in way.end.configuration.placed}
-    kept = {name: is_on for name, is_on in wanted.items() if name in names}
+    names = set(way.end.union)
+    wanted = {name: is_on for name, is_on in wanted.items() if name in names}
     if document.live:
-        kept = {**dict.fromkeys(sorted(names), False), **kept}
+        wanted = {**dict.fromkeys(sorted(names), False), **wanted}
     libraries = model.libraries.edited(way.edits(model.libraries)) if way.edits_end else model.libraries
-    content = pin_changes.settled(Content(way.end.configuration, kept), way.libraries or libraries, libraries)
+    content = Content(way.end.configuration, wanted, way.end.kept if document.live else ())
+    content = pin_changes.settled(content, way.libraries or libraries, libraries)
     restored = replace(document, content=content, history=history)
     if way.file is not None:
         restored = replace(restored, opened=way.file.opened, base=way.file.base)

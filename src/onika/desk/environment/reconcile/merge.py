@@ -38,17 +38,19 @@ class Merged:
 def merged(model: Model, document: Document, subsystem_facts: SubsystemFacts, standing: live.Standing) -> Merged:
     """Equation (1) with (4): what runs wins, what runs and is not placed comes onto the canvas, the rest is spawned."""
     there = alive(standing, subsystem_facts.subsystem)
-    running = tuple(_placed(task_standing) for task_standing in there.values())
+    content = document.content
+    resting = set(content.union) - set(content.names)
+    running = tuple(_placed(task_standing) for name, task_standing in there.items() if name not in resting)
     tasks = {**model.libraries.tasks, **{name: task_of(task_standing.task) for name, task_standing in there.items()}}
-    merged_tasks = merge(document.content.configuration.placed, running, tasks)
-    configuration = _configuration(model, document.content.configuration, merged_tasks)
+    merged_tasks = merge(content.configuration.placed, running, tasks)
+    configuration = _configuration(model, content.configuration, merged_tasks)
     wanted = {
         name: task_standing.is_wanted_on or task_standing.state in ("ON", "ASKING")
         for name, task_standing in there.items()
     }
     message = replace(with_standing(subsystem_facts, standing), state="live", turns={}, pending={}, early={})
     spawn = () if message.is_foreign else tuple(placed.task for placed in merged_tasks.spawn)
-    document = replace(document, content=Content(configuration, wanted), live=message)
+    document = replace(document, content=Content(configuration, wanted, content.kept), live=message)
     return Merged(document, spawn, tuple(_says(document, merged_tasks, message)))
 
 
@@ -136,7 +138,7 @@ def _with_strangers(
 ) -> Content:
     """With tasks that somebody else has brought to life, and without the wish for those that live no more."""
     content, there = document.content, alive(standing, subsystem_facts.subsystem)
-    here = set(content.names)
+    here = set(content.union)
     new = tuple(_placed(task_standing) for name, task_standing in there.items() if name not in here)
     wanted = {name: is_on for name, is_on in content.wanted.items() if name in here}
     wanted |= {placed.task: there[placed.task].state in ("ON", "ASKING") for placed in new}
@@ -145,7 +147,7 @@ def _with_strangers(
         configuration = _configuration(model, configuration, Merge({}, new, (), ()))
     if wanted == content.wanted and configuration is content.configuration:
         return content
-    return Content(configuration, wanted)
+    return replace(content, configuration=configuration, wanted=wanted)
 
 
 def _says(document: Document, merged_tasks: Merge, subsystem_facts: SubsystemFacts) -> list[page.Say]:

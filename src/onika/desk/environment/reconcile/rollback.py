@@ -13,18 +13,19 @@ from onika.model.configuration import Configuration, Group, Placed
 def reverted(now: Content, start: Content, end: Content) -> Content:
     """What is there now, without what a step from `start` to `end` has changed."""
     wanted = moved_wanted(now.wanted, end, start)
+    kept = start.kept if now.kept == end.kept else now.kept
     if now.configuration is end.configuration:
-        return Content(start.configuration, wanted)
+        return Content(start.configuration, wanted, kept)
     old = {placed.task: placed for placed in start.configuration.placed}
     new = {placed.task: placed for placed in end.configuration.placed}
     placed = [_back(placed, old.get(placed.task), new.get(placed.task)) for placed in now.configuration.placed]
-    kept = [placed for placed in placed if placed is not None]
-    here = {placed.task for placed in kept}
+    stays = [placed for placed in placed if placed is not None]
+    here = {placed.task for placed in stays}
     again = [placed for name, placed in old.items() if name not in new and name not in here]
     name = start.configuration.name if now.configuration.name == end.configuration.name else now.configuration.name
-    configuration = replace(now.configuration, name=name, placed=(*kept, *again))
+    configuration = replace(now.configuration, name=name, placed=(*stays, *again))
     configuration = configuration.regrouped(_groups(now.configuration, start.configuration, end.configuration))
-    return Content(configuration, wanted).with_configuration(configuration)
+    return Content(configuration, wanted, kept).with_configuration(configuration)
 
 
 def file_before(now: Document, before: History[Content], after: History[Content]) -> Document:

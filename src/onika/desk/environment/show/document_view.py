@@ -1,7 +1,7 @@
 """How documents, libraries and tasks look to a page."""
 
 from collections.abc import Mapping
-from typing import TypeVar
+from typing import TypeVar, cast
 
 from msgspec import structs
 
@@ -17,6 +17,8 @@ from onika.store.module_catalogue import merged
 from onika.store.shipped import is_shipped
 from onika.wire.sheet import ModuleSheet
 from onika.wire.view import DocumentView, LibraryView, Objection, ParameterView, PinView, ProblemView, TaskView
+from onika.wire.view import DocumentView, KeptView, LibraryView, Objection, PinView, ProblemView, State, TaskView
+from onika.words.reason import NOTHING
 
 _V = TypeVar("_V")
 
@@ -151,6 +153,7 @@ def document_view(
         tasks=placed_views(document, libraries, seen),
         loci=locus_views(document, libraries, seen),
         groups=group_views(document, seen),
+        kept=_kept(_kept_views(document), old.kept),
         greyed=greyed,
         objections=_kept({name: why for name, why in objected.items() if name not in greyed}, old.objections),
         problems=_kept(troubles, old.problems),
@@ -159,6 +162,20 @@ def document_view(
         application, has_ended = document.watched.application, document.live is None
         view = structs.replace(view, application=application, has_ended=has_ended, subsystem=document.watched.subsystem)
     return _with_subsystem(view, document.live)
+
+
+def _kept_views(document: Document) -> dict[str, KeptView]:
+    """The configurations that are kept alive, with what is known of their tasks."""
+    facts = document.live.tasks if document.live is not None else {}
+    return {
+        kept.name: KeptView(
+            order,
+            {name: cast("State", facts[name].state if name in facts else "") for name in kept.names},
+            str(kept.opened.path) if kept.opened else "",
+            kept.is_unsaved,
+        )
+        for order, kept in enumerate(document.content.kept)
+    }
 
 
 def _with_subsystem(view: DocumentView, live: SubsystemFacts | None) -> DocumentView:

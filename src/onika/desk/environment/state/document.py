@@ -42,8 +42,8 @@ class Document(OpenFile[Configuration, Content]):
 
     @property
     def is_unsaved(self) -> bool:
-        """Whether it has changed since it was saved, in its looks too."""
-        return self.is_dirty or self.is_moved
+        """Whether it has changed since it was saved, in its looks too, or one that is kept alive with it has."""
+        return self.is_dirty or self.is_moved or any(kept.is_unsaved for kept in self.content.kept)
 
     @property
     def _saved(self) -> Configuration:
