@@ -20,6 +20,9 @@ export class Carry {
   y = $state(0)
   isOverGround = $state(false)
   ground: Ground | undefined
+  /** Where it came from, within which it may be put elsewhere. */
+  shelf: Ground | undefined
+  private over: Ground | undefined
   private letGo: (() => void) | undefined
 
   get isUnderWay(): boolean {
@@ -68,7 +71,8 @@ export class Carry {
   stop(): void {
     this.letGo?.()
     this.letGo = undefined
-    if (this.isOverGround) this.ground?.leave?.()
+    this.over?.leave?.()
+    this.over = undefined
     this.name = ''
     this.isOverGround = false
   }
@@ -76,20 +80,23 @@ export class Carry {
   private follow(event: PointerEvent): void {
     this.x = event.clientX
     this.y = event.clientY
-    const wasOver = this.isOverGround
-    this.isOverGround = this.ground?.holds(this.x, this.y) ?? false
-    if (this.isOverGround) this.ground?.hover?.(this.name, this.x, this.y)
-    else if (wasOver) this.ground?.leave?.()
+    const over = [this.ground, this.shelf].find((ground) => ground?.holds(this.x, this.y))
+    if (over !== this.over) this.over?.leave?.()
+    this.over = over
+    this.isOverGround = over !== undefined && over === this.ground
+    over?.hover?.(this.name, this.x, this.y)
   }
 
   private drop(): void {
-    const { name, x, y, isOverGround } = this
+    const { name, x, y, over } = this
     this.stop()
-    if (name && isOverGround) this.ground?.drop(name, x, y)
+    if (name) over?.drop(name, x, y)
   }
 }
 
 /** A task, from the library to the canvas. */
 export const carriedTask = new Carry()
+/** A task that may not be placed, within its library only. */
+export const shelvedTask = new Carry()
 /** An icon, from a dictionary into a flow. */
 export const carriedIcon = new Carry()

@@ -85,6 +85,13 @@ export const beside = (rows: readonly Row[], name: string, key: string): string 
 
 export const byOrder = (a: { order: number }, b: { order: number }): number => a.order - b.order
 
+/** As a user has arranged them, those that are not arranged behind. */
+function byPlace(arranged: readonly string[]): (a: TaskView, b: TaskView) => number {
+  const places = new Map(arranged.map((name, place) => [name, place]))
+  const placeOf = (task: TaskView): number => places.get(task.name) ?? arranged.length
+  return (a, b) => placeOf(a) - placeOf(b) || byOrder(a, b)
+}
+
 /** What is on the shelf, of libraries by their keys: one library; or, where words are wanted, all that has them, library by library. */
 export function choose(
   tasks: Readonly<Record<string, TaskView>>,
@@ -94,7 +101,10 @@ export function choose(
 ): [string, TaskView[]][] {
   const words = wanted.trim().toLowerCase().split(/\s+/).filter(Boolean)
   const all = Object.values(tasks)
-  if (!words.length) return [['', all.filter((task) => task.library === library).sort(byOrder)]]
+  if (!words.length) {
+    const arranged = libraries.find(([key]) => key === library)?.[1].arranged ?? []
+    return [['', all.filter((task) => task.library === library).sort(byPlace(arranged))]]
+  }
   const fits = (task: TaskView): boolean => {
     const text =
       `${task.name} ${task.module} ${task.description} ${task.pins.map((pin) => pin.svar).join(' ')}`.toLowerCase()

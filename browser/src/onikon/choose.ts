@@ -40,13 +40,17 @@ export function inOrder(
   language: string,
 ): Entry[] {
   const places = new Map(Object.values(dictionaries).map((dictionary) => [dictionary.path, dictionary.order]))
-  const rank = (onikon: OnikonView): number[] => [
+  const arranged = new Map(
+    Object.values(dictionaries).map(({ path, arranged }) => [path, new Map(arranged?.map((name, place) => [name, place]))]),
+  )
+  const rank = (name: string, onikon: OnikonView): number[] => [
     types[onikon.type]?.order ?? Infinity,
     places.get(onikon.dictionary) ?? Infinity,
+    arranged.get(onikon.dictionary)?.get(name) ?? Infinity,
     onikon.order,
   ]
   const rows = Object.entries(onikons).map(([name, onikon]) => ({
-    rank: rank(onikon),
+    rank: rank(name, onikon),
     entry: entryOf(name, onikon, language),
   }))
   return rows.sort((a, b) => compared(a.rank, b.rank)).map(({ entry }) => entry)

@@ -250,6 +250,8 @@ export const enShell = {
   'newModule.create': 'Make it',
   'newModule.about':
     'A module that works, its .rmod and a test are written from a template. Its task is in the library at once.',
+  'arrange.earlier': 'One place earlier',
+  'arrange.later': 'One place later',
   'library.title': 'Task library',
   'library.find': 'Find a task',
   'library.findHere': 'Find a task, off the canvas',

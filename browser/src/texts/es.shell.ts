@@ -253,6 +253,8 @@ export const esShell: Record<keyof typeof enShell, string> = {
   'newModule.create': 'Crearlo',
   'newModule.about':
     'De una plantilla se escriben un módulo que funciona, su .rmod y una prueba. Su tarea está enseguida en la biblioteca.',
+  'arrange.earlier': 'Un lugar antes',
+  'arrange.later': 'Un lugar después',
   'library.title': 'Biblioteca de tareas',
   'library.find': 'Buscar una tarea',
   'library.findHere': 'Buscar una tarea, fuera del lienzo',

@@ -66,6 +66,8 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.MakeTarget: ("new_target", "dict"),
     act.EditOnikon: ("edit_icon", "dict"),
     act.RemoveOnikon: ("delete_icon", "dict"),
+    act.ArrangeIcon: ("move_icon", "dict"),
+    act.ArrangeTask: ("move_task", "lexi"),
     act.Teach: ("teach_target", "dict"),
     act.FitTargets: ("fit_target", "conf"),
     act.OpenLibrary: ("open_lexi", "lexi"),

@@ -26,6 +26,7 @@ from onika.desk.environment.control import control_authority, held_subsystems, v
 from onika.desk.environment.environment import Handler
 from onika.desk.environment.file import applications, configurations, file_acts
 from onika.desk.environment.icons import (
+    arranging,
     branches,
     clipboard as icon_buffer,
     dictionaries,
@@ -177,6 +178,8 @@ HANDLERS: Mapping[type, Handler] = {
     act.OpenDictionary: dictionaries.open_dictionary,
     act.CloseDictionary: dictionaries.close_dictionary,
     act.MakeTarget: targets.make_target,
+    act.ArrangeIcon: arranging.arrange_icon,
+    act.ArrangeTask: arranging.arrange_task,
     act.Teach: teaching.teach,
     act.FitTargets: variable_targets.fit_targets,
     act.EditOnikon: revision.edit_onikon,

@@ -7,6 +7,7 @@ from onika.desk.environment.file import file_index
 from onika.desk.environment.icons.syntax import with_syntax
 from onika.desk.environment.outcome.file_faults import told
 from onika.desk.environment.state import settings
+from onika.desk.environment.state.arrangements import with_arrangements
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.store.library import open_libraries
@@ -38,7 +39,8 @@ def opened(site: Site, state: Path | None, environment: Mapping[str, str]) -> tu
         flow_pictures=("".join(ends[0].rows), "".join(ends[1].rows)),
     )
     model = with_syntax(listed.beside(model), syntax, bases)
-    faults = [*site.absent(), *of_preferences, *of_buttons, *of_syntax, *of_ends, *listed.faults]
+    model, of_arrangements = with_arrangements(model, site)
+    faults = [*site.absent(), *of_preferences, *of_buttons, *of_syntax, *of_ends, *listed.faults, *of_arrangements]
     faults += [fault for dictionary in model.dictionaries for fault in dictionary.faults]
     faults += [fault for library in libraries for fault in library.faults]
     lines = [page.Say("warning", of_settings)] if of_settings else []

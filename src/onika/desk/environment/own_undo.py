@@ -11,10 +11,12 @@ from onika.desk.environment.file.undo import redo as redo_file, undo as undo_fil
 from onika.desk.environment.icons.dictionaries import shown_at_once
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.state.arrangements import with_arrangements
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.restoration import FileText, Restoration
 from onika.desk.environment.state.undo_order import redoable, undoable
 from onika.files import whole
+from onika.files import arrangement, whole
 from onika.wire import act
 from onika.words.fault import Refusal
 from onika.words.reason import Reason
@@ -72,4 +74,6 @@ def _rewritten(model: Model, now: Restoration, then: FileText, outside: Services
         written = whole.write(then.path, then.text, whole.ANYTHING)
         if isinstance(written, Refusal):
             return No(written.reason)
+    if then.path.name == arrangement.NAME:
+        return Done(with_arrangements(model, outside.site)[0])
     return Done(shown_at_once(model, then.path, outside.site))

@@ -3,12 +3,14 @@
 from collections.abc import Iterable, Set
 from dataclasses import replace
 from pathlib import Path
+from pathlib import Path
 
 from onika.desk.environment.canvas import libraries
 from onika.desk.environment.file import file_index, on_disk
 from onika.desk.environment.icons import dictionaries, syntax as defining
 from onika.desk.environment.outcome.file_faults import told
 from onika.desk.environment.outcome.outcome import Done
+from onika.desk.environment.state.arrangements import with_arrangements
 from onika.desk.environment.state.model import Model
 from onika.files import syntax
 from onika.store.opened_text import Faults
@@ -29,6 +31,9 @@ def refreshed(model: Model, changed: Set[Path], site: Site | None = None) -> Don
     if site is not None and any(syntax.NAME in path.name for path in changed):
         defined = defining.redefined(model, site)
         model, says = defined.model, [*says, *defined.says]
+    if site is not None:
+        model, wrong_files = with_arrangements(model, site)
+        faults = (*faults, *(fault for fault in wrong_files if Path(fault.place.file) in changed))
     model, lines, wrong = on_disk.refreshed(model, changed)
     faults = tuple(fault for fault in faults if fault not in wrong)
     model = model if site is None or not changed else with_own_copies(model, site)

@@ -48,6 +48,7 @@ from onika.wire.act.canvas import (
     Unit as Unit,
 )
 from onika.wire.act.dictionary import (
+    ArrangeIcon as ArrangeIcon,
     CloseDictionary as CloseDictionary,
     EditOnikon as EditOnikon,
     FitTargets as FitTargets,
@@ -81,6 +82,7 @@ from onika.wire.act.holding import (
 from onika.wire.act.job import Draft as Draft, MakeJob as MakeJob
 from onika.wire.act.library import (
     Alias as Alias,
+    ArrangeTask as ArrangeTask,
     CloseLibrary as CloseLibrary,
     ForgetTask as ForgetTask,
     LibraryRate as LibraryRate,
@@ -201,6 +203,8 @@ AnyAct = (
     | ReadText
     | WriteText
     | NewModule
+    | ArrangeTask
+    | ArrangeIcon
     | LoadModule
     | CompareWithShipped
     | GoBackToShipped

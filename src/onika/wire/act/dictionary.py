@@ -64,3 +64,11 @@ class FitTargets(Act, frozen=True):
     """The configuration in whose subsystem it is."""
     subsystem: str = ""
     """Where it is, if no open configuration shows it."""
+
+
+class ArrangeIcon(Act, frozen=True):
+    """Put an icon before another of its type in its dictionary (D24)."""
+
+    onikon: str
+    before: str = ""
+    """Empty: behind all of its type."""

@@ -84,3 +84,11 @@ class LoadModule(Act, frozen=True):
     """Have the runtime load a task's module as its file is now; replied by `view.LoadedView`."""
 
     task: str
+
+
+class ArrangeTask(Act, frozen=True):
+    """Put a task before another of its library (D24)."""
+
+    task: str
+    before: str = ""
+    """Empty: behind all of them."""

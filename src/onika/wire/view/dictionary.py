@@ -47,6 +47,8 @@ class DictionaryView(View, frozen=True):
     order: int
     onikons: int
     faults: tuple[Reason, ...] = ()
+    arranged: tuple[str, ...] = ()
+    """Its icons in the order in which a user has put them; those that are not named come behind (D24)."""
     is_shipped: bool = False
 
 

@@ -70,5 +70,7 @@ class LibraryView(View, frozen=True):
     order: int
     tasks: int
     faults: tuple[Reason, ...] = ()
+    arranged: tuple[str, ...] = ()
+    """Its tasks in the order in which a user has put them; those that are not named come behind (D24)."""
     is_shipped: bool = False
     """Whether it comes with Onika; what a user makes is saved elsewhere."""

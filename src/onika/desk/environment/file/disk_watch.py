@@ -6,10 +6,15 @@ from pathlib import Path
 from typing import Protocol
 
 from onika.desk.environment.state.model import Model
-from onika.files import appl, conf, onk, rmod
+from onika.files import appl, arrangement, conf, onk, rmod
 from onika.store.site import Site
 
-_FOLDERS = {"module": (rmod.ENDING, ".py"), "conf": (conf.ENDING,), "dict": (onk.ENDING,), "appl": (appl.ENDING,)}
+_FOLDERS = {
+    "module": (rmod.ENDING, ".py", arrangement.NAME),
+    "conf": (conf.ENDING,),
+    "dict": (onk.ENDING, arrangement.NAME),
+    "appl": (appl.ENDING,),
+}
 
 Mark = tuple[int, int, int]
 """When a file was written, its size, and which one it is: a file that is exchanged is another one."""

@@ -25,6 +25,7 @@ def dictionary_views(model: Model) -> dict[str, DictionaryView]:
             order=order,
             onikons=len(dictionary.onikons),
             faults=tuple(fault.sentence for fault in dictionary.faults),
+            arranged=model.arrangements.get(str(dictionary.base.path / "dict"), ()),
             is_shipped=is_shipped(dictionary.base.path),
         )
         for order, dictionary in enumerate(model.dictionaries)

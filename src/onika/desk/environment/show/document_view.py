@@ -23,8 +23,11 @@ from onika.words.reason import NOTHING
 _V = TypeVar("_V")
 
 
-def library_views(libraries: OpenLibraries) -> dict[str, LibraryView]:
-    """The open libraries, by their paths; those in which nothing is to be seen come last."""
+def library_views(libraries: OpenLibraries, arrangements: Mapping[str, tuple[str, ...]]) -> dict[str, LibraryView]:
+    """The open libraries, by their paths; those in which nothing is to be seen come last.
+
+    arrangements    how tasks are arranged, by the paths of their folders
+    """
     in_order = sorted(libraries.libraries, key=lambda library: not library.tasks and not library.faults)
     return {
         str(library.base.path): LibraryView(
@@ -33,6 +36,7 @@ def library_views(libraries: OpenLibraries) -> dict[str, LibraryView]:
             order=order,
             tasks=len(library.tasks),
             faults=tuple(fault.sentence for fault in library.faults),
+            arranged=arrangements.get(str(library.base.path / "module"), ()),
             is_shipped=is_shipped(library.base.path),
         )
         for order, library in enumerate(in_order)

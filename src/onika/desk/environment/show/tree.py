@@ -46,7 +46,11 @@ class Projector:
         for closed in self._seen.keys() - documents.keys():
             self._forget(closed)
         return Tree(
-            libraries=self._once("libraries", (model.libraries.libraries,), lambda: library_views(model.libraries)),
+            libraries=self._once(
+                "libraries",
+                (model.libraries.libraries, model.arrangements),
+                lambda: library_views(model.libraries, model.arrangements),
+            ),
             tasks=self._once("tasks", (model.libraries,), lambda: self._tasks(model.libraries)),
             module_sentences=self._once(
                 "sentences", (model.libraries.libraries,), lambda: module_sentences(model.libraries)
@@ -115,7 +119,7 @@ class Projector:
         tasks = (libraries.libraries, libraries.edits, libraries.sheets, model.limits)
         drawn = (opened, model.applications, model.flow_pictures)
         return {
-            "dictionaries": self._once("dictionaries", (opened,), lambda: dictionary_views(model)),
+            "dictionaries": self._once("dictionaries", (opened, model.arrangements), lambda: dictionary_views(model)),
             "onikons": self._once(
                 "onikons", (opened, syntax, libraries.libraries, *files), lambda: onikon_views(model, former)
             ),

@@ -57,6 +57,8 @@ class Model:
     dictionaries: tuple[Dictionary, ...] = ()
     search: tuple[Path, ...] = ()
     """The search path, as far as names are looked for by it here."""
+    arrangements: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """How tasks and icons are arranged: their names in order, by the path of the folder that has them."""
     own_copies: Mapping[str, str] = field(default_factory=dict)
     """Files that stand before shipped ones, by path, with the name of the laboratory of those."""
     limits: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
