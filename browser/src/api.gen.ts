@@ -291,6 +291,13 @@ export interface Unit {
   rtpu: string;
 }
 
+/** Put an icon before another of its type in its dictionary (D24). */
+export interface ArrangeIcon {
+  t: 'ArrangeIcon';
+  onikon: string;
+  before?: string;
+}
+
 /** Close a dictionary; what is placed stays. */
 export interface CloseDictionary {
   t: 'CloseDictionary';
@@ -306,6 +313,14 @@ export interface EditOnikon {
   picture?: string | null;
   base?: string;
   overwrites?: boolean;
+}
+
+/** Ask which targets a state variable makes as it is now (C30); replied by `view.TargetFitsView`. */
+export interface FitTargets {
+  t: 'FitTargets';
+  variable: string;
+  doc?: string;
+  subsystem?: string;
 }
 
 /** Write a new target, or an icon that does nothing, into a dictionary (D08); `picture` is 1024 digits. */
@@ -401,7 +416,7 @@ export interface Save {
   overwrites?: boolean;
 }
 
-/** Take the last step back, in the running system too (law 22): of a document, or of what belongs to none (X10). Without a document only the latter. What was done later goes first. */
+/** Take the last step of a document back, in the running system too (law 22). */
 export interface Undo {
   t: 'Undo';
   doc: string;
@@ -485,6 +500,13 @@ export interface Alias {
   doc?: string;
 }
 
+/** Put a task before another of its library (D24). */
+export interface ArrangeTask {
+  t: 'ArrangeTask';
+  task: string;
+  before?: string;
+}
+
 /** Close a library; what is placed stays. */
 export interface CloseLibrary {
   t: 'CloseLibrary';
@@ -504,6 +526,12 @@ export interface LibraryRate {
   hz: number;
 }
 
+/** Have the runtime load a task's module as its file is now; replied by `view.LoadedView`. */
+export interface LoadModule {
+  t: 'LoadModule';
+  task: string;
+}
+
 /** The LOCAL lines of a task, each a key and its words. */
 export interface Local {
   t: 'Local';
@@ -512,17 +540,24 @@ export interface Local {
   doc?: string;
 }
 
+/** Write a new module with its `.rmod` and its test from a template (C31); replied with the name of the task. */
+export interface NewModule {
+  t: 'NewModule';
+  name: string;
+  base?: string;
+}
+
 /** Add a base directory to the libraries that are open. */
 export interface OpenLibrary {
   t: 'OpenLibrary';
   path: string;
 }
 
-/** Ask for the text of a task's `.rmod` or of its module's code; replied by `view.TextView`. */
+/** Ask for the text of a task's `.rmod`, of its module's code or of its test; replied by `view.TextView`. */
 export interface ReadText {
   t: 'ReadText';
   task: string;
-  kind: 'code' | 'rmod';
+  kind: 'code' | 'rmod' | 'test';
 }
 
 /** Write what was changed of a task to its `.rmod`. */
@@ -536,7 +571,7 @@ export interface SaveTask {
 export interface WriteText {
   t: 'WriteText';
   task: string;
-  kind: 'code' | 'rmod';
+  kind: 'code' | 'rmod' | 'test';
   text: string;
   stamp: string;
   overwrites?: boolean;
@@ -571,12 +606,22 @@ export interface Press {
   name: string;
 }
 
+/** Do again what was taken back so. */
+export interface RedoOwn {
+  t: 'RedoOwn';
+}
+
 /** Add a button or change it; an empty command removes it. */
 export interface SetButton {
   t: 'SetButton';
   name: string;
   command: string;
   spawns_terminal?: boolean;
+}
+
+/** Take back the last change of an icon of a dictionary, a target, preferences, a button or a library rate (X10). */
+export interface UndoOwn {
+  t: 'UndoOwn';
 }
 
 /** Put a replaced text where it was; what stands there now is kept in its place. The value is the path. */
@@ -702,18 +747,13 @@ export interface Dismiss {
   t: 'Dismiss';
 }
 
-/** Ask the runtime which worlds it has, and which of them are simulated; it is started where there is none (E09). */
-export interface FindWorlds {
-  t: 'FindWorlds';
-}
-
 /** Look at everything that could keep an application from running, the modules' reach too; nothing moves (X02). The faults are then those of the application, each at its step; replied with how many there are. */
 export interface Preflight {
   t: 'Preflight';
   doc: string;
 }
 
-/** Let another task or world stand for one while this application is open; its file stays as it is (E09). A world is named with its colon, as in `boxes:`. */
+/** Let another task stand for one while this application is open; its file stays as it is (E09). */
 export interface Redirect {
   t: 'Redirect';
   doc: string;
@@ -813,6 +853,21 @@ export interface Disconnect {
   doc: string;
 }
 
+/** Bring the tasks of one more configuration to life, OFF, beside those of a connected one (C32). */
+export interface KeepAlive {
+  t: 'KeepAlive';
+  doc: string;
+  path: string;
+}
+
+/** Keep a configuration alive no more: tasks that no other one has are ended. */
+export interface LetGo {
+  t: 'LetGo';
+  doc: string;
+  name: string;
+  discards?: boolean;
+}
+
 /** Ask for the present readings of a running subsystem as lines of a log (A12); replied with its text. */
 export interface LogReadings {
   t: 'LogReadings';
@@ -854,6 +909,13 @@ export interface Scene {
 /** Stop everything: every drive holds (law 27). Always carried out first, never refused. */
 export interface Stop {
   t: 'Stop';
+}
+
+/** Have the tasks of a configuration that is kept alive ON, and all others OFF, as one change. */
+export interface SwitchTo {
+  t: 'SwitchTo';
+  doc: string;
+  name: string;
 }
 
 /** Tell a module a new value of something by name (A05); replied with the value it has then, where it says so. */
@@ -934,7 +996,6 @@ export interface ApplicationView {
   is_checked?: boolean;
   is_running?: boolean;
   redirects?: (RedirectView)[];
-  worlds?: Record<string, (string)[]>;
 }
 
 /** Something that keeps an application from running, or is worth knowing; `step` is where, 0: nowhere in it. */
@@ -946,7 +1007,7 @@ export interface FaultView {
   is_of_runtime?: boolean;
 }
 
-/** A task that stands for another one in a flow, by its subsystem, or in all of them; or a world, with its colon. */
+/** A task that stands for another one in a flow, by its subsystem, or in all of them. */
 export interface RedirectView {
   old: string;
   new: string;
@@ -1017,6 +1078,7 @@ export interface DictionaryView {
   order: number;
   onikons: number;
   faults?: (Reason)[];
+  arranged?: (string)[];
   is_shipped?: boolean;
 }
 
@@ -1051,6 +1113,21 @@ export interface OnikonView {
   trouble?: Reason;
 }
 
+/** The targets that a state variable makes as it is now. */
+export interface TargetFitsView {
+  variable: string;
+  shape: string;
+  source: Reason;
+  fits: (TargetFitView)[];
+}
+
+/** A datum of a type of target that a state variable gives, with its values as words. */
+export interface TargetFitView {
+  type: string;
+  item: string;
+  values: (string)[];
+}
+
 /** What is measured now, as the values of a target. */
 export interface TaughtView {
   values: Record<string, (number)[]>;
@@ -1083,6 +1160,7 @@ export interface DocumentView {
   tasks?: Record<string, PlacedView>;
   loci?: Record<string, LocusView>;
   groups?: Record<string, GroupView>;
+  kept?: Record<string, KeptView>;
   greyed?: Record<string, (Objection)[]>;
   objections?: Record<string, (Objection)[]>;
   problems?: Record<string, ProblemView>;
@@ -1100,6 +1178,14 @@ export interface DocumentView {
 /** A supermodule: tasks that are handled as one, in their order of spawning and turning ON. */
 export interface GroupView {
   tasks: (string)[];
+}
+
+/** A configuration that is kept alive beside the one that is shown (C32). */
+export interface KeptView {
+  order: number;
+  tasks?: Record<string, '' | 'ASKING' | 'ERROR' | 'KILLING' | 'OFF' | 'ON' | 'SPAWNING' | 'WAITING'>;
+  path?: string;
+  is_dirty?: boolean;
 }
 
 /** Where the lines of a variable meet. */
@@ -1170,6 +1256,7 @@ export interface LibraryView {
   order: number;
   tasks: number;
   faults?: (Reason)[];
+  arranged?: (string)[];
   is_shipped?: boolean;
 }
 
@@ -1238,6 +1325,11 @@ export interface DraftView {
   path?: string;
 }
 
+/** What a runtime says of a module's code that it has loaded; no faults: it is ready. */
+export interface LoadedView {
+  faults?: ([number, Reason])[];
+}
+
 /** The parameter sets of a configuration, where they are kept, and its parameters as they are now. */
 export interface ParameterSetsView {
   path: string;
@@ -1289,7 +1381,6 @@ export interface SampledView {
 /** The tasks of every flow that is not nested, by its subsystem; where there are several, those of all by "". */
 export interface SeatsView {
   flows?: Record<string, (SeatView)[]>;
-  worlds?: Record<string, (WorldSeatView)[]>;
 }
 
 /** A task that a flow uses, who stands for it now, and who else could: those that can come first. */
@@ -1316,12 +1407,6 @@ export interface TwoTextsView {
   text: string;
   shipped_path: string;
   shipped_text: string;
-}
-
-/** A world that the files of a flow's tasks name, and who stands for it now. */
-export interface WorldSeatView {
-  world: string;
-  taken_by: string;
 }
 
 /** The first difference of two recorded runs, or why they cannot be compared; without a text there is none. */
@@ -1466,7 +1551,6 @@ export interface FlowRunView {
   loops?: (string)[];
   is_nested?: boolean;
   text?: Reason;
-  worlds?: (string)[];
 }
 
 /** The largest step of an input of a hardware task where what drives it was exchanged, and what became of them. */
@@ -1576,7 +1660,6 @@ export interface RuntimeView {
   holds?: Record<string, HoldView>;
   sessions?: Record<string, SessionView>;
   inside?: Record<string, SubsystemView>;
-  world_kinds?: Record<string, 'real' | 'simulated'>;
 }
 
 /** Somebody who is connected with the runtime; a user may be there several times. */
@@ -1845,6 +1928,6 @@ export interface Numbered {
   cid: number;
 }
 
-export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | Connect | Disconnect | Turn | Toggle | Clear | Reinit | Renew | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | Preflight | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
+export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | Connect | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | UndoOwn | RedoOwn | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | FitTargets | Run | Redirect | Seats | Steer | SkipTo | Dismiss | StartAnew | Preflight | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
 export type AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say;
 export type AnyShow = ShowTask | ShowPin | ShowLocus | ShowSource | ShowAnswer | ShowLibraryTask | ShowLibraries | ShowConnect | ShowSaveAs | ShowStep | ShowFits | ShowValues | ShowLoop | ShowConfiguration | ShowOnikon | ShowTarget;

@@ -110,7 +110,7 @@ def test_a_fault_in_an_edited_rmod_stands_beside_its_line(me, lab):  # R-C05
     expect(field).to_be_focused()
     field.fill(before)
     panel.get_by_role("button", name="Save").click()
-    expect(panel.get_by_role("status")).to_have_text("saved")
+    expect(panel.get_by_role("status")).to_have_text("saved and loaded", timeout=30_000)
     assert path.read_text() == before
     expect(me.icon("gain")).to_have_count(1)
 
@@ -126,7 +126,7 @@ def test_a_fault_in_an_edited_source_stands_beside_its_line(me, lab):  # R-C05
     expect(panel.get_by_role("button", name=re.compile(r"^\d+ "))).to_be_visible()
     field.fill(before)
     field.press("Control+s")
-    expect(panel.get_by_role("status")).to_have_text("saved")
+    expect(panel.get_by_role("status")).to_have_text("saved and loaded", timeout=30_000)
 
 
 def test_a_text_that_was_written_by_somebody_else_meanwhile_is_shown_beside_mine(me, lab):  # R-C05

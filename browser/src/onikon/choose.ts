@@ -41,7 +41,10 @@ export function inOrder(
 ): Entry[] {
   const places = new Map(Object.values(dictionaries).map((dictionary) => [dictionary.path, dictionary.order]))
   const arranged = new Map(
-    Object.values(dictionaries).map(({ path, arranged }) => [path, new Map(arranged?.map((name, place) => [name, place]))]),
+    Object.values(dictionaries).map(({ path, arranged }) => [
+      path,
+      new Map(arranged?.map((name, place) => [name, place])),
+    ]),
   )
   const rank = (name: string, onikon: OnikonView): number[] => [
     types[onikon.type]?.order ?? Infinity,

@@ -6,7 +6,7 @@ import { openDialog } from '../state/dialogs.svelte'
 
 /** `subject` is the id of an open configuration, or `@SUBSYSTEM`. */
 export async function makeTarget(variable: string, at?: Point, subject = canvas.doc): Promise<void> {
-  const place = subject.startsWith('@') ? { subsystem: subject.slice(1) } : { doc: subject }
+  const place: Record<string, string> = subject.startsWith('@') ? { subsystem: subject.slice(1) } : { doc: subject }
   if ((await act({ t: 'FitTargets', variable, ...place }, at)) !== undefined)
     openDialog('target', { variable, ...place })
 }

@@ -19,5 +19,9 @@ test('what is put where it stands is put nowhere else', () => {
 
 test('by one place it goes earlier or later, but not beyond the ends', () => {
   expect([placeBy(NAMES, 'c', -1), placeBy(NAMES, 'b', 1), placeBy(NAMES, 'c', 1)]).toEqual(['b', 'd', ''])
-  expect([placeBy(NAMES, 'a', -1), placeBy(NAMES, 'd', 1), placeBy(NAMES, 'x', 1)]).toEqual([undefined, undefined, undefined])
+  expect([placeBy(NAMES, 'a', -1), placeBy(NAMES, 'd', 1), placeBy(NAMES, 'x', 1)]).toEqual([
+    undefined,
+    undefined,
+    undefined,
+  ])
 })

@@ -5,7 +5,7 @@ MOVE = """from onika.module import InVar, Input, Module
 
 class Move(Module):
     Q_MEZ = InVar("double[NDOF]", "rad")
-    V_MEZ = InVar("double[NDOF]", "rad/s")
+    PACE = InVar("double[NDOF]", "rad/s")
     endpoint = Input("double[NDOF]", "rad")
     duration = Input("double", "s")
 """
@@ -13,15 +13,17 @@ RMOD = """MODULE      move
 DESC        Moves.
 INCONST     none
 OUTCONST    none
-INVAR       Q_MEZ V_MEZ
+INVAR       Q_MEZ PACE
 OUTVAR      none
 TASKTYPE    periodic
 FREQ        100
+
+ONIKA
 OBJECT      Joint job
 
 EOF
 """
-NOW = {"Q_MEZ": [0.1, 0.2, 0.3, 0.4, 0.5, 0.6], "V_MEZ": [1.0] * 6, "TABLE": [[1.0, 2.0], [3.0, 4.0]], "T": 2.5}
+NOW = {"Q_MEZ": [0.1, 0.2, 0.3, 0.4, 0.5, 0.6], "PACE": [1.0] * 6, "TABLE": [[1.0, 2.0], [3.0, 4.0]], "T": 2.5}
 
 
 def sitting(sit, home):
@@ -61,7 +63,7 @@ def test_what_does_not_fit_is_refused_in_words_and_nothing_is_written(sit, tmp_p
     reasons = {
         line: str(site.fails(f"target {line}").reason)
         for line in (
-            "fast V_MEZ joint duration=2",
+            "fast PACE joint duration=2",
             "all TABLE",
             "shelf Q_MEZ joint",
             "shelf Q_MEZ joint duration=soon",
@@ -71,7 +73,7 @@ def test_what_does_not_fit_is_refused_in_words_and_nothing_is_written(sit, tmp_p
             "9.9/ Q_MEZ joint duration=2",
         )
     }
-    assert reasons["fast V_MEZ joint duration=2"].endswith("Joint target: endpoint is in rad, this in rad/s")
+    assert reasons["fast PACE joint duration=2"].endswith("Joint target: endpoint is in rad, this in rad/s")
     assert reasons["all TABLE"].startswith("TABLE is double[2,2], which no type of target takes: ")
     assert reasons["shelf Q_MEZ joint"].endswith("also needs duration: say `duration=…`")
     assert "'soon'" in reasons["shelf Q_MEZ joint duration=soon"]

@@ -89,7 +89,7 @@ def _made(wish: _Wish, variable: VariableValue, syntax: Syntax, every: Kinds) ->
     """The target, else why there can be none."""
     if not TASK_NAME.match(wish.name):
         return Reason.of("desk.icon_name", name=wish.name)
-    kinds = _named(wish.type, syntax, every)
+    kinds = _with(wish.given, _named(wish.type, syntax, every))
     fits = [fit for kind, units in kinds for fit in fits_in(kind, variable, units) if fit.item not in wish.given]
     types = tuple(dict.fromkeys(fit.type for fit in fits))
     if not kinds:
@@ -111,6 +111,11 @@ def _named(type_: str, syntax: Syntax, every: Kinds) -> Kinds:
         return every
     meant = {kind.name for name in (type_, f"{type_} object") if (kind := syntax.find(name))}
     return [(kind, units) for kind, units in every if kind.name in meant]
+
+
+def _with(given: Mapping[str, str], kinds: Kinds) -> Kinds:
+    """Those that have the data that are typed; all where none has them, which is told."""
+    return [pair for pair in kinds if set(given) <= {item.name for item in pair[0].items}] or kinds
 
 
 def _names(types: Sequence[str]) -> tuple[Reason, ...]:

@@ -3,7 +3,6 @@
 from collections.abc import Iterable, Set
 from dataclasses import replace
 from pathlib import Path
-from pathlib import Path
 
 from onika.desk.environment.canvas import libraries
 from onika.desk.environment.file import file_index, on_disk

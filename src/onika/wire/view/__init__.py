@@ -45,11 +45,11 @@ from onika.wire.view.library import (
 from onika.wire.view.reply import (
     CandidateView as CandidateView,
     DraftView as DraftView,
+    LoadedView as LoadedView,
     ParameterSetsView as ParameterSetsView,
     ParameterSetView as ParameterSetView,
     PeekIcon as PeekIcon,
     PeekView as PeekView,
-    LoadedView as LoadedView,
     ReplacedView as ReplacedView,
     SampledView as SampledView,
     SeatsView as SeatsView,

@@ -1,7 +1,7 @@
 import pytest
 
-from kit.fake_runtime_env import FakeRuntimeEnv
-from kit.laboratory import Laboratory
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
+from kit.labs.laboratory import Laboratory
 from onika.model.lifecycle import State
 from onika.model.task import Task
 from onika.wire import act
@@ -93,7 +93,10 @@ def test_what_was_changed_on_the_canvas_comes_back_with_its_configuration_and_is
     assert shown(desk, doc).kept["pairC"].is_dirty
     assert desk.no(act.Close(doc)).reason.key == "run.is_not_saved"
     no = desk.no(act.LetGo(doc, "pairC"))
-    assert [remedy.act for remedy in no.remedies] == [act.SwitchTo(doc, "pairC"), act.LetGo(doc, "pairC", discards=True)]
+    assert [remedy.act for remedy in no.remedies] == [
+        act.SwitchTo(doc, "pairC"),
+        act.LetGo(doc, "pairC", discards=True),
+    ]
     desk.do(act.SwitchTo(doc, "pairC"))
     assert shown(desk, doc).tasks["wave"].hz == 40.0
 

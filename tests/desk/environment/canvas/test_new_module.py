@@ -1,7 +1,7 @@
 import pytest
 
-from kit.environment_fixture import EnvironmentFixture
-from kit.installed_fixture import InstalledFixture
+from kit.desk.environment_fixture import EnvironmentFixture
+from kit.desk.installed_fixture import InstalledFixture
 from onika.model.task import Task
 from onika.wire import act
 

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.installed_fixture import InstalledFixture
+from kit.desk.installed_fixture import InstalledFixture
 from onika.desk.environment.refresh import refreshed
 from onika.store.folder_arrangement import in_order
 from onika.wire import act

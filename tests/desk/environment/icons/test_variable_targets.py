@@ -2,8 +2,8 @@ from dataclasses import replace
 
 import pytest
 
-from kit.fake_runtime_env import FakeRuntimeEnv
-from kit.live_runtime import LiveRuntime
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
+from kit.desk.live_runtime import LiveRuntime
 from onika.desk.environment.initial_model import opened
 from onika.desk.environment.outcome.outcome import Done
 from onika.model.task import Task

@@ -1,7 +1,7 @@
 import pytest
 
-from kit.fake_runtime_env import FakeRuntimeEnv
-from kit.live_runtime import LiveRuntime
+from kit.desk.fake_runtime_env import FakeRuntimeEnv
+from kit.desk.live_runtime import LiveRuntime
 from onika.model.task import Task
 from onika.wire import act, live, request
 from onika.wire.sheet import ModuleSheet, PortSheet
@@ -13,7 +13,9 @@ CODE = '"""The code of gain."""\n\nclass Gain:\n    U = OutVar("double")\n    V:
 
 
 def sheet(*ports):
-    return ModuleSheet(tuple(PortSheet(kind, name, "double", "m", "") for kind, name in ports), (), (), *[False] * 3, 0, "")
+    return ModuleSheet(
+        tuple(PortSheet(kind, name, "double", "m", "") for kind, name in ports), (), (), *[False] * 3, 0, ""
+    )
 
 
 class Reader(LiveRuntime):

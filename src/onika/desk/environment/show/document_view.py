@@ -16,8 +16,17 @@ from onika.model.task import Task
 from onika.store.module_catalogue import merged
 from onika.store.shipped import is_shipped
 from onika.wire.sheet import ModuleSheet
-from onika.wire.view import DocumentView, LibraryView, Objection, ParameterView, PinView, ProblemView, TaskView
-from onika.wire.view import DocumentView, KeptView, LibraryView, Objection, PinView, ProblemView, State, TaskView
+from onika.wire.view import (
+    DocumentView,
+    KeptView,
+    LibraryView,
+    Objection,
+    ParameterView,
+    PinView,
+    ProblemView,
+    State,
+    TaskView,
+)
 from onika.words.reason import NOTHING
 
 _V = TypeVar("_V")

@@ -29,8 +29,9 @@ class KeptConfiguration:
 
     @property
     def is_unsaved(self) -> bool:
-        """Whether it has changed since it was saved."""
-        return self.configuration != (self.opened.value if self.opened else Configuration(self.name))
+        """Whether it has changed in more than its looks since it was saved."""
+        saved = self.opened.value if self.opened else Configuration(self.name)
+        return meaning_of(self.configuration) != meaning_of(saved)
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,3 +70,9 @@ class Content:
         alive = placed.union(*(kept.names for kept in self.kept))
         wanted = {name: is_on and name in placed for name, is_on in self.wanted.items() if name in alive}
         return replace(self, configuration=configuration.regrouped(configuration.groups), wanted=wanted)
+
+
+def meaning_of(configuration: Configuration) -> tuple[Mapping[str, tuple[float, str]], Mapping[str, tuple[str, ...]]]:
+    """A configuration without its looks: which tasks, at which rate, on which unit, and its supermodules."""
+    tasks = {placed.task: (placed.frequency, placed.rtpu) for placed in configuration.placed}
+    return tasks, {group.name: group.tasks for group in configuration.groups}

@@ -1,9 +1,8 @@
 """An open document: its content, its past, the file it came from and what of it lives (requirement C06)."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from onika.desk.environment.state.content import Content
+from onika.desk.environment.state.content import Content, meaning_of
 from onika.desk.environment.state.live import SubsystemFacts, WatchedRun
 from onika.desk.environment.state.open_file import DocumentKind, OpenFile
 from onika.model.configuration import Configuration
@@ -33,7 +32,7 @@ class Document(OpenFile[Configuration, Content]):
     @property
     def is_dirty(self) -> bool:
         """Whether it has changed in more than its looks since it was saved."""
-        return _meaning(self.content.configuration) != _meaning(self._saved)
+        return meaning_of(self.content.configuration) != meaning_of(self._saved)
 
     @property
     def is_moved(self) -> bool:
@@ -53,15 +52,9 @@ class Document(OpenFile[Configuration, Content]):
 
     def means(self, content: Content) -> bool:
         """Whether other content differs from its own in looks only."""
-        is_same = _meaning(content.configuration) == _meaning(self.content.configuration)
+        is_same = meaning_of(content.configuration) == meaning_of(self.content.configuration)
         return is_same and content.wanted == self.content.wanted
 
     def having(self, content: Content) -> "Document":
         """With other content."""
         return replace(self, content=content)
-
-
-def _meaning(configuration: Configuration) -> tuple[Mapping[str, tuple[float, str]], Mapping[str, tuple[str, ...]]]:
-    """A configuration without its looks: which tasks, at which rate, on which unit, and its supermodules."""
-    tasks = {placed.task: (placed.frequency, placed.rtpu) for placed in configuration.placed}
-    return tasks, {group.name: group.tasks for group in configuration.groups}
