@@ -33,7 +33,7 @@ def me(program, page, people):
     expect(person.canvas.locator("[data-task]")).to_have_count(0)
 
 
-def test_a_locus_becomes_a_target_of_the_kinds_that_take_it_and_alt_z_takes_it_back(me, program):  # R-C30, R-D08, R-X10
+def test_a_locus_becomes_a_target_of_the_kinds_that_take_it_and_undo_takes_it_back(me, program):  # R-C30, R-D08, R-X10
     page = me.page
     me.canvas.get_by_role("button", name=re.compile("^locus WAVE")).click(button="right")
     page.get_by_role("menuitem", name="Make a target of it…").click()
@@ -49,7 +49,7 @@ def test_a_locus_becomes_a_target_of_the_kinds_that_take_it_and_alt_z_takes_it_b
     expect(page.get_by_text(re.compile("as_high is a Level target now")).first).to_be_visible()
     path = program.home / "onika" / "dict" / "as_high.onk"
     assert "Level object" in path.read_text()
-    page.locator("body").press("Alt+z")
+    page.locator("body").press("Control+z")
     page.get_by_role("button", name="Applications", exact=True).click()
     expect(page.locator("#onikon-as_high")).to_have_count(0)
     assert not path.exists()
@@ -112,7 +112,7 @@ def test_tasks_are_arranged_by_dragging_and_stay_so(me, lab):  # R-D24
     assert path.read_text().split()[3] == last.removeprefix("library-")
     page.reload()
     expect(page.locator(".library [id^=library-]").first).to_have_id(last)
-    page.locator("body").press("Alt+z")
+    page.locator("body").press("Control+z")
     expect(page.locator(".library [id^=library-]").first).to_have_id(first)
     expect(page.locator(f"#{first}")).to_be_visible()
     assert not path.exists()

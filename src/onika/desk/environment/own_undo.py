@@ -15,7 +15,6 @@ from onika.desk.environment.state.arrangements import with_arrangements
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.restoration import FileText, Restoration
 from onika.desk.environment.state.undo_order import redoable, undoable
-from onika.files import whole
 from onika.files import arrangement, whole
 from onika.wire import act
 from onika.words.fault import Refusal

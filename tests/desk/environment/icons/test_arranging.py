@@ -39,13 +39,13 @@ def test_an_icon_is_put_before_another_and_stays_there(desk):  # R-D24
     assert "PLACE       first\nPLACE       second\nPLACE       third" in file.read_text()
 
 
-def test_alt_z_takes_it_back(desk):  # R-D24, R-X10
+def test_undo_takes_it_back(desk):  # R-D24, R-X10
     before = icons(desk)
     desk.do(act.ArrangeIcon("second", "first"))
     assert str(desk.environment.tree.own_undo) == "arranging second"
-    desk.do(act.UndoOwn())
+    desk.do(act.Undo(""))
     assert icons(desk) == before and not (desk.own.path / "dict" / "OnikaArrangement.dta").exists()
-    desk.do(act.RedoOwn())
+    desk.do(act.Redo(""))
     assert icons(desk).index("second") < icons(desk).index("first")
 
 

@@ -109,5 +109,5 @@ def test_the_target_is_written_as_any_other_and_taken_back(desk, tmp_path):  # R
     desk.do(act.MakeTarget("here", fit.type, (fit.values, ("2",)), picture, base=str(tmp_path)))
     file = tmp_path / "dict" / "here.onk"
     assert "0.6" in file.read_text()
-    desk.do(act.UndoOwn())
+    desk.do(act.Undo(""))
     assert not file.exists()

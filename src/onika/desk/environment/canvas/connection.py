@@ -196,8 +196,8 @@ def _stepped(document: Document, merged_tasks: Merged, number: int) -> Document:
     if old.configuration is new.configuration:
         return settled(merged_tasks.document)
     wanted = {name: new.wanted.get(name, False) for name in old.names}
-    step = UndoStep(Reason.of("desk.connecting"), "", Content(old.configuration, wanted), new, number)
-    step = UndoStep(Reason.of("desk.connecting"), "", Content(old.configuration, wanted, old.kept), new)
+    before = Content(old.configuration, wanted, old.kept)
+    step = UndoStep(Reason.of("desk.connecting"), "", before, new, number)
     return settled(replace(merged_tasks.document, history=document.history.done(step)))
 
 

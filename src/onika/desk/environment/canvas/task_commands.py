@@ -118,26 +118,6 @@ def answer(model: Model, document: Document, command: act.Answer, _outside: Serv
     return simply_done(model, request.Reply(of_living.subsystem, command.task, command.line))
 
 
-def _asked(model: Model, document: Document, order: request.Request, task: str) -> Procedure:
-    """Something about one task that changes nothing in the document, and whose outcome is told later."""
-    document, key = under_way(document, task)
-    model, response = yield Ask(model.with_document(document), order)
-    done = accepted(model, response, document.id, key)
-    if isinstance(response, live.Accepted):
-        return done
-    yield InterimModel(done.model, says=done.says, orders=done.orders, news=done.news)
-    why = refusal(response)
-    return No(why, tuple(_writers_first(document, why)))
-
-
-def _writers_first(document: Document, why: Reason) -> Iterator[Remedy]:
-    """Where a device waits for tasks that feed it and have failed: these are cleared before it."""
-    writers = why.args["writers"] if why.key == "host.clear_writers_first" else ()
-    for writer in writers if isinstance(writers, tuple) else ():
-        yield Remedy(Reason.of("desk.clear_writer", task=writer), act.Clear(document.id, str(writer)))
-
-
-def _connected(model: Model, document: Document) -> SubsystemFacts | No:
 def held_facts(model: Model, document: Document) -> SubsystemFacts | No:
     """What is known of the subsystem of a document, where its tasks live and may be changed from here."""
     if document.watched is not None and is_on(model, document.watched):
@@ -161,7 +141,15 @@ def _asked(model: Model, document: Document, order: request.Request, task: str) 
     if isinstance(response, live.Accepted):
         return done
     yield InterimModel(done.model, says=done.says, orders=done.orders, news=done.news)
-    return No(refusal(response))
+    why = refusal(response)
+    return No(why, tuple(_writers_first(document, why)))
+
+
+def _writers_first(document: Document, why: Reason) -> Iterator[Remedy]:
+    """Where a device waits for tasks that feed it and have failed: these are cleared before it."""
+    writers = why.args["writers"] if why.key == "host.clear_writers_first" else ()
+    for writer in writers if isinstance(writers, tuple) else ():
+        yield Remedy(Reason.of("desk.clear_writer", task=writer), act.Clear(document.id, str(writer)))
 
 
 def _of_living(model: Model, document: Document, task: str) -> SubsystemFacts | No:

@@ -77,8 +77,6 @@ def stepped(before: Model, done: Done, by: str, command: act.AnyAct) -> Model:
         before.libraries,
         done.model.libraries,
     )
-    if isinstance(command, act.OpenInPlace):
-    step = UndoStep(done.label, by, old.content, new.content, backwards, edited, before.libraries, done.model.libraries)
     if isinstance(command, act.OpenInPlace | act.SwitchTo):
         step = replace(step, file_before=FileState(old.opened, old.base), file_after=FileState(new.opened, new.base))
     return done.model.with_document(replace(new, history=new.history.done(step)))

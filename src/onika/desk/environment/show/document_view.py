@@ -27,7 +27,6 @@ from onika.wire.view import (
     State,
     TaskView,
 )
-from onika.words.reason import NOTHING
 
 _V = TypeVar("_V")
 
