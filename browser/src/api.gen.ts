@@ -737,13 +737,18 @@ export interface Dismiss {
   t: 'Dismiss';
 }
 
+/** Ask the runtime which worlds it has, and which of them are simulated; it is started where there is none (E09). */
+export interface FindWorlds {
+  t: 'FindWorlds';
+}
+
 /** Look at everything that could keep an application from running, the modules' reach too; nothing moves (X02). The faults are then those of the application, each at its step; replied with how many there are. */
 export interface Preflight {
   t: 'Preflight';
   doc: string;
 }
 
-/** Let another task stand for one while this application is open; its file stays as it is (E09). */
+/** Let another task or world stand for one while this application is open; its file stays as it is (E09). A world is named with its colon, as in `boxes:`. */
 export interface Redirect {
   t: 'Redirect';
   doc: string;
@@ -986,6 +991,7 @@ export interface ApplicationView {
   is_checked?: boolean;
   is_running?: boolean;
   redirects?: (RedirectView)[];
+  worlds?: Record<string, (string)[]>;
 }
 
 /** Something that keeps an application from running, or is worth knowing; `step` is where, 0: nowhere in it. */
@@ -997,7 +1003,7 @@ export interface FaultView {
   is_of_runtime?: boolean;
 }
 
-/** A task that stands for another one in a flow, by its subsystem, or in all of them. */
+/** A task that stands for another one in a flow, by its subsystem, or in all of them; or a world, with its colon. */
 export interface RedirectView {
   old: string;
   new: string;
@@ -1371,6 +1377,7 @@ export interface SampledView {
 /** The tasks of every flow that is not nested, by its subsystem; where there are several, those of all by "". */
 export interface SeatsView {
   flows?: Record<string, (SeatView)[]>;
+  worlds?: Record<string, (WorldSeatView)[]>;
 }
 
 /** A task that a flow uses, who stands for it now, and who else could: those that can come first. */
@@ -1397,6 +1404,12 @@ export interface TwoTextsView {
   text: string;
   shipped_path: string;
   shipped_text: string;
+}
+
+/** A world that the files of a flow's tasks name, and who stands for it now. */
+export interface WorldSeatView {
+  world: string;
+  taken_by: string;
 }
 
 /** The first difference of two recorded runs, or why they cannot be compared; without a text there is none. */
@@ -1541,6 +1554,7 @@ export interface FlowRunView {
   loops?: (string)[];
   is_nested?: boolean;
   text?: Reason;
+  worlds?: (string)[];
 }
 
 /** The largest step of an input of a hardware task where what drives it was exchanged, and what became of them. */
@@ -1650,6 +1664,7 @@ export interface RuntimeView {
   holds?: Record<string, HoldView>;
   sessions?: Record<string, SessionView>;
   inside?: Record<string, SubsystemView>;
+  world_kinds?: Record<string, 'real' | 'simulated'>;
 }
 
 /** Somebody who is connected with the runtime; a user may be there several times. */
@@ -1918,6 +1933,6 @@ export interface Numbered {
   cid: number;
 }
 
-export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | Connect | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | FitTargets | Run | Redirect | Seats | Steer | SkipTo | Dismiss | StartAnew | Preflight | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
+export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | Connect | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | Preflight | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
 export type AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say;
 export type AnyShow = ShowTask | ShowPin | ShowLocus | ShowSource | ShowAnswer | ShowLibraryTask | ShowLibraries | ShowConnect | ShowSaveAs | ShowStep | ShowFits | ShowValues | ShowLoop | ShowConfiguration | ShowOnikon | ShowTarget;
