@@ -66,8 +66,7 @@ def test_what_was_refused_is_marked():  # R-H01
 
 
 def test_every_act_of_a_user_has_its_event_and_what_a_page_asks_by_itself_has_none():  # R-H01
-    of_the_page = {act.ListSets, act.Watch, act.Scene, act.Peek, act.Seats, act.WhatIf, act.FindWorlds}
-    of_the_page = {act.ListSets, act.LoadModule, act.Watch, act.Scene, act.Peek, act.Seats, act.WhatIf}
+    of_the_page = {act.ListSets, act.LoadModule, act.Watch, act.Scene, act.Peek, act.Seats, act.WhatIf, act.FindWorlds}
     of_the_page |= {act.Company, act.Recordings, act.Glance, act.Course, act.RecordedScene, act.SampleVariables}
     assert set(_EVENTS) == set(get_args(act.AnyAct)) - of_the_page - {act.Note}
     assert entry(act.Watch(), ActAnswer(), NAMES) is None
