@@ -25,7 +25,7 @@ from onika.words.system_error import system_reason
 def undo(model: Model, command: act.Undo, outside: Services) -> Done | No:
     """Take back what was done last: to the open file, or to what belongs to none."""
     file, step = model.file(command.doc), model.own.last
-    if command.doc and (file is None or step is not undoable(model, file)):
+    if command.doc and (file is None or step is None or step is not undoable(model, file)):
         return undo_file(model, command, outside)
     if step is None:
         return No(Reason.of("run.nothing_to_undo"))
@@ -38,7 +38,7 @@ def undo(model: Model, command: act.Undo, outside: Services) -> Done | No:
 def redo(model: Model, command: act.Redo, outside: Services) -> Done | No:
     """Do again what was taken back last."""
     file, step = model.file(command.doc), model.own.next
-    if command.doc and (file is None or step is not redoable(model, file)):
+    if command.doc and (file is None or step is None or step is not redoable(model, file)):
         return redo_file(model, command, outside)
     if step is None:
         return No(Reason.of("run.nothing_to_redo"))
