@@ -32,6 +32,32 @@ def test_without_a_plan_nothing_begins(desk):
     assert isinstance(desk.ask(request.Begin()), request.Refused)
 
 
+def test_a_plan_with_faults_leaves_nothing_to_run(desk):  # R-E01
+    desk.ask(request.Prepare(plan("1.0"), ()))
+    assert desk.program.applications.prepared("me") is not None
+    desk.ask(request.Prepare(plan("1.0"), (TargetValues(0, 0, "joint object", (99.0,)),)))
+    assert desk.program.applications.prepared("me") is None
+    assert desk.ask(request.Begin()).reason == Reason.of("host.no_plan")
+
+
+def test_a_plan_is_for_the_session_that_prepared_it(desk):  # R-X12
+    desk.ask(request.Prepare(plan("1.0"), ()), "me")
+    desk.ask(request.Prepare(plan("2.0"), ()), "other")
+    applications = desk.program.applications
+    applications.forget("other")
+    assert applications.prepared("other") is None
+    assert applications.prepared("me").plan.flows[0].actions[0].arguments == "1.0"
+    applications.forget("nobody")
+
+
+def test_no_run_begins_in_what_another_session_holds_and_one_begins_in_ones_own(desk):  # R-X12
+    desk.ask(request.Prepare(plan("1.0"), ()), "me")
+    assert desk.ask(live.Take("flow0"), "other") == request.Done()
+    assert isinstance(desk.ask(request.Begin(), "me"), request.Refused)
+    desk.ask(request.Prepare(plan("1.0"), ()), "other")
+    assert desk.ask(request.Begin(), "other") == request.Done()
+
+
 def test_a_second_run_beside_the_first_is_refused(desk):  # law 4
     desk.ask(request.Prepare(plan("1.0"), ()))
     desk.ask(request.Begin())

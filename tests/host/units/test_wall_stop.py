@@ -1,0 +1,44 @@
+"""A stop in wall time goes straight to the processes: first to that of the devices, then to every unit (law 27)."""
+
+import pytest
+
+from onika.host.units import device_server, rtpu
+from onika.host.units.wall import WallDriver
+from onika.runtime import command
+
+
+class NotedProcess:
+    """A process that notes what it is sent, in one list with the others."""
+
+    def __init__(self, name, sent):
+        self._name, self._sent = name, sent
+        self.post = self
+
+    def send(self, payload):
+        self._sent.append((self._name, payload))
+
+
+@pytest.fixture
+def sent():
+    return []
+
+
+@pytest.fixture
+def driver(sent):
+    """A driver whose processes were never started."""
+    driver = WallDriver.__new__(WallDriver)
+    driver._devices = NotedProcess("devices", sent)
+    driver._rtpus = {name: NotedProcess(name, sent) for name in ("rt0", "rt1")}
+    return driver
+
+
+def test_the_devices_hear_a_stop_before_every_unit_does(driver, sent):  # law 27
+    driver.stop()
+    stop = rtpu.encode(command.Stop())
+    assert sent == [("devices", device_server.encode(device_server.StopAll())), ("rt0", stop), ("rt1", stop)]
+
+
+def test_a_reset_reaches_the_devices_and_every_unit(driver, sent):  # law 27
+    driver.reset()
+    reset = rtpu.encode(command.Reset())
+    assert sent == [("devices", device_server.encode(device_server.AllowMotion())), ("rt0", reset), ("rt1", reset)]
