@@ -14,7 +14,7 @@ from onika.host.loading.plan_checks import (
 from onika.module import InConst, InVar, Module, OutConst, OutVar
 from onika.runtime.modules.sheet import sheet_of
 from onika.runtime.wiring import wire
-from onika.words.fault import Place
+from onika.words.fault import NOT_RUN, Fault, Place
 from onika.words.reason import Reason
 
 
@@ -83,3 +83,80 @@ def test_hardware_is_not_slower_than_its_drive_allows():  # law 17
         3,
         Reason.of("host.hardware_too_slow_in", task="a", job=" in JOB", slowest=40.0, hz=39.0),
     )
+
+
+class NamedWorlds(YardLoading):
+    """Knows no world, for one reason or another."""
+
+    def devices(self, world):
+        key = "host.no_such_world" if world == "none" else "host.no_plan"
+        args = {"worlds": ("yard",), "name": world} if world == "none" else {}
+        return Fault(Place("w"), Reason(key, "why", args), NOT_RUN) if world != "yard" else ("m0",)
+
+
+def fault_of(task, reason):
+    return Fault(Place(task.task.place), reason, NOT_RUN)
+
+
+def test_every_fault_stands_where_its_task_does_and_says_all_of_it():  # R-E01
+    a, b = wired("a", "ramp", N=OutConst("int")), wired("b", "ramp", N=OutConst("int"))
+    assert conflicts([a, b]) == [
+        fault_of(b, Reason.of("host.module_twice", module="ramp", other="a")),
+        fault_of(b, Reason.of("host.constant_twice", constant="N", other="a")),
+    ]
+    first, two = (wired(name, hardware=True, device="yard:m0") for name in "ab")
+    nobody = [wired(name, hardware=True) for name in "cd"]
+    claimed = Reason.of("host.device_claimed", device="yard:m0", other="a")
+    listener = wired("listener", device="yard:m0")
+    assert shared_devices([listener, *nobody, first, two]) == [fault_of(two, claimed)]
+    others = [wired("e", hardware=True, device="yard:m0"), wired("f", hardware=True, device="yard:m1")]
+    assert shared_devices(others) == []
+
+
+def test_two_constants_of_two_suppliers_are_no_conflict():  # law 9
+    assert conflicts([wired("a", N=OutConst("int")), wired("b", M=OutConst("int"))]) == []
+
+
+def test_a_ring_of_constants_stands_at_the_first_task():  # law 10
+    tasks = [wired("a", N=OutConst("int"), M=InConst("int")), wired("b", M=OutConst("int"), N=InConst("int")),
+             wired("c")]  # fmt: skip
+    assert cycles(tasks) == [fault_of(tasks[0], Reason.of("host.constants_wait", cycle="a → b"))]
+
+
+def test_a_device_that_is_not_there_is_told_with_those_that_are():  # law 16
+    tasks = [wired("a", device="yard:m7"), wired("b", device="none:m0"), wired("c", device="broken:m0"), wired("d")]
+    assert absent_devices(tasks, NamedWorlds()) == [
+        fault_of(tasks[0], Reason.of("host.no_such_device", world="yard", devices=("m0",), device="yard:m7")),
+        fault_of(tasks[1], Reason.of("host.no_world_of_device", worlds=("yard",), device="none:m0")),
+        fault_of(tasks[2], Reason("host.no_plan", "why", {})),
+    ]
+
+
+def test_a_dimension_that_is_not_stated_is_told_with_the_variable_that_needs_it():  # law 7
+    source = wired("a", "ramp", N=OutConst("int"), ROW=OutVar("double[N]"))
+    reason = Reason.of("host.constant_not_given", name="N", module="ramp", svar="ROW", shape="double[N]")
+    assert shapeless([source], {}) == [fault_of(source, reason)]
+
+
+INSTEAD = Reason.plain("no")
+SLOW, FAST = {"slowest": 1e-3, "fastest": 1e6}, {"slowest": 40.0}
+
+
+@pytest.mark.parametrize(
+    ("job", "hz", "reason"),
+    [
+        (None, 2e6, Reason.of("host.rate_outside_now", task="a", hz=2e6, **SLOW)),
+        ("JOB", 2e6, Reason.of("host.rate_outside_in", task="a", job="JOB", hz=2e6, **SLOW)),
+        ("", 2e6, Reason.of("host.rate_outside", task="a", hz=2e6, **SLOW)),
+        (None, 39.0, Reason.of("host.hardware_too_slow_now", task="a", hz=39.0, **FAST)),
+        ("JOB", 39.0, Reason.of("host.hardware_too_slow_in", task="a", job="JOB", hz=39.0, **FAST)),
+        ("", 39.0, None),
+        (None, 40.0, None),
+        (None, 50.0, None),
+        (None, 1_000_000.5, Reason.of("host.rate_outside_now", task="a", hz=1_000_000.5, **SLOW)),
+    ],
+)
+def test_a_rate_is_told_with_where_it_is_given_and_what_it_may_be(job, hz, reason):  # law 17
+    place = Place("x.conf", 3)
+    expected = [Fault(place, reason, INSTEAD)] if reason is not None else []
+    assert wrong_rates([(place, job, "a", hz)], {"a"}, INSTEAD) == expected

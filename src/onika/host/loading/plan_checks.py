@@ -71,25 +71,31 @@ def shared_devices(tasks: Sequence[WiredTask]) -> list[Fault]:
     """A device that takes commands is claimed by one task, over all flows."""
     claimed: dict[str, WiredTask] = {}
     faults = []
-    for task in (task for task in tasks if task.sheet.hardware and task.device):
-        other = claimed.setdefault(task.device or "", task)
+    for device, task in _with_device(tasks):
+        if not task.sheet.hardware:
+            continue
+        other = claimed.setdefault(device, task)
         if other is not task:
-            faults.append(_union(task, Reason.of("host.device_claimed", device=task.device or "", other=other.name)))
+            faults.append(_union(task, Reason.of("host.device_claimed", device=device, other=other.name)))
     return faults
 
 
 def absent_devices(tasks: Sequence[WiredTask], loading: ModuleQuestions) -> list[Fault]:
     """Devices that no world has."""
     faults = []
-    for task in (task for task in tasks if task.device):
-        world, _, name = (task.device or "").partition(":")
+    for device, task in _with_device(tasks):
+        world, _, name = device.partition(":")
         devices = loading.devices(world)
         if isinstance(devices, Fault):
-            faults.append(_union(task, _no_world(devices.reason, task.device or "")))
+            faults.append(_union(task, _no_world(devices.reason, device)))
         elif name not in devices:
-            reason = Reason.of("host.no_such_device", world=world, devices=devices, device=task.device or "")
+            reason = Reason.of("host.no_such_device", world=world, devices=devices, device=device)
             faults.append(_union(task, reason))
     return faults
+
+
+def _with_device(tasks: Sequence[WiredTask]) -> list[tuple[str, WiredTask]]:
+    return [(device, task) for task in tasks if (device := task.device)]
 
 
 def _no_world(reason: Reason, device: str) -> Reason:
