@@ -4,7 +4,7 @@ import { grown, type Area, type Pt } from './rect'
 import type { Obstacles } from './obstacles'
 import { tidy } from './router'
 import { Bands, segmentsOf, withJogs, type Segment } from './segment'
-import { separate, type Room } from './separate'
+import { GAP, separate, type Room } from './separate'
 
 /** Lines nearer than this are laid out together. */
 const REACH = 12
@@ -30,6 +30,8 @@ export class Lanes {
   private readonly restless = new Set<Segment>() // what changed, or lay beside what changed
   private readonly changed = new Set<string>()
   private readonly obstacles: Obstacles
+  /** How far lines that run side by side are apart, in pixels. */
+  gap = GAP
 
   constructor(obstacles: Obstacles) {
     this.obstacles = obstacles
@@ -95,7 +97,7 @@ export class Lanes {
       if (seen.has(segment)) continue
       const cluster = clusterOf(bands, segment, seen)
       const before = cluster.map((s) => s.at)
-      separate(cluster, (s) => this.room(s))
+      separate(cluster, (s) => this.room(s), this.gap)
       cluster.forEach((s, k) => {
         if (s.at !== before[k]) this.changed.add(s.link)
       })

@@ -25,18 +25,21 @@ interface Lane {
   hi: number
 }
 
-/** Between two lanes: as much as there is room for. */
-const GAPS = [5, 3.5, 2.5, 1.5]
+/** Between two lanes, in pixels, where nobody prefers something else. */
+export const GAP = 5
+
+/** As much of it as there is room for. */
+const PARTS = [1, 0.7, 0.5, 0.3]
 
 /** Give each segment of a cluster its place `at`, within its room and apart from those of other variables. */
-export function separate(cluster: readonly Segment[], room: (segment: Segment) => Room): void {
+export function separate(cluster: readonly Segment[], room: (segment: Segment) => Room, most = GAP): void {
   const lanes = ordered(lanesOf(cluster))
   loosen(lanes)
   for (const lane of lanes) if (!lane.held) confine(lane, room)
   const before = lanes.map((lane, j) => earlier(lanes, lane, j))
-  for (const gap of GAPS) {
-    const { places, feasible } = placed(lanes, before, gap)
-    if (!feasible && gap !== GAPS[GAPS.length - 1]) continue
+  for (const part of PARTS) {
+    const { places, feasible } = placed(lanes, before, part * most)
+    if (!feasible && part !== PARTS[PARTS.length - 1]) continue
     lanes.forEach((lane, k) => {
       for (const segment of lane.segments) segment.at = places[k]
     })

@@ -108,6 +108,13 @@ export class Wires {
     return changed
   }
 
+  /** How far wires that run side by side are apart, in pixels: all of them are drawn anew. */
+  keepApart(gap: number): void {
+    if (this.lanes.gap === gap) return
+    this.lanes.gap = gap
+    this.settle()
+  }
+
   /** Look for all ways anew, as when the configuration was opened. */
   settle(): void {
     for (const link of this.links.values()) this.stale.add(link)

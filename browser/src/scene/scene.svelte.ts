@@ -13,6 +13,8 @@ import { trunk } from './trunk'
 /** A box whose task no open library knows. */
 const MISSING = { width: 136, height: 86 }
 const NAME_FITS = 15
+/** Lines side by side that are farther apart would leave their corridors. */
+const FARTHEST = 20
 /** The size of a name beside its dot. */
 const LETTER = 6.4
 const LINE = 13
@@ -37,9 +39,19 @@ export class Box {
     return { x: this.x, y: this.y, w: this.width, h: this.height }
   }
 
-  get shownName(): string {
-    return this.name.length > NAME_FITS ? `${this.name.slice(0, NAME_FITS - 1)}…` : this.name
+  /** Its name in one line, or in two where it is longer than a line is to be. */
+  shownName(longest = NAME_FITS): string[] {
+    return nameLines(this.name, Math.min(longest, NAME_FITS))
   }
+}
+
+/** A name in lines of so many signs: parted behind a sign that parts words, if it has one there; two lines at most. */
+export function nameLines(name: string, longest: number): string[] {
+  if (name.length <= longest) return [name]
+  const parting = name.slice(0, longest).search(/[_.-][^_.-]*$/) + 1
+  const at = parting || longest
+  const rest = name.slice(at)
+  return [name.slice(0, at), rest.length > NAME_FITS ? `${rest.slice(0, NAME_FITS - 1)}…` : rest]
 }
 
 /** Where a name stands beside its dot. */
@@ -84,6 +96,8 @@ export interface Shown {
   constants: boolean
   /** Constants whose lines are shown although the others are not. */
   opened: ReadonlySet<string>
+  /** How far lines that run side by side are apart, in pixels. */
+  apart?: number
 }
 
 /** The preferences that `Shown.kinds` may hold. */
@@ -109,9 +123,10 @@ export class Scene {
   /** Take over what the document says now. It is read first, so that an effect depends on that and on nothing else. */
   follow(document: DocumentView, tasks: Readonly<Record<string, TaskView>>, shown: Shown): void {
     const reading = read(document, tasks)
-    const { kinds, constants, opened } = shown
+    const { kinds, constants, opened, apart } = shown
     const plain = { kinds, constants, opened: new Set(opened) }
     untrack(() => {
+      if (apart) this.wires.keepApart(Math.min(apart, FARTHEST))
       this.followLoci(reading.loci, plain)
       this.followTasks(reading, plain)
       this.redraw()

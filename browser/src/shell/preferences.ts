@@ -11,8 +11,19 @@ export interface Field {
 
 const GROUPS: [TextKey, string[]][] = [
   ['levels.label', ['shows_lower']],
-  ['prefer.icons', ['min_size', 'min_pin_separation', 'step_size', 'pin_length', 'shows_period']],
-  ['prefer.wires', ['show_inconst', 'show_outconst', 'show_invar', 'show_outvar', 'locus_size', 'hit_tolerance']],
+  ['prefer.icons', ['line_length', 'min_size', 'min_pin_separation', 'step_size', 'pin_length', 'shows_period']],
+  [
+    'prefer.wires',
+    [
+      'show_inconst',
+      'show_outconst',
+      'show_invar',
+      'show_outvar',
+      'connection_separation',
+      'locus_size',
+      'hit_tolerance',
+    ],
+  ],
   ['prefer.figures', ['status_columns', 'shows_warnings']],
   ['prefer.units', Object.keys(UNITS)],
   ['prefer.study', ['keeps_diary']],

@@ -25,6 +25,8 @@ export const enTune = {
   'tune.handValue': 'Value of {name}, Enter sends it',
   'tune.handFrom': 'drag from',
   'tune.handTo': 'to',
+  'prefer.line_length': 'Letters of a name before it wraps',
+  'prefer.connection_separation': 'Distance of lines side by side',
   'prefer.units': 'Units in forms, tables and plots; files stay in SI units',
   'prefer.angle_unit': 'Angles',
   'prefer.length_unit': 'Lengths',

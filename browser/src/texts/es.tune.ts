@@ -27,6 +27,8 @@ export const esTune: Record<keyof typeof enTune, string> = {
   'tune.handValue': 'Valor de {name}, Intro lo envía',
   'tune.handFrom': 'arrastrar de',
   'tune.handTo': 'a',
+  'prefer.line_length': 'Letras de un nombre antes de partirlo',
+  'prefer.connection_separation': 'Distancia entre líneas paralelas',
   'prefer.units': 'Unidades en formularios, tablas y gráficas; los archivos siguen en unidades SI',
   'prefer.angle_unit': 'Ángulos',
   'prefer.length_unit': 'Longitudes',

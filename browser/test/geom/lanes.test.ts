@@ -2,6 +2,7 @@ import { describe, expect, test } from 'vitest'
 import { Lanes } from '../../src/geom/lanes'
 import { Obstacles } from '../../src/geom/obstacles'
 import type { Pt } from '../../src/geom/rect'
+import { Wires } from '../../src/geom/wires'
 
 /** Two bends: out of a pin at height `y`, up or down at `x`, on to a locus. */
 const bent = (y: number, x: number, to: number): Pt[] => [
@@ -28,6 +29,25 @@ describe('lanes', () => {
     const [[a], [b]] = [upright(lanes.drawn('a')), upright(lanes.drawn('b'))]
     expect(Math.abs(a - b)).toBe(5)
     expect((a + b) / 2).toBe(100)
+  })
+
+  test('they are as far apart as is preferred, where there is room, and the same way again after a change of mind', () => {
+    const wires = new Wires() // R-G01
+    wires.setBox('left', { x: 0, y: 0, w: 60, h: 100 }, [
+      { id: 'A', svar: 'A', side: 'right', dy: 20 },
+      { id: 'B', svar: 'B', side: 'right', dy: 40 },
+    ])
+    wires.setLocus('A', 400, 300)
+    wires.setLocus('B', 400, 340)
+    const between = (gap: number): number => {
+      wires.keepApart(gap)
+      const [[a], [b]] = ['left/A', 'left/B'].map((link) => upright(wires.routes().get(link)!))
+      return Math.abs(a! - b!)
+    }
+    const usual = between(5)
+    expect(usual).toBeGreaterThanOrEqual(5)
+    expect(between(12)).toBeGreaterThanOrEqual(12)
+    expect(between(5)).toBe(usual)
   })
 
   test('wires of one variable share a lane', () => {

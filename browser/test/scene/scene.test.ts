@@ -2,7 +2,7 @@
 import { beforeEach, describe, expect, test } from 'vitest'
 import type { DocumentView, TaskView } from '../../src/api.gen'
 import { hanging } from '../../src/scene/hanging'
-import { isOnCanvas, KINDS, Scene, type Shown } from '../../src/scene/scene.svelte'
+import { isOnCanvas, KINDS, nameLines, Scene, type Shown } from '../../src/scene/scene.svelte'
 
 const pins = (kind: 'VAR' | 'CONST', reads: string[], writes: string[]): TaskView['pins'] => [
   ...reads.map((svar, k) => ({ name: `I${k}`, svar, kind: `IN${kind}` as const, y: 55 + 18 * k })),
@@ -178,3 +178,13 @@ describe('what stands where', () => {
     expect(hanging(scene, doc)).toBe(1)
   })
 })
+
+test.each([
+  ['jtraj', 12, ['jtraj']],
+  ['joint_measure_x', 15, ['joint_measure_x']],
+  ['joint_measure_x', 12, ['joint_', 'measure_x']],
+  ['measurementofx', 10, ['measuremen', 'tofx']],
+  ['a_very_long_name_of_a_task', 12, ['a_very_long_', 'name_of_a_task']],
+])('the name %s in lines of %d signs is %j (G01)', (name, longest, lines) =>
+  expect(nameLines(name, longest)).toEqual(lines),
+)

@@ -21,8 +21,17 @@ def preferred(sitting):
 
 
 def test_a_page_sees_the_preferences_that_change_something_by_their_names(sitting):  # R-G01
-    sizes = ("min_size", "min_pin_separation", "step_size", "pin_length", "locus_size", "hit_tolerance")
-    choices = ("show_inconst", "show_outconst", "show_invar", "show_outvar", "shows_period", "status_columns")
+    sizes = ("line_length", "min_size", "min_pin_separation", "step_size", "pin_length", "connection_separation")
+    choices = (
+        "locus_size",
+        "hit_tolerance",
+        "show_inconst",
+        "show_outconst",
+        "show_invar",
+        "show_outvar",
+        "shows_period",
+        "status_columns",
+    )
     usual = asdict(Preferences())
     assert sitting.environment.tree.preferences == {name: usual[name] for name in (*sizes, *choices)} | {
         "shows_warnings": True,
@@ -70,7 +79,7 @@ def test_preferences_of_every_kind_are_changed(sitting):  # R-G01
         ("shows_period", 1, "run.yes_or_no"),
         ("shows_warnings", "yes", "run.yes_or_no"),
         ("canvas", {"x": 1}, "run.no_preference"),
-        ("line_length", 20, "run.no_preference"),
+        ("workspace", 20, "run.no_preference"),
         ("status_columns", ["rmod", "rmod"], "run.columns_once"),
         ("status_columns", ["colour"], "run.columns_unknown"),
         ("status_columns", [3], "run.columns_unknown"),

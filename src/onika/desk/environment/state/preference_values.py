@@ -6,10 +6,9 @@ from typing import Any
 from onika.desk.environment.state.model import Model
 
 _WITHOUT_EFFECT = {
-    *("line_length", "connection_separation"),
     *("library", "canvas", "status", "variables", "dictionary", "workspace", "main", "buttons"),
 }
-"""What a file of §A.5 says of windows and lines of its time: kept in the file, offered nowhere."""
+"""What a file of §A.5 says of the windows of its time: kept in the file, offered nowhere."""
 
 
 def preference_values(model: Model) -> dict[str, Any]:
