@@ -33,7 +33,7 @@ def test_a_page_sees_the_preferences_that_change_something_by_their_names(sittin
         "status_columns",
     )
     usual = asdict(Preferences())
-    assert sitting.environment.tree.preferences == {name: usual[name] for name in (*sizes, *near, *choices)} | {
+    assert sitting.environment.tree.preferences == {name: usual[name] for name in (*sizes, *choices)} | {
         "shows_warnings": True,
         "keeps_diary": True,
         "shows_lower": True,
