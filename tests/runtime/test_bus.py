@@ -255,3 +255,13 @@ def test_the_published_state_is_a_copy_of_that_instant(bus, segment):
     claimed_device = device(bus, segment, "scale")
     np.asarray(bus.world.state("scale"))[2] = 5.0
     assert claimed_device.read().tolist() == [0.0]
+
+
+def test_a_world_is_simulated_only_where_it_says_so(segment):  # R-E09
+    world = MassWorld()
+    kinds = []
+    for word in (True, False, "yes", None):
+        world.is_simulated = word
+        kinds.append(Bus("yard", world, segment).is_simulated)
+    assert (kinds, Bus("yard", MassWorld(), segment).is_simulated) == ([True, False, False, False], False)
+    assert Bus("boxes", BoxesWorld(), segment).is_simulated

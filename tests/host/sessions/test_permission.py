@@ -5,13 +5,16 @@ from kit.plans.plan_builder import PlanBuilder
 from onika.host.sessions.permission import brings_code, changes_nothing, refusal
 from onika.link.caller import PARENT, Caller, Role
 from onika.wire import holding, live, request, steer
+from onika.wire.foresight import WhatIf
 from onika.wire.plan import Code, Plan
+from onika.wire.samples import Sample
 from onika.words.reason import NOTHING, Reason
 
 CODE = Code("d", "m", "m.py", "x = 1")
 LOOKS = [
     request.Stop(Reason.plain("x")), request.Snapshot(), live.Survey(), live.Read("s"), live.Status(), live.Check("s"),
-    live.Attend(), live.Scene("w"), steer.Who(), holding.Sessions(), holding.OnlyWatch(),
+    live.Attend(), live.Scene("w"), live.ListWorlds(), steer.Who(), WhatIf(),
+    Sample(("s/X",)), holding.Sessions(), holding.OnlyWatch(),
 ]  # fmt: skip
 WITH_CODE = [
     request.Prepare(Plan("a", (), (CODE,)), ()),
@@ -30,7 +33,8 @@ COMMANDS = [
     live.Touch("w", "panic", 1.0), live.Reinit("s", "t", (("GAIN", ("1",)),)),
     holding.Hand("s", "ann"), holding.Decline("s"),
 ]  # fmt: skip
-LEAST = [(Role.VIEWER, LOOKS), (Role.OPERATOR, COMMANDS), (Role.PROGRAMMER, WITH_CODE), (Role.OWNER, [request.Quit()])]
+OWN = [request.Quit(), holding.Listen("127.0.0.1:0"), holding.StopListening()]
+LEAST = [(Role.VIEWER, LOOKS), (Role.OPERATOR, COMMANDS), (Role.PROGRAMMER, WITH_CODE), (Role.OWNER, OWN)]
 
 
 def caller(role, near=True):
