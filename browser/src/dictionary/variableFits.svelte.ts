@@ -34,6 +34,13 @@ export class VariableFits {
     return fits.find((fit) => fit.item === this.item) ?? fits[0]
   }
 
+  /** Of these kinds the one in which least is left to be typed. */
+  nearest(types: readonly [string, TypeView][]): string {
+    const left = ([type, { items }]: [string, TypeView]): number =>
+      (items ?? []).reduce((sum, item) => sum + item.count, 0) - (this.chosen(type)?.values.length ?? 0)
+    return [...types].sort((a, b) => left(a) - left(b))[0]?.[0] ?? ''
+  }
+
   get source(): string {
     return this.view ? t('target.took', { source: say(this.view.source) }) : ''
   }

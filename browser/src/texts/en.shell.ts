@@ -247,6 +247,7 @@ export const enShell = {
   'newModule.menu': 'New module…',
   'newModule.title': 'New module',
   'newModule.nameHint': 'low_pass',
+  'newModule.blanks': 'A name has no spaces: {name} would do.',
   'newModule.create': 'Make it',
   'newModule.about':
     'A module that works, its .rmod and a test are written from a template. Its task is in the library at once.',

@@ -250,6 +250,7 @@ export const esShell: Record<keyof typeof enShell, string> = {
   'newModule.menu': 'Módulo nuevo…',
   'newModule.title': 'Módulo nuevo',
   'newModule.nameHint': 'paso_bajo',
+  'newModule.blanks': 'Un nombre no lleva espacios: {name} serviría.',
   'newModule.create': 'Crearlo',
   'newModule.about':
     'De una plantilla se escriben un módulo que funciona, su .rmod y una prueba. Su tarea está enseguida en la biblioteca.',
