@@ -9,12 +9,13 @@ from onika.testing.bench import Bench
 
 CODE = shipped() / "generic" / "module" / "calibration.py"
 KNOWN = np.array([0.1, -0.5, 1.0])
+ARM = {"NDOF": 3, "QMIN": np.full(3, -3.0), "QMAX": np.full(3, 3.0)}
 LINE = "0.1 -0.5 1.0 2.0"
 
 
 def looked(off, **local):
     """After a look at an arm whose second joint is off by so much."""
-    bench = Bench(CODE, constants={"NDOF": 3}, local=local).init()
+    bench = Bench(CODE, constants=ARM, local=local).init()
     bench["Q_MEZ"] = KNOWN + np.array([0.0, off, 0.0])
     bench.on(LINE)
     while bench.state is State.ON and bench.cycles < 1000:
@@ -40,7 +41,7 @@ def test_a_joint_that_is_off_is_named_with_by_how_much(off, local):  # R-A16
 
 
 def test_what_is_told_is_the_mean_of_the_look():  # R-A16
-    bench = Bench(CODE, constants={"NDOF": 3}).init()
+    bench = Bench(CODE, constants=ARM).init()
     bench["Q_MEZ"] = KNOWN
     bench.on(LINE)
     bench.cycle(100)

@@ -25,7 +25,7 @@ def sitting(sit):
         ("read Q_", ["Q_MEZ", "Q_REF"]),
         ("read left/Q", []),
         ("subsystem l", ["left"]),
-        ("help sw", ["swap"]),
+        ("help sw", ["swap", "switch"]),
         ("wait puma o", ["off", "on"]),
         ("quit ", ["runtime"]),
         ("echo x", []),

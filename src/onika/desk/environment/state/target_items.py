@@ -1,5 +1,6 @@
 """The data of a type of target, with the units and bounds of the tasks that take it (requirements D08, B10)."""
 
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -66,14 +67,14 @@ def ports_of(libraries: OpenLibraries, task: Task) -> tuple[PortSheet, ...]:
 
 def _view(item: DataItem, uses: Sequence[InputUse], limits: Limits) -> ItemView:
     units = [use.input.unit for use in uses if use.input.unit not in ("", "-")]
-    meanings = [use.input.meaning for use in uses if use.input.meaning]
+    meanings = Counter(use.input.meaning for use in uses if use.input.meaning)
     defaults = [use.input.default for use in uses if use.input.default is not None]
     return ItemView(
         name=item.name,
         type=item.type.value,
         count=item.count,
         unit=units[0] if units else "",
-        meaning=meanings[0] if meanings else "",
+        meaning=max(meanings, key=lambda meaning: meanings[meaning], default=""),  # the one that most tasks give it
         low=_widest([_bound(use, use.input.low, item.count, limits) for use in uses], min),
         high=_widest([_bound(use, use.input.high, item.count, limits) for use in uses], max),
         default=_spread(defaults[0], item.count) if defaults else None,

@@ -15,12 +15,14 @@ class Calibration(Module):
 
     Kind     trigger, periodic, 10..1000 Hz
     Ports    INCONST  NDOF    int           -      number of joints
+             INCONST  QMIN    double[NDOF]  rad    lower joint limits
+             INCONST  QMAX    double[NDOF]  rad    upper joint limits
              INVAR    Q_MEZ   double[NDOF]  rad    measured position
              OUTVAR   Q_REF   double[NDOF]  rad    reference position; the known one, or the measured if elsewhere
              OUTVAR   Q^_REF  double[NDOF]  rad/s  reference speed; 0
              OUTVAR   Q_OFF   double[NDOF]  rad    measured minus known, the mean since `on`
     Local    MOST             double        rad    how far a joint may be off
-    Input    endpoint         double[NDOF]  rad    any
+    Input    endpoint         double[NDOF]  rad    QMIN..QMAX
              duration         double        s      0.1..600
     Finish   flow 0, loop FALSE, after the duration, where no joint is off by more than MOST
     Errors   elsewhere        a joint is 0.2 rad or more from there at `on`: ERROR, the arm stays where it is
@@ -31,6 +33,8 @@ class Calibration(Module):
     trigger = True
 
     NDOF = InConst("int", "-", "number of joints")
+    QMIN = InConst("double[NDOF]", "rad", "lower joint limits")
+    QMAX = InConst("double[NDOF]", "rad", "upper joint limits")
     Q_MEZ = InVar("double[NDOF]", "rad", "measured position")
     Q_REF = OutVar("double[NDOF]", "rad", "reference position; the known one, or the measured if elsewhere")
     Qd_REF = OutVar("double[NDOF]", "rad/s", "reference speed; 0", name="Q^_REF")
@@ -38,7 +42,7 @@ class Calibration(Module):
 
     MOST = Local("double", "rad", "how far a joint may be off", default=0.01, low=1e-6)
 
-    endpoint = Input("double[NDOF]", "rad", "where the joints are known to be")
+    endpoint = Input("double[NDOF]", "rad", "where the joints are known to be", low="QMIN", high="QMAX")
     duration = Input("double", "s", "how long is looked", low=0.1, high=600.0)
 
     def on(self, inputs):
