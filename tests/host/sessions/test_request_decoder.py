@@ -1,7 +1,7 @@
 import pytest
 
 from onika.host.sessions.request_decoder import decode
-from onika.wire import live, request, steer
+from onika.wire import holding, live, request, steer
 
 PAUSED = request.Recorded(10, 0, request.encode(steer.Pause()))
 
@@ -43,6 +43,8 @@ def test_bytes_that_are_no_request_are_refused(body):  # R-F01
         (request.Begin(settle_s=float("inf")), "host.seconds_range"),
         (request.Begin(repeat_until_ns=-5), "host.number_infinite"),
         (request.Begin(record="a\0"), "host.text_form"),
+        (holding.Listen("127.0.0.1:7994", certificate="a\0b"), "host.text_form"),
+        (holding.Listen("127.0.0.1:7994", names=("x" * 5000,)), "host.text_form"),
         (request.Begin(repeat=(request.Recorded(-1, 0, PAUSED.body),)), "host.number_infinite"),
         (request.Begin(repeat=(request.Recorded(1, 0, b"\xc1"),)), "host.not_repeated"),
         (request.Begin(repeat=(request.Recorded(1, 0, request.encode(request.Quit())),)), "host.not_repeated"),

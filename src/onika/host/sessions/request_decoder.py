@@ -10,7 +10,7 @@ import msgspec
 
 from onika.host.loading.plan_form import wrong_name
 from onika.record import topics
-from onika.wire import live, request, steer
+from onika.wire import holding, live, request, steer
 from onika.wire.samples import Sample
 from onika.words.reason import NOTHING, Reason
 
@@ -47,6 +47,8 @@ def _wrong(message: request.Request) -> Reason:
             return _wrong_attend(message)
         case Sample() if any(len(name) > _LONGEST_NAME for name in message.variables):
             return Reason.of("host.text_form", what="variables", most=_LONGEST_NAME)
+        case holding.Listen():
+            return _wrong_listen(message)
         case live.Advance():
             return _within("seconds", message.seconds)
         case live.Touch() if not isfinite(message.value):
@@ -67,6 +69,16 @@ def _wrong_begin(begin: request.Begin) -> Reason:
         return Reason.of("host.text_form", what="record", most=_LONGEST_NAME)
     reasons = (_wrong_recorded(recorded) for recorded in begin.repeat)
     return _within("settle_s", begin.settle_s) or next((reason for reason in reasons if reason), NOTHING)
+
+
+def _wrong_listen(listen: holding.Listen) -> Reason:
+    """Places, files and names go to the operating system, which takes no such texts."""
+    fields = ("place", "certificate", "key", "users")
+    texts = [(field, getattr(listen, field)) for field in fields] + [("names", name) for name in listen.names]
+    for field, text in texts:
+        if len(text) > _LONGEST_NAME or "\0" in text:
+            return Reason.of("host.text_form", what=field, most=_LONGEST_NAME)
+    return NOTHING
 
 
 def _wrong_recorded(recorded: request.Recorded) -> Reason:
