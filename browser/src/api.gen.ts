@@ -156,6 +156,13 @@ export interface Align {
   edge: 'bottom' | 'columns' | 'left' | 'right' | 'rows' | 'top';
 }
 
+/** Lay out the tasks of a configuration, or these, in columns along the flow of data. */
+export interface Arrange {
+  t: 'Arrange';
+  doc: string;
+  tasks?: (string)[];
+}
+
 /** Check the configuration: all rules and warnings (C26); replied with the sentences. */
 export interface Check {
   t: 'Check';
@@ -517,6 +524,7 @@ export interface CloseLibrary {
 export interface ForgetTask {
   t: 'ForgetTask';
   task: string;
+  doc?: string;
 }
 
 /** A task's rate in Hz for later placements of this session (reading 10). */
@@ -565,6 +573,7 @@ export interface SaveTask {
   t: 'SaveTask';
   task: string;
   overwrites?: boolean;
+  doc?: string;
 }
 
 /** Save such a text where the file is still what was read (`stamp`), and tell its faults. */
@@ -1157,6 +1166,7 @@ export interface DocumentView {
   loci?: Record<string, LocusView>;
   groups?: Record<string, GroupView>;
   kept?: Record<string, KeptView>;
+  own?: Record<string, TaskView>;
   greyed?: Record<string, (Objection)[]>;
   objections?: Record<string, (Objection)[]>;
   problems?: Record<string, ProblemView>;
@@ -1299,6 +1309,7 @@ export interface TaskView {
   is_changed?: boolean;
   path?: string;
   code?: string;
+  file?: string;
 }
 
 /** A task that could stand for another one; with `reasons` it cannot. */
@@ -1823,6 +1834,7 @@ export interface Tree {
   tasks?: Record<string, TaskView>;
   own_copies?: Record<string, string>;
   module_sentences?: Record<string, Record<string, Record<string, string>>>;
+  touched?: Record<string, number>;
   documents?: Record<string, DocumentView>;
   files?: Record<string, ConfigurationFile>;
   loads?: Record<string, number>;
@@ -1933,6 +1945,6 @@ export interface Numbered {
   cid: number;
 }
 
-export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | Connect | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | Preflight | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
+export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Arrange | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | Connect | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | Preflight | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
 export type AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say;
 export type AnyShow = ShowTask | ShowPin | ShowLocus | ShowSource | ShowAnswer | ShowLibraryTask | ShowLibraries | ShowConnect | ShowSaveAs | ShowStep | ShowFits | ShowValues | ShowLoop | ShowConfiguration | ShowOnikon | ShowTarget;

@@ -13,6 +13,7 @@ from onika.model.application import AppFlow, Application, Branch, Hole, Icon
 from onika.model.button import Button
 from onika.model.configuration import Configuration, Group, Locus, Placed
 from onika.model.onikon import Onikon
+from onika.model.own_lines import OwnLines
 from onika.model.picture import SIZE, framed
 from onika.model.preferences import STATUS_COLUMNS, Preferences, Window, WindowCorner
 from onika.model.syntax import SPECIAL_TYPES, DataItem, Edge, IconType, Syntax
@@ -106,11 +107,30 @@ _local_keys = st.from_regex(r"[A-Za-z][A-Za-z0-9_^.-]{0,6}", fullmatch=True).fil
 
 local_lines = st.builds(LocalLine, _local_keys, st.lists(words, max_size=3).map(tuple))
 
+
+@st.composite
+def own_lines(draw: st.DrawFn) -> OwnLines:
+    """What a configuration says of a task, now and then: what 1.3 can say is drawn as often."""
+    if draw(st.booleans()):
+        return OwnLines()
+    lines = draw(st.lists(local_lines, unique_by=lambda line: line.key, max_size=4))
+    cut = draw(st.integers(0, len(lines)))
+    aliases = draw(st.dictionaries(svar_names, svar_names, max_size=2))
+    return OwnLines(tuple(aliases.items()), tuple(lines[:cut]), tuple(line.key for line in lines[cut:]))
+
+
+@st.composite
+def placed_tasks(draw: st.DrawFn) -> Placed:
+    name, file = draw(names), draw(st.just("") | names)
+    at, side, rate = draw(st.tuples(numbers, numbers)), draw(st.booleans()), draw(st.just(0.0) | rates)
+    return Placed(name, *at, side, rate, draw(words), draw(own_lines()), "" if file == name else file)
+
+
 groupless = st.builds(
     Configuration,
     st.just("c"),
     st.lists(
-        st.builds(Placed, names, numbers, numbers, st.booleans(), st.just(0.0) | rates, words),
+        placed_tasks(),
         unique_by=lambda placed: placed.task,
         max_size=3,
     ).map(tuple),

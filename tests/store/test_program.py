@@ -4,11 +4,12 @@ import pytest
 
 from onika.files.rmod import RmodText
 from onika.model.application import AppFlow, Application, Branch, Icon
-from onika.model.configuration import Configuration, Placed
+from onika.model.configuration import Configuration, Group, Placed
 from onika.model.onikon import Onikon
+from onika.model.own_lines import OwnLines
 from onika.model.picture import blank
 from onika.model.syntax import IconType, Syntax
-from onika.model.task import Task
+from onika.model.task import LocalLine, Task
 from onika.store.base_directory import BaseDirectory
 from onika.store.program import load
 from onika.store.site import Site
@@ -105,3 +106,26 @@ def test_what_branches_and_deep_nests_need_is_gathered_too(
     assert len(program.applications) == 401
     assert list(program.configurations) == ["grip"]
     assert program.unread == {"bad"}
+
+
+def test_a_task_is_what_its_configuration_says_of_it(site: Site, bases: tuple[BaseDirectory, BaseDirectory]) -> None:
+    own, _ = bases  # R-B09, R-E01
+    gain = OwnLines(local=(LocalLine("GAIN", ("2",)),))
+    own.save_application(application("work", ("a", "job"), ("b", "job"), ("c", "job")))
+    own.save_task(RmodText(Task("pid", "pid", frequency=1.0, local=(LocalLine("GAIN", ("1",)),))))
+    own.save_configuration(Configuration("a", (Placed("pid", own=gain),), groups=(Group("g", ("pid",)),)))
+    own.save_configuration(Configuration("b", (Placed("pid"),), groups=(Group("g", ("pid",)),)))
+    own.save_configuration(Configuration("c", (Placed("pid", own=gain), Placed("second", rmod="pid"))))
+
+    program, faults = load(own.application_file("work"), site, SYNTAX)
+    assert faults == () and program
+    assert {name: task.local[0].words for name, task in program.tasks.items()} == {
+        "pid": ("2",),
+        "pid-b": ("1",),
+        "second": ("1",),
+    }
+    assert all(name == task.name for name, task in program.tasks.items())
+    assert [placed.task for placed in program.configurations["b"].placed] == ["pid-b"]
+    assert program.configurations["b"].groups == (Group("g", ("pid-b",)),)
+    assert program.configurations["a"].placed[0].task == program.configurations["c"].placed[0].task == "pid"
+    assert program.task_files == {"pid-b": "pid", "second": "pid"}

@@ -17,7 +17,9 @@ import {
   pickedTasks,
   placeAt,
   remove,
+  arrange,
   selectAll,
+  turnAll,
   toggleConstants,
   toggleLines,
   togglePin,
@@ -41,7 +43,7 @@ export function menuOf(opened: Opened): { label: string; items: Item[] } | undef
 function taskItems(name: string, at: Point): Item[] {
   const tasks = pickedTasks()
   const placed = canvasState.document?.tasks?.[name]
-  const task = desk.tree.tasks[name]
+  const task = desk.task(name, canvas.doc)
   return [
     ...(canvasState.isLive ? liveItems(tasks, name, at) : []),
     { label: t('canvas.parameters'), keys: 'Enter', run: () => openSheet(name), begins: canvasState.isLive },
@@ -180,6 +182,13 @@ function groundItems(at: Point): Item[] {
     { label: t('canvas.selectAll'), keys: 'Ctrl+A', run: selectAll },
     { label: t('canvas.fit'), keys: '1', run: () => canvasState.fit(), begins: true },
     { label: t(canvasState.isConstantsShown ? 'canvas.hideConstants' : 'canvas.showConstants'), run: toggleConstants },
+    { label: t('canvas.arrange'), run: () => arrange(), begins: true },
+    ...(canvasState.isLive
+      ? [
+          { label: t('canvas.allOn'), run: () => turnAll(true, at), begins: true },
+          { label: t('canvas.allOff'), run: () => turnAll(false, at) },
+        ]
+      : []),
     { label: t('canvas.check'), run: () => check(at), begins: true },
   ]
 }

@@ -4,6 +4,7 @@ import { canvas } from '../state/canvas.svelte'
 import { t, type TextKey } from '../texts/index.svelte'
 import {
   align,
+  arrange,
   check,
   copy,
   cut,
@@ -19,6 +20,7 @@ import {
   toggleConstants,
   toggleLines,
   turn,
+  turnAll,
   type Edge,
 } from '../scene/acts'
 import {
@@ -121,11 +123,14 @@ function registerCanvas(): void {
       when: () => pickedTasks().length > 1,
       run: () => align(edge),
     })
+  add('arrange', 'canvas.arrange', { group: 'edit', when: isHere, run: () => arrange() })
   add('nudge', 'canvas.nudge', { keys: ['←↑→↓', 'Shift+←↑→↓'], when: () => false, run: () => undefined }) // for the help sheet; see keys.ts
   add('walk', 'canvas.walk', { keys: ['Alt+←↑→↓'], when: () => false, run: () => undefined })
   add('pick', 'canvas.pick', { keys: ['Space'], when: () => false, run: () => undefined })
   add('on', 'canvas.turnOn', { group: 'run', when: live, run: () => turn(pickedTasks(), true) })
   add('off', 'canvas.turnOff', { group: 'run', when: live, run: () => turn(pickedTasks(), false) })
+  add('allOn', 'canvas.allOn', { group: 'run', when: () => canvasState.isLive, run: () => turnAll(true) })
+  add('allOff', 'canvas.allOff', { group: 'run', when: () => canvasState.isLive, run: () => turnAll(false) })
   add('group', 'canvas.group.makeIt', {
     group: 'edit',
     keys: ['Ctrl+G'],

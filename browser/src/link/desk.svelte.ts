@@ -1,5 +1,5 @@
 // The copy of the environment's tree that this page draws from. Only what the environment sends changes it.
-import type { Patch, Snapshot, Tree } from '../api.gen'
+import type { Patch, Snapshot, TaskView, Tree } from '../api.gen'
 import { modules, plain } from '../texts/say'
 import { Exchange, withParts } from './treeParts'
 
@@ -15,6 +15,7 @@ export function fullTree(tree: Tree): FullTree {
     tasks: {},
     module_sentences: {},
     own_copies: {},
+    touched: {},
     documents: {},
     files: {},
     loads: {},
@@ -57,6 +58,11 @@ class Desk {
   /** What is shown: the present, or the instant of a recorded run that is looked at. */
   get tree(): FullTree {
     return this.live.review && this.treeAt ? this.treeAt(this.live) : this.live
+  }
+
+  /** A task as a configuration has it; of one that is not otherwise there, as its library has it. */
+  task(name: string, doc = ''): TaskView | undefined {
+    return this.tree.documents[doc]?.own?.[name] ?? this.tree.tasks[name]
   }
 
   set tree(tree: FullTree) {

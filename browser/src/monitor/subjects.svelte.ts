@@ -1,5 +1,5 @@
 // What the tables and plots beneath show: an open configuration, or a subsystem in which an application runs.
-import type { LivingTaskView, LocusView, PlacedView, SubsystemView } from '../api.gen'
+import type { LivingTaskView, LocusView, PlacedView, SubsystemView, TaskView } from '../api.gen'
 import { desk } from '../link/desk.svelte'
 import { inside, intoOf } from '../progress/inside'
 import { canvas } from '../state/canvas.svelte'
@@ -14,6 +14,7 @@ export interface Subject {
   application: string
   tasks: Record<string, TaskOfSubject>
   loci: Record<string, Pick<LocusView, 'line' | 'is_constant' | 'writers' | 'readers'>>
+  own?: Record<string, TaskView>
   isLive: boolean
 }
 
@@ -27,6 +28,7 @@ export function subjectOf(id: string): Subject | undefined {
       application: '',
       tasks: document.tasks ?? {},
       loci: document.loci ?? {},
+      own: document.own ?? {},
       isLive: (document.connection ?? 'none') !== 'none',
     }
   const subsystem = inside()[id.slice(1)]

@@ -111,6 +111,19 @@ export function align(edge: Edge): void {
   if (pickedTasks().length > 1) void act({ t: 'Align', doc: canvas.doc, tasks: pickedTasks(), edge })
 }
 
+/** In columns along the flow of data: what is picked, if that is several tasks, else all. */
+export async function arrange(): Promise<void> {
+  const tasks = pickedTasks().length > 1 ? pickedTasks() : []
+  await act({ t: 'Arrange', doc: canvas.doc, tasks })
+  if (!tasks.length) canvasState.fit()
+}
+
+/** All tasks of the configuration come on together, producers before consumers, or go off. */
+export function turnAll(isOn: boolean, at?: Point): void {
+  const tasks = Object.keys(canvasState.document?.tasks ?? {})
+  if (tasks.length) turn(tasks, isOn, at)
+}
+
 export async function copy(tasks = pickedTasks()): Promise<void> {
   if (!tasks.length) return
   takeText(await act({ t: 'Copy', doc: canvas.doc, tasks }))
@@ -224,7 +237,8 @@ export function openSheet(task: string): void {
   openDialog('sheet', { task })
 }
 
-export const openSource = (task: string, kind: 'code' | 'rmod'): void => openDialog('source', { task, kind })
+export const openSource = (task: string, kind: 'code' | 'rmod'): void =>
+  openDialog('source', { task: desk.task(task, canvas.doc)?.file || task, kind })
 
 /** All rules and warnings (C26); what was found stands under Problems and is read out. */
 export async function check(at?: Point): Promise<void> {

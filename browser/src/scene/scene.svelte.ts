@@ -307,7 +307,7 @@ interface Read {
 
 function read(document: DocumentView, tasks: Readonly<Record<string, TaskView>>): Read {
   const placed = Object.entries(document.tasks ?? {}).map(([name, position]) => {
-    const task = tasks[name]
+    const task = document.own?.[name] ?? tasks[name]
     const width = task?.width || MISSING.width
     const height = task?.height || MISSING.height
     return [

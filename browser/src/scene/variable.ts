@@ -18,7 +18,7 @@ export const keyOf = (svar: string): string => `${canvas.doc}/${svar}`
 export function variable(svar: string): Variable {
   const locus = canvasState.document?.loci?.[svar]
   const tasks = [...(locus?.writers ?? []), ...(locus?.readers ?? [])]
-  const pins = tasks.flatMap((name) => desk.tree.tasks[name]?.pins.filter((pin) => pin.svar === svar) ?? [])
+  const pins = tasks.flatMap((name) => desk.task(name, canvas.doc)?.pins.filter((pin) => pin.svar === svar) ?? [])
   const say = (what: 'shape' | 'unit' | 'meaning'): string => pins.find((pin: PinView) => pin[what])?.[what] ?? ''
   return { svar, locus, shape: say('shape'), unit: say('unit'), meaning: say('meaning') }
 }

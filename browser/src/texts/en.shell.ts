@@ -343,6 +343,7 @@ export const enShell = {
   'sheet.onlyHere': 'Only here',
   'sheet.onlyHereHint': 'Keep the changes for this session; the file stays as it is',
   'sheet.onlyHereNote': 'Changed in this session only; {name}.rmod is as it was.',
+  'sheet.ownNote': 'Changed in {name}, and saved with it; {file}.rmod is as it was.',
   'sheet.forget': 'Forget',
   'sheet.forgetHint': 'Take the task as its file says again',
   'sheet.source': 'Source',
@@ -359,6 +360,9 @@ export const enShell = {
   'sheet.keys': 'Keys',
   'sheet.everything': 'all commands',
 
+  'source.stale': 'This text is stale: another program has written the file.',
+  'source.compare': 'Compare both',
+  'source.readAgain': 'Another program has written the file; this is what it says now.',
   'source.code': 'Source of {name}',
   'source.which': 'Which text',
   'source.text': 'Text of {path}',

@@ -346,6 +346,7 @@ export const esShell: Record<keyof typeof enShell, string> = {
   'sheet.onlyHere': 'Solo aquí',
   'sheet.onlyHereHint': 'Conservar los cambios en esta sesión; el archivo queda como está',
   'sheet.onlyHereNote': 'Cambiada solo en esta sesión; {name}.rmod está como estaba.',
+  'sheet.ownNote': 'Cambiada en {name}, y se guarda con ella; {file}.rmod está como estaba.',
   'sheet.forget': 'Olvidar',
   'sheet.forgetHint': 'Tomar otra vez la tarea como dice su archivo',
   'sheet.source': 'Código',
@@ -362,6 +363,9 @@ export const esShell: Record<keyof typeof enShell, string> = {
   'sheet.keys': 'Teclas',
   'sheet.everything': 'todas las órdenes',
 
+  'source.stale': 'Este texto es anterior: otro programa ha escrito el archivo.',
+  'source.compare': 'Comparar los dos',
+  'source.readAgain': 'Otro programa ha escrito el archivo; esto es lo que dice ahora.',
   'source.code': 'Código de {name}',
   'source.which': 'Qué texto',
   'source.text': 'Texto de {path}',

@@ -5,6 +5,8 @@ type SharedLocus = Pick<LocusView, 'line' | 'is_constant' | 'writers' | 'readers
 /** A document, or a subsystem in which an application runs. */
 export interface Shared {
   tasks?: Readonly<Record<string, unknown>>
+  /** Its tasks that are otherwise than in the library. */
+  own?: Readonly<Record<string, TaskView>>
   loci?: Readonly<Record<string, SharedLocus>>
 }
 
@@ -20,7 +22,7 @@ export interface VariableRow {
 export function variables(doc: Shared, tasks: Record<string, TaskView>): VariableRow[] {
   const pins = new Map<string, PinView>()
   for (const task of Object.keys(doc.tasks ?? {}))
-    for (const pin of tasks[task]?.pins ?? []) {
+    for (const pin of (doc.own?.[task] ?? tasks[task])?.pins ?? []) {
       const port = pins.get(pin.svar)
       if (!port || (!isOutput(port) && isOutput(pin))) pins.set(pin.svar, pin)
     }

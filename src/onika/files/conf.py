@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping, Sequence, Set
 
+from onika.files import own_lines
 from onika.files.layout import carry_comments
 from onika.files.line import FileLine, is_number, row, show_number, split
 from onika.files.text_reading import KeywordSlot, Need, TextReading
@@ -17,10 +18,12 @@ ENDING = ".conf"
 _HEAD = (KeywordSlot("VERSION", Need.OPTIONAL),)
 _TASK = (
     KeywordSlot("RMODFILE"),
+    KeywordSlot("AS", Need.OF_2_0),
     KeywordSlot("COORDS"),
     KeywordSlot("INLEFT", Need.SINCE_1_3),
     KeywordSlot("FREQ", Need.SINCE_1_3),
     KeywordSlot("RTPU", Need.SINCE_1_3),
+    *own_lines.SLOTS,
 )
 _COUNTS = ("CONNS", "NUMINCONST", "NUMOUTCONST", "NUMINVAR", "NUMOUTVAR", "NUMDOUBLEIN")
 _LOCUS = (
@@ -53,15 +56,19 @@ def read(text: str, name: str, place_file: str) -> tuple[Configuration | None, t
         if loci:
             reading.fault(block[0].number, Reason.of("files.task_after_locus", block=str(block[0])))
         placed.append(_placed(reading.arrange(block, _TASK), reading))
-    _check_twice([block[0] for block in blocks if block[0].keyword != "GROUP"], reading)
+    _check_twice([_heading(block) for block in blocks if block[0].keyword != "GROUP"], reading)
     groups = _groups(grouped, {placed.task for placed in placed}, reading)
     return (None if reading.broken else Configuration(name, tuple(placed), tuple(loci), groups)), reading.faults
 
 
 def write(configuration: Configuration, former: str = "") -> str:
-    """The text of a configuration, with the comments of its former text; of version 2.0 only where it has groups."""
+    """The text of a configuration, with the comments of its former text; of version 2.0 only where it has to be.
+
+    That is where it has groups, and tasks that are not as their files say or stand under names of their own.
+    """
     groups = [row("GROUP", group.name, *group.tasks) for group in configuration.groups]
-    parts = [row("VERSION", EXTENDED if groups else VERSION)]
+    is_extended = bool(groups) or not all(placed.is_as_filed for placed in configuration.placed)
+    parts = [row("VERSION", EXTENDED if is_extended else VERSION)]
     parts += ["\n" + _show_placed(placed) for placed in configuration.placed]
     parts += ["\n" + _show_locus(locus) for locus in configuration.loci]
     parts += ["\n", *groups] if groups else []
@@ -70,11 +77,13 @@ def write(configuration: Configuration, former: str = "") -> str:
 
 def _show_placed(placed: Placed) -> str:
     return (
-        row("RMODFILE", placed.task)
+        row("RMODFILE", placed.file)
+        + (row("AS", placed.task) if placed.rmod else "")
         + row("COORDS", str(placed.x), str(placed.y))
         + row("INLEFT", "yes" if placed.in_left else "no")
         + row("FREQ", show_number(placed.frequency))
         + row("RTPU", placed.rtpu)
+        + own_lines.write(placed.own)
     )
 
 
@@ -91,13 +100,17 @@ def _show_locus(locus: Locus) -> str:
 def _placed(by_keyword: Mapping[str, list[FileLine]], reading: TextReading) -> Placed:
     line = {keyword: lines[0] if lines else None for keyword, lines in by_keyword.items()}
     x, y = reading.wholes(line["COORDS"], (0, 0))
+    file = reading.match(line["RMODFILE"], TASK_NAME, Reason.of("files.name_of_task"))
+    name = reading.match(line["AS"], TASK_NAME, Reason.of("files.name_of_task"), file)
     return Placed(
-        task=reading.match(line["RMODFILE"], TASK_NAME, Reason.of("files.name_of_task")),
+        task=name,
         x=x,
         y=y,
         in_left=reading.yes(line["INLEFT"], default=True),
         frequency=_frequency(line["FREQ"], reading),
         rtpu=reading.word(line["RTPU"], Reason.of("files.name_of_unit"), UNKNOWN_RTPU),
+        own=own_lines.read(by_keyword, reading),
+        rmod="" if name == file else file,
     )
 
 
@@ -127,6 +140,13 @@ def _locus(by_keyword: Mapping[str, list[FileLine]], reading: TextReading) -> Lo
         double_in=reading.whole(line["NUMDOUBLEIN"], 0, low=0),
         show=reading.yes(line["SHOW"], default=True),
     )
+
+
+def _heading(block: Sequence[FileLine]) -> FileLine:
+    """The line that says what a block is about: a task by the name that it has here."""
+    if block[0].keyword == "LOCUS":
+        return block[0]
+    return next((line._replace(keyword="RMODFILE") for line in block[:2] if line.keyword == "AS"), block[0])
 
 
 def _check_twice(heads: Sequence[FileLine], reading: TextReading) -> None:

@@ -57,8 +57,8 @@ def read(text: str, name: str, place_file: str) -> tuple[RmodText | None, tuple[
         return None, reading.faults
     head = next((at for at, line in enumerate(reading.lines) if line.keyword == "LOCAL"), len(reading.lines))
     by_keyword = reading.arrange(reading.lines[: head + 1], _SLOTS)
-    aliases = _aliases(by_keyword["SVARALIAS"], reading)
-    ports = _ports(by_keyword, aliases, reading)
+    renamed = aliases(by_keyword["SVARALIAS"], reading)
+    ports = _ports(by_keyword, renamed, reading)
     kind = reading.choice(_first(by_keyword["TASKTYPE"]), {kind.value: kind for kind in TaskType}, TaskType.APERIODIC)
     for alone in by_keyword["ONIKA"] + by_keyword["LOCAL"]:
         reading.bare(alone)
@@ -66,7 +66,7 @@ def read(text: str, name: str, place_file: str) -> tuple[RmodText | None, tuple[
         name=name,
         module=reading.match(_first(by_keyword["MODULE"]), TASK_NAME, Reason.of("files.name_of_module")),
         description=by_keyword["DESC"][0].text if by_keyword["DESC"] else "",
-        aliases=aliases,
+        aliases=renamed,
         inconst=ports["INCONST"],
         outconst=ports["OUTCONST"],
         invar=ports["INVAR"],
@@ -88,6 +88,25 @@ def write(record: RmodText, task: Task | None = None) -> str:
     if record.text and (task, task.gives_period) == (record.task, record.task.gives_period):
         return record.text
     return carry(record.text, _canonical(task), _key)
+
+
+def aliases(lines: Sequence[FileLine], reading: TextReading) -> tuple[tuple[str, str], ...]:
+    """Variables by coded names, each of these once."""
+    pairs: dict[str, str] = {}
+    for line in lines:
+        match = _ALIAS.match(line.rest)
+        if not match or not (SVAR_NAME.match(match[1]) and SVAR_NAME.match(match[2])):
+            reading.fault(line.number, Reason.of("files.alias_line", line=str(line)))
+        elif match[1] in pairs:
+            reading.fault(line.number, Reason.of("files.one_alias", given=match[1], line=str(line)))
+        else:
+            pairs[match[1]] = match[2]
+    return tuple(pairs.items())
+
+
+def is_parameter(key: str) -> bool:
+    """Whether a word may name a parameter of a module."""
+    return key not in _KEYWORDS and key != "EOF" and _LOCAL_KEY.match(key) is not None
 
 
 def _canonical(task: Task) -> str:
@@ -120,19 +139,6 @@ def _key(line: str) -> Key:
 
 def _first(lines: Sequence[FileLine]) -> FileLine | None:
     return lines[0] if lines else None
-
-
-def _aliases(lines: Sequence[FileLine], reading: TextReading) -> tuple[tuple[str, str], ...]:
-    aliases: dict[str, str] = {}
-    for line in lines:
-        match = _ALIAS.match(line.rest)
-        if not match or not (SVAR_NAME.match(match[1]) and SVAR_NAME.match(match[2])):
-            reading.fault(line.number, Reason.of("files.alias_line", line=str(line)))
-        elif match[1] in aliases:
-            reading.fault(line.number, Reason.of("files.one_alias", given=match[1], line=str(line)))
-        else:
-            aliases[match[1]] = match[2]
-    return tuple(aliases.items())
 
 
 def _ports(

@@ -1,7 +1,11 @@
 """A configuration: tasks assembled on the canvas to do one job (dissertation §5.3, §A.2)."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
+
+from onika.model.own_lines import NO_OWN_LINES, OwnLines
+from onika.model.task import Task
 
 UNKNOWN_RTPU = "unknown"
 """The RTPU of a task that was never spawned (reading 12)."""
@@ -19,6 +23,25 @@ class Placed:
     frequency: float = 0.0
     """Hz, in place of the rate of the task's own file; 0: not given, or the task is aperiodic."""
     rtpu: str = UNKNOWN_RTPU
+    own: OwnLines = NO_OWN_LINES
+    """What it says otherwise here than its file does."""
+    rmod: str = ""
+    """The name of its file, where it stands under another name here."""
+
+    @property
+    def file(self) -> str:
+        """The name of its `.rmod`, without the ending."""
+        return self.rmod or self.task
+
+    @property
+    def is_as_filed(self) -> bool:
+        """Whether it is what its file says, under the name of its file."""
+        return not self.rmod and (self.own is NO_OWN_LINES or self.own == NO_OWN_LINES)
+
+    def of(self, filed: Task) -> Task:
+        """The task as it is placed here, made of what its file says."""
+        task = self.own.on(filed)
+        return task if task.name == self.task else replace(task, name=self.task)
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +73,7 @@ class Group:
     tasks: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)  # without slots: what follows from it is asked for again and again, and kept
 class Configuration:
     """What a `.conf` file says, in the file's order."""
 
@@ -59,6 +82,21 @@ class Configuration:
     loci: tuple[Locus, ...] = ()
     groups: tuple[Group, ...] = ()
     """Every task is in one at most, and every one has a task."""
+
+    @cached_property
+    def otherwise(self) -> tuple[Placed, ...]:
+        """The tasks that are otherwise here than their files say, or have other names."""
+        return tuple(placed for placed in self.placed if not placed.is_as_filed)
+
+    def tasks(self, filed: Mapping[str, Task]) -> dict[str, Task]:
+        """The tasks as they are placed, by their names here; those whose files are missing in `filed` are left out."""
+        return {placed.task: placed.of(filed[placed.file]) for placed in self.placed if placed.file in filed}
+
+    def with_placed(self, placed: Sequence[Placed]) -> "Configuration":
+        """With each of its tasks in another form, in their order; the supermodules have them under their new names."""
+        names = {old.task: new.task for old, new in zip(self.placed, placed, strict=True)}
+        groups = tuple(Group(group.name, tuple(names.get(task, task) for task in group.tasks)) for group in self.groups)
+        return replace(self, placed=tuple(placed), groups=groups)
 
     def group(self, name: str) -> Group | None:
         """The supermodule of that name."""
@@ -87,3 +125,8 @@ class Configuration:
             for at, name in zip(places, (task for task in group.tasks if task in present), strict=True):
                 ordered[at] = name
         return ordered
+
+
+def name_within(task: str, configuration: str) -> str:
+    """The name of a task in a program in which another configuration says other things of it."""
+    return f"{task}-{configuration}"[:200]

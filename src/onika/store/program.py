@@ -6,7 +6,7 @@ from pathlib import Path
 
 from onika.files import appl, text
 from onika.model.application import Application, actions, every_flow
-from onika.model.configuration import Configuration
+from onika.model.configuration import Configuration, Placed, name_within
 from onika.model.syntax import Syntax
 from onika.model.task import Task
 from onika.store.opened_text import Faults
@@ -30,6 +30,8 @@ class ApplicationProgram:
     """Configurations, tasks and nested applications that were found and are at fault."""
     files: Mapping[str, str] = field(default_factory=dict)
     """The files of the nested applications."""
+    task_files: Mapping[str, str] = field(default_factory=dict)
+    """The names of the `.rmod` files of tasks that have other names in their configurations, or here."""
 
 
 def load(path: Path, site: Site, syntax: Syntax) -> tuple[ApplicationProgram | None, Faults]:
@@ -89,11 +91,13 @@ class _Gathering:
         self._faults: list[Fault] = []
         self._unread: set[str] = set()
         self._files: dict[str, str] = {}
+        self._filed: dict[str, Task] = {}
+        self._task_files: dict[str, str] = {}
 
     def program(self, application: Application, faults: Faults) -> ApplicationProgram:
         self._faults += faults
         self._enter(application)
-        paths = {task.module: self._site.code_file(task) for task in self._tasks.values()}
+        paths = {task.module: self._site.code_file(task) for task in self._filed.values()}
         code = {module: path for module, path in paths.items() if path}
         faults_of_files = tuple(self._faults)
         unread = frozenset(self._unread)
@@ -106,6 +110,7 @@ class _Gathering:
             faults_of_files,
             unread,
             self._files,
+            self._task_files,
         )
 
     def _enter(self, application: Application) -> None:
@@ -125,9 +130,8 @@ class _Gathering:
             configuration, faults = self._site.configuration(name)
             self._faults += faults
             if configuration:
-                self._configurations[name] = configuration
-                for placed in configuration.placed:
-                    self._task(placed.task)
+                placed = [self._placed(placed, name) for placed in configuration.placed]
+                self._configurations[name] = configuration.with_placed(placed)
             elif faults:
                 self._unread.add(name)
 
@@ -144,14 +148,35 @@ class _Gathering:
         self._files[name] = str(self._site.application_file(name))
         return (application,)
 
-    def _task(self, name: str) -> None:
-        if self._is_new("module", name):
-            record, faults = self._site.task(name)
+    def _placed(self, placed: Placed, configuration: str) -> Placed:
+        """A placed task under a name by which the program has what it is there.
+
+        Where configurations say different things of one task, each has its own: two of them in one flow are a fault
+        like any module that stands there twice.
+        """
+        filed = self._task(placed.file)
+        if filed is None:
+            self._unread |= {placed.task} if placed.file in self._unread else set()
+            return placed
+        task = placed.of(filed)
+        name = placed.task
+        if self._tasks.setdefault(name, task) != task:
+            name = name_within(name, configuration)
+            self._tasks[name] = replace(task, name=name)
+        if name != placed.file:
+            self._task_files[name] = placed.file
+        return placed if name == placed.task else replace(placed, task=name, rmod=placed.file)
+
+    def _task(self, file: str) -> Task | None:
+        """A task as its file says; each file is read once."""
+        if self._is_new("module", file):
+            record, faults = self._site.task(file)
             self._faults += faults
             if record:
-                self._tasks[name] = record.task
+                self._filed[file] = record.task
             elif faults:
-                self._unread.add(name)
+                self._unread.add(file)
+        return self._filed.get(file)
 
     def _is_new(self, folder: str, name: str) -> bool:
         is_new = (folder, name) not in self._seen

@@ -62,7 +62,7 @@ def document(sitting, doc):
 def test_what_was_saved_here_is_nothing_new(sitting):  # R-C06
     doc, path = saved(sitting)
     sitting.do(act.Alias("a", "Q", "R", doc))
-    sitting.do(act.SaveTask("a"))
+    sitting.do(act.SaveTask("a", doc=doc))
     text = sitting.do(act.ReadText("b", "rmod"))
     sitting.do(act.WriteText("b", "rmod", text.text + "# more\n", text.stamp))
     sitting.look()  # the list of configurations
@@ -103,7 +103,7 @@ def test_undo_takes_back_what_the_step_changed_and_not_what_a_file_has_changed_s
 
 def test_a_changed_task_that_lives_stays_as_it_is_whatever_its_file_says(sitting):  # R-C04
     doc, _ = saved(sitting)
-    sitting.do(act.Alias("a", "Q", "R", doc))
+    sitting.do(act.Alias("a", "Q", "R"))
     living(sitting, doc, {"a": False})
     before = sitting.environment.model.libraries.tasks["a"]
     rewrite(sitting, Task("a", "a", description="new", outvar=("Q",), frequency=10.0))

@@ -185,7 +185,7 @@ def test_base_directories_in_a_folder_are_each_checked(tmp_path, site, runtime):
         Laboratory(tmp_path / name).configuration(f"{name}C", "nowhere 100")
     files, faults = survey(tmp_path, site)
     assert [file.name for file in files] == ["oneC.conf", "otherC.conf"]
-    assert places(faults) == ["oneC.conf", "otherC.conf"]
+    assert places(faults) == ["oneC.conf:3", "otherC.conf:3"]
 
 
 def test_a_directory_of_the_environment_checks_its_own_folder_and_the_base_directories_beside_it(

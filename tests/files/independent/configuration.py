@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from .parameters import parameter
 from .script import Script, name, number, numbers, one_word, real, svar, words, yes
 
 COUNTS = ("CONNS", "NUMINCONST", "NUMOUTCONST", "NUMINVAR", "NUMOUTVAR", "NUMDOUBLEIN")
@@ -11,12 +12,16 @@ def read(text: str) -> dict[str, Any]:
     script = Script(text, extended=True)
     tasks, loci, groups = [], [], []
     while script.next == "RMODFILE":
+        file = name(script.take("RMODFILE"))
+        own = script.new("AS")
         task = (
-            name(script.take("RMODFILE")),
+            file if own is None else name(own),
             _corner(script),
             yes(script.maybe("INLEFT", "yes")),
             real(script.maybe("FREQ", "0")),
             one_word(script.maybe("RTPU", "unknown")),
+            file,
+            _own_lines(script),
         )
         if task[3] < 0:
             raise ValueError("FREQ")
@@ -40,6 +45,25 @@ def read(text: str) -> dict[str, Any]:
     if any(len(group) < 2 for group in groups) or any(member not in names for member in members):
         raise ValueError("groups of nothing")
     return {"tasks": tasks, "loci": loci, "groups": groups}
+
+
+def _own_lines(script: Script) -> dict[str, Any]:
+    own: dict[str, Any] = {"SVARALIAS": {}, "LOCAL": {}, "NOLOCAL": []}
+    while (line := script.new("SVARALIAS")) is not None:
+        coded, sign, other = line.replace("=", " = ").split()
+        if sign != "=" or svar(coded) in own["SVARALIAS"]:
+            raise ValueError("alias")
+        own["SVARALIAS"][coded] = svar(other)
+    while (line := script.new("LOCAL")) is not None:
+        key, *parts = words(line)
+        if parameter(key) in own["LOCAL"]:
+            raise ValueError("parameter twice")
+        own["LOCAL"][key] = parts
+    while (line := script.new("NOLOCAL")) is not None:
+        if parameter(line) in own["NOLOCAL"] or line in own["LOCAL"]:
+            raise ValueError("parameter twice")
+        own["NOLOCAL"].append(line)
+    return own
 
 
 def _corner(script: Script) -> tuple[int, int]:

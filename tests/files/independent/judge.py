@@ -8,6 +8,7 @@ import pytest
 from onika.model.application import AppFlow, Application, Branch, Icon, Step
 from onika.model.configuration import Configuration
 from onika.model.onikon import Onikon
+from onika.model.own_lines import OwnLines
 from onika.model.picture import Picture
 from onika.model.preferences import Preferences
 from onika.model.syntax import Syntax
@@ -80,12 +81,20 @@ def _task(task: Task, gives_period: bool) -> dict[str, Any]:
 
 
 def _configuration(result: Configuration) -> dict[str, Any]:
-    tasks = [(item.task, (item.x, item.y), item.in_left, item.frequency, item.rtpu) for item in result.placed]
+    tasks = [
+        (item.task, (item.x, item.y), item.in_left, item.frequency, item.rtpu, item.file, _own_lines(item.own))
+        for item in result.placed
+    ]
     loci = [
         (at.svar, (at.x, at.y), [at.conns, at.inconst, at.outconst, at.invar, at.outvar, at.double_in], at.show)
         for at in result.loci
     ]
     return {"tasks": tasks, "loci": loci, "groups": [[group.name, *group.tasks] for group in result.groups]}
+
+
+def _own_lines(own: OwnLines) -> dict[str, Any]:
+    local = {line.key: list(line.words) for line in own.local}
+    return {"SVARALIAS": dict(own.aliases), "LOCAL": local, "NOLOCAL": list(own.without)}
 
 
 def _onikon(onikon: Onikon) -> dict[str, Any]:

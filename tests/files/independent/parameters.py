@@ -45,14 +45,19 @@ def read(text: str) -> dict[str, Any]:
         _alone(script.take("LOCAL"))
         while script.left:
             key, rest = script.left.pop(0)
-            if key in KEYWORDS or any(c not in "_^.-" and not (c.isascii() and c.isalnum()) for c in key):
-                raise ValueError(key)
-            if not key[0].isalpha():
-                raise ValueError(key)
-            result["LOCAL"].append((key, words(rest)))
+            result["LOCAL"].append((parameter(key), words(rest)))
     script.end()
     _check(result)
     return result
+
+
+def parameter(key: str) -> str:
+    """The name of a parameter of a module."""
+    if key in KEYWORDS or any(c not in "_^.-" and not (c.isascii() and c.isalnum()) for c in key):
+        raise ValueError(key)
+    if not key[0].isalpha() or key == "EOF":
+        raise ValueError(key)
+    return key
 
 
 def _ports(text: str) -> list[str]:

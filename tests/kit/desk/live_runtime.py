@@ -13,6 +13,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Protocol
 
+from msgspec import structs
+
 from onika.model.lifecycle import IllegalTransition, LifecycleInput, State, after
 from onika.wire import event, holding, live, request, steer
 from onika.wire.foresight import Foreseen, Foresight, WhatIf
@@ -229,7 +231,9 @@ class LiveRuntime:
             case live.Reinit():
                 self._step(message.subsystem, lives[message.task], LifecycleInput.REINIT)
             case live.Swap():
-                lives[message.task].said.clear()
+                life = lives[message.task]
+                life.said.clear()
+                life.task = structs.replace(life.task, digest=message.code.digest, module=message.code.module)
             case live.Close():
                 self._change(live.Change(message.subsystem, kill=tuple(lives)), lives)
                 del self.lives[message.subsystem]

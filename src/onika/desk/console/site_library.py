@@ -10,7 +10,7 @@ import msgspec
 from onika.desk.plan.compile import UNKNOWN, planned_task
 from onika.desk.plan.declarations import declared_inputs, declared_ports
 from onika.desk.plan.target_inputs import measured_kinds
-from onika.model.configuration import Configuration
+from onika.model.configuration import Configuration, Placed
 from onika.model.syntax import IconType, Syntax
 from onika.model.task import Task
 from onika.store.site import Site
@@ -59,8 +59,13 @@ class SiteLibrary:
             return None, faults or self._none(Reason.of("desk.a_configuration"), name, self.configurations)
         return configuration, faults
 
-    def planned(self, name: str, rtpu: str = UNKNOWN) -> tuple[PlannedTask | None, Code | None, Faults]:
-        """A task as a runtime takes it, and its code; None with the faults where one of them is missing."""
+    def planned(
+        self, name: str, rtpu: str = UNKNOWN, placed: Placed | None = None
+    ) -> tuple[PlannedTask | None, Code | None, Faults]:
+        """A task as a runtime takes it, and its code; None with the faults where one of them is missing.
+
+        placed    as which a configuration has it
+        """
         task, faults = self.task(name)
         home = self._site.home_of_task(name)
         if task is None or home is None or faults:
@@ -72,7 +77,7 @@ class SiteLibrary:
         code, faults = self.code(task.module, path)
         if code is None:
             return None, None, faults
-        return planned_task(task, rtpu, code.digest, file), code, ()
+        return planned_task(placed.of(task) if placed else task, rtpu, code.digest, file), code, ()
 
     @property
     def ports(self) -> Iterator[tuple[Task, tuple[PortSheet, ...]]]:

@@ -9,6 +9,7 @@ from onika.desk.console.session import ConsoleSession, Faults
 from onika.desk.console.site_library import SiteLibrary, altered
 from onika.desk.plan.compile import UNKNOWN
 from onika.model.configuration import Configuration
+from onika.model.planned import task_of
 from onika.wire import live
 from onika.wire.plan import Code, PlannedTask
 from onika.words.reason import Reason
@@ -129,22 +130,44 @@ def _reconfigured(
         return faults + wrong
     living = session.tasks()
     names = tuple(placed.task for placed in configuration.placed)
-    planned, code, faults = _placed(session, configuration, set(living))
-    resting = [name for name in names if name not in living or living[name].state != "ON"]
-    starts, wrong = _starts(library, resting, line)
+    same = _as_placed(library, configuration, living)
+    planned, code, faults = _placed(session, configuration, same)
+    resting = [name for name in names if name not in same or living[name].state != "ON"]
+    files = {placed.task: placed.file for placed in configuration.placed}
+    starts, wrong = _starts(library, resting, files, line)
     others = {name: task for name, task in living.items() if name not in names}
+    otherwise = tuple(name for name in living if name in names and name not in same)
+    change = leave(others)
     change = msgspec.structs.replace(
-        leave(others), spawn=planned, code=code, on=starts, rates=tuple(_rates(configuration, living))
+        change,
+        kill=(*change.kill, *otherwise),
+        spawn=planned,
+        code=code,
+        on=starts,
+        rates=tuple(_rates(configuration, living)),
     )
     return tuple(dict.fromkeys((*faults, *wrong))) or session.order(change)
 
 
-def _starts(library: SiteLibrary, names: Iterable[str], line: str) -> tuple[tuple[live.Turn, ...], Faults]:
+def _as_placed(library: SiteLibrary, configuration: Configuration, living: Mapping[str, live.TaskStanding]) -> set[str]:
+    """The tasks that live as a configuration has them: with its aliases and parameters."""
+    same = set()
+    for placed in configuration.placed:
+        task, _ = library.task(placed.file)
+        if task is not None and placed.task in living:
+            wanted, lives = placed.of(task), task_of(living[placed.task].task)
+            same |= {placed.task} if (wanted.aliases, wanted.local) == (lives.aliases, lives.local) else set()
+    return same
+
+
+def _starts(
+    library: SiteLibrary, names: Iterable[str], files: Mapping[str, str], line: str
+) -> tuple[tuple[live.Turn, ...], Faults]:
     """What is to be turned ON; the argument line goes to the task that takes a target."""
     starts: list[live.Turn] = []
     faults: Faults = ()
     for name in names:
-        task, wrong = library.task(name)
+        task, wrong = library.task(files[name])
         faults += wrong
         if task is not None:
             starts.append(live.Turn(name, line if task.object_type else ""))
@@ -211,7 +234,7 @@ def _placed(
         if placed.task in living:
             continue
         rtpu = placed.rtpu if placed.rtpu in units else UNKNOWN  # as in a run: an unknown unit is the first one
-        task, source, wrong = SiteLibrary(session.site, session.place).planned(placed.task, rtpu)
+        task, source, wrong = SiteLibrary(session.site, session.place).planned(placed.file, rtpu, placed)
         faults += wrong
         if task is not None and source is not None:
             planned.append(altered(task, "", placed.frequency if task.frequency is not None else None))

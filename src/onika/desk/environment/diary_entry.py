@@ -31,6 +31,7 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.Move: ("move_icon", "conf"),
     act.Flip: ("flip_icon", "conf"),
     act.Align: ("align_icon", "conf"),
+    act.Arrange: ("arrange_conf", "conf"),
     act.Show: ("show_locus", "conf"),
     act.Copy: ("copy_icon", "conf"),
     act.Cut: ("cut_icon", "conf"),

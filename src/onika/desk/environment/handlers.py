@@ -80,6 +80,7 @@ HANDLERS: Mapping[type, Handler] = {
     act.Move: placement.move,
     act.Flip: placement.flip,
     act.Align: placement.align,
+    act.Arrange: placement.arrange,
     act.Show: placement.show,
     act.OpenLibrary: libraries.open_library,
     act.CloseLibrary: libraries.close_library,

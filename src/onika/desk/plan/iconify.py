@@ -143,14 +143,14 @@ def _type(source: _Source) -> ActionType | Reasons:
 
 
 def _job(source: _Source, configuration: Configuration) -> ActionType | Reasons:
-    tasks: dict[str, Task] = {}
+    filed: dict[str, Task] = {}
     wrong: list[Fault] = []
     for placed in configuration.placed:
-        record, faults = source.site.task(placed.task)
+        record, faults = source.site.task(placed.file)
         if record is not None:
-            tasks[placed.task] = record.task
+            filed[placed.file] = record.task
         wrong += () if record else faults
-    return tuple(wrong) or job_type(configuration, tasks, source.syntax)
+    return tuple(wrong) or job_type(configuration, configuration.tasks(filed), source.syntax)
 
 
 def _lent(path: Path | None, syntax: Syntax) -> Picture | Reasons | None:

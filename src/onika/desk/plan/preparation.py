@@ -1,7 +1,7 @@
 """Prepares a run: turns a name or file into a plan, with every fault seen without a runtime (requirement E01)."""
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from onika.desk.plan import redirection
@@ -34,6 +34,8 @@ class PreparedRun:
     stand twice."""
     program: ApplicationProgram | None = None
     """All that was read."""
+    places: Mapping[str, str] = field(default_factory=dict)
+    """The `.rmod` files of its tasks."""
 
 
 def prepare_run(name_or_path: str, site: Site, redirects: Sequence[Redirect] = ()) -> PreparedRun:
@@ -112,7 +114,7 @@ def _judged(
     remarks = (*_notes(program, home, places), *_unreadable_icons(program, home, syntax))
     mistakes, notes = parted((*faults, *program.faults, *judged, *found_later, *met, *remarks, *home.absent()))
     name = program.application.name
-    return PreparedRun(name, program.application, plan, tuple(compiler.targets), mistakes, notes, program)
+    return PreparedRun(name, program.application, plan, tuple(compiler.targets), mistakes, notes, program, places)
 
 
 def _notes(program: ApplicationProgram, site: Site, places: dict[str, str]) -> tuple[Fault, ...]:
@@ -145,5 +147,6 @@ def _nothing(name: str, faults: tuple[Fault, ...]) -> PreparedRun:
 
 
 def _places(program: ApplicationProgram, home: Site) -> dict[str, str]:
-    homes = {name: home.home_of_task(name) for name in program.tasks}
-    return {name: str(base.task_file(name)) for name, base in homes.items() if base is not None}
+    files = {name: program.task_files.get(name, name) for name in program.tasks}
+    homes = {name: home.home_of_task(file) for name, file in files.items()}
+    return {name: str(base.task_file(files[name])) for name, base in homes.items() if base is not None}

@@ -2,11 +2,13 @@
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
+from functools import partial
 from hashlib import sha256
 from pathlib import Path
 
 from onika.desk.plan.compile import UNKNOWN, no_code, planned_task, rtpus_of
 from onika.desk.plan.preparation import PreparedRun, prepare_run
+from onika.desk.run.configuration_survey import judged, need_modules, surveyed
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.files import appl, buttons, conf, onk, picture, preferences, rmod, syntax, text
 from onika.model.rules.warning import self_fed
@@ -14,8 +16,9 @@ from onika.model.syntax import Syntax
 from onika.store import module_catalogue
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import Site
-from onika.wire import request
+from onika.wire import live, request
 from onika.wire.plan import Code, PlannedTask
+from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place, parted
 from onika.words.reason import Reason
 from onika.words.system_error import system_reason
@@ -155,19 +158,35 @@ def _read_task(content: str, name: str, place: str) -> list[Fault]:
 
 def _judge(files: list[Path], site: Site, note: Note) -> list[Fault]:
     """What only modules can tell: tasks against their classes, applications against everything."""
-    faults = [fault for file in _with_ending(files, conf.ENDING) for fault in _missing(file, site)]
+    faults: list[Fault] = []
+    configurations = surveyed(_with_ending(files, conf.ENDING), site)
     modules = {file.stem: file for file in _with_ending(files, ".py")}
     planned, code = _tasks(_with_ending(files, rmod.ENDING), modules, site, faults)
     applications = [file for file in _with_ending(files, appl.ENDING) if not _is_part(file, site)]
-    if not (planned or code or applications):
-        return faults
+    if not (planned or code or applications or need_modules(configurations)):
+        return faults + judged(configurations, site, _of_none)
     prepared = [prepare_run(str(file), site) for file in applications]
-    rtpus = {name for run in prepared if run.plan for name in rtpus_of(run.plan)}
-    with LaunchedRuntime(tuple(sorted(rtpus)) or ("rt0",), is_virtual=True) as runtime:
+    with LaunchedRuntime(_units(prepared), is_virtual=True) as runtime:
+        faults += judged(configurations, site, partial(_described, runtime))
         faults += _asked(runtime, request.Inspect(tuple(planned), tuple(code)), note)
         for run in prepared:
             faults += _judged(runtime, run, note)
     return faults
+
+
+def _units(prepared: Iterable[PreparedRun]) -> tuple[str, ...]:
+    """The processing units that the plans name."""
+    names = {name for run in prepared if run.plan for name in rtpus_of(run.plan)}
+    return tuple(sorted(names)) or ("rt0",)
+
+
+def _described(runtime: LaunchedRuntime, code: tuple[Code, ...]) -> Mapping[str, ModuleSheet]:
+    answer = runtime.ask(live.Describe(code))
+    return answer.sheets if isinstance(answer, live.Described) else {}
+
+
+def _of_none(_code: tuple[Code, ...]) -> Mapping[str, ModuleSheet]:
+    return {}
 
 
 def _with_ending(files: list[Path], ending: str) -> list[Path]:
@@ -182,22 +201,6 @@ def _judged(runtime: LaunchedRuntime, run: PreparedRun, note: Note) -> list[Faul
     if run.plan is not None:
         faults += _asked(runtime, request.Prepare(run.plan, run.targets), note)
     return faults
-
-
-def _missing(file: Path, site: Site) -> list[Fault]:
-    """Tasks of a configuration that are nowhere on the search path (reading 11)."""
-    content, _ = text.load(file, str(file))
-    configuration = None if content is None else conf.read(content, file.stem, str(file))[0]
-    here = site.at(file.absolute().parent.parent)
-    lost = (
-        [placed.task for placed in configuration.placed if here.home_of_task(placed.task) is None]
-        if configuration
-        else []
-    )
-    return [
-        Fault(Place(str(file)), Reason.of("desk.tasks_not_on_path", name=name), Reason.of("words.left_out"))
-        for name in lost
-    ]
 
 
 def _is_part(file: Path, site: Site) -> bool:

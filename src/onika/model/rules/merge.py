@@ -66,4 +66,4 @@ def _conflicting(
 
 def _updated(placed: Placed, running: Placed) -> Placed:
     """The running task's values win (reading 4); its icon stays where it is."""
-    return replace(placed, frequency=running.frequency, rtpu=running.rtpu)
+    return replace(placed, frequency=running.frequency, rtpu=running.rtpu, own=running.own, rmod=running.rmod)

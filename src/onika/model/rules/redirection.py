@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from onika.model.configuration import Configuration
+from onika.model.own_lines import NO_OWN_LINES
 from onika.model.redirect import Choice
 from onika.model.rules import placement
 from onika.model.rules.union import devices
@@ -73,7 +74,8 @@ def redirected(configuration: Configuration, choice: Choice, tasks: Mapping[str,
             placed.append(member)
             continue
         is_own = old is not None and member.frequency != old.frequency
-        placed.append(replace(member, task=new.name, frequency=member.frequency if is_own else new.frequency or 0.0))
+        hz = member.frequency if is_own else new.frequency or 0.0
+        placed.append(replace(member, task=new.name, frequency=hz, own=NO_OWN_LINES, rmod=""))
     return replace(configuration, placed=tuple(placed))
 
 

@@ -29,6 +29,7 @@ from onika.wire.act.application import (
 )
 from onika.wire.act.canvas import (
     Align as Align,
+    Arrange as Arrange,
     Check as Check,
     Copy as Copy,
     Cut as Cut,
@@ -177,6 +178,7 @@ AnyAct = (
     | Move
     | Flip
     | Align
+    | Arrange
     | Show
     | Copy
     | Cut

@@ -56,6 +56,13 @@ class Align(Act, frozen=True):
     edge: Literal["left", "right", "top", "bottom", "columns", "rows"]
 
 
+class Arrange(Act, frozen=True):
+    """Lay out the tasks of a configuration, or these, in columns along the flow of data."""
+
+    doc: str
+    tasks: Names = ()
+
+
 class Show(Act, frozen=True):
     """Show or hide the connections of variables."""
 

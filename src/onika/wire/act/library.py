@@ -24,7 +24,7 @@ class Alias(Act, frozen=True):
     pin: str
     svar: str
     doc: str = ""
-    """Where it was done, whose Undo takes it back."""
+    """Where it was done: the configuration of a placed task, whose it is then and whose Undo takes it back."""
 
 
 class LibraryRate(Act, frozen=True):
@@ -47,12 +47,15 @@ class SaveTask(Act, frozen=True):
 
     task: str
     overwrites: bool = False
+    doc: str = ""
+    """The configuration whose lines of its own are meant."""
 
 
 class ForgetTask(Act, frozen=True):
     """Take a task as its file says again."""
 
     task: str
+    doc: str = ""
 
 
 class ReadText(Act, frozen=True):

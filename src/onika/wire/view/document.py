@@ -5,6 +5,7 @@ from typing import Literal
 from msgspec import field
 
 from onika.wire.view.asking import AskView, ErrorView
+from onika.wire.view.library import TaskView
 from onika.wire.view.show import AnyShow
 from onika.wire.view.view import Objection, Remedy, View
 from onika.words.reason import NOTHING, Reason
@@ -89,6 +90,8 @@ class DocumentView(View, frozen=True):
     """The supermodules, by their names (C17)."""
     kept: dict[str, KeptView] = field(default_factory=dict)
     """The configurations that one act switches to, by their names."""
+    own: dict[str, TaskView] = field(default_factory=dict)
+    """Tasks that are otherwise here than in the library, or have another name, as they are here."""
     greyed: dict[str, tuple[Objection, ...]] = field(default_factory=dict)
     """Library tasks that may not be placed, Equations (2) and (3), each with all its reasons."""
     objections: dict[str, tuple[Objection, ...]] = field(default_factory=dict)

@@ -60,6 +60,8 @@ class TaskView(View, frozen=True):
     path: str = ""
     code: str = ""
     """The path of its module's code; empty: there is none."""
+    file: str = ""
+    """Of a task that is otherwise in a configuration than in the library: its name there."""
 
 
 class LibraryView(View, frozen=True):

@@ -44,6 +44,8 @@ class Tree(View, frozen=True):
     """Files that stand before shipped ones, by path, with the name of the laboratory of those."""
     module_sentences: dict[str, dict[str, dict[str, str]]] = field(default_factory=dict)
     """What modules of open libraries say in other languages: translations by module, language and sentence."""
+    touched: dict[str, int] = field(default_factory=dict)
+    """Files of modules and tasks that were written, by path, with a number that grows."""
     documents: dict[str, DocumentView] = field(default_factory=dict)
     files: dict[str, ConfigurationFile] = field(default_factory=dict)
     loads: dict[str, float] = field(default_factory=dict)

@@ -58,7 +58,7 @@ def test_nobody_knows_the_parameters_of_a_task_that_is_not_there(sitting):
 
 
 def test_parameters_are_changed_and_taken_back(sitting):  # R-C04
-    doc = sitting.new("writer")
+    doc = sitting.new()
     sitting.do(act.Local("writer", (("GAIN", ("1", "2.5")), ("OFF", ())), doc))
     assert task(sitting, "writer").local == (LocalLine("GAIN", ("1", "2.5")), LocalLine("OFF", ()))
     sitting.do(act.Undo(doc))

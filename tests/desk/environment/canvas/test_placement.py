@@ -1,7 +1,9 @@
+from dataclasses import replace
+
 import pytest
 
 from kit.desk.environment_fixture import EnvironmentFixture
-from onika.model.task import Task
+from onika.model.task import LocalLine, Task
 from onika.wire import act
 
 TASKS = (
@@ -145,3 +147,24 @@ def test_a_task_that_replaces_another_takes_its_place_in_its_supermodule(sitting
     sitting.do(act.Exchange(doc, "cubic", "trapez"))
     sitting.do(act.Move(doc, {"pd": (9, 9)}))
     assert document(sitting).groups["arm"].tasks == ("pd", "trapez")
+
+
+def test_a_configuration_is_arranged_as_one_step_that_is_taken_back(sitting):  # R-C09, R-X10
+    doc = sitting.new("pd", "cubic")
+    before = sitting.environment.model.documents[doc].content
+    sitting.do(act.Arrange(doc))
+    tasks = document(sitting).tasks
+    assert tasks["cubic"].x < tasks["pd"].x
+    assert str(document(sitting).undo) == "arranging Untitled-1"
+    sitting.do(act.Undo(doc))
+    assert sitting.environment.model.documents[doc].content == before
+    assert "ghost" in str(sitting.no(act.Arrange(doc, ("ghost",))).reason)
+
+
+def test_what_is_known_to_be_hardware_stands_first(tmp_path):  # law 1
+    arm = replace(TASKS[3], local=(LocalLine("DEVICE", ("boxes:arm",)),))
+    sitting = EnvironmentFixture(tmp_path, (*TASKS[:3], arm))
+    doc = sitting.new("pd", "cubic", "robot")
+    sitting.do(act.Arrange(doc))
+    tasks = document(sitting).tasks
+    assert tasks["robot"].x < tasks["cubic"].x < tasks["pd"].x

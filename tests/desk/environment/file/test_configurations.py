@@ -157,3 +157,15 @@ def test_tasks_that_are_on_are_asked_about_before_their_tab_closes(duet):  # R-C
     assert (end.alive, leave.alive) == ("end", "leave")
     duet.do(leave)
     assert set(duet.runtime.lives["Untitled-1"]) == {"cubic", "pd"}
+
+
+def test_a_file_without_loci_draws_its_wires_and_is_not_changed_thereby(sitting):  # R-C09, R-B06
+    path = sitting.base.configuration_file("bare")
+    path.parent.mkdir(exist_ok=True)
+    rows = "COORDS 0 0\nINLEFT yes\nFREQ 0\nRTPU unknown\n"
+    path.write_text(f"VERSION 1.3\nRMODFILE cubic\n{rows}RMODFILE pd\n{rows}EOF\n")
+    text = path.read_text()
+    doc = sitting.do(act.Open(str(path)))
+    view = documents(sitting)[doc]
+    assert (view.loci["Q_REF"].writers, view.loci["Q_REF"].readers) == (("cubic",), ("pd",))
+    assert (view.is_dirty, view.is_moved, path.read_text()) == (False, False, text)

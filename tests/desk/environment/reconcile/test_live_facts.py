@@ -54,7 +54,8 @@ def test_the_facts_are_taken_over_and_a_question_is_kept_as_long_as_it_is_asked(
         "main", "live", {"a": TaskFacts("ASKING", question=question, warnings=3), "gone": TaskFacts("ON")}
     )
     now = with_standing(facts, standing(task("a", "ASKING", "asks for x"), task("b", "WAITING", "waits for N")))
-    assert now.tasks["a"] == TaskFacts("ASKING", rtpu="rt1", hz=20.0, question=question, warnings=3)
+    planned = task("a", "ASKING").task
+    assert now.tasks["a"] == TaskFacts("ASKING", rtpu="rt1", hz=20.0, question=question, warnings=3, planned=planned)
     assert str(now.tasks["b"].note) == "waits for N" and set(now.tasks) == {"a", "b"} and now.holder == "me"
     later = with_standing(now, standing(task("a", "OFF")))
     assert later.tasks["a"].question is None

@@ -2,6 +2,7 @@
 
 from typing import Protocol
 
+from onika.desk.environment.file.elsewhere import differences
 from onika.desk.environment.outcome.on_file import AnyFile, on_file
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Services
@@ -14,13 +15,14 @@ _ORDER = ("fault", "warning", "note")
 
 
 @on_file
-def check(model: Model, file: AnyFile, _command: act.Check, _outside: Services) -> Done | No:
+def check(model: Model, file: AnyFile, _command: act.Check, outside: Services) -> Done | No:
     """The value is the sentences, what is wrong first; none where all is well."""
     if isinstance(file, OpenApplication):
         faults = (*file.file_faults, *(file.judgement.faults if file.judgement else ()))
         return Done(model, value=tuple(fault.text for fault in sorted(faults, key=_order)))
-    troubles = sorted(problems(file, model.libraries).values(), key=_order)
-    return Done(model, value=tuple(trouble.text for trouble in troubles))
+    troubles = sorted(problems(file, model.libraries_of(file)).values(), key=_order)
+    others = differences(model, file.content.configuration, file.base, outside.site)
+    return Done(model, value=(*(trouble.text for trouble in troubles), *others.values()))
 
 
 class _Levelled(Protocol):

@@ -12,8 +12,7 @@ from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.clipboard import Clipboard, copied, read, write
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_libraries import OpenLibraries
-from onika.model.configuration import Group, Placed
+from onika.model.configuration import Configuration, Group, Placed
 from onika.model.rules import conflict, loci
 from onika.model.task import Task
 from onika.wire import act
@@ -31,7 +30,7 @@ def copy(model: Model, document: Document, command: act.Copy, _outside: Services
     refused = _nothing(command.tasks) or absent(document, command.tasks)
     if refused:
         return refused
-    boxes = model.libraries.boxes(command.tasks).values()
+    boxes = model.libraries_of(document).boxes(command.tasks).values()
     svars = (pin.svar for box in boxes for pin in box.pins)
     taken = copied(document.content.configuration, command.tasks, svars)
     return Done(replace(model, clipboard=taken), value=write(taken))
@@ -56,7 +55,7 @@ def paste(model: Model, document: Document, command: act.Paste, _outside: Servic
         return No(taken)
     if not taken.placed:
         return No(Reason.of("desk.nothing_copied"))
-    against = objections(model.libraries, document, taken)
+    against = objections(model, document, taken)
     if against:
         return refusal(Reason.of("desk.nothing_pasted_plain"), against)
     names = tuple(placed.task for placed in taken.placed)
@@ -76,7 +75,7 @@ def placed(model: Model, document: Document, taken: Clipboard, label: Reason) ->
     done = with_other_tasks(model, document, both, label)
     after = done.model.documents[document.id]
     spots = {locus.svar: locus for locus in taken.loci if locus.svar not in svars}
-    boxes = model.libraries.boxes(after.content.names)
+    boxes = done.model.libraries_of(after).boxes(after.content.names)
     kept = replace(after.content, configuration=loci.wished(after.content.configuration, spots, boxes))
     return replace(done, model=done.model.with_document(after.having(kept)), value=names)
 
@@ -102,12 +101,13 @@ def _renamed(groups: Iterable[Group], standing: Iterable[Group]) -> Iterator[Gro
         yield replace(group, name=name)
 
 
-def objections(libraries: OpenLibraries, document: Document, taken: Clipboard) -> list[Objection]:
+def objections(model: Model, document: Document, taken: Clipboard) -> list[Objection]:
     """Every reason why what was copied may not be placed, task by task."""
-    tasks = libraries.tasks
-    standing = [tasks[name] for name in document.content.names if name in tasks]
+    here = model.libraries_of(document).tasks
+    tasks = model.libraries.within(Configuration("", taken.placed)).tasks
+    standing = [here[name] for name in document.content.names if name in here]
     against = _against(standing, [tasks[placed.task] for placed in taken.placed if placed.task in tasks])
-    missing = set(document.content.names) - set(tasks)
+    missing = set(document.content.names) - set(here)
     objections: list[Objection] = []
     for placed in taken.placed:
         task = tasks.get(placed.task)

@@ -206,9 +206,10 @@ def _spawned(model: Model, merged_tasks: Merged, outside: Services) -> Done:
     document = model.documents[merged_tasks.document.id]
     units = living_units(model)
     wanted, says = {}, []
+    libraries = model.libraries_of(document)
     for name in merged_tasks.spawn:
         placed = document.content.placed(name)
-        born = birth(placed, model.libraries, units) if placed else Reason.of("desk.task_missing", name=name)
+        born = birth(placed, libraries, units) if placed else Reason.of("desk.task_missing", name=name)
         if isinstance(born, Reason):
             says.append(page.Say("warning", Reason.of("desk.left_out", why=born), document.id, ShowTask(name)))
         else:

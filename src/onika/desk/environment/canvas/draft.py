@@ -95,8 +95,9 @@ def drafted(document: Document, site: Site) -> Draft | tuple[Reason, ...]:
 
 
 def _tasks(document: Document, site: Site) -> dict[str, Task]:
-    records = {name: site.task(name)[0] for name in document.content.names}
-    return {name: record.task for name, record in records.items() if record}
+    configuration = document.content.configuration
+    records = {placed.file: site.task(placed.file)[0] for placed in configuration.placed}
+    return configuration.tasks({name: record.task for name, record in records.items() if record})
 
 
 def former_of(name: str, home: BaseDirectory, syntax: Syntax, role: str) -> tuple[OpenedText[Onikon] | None, Reason]:

@@ -100,7 +100,7 @@ def insert(model: Model, document: Document, command: act.Insert, outside: Servi
         return No(Reason.of("desk.without_tasks", name=name))
     new = Group(name, tuple(_in_order(configuration)))
     taken = Clipboard(configuration.placed, configuration.loci, (new,))
-    against = [*_namesake(document, name), *clipboard.objections(model.libraries, document, taken)]
+    against = [*_namesake(document, name), *clipboard.objections(model, document, taken)]
     if against:
         return clipboard.refusal(Reason.of("desk.not_inserted", name=name), against)
     return clipboard.placed(
@@ -183,7 +183,7 @@ def _namesake(document: Document, name: str) -> list[Objection]:
 
 def _part(model: Model, document: Document, group: Group) -> Configuration:
     """The configuration of a supermodule alone: its loci stand where they are, and count its own tasks."""
-    boxes = model.libraries.boxes(group.tasks)
+    boxes = model.libraries_of(document).boxes(group.tasks)
     svars = (pin.svar for box in boxes.values() for pin in box.pins)
     taken = copied(document.content.configuration, group.tasks, svars)
     part = Configuration(group.name, taken.placed, taken.loci, (group,))

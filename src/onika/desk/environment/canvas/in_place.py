@@ -15,6 +15,7 @@ from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.model import Model
 from onika.model.configuration import Configuration
+from onika.model.planned import task_of
 from onika.model.rules.order import Ports
 from onika.model.rules.reconfiguration import PlacedTask as Standing, exchange
 from onika.wire import act
@@ -53,14 +54,21 @@ def _content(document: Document, configuration: Configuration) -> Content:
 
 def _fate_of_tasks(model: Model, document: Document, subsystem_facts: SubsystemFacts, content: Content) -> Reason:
     """What becomes of each task; nothing: nothing happens to any."""
-    what = reconfiguration(document.content, content, subsystem_facts, model.libraries, (), living_units(model))
+    what = reconfiguration(
+        document.content,
+        content,
+        subsystem_facts,
+        model.libraries.within(content.configuration),
+        (),
+        living_units(model),
+    )
     if what.is_nothing and not what.faults:
         return NOTHING
     both = [birth.task.name for birth in what.spawn if birth.task.name in what.kill]
     new = [birth.task.name for birth in what.spawn if birth.task.name not in what.kill]
     gone = [name for name in what.kill if name not in both]
     touched = {*what.kill, *new}
-    again = [name for name in _again(model, subsystem_facts, what) if name not in touched]
+    again = [name for name in _again(model, document, subsystem_facts, what) if name not in touched]
     kept = [
         name for name in content.wanted if name in subsystem_facts.tasks and name not in touched and name not in again
     ]
@@ -75,11 +83,12 @@ def _fate_of_tasks(model: Model, document: Document, subsystem_facts: SubsystemF
     return Reason.of("desk.several_reasons", reasons=tuple(part for part in parts if part))
 
 
-def _again(model: Model, subsystem_facts: SubsystemFacts, what: Reconfiguration) -> tuple[str, ...]:
+def _again(model: Model, document: Document, subsystem_facts: SubsystemFacts, what: Reconfiguration) -> tuple[str, ...]:
     """Whose constants come from another task afterwards."""
-    tasks = model.libraries.tasks
+    tasks = model.libraries_of(document).tasks
     living = [Standing(Ports.of(tasks[name]), tasks[name].module) for name in subsystem_facts.tasks if name in tasks]
-    new = [Standing(Ports.of(tasks[birth.task.name]), tasks[birth.task.name].module) for birth in what.spawn]
+    born = [task_of(birth.task) for birth in what.spawn]
+    new = [Standing(Ports.of(task), task.module) for task in born]
     return exchange(living, what.kill, new).reinit
 
 

@@ -130,7 +130,13 @@ def _no_base(path: Path) -> No | None:
 
 def _living(model: Model) -> frozenset[str]:
     """Tasks that are wanted in the running system: a file that somebody else writes changes nothing there."""
-    return frozenset(name for document in model.documents.values() if document.live for name in document.content.wanted)
+    return frozenset(
+        placed.file
+        for document in model.documents.values()
+        if document.live
+        for placed in document.content.configuration.placed
+        if placed.task in document.content.wanted
+    )
 
 
 def _rebased(

@@ -4,7 +4,9 @@ import math
 from dataclasses import replace
 from pathlib import Path
 
+from onika.desk.environment.canvas import own_lines
 from onika.desk.environment.canvas.libraries import reread, saved_here
+from onika.desk.environment.canvas.own_lines import placed_in
 from onika.desk.environment.outcome import pin_changes
 from onika.desk.environment.outcome.clash import clashes, refused
 from onika.desk.environment.outcome.outcome import Done, No
@@ -16,6 +18,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.desk.environment.state.restoration import own_step
 from onika.files import rmod
+from onika.model.own_lines import NO_OWN_LINES
 from onika.model.task import Task, TaskType
 from onika.store.base_directory import BaseDirectory
 from onika.store.own_copy import copied_with_code
@@ -28,8 +31,13 @@ from onika.words.reason import Reason
 
 
 def alias(model: Model, command: act.Alias, _outside: Services) -> Done | No:
-    """Give the variable behind a pin, everywhere: every open configuration must bear it."""
-    task, filed = model.libraries.tasks.get(command.task), model.libraries.filed(command.task)
+    """Give the variable behind a pin: of a placed task in its configuration, else everywhere it is placed.
+
+    Every open configuration that it concerns must bear it.
+    """
+    placed = placed_in(model, command.doc, command.task)
+    libraries = model.libraries_of(placed[0]) if placed else model.libraries
+    task, filed = libraries.tasks.get(command.task), libraries.filed(command.task)
     if task is None or filed is None:
         return unknown(command.task)
     if command.pin not in task.kinds():
@@ -39,16 +47,16 @@ def alias(model: Model, command: act.Alias, _outside: Services) -> Done | No:
         expected = Reason.of("desk.variable_form")
         return No(Reason.of("desk.no_variable_name", svar=svar), fields={"svar": expected})
     changed = task_edit.aliased(task, command.pin, svar, filed)
+    name = svar or command.pin
+    label = Reason.of("desk.aliasing", pin=command.pin, task=command.task, name=name)
+    cannot = Reason.of("desk.pin_cannot_be", pin=command.pin, task=command.task, name=name)
+    if placed:
+        return own_lines.changed(model, placed, changed, label, cannot)
     libraries = model.libraries.edited({command.task: changed})
     against = clashes(model, libraries, (command.task,))
-    name = svar or command.pin
     if against:
-        return refused(Reason.of("desk.pin_cannot_be", pin=command.pin, task=command.task, name=name), against, "svar")
-    return Done(
-        taken_over(model, libraries),
-        Reason.of("desk.aliasing", pin=command.pin, task=command.task, name=name),
-        command.doc,
-    )
+        return refused(cannot, against, "svar")
+    return Done(taken_over(model, libraries), label, command.doc)
 
 
 def library_rate(model: Model, command: act.LibraryRate, _outside: Services) -> Done | No:
@@ -71,31 +79,47 @@ def library_rate(model: Model, command: act.LibraryRate, _outside: Services) -> 
 
 
 def save_task(model: Model, command: act.SaveTask, outside: Services) -> Done | No:
-    """Write what was changed of a task, its rate too, to its file; of a shipped one to a copy of the user's own."""
-    task = model.libraries.tasks.get(command.task)
+    """Write what was changed of a task, its rate too, to its file; of a shipped one to a copy of the user's own.
+
+    What was changed of a placed task is the file's from then on, no longer of its configuration alone.
+    """
+    placed = placed_in(model, command.doc, command.task)
+    libraries = model.libraries_of(placed[0]) if placed else model.libraries
+    task, name = libraries.tasks.get(command.task), placed[1].file if placed else command.task
     if task is None:
         return unknown(command.task)
-    base, record = model.libraries.homes[command.task].base, model.libraries.records[command.task]
-    path = base.task_file(command.task)
-    changed = replace(task, frequency=model.libraries.rates.get(command.task, task.frequency))
+    done = _saved(model, replace(task, name=name), command, outside)
+    if placed is None or isinstance(done, No):
+        return done
+    return replace(done, model=own_lines.dropped(done.model, placed))
+
+
+def _saved(model: Model, task: Task, command: act.SaveTask, outside: Services) -> Done | No:
+    name = task.name
+    base, record = model.libraries.homes[name].base, model.libraries.records[name]
+    path = base.task_file(name)
+    changed = replace(task, frequency=model.libraries.rates.get(name, task.frequency))
     if changed == record.task:
         return Done(model, value=str(path))
     if is_shipped(base.path):
-        return _copied(model, command.task, changed, outside)
+        return _copied(model, name, changed, outside)
     former = present_text(path)
     done = base.save_task(record, changed, overwrites=command.overwrites)
     if isinstance(done, Refusal):
         remedies = (
-            *overwriting(done, act.SaveTask(command.task, overwrites=True)),
-            Remedy(Reason.of("desk.take_as_filed"), act.ForgetTask(command.task)),
+            *overwriting(done, act.SaveTask(command.task, overwrites=True, doc=command.doc)),
+            Remedy(Reason.of("desk.take_as_filed"), act.ForgetTask(command.task, command.doc)),
         )
         return No(done.reason, remedies)
-    filed = _as_filed(model, command.task, path)
+    filed = _as_filed(model, name, path)
     return replace(filed, value=str(path), says=(*filed.says, *kept(path, former, outside)))
 
 
 def forget_task(model: Model, command: act.ForgetTask, _outside: Services) -> Done | No:
-    """A task as its file says now, where every open configuration bears it."""
+    """A task as its file says now, where every open configuration bears it; a placed one as its library has it."""
+    placed = placed_in(model, command.doc, command.task)
+    if placed and placed[1].own != NO_OWN_LINES:
+        return own_lines.as_in_library(model, placed, Reason.of("desk.taking_as_filed", task=command.task))
     if command.task not in model.libraries.tasks:
         return unknown(command.task)
     path = model.libraries.homes[command.task].base.task_file(command.task)

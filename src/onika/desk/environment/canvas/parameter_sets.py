@@ -86,17 +86,18 @@ def switch_set(model: Model, document: Document, command: act.SwitchSet, outside
     wanted = next((other for other in (kept[1].value if kept[1] else ()) if other.name == command.name), None)
     if wanted is None:
         return _no_set(document, command.name)
-    here = [name for name in wanted.tasks if document.content.placed(name) and name in model.libraries.tasks]
-    lines = {name: merged(model.libraries.tasks[name].local, wanted.of_task(name)) for name in here}
-    wrong = dict(_faults(model, lines))
+    tasks = model.libraries_of(document).tasks
+    here = [name for name in wanted.tasks if document.content.placed(name) and name in tasks]
+    lines = {name: merged(tasks[name].local, wanted.of_task(name)) for name in here}
+    wrong = dict(_faults(model, document, lines))
     if wrong:
         reason = Reason.of("desk.set_refused", name=command.name, reasons=tuple(wrong.values()))
         return No(reason, fields=wrong)
-    changed = {name: new for name, new in lines.items() if new != model.libraries.tasks[name].local}
+    changed = {name: new for name, new in lines.items() if new != tasks[name].local}
     absent = tuple(name for name in wanted.tasks if name not in here)
     says = (page.Say("warning", Reason.of("desk.set_tasks_absent", name=command.name, tasks=absent), document.id),)
-    now = with_parameters(model, changed) if changed else model
-    view = _view(now, document, kept[0], kept[1])
+    now = with_parameters(model, document, changed) if changed else model
+    view = _view(now, now.documents[document.id], kept[0], kept[1])
     label = Reason.of("desk.switching_set", name=command.name)
     return Done(now, label, document.id, value=view, says=says if absent else ())
 
@@ -133,7 +134,7 @@ def _written(
 def _present(model: Model, document: Document) -> Iterator[tuple[str, LocalLine]]:
     """The parameters of the tasks on a canvas as they are now."""
     for name in document.content.names:
-        task = model.libraries.tasks.get(name)
+        task = model.libraries_of(document).tasks.get(name)
         if task is not None:
             for line in _lines(task, model.libraries.sheets.get(task.module)):
                 yield name, line
@@ -148,10 +149,10 @@ def _lines(task: Task, sheet: ModuleSheet | None) -> Iterator[LocalLine]:
             yield LocalLine(key, words)
 
 
-def _faults(model: Model, lines: dict[str, Lines]) -> Iterator[tuple[str, Reason]]:
+def _faults(model: Model, document: Document, lines: dict[str, Lines]) -> Iterator[tuple[str, Reason]]:
     """What is wrong with values, by task and parameter."""
     for name, new in lines.items():
-        task = model.libraries.tasks[name]
+        task = model.libraries_of(document).tasks[name]
         for number, reason in faults_by_line(task, new, model.libraries.sheets.get(task.module)).items():
             yield f"{name} {new[number].key}", Reason.of("run.what_why", what=name, why=reason)
 

@@ -3,9 +3,12 @@
 from collections.abc import Mapping
 from dataclasses import replace
 
+from onika.desk.environment.canvas import own_lines
 from onika.desk.environment.canvas.library_tasks import taken_over, unknown
+from onika.desk.environment.canvas.own_lines import placed_in
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.files import rmod
 from onika.files.rmod import RmodText
@@ -20,7 +23,8 @@ Lines = tuple[LocalLine, ...]
 
 def local(model: Model, command: act.Local, _outside: Services) -> Done | No:
     """Other parameters of a module; its declarations and the file's own reader say what may stand there."""
-    task = model.libraries.tasks.get(command.task)
+    placed = placed_in(model, command.doc, command.task)
+    task = (model.libraries_of(placed[0]) if placed else model.libraries).tasks.get(command.task)
     if task is None:
         return unknown(command.task)
     lines = tuple(LocalLine(key, words) for key, words in command.lines)
@@ -28,14 +32,18 @@ def local(model: Model, command: act.Local, _outside: Services) -> Done | No:
     if wrong:
         fields = {f"line {number}": reason for number, reason in wrong.items()}
         return No(Reason.of("desk.parameters_unfit", task=command.task, reasons=tuple(wrong.values())), fields=fields)
-    changed = with_parameters(model, {command.task: lines})
-    return Done(changed, Reason.of("desk.setting_parameters", task=command.task), command.doc)
+    label = Reason.of("desk.setting_parameters", task=command.task)
+    changed = replace(task, local=lines)
+    if placed:
+        return own_lines.changed(model, placed, changed, label, label)
+    return Done(taken_over(model, model.libraries.edited({command.task: changed})), label, command.doc)
 
 
-def with_parameters(model: Model, lines: Mapping[str, Lines]) -> Model:
-    """With other LOCAL lines of these tasks, wherever they are placed."""
-    tasks = {name: replace(model.libraries.tasks[name], local=lines_of_task) for name, lines_of_task in lines.items()}
-    return taken_over(model, model.libraries.edited(tasks))
+def with_parameters(model: Model, document: Document, lines: Mapping[str, Lines]) -> Model:
+    """With other LOCAL lines of these placed tasks, in this configuration."""
+    tasks = model.libraries_of(document).tasks
+    changed = {name: replace(tasks[name], local=lines_of_task) for name, lines_of_task in lines.items()}
+    return own_lines.with_tasks(model, document, changed)
 
 
 def faults_by_line(task: Task, lines: Lines, sheet: ModuleSheet | None) -> dict[int, Reason]:

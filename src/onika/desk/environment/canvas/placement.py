@@ -8,10 +8,11 @@ from onika.desk.environment.outcome.other_tasks import with_other_tasks
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import reasons
 from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.reconcile.task_plan import is_hardware
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.model.configuration import UNKNOWN_RTPU, Configuration, Group, Placed
-from onika.model.rules import loci, placement
+from onika.model.rules import arrangement, loci, placement
 from onika.wire import act
 from onika.wire.view import Remedy, ShowLibraries
 from onika.words.reason import Reason
@@ -103,7 +104,7 @@ def flip(model: Model, document: Document, command: act.Flip, _outside: Services
         for placed in configuration.placed
     )
     turned = replace(configuration, placed=placed)
-    boxes = model.libraries.boxes(document.content.names)
+    boxes = model.libraries_of(document).boxes(document.content.names)
     return _as_it_stands(
         model,
         document,
@@ -120,13 +121,29 @@ def align(model: Model, document: Document, command: act.Align, _outside: Servic
         return missing
     configuration = document.content.configuration
     chosen = [placed for placed in configuration.placed if placed.task in command.tasks]
-    boxes = model.libraries.boxes(command.tasks)
+    boxes = model.libraries_of(document).boxes(command.tasks)
     heights = {name: box.height for name, box in boxes.items()}
     spots = _aligned(chosen, heights, command.edge)
     placed = tuple(_at(placed, spots.get(placed.task)) for placed in configuration.placed)
     return _as_it_stands(
         model, document, replace(configuration, placed=placed), Reason.of("desk.aligning", names=several(command.tasks))
     )
+
+
+@on_document
+def arrange(model: Model, document: Document, command: act.Arrange, _outside: Services) -> Done | No:
+    """Lay tasks out in columns along the flow of data, hardware first."""
+    missing = absent(document, command.tasks)
+    if missing:
+        return missing
+    libraries = model.libraries_of(document)
+    names = document.content.names
+    hardware = [name for name in names if name in libraries.tasks and is_hardware(libraries.tasks[name], libraries)]
+    arranged = arrangement.arranged(
+        document.content.configuration, libraries.boxes(names), hardware, frozenset(command.tasks)
+    )
+    label = Reason.of("desk.arranging", name=several(command.tasks) if command.tasks else document.name)
+    return _as_it_stands(model, document, arranged, label)
 
 
 @on_document
@@ -156,8 +173,8 @@ def _as_it_stands(model: Model, document: Document, configuration: Configuration
 
 def _refused(model: Model, document: Document, name: str, leaving: tuple[str, ...]) -> No | None:
     """Why a task may not join, if so."""
-    tasks = model.libraries.tasks
-    task = tasks.get(name)
+    tasks = model.libraries_of(document).tasks
+    task = model.libraries.tasks.get(name)
     if task is None:
         return No(Reason.of("desk.no_task", name=name), (Remedy(Reason.of("desk.open_library"), show=ShowLibraries()),))
     others = [tasks[name] for name in document.content.names if name in tasks and name not in leaving]

@@ -24,7 +24,7 @@ def rate(model: Model, document: Document, command: act.Rate, _outside: Services
         return No(Reason.of("desk.not_on_canvas", name=command.task))
     if not isfinite(command.hz) or command.hz < 0:
         return _no_rate(command, Reason.of("desk.rate_above_0"))
-    task = model.libraries.tasks.get(command.task)
+    task = model.libraries_of(document).tasks.get(command.task)
     if task is not None and task.frequency is None and command.hz:
         return _no_rate(command, Reason.of("desk.rate_of_command", task=command.task))
     filed = Reason.of("desk.giving_filed_rate", task=command.task)

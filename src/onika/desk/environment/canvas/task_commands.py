@@ -8,12 +8,15 @@ from onika.desk.environment.outcome.on_file import on_document
 from onika.desk.environment.outcome.outcome import Ask, Done, InterimModel, No, Procedure
 from onika.desk.environment.outcome.runtime_refusal import refusal, simply_done
 from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.outcome.staleness import says_otherwise
 from onika.desk.environment.reconcile.reconciliation import accepted, under_way
 from onika.desk.environment.reconcile.task_plan import code_of
 from onika.desk.environment.reconcile.watched_runs import is_on, refusal as watched_by
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.model import Model
+from onika.model.planned import task_of
+from onika.model.task import Task
 from onika.wire import act, live, request
 from onika.wire.view import Remedy, ShowLibraries
 from onika.words.reason import Reason
@@ -93,17 +96,21 @@ def reinit(model: Model, document: Document, command: act.Reinit, _outside: Serv
 
 
 @on_document
-def renew(model: Model, document: Document, command: act.Renew, _outside: Services) -> No | Procedure:
-    """Exchange the code of a living task for what its file says now."""
+def renew(model: Model, document: Document, command: act.Renew, _outside: Services) -> Done | No | Procedure:
+    """Exchange a living task, or its code alone, for what its files say now."""
     of_living = _of_living(model, document, command.task)
     if isinstance(of_living, No):
         return of_living
-    task = model.libraries.tasks.get(command.task)
+    libraries = model.libraries_of(document)
+    task = libraries.tasks.get(command.task)
     if task is None:
         return No(Reason.of("desk.no_task", name=command.task))
-    code = code_of(task.module, model.libraries, command.task)
+    code = code_of(task.module, libraries, command.task)
     if isinstance(code, Reason):
         return No(Reason.of("desk.keeps_code", task=command.task, why=code))
+    planned = of_living.tasks[command.task].planned
+    if planned is not None and says_otherwise(planned, task):
+        return _exchanged(model, document, of_living, task_of(planned))
     return _asked(model, document, live.Swap(of_living.subsystem, command.task, code), command.task)
 
 
@@ -131,6 +138,16 @@ def held_facts(model: Model, document: Document) -> SubsystemFacts | No:
         reason = Reason.of("desk.held_by", name=name, holder=holder)
         return No(reason, (Remedy(Reason.of("desk.take_it"), act.Take(document.id)),))
     return subsystem_facts
+
+
+def _exchanged(model: Model, document: Document, of_living: SubsystemFacts, former: Task) -> Done | No:
+    """With a task noted as changed, so that the one of its file takes its place with the next change."""
+    placed = document.content.placed(former.name)
+    if placed is None or of_living.base is None:
+        return No(Reason.of("desk.not_on_canvas", name=former.name))
+    base = replace(of_living.base, edits={**of_living.base.edits, placed.file: former})
+    label = Reason.of("desk.taking_over_file", task=former.name)
+    return Done(model.with_document(replace(document, live=replace(of_living, base=base))), label, document.id)
 
 
 def _asked(model: Model, document: Document, order: request.Request, task: str) -> Procedure:
@@ -162,7 +179,8 @@ def _of_living(model: Model, document: Document, task: str) -> SubsystemFacts | 
 def _unknown(model: Model, document: Document, tasks: tuple[str, ...]) -> No | None:
     """Tasks that cannot live, because no library knows them."""
     facts_by_task = document.live.tasks if document.live else {}
-    lost = [name for name in tasks if name not in model.libraries.tasks and name not in facts_by_task]
+    library_tasks = model.libraries_of(document).tasks
+    lost = [name for name in tasks if name not in library_tasks and name not in facts_by_task]
     if not lost:
         return None
     return No(

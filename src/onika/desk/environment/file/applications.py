@@ -17,6 +17,7 @@ from onika.model.application import AppFlow, Application
 from onika.model.flow_path import numbered
 from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import Faults, OpenedText
+from onika.store.site import Site
 from onika.wire import act, page
 from onika.words.fault import Refusal
 from onika.words.name import TASK_NAME
@@ -56,6 +57,14 @@ class Applications:
         if isinstance(reading, FileReading):
             return reading
         return No(unreadable(path_or_name, reading))
+
+    def as_seen(self, _model: Model, opened: OpenApplication) -> OpenApplication:
+        """As it is: an application holds all that is seen of it."""
+        return opened
+
+    def elsewhere(self, _model: Model, _opened: OpenApplication, _path: Path, _site: Site) -> tuple[Reason, ...]:
+        """Nothing of its own: what its icons stand for is told of a run."""
+        return ()
 
     def read_again(self, model: Model, base: BaseDirectory, name: str) -> FileReading[Application] | Faults:
         """An application of a base directory as far as its file can be read; the faults where that is nothing."""

@@ -3,6 +3,7 @@
 from dataclasses import replace
 from pathlib import Path
 
+from onika.desk.environment.file.elsewhere import differences
 from onika.desk.environment.file.file_kind import READ_AGAIN, FileReading, place
 from onika.desk.environment.outcome.other_tasks import with_other_tasks
 from onika.desk.environment.outcome.outcome import Done, No, Order
@@ -14,8 +15,10 @@ from onika.desk.environment.state.history import UndoStep
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_file import DocumentKind
 from onika.model.configuration import Configuration
+from onika.model.rules import loci
 from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import Faults, OpenedText
+from onika.store.site import Site
 from onika.wire import act, live
 from onika.wire.view import Remedy
 from onika.words.fault import Refusal
@@ -64,11 +67,21 @@ class Configurations:
 
     def open(self, model: Model, reading: FileReading[Configuration]) -> Done:
         """It is open beside the others; where only a blank one was open, in its place."""
-        done = opened_beside(model, reading.base, reading.opened, reading.opened.value)
+        opened = _with_loci(model, reading.opened)
+        done = opened_beside(model, reading.base, opened, opened.value)
         blank = [document for document in model.documents.values() if _is_untouched(document)]
         if len(model.documents) == 1 and blank:
             done = replace(done, model=done.model.without(blank[0].id))  # as everywhere: it makes room
         return done
+
+    def as_seen(self, model: Model, document: Document) -> Document:
+        """With what was changed of its tasks in the libraries and is not saved there."""
+        configuration = model.libraries.as_seen(document.content.configuration)
+        return document.having(replace(document.content, configuration=configuration))
+
+    def elsewhere(self, model: Model, document: Document, path: Path, site: Site) -> tuple[Reason, ...]:
+        """Tasks of which other files count there, or none."""
+        return tuple(differences(model, document.content.configuration, path, site).values())
 
     def loss(self, _document: Document, _path: Path) -> Reason:
         """Nothing is lost: configurations are read whole, or not at all."""
@@ -120,6 +133,15 @@ class Configurations:
     def at_fault(self, faults: Faults) -> Reason:
         """What is wrong with it now."""
         return Reason.of("run.now_at_fault", faults=tuple(fault.sentence for fault in faults))
+
+
+def _with_loci(model: Model, opened: OpenedText[Configuration]) -> OpenedText[Configuration]:
+    """With a locus for each variable where the file has none at all: they are only drawn, and may be left out."""
+    configuration = opened.value
+    if configuration.loci:
+        return opened
+    boxes = model.libraries.within(configuration).boxes(tuple(placed.task for placed in configuration.placed))
+    return replace(opened, value=loci.settled(configuration, boxes, configuration))
 
 
 def _read(base: BaseDirectory, name: str) -> FileReading[Configuration] | Faults:

@@ -66,15 +66,23 @@ def save(model: Model, file: AnyFile, command: act.Save, outside: Services) -> D
     if loss and not command.overwrites:
         return No(loss, (_elsewhere(), Remedy(Reason.of("desk.overwrite_it"), again)))
     former = present_text(kind.path(home, name))
+    file = kind.as_seen(model, file)
     opened = kind.write(home, name, file, overwrites=command.overwrites)
     if isinstance(opened, No):
         return opened
     if isinstance(opened, Refusal):
         return No(opened.reason, (*overwriting(opened, again), _elsewhere()))
     done = kind.saved(model, file, opened, home.path)
+    done = replace(done, says=(*done.says, *_differences(done.model, file, home.path, outside)))
     done = replace(done, says=(*done.says, *kept(opened.path, former, outside)))
     copied = page.Say("success", Reason.of("desk.saved_as_own", path=str(opened.path), base=base.name), file.id)
     return done if home.path == base else replace(done, says=(*done.says, copied))
+
+
+def _differences(model: Model, file: AnyFile, home: Path, outside: Services) -> tuple[page.Say, ...]:
+    """What is told of a saved file that another program would read differently."""
+    others = KINDS[file.kind].elsewhere(model, file, home, outside.site)
+    return tuple(page.Say("warning", reason, file.id) for reason in others)
 
 
 @on_file

@@ -11,6 +11,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_file import DocumentKind
 from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import Faults, OpenedText
+from onika.store.site import Site
 from onika.words.fault import Refusal
 from onika.words.reason import Reason
 
@@ -43,6 +44,14 @@ class FileKind(Protocol[_F, _T]):
 
     def open(self, model: Model, reading: FileReading[_T], /) -> Done:
         """What was read is open beside the others; the value is its id."""
+        ...
+
+    def as_seen(self, model: Model, file: _F, /) -> _F:
+        """The file as it is to be written, so that it says by itself what is seen of it here."""
+        ...
+
+    def elsewhere(self, model: Model, file: _F, path: Path, site: Site, /) -> tuple[Reason, ...]:
+        """What another program that reads it there would find differently."""
         ...
 
     def loss(self, file: _F, path: Path, /) -> Reason:

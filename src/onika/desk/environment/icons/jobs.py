@@ -6,6 +6,7 @@ import msgspec
 
 from onika.desk.environment.canvas.draft import Draft, drafted
 from onika.desk.environment.file import file_index
+from onika.desk.environment.file.elsewhere import differences
 from onika.desk.environment.icons import application_icon
 from onika.desk.environment.icons.dictionaries import shown_at_once
 from onika.desk.environment.outcome.on_file import closed
@@ -79,9 +80,8 @@ def _drafted(model: Model, doc: str, outside: Services) -> Draft | No:
         return refused
     job = drafted(document, outside.site)
     if isinstance(job, Draft):
-        edited = [name for name in document.content.names if name in model.libraries.edits]
-        unsaved = (Reason.of("desk.task_unsaved", name=name) for name in edited)
-        warnings = (*unsaved, *job.warnings)
+        others = differences(model, document.content.configuration, document.base, outside.site)
+        warnings = (*others.values(), *job.warnings)
         return replace(job, warnings=warnings + (job.notes if model.settings.shows_warnings else ()))
     return No(Reason.of("desk.several_reasons", reasons=job))
 

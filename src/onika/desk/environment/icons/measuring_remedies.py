@@ -1,6 +1,6 @@
 """What could be done so that something measures what a target says (requirement X01)."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
 from pathlib import Path
 
@@ -23,7 +23,7 @@ def ways_to_measure(model: Model, measures: Sequence[MeasuredVariable]) -> tuple
 
 def _ways(model: Model, wanted: frozenset[str]) -> Iterator[Remedy]:
     documents = model.documents.values()
-    able = [(document, tasks) for document in documents if (tasks := _writers(model, document.content.names, wanted))]
+    able = [(document, tasks) for document in documents if (tasks := _writers_in(model, document, wanted))]
     for document, tasks in able:
         sleeping = tuple(name for name in _with_hardware(model, document, tasks) if _is_off(document, name))
         if document.live is not None and document.live.state == "live" and sleeping:
@@ -33,20 +33,23 @@ def _ways(model: Model, wanted: frozenset[str]) -> Iterator[Remedy]:
             yield Remedy(Reason.of("desk.connect", name=document.name), act.Connect(document.id))
     opened = {str(document.opened.path) for document in documents if document.opened}
     for path, source in sorted(model.sources.items(), key=_size):
-        is_other = isinstance(source, Configuration) and path not in opened
-        if is_other and _writers(model, _names(source), wanted):
+        is_other = path not in opened
+        if isinstance(source, Configuration) and is_other and _writers(source.tasks(model.libraries.tasks), wanted):
             yield Remedy(Reason.of("desk.open_file", name=Path(path).stem), act.Open(path))
 
 
-def _writers(model: Model, names: Iterable[str], wanted: frozenset[str]) -> list[Task]:
-    tasks = model.libraries.tasks
-    return [tasks[name] for name in names if name in tasks and tasks[name].given_while_running & wanted]
+def _writers_in(model: Model, document: Document, wanted: frozenset[str]) -> list[Task]:
+    return _writers(document.content.configuration.tasks(model.libraries.tasks), wanted)
+
+
+def _writers(tasks: Mapping[str, Task], wanted: frozenset[str]) -> list[Task]:
+    return [task for task in tasks.values() if task.given_while_running & wanted]
 
 
 def _with_hardware(model: Model, document: Document, tasks: Sequence[Task]) -> tuple[str, ...]:
     """These tasks behind the drivers of robots whose measurements they read."""
     reads = {name for task in tasks for name in task.svars(task.invar)}
-    library_tasks = model.libraries.tasks
+    library_tasks = model.libraries_of(document).tasks
     drivers = [
         name
         for name in document.content.names

@@ -25,7 +25,8 @@ def clashes(model: Model, after: OpenLibraries, names: Collection[str]) -> tuple
         found += reasons(placement.alias_refusals(task, ()), "", task)
         for document in model.documents.values():
             if name in document.content.names:
-                found += _beside(task, document, model.libraries, after)
+                configuration = document.content.configuration
+                found += beside(name, document, model.libraries.within(configuration), after.within(configuration))
     return tuple(dict.fromkeys(found))
 
 
@@ -36,12 +37,14 @@ def refused(what: Reason, against: tuple[Objection, ...], field: str = "") -> No
     return No(Reason.of("desk.named_wrong", name=what, why=text), remedies, {field: text} if field else {})
 
 
-def _beside(task: Task, document: Document, before: OpenLibraries, after: OpenLibraries) -> Iterator[Objection]:
+def beside(changed: str, document: Document, before: OpenLibraries, after: OpenLibraries) -> Iterator[Objection]:
+    """What speaks against a changed task of a document, and did not before."""
+    task = after.tasks[changed]
     for name in document.content.names:
         other = after.tasks.get(name)
-        if other is None or name == task.name:
+        if other is None or name == changed:
             continue
-        known = _known(before.tasks.get(task.name), before.tasks.get(name))
+        known = _known(before.tasks.get(changed), before.tasks.get(name))
         for refusal in placement.refusals(task, (other,)):
             if refusal.reason not in known:
                 reason = Reason.of("run.objection_in", name=document.name, reason=_told(refusal, task))

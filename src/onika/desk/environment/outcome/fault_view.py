@@ -251,7 +251,7 @@ def _is_of_world(fault: Fault, world: str) -> bool:
 def _named(name: str, program: ApplicationProgram) -> list[str]:
     """A task, with the names of its files."""
     task = program.tasks.get(name)
-    return [f"{name}.rmod", name, *([f"{task.module}.py"] if task else [])]
+    return [f"{program.task_files.get(name, name)}.rmod", name, *([f"{task.module}.py"] if task else [])]
 
 
 def _use(name: str, number: int, program: ApplicationProgram, users: dict[str, int]) -> None:

@@ -66,7 +66,7 @@ class Sources:
     def _kind(self, path: str) -> ActionType | tuple[Refusal, ...] | None:
         source = self._sources.get(path)
         if isinstance(source, Configuration):
-            return job_type(source, self._tasks, self._syntax)
+            return job_type(source, source.tasks(self._tasks), self._syntax)
         return source
 
 

@@ -13,8 +13,9 @@ from onika.words.reason import Reason
 def with_other_tasks(model: Model, document: Document, configuration: Configuration, label: Reason) -> Done:
     """The outcome of giving a document another configuration; new tasks are wanted OFF where it is connected."""
     names = tuple(placed.task for placed in configuration.placed)
-    boxes = model.libraries.boxes((*names, *document.content.names))
-    settled = loci.settled(configuration, boxes, document.content.configuration)
+    former = document.content.configuration
+    boxes = model.libraries.within(configuration).boxes(names)
+    settled = loci.settled(configuration, boxes, former, model.libraries_of(document).boxes(document.content.names))
     content = document.content.with_configuration(settled)
     if document.live is not None:
         content = replace(content, wanted={**dict.fromkeys(names, False), **content.wanted})

@@ -22,6 +22,17 @@ def resettled(model: Model, before: OpenLibraries) -> Model:
 
 def settled(content: Content, before: OpenLibraries, after: OpenLibraries) -> Content:
     """One content; the same object where no pin of its tasks has changed."""
+    configuration = content.configuration
+    return _settled(content, before.within(configuration), after.within(configuration))
+
+
+def retuned(content: Content, configuration: Configuration, libraries: OpenLibraries) -> Content:
+    """With the same tasks, of which the configuration says other things now."""
+    changed = replace(content, configuration=configuration)
+    return _settled(changed, libraries.within(content.configuration), libraries.within(configuration))
+
+
+def _settled(content: Content, before: OpenLibraries, after: OpenLibraries) -> Content:
     if before is after:
         return content
     old, new = before.boxes(content.names), after.boxes(content.names)

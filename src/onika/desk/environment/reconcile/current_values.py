@@ -7,6 +7,7 @@ from functools import partial
 from onika.desk.environment.outcome.outcome import Done, Order
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.port import PortKind
 from onika.wire import live, request
 
@@ -15,7 +16,8 @@ def ask_present(model: Model, document: Document, task: str) -> tuple[Order, ...
     """Ask for what a task measures of the same shape and unit as its inputs have; nothing where it measures none."""
     if document.live is None:
         return ()
-    wanted = measured(model, task, [name for name, facts in document.live.tasks.items() if facts.state == "ON"])
+    moving = [name for name, facts in document.live.tasks.items() if facts.state == "ON"]
+    wanted = measured(model.libraries_of(document), task, moving)
     if not wanted:
         return ()
     names = tuple(dict.fromkeys(wanted.values()))
@@ -23,11 +25,11 @@ def ask_present(model: Model, document: Document, task: str) -> tuple[Order, ...
     return (Order(live.Read(document.live.subsystem, names), then),)
 
 
-def measured(model: Model, task: str, moving: Collection[str]) -> dict[str, str]:
+def measured(libraries: OpenLibraries, task: str, moving: Collection[str]) -> dict[str, str]:
     """By input of a task: the variable of its kind that it reads and that one of the tasks that are ON writes."""
-    library_tasks = model.libraries.tasks
+    library_tasks = libraries.tasks
     written = {svar for name in moving if name in library_tasks for svar in library_tasks[name].outputs}
-    return {name: svar for name, svar in _wanted(model, task).items() if svar in written}  # else it is old
+    return {name: svar for name, svar in _wanted(libraries, task).items() if svar in written}  # else it is old
 
 
 def values_of(values: live.Values, wanted: Mapping[str, str]) -> dict[str, tuple[float, ...]]:
@@ -35,10 +37,10 @@ def values_of(values: live.Values, wanted: Mapping[str, str]) -> dict[str, tuple
     return {name: tuple(_flat(values.values[svar])) for name, svar in wanted.items() if svar in values.values}
 
 
-def _wanted(model: Model, name: str) -> Mapping[str, str]:
+def _wanted(libraries: OpenLibraries, name: str) -> Mapping[str, str]:
     """By input: the variable that is read and is of its kind."""
-    task = model.libraries.tasks.get(name)
-    sheet = model.libraries.sheets.get(task.module) if task else None
+    task = libraries.tasks.get(name)
+    sheet = libraries.sheets.get(task.module) if task else None
     if task is None or sheet is None:
         return {}
     read = [port for port in sheet.ports if PortKind(port.kind).is_input and PortKind(port.kind).at_cycle]

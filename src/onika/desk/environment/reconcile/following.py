@@ -49,7 +49,9 @@ def _is_changed(before: Model, document: Document) -> bool:
     former, subsystem_facts = before.documents.get(document.id), document.live
     if former is None or subsystem_facts is None or subsystem_facts.base is None:
         return False
-    return former.content is not document.content or bool(subsystem_facts.turns)
+    had = former.live.base.edits if former.live is not None and former.live.base is not None else {}
+    is_noted = subsystem_facts.base.edits is not had
+    return former.content is not document.content or bool(subsystem_facts.turns) or is_noted
 
 
 def _described(before: Model, after: Model) -> Done:

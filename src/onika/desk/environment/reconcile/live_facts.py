@@ -69,6 +69,7 @@ def _facts(standing: live.TaskStanding, former: TaskFacts | None, question: even
         present=former_facts.present if is_asking else {},
         failed=former_facts.failed if standing.state == "ERROR" else None,
         warnings=former_facts.warnings,
+        planned=standing.task,
     )
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import partial
+from pathlib import Path
 
 from onika.desk.environment.outcome.outcome import Done, Order
 from onika.desk.environment.reconcile import holders
@@ -13,7 +14,9 @@ from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.configuration import Configuration, Placed
+from onika.model.own_lines import NO_OWN_LINES, OwnLines
 from onika.model.planned import task_of
 from onika.model.rules import loci
 from onika.model.rules.merge import Merge, merge
@@ -40,8 +43,11 @@ def merged(model: Model, document: Document, subsystem_facts: SubsystemFacts, st
     there = alive(standing, subsystem_facts.subsystem)
     content = document.content
     resting = set(content.union) - set(content.names)
-    running = tuple(_placed(task_standing) for name, task_standing in there.items() if name not in resting)
-    tasks = {**model.libraries.tasks, **{name: task_of(task_standing.task) for name, task_standing in there.items()}}
+    running = tuple(
+        _placed(task_standing, model.libraries) for name, task_standing in there.items() if name not in resting
+    )
+    living = {name: task_of(task_standing.task) for name, task_standing in there.items()}
+    tasks = {**model.libraries_of(document).tasks, **living}
     merged_tasks = merge(content.configuration.placed, running, tasks)
     configuration = _configuration(model, content.configuration, merged_tasks)
     wanted = {
@@ -99,22 +105,34 @@ def runtime_view(former: view.RuntimeView, standing: live.Standing) -> view.Runt
 def with_loci(model: Model, document: Document) -> Model:
     """The model with a document whose tasks have changed, its loci settled."""
     configuration = document.content.configuration
-    boxes = model.libraries.boxes(document.content.names)
+    boxes = model.libraries_of(document).boxes(document.content.names)
     placed = loci.settled(configuration, boxes, configuration)
     return model.with_document(document.having(replace(document.content, configuration=placed)))
 
 
-def _placed(standing: live.TaskStanding) -> Placed:
-    filed = standing.task.frequency
-    changed = standing.frequency is not None and standing.frequency != filed
-    return Placed(standing.task.name, frequency=standing.frequency or 0.0 if changed else 0.0, rtpu=standing.rtpu)
+def _placed(standing: live.TaskStanding, libraries: OpenLibraries) -> Placed:
+    """A task that lives, as it would be placed: what it has otherwise than its file is of the configuration."""
+    planned = standing.task
+    changed = standing.frequency is not None and standing.frequency != planned.frequency
+    file = Path(planned.place).stem
+    filed = libraries.tasks.get(file)
+    is_of_file = filed is not None and filed.module == planned.module
+    own = OwnLines.between(filed, task_of(planned)) if filed is not None and is_of_file else NO_OWN_LINES
+    return Placed(
+        planned.name,
+        frequency=standing.frequency or 0.0 if changed else 0.0,
+        rtpu=standing.rtpu,
+        own=own,
+        rmod=file if is_of_file and file != planned.name else "",
+    )
 
 
 def _configuration(model: Model, former: Configuration, merged_tasks: Merge) -> Configuration:
     """What is placed afterwards, each at its place; newcomers stand to the right of all others."""
     stays = {placed.task: placed for placed in (*merged_tasks.update, *merged_tasks.spawn)}
     placed = [stays.get(placed.task, placed) for placed in former.placed if placed.task not in merged_tasks.remove]
-    boxes = model.libraries.boxes(tuple(placed.task for placed in (*placed, *merged_tasks.add)))
+    both = tuple(placed) + merged_tasks.add
+    boxes = model.libraries.within(replace(former, placed=both)).boxes(tuple(placed.task for placed in both))
     x = max((placed.x + _width(boxes, placed.task) for placed in placed), default=0) + _GAP
     top = y = min((placed.y for placed in placed), default=_GAP)
     column = 0
@@ -139,7 +157,7 @@ def _with_strangers(
     """With tasks that somebody else has brought to life, and without the wish for those that live no more."""
     content, there = document.content, alive(standing, subsystem_facts.subsystem)
     here = set(content.union)
-    new = tuple(_placed(task_standing) for name, task_standing in there.items() if name not in here)
+    new = tuple(_placed(task_standing, model.libraries) for name, task_standing in there.items() if name not in here)
     wanted = {name: is_on for name, is_on in content.wanted.items() if name in here}
     wanted |= {placed.task: there[placed.task].state in ("ON", "ASKING") for placed in new}
     configuration = content.configuration

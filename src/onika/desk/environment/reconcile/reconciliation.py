@@ -31,7 +31,8 @@ def pursue(model: Model, document: Document) -> Done | No:
     subsystem_facts, base = _of(document)
     under_way = next((pending.after for pending in subsystem_facts.pending.values() if pending.after is not None), None)
     content = under_way or base.content
-    what = reconfiguration(content, document.content, subsystem_facts, model.libraries, base.edits, living_units(model))
+    libraries = model.libraries_of(document)
+    what = reconfiguration(content, document.content, subsystem_facts, libraries, base.edits, living_units(model))
     if what.faults:
         return No(Reason.of("run.together", parts=what.faults))
     if what.is_nothing:
@@ -66,7 +67,9 @@ def noted(model: Model, former: OpenLibraries, *, but: str = "") -> tuple[Model,
     for document in model.documents.values() if changed else ():
         if document.id == but or document.live is None or document.live.base is None:
             continue
-        base, concerned = document.live.base, {*document.content.wanted, *document.live.tasks}
+        files = {placed.task: placed.file for placed in document.content.configuration.placed}
+        base, names = document.live.base, {*document.content.wanted, *document.live.tasks}
+        concerned = {files.get(name, name) for name in names}
         edits = {**{name: task for name, task in changed.items() if name in concerned}, **base.edits}
         still = {name: task for name, task in edits.items() if task != model.libraries.edits.get(name)}
         if still == base.edits:

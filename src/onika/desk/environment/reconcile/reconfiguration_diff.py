@@ -140,7 +140,9 @@ class _Difference:
 
     def is_exchanged(self, name: str) -> bool:
         """Whether another one takes its place: its task has changed, or it is to live on another unit."""
-        return name in self.changed or self._moves(name)
+        placed = self.after.placed(name)
+        is_changed = (name if placed is None else placed.file) in self.changed
+        return is_changed or self._is_otherwise(name) or self._moves(name)
 
     def comes_again(self, name: str) -> bool:
         """Whether it was wanted, does not live any more, and is turned on."""
@@ -153,6 +155,11 @@ class _Difference:
 
     def _is_turned(self, name: str) -> bool:
         return name in self.facts.turns or not self.before.wanted.get(name, False)
+
+    def _is_otherwise(self, name: str) -> bool:
+        """Whether the configuration says other things of it than before."""
+        old, new = self.before.placed(name), self.after.placed(name)
+        return old is not None and new is not None and (old.own, old.rmod) != (new.own, new.rmod)
 
     def _moves(self, name: str) -> bool:
         placed = self.after.placed(name)

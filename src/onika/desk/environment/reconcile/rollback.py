@@ -65,4 +65,4 @@ def _back(now: Placed, old: Placed | None, new: Placed | None) -> Placed | None:
         return now
     if old is None:
         return None
-    return replace(now, frequency=old.frequency, rtpu=old.rtpu)
+    return replace(now, frequency=old.frequency, rtpu=old.rtpu, own=old.own)

@@ -109,7 +109,7 @@ def end(run: Run) -> page.Say:
 def _ask_present(model: Model, run: Run, message: event.Asked) -> tuple[Order, ...]:
     """Where the arm stands, as a possible answer."""
     moving = [address.partition("/")[2] for address in run.on if address.startswith(f"{message.subsystem}/")]
-    wanted = measured(model, message.task, moving)
+    wanted = measured(model.libraries, message.task, moving)
     if not wanted:
         return ()
     then = partial(_present, key=f"{message.subsystem}/{message.task}", wanted=wanted)

@@ -32,7 +32,7 @@ def birth(placed: Placed, libraries: OpenLibraries, units: Collection[str]) -> S
     if isinstance(code, Reason):
         return Reason.of("run.cannot_live", task=placed.task, why=code)
     rtpu = placed.rtpu if placed.rtpu in units else UNKNOWN
-    planned = planned_task(task, rtpu, code.digest, str(libraries.homes[placed.task].base.task_file(placed.task)))
+    planned = planned_task(task, rtpu, code.digest, str(libraries.task_file(placed.task)))
     return SpawnPlan(msgspec.structs.replace(planned, frequency=rate_of(placed, task)), code)
 
 

@@ -132,7 +132,7 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, _S
         wording=IconWording.of(place_of(opened), with_numbers_as_lines(opened.application), prepared.program, syntax),
         troubles=troubles,
         durations=durations(prepared.targets, syntax),
-        notes=(),
+        notes=unsaved.other_files(model, prepared.places, prepared.program),
         began_at_s=outside.calendar(),
         record="" if file is None else str(file),
     )
@@ -143,7 +143,7 @@ def _prepared_here(
 ) -> tuple[Model, PreparedRun, tuple[Changed, ...]] | No:
     """The application as it runs, and what it uses that is not saved; where that is wanted, with all of it saved."""
     prepared = ready(opened, outside.site, syntax, passes_breakpoints=command.passes_breakpoints)
-    changed = unsaved.used(unsaved.dirty(model), prepared.program)
+    changed = (*unsaved.used(unsaved.dirty(model), prepared.program), *unsaved.tasks(model, prepared.program))
     if not changed or not command.saves_unsaved:
         return model, prepared, changed
     saved = unsaved.saved(model, changed, outside)
@@ -235,7 +235,7 @@ def _placed(model: Model, standing: live.Standing, start: _Start) -> tuple[_Star
     gone = tuple(obstacle.subsystem for obstacle in obstructing)
     living = {subsystem.name for subsystem in standing.subsystems if subsystem.tasks or subsystem.application}
     plan = rehoused(start.plan, flow_placement.free(model, start.plan, living - set(gone)))
-    return replace(start, plan=plan, notes=flow_placement.notes(model, plan)), gone
+    return replace(start, plan=plan, notes=(*start.notes, *flow_placement.notes(model, plan))), gone
 
 
 def _in_the_way(in_the_way: Sequence[Obstacle], start: _Start) -> No:

@@ -134,7 +134,7 @@ def _saved(model: Model, opened: OpenApplication, command: act.KeepTest, outside
     dirty = unsaved.dirty(model)
     program = ready(opened, outside.site, model.syntax).program
     own = () if opened.opened is not None and not opened.is_dirty else ((opened.id, opened.name),)
-    changed = tuple(dict.fromkeys((*unsaved.used(dirty, program), *own)))
+    changed = tuple(dict.fromkeys((*unsaved.used(dirty, program), *unsaved.tasks(model, program), *own)))
     if not changed:
         return model
     if not command.saves_unsaved:

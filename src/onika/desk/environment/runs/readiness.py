@@ -126,7 +126,7 @@ def _files_of(home: Site, applications: Iterable[Application]) -> list[Path | No
 def _files_of_tasks(home: Site, program: ApplicationProgram) -> list[Path | None]:
     """The files of the tasks of all configurations of a program."""
     configurations = program.configurations.values()
-    tasks = dict.fromkeys(placed.task for configuration in configurations for placed in configuration.placed)
+    tasks = dict.fromkeys(placed.file for configuration in configurations for placed in configuration.placed)
     bases = [(name, home.home_of_task(name)) for name in tasks]
     return [base.task_file(name) if base else None for name, base in bases]
 

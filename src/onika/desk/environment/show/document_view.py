@@ -115,7 +115,7 @@ def _task(name: str, task: Task, order: int, libraries: OpenLibraries) -> TaskVi
         local=tuple((line.key, line.words) for line in task.local),
         parameters=_parameters(task, sheet),
         is_changed=name in libraries.edits,
-        path=str(library.base.task_file(name)),
+        path=str(libraries.task_file(name)),
         code=str(code) if code else "",
     )
 
@@ -150,7 +150,7 @@ def document_view(
     seen: MadeDocument | None,
 ) -> DocumentView:
     """A document; parts that look as they did are the same objects."""
-    libraries = model.libraries
+    libraries = model.libraries_of(document)
     old = seen.view if seen else DocumentView("", 0)
     view = DocumentView(
         name=document.name,
@@ -166,6 +166,7 @@ def document_view(
         loci=locus_views(document, libraries, seen),
         groups=group_views(document, seen),
         kept=_kept(_kept_views(document), old.kept),
+        own=_kept(_own(document, order, libraries), old.own),
         greyed=greyed,
         objections=_kept({name: why for name, why in objected.items() if name not in greyed}, old.objections),
         problems=_kept(troubles, old.problems),
@@ -187,6 +188,20 @@ def _kept_views(document: Document) -> dict[str, KeptView]:
             kept.is_unsaved,
         )
         for order, kept in enumerate(document.content.kept)
+    }
+
+
+def _own(document: Document, order: int, libraries: OpenLibraries) -> dict[str, TaskView]:
+    """The tasks that are otherwise here than in the library, as they are here."""
+    tasks = libraries.tasks
+    return {
+        placed.task: structs.replace(
+            _task(placed.task, tasks[placed.task], order, libraries),
+            file=placed.file,
+            is_changed=tasks[placed.task] != libraries.filed(placed.task),
+        )
+        for placed in document.content.configuration.otherwise
+        if placed.task in tasks
     }
 
 

@@ -52,6 +52,7 @@ def _flows(application: Application, syntax: Syntax) -> Iterator[tuple[PeekIcon,
 
 
 def _drawn(configuration: Configuration, libraries: OpenLibraries) -> PeekView:
+    libraries = libraries.within(configuration)
     boxes = {placed.task: libraries.box(placed.task) for placed in configuration.placed}
     places = {
         placed.task: (placed.x, placed.y, box.width if box else _WIDTH, box.height if box else _HEIGHT)

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from onika.desk.environment.outcome.on_file import is_running
+from onika.desk.environment.outcome.staleness import stale
 from onika.desk.environment.outcome.trouble import problems
 from onika.desk.environment.reconcile.watched_runs import is_on
 from onika.desk.environment.show.application_view import ApplicationProjector
@@ -59,6 +60,7 @@ class Projector:
             loads=self._loads(model),
             files=dict(model.files),
             own_copies=dict(model.own_copies),
+            touched=dict(model.touched),
             application_files=dict(model.application_files),
             clipboard=" ".join(placed.task for placed in model.clipboard.placed),
             runtime=model.runtime,
@@ -129,7 +131,7 @@ class Projector:
 
     def _document(self, document: Document, order: int, model: Model) -> DocumentView:
         document = self._in_run(document, model)
-        libraries, key = model.libraries, f"document {document.id}"
+        libraries, key = model.libraries_of(document), f"document {document.id}"
         seen = self._seen.get(document.id)
         names = document.content.names
         greyed = self._greying.setdefault(document.id, GreyedTasks(document.id)).greyed(names, libraries)
@@ -144,6 +146,14 @@ class Projector:
             (names, (document.name,), libraries.tasks, warned),
             lambda: problems(document, libraries, with_warnings=warned, greyed=greyed),
         )
+        living = document.live.tasks if document.live else None
+        pending = document.live.pending if document.live else None
+        behind = self._once(
+            f"stale {document.id}",
+            (document.content.configuration, living, pending, libraries),
+            lambda: stale(document, libraries),
+        )
+        troubles = self._once(f"troubles {document.id}", (troubles, behind), lambda: troubles | behind)
         late = self._once(
             f"load {document.id}",
             (document, libraries.tasks, self._loads(model), model.runtime.units),

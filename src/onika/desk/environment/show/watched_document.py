@@ -6,6 +6,7 @@ from dataclasses import replace
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import SubsystemFacts, TaskFacts
 from onika.desk.environment.state.model import Model
+from onika.model.configuration import name_within
 from onika.wire.view import LivingTaskView, SubsystemView
 
 
@@ -31,7 +32,14 @@ def in_run(
 
 
 def _placed(document: Document, facts: Mapping[str, TaskFacts]) -> dict[str, TaskFacts]:
-    return {name: facts[name] for name in document.content.names if name in facts}
+    names = {name: _name_in_run(name, document.name, facts) for name in document.content.names}
+    return {name: facts[other] for name, other in names.items() if other in facts}
+
+
+def _name_in_run(task: str, configuration: str, facts: Mapping[str, TaskFacts]) -> str:
+    """By which name a run has a task of a configuration."""
+    own = name_within(task, configuration)
+    return own if own in facts else task
 
 
 def _facts(task: LivingTaskView) -> TaskFacts:

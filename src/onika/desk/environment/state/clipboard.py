@@ -9,7 +9,10 @@ from typing import Annotated
 import msgspec
 from msgspec import Meta, Struct
 
+from onika.files import conf
 from onika.model.configuration import UNKNOWN_RTPU, Configuration, Group, Locus, Placed
+from onika.model.own_lines import OwnLines
+from onika.model.task import LocalLine
 from onika.words.name import SVAR_NAME, TASK_NAME
 from onika.words.reason import Reason
 
@@ -56,7 +59,18 @@ def copied(configuration: Configuration, names: Iterable[str], svars: Iterable[s
 def write(copied: Clipboard) -> str:
     """The text of what was copied."""
     tasks = tuple(
-        _Task(placed.task, placed.x, placed.y, placed.in_left, placed.frequency, placed.rtpu)
+        _Task(
+            placed.task,
+            placed.x,
+            placed.y,
+            placed.in_left,
+            placed.frequency,
+            placed.rtpu,
+            placed.own.aliases,
+            tuple((line.key, line.words) for line in placed.own.local),
+            placed.own.without,
+            placed.rmod,
+        )
         for placed in copied.placed
     )
     loci = tuple(_Locus(locus.svar, locus.x, locus.y, locus.show) for locus in copied.loci)
@@ -76,6 +90,7 @@ def read(text: str) -> Clipboard | Reason:
     wrong_names += [locus.svar for locus in decoded.loci if not SVAR_NAME.match(locus.svar)]
     wrong_names += [task.rtpu for task in decoded.tasks if not TASK_NAME.match(task.rtpu)]
     wrong_names += [group.name for group in decoded.groups if not TASK_NAME.match(group.name)]
+    wrong_names += [task.task for task in decoded.tasks if not (task.placed().is_as_filed or task.is_sound())]
     if wrong_names:
         return Reason.of("desk.names_in_text", text=_beginning(wrong_names[0]))
     if any(not math.isfinite(task.hz) or task.hz < 0 for task in decoded.tasks):
@@ -90,6 +105,21 @@ class _Task(Struct, frozen=True):
     in_left: bool = True
     hz: float = 0.0
     rtpu: str = UNKNOWN_RTPU
+    aliases: tuple[tuple[str, str], ...] = ()
+    local: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    without: tuple[str, ...] = ()
+    rmod: str = ""
+
+    def placed(self) -> Placed:
+        """The task as it is placed."""
+        local = tuple(LocalLine(key, words) for key, words in self.local)
+        own = OwnLines(self.aliases, local, self.without)
+        return Placed(self.task, self.x, self.y, self.in_left, self.hz, self.rtpu, own, self.rmod)
+
+    def is_sound(self) -> bool:
+        """Whether a file of a configuration could say it."""
+        configuration = Configuration("c", (self.placed(),))
+        return conf.read(conf.write(configuration), "c", "c")[0] == configuration
 
 
 class _Locus(Struct, frozen=True):
@@ -121,7 +151,7 @@ def _unique(decoded: _Text) -> Clipboard | Reason:
     stray = _stray(decoded)
     if stray:
         return Reason.of("desk.supermodules_in_text", text=_beginning(stray))
-    placed = tuple(Placed(task.task, task.x, task.y, task.in_left, task.hz, task.rtpu) for task in decoded.tasks)
+    placed = tuple(task.placed() for task in decoded.tasks)
     loci = {locus.svar: Locus(locus.svar, locus.x, locus.y, show=locus.is_shown) for locus in decoded.loci}
     groups = tuple(Group(group.name, group.tasks) for group in decoded.groups)
     return Clipboard(placed, tuple(loci.values()), groups)

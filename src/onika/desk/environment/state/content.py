@@ -72,7 +72,9 @@ class Content:
         return replace(self, configuration=configuration.regrouped(configuration.groups), wanted=wanted)
 
 
-def meaning_of(configuration: Configuration) -> tuple[Mapping[str, tuple[float, str]], Mapping[str, tuple[str, ...]]]:
-    """A configuration without its looks: which tasks, at which rate, on which unit, and its supermodules."""
-    tasks = {placed.task: (placed.frequency, placed.rtpu) for placed in configuration.placed}
+def meaning_of(
+    configuration: Configuration,
+) -> tuple[Mapping[str, tuple[object, ...]], Mapping[str, tuple[str, ...]]]:
+    """A configuration without its looks: which tasks, how, at which rate, on which unit, and its supermodules."""
+    tasks = {placed.task: (placed.frequency, placed.rtpu, placed.own, placed.rmod) for placed in configuration.placed}
     return tasks, {group.name: group.tasks for group in configuration.groups}

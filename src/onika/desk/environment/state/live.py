@@ -7,6 +7,7 @@ from typing import Literal
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.history import Edits, History
 from onika.wire import event
+from onika.wire.plan import PlannedTask
 from onika.words.reason import NOTHING, Reason
 
 
@@ -23,6 +24,8 @@ class TaskFacts:
     """Of what it asks for: the values that it measures, by the names of the inputs."""
     failed: event.Failed | None = None
     warnings: int = 0
+    planned: PlannedTask | None = None
+    """As what it was brought to life, as far as the runtime has told."""
 
     @property
     def is_moving(self) -> bool:

@@ -61,6 +61,8 @@ class Model:
     """How tasks and icons are arranged: their names in order, by the path of the folder that has them."""
     own_copies: Mapping[str, str] = field(default_factory=dict)
     """Files that stand before shipped ones, by path, with the name of the laboratory of those."""
+    touched: Mapping[str, int] = field(default_factory=dict)
+    """Files of modules and tasks that were written, by path, with a number that grows: who shows one reads it again."""
     limits: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
     """Constants that bound the values of targets, as far as a runtime has told them."""
     icon_clipboard: tuple[Step, ...] = ()
@@ -112,6 +114,10 @@ class Model:
     def without(self, doc: str) -> "Model":
         """With one document less."""
         return replace(self, documents={key: document for key, document in self.documents.items() if key != doc})
+
+    def libraries_of(self, document: Document) -> OpenLibraries:
+        """The libraries as a document sees them: with what its configuration says otherwise than the files."""
+        return self.libraries.within(document.content.configuration)
 
     def blank_name(self) -> str:
         """The name of the next new configuration or application (C21)."""

@@ -7,6 +7,8 @@ from pathlib import Path
 
 from onika.desk.environment.state import task_edit
 from onika.files.rmod import RmodText
+from onika.model.configuration import Configuration, Placed
+from onika.model.own_lines import OwnLines
 from onika.model.preferences import Preferences
 from onika.model.rules import agreement
 from onika.model.rules.box import TaskBox, box_of
@@ -15,6 +17,9 @@ from onika.model.task import Task
 from onika.store.library import Library
 from onika.wire.sheet import ModuleSheet
 from onika.words.reason import Reason
+
+_SEEN = 32
+"""Ways in which configurations see one and the same libraries that are kept."""
 
 
 @dataclass(frozen=True)
@@ -33,6 +38,8 @@ class OpenLibraries:
     unread: Mapping[str, Reason] = field(default_factory=dict)
     """Why modules cannot be read, as a runtime says."""
     preferences: Preferences = field(default_factory=Preferences)
+    files: Mapping[str, str] = field(default_factory=dict)
+    """The names of the files of tasks that a configuration has under other names."""
 
     @cached_property
     def records(self) -> Mapping[str, RmodText]:
@@ -61,6 +68,28 @@ class OpenLibraries:
     def company(self) -> PlacedNeighbours:
         """The tasks by what may speak between them and a placed one."""
         return PlacedNeighbours(self.tasks.values())
+
+    def within(self, configuration: Configuration) -> "OpenLibraries":
+        """As a configuration sees them: with the lines and names of its own; the same object where it has none."""
+        own = tuple(placed for placed in configuration.otherwise if placed.file in self.records)
+        if not own:
+            return self
+        seen: dict[tuple[tuple[str, str, OwnLines], ...], OpenLibraries] = self.__dict__.setdefault("_seen", {})
+        key = tuple((placed.task, placed.rmod, placed.own) for placed in own)
+        if key not in seen:
+            while len(seen) >= _SEEN:
+                del seen[next(iter(seen))]
+            seen[key] = self._with(own)
+        return seen[key]
+
+    def as_seen(self, configuration: Configuration) -> Configuration:
+        """A configuration that says itself what was changed of its tasks here and stands in none of their files."""
+        placed = tuple(self._as_seen(placed) for placed in configuration.placed)
+        return configuration if placed == configuration.placed else replace(configuration, placed=placed)
+
+    def task_file(self, name: str) -> Path:
+        """The file of a task."""
+        return self.homes[name].base.task_file(self.files.get(name, name))
 
     def code_file(self, name: str) -> Path | None:
         """The code of a task's module: beside its own file, else in the first library that has it; None: nowhere."""
@@ -121,6 +150,25 @@ class OpenLibraries:
         if name in self.records:
             return self.records[name].task
         return None
+
+    def _as_seen(self, placed: Placed) -> Placed:
+        filed = self.filed(placed.file)
+        if filed is None or placed.file not in self.edits:
+            return placed
+        return replace(placed, own=OwnLines.between(filed, placed.of(self.edits[placed.file])))
+
+    def _with(self, placed: Collection[Placed]) -> "OpenLibraries":
+        """With these tasks as a configuration has them; what they differ in from their files is of it alone."""
+        tasks = {each.task: each.of(self.tasks[each.file]) for each in placed}
+        renamed = {each.task: each.file for each in placed if each.rmod}
+        seen = replace(self, edits={**self.edits, **tasks}, files=renamed)._knowing(self, tasks)
+        records = {
+            name: RmodText(replace(self.records[file].task, name=name), self.records[file].text)
+            for name, file in renamed.items()
+        }
+        seen.__dict__["records"] = {**self.records, **records}
+        seen.__dict__["homes"] = {**self.homes, **{name: self.homes[file] for name, file in renamed.items()}}
+        return seen
 
     def _onto(self, name: str, wished: Task | None) -> Task | None:
         """What the user changed of a task, put on its file as that is now: it may have changed meanwhile."""
