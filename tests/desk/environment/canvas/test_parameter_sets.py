@@ -51,8 +51,9 @@ def tune(sitting, doc, stiff, damp="1.0"):
     sitting.do(act.Local("servo", lines, doc))
 
 
-def local(sitting, name="servo"):
-    return {line.key: line.words for line in sitting.environment.model.libraries.tasks[name].local}
+def local(sitting, doc, name="servo"):
+    model = sitting.environment.model
+    return {line.key: line.words for line in model.libraries_of(model.documents[doc]).tasks[name].local}
 
 
 def file(sitting):
@@ -79,12 +80,12 @@ def test_a_set_is_switched_as_one_step_which_undo_takes_back(sitting, doc):  # R
     tune(sitting, doc, "2", "2")
     sitting.do(act.Local("path", (("SPEED", ("0.9",)),), doc))
     view = sitting.do(act.SwitchSet(doc, "soft"))
-    assert local(sitting) == {"DEVICE": ("w:arm",), "STIFF": ("0.5",), "DAMP": ("0.7",)}
-    assert local(sitting, "path") == {"SPEED": ("0.2",)}
+    assert local(sitting, doc) == {"DEVICE": ("w:arm",), "STIFF": ("0.5",), "DAMP": ("0.7",)}
+    assert local(sitting, doc, "path") == {"SPEED": ("0.2",)}
     assert view.present == view.sets[0].values
     assert str(sitting.environment.tree.documents[doc].undo) == "switching to the parameter set soft"
     sitting.do(act.Undo(doc))
-    assert (local(sitting)["STIFF"], local(sitting, "path")["SPEED"]) == (("2",), ("0.9",))
+    assert (local(sitting, doc)["STIFF"], local(sitting, doc, "path")["SPEED"]) == (("2",), ("0.9",))
 
 
 def test_one_value_that_is_refused_refuses_the_whole_set(sitting, doc):  # R-X10
@@ -103,7 +104,7 @@ def test_values_of_tasks_that_are_not_here_are_left_out_and_told(sitting, doc):
     sitting.do(act.Remove(doc, ("path",)))
     tune(sitting, doc, "0.3")
     sitting.do(act.SwitchSet(doc, "all"))
-    assert local(sitting)["STIFF"] == ("1",)
+    assert local(sitting, doc)["STIFF"] == ("1",)
     assert any("left out: path" in str(say.text) for say in sitting.says)
 
 
