@@ -73,7 +73,9 @@ def moves(tmp_path, *turns):
 def test_an_application_runs(tmp_path, site):  # R-E01, R-E02, R-E03, R-E11, R-E14
     journey = Journey(moves(tmp_path, 0.2, 0.4), site)
     assert journey.prepared.faults == ()
-    assert journey.ask(request.Prepare(journey.prepared.plan, journey.prepared.targets)) == request.Prepared((), worlds={"boxes": True})
+    assert journey.ask(request.Prepare(journey.prepared.plan, journey.prepared.targets)) == request.Prepared(
+        (), worlds={"boxes": True}
+    )
     assert journey.ask(request.Begin(watch=("Q_MEZ",))) == request.Done()
     *messages, result = journey.events()
     assert (result.completed, result.done, result.of, str(result.cause)) == (True, 2, 2, "")
