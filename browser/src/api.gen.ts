@@ -744,6 +744,7 @@ export interface Recordings {
 /** Put away what is shown of a run that is over. */
 export interface Dismiss {
   t: 'Dismiss';
+  doc?: string;
 }
 
 /** Ask the runtime which worlds it has, and which of them are simulated; it is started where there is none (E09). */
@@ -766,7 +767,7 @@ export interface Redirect {
   new: string;
 }
 
-/** Run an application as it is here, on the runtime of this environment; one at a time. Refused with all its faults at once. What must end first, and what has changed and is not saved, is told before. */
+/** Run an application as it is here, on the runtime of this environment, beside others that need other devices. Refused with all its faults at once. What must end first, and what has changed and is not saved, is told before. */
 export interface Run {
   t: 'Run';
   doc: string;
@@ -776,6 +777,7 @@ export interface Run {
   saves_unsaved?: boolean;
   is_recorded?: boolean;
   on_loss?: 'finish' | 'run' | 'stop';
+  units?: ([string, string])[];
 }
 
 /** Which tasks the flows of an application use, and who could stand for each; the value is a `view.SeatsView`. */
@@ -788,6 +790,7 @@ export interface Seats {
 export interface SkipTo {
   t: 'SkipTo';
   step: number;
+  doc?: string;
 }
 
 /** End the runtime of this environment with all that lives there, and start it again: the workcell as it was. */
@@ -800,6 +803,7 @@ export interface StartAnew {
 export interface Steer {
   t: 'Steer';
   line: string;
+  doc?: string;
 }
 
 /** What would follow from a fault; nothing is touched (X24). Replied with a `view.ForesightsView`. */
@@ -1174,6 +1178,7 @@ export interface DocumentView {
   subsystem?: string;
   application?: string;
   has_ended?: boolean;
+  taken_by?: string;
   holder?: string;
   is_held_here?: boolean;
   offered_by?: string;
@@ -1591,7 +1596,7 @@ export interface MeetView {
   at_s: number;
 }
 
-/** The run of an application that goes on now, or the last one. */
+/** A run of an application that goes on now, or is over. */
 export interface RunView {
   doc: string;
   name: string;
@@ -1854,6 +1859,7 @@ export interface Tree {
   own_undo?: Reason;
   own_redo?: Reason;
   run?: RunView | null;
+  beside?: Record<string, RunView>;
   review?: ReviewView | null;
   keeping?: KeepingView | null;
   people?: number;

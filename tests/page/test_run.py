@@ -160,6 +160,28 @@ def test_run_twice_and_in_two_browsers_is_one_run(me, program, new_page):  # R-E
         person.ended_early("aborted by the user")
 
 
+def test_two_run_side_by_side_and_each_is_steered_where_it_is_seen(me):  # R-C18, R-E12, R-E07
+    beside = me.page.get_by_role("list", name="Running beside it")
+    me.starts("slow")
+    expect(me.flow(0)).to_contain_text("1 of 4")
+    me.opens("meets")
+    me.run.get_by_role("button", name=re.compile("^Run")).click()
+    expect(me.flow(1)).to_be_visible()
+    expect(beside).to_contain_text("slow")
+    expect(beside).to_contain_text("Running")
+    me.press("Pause")
+    expect(me.flow(1)).to_contain_text("pauses after this")
+    expect(beside).to_contain_text("Running")
+    beside.get_by_role("button", name="slow", exact=True).click()
+    expect(me.flow(0)).to_contain_text("1 of 4")
+    expect(beside).to_contain_text("meets")
+    beside.get_by_role("button", name="Abort meets").click()
+    expect(beside).to_have_count(0)
+    expect(me.flow(0)).to_contain_text("1 of 4")
+    me.press("Abort")
+    me.ended_early("aborted by the user")
+
+
 def test_who_waits_for_whom_is_shown_and_the_waiting_one_released(me):  # R-X03, R-E07
     me.starts("meets")
     expect(me.flow(0)).to_contain_text("waits at meet for Flow 1")

@@ -1,7 +1,7 @@
 // Commands of a run: begin it, steer it, end it, look at why it stands.
 import { announce } from '../state/announce'
 import { command } from '../state/commands'
-import { desk } from '../link/desk.svelte'
+import { desk, runsIn } from '../link/desk.svelte'
 import { dialogs } from '../state/dialogs.svelte'
 import { workspace } from '../state/workspace.svelte'
 import { options } from '../state/options.svelte'
@@ -18,7 +18,8 @@ import { t } from '../texts/index.svelte'
 
 const run = () => (isReviewing() ? null : desk.live.run)
 const waiting = (): string | undefined => flowsOf(run()).find((name) => run()?.flows?.[name]?.state === 'waiting')
-const asking = (): string | undefined => Object.keys(allAsking(undefined, run(), takenAsks(everything())))[0]
+const asking = (): string | undefined =>
+  Object.keys(allAsking(undefined, isReviewing() ? [] : runsIn(desk.now), takenAsks(everything())))[0]
 const looping = (): string | undefined => flowsOf(run()).find((name) => run()?.flows?.[name]?.loops?.length)
 
 /** Panels that ask for something: what is typed is meant for them, and a key does not set the machine in motion beneath them. */
@@ -29,7 +30,7 @@ function moves(deed: () => unknown): unknown {
 
 /** Begin; while it runs the same key goes on after a pause, and never loads the page anew. */
 function begin(): unknown {
-  if (!isGoing()) return start(workspace.app)
+  if (!isGoing() || (workspace.app && run()?.doc !== workspace.app)) return start(workspace.app)
   return canPause(run()) ? announce(t('perform.running')) : steer('continue')
 }
 

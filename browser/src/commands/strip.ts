@@ -1,7 +1,7 @@
 // Commands of the strip: its tables, plots, questions and the workcell.
 import { command } from '../state/commands'
 import { openDialog } from '../state/dialogs.svelte'
-import { desk } from '../link/desk.svelte'
+import { desk, runsIn } from '../link/desk.svelte'
 import { canvas, type StripTab } from '../state/canvas.svelte'
 import { watchAgain } from '../values/frames'
 import { takenAsks } from '../holding/held'
@@ -75,5 +75,5 @@ const firstWorld = (): string | undefined =>
 function firstAsking(): string | undefined {
   return desk.live.review
     ? undefined
-    : Object.keys(asking(desk.tree.documents[canvas.doc], desk.tree.run, takenAsks(everything())))[0]
+    : Object.keys(asking(desk.tree.documents[canvas.doc], runsIn(desk.tree), takenAsks(everything())))[0]
 }

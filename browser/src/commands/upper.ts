@@ -119,7 +119,7 @@ function registerUpper(): void {
   add('skipTo', 'upper.skipHere', {
     group: 'run',
     when: () => workspaceState.isRunning && head() > 0,
-    run: () => act({ t: 'SkipTo', step: head() }),
+    run: () => act({ t: 'SkipTo', step: head(), doc: workspace.app }),
   })
   add('addFlow', 'upper.addFlow', { when: isOpen, run: () => addFlow() })
   add('removeFlow', 'upper.removeThisFlow', {

@@ -1,9 +1,11 @@
 // Who holds what, as the page knows it now; and a clock for what ends by itself.
-import { desk } from '../link/desk.svelte'
+import { desk, runsIn } from '../link/desk.svelte'
 import { heldIn, meIn, type Held } from './held'
 
 const own = (): string[] =>
-  Object.keys(desk.live.run && desk.live.run.state !== 'over' ? (desk.live.run.flows ?? {}) : {})
+  runsIn(desk.now)
+    .filter((run) => run.state !== 'over')
+    .flatMap((run) => Object.keys(run.flows ?? {}))
 
 export const everything = (): Held[] => heldIn(desk.live.runtime, desk.live.documents, own())
 export const me = (): string => meIn(desk.live.runtime)

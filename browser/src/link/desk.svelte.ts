@@ -1,5 +1,6 @@
 // The copy of the environment's tree that this page draws from. Only what the environment sends changes it.
-import type { Patch, Snapshot, TaskView, Tree } from '../api.gen'
+import type { Patch, RunView, Snapshot, TaskView, Tree } from '../api.gen'
+import { workspace } from '../state/workspace.svelte'
 import { modules, plain } from '../texts/say'
 import { Exchange, withParts } from './treeParts'
 
@@ -36,15 +37,38 @@ export function fullTree(tree: Tree): FullTree {
     pictures: {},
     icon_clipboard: plain(''),
     run: null,
+    beside: {},
     review: null,
     keeping: null,
   }
   return withParts({ ...empty, ...tree })
 }
 
+/** Every run of this environment: the one that was begun last, then those beside it. */
+export const runsIn = (tree: FullTree): RunView[] => [...(tree.run ? [tree.run] : []), ...Object.values(tree.beside)]
+
+/** The run that this browser shows and steers: that of the application shown, else the one that was begun last. */
+function shownRun(tree: FullTree): RunView | null {
+  const own = runsIn(tree).filter((run) => run.doc === workspace.app)
+  return own.find((run) => run.state !== 'over') ?? own[0] ?? tree.run
+}
+
+const withShownRun = new WeakMap<FullTree, FullTree>()
+
+/** The tree as this browser shows it where several applications run: each browser looks at one of them. */
+function asShown(tree: FullTree): FullTree {
+  const before = withShownRun.get(tree)
+  if (before) return before
+  const shown = new Proxy(tree, {
+    get: (original, name) => (name === 'run' ? shownRun(original) : Reflect.get(original, name)),
+  })
+  withShownRun.set(tree, shown)
+  return shown
+}
+
 class Desk {
-  /** What is so now. Only who speaks of the present whatever is looked at reads it: Stop, the runtime, the tabs. */
-  live: FullTree = $state(fullTree({}))
+  /** What the environment has sent. */
+  now: FullTree = $state(fullTree({}))
   /** Of the tree; -1 before the first snapshot. */
   rev = $state(-1)
   isLinked = $state(false)
@@ -54,6 +78,11 @@ class Desk {
   you = $state('')
   version = $state('')
   treeAt: TreeAt | undefined
+
+  /** What is so now. Only who speaks of the present whatever is looked at reads it: Stop, the runtime, the tabs. */
+  get live(): FullTree {
+    return Object.keys(this.now.beside).length ? asShown(this.now) : this.now
+  }
 
   /** What is shown: the present, or the instant of a recorded run that is looked at. */
   get tree(): FullTree {
@@ -66,7 +95,7 @@ class Desk {
   }
 
   set tree(tree: FullTree) {
-    this.live = tree
+    this.now = tree
   }
 }
 
@@ -83,7 +112,7 @@ export function applySnapshot(snapshot: Snapshot): void {
 /** Take over a patch; false where it does not follow what is here, and a new snapshot is needed. */
 export function applyPatch(patch: Patch): boolean {
   if (patch.rev !== desk.rev + 1) return false
-  const exchange = new Exchange(desk.live)
+  const exchange = new Exchange(desk.now)
   for (const [path, value] of patch.changes) if (!exchange.take(path, value)) change(path, value)
   exchange.finish()
   desk.rev = patch.rev
@@ -94,7 +123,7 @@ type Branch = Record<string, unknown>
 
 /** Put a value at its place; null takes away. Branches on the way that were empty, and so not sent, grow. */
 function change(path: readonly string[], value: unknown): void {
-  let branch = desk.live as unknown as Branch
+  let branch = desk.now as unknown as Branch
   for (const step of path.slice(0, -1)) {
     if (branch[step] === undefined || branch[step] === null) {
       if (value === null) return

@@ -1,6 +1,6 @@
 // What lives inside running applications, and how its tasks and the icons of the application lead to each other.
-import type { SubsystemView } from '../api.gen'
-import { desk } from '../link/desk.svelte'
+import type { RunView, SubsystemView } from '../api.gen'
+import { desk, runsIn } from '../link/desk.svelte'
 
 const INTO = '@'
 /** Ahead of others in a table of what needs a look. */
@@ -13,13 +13,17 @@ export const inside = (): Record<string, SubsystemView> => desk.tree.runtime.ins
 export const intoOf = (subsystem: string): string => INTO + subsystem
 export const subsystemOf = (id: string): string => (id.startsWith(INTO) ? id.slice(INTO.length) : '')
 
-const stepsByTask = (): Readonly<Record<string, readonly number[]>> =>
-  desk.tree.review?.recording.steps_by_task ?? desk.tree.run?.steps_by_task ?? {}
+/** The run that goes on in a subsystem, of all that go on side by side; where none is named, the one that is shown. */
+export const runIn = (subsystem = ''): RunView | undefined =>
+  runsIn(desk.tree).find((run) => subsystem in (run.flows ?? {})) ?? desk.tree.run ?? undefined
+
+const stepsByTask = (subsystem = ''): Readonly<Record<string, readonly number[]>> =>
+  desk.tree.review?.recording.steps_by_task ?? runIn(subsystem)?.steps_by_task ?? {}
 
 /** The step of the application whose icon a task belongs to: the one that is carried out, else its first one; 0: none. */
 export function stepOf(subsystem: string, task: string): number {
-  const steps = stepsByTask()[`${subsystem}/${task}`] ?? []
-  const now = desk.tree.run?.flows?.[subsystem]?.step ?? 0
+  const steps = stepsByTask(subsystem)[`${subsystem}/${task}`] ?? []
+  const now = runIn(subsystem)?.flows?.[subsystem]?.step ?? 0
   return steps.includes(now) ? now : (steps[0] ?? 0)
 }
 
@@ -36,8 +40,8 @@ export function subsystemAt(step: number): string {
 /** The task that works now: of the present action, first one that stands still, then the trigger; empty: none does. */
 export function worksNow(subsystem: string): string {
   const tasks = inside()[subsystem]?.tasks ?? {}
-  const now = desk.tree.run?.flows?.[subsystem]?.step ?? 0
-  const steps = stepsByTask()
+  const now = runIn(subsystem)?.flows?.[subsystem]?.step ?? 0
+  const steps = stepsByTask(subsystem)
   const rank = (name: string): number => {
     const state = WORKING.indexOf(tasks[name]?.state ?? '')
     const isOfNow = (steps[`${subsystem}/${name}`] ?? []).includes(now)

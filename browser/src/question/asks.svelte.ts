@@ -4,11 +4,15 @@ import type { AskView, DocumentView, RunView } from '../api.gen'
 /** Who asks here: tasks of a document by their names, those of a run, and of one that was taken over, as `SUBSYSTEM/TASK`. */
 export function asking(
   doc: DocumentView | undefined,
-  run?: RunView | null,
+  runs: readonly RunView[] = [],
   taken: Record<string, AskView> = {},
 ): Record<string, AskView> {
   const own = Object.entries(doc?.tasks ?? {}).flatMap(([name, task]) => (task.ask ? [[name, task.ask] as const] : []))
-  return Object.fromEntries([...own, ...Object.entries(taken), ...Object.entries(run?.asks ?? {})])
+  return Object.fromEntries([
+    ...own,
+    ...Object.entries(taken),
+    ...runs.flatMap((run) => Object.entries(run.asks ?? {})),
+  ])
 }
 
 /** Whether it is a task of the run. */

@@ -109,6 +109,7 @@ export function treeAt(then: () => Then): (live: FullTree) => FullTree {
   return (live) =>
     over(live, (name, value) => {
       if (name === 'run') return then().instant?.run ?? null
+      if (name === 'beside') return {}
       if (name === 'documents') return each(value as Record<string, DocumentView>, document)
       if (name === 'applications') return each(value as Record<string, ApplicationView>, application)
       return name === 'runtime' ? runtime(value as RuntimeView) : value

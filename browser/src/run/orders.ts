@@ -33,9 +33,12 @@ export const start = (doc: string): Promise<unknown> =>
     is_recorded: options.records,
     on_loss: desk.live.runtime.address ? options.onLoss : 'stop',
   })
-export const steer = (verb: string, flow = ''): Promise<unknown> =>
-  act({ t: 'Steer', line: flow ? `${verb} ${flow}` : verb })
-export const dismiss = (): Promise<unknown> => act({ t: 'Dismiss' })
+/** The application whose run is shown: what is steered is what is seen. */
+const shownDoc = (): string => desk.live.run?.doc ?? ''
+
+export const steer = (verb: string, flow = '', doc = shownDoc()): Promise<unknown> =>
+  act({ t: 'Steer', line: flow ? `${verb} ${flow}` : verb, doc })
+export const dismiss = (): Promise<unknown> => act({ t: 'Dismiss', doc: shownDoc() })
 export const putBack = (): Promise<unknown> => act({ t: 'StartAnew' })
 
 /** Pause what goes on; where all stand still, go on. */

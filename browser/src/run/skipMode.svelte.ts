@@ -24,7 +24,7 @@ class SkipMode {
   /** This is the step; its flow goes there at once. */
   async choose(step: number): Promise<void> {
     this.isOn = false
-    await act({ t: 'SkipTo', step })
+    await act({ t: 'SkipTo', step, doc: desk.live.run?.doc ?? '' })
   }
 }
 

@@ -134,6 +134,8 @@ export const enCanvas = {
   'canvas.run.fine': 'Fine',
   'canvas.run.icon': 'To the icon',
   'canvas.run.leave': 'Look no more',
+  'canvas.taken.by': '{name} has taken this over: its tasks end, and live again when {name} is over.',
+  'canvas.taken.leave': 'Do not put it back',
   'canvas.lost.title': 'Not connected',
   'canvas.lost.say':
     'The line to {name} broke. What you see is how it was then; what runs there goes on by its own rules.',

@@ -17,7 +17,7 @@ export const enPerform = {
   'perform.loss.run': 'it goes on',
   'perform.lossHint':
     'When the runtime does not hear this environment any more: a cut cable, a computer that is off. What still runs can be taken over by somebody else, and everybody can stop it.',
-  'perform.other': '{name} is running. One application runs at a time.',
+  'perform.other': '{name} is running. Another application runs beside it where it needs other devices.',
   'perform.goTo': 'Go to {name}',
   'perform.moreFaults': 'and {n} more',
   'perform.stopped': 'Everything is stopped. Reset allows motion again.',
@@ -103,6 +103,10 @@ export const enPerform = {
   'perform.putBack': 'Put the workcell back',
   'perform.putBackHint':
     'Ends the runtime with all that lives there and starts it again: everything stands where it stood at first',
+  'perform.beside': 'Running beside it',
+  'perform.pauseOf': 'Pause {name}',
+  'perform.continueOf': 'Continue {name}',
+  'perform.abortOf': 'Abort {name}',
   'perform.dismiss': 'Dismiss',
   'perform.why': 'Why?',
   'perform.workcell': 'Workcell',

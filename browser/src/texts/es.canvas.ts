@@ -136,6 +136,8 @@ export const esCanvas: Record<keyof typeof enCanvas, string> = {
   'canvas.run.fine': 'De acuerdo',
   'canvas.run.icon': 'Al icono',
   'canvas.run.leave': 'Dejar de mirar',
+  'canvas.taken.by': '{name} la ha tomado: sus tareas terminan, y viven de nuevo cuando {name} acaba.',
+  'canvas.taken.leave': 'No reponerla',
   'canvas.lost.title': 'Sin conexión',
   'canvas.lost.say':
     'Se cortó la línea con {name}. Lo que ve es como estaba entonces; lo que allí funciona sigue según sus propias reglas.',

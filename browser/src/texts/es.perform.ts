@@ -19,7 +19,7 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
   'perform.loss.run': 'sigue',
   'perform.lossHint':
     'Cuando el sistema en marcha ya no oye a este entorno: un cable cortado, un ordenador apagado. Lo que aún corre puede tomarlo otro, y todos pueden pararlo.',
-  'perform.other': '{name} está en marcha. Solo se ejecuta una aplicación a la vez.',
+  'perform.other': '{name} está en marcha. Otra aplicación se ejecuta a su lado si necesita otros dispositivos.',
   'perform.goTo': 'Ir a {name}',
   'perform.moreFaults': 'y {n} más',
   'perform.stopped': 'Todo está parado. Restablecer permite de nuevo el movimiento.',
@@ -105,6 +105,10 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
   'perform.putBack': 'Devolver la célula a su estado inicial',
   'perform.putBackHint':
     'Termina el runtime con todo lo que vive en él y lo arranca de nuevo: todo vuelve a estar donde estaba al principio',
+  'perform.beside': 'En ejecución al lado',
+  'perform.pauseOf': 'Pausar {name}',
+  'perform.continueOf': 'Continuar {name}',
+  'perform.abortOf': 'Abortar {name}',
   'perform.dismiss': 'Descartar',
   'perform.why': '¿Por qué?',
   'perform.workcell': 'Célula',

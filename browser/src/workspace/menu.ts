@@ -50,7 +50,7 @@ function stepItems(step: number, at: Point): Item[] {
       ? [
           {
             label: t('upper.skipHere'),
-            run: () => act({ t: 'SkipTo', step: headOf(workspaceState.actions, step) }, at),
+            run: () => act({ t: 'SkipTo', step: headOf(workspaceState.actions, step), doc: workspace.app }, at),
           },
         ]
       : []),

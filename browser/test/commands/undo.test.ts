@@ -11,7 +11,7 @@ import { plain } from '../../src/texts/say'
 const command = (id: string) => allCommands().find((one) => one.id === id)!
 
 function show(documents: Parameters<typeof fullTree>[0]): void {
-  desk.live = fullTree(documents)
+  desk.tree = fullTree(documents)
   look.level = 'tasks'
   canvas.doc = 'd1'
 }

@@ -14,15 +14,12 @@ const doc = (all: Record<string, AskView | undefined>): Record<string, AskView> 
 describe('who asks', () => {
   it('are tasks of the document and of the run, which are told apart', () => {
     const [one, other] = [ask(), ask()]
-    const all = asking(view({ jtraj: one, pd: undefined }), {
-      doc: 'a1',
-      name: 'r',
-      number: 1,
-      asks: { 'flow0/jtraj': other },
-    })
+    const all = asking(view({ jtraj: one, pd: undefined }), [
+      { doc: 'a1', name: 'r', number: 1, asks: { 'flow0/jtraj': other } },
+    ])
     expect(all).toEqual({ jtraj: one, 'flow0/jtraj': other })
     expect(Object.keys(all).map(isOfRun)).toEqual([false, true])
-    expect(asking(undefined, null)).toEqual({})
+    expect(asking(undefined, [])).toEqual({})
   })
 })
 

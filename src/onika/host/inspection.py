@@ -177,23 +177,27 @@ class Inspection:
         by_hand = self._subsystems.live.get(name)
         members = self._subsystems.members(name)
         if run is not None:
-            tasks = tuple(_task(member, member.state is State.ON, None, NOTHING) for member in members.values())
+            claims = run.runner.claims(name)
+            tasks = tuple(
+                _task(member, member.state is State.ON, None, NOTHING, claims.get(task, ""))
+                for task, member in members.items()
+            )
             asks, on_loss = run.runner.questions(name), run.on_loss
             return live.SubsystemStanding(name, run.session, run.application, tasks, asks, on_loss)
         if by_hand is None:
             return live.SubsystemStanding(name, "", "", ())
+        desired, claims = by_hand.desired, by_hand.executor.spawner.claims
         tasks = tuple(
-            _task(member, by_hand.desired.is_on(task), by_hand.desired.rate(task), by_hand.reason(task))
+            _task(member, desired.is_on(task), desired.rate(task), by_hand.reason(task), claims.get(task, ""))
             for task, member in members.items()
         )
         return live.SubsystemStanding(name, by_hand.holder, "", tasks, by_hand.executor.questions)
 
 
-def _task(member: Member, is_wanted_on: bool, rate: float | None, reason: Reason) -> live.TaskStanding:
+def _task(member: Member, is_wanted_on: bool, rate: float | None, reason: Reason, claims: str) -> live.TaskStanding:
     task = member.wired.task
-    return live.TaskStanding(
-        task, member.state.value, is_wanted_on, member.rtpu, task.frequency if rate is None else rate, reason
-    )
+    frequency = task.frequency if rate is None else rate
+    return live.TaskStanding(task, member.state.value, is_wanted_on, member.rtpu, frequency, reason, claims)
 
 
 def _accessor(member: Member) -> Accessor:

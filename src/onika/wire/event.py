@@ -21,6 +21,8 @@ class Began(Struct, frozen=True, tag=True):
     of: int
     action: str
     at_s: float
+    run: str = ""
+    """The subsystem of the first flow of its run: several run side by side."""
 
 
 class Done(Struct, frozen=True, tag=True):
@@ -29,6 +31,8 @@ class Done(Struct, frozen=True, tag=True):
     flow: int
     index: int
     at_s: float
+    run: str = ""
+    """As in `Began`."""
 
 
 class TaskState(Struct, frozen=True, tag=True):
@@ -247,6 +251,8 @@ class Explained(Struct, frozen=True, tag=True):
     """What sort of cause it is: a word of `host.diagnosis.stop_cause.Kind`."""
     suspect: str = ""
     """The task upstream from which the trouble likely comes; empty: from nobody else."""
+    run: str = ""
+    """As in `Began`."""
 
 
 class LastSecondsKept(Struct, frozen=True, tag=True):
@@ -257,6 +263,8 @@ class LastSecondsKept(Struct, frozen=True, tag=True):
     """Both as in that `Explained`."""
     path: str
     """The file on the runtime's machine."""
+    run: str = ""
+    """As in `Began`."""
 
 
 class Result(Struct, frozen=True, tag=True):
@@ -284,6 +292,8 @@ class Result(Struct, frozen=True, tag=True):
     """The file on the runtime's machine in which the last seconds of a run stand that ended badly; empty: none."""
     remarks: tuple[Reason, ...] = ()
     """Of a completed run: what went wrong while its tasks were being ended, after its last action."""
+    run: str = ""
+    """As in `Began`."""
 
 
 Event = (

@@ -234,6 +234,8 @@ class TaskStanding(Struct, frozen=True):
     frequency: float | None
     reason: Reason = NOTHING
     """Why it waits, what it asks for or what failed; else empty."""
+    claims: str = ""
+    """The device that it has for itself alone, as `WORLD:NAME`; one that only publishes is nobody's alone."""
 
 
 class SubsystemStanding(Struct, frozen=True):

@@ -194,7 +194,9 @@ class LiveRuntime:
         return live.Standing(subsystems, rtpus, worlds, *stands, self.addresses, simulated)
 
     def _task(self, life: _Life) -> live.TaskStanding:
-        return live.TaskStanding(life.task, life.state.value, life.state is State.ON, life.rtpu, life.frequency)
+        claims = next((words[0] for key, words in life.task.local if key == "DEVICE"), "")
+        is_on = life.state is State.ON
+        return live.TaskStanding(life.task, life.state.value, is_on, life.rtpu, life.frequency, claims=claims)
 
     def _figure(self, home: str, life: _Life) -> live.TaskFigure:
         hz = life.frequency or 0.0
@@ -307,7 +309,8 @@ class LiveRuntime:
                 self._turn_on(message.subsystem, self.lives[message.subsystem][message.task], message.line)
             case request.Abort():
                 self.running = ""
-                self._told.append(event.Result(False, message.cause, 0, 1, self.now_s, 0.0, {}, (), ""))
+                result = event.Result(False, message.cause, 0, 1, self.now_s, 0.0, {}, (), "", run=message.subsystem)
+                self._told.append(result)
             case request.Stop() | live.Reset():
                 self.is_stopped = isinstance(message, request.Stop)
                 self._told.append(event.Stopped(self.is_stopped, getattr(message, "cause", NOTHING)))

@@ -16,6 +16,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from kit.desk.fake_runtime_env import FakeRuntimeEnv
+from kit.desk.live_runtime import LiveRuntime
 from kit.labs.laboratory import Laboratory
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.reconcile import runtime_loss
@@ -29,13 +30,13 @@ from onika.words.reason import Reason, as_reason
 class RunFixture(FakeRuntimeEnv):
     """A runtime that begins and then says nothing by itself; `files` is its base directory."""
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, rtpus: tuple[str, ...] = ("rt0",)) -> None:
         self.files = Laboratory(folder)
         for name in ("a", "b", "c"):
             self.files.module(name, f'"""The code of {name}."""\n')
             self.files.plain_task(name, writes=name.upper(), local="DEVICE arm\n" if name == "a" else "")
             self.files.configuration(f"{name}C", f"{name} 100")
-        super().__init__(folder)
+        super().__init__(folder, runtime=LiveRuntime(rtpus))
         self.rebuffs = {request.Begin: request.Done()}
         syntax, _ = self.site.syntax()
 

@@ -28,6 +28,12 @@ class Spawner:
         self._code: dict[str, Code] = {}
         self._load_ns: dict[str, int] = {}
         self._grants: dict[str, command.DeviceGrant] = {}
+        self._claims: dict[str, str] = {}
+
+    @property
+    def claims(self) -> dict[str, str]:
+        """The devices that tasks have for themselves alone, as `WORLD:NAME`, by task."""
+        return dict(self._claims)
 
     # Code
 
@@ -56,7 +62,9 @@ class Spawner:
             if member.rtpu in self._lost:
                 raise ValueError(self._lost[member.rtpu])
             if device is not None:
-                self._grants[task] = self._units.grant(member.rtpu, device)
+                grant = self._grants[task] = self._units.grant(member.rtpu, device)
+                if grant.command_offset is not None:
+                    self._claims[task] = device
             self._units.send(member.rtpu, self.order(subsystem, task))
         except (KeyError, ValueError) as error:
             self.release(task, member)
@@ -77,6 +85,7 @@ class Spawner:
     def release(self, task: str, member: Member) -> None:
         """Give back the device that a task was granted for itself alone; harmless where it has none."""
         grant, device = self._grants.pop(task, None), member.wired.device
+        self._claims.pop(task, None)
         if grant is not None and grant.command_offset is not None and device is not None:
             self._units.release(device)
 

@@ -105,7 +105,7 @@ class Recorder:
         """What is being recorded; empty: nothing."""
         if self._writer is None or self._began < 0 or self._end_at:
             return ""
-        return next((run.application for run in self._subsystems.runs if run.session == self._session), "")
+        return next((run.application for run in self._subsystems.runs if run.names == self._names), "")
 
     def lost(self, session: str) -> None:
         """A session is gone."""
@@ -185,7 +185,7 @@ class Recorder:
     def may_end(self, run: ApplicationRun, result: event.Result) -> bool:
         """Whether the end of a run may be told: its recording, if one is made, has to be finished by then."""
         writer = self._writer
-        if writer is None or run.session != self._session or self._began < 0:
+        if writer is None or run.names != self._names or self._began < 0:
             return True
         if not self._end_at:
             self._look()

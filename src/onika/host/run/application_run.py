@@ -17,6 +17,9 @@ from onika.wire import event
 from onika.wire.request import Begin
 from onika.words.reason import Reason
 
+_OF_RUN = (event.Began, event.Done, event.Explained, event.LastSecondsKept, event.Result)
+"""What may name no subsystem; it says whose it is."""
+
 REST_NS = 300_000_000
 """How long the end of a run waits at most until every drive holds."""
 
@@ -105,6 +108,8 @@ class ApplicationRun:
 
     def _tell(self, message: event.Event) -> None:
         flow = getattr(message, "flow", 0)
+        if isinstance(message, _OF_RUN):
+            message = structs.replace(message, run=self.names[0])
         self._tell_all(message, getattr(message, "subsystem", "") or self.names[flow], self.session)
 
 

@@ -133,6 +133,11 @@ class Runner:
         """The units of its tasks."""
         return {member.rtpu for executor in self._executors.values() for member in executor.members.values()}
 
+    def claims(self, subsystem: str) -> dict[str, str]:
+        """The devices that tasks of a subsystem have for themselves alone, by task."""
+        flow = self._flows.get(subsystem)
+        return {} if flow is None else self._executors[flow].spawner.claims
+
     # Steering
 
     def steer(self, wanted: Steering, now: int, answer: Callable[[Reason], None]) -> None:

@@ -6,7 +6,7 @@ from onika.wire.act.act import Act
 
 
 class Run(Act, frozen=True):
-    """Run an application as it is here, on the runtime of this environment; one at a time.
+    """Run an application as it is here, on the runtime of this environment, beside others that need other devices.
 
     Refused with all its faults at once. What must end first, and what has changed and is not saved, is told before.
     """
@@ -23,6 +23,8 @@ class Run(Act, frozen=True):
     """Whether the run is recorded, in a file of its own (X05)."""
     on_loss: Literal["stop", "finish", "run"] = "stop"
     """What becomes of it where this environment is lost: it ends, finishes its actions and pauses, goes on (X12)."""
+    units: tuple[tuple[str, str], ...] = ()
+    """Tasks that name no processing unit of this runtime, each with the one that the user has chosen (reading 12)."""
 
 
 class Preflight(Act, frozen=True):
@@ -75,16 +77,23 @@ class Steer(Act, frozen=True):
     """A line of steering, in the words of `desk.run.steering`: `pause 0`, `skip 1 3`, `abort`."""
 
     line: str
+    doc: str = ""
+    """The application whose run is meant; empty: the one that was begun last."""
 
 
 class SkipTo(Act, frozen=True):
     """Send the flow of a step to it at once; nothing between is carried out (E13)."""
 
     step: int
+    doc: str = ""
+    """The application whose run is meant; empty: the one that was begun last."""
 
 
 class Dismiss(Act, frozen=True):
     """Put away what is shown of a run that is over."""
+
+    doc: str = ""
+    """The application whose run is meant; empty: the one that was begun last."""
 
 
 class StartAnew(Act, frozen=True):

@@ -103,6 +103,8 @@ class DocumentView(View, frozen=True):
     """What runs in the subsystem, which it only looks into; empty: it is connected by hand, or not at all."""
     has_ended: bool = False
     """Whether that application is over: it is a plain configuration again."""
+    taken_by: str = ""
+    """The application that has taken over what lived here, and after which it is put back; empty: none."""
     holder: str = ""
     is_held_here: bool = False
     offered_by: str = ""

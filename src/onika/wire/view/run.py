@@ -119,7 +119,7 @@ class JumpView(View, frozen=True):
 
 
 class RunView(View, frozen=True):
-    """The run of an application that goes on now, or the last one."""
+    """A run of an application that goes on now, or is over."""
 
     doc: str
     """The application; it may be closed meanwhile."""

@@ -73,6 +73,8 @@ class Tree(View, frozen=True):
     """What was changed last outside of open files, and would be taken back (X10); empty: nothing."""
     own_redo: Reason = NOTHING
     run: RunView | None = None
+    beside: dict[str, RunView] = field(default_factory=dict)
+    """Runs that were begun before it and went on beside it, by their numbers."""
     review: ReviewView | None = None
     keeping: KeepingView | None = None
     people: int = 0

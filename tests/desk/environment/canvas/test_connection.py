@@ -3,7 +3,7 @@ import pytest
 from kit.desk.fake_runtime_env import FakeRuntimeEnv
 from kit.desk.run_fixture import RunFixture
 from kit.labs.laboratory import job
-from onika.desk.environment.canvas.connection import connected
+from onika.desk.environment.reconcile.joining import connected
 from onika.desk.environment.reconcile.runtime_loss import lost
 from onika.model.task import Task
 from onika.wire import act, live, request
@@ -169,7 +169,7 @@ def test_one_that_is_launched_connected_is_merged_at_once(duet):  # R-C18
     doc = duet.new("a")
     duet.runtime.ask(live.Take("main"))
     standing = duet.runtime.ask(live.Survey())
-    done = connected(duet.environment.model, doc, standing, duet.surroundings, me="you")
+    done = connected(duet.environment.model, doc, standing, me="you")
     assert done.model.documents[doc].live.state_of("a") == "SPAWNING"
     assert [type(order.asked) for order in done.orders] == [live.Change, live.Describe]
 
@@ -200,6 +200,7 @@ def test_where_another_runtime_cannot_be_reached_the_one_before_is_not_shown_any
 
 def test_the_runtime_on_which_an_application_runs_is_not_left(tmp_path):  # R-C18
     play = RunFixture(tmp_path)
-    play.run(play.open([job("aC")]))
+    doc = play.open([job("aC")])
+    play.run(doc)
     no = play.no(act.Connect(play.new("c"), url="ws://there", confirmed=True))
-    assert no.remedies[0].act == act.Steer("abort")
+    assert no.remedies[0].act == act.Steer("abort", doc)

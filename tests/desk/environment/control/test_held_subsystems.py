@@ -93,7 +93,7 @@ def test_one_run_is_held_here_at_a_time(duet):  # R-X12
     lose_holder(duet, "you")
     assert held_subsystems.run_here(duet.environment.model) == "flow0"
     duet.tell(event.Held("flow1", "", Reason.plain("gone")))
-    assert "one application runs at a time" in str(duet.no(act.Take(subsystem="flow1")).reason)
+    assert "the run of another is taken over where nothing runs" in str(duet.no(act.Take(subsystem="flow1")).reason)
 
 
 def test_what_is_offered_here_is_taken_without_a_word_and_declined_by_its_name(duet):  # R-X12

@@ -110,9 +110,10 @@ def test_a_runtime_elsewhere_is_left_only_when_the_user_wants_it(play, tape):  #
 
 def test_while_an_application_runs_nothing_is_gone_on_with(play, tape):
     looked_at(play, tape)
-    play.run(play.open([job("aC")]))
+    doc = play.open([job("aC")])
+    play.run(doc)
     no = play.no(act.Continue(1.0))
-    assert "play runs" in str(no.reason) and no.remedies[0].act == act.Steer("abort")
+    assert "play runs" in str(no.reason) and no.remedies[0].act == act.Steer("abort", doc)
 
 
 def test_what_cannot_be_gone_on_from_says_why(play, tmp_path):  # R-X05

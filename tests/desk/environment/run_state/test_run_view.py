@@ -38,9 +38,9 @@ def test_choices_are_acts_of_steering_and_one_that_leaves_something_open_is_none
     repeats, leaps, passes = map(Reason.plain, ("repeats it", "goes on with another one", "goes on alone"))
     shown = stop_view(run, explained((("clear", repeats), ("skip flow9 N", leaps), ("pass flow1", passes))))
     assert shown.choices == (
-        ChoiceView("clear", repeats, "", act.Steer("clear")),
+        ChoiceView("clear", repeats, "", act.Steer("clear", run.doc)),
         ChoiceView("skip", leaps, "flow9", None),
-        ChoiceView("pass", passes, "flow1", act.Steer("pass flow1")),
+        ChoiceView("pass", passes, "flow1", act.Steer("pass flow1", run.doc)),
     )
 
 
@@ -53,7 +53,7 @@ def test_of_long_courses_the_newest_value_is_kept(run):  # R-X06
 def test_a_choice_of_one_other_action_needs_no_choosing(run):  # R-E13
     skips = [explained(((words, Reason.plain("the same")),)) for words in ("skip N", "skip flow0 N", "skip flow7 N")]
     acts = [stop_view(run, skip).choices[0].act for skip in skips]
-    assert acts == [act.Steer("skip flow0 1"), act.Steer("skip flow0 1"), None]
+    assert acts == [act.Steer("skip flow0 1", run.doc), act.Steer("skip flow0 1", run.doc), None]
 
 
 def test_a_stop_is_told_in_the_words_of_the_icons(play):  # R-X06

@@ -44,12 +44,24 @@ def test_everything_that_is_wrong_is_told_at_once(play):  # R-E01, R-X01
     assert play.carried_out == []
 
 
-def test_one_application_runs_at_a_time(play):
-    doc, other = play.open([job("aC")]), play.open([job("bC")], name="other")
+def test_one_application_runs_once_at_a_time(play):
+    doc = play.open([job("aC")])
     play.run(doc)
-    assert "play runs already" in str(play.no(act.Run(other)).reason)
+    no = play.no(act.Run(doc))
+    assert str(no.reason) == "play runs already" and no.remedies[0].act == act.Steer("abort", doc)
     play.end()
-    assert play.run(other).number == 2
+    assert play.run(doc).number == 2
+
+
+def test_while_one_begins_no_other_does(play):  # R-C18
+    doc, other = play.open([job("aC")]), play.open([job("bC")], name="other")
+    given = []
+    play.is_held_back = True
+    play.environment.do(act.Run(doc), "me", given.append)
+    assert "play is about to begin" in str(play.no(act.Run(other)).reason)
+    play.is_held_back = False
+    play.pump()
+    assert given[0].no is None and play.run(other).number == 2
 
 
 def test_what_is_not_open_or_cannot_be_named_does_not_run(play):
@@ -77,7 +89,8 @@ def test_what_stands_in_the_way_is_ended_only_when_the_user_wants_it(play):  # r
     play.do(act.Connect(apart, subsystem="apart"))
     doc = play.open([job("aC"), job("bC")])
     no = play.answer(act.Run(doc)).no
-    assert "a of Untitled-1" in str(no.reason) and "Untitled-2" not in str(no.reason)
+    assert str(no.reason).startswith("a of Untitled-1 live already, and play needs such tasks for itself. ")
+    assert "Untitled-2" not in str(no.reason)
     assert play.environment.tree.run is None and play.carried(live.Close) == []
     play.do(no.remedies[0].act)
     assert play.carried(live.Close) == [live.Close("Untitled-1")]

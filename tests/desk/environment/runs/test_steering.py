@@ -93,8 +93,9 @@ def test_a_question_of_a_configuration_is_answered_as_before(play):  # R-C13
 
 
 def test_a_run_is_put_away_when_it_is_over(play):
-    play.run(play.open([job("aC")]))
-    assert play.no(act.Dismiss()).remedies[0].act == act.Steer("abort")
+    doc = play.open([job("aC")])
+    play.run(doc)
+    assert play.no(act.Dismiss()).remedies[0].act == act.Steer("abort", doc)
     play.end()
     play.do(act.Dismiss())
     assert play.environment.tree.run is None

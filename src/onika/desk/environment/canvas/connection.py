@@ -8,23 +8,16 @@ from onika.desk.environment.outcome.on_file import closed, on_document
 from onika.desk.environment.outcome.outcome import Ask, Done, InterimModel, No, Procedure, RequiredRuntime, Steps
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Services
-from onika.desk.environment.reconcile import following, joint_limits
-from onika.desk.environment.reconcile.descriptions import describe
-from onika.desk.environment.reconcile.live_facts import settled
-from onika.desk.environment.reconcile.merge import Merged, merged, runtime_view
+from onika.desk.environment.reconcile.joining import connected
+from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.reconcile.presence import ask_company
-from onika.desk.environment.reconcile.reconciliation import living_units
-from onika.desk.environment.reconcile.task_plan import birth
 from onika.desk.environment.reconcile.watched_runs import application_in
-from onika.desk.environment.reconcile.watches import is_going
-from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
-from onika.desk.environment.state.history import UndoStep
 from onika.desk.environment.state.live import SubsystemFacts, WatchedRun
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_file import DocumentKind
-from onika.wire import act, live, page, request, view
-from onika.wire.view import Remedy, ShowConnect, ShowTask
+from onika.wire import act, live, request, view
+from onika.wire.view import Remedy, ShowConnect
 from onika.words.name import TASK_NAME
 from onika.words.reason import NOTHING, Reason
 
@@ -32,7 +25,7 @@ _MAIN = "main"
 
 
 @on_document
-def connect(model: Model, document: Document, command: act.Connect, outside: Services) -> Procedure:
+def connect(model: Model, document: Document, command: act.Connect, _outside: Services) -> Procedure:
     """Merge a document with what runs in a subsystem, which comes into being with its first task."""
     if command.subsystem and not TASK_NAME.match(command.subsystem):
         text = Reason.of("desk.name_of_letters")
@@ -53,7 +46,7 @@ def connect(model: Model, document: Document, command: act.Connect, outside: Ser
     model = model.with_document(replace(document, live=SubsystemFacts(wish), watched=None))
     if model.runtime.state != "linked" or url not in ("", model.runtime.address):
         model = replace(model, runtime=view.RuntimeView("starting", url))
-    model, outcome = yield from _joined(model, document.id, wish, RequiredRuntime(url, command.token), outside)
+    model, outcome = yield from _joined(model, document.id, wish, RequiredRuntime(url, command.token))
     if not isinstance(outcome, Done | No):
         yield InterimModel(_as_before(model, document.id, subsystem_facts, former, outcome))
         name = model.documents[document.id].name
@@ -67,32 +60,10 @@ def connect(model: Model, document: Document, command: act.Connect, outside: Ser
 @on_document
 def disconnect(model: Model, document: Document, command: act.Disconnect, _outside: Services) -> Done | No:
     """Leave what runs as it is; the layout stays, what was known of its tasks does not."""
-    if document.live is None and document.watched is None:
+    if document.live is None and document.watched is None and document.taken is None:
         return No(Reason.of("desk.not_connected", name=document.name))
     content = replace(document.content, wanted={}, kept=())
-    return Done(model.with_document(replace(document, content=content, live=None, watched=None)))
-
-
-def connected(model: Model, doc: str, standing: live.Standing, outside: Services, me: str = "") -> Done:
-    """A document that is to be connected, merged with what there is; what is placed and does not run is spawned.
-
-    me      the name by which the runtime knows this environment; empty: it may not change the subsystem
-    """
-    document = model.documents[doc]
-    subsystem_facts = document.live or SubsystemFacts(_MAIN)
-    model = replace(model, runtime=runtime_view(model.runtime, standing))
-    merged_document = merged(model, document, replace(subsystem_facts, me=me), standing)
-    model = model.with_document(_stepped(document, merged_document, model.next_step))
-    done = _spawned(model, merged_document, outside)
-    described = describe(done.model)
-    bounds = joint_limits.connected(described.model, described.model.documents[doc])
-    orders, says = (*done.orders, *described.orders, *bounds), (*merged_document.says, *done.says)
-    return Done(
-        described.model,
-        value=Reason.of("desk.connected_with", subsystem=subsystem_facts.subsystem),
-        orders=orders,
-        says=says,
-    )
+    return Done(model.with_document(replace(document, content=content, live=None, watched=None, taken=None)))
 
 
 def _elsewhere(model: Model, command: act.Connect) -> No | None:
@@ -103,8 +74,9 @@ def _elsewhere(model: Model, command: act.Connect) -> No | None:
         document for document in model.documents.values() if document.live is not None and document.live.state == "live"
     ]
     here = model.runtime.address or Reason.of("desk.runtime_here")
-    if is_going(model):
-        return No(Reason.of("desk.application_on_runtime"), (Remedy(Reason.of("desk.abort_it"), act.Steer("abort")),))
+    if model.going:
+        abort = Remedy(Reason.of("desk.abort_it"), act.Steer("abort", model.going[0].doc))
+        return No(Reason.of("desk.application_on_runtime"), (abort,))
     if users:
         remedies = tuple(
             Remedy(Reason.of("desk.disconnect_file", name=user.name), act.Disconnect(user.id)) for user in users
@@ -119,9 +91,7 @@ def _elsewhere(model: Model, command: act.Connect) -> No | None:
     return No(reason, (Remedy(Reason.of("desk.go_on"), meant),))
 
 
-def _joined(
-    model: Model, doc: str, wish: str, reach: RequiredRuntime, outside: Services
-) -> Steps[tuple[Model, Done | No | Reason]]:
+def _joined(model: Model, doc: str, wish: str, reach: RequiredRuntime) -> Steps[tuple[Model, Done | No | Reason]]:
     """Hold a subsystem, and merge the document with what runs in it; a sentence says why that cannot be."""
     model, standing = yield Ask(model, live.Survey(), reach)
     document = model.documents.get(doc)
@@ -146,7 +116,7 @@ def _joined(
     if not isinstance(standing, live.Standing):
         return model, refusal(standing)
     holders = [subsystem.holder for subsystem in standing.subsystems if subsystem.name == document.live.subsystem]
-    done = connected(model, doc, standing, outside, holders[0] if is_held and holders else "")
+    done = connected(model, doc, standing, holders[0] if is_held and holders else "")
     return done.model, replace(done, orders=(*done.orders, ask_company()))
 
 
@@ -188,36 +158,3 @@ def _occupied(model: Model, name: str, document: Document) -> Reason:
         if other.live is not None and other.live.subsystem == name and other.id != document.id:
             return Reason.of("desk.subsystem_connected", name=other.name, subsystem=name)
     return NOTHING
-
-
-def _stepped(document: Document, merged_tasks: Merged, number: int) -> Document:
-    """With a step, where connecting has changed what stands on the canvas."""
-    old, new = document.content, merged_tasks.document.content
-    if old.configuration is new.configuration:
-        return settled(merged_tasks.document)
-    wanted = {name: new.wanted.get(name, False) for name in old.names}
-    before = Content(old.configuration, wanted, old.kept)
-    step = UndoStep(Reason.of("desk.connecting"), "", before, new, number)
-    return settled(replace(merged_tasks.document, history=document.history.done(step)))
-
-
-def _spawned(model: Model, merged_tasks: Merged, outside: Services) -> Done:
-    """With what is placed and does not run brought to life; what cannot be is left out, and said."""
-    document = model.documents[merged_tasks.document.id]
-    units = living_units(model)
-    wanted, says = {}, []
-    libraries = model.libraries_of(document)
-    for name in merged_tasks.spawn:
-        placed = document.content.placed(name)
-        born = birth(placed, libraries, units) if placed else Reason.of("desk.task_missing", name=name)
-        if isinstance(born, Reason):
-            says.append(page.Say("warning", Reason.of("desk.left_out", why=born), document.id, ShowTask(name)))
-        else:
-            wanted[name] = False
-    content = replace(document.content, wanted={**document.content.wanted, **wanted})
-    done = following.follow(model, model.with_document(document.having(content)), outside)
-    if isinstance(done, No):
-        return Done(
-            model, says=(*says, page.Say("warning", Reason.of("desk.nothing_spawned", why=done.reason), document.id))
-        )
-    return replace(done, says=(*says, *done.says))

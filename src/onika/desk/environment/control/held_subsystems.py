@@ -8,7 +8,6 @@ from onika.desk.environment.outcome.runtime_refusal import refusal, simply_done
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.holders import flows_with
 from onika.desk.environment.reconcile.presence import ask_flows, you
-from onika.desk.environment.reconcile.watches import is_going
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_file import DocumentKind
@@ -86,7 +85,7 @@ def is_offered_here(model: Model, subsystem: str) -> bool:
 
 def run_here(model: Model) -> str:
     """A flow of the run that another began and that is held here now; empty: there is none."""
-    own = model.run.homes if model.run is not None else ()
+    own = {home for run in model.every_run for home in run.homes}
     runs = (name for name, hold in model.runtime.holds.items() if hold.application and name not in own)
     return next((name for name in runs if is_held_here(model, name)), "")
 
@@ -94,7 +93,7 @@ def run_here(model: Model) -> str:
 def refused(model: Model, subsystem: str, command: act.Take) -> No | None:
     """Why it is not taken, or not without a word: a run is everything that its flows do."""
     hold = model.runtime.holds.get(subsystem, HoldView())
-    is_own = model.run is not None and subsystem in model.run.homes
+    is_own = any(subsystem in run.homes for run in model.every_run)
     is_offered = is_offered_here(model, subsystem)
     if not hold.application or is_own:
         return None
@@ -111,8 +110,8 @@ def refused(model: Model, subsystem: str, command: act.Take) -> No | None:
 
 def _application_here(model: Model) -> str:
     """The application that runs here: one that was begun here, or one that was taken over; empty: none does."""
-    if model.run is not None and is_going(model):
-        return model.run.view.name
+    if model.going:
+        return model.going[0].view.name
     return model.runtime.holds.get(run_here(model), HoldView()).application
 
 

@@ -94,14 +94,13 @@ def busy(model: Model, file: AnyFile) -> No | None:
 
 
 def is_running(model: Model, doc: str) -> bool:
-    """Whether it is the application that runs now."""
-    run = model.run
-    return run is not None and run.doc == doc and not run.is_over
+    """Whether it is an application that runs now."""
+    return any(run.doc == doc for run in model.going)
 
 
 def running(file: AnyFile) -> No:
     """Nothing is changed in what runs."""
-    abort = Remedy(Reason.of("run.abort_run"), act.Steer("abort"))
+    abort = Remedy(Reason.of("run.abort_run"), act.Steer("abort", file.id))
     copy = Remedy(Reason.of("run.save_copy"), show=ShowSaveAs())
     return No(Reason.of("run.unchanged_while_running", name=file.name), (abort, copy))
 

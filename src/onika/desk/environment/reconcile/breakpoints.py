@@ -14,8 +14,11 @@ from onika.words.reason import Reason
 
 def changed_breakpoints(before: Model, after: Model) -> tuple[Order, ...]:
     """What the runtime is asked for where breakpoints of the application that runs were set or removed."""
-    run = after.run
-    if run is None or run.is_over or run.doc not in after.applications or run.doc not in before.applications:
+    return tuple(order for run in after.going for order in _changed(before, after, run))
+
+
+def _changed(before: Model, after: Model, run: Run) -> tuple[Order, ...]:
+    if run.doc not in after.applications or run.doc not in before.applications:
         return ()
     old, new = before.applications[run.doc].application, after.applications[run.doc].application
     if old is new:

@@ -4,7 +4,13 @@ from dataclasses import replace
 
 from onika.desk.environment.outcome.outcome import Done, News, No, Order
 from onika.desk.environment.outcome.services import Services
-from onika.desk.environment.reconcile import event_reducer, joint_limits, run_reducer as hearing_run, watched_runs
+from onika.desk.environment.reconcile import (
+    event_reducer,
+    joint_limits,
+    putting_back,
+    run_reducer as hearing_run,
+    watched_runs,
+)
 from onika.desk.environment.reconcile.breakpoints import changed_breakpoints
 from onika.desk.environment.reconcile.descriptions import describe
 from onika.desk.environment.reconcile.reconciliation import next_change, noted, pursue_all
@@ -39,9 +45,10 @@ def after_event(model: Model, message: event.Event, outside: Services) -> Done:
     """What a runtime has told."""
     done = event_reducer.after_event(model, message, outside.calendar())
     run = hearing_run.after_event(done.model, message)
+    back = putting_back.after_event(run.model, message)
     says, news = (*done.says, *run.says), (*done.news, *run.news)
-    orders = (*done.orders, *run.orders, *joint_limits.after_event(run.model, message))
-    return replace(run, orders=orders, says=says, news=news)
+    orders = (*done.orders, *run.orders, *joint_limits.after_event(run.model, message), *back.orders)
+    return Done(back.model, orders=orders, says=says, news=news)
 
 
 def _is_changed(before: Model, document: Document) -> bool:

@@ -20,7 +20,7 @@ from onika.words.reason import Reason
 
 def after_event(model: Model, message: event.Event) -> Done:
     """The model after a piece of news, as far as it is about the run."""
-    run = model.run
+    run = _meant(model, message)
     if run is None or run.is_over:
         return Done(model)
     if isinstance(message, event.Edited) and run.view.state == "beginning":
@@ -31,7 +31,7 @@ def after_event(model: Model, message: event.Event) -> Done:
     if isinstance(message, event.Result):
         now = with_recording_size(now)
     return Done(
-        replace(model, run=now),
+        model.with_run(now),
         orders=_orders(model, run, now, message),
         says=_says(now, message, is_held=model.runtime.is_stopped),
     )
@@ -39,15 +39,30 @@ def after_event(model: Model, message: event.Event) -> Done:
 
 def lost(model: Model, reason: Reason) -> Done:
     """The runtime is gone: the run is reported aborted (E10); one that had not begun is refused to who wanted it."""
-    run = model.run
-    if run is None or run.is_over:
-        return Done(model)
+    done = Done(model)
+    for run in model.going:
+        ended = _lost(done.model, run, reason)
+        done = Done(ended.model, says=(*done.says, *ended.says), news=(*done.news, *ended.news))
+    return done
+
+
+def _lost(model: Model, run: Run, reason: Reason) -> Done:
     if run.view.state == "beginning":
         news = () if run.awaits is None else ((EditEnd(run.awaits), No(reason)),)
-        return Done(replace(model, run=replace(run, awaits=None)), news=news)
+        return Done(model.with_run(replace(run, awaits=None)), news=news)
     cause = Reason.of("run.lost_runtime", why=reason)
     now = with_recording_size(flow_progress.lost(run, cause, black_box_in(reason)))
-    return Done(replace(model, run=now), says=(end(now),))
+    return Done(model.with_run(now), says=(end(now),))
+
+
+def _meant(model: Model, message: event.Event) -> Run | None:
+    """The run that a piece of news is about; what names none is about the one that was begun last."""
+    named: str = getattr(message, "run", "") or getattr(message, "subsystem", "")
+    if isinstance(message, event.Met) and message.subsystems:
+        named = message.subsystems[0]
+    if not named or isinstance(message, event.Edited):
+        return model.run
+    return model.run_in(named)
 
 
 def who() -> Order:
@@ -63,9 +78,9 @@ def look() -> Order:
 def _edited(model: Model, run: Run, message: event.Edited) -> Done:
     """A live change has come to its end while the run is about to begin; it may be what the run waits for."""
     if run.awaits != message.number:
-        return Done(replace(model, run=replace(run, outcomes={**run.outcomes, message.number: message.cause})))
+        return Done(model.with_run(replace(run, outcomes={**run.outcomes, message.number: message.cause})))
     news = ((EditEnd(message.number), No(message.cause) if message.cause else None),)
-    return Done(replace(model, run=replace(run, awaits=None)), news=news)
+    return Done(model.with_run(replace(run, awaits=None)), news=news)
 
 
 def _orders(model: Model, former: Run, run: Run, message: event.Event) -> tuple[Order, ...]:
@@ -117,25 +132,31 @@ def _ask_present(model: Model, run: Run, message: event.Asked) -> tuple[Order, .
 
 
 def _present(model: Model, response: request.Response, key: str, wanted: dict[str, str]) -> Done:
-    run = model.run
+    run = model.run_in(key.partition("/")[0])
     if run is None or key not in run.view.asks or not isinstance(response, live.Values):
         return Done(model)
     ask_view = structs.replace(run.view.asks[key], present=values_of(response, wanted))
-    return Done(replace(model, run=run.shown(asks={**run.view.asks, key: ask_view})))
+    return Done(model.with_run(run.shown(asks={**run.view.asks, key: ask_view})))
 
 
 def placed(model: Model, response: request.Response) -> Done:
     """Where the flows are, as the runtime says."""
-    run = model.run
-    if run is None or run.is_over or not isinstance(response, steer.Positions):
+    if not isinstance(response, steer.Positions):
         return Done(model)
+    for run in model.going:
+        model = model.with_run(_at(run, response))
+    return Done(model)
+
+
+def _at(run: Run, positions: steer.Positions) -> Run:
+    """A run where its flows are."""
     flows = dict(run.view.flows)
-    for flow in response.flows:
+    for flow in positions.flows:
         shown = flows.get(flow.subsystem)
         if shown is not None:
             is_pausing = flow.is_pausing and flow.state != "paused"
             flows[flow.subsystem] = structs.replace(shown, is_pausing=is_pausing, loops=run_view.loops(flow.loops))
-    return Done(replace(model, run=run.shown(flows=flows)))
+    return run.shown(flows=flows)
 
 
 def _surveyed(model: Model, response: request.Response) -> Done:

@@ -6,6 +6,7 @@ from dataclasses import replace
 import msgspec
 
 from onika.desk.environment.outcome.outcome import Done
+from onika.desk.environment.reconcile import putting_back
 from onika.desk.environment.reconcile.run_reducer import lost as run_lost
 from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.model import Model
@@ -28,7 +29,8 @@ def lost(model: Model, reason: Reason) -> Done:
     done = run_lost(replace(model, documents=documents, runtime=runtime), in_short(reason))
     is_elsewhere = bool(runtime.address)
     text = Reason.of("run.runtime_gone", address=runtime.address) if is_elsewhere else Reason.of("run.runtime_ended")
-    return replace(done, says=(page.Say("error", text), *done.says))
+    never = putting_back.lost(done.model)
+    return replace(done, model=never.model, says=(page.Say("error", text), *done.says, *never.says))
 
 
 def with_loads(model: Model, loads: Mapping[str, float], cycles_us: Mapping[str, float]) -> Done:

@@ -30,7 +30,7 @@ class Watch:
         readings = tuple(dict.fromkeys((*of_documents, *of_run)))
         hz = _SLOWEST_HZ if isnan(self.hz) else min(max(self.hz, _SLOWEST_HZ), FASTEST_HZ)
         # others' runs tell the same words; the own one is heard of by its subsystems too where it was handed over
-        own = model.run.homes if model.run is not None else ()
+        own = {home for run in model.every_run for home in run.homes}
         attended = (*sorted({*homes_of(model).values(), *own}), holding.COMPANY) if is_going(model) else ("*",)
         return live.Attend(attended, readings, tuple(sorted(self.worlds)), hz)
 
@@ -43,8 +43,8 @@ def keys_of(model: Model, key: str) -> tuple[str, ...]:
     subsystem, _, name = key.rpartition("/")
     homes = {**homes_of(model), **homes_within(model)}
     of_documents = [f"{doc}/{name}" for doc, home in homes.items() if home == subsystem]
-    run = model.run
-    if run is None or subsystem not in run.view.flows:
+    run = next((run for run in model.every_run if subsystem in run.view.flows), None)
+    if run is None:
         return tuple(of_documents)
     is_first = _home_in_run(model, run.doc, name) == key
     return (*of_documents, f"{run.doc}/{key}", *([f"{run.doc}/{name}"] if is_first else []))
@@ -52,15 +52,16 @@ def keys_of(model: Model, key: str) -> tuple[str, ...]:
 
 def is_going(model: Model) -> bool:
     """Whether an application of this environment runs, or is about to."""
-    return model.run is not None and not model.run.is_over
+    return bool(model.going)
 
 
 def _home_in_run(model: Model, doc: str, name: str) -> str:
     """Where a variable `[SUBSYSTEM/]NAME` of the run of an application is; else empty."""
-    if model.run is None or model.run.doc != doc or not name:
+    run = model.run_of(doc)
+    if run is None or not name:
         return ""
     try:
-        return "/".join(model.run.flow_index.home(name))
+        return "/".join(run.flow_index.home(name))
     except ValueError:
         return ""
 

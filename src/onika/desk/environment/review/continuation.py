@@ -40,7 +40,6 @@ from onika.wire import act, live, page, request, view
 from onika.wire.view import Remedy
 from onika.words.reason import NOTHING, Reason
 
-_ABORT = Remedy(Reason.of("run.abort_it"), act.Steer("abort"))
 _ENDING = (request.Abort, request.Stop, live.Reset)
 
 
@@ -88,13 +87,18 @@ def _refused(model: Model, command: act.Continue, outside: Services) -> No | Non
     if not recording.begin_s <= command.at_s <= recording.end_s:
         begin_s, end_s, at_s = recording.begin_s, recording.end_s, command.at_s
         return No(Reason.of("run.instant_expected", begin_s=begin_s, end_s=end_s, at_s=at_s))
-    if model.run is not None and not model.run.is_over:
-        return No(Reason.of("run.runs_one", name=model.run.view.name), (_ABORT,))
+    if model.going:
+        running = model.going[0].view
+        return No(Reason.of("run.runs_one", name=running.name), (_abort(running.doc),))
     ends = _ends(model)
     if ends and not command.confirmed:
         go_on = Remedy(Reason.of("run.end_and_go_on"), act.Continue(command.at_s, confirmed=True))
         return No(ends, (go_on,))
     return None
+
+
+def _abort(doc: str) -> Remedy:
+    return Remedy(Reason.of("run.abort_it"), act.Steer("abort", doc))
 
 
 def _ends(model: Model) -> Reason:

@@ -1,6 +1,6 @@
 """The recordings of this environment, black boxes among them, newest first (requirement X05)."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 from datetime import datetime
 from pathlib import Path
 
@@ -21,19 +21,19 @@ def recordings(model: Model, _asked: act.Recordings, outside: Services) -> Proce
     if outside.state is None or outside.reading is None:
         return NOT_HERE
     folder, boxes = recordings_folder(outside.state), black_boxes_in(outside.state)
-    made = model.run.view.recording if model.run is not None and not model.run.is_over else ""
+    made = {run.view.recording for run in model.going}
     model, files = yield Work(model, outside.reading, lambda: _newest_first(folder, boxes, made))
     return Done(model, value=RecordingsView(str(folder), files))
 
 
-def _newest_first(folder: Path, boxes: Path, made: str) -> tuple[RecordingFile, ...]:
+def _newest_first(folder: Path, boxes: Path, made: Set[str]) -> tuple[RecordingFile, ...]:
     files = [file for place in (folder, boxes) for file in _files(place, made)]
     return tuple(sorted(files, key=lambda file: file.began_at_s, reverse=True))
 
 
-def _files(folder: Path, made: str) -> Iterator[RecordingFile]:
+def _files(folder: Path, made: Set[str]) -> Iterator[RecordingFile]:
     for path in folder.glob(f"*{ENDING}"):
-        if str(path) != made:
+        if str(path) not in made:
             try:
                 recording = summary(path)
                 began_at_s = datetime.fromisoformat(recording.began).timestamp()

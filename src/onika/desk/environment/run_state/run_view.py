@@ -68,10 +68,10 @@ def standing(run: Run, whom: str) -> list[tuple[Reason, Remedy]]:
     ways = []
     for name, flow in flows.items():
         if flow.state == "stopped":
-            clear = Remedy(Reason.of("run.clear_flow", flow=name), act.Steer(f"clear {name}"))
+            clear = Remedy(Reason.of("run.clear_flow", flow=name), act.Steer(f"clear {name}", run.doc))
             ways.append((Reason.of("run.flow_at_error", flow=name), clear))
         elif flow.state == "waiting":
-            let_pass = Remedy(Reason.of("run.let_pass", flow=name), act.Steer(f"pass {name}"))
+            let_pass = Remedy(Reason.of("run.let_pass", flow=name), act.Steer(f"pass {name}", run.doc))
             if flow.waits_for:
                 why = Reason.of("run.flow_waits_for", flow=name, tag=flow.tag, others=flow.waits_for)
             else:
@@ -126,10 +126,10 @@ def _choice(command: str, meaning: Reason, run: Run, explained: event.Explained)
     """What a line of steering does; one that leaves open which action is not done at once, if there are several."""
     verb, *operands = command.split()
     if operands[-1:] != [_ANY_ACTION]:
-        return ChoiceView(verb, meaning, " ".join(operands), act.Steer(command))
+        return ChoiceView(verb, meaning, " ".join(operands), act.Steer(command, run.doc))
     subsystem = " ".join(operands[:-1]) or explained.subsystem
     others = set(range(run.flow_index.count(subsystem))) - {explained.index if subsystem == explained.subsystem else -1}
-    only = act.Steer(f"{verb} {subsystem} {others.pop() + 1}") if len(others) == 1 else None
+    only = act.Steer(f"{verb} {subsystem} {others.pop() + 1}", run.doc) if len(others) == 1 else None
     return ChoiceView(verb, meaning, " ".join(operands[:-1]), only)
 
 

@@ -4,11 +4,8 @@ What is open is prepared as it is shown. Then the runtime is asked, one thing af
 what stands in the way, if the user wants it; to check the plan; to begin. The act is answered when the run has begun.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-
-import msgspec
 
 from onika.desk.environment.control.held_subsystems import run_here
 from onika.desk.environment.outcome.fault_view import FaultViews, place_of
@@ -28,15 +25,15 @@ from onika.desk.environment.outcome.outcome import (
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.outcome.unread_faults import not_run
-from onika.desk.environment.reconcile import run_reducer
+from onika.desk.environment.reconcile import putting_back, run_reducer
 from onika.desk.environment.reconcile.descriptions import describe
 from onika.desk.environment.reconcile.following import given_up
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.run_state.membership import StepMembership
 from onika.desk.environment.run_state.messages import IconWording
 from onika.desk.environment.run_state.run import Run, begun
-from onika.desk.environment.runs import flow_placement, recording, unsaved
-from onika.desk.environment.runs.obstacles import Obstacle, left, obstacles
+from onika.desk.environment.runs import beside, flow_placement, recording, takeover, unit_choice, unsaved
+from onika.desk.environment.runs.obstacles import documents_in_the_way, obstacles
 from onika.desk.environment.runs.preflight_result import looked, worth_noting
 from onika.desk.environment.runs.readiness_refusal import refused, refused_by_runtime
 from onika.desk.environment.runs.unsaved import Changed
@@ -55,8 +52,6 @@ from onika.wire.request import TargetValues
 from onika.wire.view import Remedy
 from onika.words.reason import Reason
 
-_ABORT = Remedy(Reason.of("run.abort_it"), act.Steer("abort"))
-
 
 @dataclass(frozen=True, slots=True)
 class _Start:
@@ -74,25 +69,31 @@ class _Start:
     began_at_s: float
     record: str = ""
     """The file of its recording; empty: none is made."""
+    changed: tuple[Changed, ...] = ()
+    """What it uses, or would take over, and is not saved; it is told with what is taken over."""
+    unsaved: No | None = None
+    """Why it does not run with that, where nothing is taken over."""
 
 
 def run(model: Model, command: act.Run, outside: Services) -> Procedure:
     """Run an application as it is here; the value is the number of the run."""
-    former = model.run
+    before = model
     begun_with = _start(model, command, outside)
     if isinstance(begun_with, No):
         return begun_with
     model, start = begun_with
     model, refused_ = yield from _begun(model, start)
     if refused_ is not None:
-        yield InterimModel(replace(model, run=former))  # nothing runs: what was shown before is shown again
+        back = putting_back.due(_without_it(model, before))  # it does not run: what was there before comes back
+        yield InterimModel(back.model, orders=back.orders)
         return refused_
     if model.run is None:
         return Done(model)
     run = model.run if model.run.is_over else model.run.shown(state="running")
     says = (page.Say("info", Reason.of("run.runs", name=start.name), command.doc),)
     described = describe(replace(model, run=run, performed=model.performed + 1))  # what tasks ask can be prefilled then
-    end = (Order(request.Abort(Reason.of("desk.aborted_by_user"))),) if _is_given_up(model) else ()
+    abort = request.Abort(Reason.of("desk.aborted_by_user"), run.homes[0])
+    end = (Order(abort),) if _is_given_up(model) else ()
     return Done(described.model, value=run.view.number, says=says, orders=(*end, run_reducer.look(), *described.orders))
 
 
@@ -102,7 +103,7 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, _S
     if opened is None:
         return closed(DocumentKind.APPLICATION)
     syntax = model.syntax
-    busy = _busy(model)
+    busy = _busy(model, opened)
     if busy is not None:
         return busy
     if syntax is None:
@@ -115,11 +116,15 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, _S
         return prepared_here
     model, prepared, changed = prepared_here
     troubles = FaultViews.of(opened, syntax, prepared, outside.site)
-    complaint = refused(opened, tuple(troubles.views(prepared))) or unsaved.refused(opened, changed, command)
+    complaint = refused(opened, tuple(troubles.views(prepared)))
     if complaint is not None:
         return complaint
     if prepared.plan is None:
         return No(Reason.of("run.has_nothing", name=opened.name))
+    is_unsaved = unsaved.refused(opened, changed, command)
+    in_the_way = documents_in_the_way(model, prepared.plan)
+    if is_unsaved is not None and (command.confirmed or not in_the_way):
+        return is_unsaved
     file = recording.place(model, command, opened.name, outside)
     if isinstance(file, No):
         return file
@@ -135,6 +140,8 @@ def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, _S
         notes=unsaved.other_files(model, prepared.places, prepared.program),
         began_at_s=outside.calendar(),
         record="" if file is None else str(file),
+        changed=tuple(dict.fromkeys((*changed, *takeover.unsaved(in_the_way)))),
+        unsaved=is_unsaved,
     )
 
 
@@ -144,7 +151,11 @@ def _prepared_here(
     """The application as it runs, and what it uses that is not saved; where that is wanted, with all of it saved."""
     prepared = ready(opened, outside.site, syntax, passes_breakpoints=command.passes_breakpoints)
     changed = (*unsaved.used(unsaved.dirty(model), prepared.program), *unsaved.tasks(model, prepared.program))
-    if not changed or not command.saves_unsaved:
+    if not command.saves_unsaved:
+        return model, prepared, changed
+    taken = () if prepared.plan is None else takeover.unsaved(documents_in_the_way(model, prepared.plan))
+    changed = tuple(dict.fromkeys((*changed, *taken)))
+    if not changed:
         return model, prepared, changed
     saved = unsaved.saved(model, changed, outside)
     if isinstance(saved, No):
@@ -153,10 +164,14 @@ def _prepared_here(
     return saved.model, again, ()
 
 
-def _busy(model: Model) -> No | None:
-    """Why nothing can run beside what runs."""
-    if model.run is not None and not model.run.is_over:
-        return No(Reason.of("run.another_runs", name=model.run.view.name), (_ABORT,))
+def _busy(model: Model, opened: OpenApplication) -> No | None:
+    """Why it cannot run beside what runs: it runs itself, or something is not through its beginning."""
+    for run in model.going:
+        name, abort = run.view.name, Remedy(Reason.of("run.abort_it"), act.Steer("abort", run.doc))
+        if run.doc == opened.id:
+            return No(Reason.of("run.runs_already", name=name), (abort,))
+        if run.view.state == "beginning" or run.view.repeats_until_s:
+            return No(Reason.of("run.another_begins", name=name), (abort,))
     taken = run_here(model)
     if taken:
         other = model.runtime.holds[taken].application
@@ -186,6 +201,14 @@ def durations(targets: tuple[TargetValues, ...], syntax: Syntax) -> dict[tuple[i
     return durations
 
 
+def _without_it(model: Model, before: Model) -> Model:
+    """The model where a run has not begun; those that went on meanwhile are as they are now."""
+    now = {run.view.number: run for run in model.beside.values()}
+    former = before.run and now.get(before.run.view.number, before.run)
+    others = {number: now.get(number, run) for number, run in before.beside.items()}
+    return replace(model, run=former, beside=others)
+
+
 def _new(model: Model, start: _Start) -> Run:
     run = begun(start.command.doc, start.plan, model.performed + 1, start.began_at_s, start.belonging, start.wording)
     run = replace(run, durations=start.durations).shown(recording=start.record)
@@ -198,6 +221,7 @@ def _begun(model: Model, start: _Start) -> Steps[tuple[Model, No | None]]:
     """Ask the runtime of this environment to begin; it is started where there is none."""
     url = model.runtime.address
     state = model.runtime if model.runtime.state == "linked" else flow_placement.starting(model.runtime)
+    model = model.making_room()
     model = replace(model, run=_new(model, start), runtime=state)
     model, standing = yield Ask(model, live.Survey(), RequiredRuntime(url))
     if not isinstance(standing, live.Standing):
@@ -227,36 +251,30 @@ def _placed(model: Model, standing: live.Standing, start: _Start) -> tuple[_Star
     if _is_given_up(model):
         return _given_up(start)
     refused_ = flow_placement.refused(model, start.plan)
+    refused_ = refused_ or beside.refused(model, standing, start.plan, start.name)
+    refused_ = refused_ or unit_choice.question(model, start.plan, start.name, start.command)
     if refused_ is not None:
         return refused_
     obstructing = obstacles(model, standing, start.plan)
     if obstructing and not start.command.confirmed:
-        return _in_the_way(obstructing, start)
+        return takeover.question(model, obstructing, start.name, start.plan, start.command, start.changed)
+    wrong = takeover.in_a_switch(model, obstructing, start.command) if obstructing else start.unsaved
+    if wrong is not None:
+        return wrong
     gone = tuple(obstacle.subsystem for obstacle in obstructing)
     living = {subsystem.name for subsystem in standing.subsystems if subsystem.tasks or subsystem.application}
-    plan = rehoused(start.plan, flow_placement.free(model, start.plan, living - set(gone)))
+    living |= {home for run in model.beside.values() for home in run.homes}
+    chosen = unit_choice.placed(start.plan, start.command)
+    plan = rehoused(chosen, flow_placement.free(model, start.plan, living - set(gone)))
     return replace(start, plan=plan, notes=(*start.notes, *flow_placement.notes(model, plan))), gone
-
-
-def _in_the_way(in_the_way: Sequence[Obstacle], start: _Start) -> No:
-    reason = Reason.of(
-        "run.obstacles",
-        obstacles=tuple(obstacle.named for obstacle in in_the_way),
-        name=start.name,
-        what=tuple(dict.fromkeys(obstacle.home for obstacle in in_the_way)),
-    )
-    confirmed = msgspec.structs.replace(start.command, confirmed=True)
-    return No(reason, (Remedy(Reason.of("run.end_them"), confirmed),))
 
 
 def _ended(model: Model, start: _Start, subsystem: str) -> Steps[tuple[Model, No | None]]:
     """End what stands in the way, with all its tasks."""
     documents = model.documents.values()
     names = [document.name for document in documents if document.live and document.live.subsystem == subsystem]
-    says = tuple(
-        page.Say("info", Reason.of("run.disconnected_for", name=name, application=start.name)) for name in names
-    )
-    after = left(model, (subsystem,))
+    says = tuple(page.Say("info", Reason.of("run.taken_over_by", name=name, application=start.name)) for name in names)
+    after = takeover.taken_over(model, subsystem, model.performed + 1, start.name)
     model, response = yield Ask(after, live.Close(subsystem), says=says, news=given_up(model, after))
     if not isinstance(response, live.Accepted):
         return model, No(refusal(response))

@@ -53,8 +53,10 @@ def notes(model: Model, plan: Plan) -> tuple[Reason, ...]:
 
 def free(model: Model, plan: Plan, taken: Collection[str]) -> dict[str, str]:
     """A subsystem for each flow that is not nested: of its own name, else of one that nobody has."""
-    connected = {document.live.subsystem for document in model.documents.values() if document.live is not None}
-    used = {name.partition(".")[0] for name in (*taken, *connected)}
+    documents = model.documents.values()
+    connected = {document.live.subsystem for document in documents if document.live is not None}
+    put_back = {document.taken.subsystem for document in documents if document.taken is not None}
+    used = {name.partition(".")[0] for name in (*taken, *connected, *put_back)}
     homes: dict[str, str] = {}
     number = 0
     for home in chiefs(plan):

@@ -3,12 +3,13 @@
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
+from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.model.planned import task_of
 from onika.model.rules.union import devices
 from onika.model.task import Task
 from onika.wire import live
-from onika.wire.plan import Plan
+from onika.wire.plan import Plan, PlannedTask
 from onika.words.reason import Reason
 
 
@@ -18,6 +19,8 @@ class Obstacle:
 
     subsystem: str
     tasks: tuple[str, ...]
+    living: tuple[PlannedTask, ...]
+    """All that live in it, those too that share nothing with the plan."""
     document: str = ""
     """The name of the configuration that is connected with it; empty: none is open here."""
 
@@ -27,11 +30,6 @@ class Obstacle:
         if self.document:
             return Reason.of("run.obstacle_of", tasks=self.tasks, name=self.document)
         return Reason.of("run.obstacle_in", tasks=self.tasks, subsystem=self.subsystem)
-
-    @property
-    def home(self) -> Reason | str:
-        """What has to end."""
-        return self.document or Reason.of("run.subsystem", name=self.subsystem)
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,17 +59,30 @@ def obstacles(model: Model, standing: live.Standing, plan: Plan) -> tuple[Obstac
     documents = {document.live.subsystem: document.name for document in model.documents.values() if document.live}
     obstacles_met = []
     for subsystem in standing.subsystems:
-        shared = tuple(task.name for task in _living(subsystem) if wanted.is_had_by(task))
+        living = _living(subsystem)
+        shared = tuple(task.name for task in living if wanted.is_had_by(task_of(task)))
         if shared:
-            obstacles_met.append(Obstacle(subsystem.name, shared, documents.get(subsystem.name, "")))
+            obstacles_met.append(Obstacle(subsystem.name, shared, living, documents.get(subsystem.name, "")))
     return tuple(obstacles_met)
 
 
-def _living(subsystem: live.SubsystemStanding) -> list[Task]:
+def documents_in_the_way(model: Model, plan: Plan) -> tuple[Document, ...]:
+    """The connected documents of which tasks live in the way of a plan, as far as it is known here."""
+    wanted = _Wanted.by(plan)
+    in_the_way = []
+    for document in model.documents.values():
+        names = document.live.tasks if document.live is not None and document.live.state == "live" else ()
+        tasks = [model.libraries.tasks[name] for name in names if name in model.libraries.tasks]
+        if any(wanted.is_had_by(task) for task in tasks):
+            in_the_way.append(document)
+    return tuple(in_the_way)
+
+
+def _living(subsystem: live.SubsystemStanding) -> tuple[PlannedTask, ...]:
     """The living tasks of a subsystem; those of an application are not looked at."""
     if subsystem.application:
-        return []
-    return [task_of(task.task) for task in subsystem.tasks if task.state != "KILLED"]
+        return ()
+    return tuple(task.task for task in subsystem.tasks if task.state != "KILLED")
 
 
 def left(model: Model, subsystems: Iterable[str]) -> Model:

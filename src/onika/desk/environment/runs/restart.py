@@ -7,7 +7,6 @@ from onika.desk.environment.outcome.outcome import Ask, Done, InterimModel, No, 
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.merge import runtime_view
-from onika.desk.environment.reconcile.watches import is_going
 from onika.desk.environment.run_state import flow_progress
 from onika.desk.environment.runs import flow_placement
 from onika.desk.environment.runs.obstacles import left
@@ -56,16 +55,15 @@ def _living(model: Model) -> list[Document]:
 
 def _ends(model: Model) -> Iterator[str]:
     """The names of what ends with the runtime."""
-    if is_going(model) and model.run is not None:
-        yield model.run.view.name
+    yield from (run.view.name for run in model.going)
     yield from (document.name for document in _living(model))
 
 
 def _at_its_end(model: Model) -> Model:
     """The model when nothing lives any more and another runtime starts."""
     after = left(model, [subsystem_facts.subsystem for subsystem_facts in _homes(model).values()])
-    if after.run is not None and not after.run.is_over:
-        after = replace(after, run=flow_progress.lost(after.run, _CAUSE))
+    for run in after.going:
+        after = after.with_run(flow_progress.lost(run, _CAUSE))
     return replace(after, runtime=flow_placement.starting(model.runtime))
 
 
@@ -73,5 +71,5 @@ def _says(model: Model) -> Iterator[page.Say]:
     """What of this model ends with the runtime, one line for each."""
     for document in _living(model):
         yield page.Say("info", Reason.of("run.disconnected_why", name=document.name, why=_CAUSE), document.id)
-    if is_going(model) and model.run is not None:
-        yield page.Say("error", Reason.of("run.aborted_why", name=model.run.view.name, why=_CAUSE))
+    for run in model.going:
+        yield page.Say("error", Reason.of("run.aborted_why", name=run.view.name, why=_CAUSE))

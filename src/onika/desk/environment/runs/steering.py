@@ -1,10 +1,13 @@
 """Acts on the run of an application: steering, skips to a step, answers, breakpoints (E07, E13, E15)."""
 
+from collections.abc import Sequence
 from dataclasses import replace
+
+from msgspec import structs
 
 from onika.desk.environment.canvas import task_commands
 from onika.desk.environment.control import held_subsystems
-from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure
+from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, Steps
 from onika.desk.environment.outcome.runtime_refusal import refusal, simply_done
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile import run_reducer
@@ -18,8 +21,8 @@ from onika.words.reason import Reason, reason_of
 
 
 def steer_line(model: Model, command: act.Steer, _outside: Services) -> Done | No | Procedure:
-    """Do what a line of steering says, for the run that goes on."""
-    run = _going(model)
+    """Do what a line of steering says, for a run that goes on."""
+    run = _going(model, command.doc)
     if isinstance(run, No):
         return run
     try:
@@ -31,32 +34,32 @@ def steer_line(model: Model, command: act.Steer, _outside: Services) -> Done | N
     if not isinstance(wish, steering.SteeringOrder):
         return No(Reason.of("run.for_scripts", line=command.line))
     if isinstance(wish.message, request.Abort) and run.view.state == "beginning":
-        return Done(replace(model, run=replace(run, is_given_up=True)))  # what is asked for already comes to its end
+        return Done(model.with_run(replace(run, is_given_up=True)))  # what is asked for already comes to its end
     if isinstance(wish.message, steer.Resume):
         is_named = len(command.line.split()) > 1
         has_nested = any(part.is_nested for part in run.flow_index.parts)
-        return _resumed(model, wish.subsystem if is_named or not has_nested else "")  # empty: whoever rests
-    return _steered(model, wish.message)
+        return _resumed(model, run, wish.subsystem if is_named or not has_nested else "")  # empty: whoever rests
+    return _steered(model, addressed(model, run, wish.message))
 
 
 def skip_to(model: Model, command: act.SkipTo, _outside: Services) -> No | Procedure:
     """Send the flow of a step to it at once; to the first action of what runs an application, or of a branch."""
-    run = _going(model)
+    run = _going(model, command.doc)
     if isinstance(run, No):
         return run
     action_place = next(run.actions_of(command.step), None)
     if action_place is None:
         return No(Reason.of("run.not_begun_with"))
     flow, index = action_place
-    return _steered(model, steer.Skip(run.homes[flow], index))
+    return _steered(model, (steer.Skip(run.homes[flow], index),))
 
 
 def answer(model: Model, command: act.Answer, outside: Services) -> No | Procedure:
     """Answer what a task of the run asks, named as `SUBSYSTEM/TASK`, or one of a configuration, or of a taken run."""
     if not command.doc:
         return held_subsystems.answer(model, command, outside)
-    run = model.run
-    if run is None or command.doc != run.doc:
+    run = model.run_of(command.doc)
+    if run is None:
         return task_commands.answer(model, command, outside)
     if command.task not in run.view.asks:
         return No(Reason.of("run.asks_nothing", task=command.task))
@@ -64,35 +67,64 @@ def answer(model: Model, command: act.Answer, outside: Services) -> No | Procedu
     return simply_done(model, request.Reply(subsystem, task, command.line))
 
 
-def dismiss(model: Model, _asked: act.Dismiss, _outside: Services) -> Done | No:
+def dismiss(model: Model, command: act.Dismiss, _outside: Services) -> Done | No:
     """Put away what is shown of a run that is over."""
-    if model.run is not None and not model.run.is_over:
-        abort = Remedy(Reason.of("run.abort_it"), act.Steer("abort"))
-        return No(Reason.of("run.still_runs", name=model.run.view.name), (abort,))
-    return Done(replace(model, run=None))
+    run = model.run_of(command.doc) if command.doc else model.run
+    if run is None:
+        return Done(model)
+    if not run.is_over:
+        abort = Remedy(Reason.of("run.abort_it"), act.Steer("abort", run.doc))
+        return No(Reason.of("run.still_runs", name=run.view.name), (abort,))
+    return Done(model.without_run(run))
 
 
-def _going(model: Model) -> Run | No:
-    run = model.run
-    if run is None or run.is_over:
-        return No(Reason.of("run.nothing_runs"))
-    return run
+def addressed(model: Model, run: Run, wish: request.Request) -> tuple[request.Request, ...]:
+    """What is wished of a whole run as it is asked where others run beside it: flow by flow, so that none is meant too.
+
+    An abort names one flow, and ends the run of which that is.
+    """
+    is_for_all = isinstance(wish, _OF_ALL) and not wish.subsystem
+    if len(model.going) < 2 or not is_for_all:
+        return (wish,)
+    if isinstance(wish, request.Abort):
+        return (structs.replace(wish, subsystem=run.homes[0]),)
+    return tuple(structs.replace(wish, subsystem=home) for home in run.homes)
 
 
-def _steered(model: Model, wish: request.Request) -> Procedure:
+_OF_ALL = (steer.Pause, steer.Resume, steer.Step, steer.Recover, request.Abort)
+"""What is wished of every flow where none is named."""
+
+
+def _going(model: Model, doc: str) -> Run | No:
+    """The run of an application that goes on; where none is named, the one that was begun last."""
+    going = [run for run in model.going if doc in ("", run.doc)]
+    return going[0] if going else No(Reason.of("run.nothing_runs"))
+
+
+def _asked(model: Model, wishes: Sequence[request.Request]) -> Steps[tuple[Model, request.Response]]:
+    """Ask for each; done where one of them is, else why the first is not."""
+    responses = []
+    for wish in wishes:
+        model, response = yield Ask(model, wish)
+        responses.append(response)
+    return model, next((response for response in responses if isinstance(response, request.Done)), responses[0])
+
+
+def _steered(model: Model, wishes: Sequence[request.Request]) -> Procedure:
     """Ask for it, then where the flows are."""
-    model, response = yield Ask(model, wish)
+    model, response = yield from _asked(model, wishes)
     if not isinstance(response, request.Done):
         return No(refusal(response))
-    return Done(model, orders=(run_reducer.who(),) if _is_going(model) else ())
+    return Done(model, orders=(run_reducer.who(),) if model.going else ())
 
 
-def _resumed(model: Model, whom: str) -> Procedure:
+def _resumed(model: Model, run: Run, whom: str) -> Procedure:
     """Those that pause go on; where none does, why the others stand, and what lets them go on."""
-    model, response = yield Ask(model, steer.Resume(whom))
+    model, response = yield from _asked(model, addressed(model, run, steer.Resume(whom)))
     if isinstance(response, request.Done):
-        return Done(model, orders=(run_reducer.who(),) if _is_going(model) else ())
-    stands = standing(model.run, whom) if model.run is not None else ()
+        return Done(model, orders=(run_reducer.who(),) if model.going else ())
+    now = model.run_of(run.doc)
+    stands = standing(now, whom) if now is not None else ()
     if not stands:
         return No(refusal(response))
     reason = Reason.of("run.nothing_pauses", parts=tuple(why for why, _ in stands))
@@ -104,7 +136,3 @@ def _look(model: Model) -> Procedure:
     if isinstance(response, steer.Positions):
         return run_reducer.placed(model, response)
     return No(refusal(response))
-
-
-def _is_going(model: Model) -> bool:
-    return model.run is not None and not model.run.is_over

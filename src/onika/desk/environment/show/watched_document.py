@@ -12,9 +12,7 @@ from onika.wire.view import LivingTaskView, SubsystemView
 
 def stand_ins(model: Model, subsystem: str) -> tuple[tuple[str, str], ...]:
     """Who stands for whom in a redirected flow of the run that goes on here: the task that is named, and the other."""
-    if model.run is None:
-        return ()
-    flows = [flow for flow in model.run.plan.flows if flow.subsystem == subsystem]
+    flows = [flow for run in model.every_run for flow in run.plan.flows if flow.subsystem == subsystem]
     return tuple((old.name, name) for flow in flows for name, old in flow.replaced)
 
 

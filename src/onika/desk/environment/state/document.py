@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 
 from onika.desk.environment.state.content import Content, meaning_of
-from onika.desk.environment.state.live import SubsystemFacts, WatchedRun
+from onika.desk.environment.state.live import SubsystemFacts, TakenOver, WatchedRun
 from onika.desk.environment.state.open_file import DocumentKind, OpenFile
 from onika.model.configuration import Configuration
 
@@ -18,6 +18,8 @@ class Document(OpenFile[Configuration, Content]):
     """What is known of it in the running system; None: it is not connected."""
     watched: WatchedRun | None = None
     """The running application that it looks into, or looked into last."""
+    taken: TakenOver | None = None
+    """What a run has taken over of it; None: nothing."""
 
     @property
     def name(self) -> str:

@@ -76,6 +76,20 @@ class WatchedRun:
 
 
 @dataclass(frozen=True, slots=True)
+class TakenOver:
+    """What a run has taken over of a document, to be put back when it is over (requirement C18)."""
+
+    run: int
+    """Which run of this environment it is."""
+    application: str
+    subsystem: str
+    on: frozenset[str] = frozenset()
+    """The tasks that come ON again then."""
+    is_asked: bool = False
+    """Whether the runtime is being asked for it."""
+
+
+@dataclass(frozen=True, slots=True)
 class SubsystemFacts:
     """A document's subsystem."""
 

@@ -74,7 +74,9 @@ class Model:
     own: OwnHistory = field(default_factory=History)
     """What was changed outside of open files, to be taken back (X10)."""
     run: Run | None = None
-    """The run of an application that goes on now, or the last one."""
+    """The run of an application that was begun last."""
+    beside: Mapping[int, Run] = field(default_factory=dict)
+    """Runs that were begun before it and went on beside it, by their numbers."""
     review_session: ReviewSession | None = None
     """The recorded run that is looked at."""
     keeping: view.KeepingView | None = None
@@ -90,6 +92,44 @@ class Model:
     def with_application(self, application: OpenApplication) -> "Model":
         """With an application in its newest form."""
         return replace(self, applications={**self.applications, application.id: application})
+
+    @property
+    def every_run(self) -> tuple[Run, ...]:
+        """The run that was begun last, then those beside it."""
+        return (*(() if self.run is None else (self.run,)), *self.beside.values())
+
+    @property
+    def going(self) -> tuple[Run, ...]:
+        """The runs that are not over: several go on side by side."""
+        return tuple(run for run in self.every_run if not run.is_over)
+
+    def run_of(self, doc: str) -> Run | None:
+        """The run of an application, the one that goes on before one that is over."""
+        of_application = [run for run in self.every_run if run.doc == doc]
+        return next((run for run in of_application if not run.is_over), next(iter(of_application), None))
+
+    def run_in(self, subsystem: str) -> Run | None:
+        """The run that goes on in a subsystem; one that is about to begin may not have its place yet."""
+        there = [run for run in self.going if subsystem in run.homes]
+        return next((run for run in there if run.view.state != "beginning"), next(iter(there), None))
+
+    def with_run(self, run: Run) -> "Model":
+        """With a run in its newest form."""
+        if run.view.number in self.beside:
+            return replace(self, beside={**self.beside, run.view.number: run})
+        return replace(self, run=run)
+
+    def without_run(self, run: Run) -> "Model":
+        """With one run less that is shown."""
+        beside = {number: other for number, other in self.beside.items() if number != run.view.number}
+        is_last = self.run is not None and self.run.view.number == run.view.number
+        return replace(self, run=None if is_last else self.run, beside=beside)
+
+    def making_room(self) -> "Model":
+        """With room for a run that begins: those that go on stand beside it, those that are over are not shown."""
+        return replace(
+            self, run=None, beside={run.view.number: run for run in sorted(self.going, key=lambda run: run.view.number)}
+        )
 
     @property
     def open_files(self) -> tuple[Document | OpenApplication, ...]:
