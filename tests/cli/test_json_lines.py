@@ -30,7 +30,8 @@ def test_every_event_is_one_object_on_one_line(capsys):  # R-E11
         out.happens(RESULT)
     begins, began, warned, drive = lines(capsys)
     assert begins == {"event": "begins", "application": "go_home", "runtime_pid": 4711}
-    assert began == {"event": "began", "flow": 0, "index": 1, "of": 2, "action": "jmoveC home", "at_s": 0.5}
+    action = {"flow": 0, "index": 1, "of": 2, "action": "jmoveC home"}
+    assert began == {"event": "began", **action, "at_s": 0.5, "run": ""}
     assert warned["text"] == {"key": "plain", "text": "two\nlines \u2028"}
     assert (drive["event"], drive["at_ns"], drive["previous_step_ns"], drive["last_command_ns"]) == ("drive", 4, 2, -1)
 

@@ -3,7 +3,10 @@ import pytest
 from kit.desk.live_runtime import LiveRuntime
 from kit.plans.build import task
 from onika.wire import event, live, request
+from onika.wire.plan import Code
 from onika.words.reason import NOTHING, Reason
+
+CODE = Code("0" * 64, "a", "a.py", "")
 
 
 def test_a_change_is_accepted_and_its_outcome_an_event():
@@ -56,7 +59,7 @@ def test_everything_that_can_be_asked_is_answered():
         live.Set("main", "a", "x", "1"),
         live.Get("main", "a", "x"),
         live.Clear("main", "a"),
-        live.Swap("main", "a", None),
+        live.Swap("main", "a", CODE),
         live.Close("main"),
         request.Stop(Reason.plain("x")),
         request.Snapshot(),
