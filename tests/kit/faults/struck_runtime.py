@@ -136,7 +136,7 @@ class StruckRuntime:
         self._join("beginner")
         plan = self._shop.plan([action("arm", "push", "lamp")])
         prepared = self.ask(request.Prepare(plan, ()), "beginner")
-        if prepared != request.Prepared(()):
+        if not isinstance(prepared, request.Prepared) or prepared.faults:
             raise ValueError(str(prepared))
         self._do(request.Begin(**begin), "beginner")  # type: ignore[arg-type]
         self._move("arm_left_kin", "flow0/arm", "flow0/push", "flow0/lamp")
