@@ -52,7 +52,7 @@ def test_middle_on_an_icon_shows_its_parameters(me):  # R-G04, table B.1
 def test_shift_middle_on_an_icon_shows_its_source(me):  # R-C05, table B.1
     me.icon("calm").click(button="middle", modifiers=["Shift"])
     expect(me.page.get_by_role("dialog", name="Source of calm").get_by_role("textbox")).to_have_value(
-        re.compile("self.CALM = self.WAVE / 2")
+        re.compile(r"self\.CALM = self\.WAVE \* self\.SHARE")
     )
 
 

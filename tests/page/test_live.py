@@ -454,7 +454,7 @@ def test_an_icon_of_the_library_foretells_its_load_once_its_code_was_measured(me
     place(me, "wave")
     turn(me, "wave")
     expect(me.icon("wave")).to_have_accessible_name(re.compile(r"takes \d+ % of a unit"), timeout=30_000)
-    expect(me.icon("calm")).not_to_have_accessible_name(re.compile("takes"))
+    expect(me.icon("hurry")).not_to_have_accessible_name(re.compile("takes"))
 
 
 def test_the_memory_is_checked_and_the_readings_are_saved_to_a_file(me):  # R-A12

@@ -133,7 +133,7 @@ def test_one_click_switches_between_configurations_that_live(program, page, peop
     person.state("wave", "ON")
     page.locator("body").press("Control+o")
     panel.get_by_role("searchbox").fill("otherC")
-    panel.get_by_role("button", name="Keep otherC alive").click()
+    panel.get_by_role("button", name="Keep alive: otherC").click()
     kept = page.get_by_role("group", name="Kept alive")
     expect(kept.get_by_role("button", name="pairC", exact=True)).to_have_attribute("aria-pressed", "true")
     kept.get_by_role("button", name="otherC", exact=True).click()

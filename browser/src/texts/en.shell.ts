@@ -145,7 +145,7 @@ export const enShell = {
   'open.openName': 'Open {name}',
   'kept.title': 'Kept alive',
   'kept.keep': 'Keep alive',
-  'kept.keepName': 'Keep {name} alive',
+  'kept.keepName': 'Keep alive: {name}',
   'kept.keepHint': 'Its tasks live, OFF, beside those of {name}; one click switches between the two',
   'kept.another': 'One more…',
   'kept.shown': 'Shown; only its tasks may be ON.',

@@ -147,7 +147,7 @@ export const esShell: Record<keyof typeof enShell, string> = {
   'open.openName': 'Abrir {name}',
   'kept.title': 'Vivas',
   'kept.keep': 'Mantener viva',
-  'kept.keepName': 'Mantener viva {name}',
+  'kept.keepName': 'Mantener viva: {name}',
   'kept.keepHint': 'Sus tareas viven, apagadas, junto a las de {name}; un clic cambia entre las dos',
   'kept.another': 'Otra más…',
   'kept.shown': 'Se muestra; solo sus tareas pueden estar encendidas.',
