@@ -8,8 +8,9 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from pathlib import Path
 
 import pytest
@@ -92,24 +93,55 @@ def page(new_page: Callable[[], Page]) -> Page:
     return new_page()
 
 
+STARTED: list["Program"] = []
+"""The programs of the file of tests that is tried."""
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport() -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """Notes that a test has failed: nobody knows what it has left behind in the programs that it saw."""
+    report = yield
+    if report.failed:
+        for program in STARTED:
+            program.is_doubtful = True
+    return report
+
+
 class Program:
     """The environment as a process, with a home, a state and a base directory of its own."""
 
     def __init__(self, folder: Path, files: tuple[str, ...], options: tuple[str, ...]) -> None:
         self.home, self.state = folder / "home", folder / "state"
         self.home.mkdir(parents=True, exist_ok=True)
+        self._home_at_first = Path(tempfile.mkdtemp(dir=folder)) / "home"
+        shutil.copytree(self.home, self._home_at_first, symlinks=True)
+        self._files, self._options = files, options
         self.said: list[str] = []
+        self.is_doubtful = False
+        """Whether a test has failed meanwhile."""
+        self._start()
+
+    def _start(self) -> None:
         self._is_ended = False
         self._keys: queue.Queue[str] = queue.Queue()
         inherited = {name: value for name, value in os.environ.items() if not name.startswith("ONIKA_")}
         self.process = subprocess.Popen(
-            [sys.executable, "-c", "from onika.cli import main; main()", "page", *files, "--port", "0",
-             "--no-browser", *options],
+            [sys.executable, "-c", "from onika.cli import main; main()", "page", *self._files, "--port", "0",
+             "--no-browser", *self._options],
             env={**inherited, "HOME": str(self.home), "XDG_STATE_HOME": str(self.state)},
-            cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True,
+            cwd=self.home.parent, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True,
         )  # fmt: skip
         self._reading = threading.Thread(target=self._read)
         self._reading.start()
+
+    def _begin_anew(self) -> None:
+        """As at first: a test that is tried again must not meet what its first try has left behind."""
+        self.kill()
+        for folder in (self.home, self.state):
+            shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(self._home_at_first, self.home, symlinks=True)
+        self.is_doubtful = False
+        self._start()
 
     def _read(self) -> None:
         assert self.process.stdout is not None
@@ -127,6 +159,8 @@ class Program:
 
     def enter(self, page: Page) -> Page:
         """Let a browser in, and wait until it is shown what is open."""
+        if self.is_doubtful:
+            self._begin_anew()
         page.goto(self.address())
         expect(page.get_by_role("navigation").get_by_role("listitem")).not_to_have_count(0)
         return page
@@ -154,21 +188,22 @@ class Program:
 @pytest.fixture(scope="module")
 def begin(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[..., Program]]:
     """Starts programs: `begin("jmoveC", "--no-connect")`; words that begin with a dash are options."""
-    started: list[Program] = []
 
     def started_with(*words: str, folder: Path | None = None) -> Program:
         where = folder or tmp_path_factory.mktemp("onika")
         files = tuple(word for word in words if not word.startswith("-"))
         program = Program(where, files, tuple(word for word in words if word.startswith("-")))
-        started.append(program)
+        STARTED.append(program)
         return program
 
     yield started_with
+    started = [*STARTED]
+    STARTED.clear()
     for program in started:
         if program.process.poll() is None:
             program.end()
         program.kill()
-    complaints = ["".join(process.said) for process in started if "Traceback" in "".join(process.said)]
+    complaints = ["".join(program.said) for program in started if "Traceback" in "".join(program.said)]
     assert not complaints, "\n".join(complaints)
 
 

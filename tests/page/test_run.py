@@ -62,6 +62,7 @@ class Operator:
         self.keys = self.run.get_by_role("group", name="Run")
         self.workspace = page.get_by_role("region", name="Workspace")
         self.jobs = self.workspace.get_by_role("option", name=re.compile("; action "))
+        self.beside = page.get_by_role("list", name="Running beside it")
         self.refusal = page.get_by_role("alertdialog", name="Refused")
 
     def opens(self, name):
@@ -82,6 +83,18 @@ class Operator:
     def press(self, words):
         self.keys.get_by_role("button", name=words, exact=True).click()
 
+    def ends_all(self):
+        """Whatever still runs is ended, here and beside, so that the next story begins from nothing."""
+        self.page.keyboard.press("Escape")
+        while self.beside.is_visible():
+            other = self.beside.get_by_role("button", name=re.compile("^Abort ")).first
+            words = other.get_attribute("aria-label")
+            other.click()
+            expect(self.beside.get_by_role("button", name=words, exact=True)).to_have_count(0)
+        if self.keys.get_by_role("button", name="Abort", exact=True).is_visible():
+            self.press("Abort")
+            expect(self.run.get_by_text("Ended early")).to_be_visible()
+
     def flow(self, number):
         return self.run.get_by_role("group", name=f"Flow {number}", exact=True)
 
@@ -99,10 +112,7 @@ def me(program, page):
     page.get_by_role("button", name="Applications", exact=True).click()
     operator = Operator(page)
     yield operator
-    page.keyboard.press("Escape")
-    if operator.keys.get_by_role("button", name="Abort", exact=True).is_visible():
-        operator.press("Abort")
-        expect(operator.run.get_by_text("Ended early")).to_be_visible()
+    operator.ends_all()
 
 
 def test_it_runs_to_its_end_and_says_so_in_words(me):  # R-E11, R-E14, R-E07
@@ -161,12 +171,12 @@ def test_run_twice_and_in_two_browsers_is_one_run(me, program, new_page):  # R-E
 
 
 def test_two_run_side_by_side_and_each_is_steered_where_it_is_seen(me):  # R-C18, R-E12, R-E07
-    beside = me.page.get_by_role("list", name="Running beside it")
+    beside = me.beside
     me.starts("slow")
     expect(me.flow(0)).to_contain_text("1 of 4")
     me.opens("meets")
     me.run.get_by_role("button", name=re.compile("^Run")).click()
-    expect(me.flow(1)).to_be_visible()
+    expect(me.flow(1)).to_contain_text("1 of 2")
     expect(beside).to_contain_text("slow")
     expect(beside).to_contain_text("Running")
     me.press("Pause")
