@@ -94,6 +94,15 @@ export async function insert(
   return true
 }
 
+/**
+ * What is selected in the dictionary goes into a place, and is selected no more; refused, it is again. What was selected
+ * there while the answer was on its way stays so.
+ */
+export async function insertSelected(onikon: string, place: Place, at: Point): Promise<void> {
+  workspace.onikon = ''
+  if (!(await insert(onikon, place, at))) workspace.onikon ||= onikon
+}
+
 function arrive(flow: string, step: number): void {
   deselect()
   goTo({ flow, after: step })

@@ -11,7 +11,7 @@ import {
   editPicture,
   expand,
   goTo,
-  insert,
+  insertSelected,
   pickedSteps,
   placeBehind,
   select,
@@ -95,7 +95,7 @@ export class PointerGestures {
   private insert(event: MouseEvent, over: Over): void {
     this.cancel()
     placeBy(event, over)
-    void insertSelected(at(event))
+    void insertSelected(workspace.onikon, workspace.place, at(event))
   }
 
   private left(event: PointerEvent, over: Over): Gesture {
@@ -183,10 +183,4 @@ function nearLeftSide(event: PointerEvent): boolean {
   const step = Number(cell?.dataset.step ?? 0)
   const x = workspaceState.cells.get(step)?.x
   return x !== undefined && workspaceState.toPaper(at(event)).x < x + 7
-}
-
-/** What is selected in the dictionary goes behind the icon that was pointed at; then it is selected no more. */
-async function insertSelected(point: At): Promise<void> {
-  const { onikon } = workspace
-  if (await insert(onikon, workspace.place, point)) workspace.onikon = ''
 }

@@ -13,6 +13,8 @@ vi.mock('../../src/link/link', () => ({
   hear: () => () => undefined,
 }))
 
+const { Refusal } = await import('../../src/link/refusal')
+const { plain } = await import('../../src/texts/say')
 const { desk, fullTree } = await import('../../src/link/desk.svelte')
 const { closeDialog, dialogs } = await import('../../src/state/dialogs.svelte')
 const { look } = await import('../../src/state/look.svelte')
@@ -204,6 +206,24 @@ describe('the right button', () => {
     await settled()
     expect(sent).toEqual([{ t: 'InsertIcon', doc: 'a1', onikon: 'open', flow: '0', after: 3 }])
     expect(workspace.onikon).toBe('')
+  })
+
+  test('leaves selected what is selected next, before the answer is there', async () => {
+    // R-D03
+    workspace.onikon = 'open'
+    hand.context(event(over(3), { ...at(3), button: 2 }))
+    workspace.onikon = 'turn'
+    await settled()
+    expect(workspace.onikon).toBe('turn')
+  })
+
+  test('leaves selected what is refused', async () => {
+    // R-D03
+    workspace.onikon = 'open'
+    answers.set('InsertIcon', Promise.reject(new Refusal(plain('no'))))
+    hand.context(event(over(3), { ...at(3), button: 2 }))
+    await settled()
+    expect(workspace.onikon).toBe('open')
   })
 
   test('opens a menu where nothing is selected there', () => {
