@@ -2,7 +2,7 @@ from typing import ClassVar
 
 import pytest
 
-from onika.cli import main, runtime as room
+from onika.cli import console_session, main, runtime as room
 from onika.link.lost import LinkLost, LossCause
 from onika.words.reason import Reason
 
@@ -29,7 +29,7 @@ def sits(monkeypatch):
     Launched.seen = []
     monkeypatch.setattr(room, "LaunchedRuntime", Launched)
     monkeypatch.setattr(
-        room, "sit_down", lambda runtime, site, script, **given: seen.append((site, script, given)) or 0
+        console_session, "sit_down", lambda runtime, site, script, **given: seen.append((site, script, given)) or 0
     )
     return seen
 

@@ -3,26 +3,14 @@
 import argparse
 import os
 import sys
+from collections.abc import Iterable
+from importlib import import_module
 from pathlib import Path
+from types import ModuleType
 from typing import TYPE_CHECKING
 
 from onika import __version__
-from onika.cli import (
-    argument_words,
-    audit,
-    check,
-    console,
-    doctor,
-    icon,
-    new,
-    own,
-    page,
-    recording,
-    run,
-    runtime,
-    test,
-    text,
-)
+from onika.cli import argument_words
 from onika.cli.language import say, speaking
 from onika.files.access import guard
 from onika.files.state_directory import guarded, state_directory
@@ -37,21 +25,22 @@ if TYPE_CHECKING:
 KEEPING = frozenset(("page", "run", "test", "runtime", "console"))
 """Commands that keep something in the state directory, or let others in by what lies there."""
 
-COMMANDS = {
-    "page": page,
-    "run": run,
-    "test": test,
-    "runtime": runtime,
-    "recording": recording,
-    "console": console,
-    "check": check,
-    "new": new,
-    "icon": icon,
-    "own": own,
-    "text": text,
-    "audit": audit,
-    "doctor": doctor,
-}
+COMMANDS = (
+    "page",
+    "run",
+    "test",
+    "runtime",
+    "recording",
+    "console",
+    "check",
+    "new",
+    "icon",
+    "own",
+    "text",
+    "audit",
+    "doctor",
+)
+"""In the order in which the help shows them; each is a file beside this one."""
 
 
 class CommandParser(argparse.ArgumentParser):
@@ -71,10 +60,10 @@ def carry_out(words: list[str] | None) -> int:
     wanted, rest = _language_first(sys.argv[1:] if words is None else words)
     with speaking(wanted):
         try:
-            given = _parser().parse_args(_whole(rest))
+            given = _parse(_whole(rest))
             if given.command in KEEPING and not _is_ours(state_directory(os.environ)):
                 return 2
-            code: int = COMMANDS[given.command].carry_out(given)
+            code: int = _command(given.command).carry_out(given)
             _flush()
             return code
         except (KeyboardInterrupt, OSError, UnicodeError, LinkLost) as ending:
@@ -125,14 +114,25 @@ def _drop_output() -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
 
 
-def _parser() -> argparse.ArgumentParser:
+def _parse(words: list[str]) -> argparse.Namespace:
+    """What is given; all commands are loaded only where the words name none, since together they take long to load."""
+    named = words[:1] if words[0] in COMMANDS else COMMANDS
+    return _parser(named).parse_args(words)
+
+
+def _command(name: str) -> ModuleType:
+    return import_module(f"onika.cli.{name}")
+
+
+def _parser(names: Iterable[str]) -> argparse.ArgumentParser:
     parser = CommandParser(prog="onika", description=say(Reason.of("cli.description")))
     parser.add_argument(
         "--version", action="version", version=f"onika {__version__}", help=say(Reason.of("cli.version_option"))
     )
     _add_language(parser)
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
-    for name, command in COMMANDS.items():
+    for name in names:
+        command = _command(name)
         purpose = say(command.purpose())
         description = purpose[:1].upper() + purpose[1:] + "."
         command.describe(commands.add_parser(name, help=purpose, description=description))

@@ -3,15 +3,17 @@
 from collections.abc import Callable, Iterator
 from itertools import count
 from pathlib import Path
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from onika.cli.language import say
-from onika.desk.console.console import Console
 from onika.desk.console.display import ConsoleDisplay, Tone
 from onika.desk.console.session import ConsoleSession, Faults, typed_fault
 from onika.desk.run.interruption import Interruption
 from onika.words.fault import Place
 from onika.words.reason import Reason
+
+if TYPE_CHECKING:
+    from onika.desk.console.console import Console
 
 _LOOK_S = 0.05
 _SERVED_S = 0.5
@@ -45,7 +47,7 @@ def next_line(desk: LineDesk, prompt: str) -> str | None:
     return line
 
 
-def converse(console: Console, desk: LineDesk, script: Path | None) -> int:
+def converse(console: "Console", desk: LineDesk, script: Path | None) -> int:
     """Carry out the script, then the lines of the desk, to their end; the exit code.
 
     A person goes on after a line that failed. Lines from a file or a pipe are a script: the first that fails ends them.
@@ -64,14 +66,14 @@ def converse(console: Console, desk: LineDesk, script: Path | None) -> int:
             return code
 
 
-def run_batch(console: Console, desk: ConsoleDisplay, script: Path) -> int:
+def run_batch(console: "Console", desk: ConsoleDisplay, script: Path) -> int:
     """Carry out a script and nothing else; the exit code."""
     faults = _guarded(console.session, lambda: console.run_script(script) or console.finish())
     _show(desk, faults, typed=False)
     return 1 if faults else 0
 
 
-def serve(console: Console) -> int:
+def serve(console: "Console") -> int:
     """Show what happens, until Ctrl-C, which stops everything; the exit code."""
     with Interruption() as interruption:
         while not interruption.is_new():
@@ -80,7 +82,7 @@ def serve(console: Console) -> int:
     return 0
 
 
-def _talk(console: Console, desk: LineDesk, interruption: Interruption, numbers: Iterator[int]) -> int | None:
+def _talk(console: "Console", desk: LineDesk, interruption: Interruption, numbers: Iterator[int]) -> int | None:
     """Lines up to the end, and the exit code; None after a Ctrl-C, so that only two in a row end everything."""
     while not console.is_over:
         console.session.hear()
@@ -101,7 +103,7 @@ def _talk(console: Console, desk: LineDesk, interruption: Interruption, numbers:
     return 0
 
 
-def _end(console: Console, desk: LineDesk) -> int:
+def _end(console: "Console", desk: LineDesk) -> int:
     """After the last line; who is no person waits for the outcome of a run."""
     console.session.hear()
     faults = () if desk.is_person else _guarded(console.session, console.finish)
@@ -109,7 +111,7 @@ def _end(console: Console, desk: LineDesk) -> int:
     return 1 if faults else 0
 
 
-def _carry_out(console: Console, line: str, place: Place | None) -> Faults:
+def _carry_out(console: "Console", line: str, place: Place | None) -> Faults:
     if place is None:
         return _guarded(console.session, lambda: console.answer(line))
     return _guarded(console.session, lambda: console.carry_out(line, place))

@@ -5,7 +5,6 @@ import sys
 from contextlib import ExitStack
 from pathlib import Path
 
-from onika.cli.console_session import sit_down
 from onika.cli.language import say
 from onika.cli.search_path import directory, site_here
 from onika.cli.time_scale import scale
@@ -49,6 +48,8 @@ def describe(parser: argparse.ArgumentParser) -> None:
 
 def carry_out(given: argparse.Namespace) -> int:
     """Start it and sit down at it."""
+    from onika.cli.console_session import sit_down  # within: it takes long to load, and other commands use the rest
+
     listen = _listen(given)
     if given.no_console and given.script is None and not listen:
         given.complain(say(Reason.of("cli.unreachable")))

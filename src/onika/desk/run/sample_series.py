@@ -1,8 +1,7 @@
 """The values of a variable at every cycle, put together of what a runtime answers (requirements C14, C27)."""
 
 from dataclasses import dataclass, field
-
-import numpy as np
+from itertools import product
 
 from onika.wire.samples import SampleTrace
 from onika.words.shape import Shape
@@ -25,6 +24,8 @@ class SampleSeries:
         """Append what came; False: nothing."""
         if not trace.stretches:
             return False
+        import numpy as np  # within: it takes long to load, and consoles rarely sample
+
         shape = self.shape = Shape.parse(trace.type)
         values = np.frombuffer(trace.values, dtype=shape.type.code).reshape(-1, shape.count)
         self.rows += values.astype(float).tolist()
@@ -47,7 +48,7 @@ def columns(name: str, shape: Shape | None) -> list[str]:
         return []
     if not shape.dims:
         return [name]
-    return [f"{name}[{','.join(map(str, place))}]" for place in np.ndindex(*map(int, shape.dims))]
+    return [f"{name}[{','.join(map(str, place))}]" for place in product(*(range(int(count)) for count in shape.dims))]
 
 
 def csv(series: list[SampleSeries], origin_ns: int = 0) -> str:
