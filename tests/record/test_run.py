@@ -16,6 +16,8 @@ def test_a_run_comes_back_as_it_was_with_its_code(tmp_path):  # law 29
     given = structs.replace(run(), begin=begin, options=("--shake", "3"))
     copy = RunRecord.read(RecordingBuilder(tmp_path / "run.mcap", given).end())
     assert copy == given
+    by_hand = structs.replace(run(), is_by_hand=True)
+    assert RunRecord.read(RecordingBuilder(tmp_path / "by_hand.mcap", by_hand).end()) == by_hand
     assert copy.prepare.plan.code[0].source
 
 

@@ -69,8 +69,9 @@ function select(show: AnyShow): void {
       return
     case 'ShowTarget':
       return openDialog('target', { type: show.type })
-    case 'ShowAnswer': // the panel of questions and the workspace open these themselves
+    case 'ShowAnswer': // the panel of questions, the workspace and the page open these themselves
     case 'ShowConfiguration':
+    case 'ShowRecording':
       return
   }
 }

@@ -19,6 +19,7 @@ from onika.host.loading.plan_preparation import inspect, prepare
 from onika.host.loading.world_kinds import world_list
 from onika.host.recording.black_box import BlackBox
 from onika.host.recording.black_box_holder import BlackBoxHolder
+from onika.host.recording.hand_held import HandHeld
 from onika.host.recording.recorder import Recorder
 from onika.host.recording.run_description import RunDescriptions
 from onika.host.recording.sampling import Sampling
@@ -74,6 +75,7 @@ class RuntimeProgram:
             self.subsystems, driver, self.authority, self.motion, self._descriptions, self._recorder, server.tell
         )
         self._black_box: BlackBox | None = None
+        self._hand_held: HandHeld | None = None
         self._questions = Questions(self.subsystems, driver, self._session_facts, lambda: self._recorder.application)
         self.is_over = False
 
@@ -91,22 +93,26 @@ class RuntimeProgram:
     def keep_last_seconds(
         self, folder: Path, holder: BlackBoxHolder, make_holder: Callable[[], BlackBoxHolder]
     ) -> None:
-        """From now on the last seconds of a run that ends badly are written into this folder."""
+        """From now on the last seconds of what goes badly are written into this folder."""
         clear_unfinished(folder)
-        self._black_box = BlackBox(folder, holder, make_holder, self.subsystems, self._driver)
-        self.applications.black_box = self._black_box
-        self._server.overhear(self._black_box.hear)
+        black_box = self._black_box = BlackBox(folder, holder, make_holder, self.subsystems, self._driver)
+        self.applications.black_box = black_box
+        hand_held = HandHeld(black_box, self.subsystems, self._descriptions, self._driver, self._server.tell)
+        self._hand_held = hand_held
+        self._server.overhear(hand_held.hear)
 
     def close(self) -> None:
         """The runtime ends: what is still to be written of its runs is written."""
         self.network.finish()
-        if self._black_box is not None:
+        if self._black_box is not None and self._hand_held is not None:
+            self._hand_held.finish()
             self._black_box.finish()
 
     def wait_s(self, most_s: float) -> float:
         """How long to wait at most, where nothing else is to be done for so long."""
         now = monotonic_ns()
-        dues = (self._look.due_ns(now), self._sampling.due_ns(now), self.leases.due_ns(), self.network.due_ns())
+        kept = None if self._hand_held is None else self._hand_held.due_ns()
+        dues = (self._look.due_ns(now), self._sampling.due_ns(now), self.leases.due_ns(), self.network.due_ns(), kept)
         return min([most_s, *(due * 1e-9 for due in dues if due is not None)])
 
     def serve(self) -> None:
@@ -134,7 +140,8 @@ class RuntimeProgram:
         if not self.subsystems.repeat.is_on(self._driver.now):
             self.subsystems.hold.say(self._driver.now)
         self._recorder.serve()
-        if self._black_box is not None:
+        if self._black_box is not None and self._hand_held is not None:
+            self._hand_held.serve()
             self._black_box.serve()
         for run in list(self.subsystems.runs):
             if run.is_through(self._driver.is_at_rest):

@@ -11,7 +11,7 @@ from onika import __version__
 from onika.record.reader import Reader
 from onika.record.stored import unfit
 from onika.record.writer import Writer
-from onika.wire.event import Explained, Result
+from onika.wire.event import Result
 from onika.wire.plan import Code
 from onika.wire.request import Begin, Prepare
 from onika.words.name import TASK_NAME
@@ -22,6 +22,7 @@ _TOO_SHORT = Reason.of("record.cut_short")
 _MOST_UNITS = 64
 _OPTIONS = re.compile(r"--shake [0-9]{1,18}", re.ASCII)
 """How a runtime is started that shakes its world; nothing else changes what happens in virtual time."""
+_BY_HAND = "by hand"
 _PLAN, _BEGIN, _CODE = "plan.json", "begin.json", "code.json"
 
 
@@ -39,6 +40,8 @@ class RunRecord(Struct, frozen=True):
     software: str = __version__
     options: tuple[str, ...] = ()
     """What its runtime was started with beside, which changes what happens."""
+    is_by_hand: bool = False
+    """Whether it is a subsystem that was held by hand: a plan of its tasks, without an action."""
 
     @property
     def plan_hash(self) -> str:
@@ -60,6 +63,7 @@ class RunRecord(Struct, frozen=True):
                 "units": " ".join(self.rtpus),
                 "options": " ".join(self.options),
                 "software": self.software,
+                **({_BY_HAND: "yes"} if self.is_by_hand else {}),
             },
         )
         writer.attach(_PLAN, "application/json", _bare(self.prepare))
@@ -100,6 +104,7 @@ class RunRecord(Struct, frozen=True):
             note.get("began", ""),
             note.get("software", ""),
             _options(reader, note.get("options", "")),
+            note.get(_BY_HAND) == "yes",
         )
 
 
@@ -114,9 +119,9 @@ def ending(result: Result) -> dict[str, str]:
     }
 
 
-def standing(explained: Explained) -> dict[str, str]:
+def standing(cause: Reason) -> dict[str, str]:
     """Why it stood still, as it is noted at the end of a black box that is written while the run goes on."""
-    return {"completed": "no", "goes_on": "yes", "cause": str(explained.text), "hash": "", "outside": ""}
+    return {"completed": "no", "goes_on": "yes", "cause": str(cause), "hash": "", "outside": ""}
 
 
 def _units(reader: Reader, text: str) -> tuple[str, ...]:

@@ -36,6 +36,8 @@ class Table:
     def __init__(self, segment: Segment) -> None:
         self.segment = segment
         self.entries: dict[str, TableEntry] = {}
+        self.changes = 0
+        """How often an entry was made, dropped or put back."""
         self._rings: dict[str, Ring] = {}
         self._end = HEAD
         self._free: dict[int, list[int]] = {}
@@ -49,6 +51,7 @@ class Table:
             return entry
         entry = TableEntry(name, shape, self._room(name, shape))
         self.entries[name] = entry
+        self.changes += 1
         self._rings[name] = Ring(self.segment.view, entry.offset, shape.size)
         self._rings[name].arm()
         return entry
@@ -64,11 +67,13 @@ class Table:
     def drop(self, name: str) -> TableEntry:
         """Forget a variable; its memory stays as it is until it is freed, for tasks that are bound to it still."""
         del self._rings[name]
+        self.changes += 1
         return self.entries.pop(name)
 
     def put_back(self, entry: TableEntry) -> None:
         """Know a dropped variable again, whose memory was not freed."""
         self.entries[entry.name] = entry
+        self.changes += 1
         self._rings[entry.name] = Ring(self.segment.view, entry.offset, entry.shape.size)
 
     def free(self, entry: TableEntry) -> None:

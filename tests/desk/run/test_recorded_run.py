@@ -80,3 +80,9 @@ def test_a_file_that_is_no_recording_is_refused(tmp_path, path):  # R-E01
     path.write_text("no recording")
     assert "found something else" in str(recorded_run(RecordingSource(path))[0])
     assert "no such file" in str(recorded_run(RecordingSource(tmp_path / "nothing"))[0])
+
+
+def test_what_was_held_by_hand_is_not_repeated(path):  # R-X05
+    taped(path, is_by_hand=True, is_fresh=False).end()
+    (fault,) = recorded_run(RecordingSource(path))
+    assert fault.reason.args["given"].key == "desk.held_by_hand"

@@ -1,7 +1,10 @@
-from kit.record.recording_builder import RecordingBuilder
+from msgspec.structs import replace
+
+from kit.record.recording_builder import RecordingBuilder, run
 from onika.desk.run.recording_digest import digest_lines
 from onika.desk.run.run_review import Review
-from onika.wire import event
+from onika.wire import event, request
+from onika.wire.plan import Plan, PlannedFlow
 from onika.words.reason import Reason
 
 
@@ -36,3 +39,16 @@ def test_it_says_that_a_file_was_cut_short(tmp_path):  # R-X05
     tape = taped(tmp_path)
     tape.cut()
     assert lines(tape)[-1].startswith("the file was cut short")
+
+
+def test_the_last_seconds_of_a_subsystem_that_was_held_by_hand_say_so(tmp_path):  # R-X05
+    plan = Plan("jog", (PlannedFlow("jog", (), ()),), ())
+    by_hand = replace(run(), prepare=request.Prepare(plan, ()), is_by_hand=True)
+    tape = RecordingBuilder(tmp_path / "run.mcap", by_hand, (0.5, 2.0))
+    tape.tell(2.0, event.Failed("jog", "servo", Reason.plain("cycle: broken"), "servo.py", 3, "", 2.0), "jog")
+    tape.end(completed="no", goes_on="yes", cause="servo: broken")
+    output = lines(tape)
+    assert output[0].startswith("subsystem jog, held by hand, in virtual time, from 2026-01-02T03:04:05+00:00 on")
+    assert output[2] == "a black box: the last seconds before something went wrong by hand, from 0.5 s to 2 s"
+    assert output[-1] == "went wrong: servo: broken"
+    assert not any("actions" in line for line in output)

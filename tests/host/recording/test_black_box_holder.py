@@ -59,3 +59,15 @@ def test_what_is_not_wanted_is_not_written(tmp_path, kind):  # R-X05
     holder.end()
     assert holder.written() == []
     assert not path.exists()
+
+
+@pytest.mark.parametrize("kind", [InProcessHolder, pytest.param(HolderProcess, marks=pytest.mark.site)])
+def test_it_is_written_as_it_was_described_last(tmp_path, kind):  # R-X05
+    holder, path = kind(), tmp_path / "a.mcap"
+    held(holder, path)
+    holder.describe(1, run(seed=9))
+    holder.close(CloseBlackBox(1, True, WORDS))
+    assert not word(holder).reason
+    holder.end()
+    with Review(path) as review:
+        assert review.run.begin.seed == 9

@@ -10,6 +10,8 @@ from onika.desk.run.run_review import Review
 from onika.host.recording import black_box_process
 from onika.host.recording.black_box_orders import (
     CloseBlackBox,
+    DescribeBlackBox,
+    KeepBlackBox,
     OpenBlackBox,
     RunOrder,
     decode_word,
@@ -92,3 +94,24 @@ def test_a_run_that_ended_well_is_forgotten(beside, path):  # R-X05
 def test_a_runtime_that_is_gone_leaves_its_runs_written(beside, path):  # R-X05
     beside.close()
     assert last_of(path) == ("the runtime program has died", 4.0)
+
+
+def test_what_has_become_of_it_is_written(beside, path):  # R-X05
+    body = encode_run(run(seed=8))
+    memory = Segment.create("run", len(body))
+    memory.view[:] = body
+    beside.post.send(encode(RunOrder(1, DescribeBlackBox(1))), (memory.fd,))
+    memory.close()
+    beside.say(CloseBlackBox(1, True, WORDS))
+    assert not beside.word().reason
+    with Review(path) as review:
+        assert review.run.begin.seed == 8
+
+
+def test_an_end_that_nobody_could_be_answered_before_is_carried_out_all_the_same(beside, path, tmp_path):  # R-X05
+    fault = tmp_path / "boxes" / "a.1.mcap"
+    beside.say(KeepBlackBox(1, str(fault), WORDS))
+    beside.say(CloseBlackBox(1, False, {}))
+    beside.close()
+    assert fault.exists()
+    assert not path.exists()

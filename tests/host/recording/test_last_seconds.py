@@ -133,3 +133,50 @@ def test_a_full_disk_is_an_error_of_the_system():  # R-X05
 
     with pytest.raises(OSError, match="No space"):
         Held().last_seconds.write(Full(), run(), WORDS)
+
+
+def test_a_variable_that_is_gone_keeps_what_was_written_to_it_and_nothing_of_what_lies_there_now(tmp_path):  # R-C12
+    held = Held()
+    held.seconds(1)
+    held.table.free(held.table.drop("X"))
+    held.table.entry("Y", Shape.parse("double"))
+    held.last_seconds.meet(TracedVariables("flow0", (), ("X",)), held.table.segment.view)
+    held.table.ring("Y").write(np.array([99.0]).tobytes())
+    held.last_seconds.look(2 * SECOND)
+    values = [value for _, value in Series.all_of(held.reader(tmp_path))["flow0/X"].values()]
+    assert (values[-1], 99.0 in values) == (9.0, False)
+
+
+def test_a_variable_that_comes_again_goes_on_where_it_was(tmp_path):  # R-X05
+    held = Held()
+    held.seconds(1)
+    held.table.free(held.table.drop("X"))
+    held.table.entry("X", Shape.parse("double"))
+    there = tuple(place for place in places_of(held.table, 0, {"X": "m"}) if place.name == "X")
+    held.last_seconds.meet(TracedVariables("flow0", there, ("X",)), held.table.segment.view)
+    held.write(20)
+    held.last_seconds.look(2 * SECOND)
+    values = [value for _, value in Series.all_of(held.reader(tmp_path))["flow0/X"].values()]
+    assert values[-2:] == [9.0, 20.0]
+
+
+def test_of_a_variable_with_another_type_only_what_it_is_now_is_told(tmp_path):  # R-X05, law 12
+    held = Held()
+    held.seconds(1)
+    held.table.free(held.table.drop("X"))
+    held.table.entry("X", Shape.parse("int"))
+    there = tuple(place for place in places_of(held.table, 0, {"X": "m"}) if place.name == "X")
+    held.last_seconds.meet(TracedVariables("flow0", there, ("X",)), held.table.segment.view)
+    held.table.ring("X").write(np.array([7], dtype=np.int32).tobytes())
+    held.last_seconds.look(2 * SECOND)
+    assert [value for _, value in Series.all_of(held.reader(tmp_path))["flow0/X"].values()] == [7]
+
+
+def test_what_is_gone_for_long_is_forgotten(tmp_path):  # R-X05
+    held = Held(lasts_ns=2 * SECOND)
+    held.seconds(1)
+    held.last_seconds.meet(TracedVariables("flow0", (), ("X",)), held.table.segment.view)
+    before = held.last_seconds.size
+    held.last_seconds.look(10 * SECOND)
+    assert held.last_seconds.size < before
+    assert "flow0/X" not in Series.all_of(held.reader(tmp_path))

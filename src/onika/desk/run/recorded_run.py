@@ -80,7 +80,10 @@ def recorded_run(source: RecordingSource) -> RecordedRun | tuple[Fault, ...]:
     end = reader.notes.get(END, {})
     last_s = reader.span[1] * 1e-9
     faults = []
-    if not run.is_fresh:
+    if run.is_by_hand:
+        by_hand = Reason.of("desk.held_by_hand")
+        faults.append(Fault(place, Reason.of("desk.not_repeatable", given=by_hand), _NOT_RUN))
+    elif not run.is_fresh:
         before = Reason.of("desk.other_things_before")
         faults.append(Fault(place, Reason.of("desk.not_first_run", given=before), _NOT_RUN))
     if end.get("outside"):

@@ -13,11 +13,15 @@ def digest_lines(review: Review) -> Iterator[Reason]:
     run = review.run
     began = Reason.plain(run.began) if run.began else Reason.of("desk.digest_untimed")
     application, seed, software = run.prepare.plan.application, run.begin.seed, run.software
-    key = "desk.digest_run_virtual" if run.is_virtual else "desk.digest_run_wall"
-    yield Reason.of(key, application=application, began=began, seed=seed, software=software)
+    if run.is_by_hand:
+        key = "desk.digest_by_hand_virtual" if run.is_virtual else "desk.digest_by_hand_wall"
+        yield Reason.of(key, subsystem=application, began=began, software=software)
+    else:
+        key = "desk.digest_run_virtual" if run.is_virtual else "desk.digest_run_wall"
+        yield Reason.of(key, application=application, began=began, seed=seed, software=software)
     yield Reason.of("desk.digest_plan", plan=review.run.plan_hash[:16], units=" ".join(run.rtpus))
     if review.black_box is not None:
-        yield black_box_line(review.black_box)
+        yield black_box_line(review.black_box, is_by_hand=run.is_by_hand)
     first, last = review.span_s
     variables, events = len(review.series), len(review.events)
     yield Reason.of("desk.digest_size", seconds=last - first, variables=variables, events=events)
@@ -26,15 +30,17 @@ def digest_lines(review: Review) -> Iterator[Reason]:
     yield from _ending(review)
 
 
-def black_box_line(held: BlackBoxSpan) -> Reason:
+def black_box_line(held: BlackBoxSpan, *, is_by_hand: bool) -> Reason:
     """What a black box is of, and of what time."""
     key = "desk.digest_black_box_fault" if held.goes_on else "desk.digest_black_box"
+    if is_by_hand:
+        key = "desk.digest_black_box_by_hand"
     return Reason.of(key, begin=held.begin_ns * 1e-9, end=held.end_ns * 1e-9)
 
 
 def _flows(review: Review) -> Iterator[Reason]:
     """Of each flow how far it came, and its actions one by one."""
-    for flow in review.flows:
+    for flow in review.flows if not review.run.is_by_hand else ():
         done = sum(interval.end_s is not None for interval in flow.intervals)
         count = len(flow.actions)
         yield Reason.of("desk.digest_flow", flow=flow.subsystem, done=done, count=count)
@@ -72,6 +78,8 @@ def _ending(review: Review) -> Iterator[Reason]:
         if ending.get("completed") != "yes":
             stood = review.black_box is not None and review.black_box.goes_on
             key = "desk.digest_stood" if stood else "desk.digest_aborted"
+            if review.run.is_by_hand:
+                key = "desk.digest_went_wrong"
             how = Reason.of(key, cause=ending.get("cause", ""))
         yield Reason.of("desk.digest_hash", ending=how, hash=ending["hash"]) if ending.get("hash") else how
     if ending.get("missed", "0") != "0":

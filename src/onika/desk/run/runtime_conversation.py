@@ -62,7 +62,7 @@ class RuntimeConversation:
         self._epoch = ""
         self._away_since = 0
         self._has_begun = False
-        """Whether a run was asked for."""
+        """Whether a run was asked for, or a task turned ON by hand."""
 
     @property
     def pid(self) -> int | None:
@@ -78,7 +78,7 @@ class RuntimeConversation:
         """Ask and wait for the response; raises LinkLost with what the runtime printed last, or TimeoutError."""
         once = not isinstance(message, _AGAIN)
         urgent = isinstance(message, request.Stop | request.Abort)
-        self._has_begun |= isinstance(message, request.Begin)
+        self._has_begun |= _begins(message)
         try:
             patience_s = self._stop_patience_s if urgent else PATIENCE_S
             body = self._connection.request(request.encode(message), patience_s, once=once, urgent=urgent or once)
@@ -91,7 +91,7 @@ class RuntimeConversation:
         """Ask without waiting, what ends motion before all that waits; `told` has the reply under this number."""
         once = not isinstance(message, _AGAIN)
         urgent = isinstance(message, request.Stop | request.Abort)
-        self._has_begun |= isinstance(message, request.Begin)
+        self._has_begun |= _begins(message)
         return self._connection.ask(request.encode(message), PATIENCE_S, once=once, urgent=urgent or once)
 
     def readers(self) -> list[int]:
@@ -166,6 +166,16 @@ class RuntimeConversation:
         former, self._epoch = self._epoch, epoch
         if former:
             raise LinkLost(LossCause.CLOSED, Reason.of("link.started_anew"))
+
+
+def _begins(message: request.Request) -> bool:
+    """Whether something goes on after it whose last seconds are held."""
+    match message:
+        case request.Begin():
+            return True
+        case live.Change():
+            return bool(message.on)
+    return False
 
 
 def black_box_in(reason: Reason) -> str:

@@ -10,6 +10,7 @@ from typing import Protocol
 from onika.host.recording.black_box_orders import (
     BlackBoxWritten,
     CloseBlackBox,
+    DescribeBlackBox,
     KeepBlackBox,
     OpenBlackBox,
     RunOrder,
@@ -39,6 +40,10 @@ class BlackBoxHolder(Protocol):
 
     def open(self, order: OpenBlackBox, run: RunRecord) -> None:
         """A run begins."""
+        ...
+
+    def describe(self, number: int, run: RunRecord) -> None:
+        """It consists of something else now; raises OSError."""
         ...
 
     def take(self, order: TracedVariables | TracedEvent, number: int, segment: Segment | None = None) -> None:
@@ -82,6 +87,10 @@ class InProcessHolder:
     def open(self, order: OpenBlackBox, run: RunRecord) -> None:
         """A run begins."""
         self._runs[order.number] = HeldRun(order, run)
+
+    def describe(self, number: int, run: RunRecord) -> None:
+        """It consists of something else now."""
+        self._runs[number].run = run
 
     def take(self, order: TracedVariables | TracedEvent, number: int, segment: Segment | None = None) -> None:
         """Keep this."""
@@ -127,7 +136,7 @@ class HolderProcess:
         self._post, theirs = ProcessSocket.pair()
         self._process = start("onika.host.recording.black_box_process", theirs)
         self._met: dict[int, set[str]] = {}
-        self._memories: dict[int, Segment] = {}
+        self._memories: dict[int, list[Segment]] = {}
 
     @property
     def is_lost(self) -> bool:
@@ -136,11 +145,12 @@ class HolderProcess:
 
     def open(self, order: OpenBlackBox, run: RunRecord) -> None:
         """A run begins."""
-        body = encode_run(run)
-        memory = self._memories[order.number] = Segment.create("black-box", len(body))
-        memory.view[:] = body
+        self._describe(order.number, order, run)
         self._met[order.number] = set()
-        self._post.send(encode(RunOrder(order.number, order)), (memory.fd,))
+
+    def describe(self, number: int, run: RunRecord) -> None:
+        """It consists of something else now."""
+        self._describe(number, DescribeBlackBox(number), run)
 
     def take(self, order: TracedVariables | TracedEvent, number: int, segment: Segment | None = None) -> None:
         """Send it over, unless too much waits already."""
@@ -165,7 +175,7 @@ class HolderProcess:
         """A run is over."""
         del self._met[order.number]
         self._post.send(encode(RunOrder(order.number, order)))
-        self._memories.pop(order.number).close()
+        _close(self._memories.pop(order.number))
 
     def written(self) -> list[BlackBoxWritten]:
         """What has been written since the last call."""
@@ -179,6 +189,19 @@ class HolderProcess:
         """Its post, as long as it lives."""
         return () if self._post.is_closed else (self._post,)
 
+    def _describe(self, number: int, order: OpenBlackBox | DescribeBlackBox, run: RunRecord) -> None:
+        """Send the description over as memory, which stays until the other end has it."""
+        body = encode_run(run)
+        memory = Segment.create("black-box", len(body))
+        memory.view[:] = body
+        self._post.send(encode(RunOrder(number, order)), (memory.fd,))
+        memories = self._memories.setdefault(number, [])
+        if not self._post.is_waiting:
+            _close(memories)
+            memory.close()
+        else:
+            memories.append(memory)
+
     def end(self) -> None:
         """Without the post it writes what it has to and ends."""
         self._post.flush()
@@ -187,3 +210,9 @@ class HolderProcess:
             self._process.wait(_ENDED_S)
         except subprocess.TimeoutExpired:
             return  # it ends by itself, as after the death of a runtime
+
+
+def _close(memories: list[Segment]) -> None:
+    """Give memory back."""
+    while memories:
+        memories.pop().close()

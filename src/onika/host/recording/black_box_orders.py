@@ -19,6 +19,12 @@ class OpenBlackBox(Struct, frozen=True, tag=True):
     """How often it looks."""
 
 
+class DescribeBlackBox(Struct, frozen=True, tag=True):
+    """What is held consists of something else now; the description comes as memory."""
+
+    number: int
+
+
 class CloseBlackBox(Struct, frozen=True, tag=True):
     """A run is over: its last seconds are written, or forgotten. The words are those of its end."""
 
@@ -47,7 +53,7 @@ class RunOrder(Struct, frozen=True):
     """An order, and the run that it concerns."""
 
     number: int
-    order: OpenBlackBox | TracedVariables | TracedEvent | KeepBlackBox | CloseBlackBox
+    order: OpenBlackBox | DescribeBlackBox | TracedVariables | TracedEvent | KeepBlackBox | CloseBlackBox
 
 
 encode = msgpack.Encoder().encode

@@ -15,6 +15,7 @@ from time import monotonic_ns, sleep
 
 from onika.host.recording.black_box_orders import (
     CloseBlackBox,
+    DescribeBlackBox,
     KeepBlackBox,
     OpenBlackBox,
     RunOrder,
@@ -27,6 +28,7 @@ from onika.host.recording.last_seconds import TracedEvent, TracedVariables
 from onika.host.units.output_pipe import open_output_pipes
 from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.realtime_scheduling import still_garbage
+from onika.record.run import RunRecord
 from onika.ring.segment import Segment
 from onika.words.reason import Reason
 
@@ -50,6 +52,8 @@ def hold(post: ProcessSocket) -> None:
         runs.look(now)
         due = now + runs.every_ns
     signal.alarm(_PATIENCE_S)
+    for body, descriptors in iter(post.receive, None):  # it may have been answered too late to notice an end
+        runs.carry_out(decode_order(body), descriptors)
     runs.end()
 
 
@@ -81,10 +85,10 @@ class _Runs:
         number, order = run_order.number, run_order.order
         match order:
             case OpenBlackBox():
-                memory = Segment.attach(descriptors[0])
-                self._runs[number] = HeldRun(order, decode_run(bytes(memory.view)))
+                self._runs[number] = HeldRun(order, _description(descriptors[0]))
                 self._memories[number] = {}
-                memory.close()
+            case DescribeBlackBox():
+                self._runs[number].run = _description(descriptors[0])
             case TracedVariables():
                 memories = self._memories[number]
                 if descriptors:
@@ -112,6 +116,15 @@ class _Runs:
         for run in self._runs.values():
             run.look(monotonic_ns())
             run.write({"completed": "no", "cause": str(Reason.of("host.runtime_killed")), "hash": "", "outside": ""})
+
+
+def _description(descriptor: int) -> RunRecord:
+    """What is held, described in memory of its own."""
+    memory = Segment.attach(descriptor)
+    try:
+        return decode_run(bytes(memory.view))
+    finally:
+        memory.close()
 
 
 def main(words: list[str]) -> None:

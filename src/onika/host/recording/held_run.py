@@ -17,7 +17,7 @@ class HeldRun:
     def __init__(self, order: OpenBlackBox, run: RunRecord) -> None:
         self.order = order
         self.last_seconds = LastSeconds()
-        self._run = run
+        self.run = run
 
     def look(self, now: int) -> None:
         """Look at the variables; the time is that of the clock by which the run began."""
@@ -28,7 +28,7 @@ class HeldRun:
         path = elsewhere or self.order.path
 
         def write(stream: BinaryIO) -> None:
-            self.last_seconds.write(stream, self._run, words)
+            self.last_seconds.write(stream, self.run, words)
 
         try:
             write_black_box(Path(path), write)

@@ -6,7 +6,7 @@ what still holds is known: the value of each variable, the state of each task, f
 
 from bisect import bisect_left
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import BinaryIO, NamedTuple
 
 from msgspec import Struct
@@ -33,6 +33,8 @@ class TracedVariables(Struct, frozen=True, tag=True):
 
     subsystem: str
     variables: tuple[VariablePlace, ...]
+    gone: tuple[str, ...] = ()
+    """Those of before that are no more: something else may lie there now."""
 
 
 class TracedEvent(Struct, frozen=True, tag=True):
@@ -59,6 +61,8 @@ class LastSeconds:
         self._most_bytes = most_bytes
         self._traces: list[VariableTrace] = []
         self._counts: list[int] = []
+        self._ended: list[VariableTrace] = []
+        """Of variables that are gone; what was written to them is kept as long as anything."""
         self._events: deque[TracedEvent] = deque()
         self._event_bytes = 0
         self._standing: dict[str, TracedEvent] = {}
@@ -68,7 +72,9 @@ class LastSeconds:
         """From here on everything is kept."""
 
     def meet(self, order: TracedVariables, memory: memoryview) -> None:
-        """Variables that have come."""
+        """Variables that have come, and those that are gone."""
+        if order.gone:
+            self._end_traces(order.subsystem, order.gone)
         for place in order.variables:
             self._traces.append(VariableTrace(order.subsystem, place, memory))
             self._counts.append(0)
@@ -97,14 +103,14 @@ class LastSeconds:
     @property
     def size(self) -> int:
         """Bytes of values and events that are kept."""
-        return sum(trace.size for trace in self._traces) + self._event_bytes
+        return self._value_bytes + self._event_bytes
 
     def write(self, stream: BinaryIO, run: RunRecord, words: Mapping[str, str]) -> None:
         """Write it as a recording; `words` are those of its end. Raises OSError."""
         writer, begin = Writer(stream), self._begin
         writer.note(BLACK_BOX, {"version": "1", "from_ns": str(begin), "to_ns": str(max(self._looked_at, begin))})
         replace(run, is_fresh=run.is_fresh and not begin).write(writer)
-        series = [self._series(writer, trace) for trace in self._traces]
+        series = [self._series(writer, trace) for trace in (*self._ended_alike(), *self._traces)]
         events = sorted(self._kept_events(), key=lambda traced: traced.at_ns)
         last = max([self._looked_at, begin, *(traced.at_ns for traced in events[-1:])])
         for at in range(begin, last + 1, _CHUNK_NS):
@@ -115,24 +121,41 @@ class LastSeconds:
             while events and events[0].at_ns < at + _CHUNK_NS:
                 self._write_event(writer, events.pop(0))
             writer.flush()
-        missed = sum(trace.missed for trace in self._traces)
+        missed = sum(trace.missed for trace in (*self._ended, *self._traces))
         writer.note(END, {**words, "missed": str(missed), "untold": "0"})
         writer.finish()
 
     # Inner
 
+    @property
+    def _value_bytes(self) -> int:
+        return sum(trace.size for trace in (*self._ended, *self._traces))
+
+    def _end_traces(self, subsystem: str, names: Collection[str]) -> None:
+        """These are not looked at any more."""
+        kept = [not (trace.subsystem == subsystem and trace.place.name in names) for trace in self._traces]
+        self._ended += [trace for trace, is_kept in zip(self._traces, kept, strict=True) if not is_kept]
+        self._counts = [count for count, is_kept in zip(self._counts, kept, strict=True) if is_kept]
+        self._traces = [trace for trace, is_kept in zip(self._traces, kept, strict=True) if is_kept]
+
+    def _ended_alike(self) -> list[VariableTrace]:
+        """Those that are gone; of a variable that is there again with another type only what it is now is told."""
+        types = {(trace.subsystem, trace.place.name): _type(trace) for trace in (*self._ended, *self._traces)}
+        return [trace for trace in self._ended if types[trace.subsystem, trace.place.name] == _type(trace)]
+
     def _tidy(self, now: int) -> None:
         """Let go of what is older than it has to be, or takes too much room."""
         begin = max(self._begin, now - self._lasts_ns)
         self._forget(begin)
-        while begin < now and sum(trace.size for trace in self._traces) > self._most_bytes:
+        while begin < now and self._value_bytes > self._most_bytes:
             begin += _TIDIED_EVERY_NS
             self._forget(begin)
 
     def _forget(self, begin: int) -> None:
         self._begin = begin
-        for trace in self._traces:
+        for trace in (*self._ended, *self._traces):
             trace.forget(begin)
+        self._ended = [trace for trace in self._ended if trace.newest_at >= begin]
         while self._events and self._events[0].at_ns < begin:
             self._let_pass()
 
@@ -161,3 +184,7 @@ class LastSeconds:
         title = topics.HAPPENED if is_event else topics.WANTED
         schema = topics.HAPPENED_SCHEMA if is_event else topics.WANTED_SCHEMA
         writer.message(writer.channel(traced.topic, title, schema), traced.at_ns, traced.body)
+
+
+def _type(trace: VariableTrace) -> tuple[str, str]:
+    return trace.place.shape, trace.place.unit

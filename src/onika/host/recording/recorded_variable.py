@@ -8,7 +8,7 @@ from msgspec import Struct
 from onika.record import topics, value
 from onika.record.writer import Writer
 from onika.ring.slots import Ring
-from onika.runtime.table import Table
+from onika.runtime.table import Table, TableEntry
 from onika.words.shape import Shape
 
 _LONG = 512
@@ -26,10 +26,12 @@ class VariablePlace(Struct, frozen=True):
 
 def places_of(table: Table, first: int, units: Mapping[str, str]) -> tuple[VariablePlace, ...]:
     """The variables of a table from this number on, in the order in which they came."""
-    entries = islice(table.entries.values(), first, None)
-    return tuple(
-        VariablePlace(entry.name, str(entry.shape), units.get(entry.name, ""), entry.offset) for entry in entries
-    )
+    return tuple(place_of(entry, units) for entry in islice(table.entries.values(), first, None))
+
+
+def place_of(entry: TableEntry, units: Mapping[str, str]) -> VariablePlace:
+    """Where an entry of a table lies."""
+    return VariablePlace(entry.name, str(entry.shape), units.get(entry.name, ""), entry.offset)
 
 
 class VariableRecorder:

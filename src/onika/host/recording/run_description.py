@@ -6,10 +6,12 @@ from typing import Protocol
 
 from msgspec.structs import replace
 
+from onika.host.subsystems.live_subsystem import LiveSubsystem
 from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.host.units.driver_clock import DriverClock
 from onika.record.run import RunRecord
 from onika.wire import request
+from onika.wire.plan import Plan, PlannedFlow
 
 
 class DescribedDriver(DriverClock, Protocol):
@@ -56,6 +58,26 @@ class RunDescriptions:
         began = datetime.now(UTC).isoformat(timespec="milliseconds")
         return RunRecord(
             original, bare, self._rtpus, driver.is_virtual, self._is_first(), began, options=tuple(driver.options)
+        )
+
+    def describe_by_hand(self, live: LiveSubsystem) -> RunRecord:
+        """A subsystem that is held by hand, as it is now: a plan of its tasks, without an action."""
+        tasks = tuple(wired.task for wired in live.wired)
+        digests = dict.fromkeys(task.digest for task in tasks)
+        code = tuple(live.executor.spawner.code(digest) for digest in digests)
+        plan = Plan(live.name, (PlannedFlow(live.name, tasks, ()),), code)
+        driver = self._driver
+        began = datetime.now(UTC).isoformat(timespec="milliseconds")
+        options = tuple(driver.options)
+        return RunRecord(
+            request.Prepare(plan, ()),
+            request.Begin(),
+            self._rtpus,
+            driver.is_virtual,
+            is_fresh=False,
+            began=began,
+            options=options,
+            is_by_hand=True,
         )
 
     def _is_first(self) -> bool:

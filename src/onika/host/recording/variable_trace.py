@@ -40,6 +40,11 @@ class VariableTrace:
         self.size = 0
         """Bytes that are kept."""
 
+    @property
+    def newest_at(self) -> int:
+        """When it was taken last that something was written; -1: never."""
+        return self._pieces[-1].at if self._pieces else -1
+
     def take(self, now: int, before: int) -> bool:
         """Keep what was written since the last look; of a long value the newest only. False: it is too early for it."""
         if self._is_long:

@@ -102,9 +102,9 @@ class ApplicationRun:
         """Tell whoever watches what is worth knowing of the run as a whole."""
         self._tell(event.Warned(self.names[0], "", text, at_s))
 
-    def name_black_box(self, explained: event.Explained, path: Path) -> None:
+    def name_black_box(self, subsystem: str, at_s: float, path: Path) -> None:
         """Tell where the last seconds before a standstill stand."""
-        self._tell(event.LastSecondsKept(explained.subsystem, explained.at_s, str(path)))
+        self._tell(event.LastSecondsKept(subsystem, at_s, str(path)))
 
     def _tell(self, message: event.Event) -> None:
         flow = getattr(message, "flow", 0)

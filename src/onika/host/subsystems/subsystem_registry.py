@@ -18,6 +18,8 @@ from onika.runtime.table import SIZE, Table
 from onika.wire import event
 from onika.words.reason import NOTHING, Reason
 
+DEVICE_SERVER = "device server"
+"""By this name its loss is told."""
 _LOADS_EVERY_NS = 1_000_000_000
 
 Tell = Callable[[event.Event, str, str], None]
@@ -200,7 +202,7 @@ class Subsystems:
         """A process is gone, and with a unit its tasks."""
         if rtpu:
             self.lost_units[rtpu] = reason
-        self._tell(event.Lost(rtpu or "device server", reason, round(now * 1e-9, 9)), "", "")
+        self._tell(event.Lost(rtpu or DEVICE_SERVER, reason, round(now * 1e-9, 9)), "", "")
         for run in self.runs:
             run.runner.lost(rtpu, reason, now)
         for live in list(self.live.values()):

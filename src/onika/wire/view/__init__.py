@@ -100,6 +100,7 @@ from onika.wire.view.show import (
     ShowLoop as ShowLoop,
     ShowOnikon as ShowOnikon,
     ShowPin as ShowPin,
+    ShowRecording as ShowRecording,
     ShowSaveAs as ShowSaveAs,
     ShowSource as ShowSource,
     ShowStep as ShowStep,

@@ -103,6 +103,8 @@ class DocumentView(View, frozen=True):
     """What runs in the subsystem, which it only looks into; empty: it is connected by hand, or not at all."""
     has_ended: bool = False
     """Whether that application is over: it is a plain configuration again."""
+    black_box: str = ""
+    """The file on the runtime's machine in which the last seconds stand before something went wrong; empty: none."""
     taken_by: str = ""
     """The application that has taken over what lived here, and after which it is put back; empty: none."""
     holder: str = ""

@@ -93,6 +93,12 @@ class ShowOnikon(Destination, frozen=True):
     onikon: str
 
 
+class ShowRecording(Destination, frozen=True):
+    """A recorded run, or the last seconds of something; it is opened."""
+
+    path: str
+
+
 class ShowTarget(Destination, frozen=True):
     """The panel in which a target of a type is made."""
 
@@ -116,4 +122,5 @@ AnyShow = (
     | ShowConfiguration
     | ShowOnikon
     | ShowTarget
+    | ShowRecording
 )

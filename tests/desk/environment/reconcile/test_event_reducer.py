@@ -3,7 +3,7 @@ import pytest
 from kit.desk.fake_runtime_env import FakeRuntimeEnv
 from onika.model.task import Task
 from onika.wire import event, live, view
-from onika.wire.view import ShowTask
+from onika.wire.view import ShowRecording, ShowTask
 from onika.words.reason import NOTHING, Reason
 
 TASKS = tuple(Task(name, name, outvar=(name.upper(),), frequency=10.0) for name in ("a", "b"))
@@ -73,3 +73,19 @@ def test_a_drive_that_gives_up_is_said(duet, doc, name, is_said):  # law 17
     count = len(duet.says)
     duet.tell(event.Drive("boxes:arm", name, 0, 0, 0, Reason.plain("no commands")))
     assert [str(say.text) for say in duet.says[count:]] == [f"drive boxes:arm is {name}: no commands"] * is_said
+
+
+def test_the_last_seconds_of_a_configuration_are_shown_at_it_and_a_line_leads_there(duet, doc):  # R-X05
+    duet.tell(event.LastSecondsKept("Untitled-1", 3.0, "/state/black-boxes/a-1.1.mcap"))
+    assert duet.environment.tree.documents[doc].black_box == "/state/black-boxes/a-1.1.mcap"
+    assert (duet.says[-1].doc, duet.says[-1].where) == (doc, ShowRecording("/state/black-boxes/a-1.1.mcap"))
+    assert "/state/black-boxes/a-1.1.mcap" in str(duet.says[-1].text)
+
+
+def test_the_last_seconds_of_what_nobody_here_has_open_have_a_line_and_those_of_a_run_have_none(duet, doc):  # R-X05
+    duet.tell(event.LastSecondsKept("elsewhere", 3.0, "/b.mcap"))
+    assert (duet.says[-1].doc, duet.says[-1].where) == ("", ShowRecording("/b.mcap"))
+    says = list(duet.says)
+    duet.tell(event.LastSecondsKept("flow0", 3.0, "/c.mcap", "flow0"))
+    assert duet.says == says
+    assert duet.environment.tree.documents[doc].black_box == ""

@@ -70,3 +70,11 @@ def test_a_run_whose_runtime_was_killed_shows_its_last_seconds(tmp_path):  # R-X
     kept = Reason.of("link.black_box", path="/state/black-boxes/a-1.mcap")
     play.lose(Reason.of("link.runtime_gone", why="it ended", how=NOTHING, printed=NOTHING, kept=kept))
     assert play.view.black_box == "/state/black-boxes/a-1.mcap"
+
+
+def test_a_configuration_whose_runtime_was_killed_shows_its_last_seconds(duet):  # R-X05, R-E10
+    doc = duet.connected("a")
+    kept = Reason.of("link.black_box", path="/state/black-boxes/a-1.mcap")
+    gone = Reason.of("link.runtime_gone", why="it ended", how=NOTHING, printed=NOTHING, kept=kept)
+    duet.environment.become(lambda model: lost(model, gone))
+    assert duet.environment.tree.documents[doc].black_box == "/state/black-boxes/a-1.mcap"

@@ -1,7 +1,10 @@
 import pytest
+from msgspec import structs
 
 from kit.labs.laboratory import job
-from onika.wire import act
+from kit.record.recording_builder import RecordingBuilder, run
+from onika.wire import act, event, request
+from onika.wire.plan import Plan, PlannedFlow
 from onika.words.reason import NOTHING
 
 THREE = [job("aC"), job("bC"), job("cC")]
@@ -98,3 +101,17 @@ def test_another_recording_takes_its_place_and_closing_puts_it_away(cinema, doc)
     assert cinema.environment.tree.review is None
     assert str(cinema.no(act.Glance(0.0)).reason) == "no recording is looked at"
     cinema.do(act.CloseRecording())
+
+
+def test_last_seconds_of_what_was_held_by_hand_need_no_application(cinema, tmp_path):  # R-X05
+    plan = Plan("jog", (PlannedFlow("jog", (), ()),), ())
+    by_hand = structs.replace(run(), prepare=request.Prepare(plan, ()), is_by_hand=True, is_fresh=False)
+    tape = RecordingBuilder(tmp_path / "jog.mcap", by_hand, (0.5, 2.0))
+    tape.variable("X", "double", (0.5, 1.0), (2.0, 3.0), home="jog")
+    tape.tell(1.0, event.TaskState("jog", "servo", "ERROR", 1.0), "jog")
+    tape.end(completed="no", goes_on="yes", cause="servo: broken")
+    view = cinema.look(tape.path)
+    assert (view.name, view.doc, view.is_completed) == ("jog", "", False)
+    assert [note.key for note in view.notes][:2] == ["desk.digest_black_box_by_hand", "run.was_by_hand"]
+    assert list(view.variables) == ["jog/X"]
+    assert view.cannot_continue

@@ -12,7 +12,7 @@ from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.desk.run import transfer_text
 from onika.wire import event, page, view
-from onika.wire.view import ShowTask
+from onika.wire.view import ShowRecording, ShowTask
 from onika.words.reason import NOTHING, Reason
 
 
@@ -26,6 +26,8 @@ def after_event(model: Model, message: event.Event, at_s: float = 0.0) -> Done:
             return _stepped(model, message)
         case event.Edited():
             return _edited(model, message)
+        case event.LastSecondsKept() if not message.run:
+            return _kept(model, message)
         case event.Result() if not is_going(model):  # of a run that is not of this environment
             return Done(model, orders=(presence.ask_what(),))
         case event.Held() | event.Offered() | event.Company() | event.Moved():
@@ -40,6 +42,17 @@ def _edited(model: Model, message: event.Edited) -> Done:
     if document is None:
         return Done(model)
     return reconciliation.edited(model, document.id, message.number, message.cause)
+
+
+def _kept(model: Model, message: event.LastSecondsKept) -> Done:
+    """The last seconds of a subsystem that is held by hand are written: a line leads to them."""
+    reason, where = Reason.of("run.last_seconds_kept", path=message.path), ShowRecording(message.path)
+    document = _home(model, message.subsystem)
+    if document is None or document.live is None:
+        return Done(model, says=(page.Say("info", reason, "", where, message.at_s),))
+    line = page.Say("info", reason, document.id, where, message.at_s)
+    subsystem_facts = replace(document.live, black_box=message.path)
+    return Done(model.with_document(replace(document, live=subsystem_facts)), says=(line,))
 
 
 def _of_holder(model: Model, message: event.Held | event.Offered | event.Company | event.Moved, at_s: float) -> Done:

@@ -10,16 +10,19 @@ from onika.desk.environment.reconcile import putting_back
 from onika.desk.environment.reconcile.run_reducer import lost as run_lost
 from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.model import Model
-from onika.desk.run.runtime_conversation import in_short
+from onika.desk.run.runtime_conversation import black_box_in, in_short
 from onika.wire import page, view
 from onika.words.reason import Reason
 
 
 def lost(model: Model, reason: Reason) -> Done:
     """The runtime is gone: layouts stay, nothing lives, nothing is wanted; connecting again merges."""
+    black_box = black_box_in(reason)
     documents = {
         key: replace(
-            document, content=replace(document.content, wanted={}), live=SubsystemFacts(document.live.subsystem, "lost")
+            document,
+            content=replace(document.content, wanted={}),
+            live=SubsystemFacts(document.live.subsystem, "lost", black_box=black_box),
         )
         if document.live is not None and document.live.state == "live"
         else document

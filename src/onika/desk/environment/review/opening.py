@@ -25,6 +25,7 @@ from onika.desk.run.run_review import Review
 from onika.model.application import with_numbers_as_lines
 from onika.model.syntax import Syntax
 from onika.record.reader import UNREADABLE, flaw
+from onika.record.run import RunRecord
 from onika.store.site import Site
 from onika.store.user_path import user_path
 from onika.wire import act
@@ -78,7 +79,7 @@ def read(
     model, review = yield Work(model, aside, partial(_review, file))
     if isinstance(review, No):
         return model, review
-    model, opened, note = _opened(model, review.run.prepare.plan, outside, opens=opens)
+    model, opened, note = _opened(model, review.run, outside, opens=opens)
     syntax = model.syntax or _NO_SYNTAX
     return (yield Work(model, aside, partial(_compiled, review, opened, note, outside.site, syntax)))
 
@@ -108,9 +109,12 @@ def _unreadable(file: Path, wrong: Exception) -> No:
 
 
 def _opened(
-    model: Model, plan: Plan, outside: Services, *, opens: bool
+    model: Model, run: RunRecord, outside: Services, *, opens: bool
 ) -> tuple[Model, OpenApplication | None, Reason]:
     """The open application whose run it was, opened where it is not; or why there is none."""
+    plan = run.prepare.plan
+    if run.is_by_hand:
+        return model, None, Reason.of("run.was_by_hand", subsystem=plan.application)
     application = open_one(model, plan)
     if application is not None or not opens:
         return model, application, NOTHING

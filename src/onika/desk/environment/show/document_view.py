@@ -211,7 +211,12 @@ def _with_subsystem(view: DocumentView, live: SubsystemFacts | None) -> Document
     if live is None:
         return view
     held = structs.replace(
-        view, connection=live.state, subsystem=live.subsystem, holder=live.holder, is_held_here=live.is_held_here
+        view,
+        connection=live.state,
+        subsystem=live.subsystem,
+        holder=live.holder,
+        is_held_here=live.is_held_here,
+        black_box=live.black_box,
     )
     if live.offer is None:
         return held

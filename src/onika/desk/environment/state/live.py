@@ -100,6 +100,8 @@ class SubsystemFacts:
     holder: str = ""
     offer: "Offer | None" = None
     """What its holder would hand over."""
+    black_box: str = ""
+    """The file in which the last seconds stand before something went wrong here last."""
     me: str = ""
     """The name by which the runtime knows this environment; empty: it was not told yet."""
     base: RequestedState | None = None
