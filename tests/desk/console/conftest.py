@@ -61,10 +61,10 @@ class ConsoleFixture:
 
 @pytest.fixture
 def sit(tmp_path):
-    """Begin a sitting; what is given goes to the runtime that is played."""
+    """Begin a sitting; what is given goes to the runtime that is played, unless there is one already."""
 
-    def begin(**given):
-        return ConsoleFixture(tmp_path, LiveRuntime(**given))
+    def begin(runtime=None, **given):
+        return ConsoleFixture(tmp_path, runtime or LiveRuntime(**given))
 
     return begin
 

@@ -1,7 +1,8 @@
 import pytest
 
+from kit.desk.live_runtime import LiveRuntime
 from kit.labs.laboratory import Laboratory
-from onika.wire import live
+from onika.wire import live, request
 from onika.words.reason import Reason
 
 CMOVE = ("puma", "diff", "gravcomp", "pd", "torque_sum", "led_monitor", "fwdkin", "invkin", "ctraj")
@@ -180,3 +181,45 @@ def test_a_configuration_with_a_missing_task_changes_nothing(sit, tmp_path):
     assert [(fault.reason.key, fault.reason.args["name"]) for fault in faults] == [("desk.not_on_search_path", "gone")]
     assert sitting.requests_of(live.Change) == []
     assert sitting.fails("config nothing").reason.key == "desk.not_on_search_path"
+
+
+class _Starved(LiveRuntime):
+    """A device's task is not cleared while a task that feeds it is in ERROR."""
+
+    def __init__(self, **feeders):
+        super().__init__()
+        self.feeders = feeders
+
+    def ask(self, wish):
+        if isinstance(wish, live.Clear):
+            fed = self.lives[wish.subsystem]
+            writers = tuple(name for name in self.feeders.get(wish.task, ()) if fed[name].state.value == "ERROR")
+            if writers:
+                self.asked.append(wish)
+                return request.Refused(Reason.of("host.clear_writers_first", task=wish.task, writers=writers))
+        return super().ask(wish)
+
+
+def _broken(sit, **feeders):
+    sitting = sit(_Starved(**feeders))
+    sitting.does("spawn puma diff pd")
+    for life in sitting.runtime.lives["main"].values():
+        life.state = type(life.state).ERROR
+    sitting.session.look_again()
+    return sitting
+
+
+def test_several_are_cleared_whatever_waits_for_whatever(sit):  # R-A05, law 4
+    sitting = _broken(sit, puma=("diff",), diff=("pd",))
+    sitting.does("clear")
+    assert set(sitting.states().values()) == {"OFF"}
+    cleared = [wish.task for wish in sitting.requests_of(live.Clear)]
+    assert cleared == ["puma", "diff", "pd", "puma", "diff", "puma"]
+
+
+def test_what_is_refused_for_good_is_told_and_ends_the_clearing(sit):  # R-A05, R-X01
+    sitting = _broken(sit, puma=("diff",), diff=("puma",))
+    faults = sitting.console.carry_out("clear")
+    assert [fault.reason.key for fault in faults] == ["console.runtime_refused"] * 2
+    assert sitting.states() == {"puma": "ERROR", "diff": "ERROR", "pd": "OFF"}
+    assert len(sitting.requests_of(live.Clear)) == 5

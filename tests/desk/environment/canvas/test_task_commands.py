@@ -213,3 +213,29 @@ def test_code_that_cannot_be_had_changes_nothing(duet):  # R-C05
     duet.base.code_file("a").unlink()
     assert "keeps its code" in str(duet.no(act.Renew(doc, "a")).reason)
     assert "does not live" in str(duet.no(act.Renew(doc, "b")).reason)
+
+
+class Starved(LiveRuntime):
+    """Task a waits until those that feed it are cleared."""
+
+    def ask(self, wish):
+        fed = self.lives.get("Untitled-1", {})
+        writers = tuple(name for name in ("b", "asks") if name in fed and fed[name].state.value == "ERROR")
+        if isinstance(wish, live.Clear) and wish.task == "a" and writers:
+            self.asked.append(wish)
+            return request.Refused(Reason.of("host.clear_writers_first", task="a", writers=writers))
+        return super().ask(wish)
+
+
+def test_what_feeds_a_device_and_has_failed_is_cleared_first_by_the_refusals_remedies(tmp_path):  # R-X01, R-C28
+    duet = FakeRuntimeEnv(tmp_path, TASKS, Starved())
+    doc = duet.connected("a", "b", "asks")
+    for task in ("a", "b", "asks"):
+        fail(duet, task)
+    remedies = duet.answer(act.Clear(doc, "a")).no.remedies
+    assert [remedy.act for remedy in remedies] == [act.Clear(doc, "b"), act.Clear(doc, "asks")]
+    assert [str(remedy.label) for remedy in remedies] == ["Clear b", "Clear asks"]
+    for remedy in remedies:
+        duet.do(remedy.act)
+    duet.do(act.Clear(doc, "a"))
+    assert [duet.state(doc, task) for task in ("a", "b", "asks")] == ["OFF"] * 3
