@@ -7,9 +7,10 @@ VENV   := .venv
 BIN    := $(VENV)/bin
 PEERS  := .venv-bench
 AUDIT  := .venv-audit
+SIDE_BY_SIDE := $(BIN)/python tools/side_by_side.py
 
 .DEFAULT_GOAL := help
-.PHONY: help demo assemble page page-check test check audit mutants fuzz soak bench bench-peers clean
+.PHONY: help demo assemble page test check audit mutants fuzz soak bench bench-peers clean
 
 help: ## say what can be made
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST)
@@ -24,37 +25,39 @@ assemble: $(VENV)/.installed ## assemble the four boxes, without the page
 page: | $(VENV)/.installed ## build the page, if its sources changed
 	@$(BIN)/python hatch_build.py
 
-page-check: $(VENV)/.installed-dev
-	@$(BIN)/python hatch_build.py check test
-
-check: $(VENV)/.installed-dev page page-check ## style, types, floors, tests for every file: seconds
-	$(BIN)/ruff check
-	$(BIN)/ruff format --check
-	$(BIN)/mypy
-	$(BIN)/lint-imports
-	$(BIN)/python tools/check_mirror.py
-	$(BIN)/python tools/figures.py --check
-	$(BIN)/python tools/requirements.py --check
-	$(BIN)/python tools/generate.py --check
-	$(BIN)/python tools/licences.py --check
+# Node looks at the page beside what Python looks at.
+check: $(VENV)/.installed-dev page ## style, types, floors, tests for every file: a minute
+	@$(SIDE_BY_SIDE) \
+	  '$(BIN)/ruff check' \
+	  '$(BIN)/ruff format --check' \
+	  '$(BIN)/mypy' \
+	  '$(BIN)/lint-imports' \
+	  '$(BIN)/python tools/check_mirror.py' \
+	  '$(BIN)/python tools/figures.py --check' \
+	  '$(BIN)/python tools/requirements.py --check' \
+	  '$(BIN)/python tools/generate.py --check' \
+	  '$(BIN)/python tools/licences.py --check' \
+	  --behind '$(BIN)/python hatch_build.py check test'
 
 audit: $(VENV)/.installed-dev ## ask the advisory databases about all packages, where a network allows
 	$(BIN)/python tools/audit.py --venv $(AUDIT)
 
 # The profile draws the same examples every time, so a change is judged by what it changed; `soak` draws new ones. What
-# starts programs runs apart from what starts browsers, and both from the rest: two of a kind at a time share the machine.
-# Those two meet the machine's clock, and so do a few of the rest that start a process: what fails is tried once more,
-# and the summary names it as RERUN. A test that is named there twice is a fault like any other.
+# starts programs runs apart from what starts browsers, two of a kind at a time share the machine. Both wait for much; what
+# only computes goes on behind them, and gets what they leave of the processors. The first two meet the machine's clock,
+# and so do a few of the rest that start a process: what fails is tried once more, and the summary names it as RERUN. A
+# test that is named there twice is a fault like any other.
 # Of three files of the safety core every fourth mutant is tried here; `mutants` tries all of every file.
 SAMPLED := src/onika/ring/drive.py src/onika/runtime/transfer/input_guard.py src/onika/host/sessions/leases.py
 
-TWO_AT_A_TIME := --hypothesis-profile=ci --numprocesses=2 --dist=loadfile --reruns 1 -rR --durations=30 --durations-min=2
+TWO_AT_A_TIME := $(BIN)/pytest --hypothesis-profile=ci --numprocesses=2 --dist=loadfile --reruns 1 -rR --durations=30 --durations-min=2
 
 test: check ## the checks and all tests but the soak
 	PYTHONPATH=tools $(BIN)/python -m mutation --every 4 $(SAMPLED)
-	$(BIN)/pytest -m "not slow and not site and not page" $(TWO_AT_A_TIME)
-	$(BIN)/pytest -m "site and not slow" $(TWO_AT_A_TIME)
-	$(BIN)/pytest -m "page and not slow" $(TWO_AT_A_TIME)
+	@$(SIDE_BY_SIDE) \
+	  '$(TWO_AT_A_TIME) -m "site and not slow"' \
+	  '$(TWO_AT_A_TIME) -m "page and not slow"' \
+	  --behind '$(TWO_AT_A_TIME) -m "not slow and not site and not page"'
 
 mutants: $(VENV)/.installed-dev ## plant a mutant in the safety core, thousands of times: a test has to notice each
 	PYTHONPATH=tools $(BIN)/python -m mutation

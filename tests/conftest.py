@@ -3,6 +3,8 @@
 What all end with: whatever recordings tell of drives, the drives' table made it.
 """
 
+import gc
+
 import pytest
 
 _BY_TEXT = ("page", "site", "slow")
@@ -15,6 +17,12 @@ def pytest_ignore_collect(collection_path, config):
     if wanted in _BY_TEXT and collection_path.suffix == ".py":
         return f"mark.{wanted}" not in collection_path.read_text(encoding="utf-8") or None
     return None
+
+
+def pytest_collection_finish():
+    """What was collected stays to the end: whoever looks for garbage need not look through it again and again."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture(autouse=True, scope="session")

@@ -153,9 +153,9 @@ def test_a_signal_that_another_thread_was_given_ends_a_wait():  # R-E07
 
     former = signal.signal(signal.SIGUSR1, handle)
     other = threading.Thread(target=be_signalled)
-    other.start()
     try:
         with pytest.raises(Interrupted):
+            other.start()
             wait_for([here], None)
         assert here.receive() == []
     finally:
