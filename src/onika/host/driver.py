@@ -1,6 +1,6 @@
 """The driver of a runtime, as its program sees it: where everything happens, in wall or in virtual time."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Protocol
 
 from onika.host.inspection import InspectedDriver
@@ -21,6 +21,10 @@ class Driver(Tables, InspectedDriver, RecordedDriver, Protocol):
     @property
     def outside(self) -> tuple[str, ...]:
         """The tasks that had to do with the outside since `begin`, where without them it were the same every time."""
+        ...
+
+    def expect(self, worlds: Iterable[str]) -> None:
+        """These worlds will be opened; nothing waits for what is prepared for that."""
         ...
 
     def listen(self, listener: UnitListener) -> None:

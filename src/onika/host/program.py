@@ -248,6 +248,7 @@ class RuntimeProgram:
                 self.applications.take(session, prepared)
                 self._descriptions.keep(session, message)
                 resolved, worlds = tuple(prepared.resolved), prepared.worlds
+                self._driver.expect(worlds)
                 return replace(refused(prepared.faults, prepared.notes), resolved=resolved, worlds=worlds)
             case request.Inspect():
                 return refused(*inspect(message.tasks, message.code, self._loading))

@@ -8,9 +8,10 @@ from kit.plans.plan_builder import PlanBuilder, action
 from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare
 from onika.host.run.runner import Runner
+from onika.host.units.device_servers import DEVICES
 from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.supervisor import Supervisor
-from onika.host.units.wall import DEVICES, WallDriver
+from onika.host.units.wall import WallDriver
 from onika.ring.segment import Segment
 from onika.runtime.subsystem import RunningSubsystem
 from onika.runtime.table import SIZE, Table
@@ -116,6 +117,18 @@ def test_a_lost_device_server_ends_the_run_and_leaves_nothing_to_draw(start):  #
     assert run.driver.snapshots() == {}
     with pytest.raises(ValueError, match="gone"):
         run.driver.grant("rt0", "boxes:lamp")
+
+
+def test_a_copy_of_a_world_has_a_server_of_its_own_and_all_drives_hold_when_it_is_lost(start):  # R-E09, R-E10
+    run = start(most="60")
+    run.driven()
+    run.driver.expect(["boxes@copy"])
+    run.driver.grant("rt0", "boxes@copy:gripper_left")
+    assert run.driver.snapshots().keys() == {"boxes", "boxes@copy"}
+    assert "HELD" not in run.drives
+    os.kill(run.driver._supervisor.processes[f"{DEVICES} of boxes@copy"].process.pid, signal.SIGKILL)
+    assert str(run.over().cause) == "the device server of boxes@copy was killed by signal 9"
+    run.until(lambda: run.drives[-1] == "HELD")
 
 
 def test_a_device_server_that_lives_but_does_not_answer_is_not_waited_for_long(start, monkeypatch):  # R-E10

@@ -1,4 +1,4 @@
-"""Faults of processes: a unit, the device server or the runtime's program dies or freezes; the disk is full."""
+"""Faults of processes: a unit, a device server or the runtime's program dies or freezes; the disk is full."""
 
 from onika.host.foresight.fault_kind import EVERYBODY, FaultKind
 from onika.host.foresight.outlook import LOOP_MS, Outlook
@@ -7,6 +7,7 @@ from onika.host.foresight.situation import Situation
 from onika.host.recording.recording_sink import FLUSHED_EVERY_NS
 from onika.host.units.supervisor import SILENT_NS
 from onika.host.units.unit_loss import dead_writers, ends_with
+from onika.host.units.world_registry import split
 from onika.link.link_terms import CHILD, REMOTE
 from onika.model.lifecycle import State
 from onika.ring.drive import DriveInput
@@ -90,35 +91,69 @@ def _units(situation: Situation) -> tuple[str, ...]:
     return tuple(sorted({facts.unit for facts in situation.tasks.values() if facts.state is not State.KILLED}))
 
 
-def _has_devices(situation: Situation) -> tuple[str, ...]:
-    return EVERYBODY if situation.modes else ()
+def _served_worlds(situation: Situation) -> tuple[str, ...]:
+    """The worlds whose device server could be lost; where there is one only, it needs no name."""
+    worlds = sorted({split(device)[0] for device in situation.modes})
+    return tuple(worlds) if len(worlds) > 1 else EVERYBODY[: len(worlds)]
 
 
-def _kill_devices(outlook: Outlook, _subject: str) -> None:
-    """Tasks with a device are in ERROR, every run ends; the worlds that it stepped are gone with it."""
-    text = _loss("", LOOP_MS)
-    outlook.note(Effect(LOOP_MS, "unit", DEVICES, "UP", "LOST", text, "Lost"))
-    outlook.vanish(list(outlook.drives), 0.0)
-    outlook.drives.clear()
-    for address in outlook.on_in({facts.subsystem for facts in outlook.situation.tasks.values()}):
-        if outlook.situation.tasks[address].wired.device and outlook.states[address] is State.ON:
-            outlook.fail(address, text, LOOP_MS, is_heard=False)  # a run has been ended when it hears of its tasks
-    _end_runs(outlook, "", LOOP_MS)
+def _dies(world: str) -> Reason:
+    if world:
+        return Reason.of("foresight.devices_of", world=world)
+    return Reason.of("foresight.devices")
 
 
-def _freeze_devices(outlook: Outlook, _subject: str) -> None:
+def _freezes(world: str) -> Reason:
+    if world:
+        return Reason.of("foresight.devices_frozen_of", world=world)
+    return Reason.of("foresight.devices_frozen")
+
+
+def _kill_devices(outlook: Outlook, world: str) -> None:
+    """Tasks with a device are in ERROR, every run ends; the world that it stepped is gone with it."""
+    _note_devices_lost(outlook, LOOP_MS)
+    _stand_still(outlook, world)
+    _lose_devices(outlook, LOOP_MS)
+
+
+def _freeze_devices(outlook: Outlook, world: str) -> None:
     """Hardware tasks hear nothing of their devices and fail; then the server is ended, as one that is gone."""
     cause = Reason.of("foresight.devices_frozen")
-    outlook.vanish(list(outlook.drives), 0.0)
-    outlook.drives.clear()
-    for address in list(outlook.claims.values()):
+    _stand_still(outlook, world)
+    for device, address in list(outlook.claims.items()):
         facts = outlook.situation.tasks[address]
-        if outlook.states[address] is State.ON:
+        if _is_of(world, device) and outlook.states[address] is State.ON:
             outlook.fail(address, cause, SILENCE_NS * _MS + facts.period_ms)
     ended_ms = SILENT_NS * _MS + LOOP_MS
-    text = _loss("", ended_ms)
-    outlook.note(Effect(ended_ms, "unit", DEVICES, "UP", "LOST", text, "Lost"))
-    _end_runs(outlook, "", ended_ms)
+    _note_devices_lost(outlook, ended_ms)
+    _lose_devices(outlook, ended_ms)
+
+
+def _is_of(world: str, device: str) -> bool:
+    return not world or split(device)[0] == world
+
+
+def _note_devices_lost(outlook: Outlook, at_ms: float) -> None:
+    outlook.note(Effect(at_ms, "unit", DEVICES, "UP", "LOST", _loss("", at_ms), "Lost"))
+
+
+def _stand_still(outlook: Outlook, world: str) -> None:
+    """Nobody steps a world any more."""
+    gone = [device for device in outlook.drives if _is_of(world, device)]
+    outlook.vanish(gone, 0.0)
+    for device in gone:
+        del outlook.drives[device]
+
+
+def _lose_devices(outlook: Outlook, at_ms: float) -> None:
+    """One server is given up: drives of other worlds hold, tasks with a device fail, every run ends."""
+    for device in list(outlook.drives):
+        outlook.drive(device, DriveInput.STOP, at_ms)
+    for address in outlook.on_in({facts.subsystem for facts in outlook.situation.tasks.values()}):
+        if outlook.situation.tasks[address].wired.device and outlook.states[address] is State.ON:
+            # a run has been ended when it hears of its tasks
+            outlook.fail(address, _loss("", at_ms), at_ms, is_heard=False)
+    _end_runs(outlook, "", at_ms)
 
 
 def _kill_runtime(outlook: Outlook, _subject: str) -> None:
@@ -164,12 +199,8 @@ UNIT_KILLED = FaultKind(
 UNIT_FROZEN = FaultKind(
     "unit-frozen", _units, lambda unit: Reason.of("foresight.unit_frozen", unit=unit), freeze_unit, after_task
 )
-DEVICES_KILLED = FaultKind(
-    "devices-killed", _has_devices, lambda _: Reason.of("foresight.devices"), _kill_devices, after_task
-)
-DEVICES_FROZEN = FaultKind(
-    "devices-frozen", _has_devices, lambda _: Reason.of("foresight.devices_frozen"), _freeze_devices, after_task
-)
+DEVICES_KILLED = FaultKind("devices-killed", _served_worlds, _dies, _kill_devices, after_task)
+DEVICES_FROZEN = FaultKind("devices-frozen", _served_worlds, _freezes, _freeze_devices, after_task)
 RUNTIME_KILLED = FaultKind(
     "runtime-killed", lambda _: EVERYBODY, lambda _: Reason.of("foresight.runtime"), _kill_runtime, _restart
 )

@@ -1,4 +1,4 @@
-"""The device server as a process: steps every world of a runtime on its own absolute grid of wall time (law 16)."""
+"""A device server as a process: steps its worlds, each on its own absolute grid of wall time (law 16)."""
 
 import argparse
 import select
@@ -251,8 +251,7 @@ class DeviceServer:
         try:
             match order:
                 case OpenWorld():
-                    is_simulated = self._worlds.open(order.world, Segment.attach(descriptors[0]), self._now())
-                    return WorldOpened(order.world, is_simulated)
+                    return self._open(order.world, Segment.attach(descriptors[0]))
                 case ClaimDevice():
                     return Granted(self._worlds.grant(order.device, order.epoch))
                 case TouchPart():
@@ -260,6 +259,15 @@ class DeviceServer:
                     return PartTouched()
         except ValueError as wrong:
             return Denied(reason_of(wrong))
+
+    def _open(self, world: str, segment: Segment) -> WorldOpened:
+        """To open a world may take long; nothing moves in it yet."""
+        self._heartbeat.is_slow(True)
+        try:
+            return WorldOpened(world, self._worlds.open(world, segment, self._now()))
+        finally:
+            self._heartbeat.beat()
+            self._heartbeat.is_slow(False)
 
     def _look(self, order: DescribeWorld | TakeModes | TakeSnapshots) -> Word:
         """What a world consists of, or what all of them are like now."""

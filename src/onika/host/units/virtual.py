@@ -2,7 +2,7 @@
 
 import select
 from collections import deque
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from time import monotonic_ns
 
 from msgspec import structs
@@ -123,6 +123,9 @@ class VirtualDriver:
     def share(self, name: str, segment: Segment) -> None:
         """Let the RTPUs see a table."""
         self._views[name] = segment.view
+
+    def expect(self, worlds: Iterable[str]) -> None:
+        """Nothing: a world is opened within the instant that asks for it."""
 
     def listen(self, listener: UnitListener) -> None:
         """Tell this one what happens."""

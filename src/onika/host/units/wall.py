@@ -1,16 +1,17 @@
-"""The wall driver: RTPUs and the device server as processes, the runner between them, in wall time (law 30)."""
+"""The wall driver: RTPUs and device servers as processes, the runner between them, in wall time (law 30)."""
 
 import select
 from collections import deque
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from time import monotonic_ns
 
 from onika.host.units import device_server, rtpu
+from onika.host.units.device_servers import DeviceServers
 from onika.host.units.pose_stream import WorldPoses
 from onika.host.units.supervisor import Supervised, Supervisor
 from onika.host.units.unit_listener import UnitListener
 from onika.host.units.unit_loss import dead_writers
-from onika.host.units.world_registry import refuse_unknown, split
+from onika.host.units.world_registry import refuse_unknown, refuse_unoffered, split
 from onika.ring.device import DriveState
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment, SharedMemoryRefused
@@ -19,10 +20,9 @@ from onika.runtime.bus import SEGMENT_SIZE, Poses
 from onika.wire import event
 from onika.words.reason import Reason, reason_of
 
-DEVICES = "device server"
 _PATIENCE_S = 15.0
 _ANSWER_S = 2.0
-"""So long the device server may owe an answer: meanwhile nobody else is served."""
+"""So long a device server may owe an answer: meanwhile nobody else is served."""
 
 
 class WallDriver:
@@ -46,13 +46,10 @@ class WallDriver:
         self._claims: dict[str, tuple[int, str]] = {}
         self._epoch = 0
         self._listener: UnitListener | None = None
-        self._answers: deque[device_server.Word] = deque()
-        self._mode_askers: deque[Callable[[Mapping[str, DriveMode]], None]] = deque()
         self._heard: deque[tuple[str, news.News]] = deque()
         self._drives: dict[str, int] = {}
         self.granted: dict[str, dict[str, bool]] = {}
-        the_server = Reason.of("host.the_device_server")
-        self._devices = self._supervisor.launch(DEVICES, the_server, "onika.host.units.device_server")
+        self._devices = DeviceServers(self._supervisor)
         self._rtpus = {name: self._launch_unit(name) for name in sorted(rtpus)}
         processes = self._supervisor.processes
         try:
@@ -94,7 +91,7 @@ class WallDriver:
         if world not in self._opened:
             self._open(world)
         self._epoch += 1
-        answer = self._ask_devices(device_server.ClaimDevice(device, self._epoch))
+        answer = self._ask(world, device_server.ClaimDevice(device, self._epoch))
         if isinstance(answer, device_server.Denied):
             raise ValueError(answer.reason)
         if not isinstance(answer, device_server.Granted):
@@ -105,7 +102,13 @@ class WallDriver:
     def release(self, device: str) -> None:
         """Give a device back."""
         epoch, _ = self._claims.pop(device)
-        self._devices.post.send(device_server.encode(device_server.ReleaseDevice(device, epoch)))
+        world, _ = split(device)
+        self._devices.send(world, device_server.ReleaseDevice(device, epoch))
+
+    def expect(self, worlds: Iterable[str]) -> None:
+        """These worlds will be opened; nothing waits for what is prepared for that."""
+        if not self._devices.is_lost:
+            self._devices.expect(worlds)
 
     # A run
 
@@ -128,7 +131,7 @@ class WallDriver:
         """What an open world consists of; from then on its poses are told."""
         if world not in self._opened or self._devices.is_lost:
             return None
-        answer = self._ask_devices(device_server.DescribeWorld(world))
+        answer = self._ask(world, device_server.DescribeWorld(world))
         if isinstance(answer, device_server.WorldDescribed):
             return answer.scene
         return None
@@ -137,25 +140,21 @@ class WallDriver:
         """Where the bodies of an open world are, as the device server said last; from then on it says so."""
         if world in self._opened and world not in self._shown:
             self._shown.add(world)
-            self._devices.post.send(device_server.encode(device_server.StreamPoses(world)))
+            self._devices.send(world, device_server.StreamPoses(world))
         return self._poses.get(world)
 
     def pose_to(self, world: str, inlet: int) -> None:
         """From now on the device server says the same at this socket too."""
-        self._devices.post.send(device_server.encode(device_server.StreamPoses(world)), (inlet,))
+        self._devices.send(world, device_server.StreamPoses(world), (inlet,))
 
     def ask_modes(self, answer: Callable[[Mapping[str, DriveMode]], None]) -> None:
-        """How every drive stands; answered when the device server has said it, or is gone: then there are none."""
-        if self._devices.is_lost:
-            answer({})
-            return
-        self._mode_askers.append(answer)
-        self._devices.post.send(device_server.encode(device_server.TakeModes()))
+        """How every drive stands; answered when all device servers have said it, or one is gone: then with nothing."""
+        self._devices.ask_modes(answer)
 
     def touch(self, world: str, part: str, value: float) -> None:
         """Touch a part of an open world; raises ValueError with the reason why not."""
         refuse_unknown(world, self.worlds)
-        answer = self._ask_devices(device_server.TouchPart(world, part, value))
+        answer = self._ask(world, device_server.TouchPart(world, part, value))
         if isinstance(answer, device_server.Denied):
             raise ValueError(answer.reason)
 
@@ -208,13 +207,13 @@ class WallDriver:
 
     def stop(self) -> None:
         """Every drive in hold and everything off, straight to the processes (law 27)."""
-        self._devices.post.send(device_server.encode(device_server.StopAll()))
+        self._devices.stop()
         for name in self._rtpus:
             self.send(name, command.Stop())
 
     def reset(self) -> None:
         """After a stop: motion is allowed again; nothing moves by itself."""
-        self._devices.post.send(device_server.encode(device_server.AllowMotion()))
+        self._devices.allow_motion()
         for name in self._rtpus:
             self.send(name, command.Reset())
 
@@ -227,12 +226,11 @@ class WallDriver:
         if self._devices.is_lost:
             return {}
         try:
-            answer = self._ask_devices(device_server.TakeSnapshots())
+            answers = [self._ask(world, device_server.TakeSnapshots()) for world in self.worlds]
         except ValueError:
-            return {}  # it does not answer any more: there is nothing to draw
-        if isinstance(answer, device_server.SnapshotsTaken):
-            return answer.snapshots
-        return {}
+            return {}  # one does not answer any more: there is nothing to draw
+        taken = [answer.snapshots for answer in answers if isinstance(answer, device_server.SnapshotsTaken)]
+        return {world: snapshot for snapshots in taken for world, snapshot in snapshots.items()}
 
     def close(self) -> None:
         """End every process."""
@@ -250,8 +248,8 @@ class WallDriver:
         for post in self.posts():
             post.post.flush()
             while (received := post.post.receive()) is not None:
-                if post is self._devices:
-                    self._word(device_server.decode_word(received[0]))
+                if self._devices.is_one(post):
+                    self._word(post, device_server.decode_word(received[0]))
                 else:
                     for decode_news in rtpu.decode_news(received[0]):
                         self._news(post, decode_news)
@@ -265,20 +263,18 @@ class WallDriver:
                 (supervised.name, heard)
             )  # heard by the runner in its turn, never in the midst of an order
 
-    def _word(self, word: device_server.Word) -> None:
+    def _word(self, supervised: Supervised, word: device_server.Word) -> None:
         match word:
             case device_server.ServerReady():
-                self._devices.is_up = True
-                self.granted[DEVICES] = word.granted
+                supervised.is_up = True
+                self.granted[supervised.name] = word.granted
             case device_server.DriveChanged():
                 self._drives[f"{word.world}:{word.device}"] = word.state
                 self._tell(self._driven(word))
             case WorldPoses():
                 self._poses[word.world] = (word.at_ns, word.rows, word.lit)
-            case device_server.ModesTaken():
-                self._mode_askers.popleft()(word.modes)
             case _:
-                self._answers.append(word)
+                self._devices.answered(supervised, word)
 
     def _driven(self, word: device_server.DriveChanged) -> event.Drive:
         """In the world's time, and in that of the run that uses the drive."""
@@ -290,28 +286,32 @@ class WallDriver:
 
     def _lost(self, supervised: Supervised, reason: Reason) -> None:
         """A process is gone: fence its claims, let hardware tasks know, name the cause."""
-        if supervised is self._devices:
-            while self._mode_askers:
-                self._mode_askers.popleft()({})
+        is_device_server = self._devices.is_one(supervised)
+        if is_device_server:
+            self._devices.lose()
             for name in self._rtpus:
                 self.send(name, command.Fail(reason))
         else:
             homes = {device: home for device, (_, home) in self._claims.items()}
             for device in dead_writers(supervised.name, homes):
                 epoch, _ = self._claims[device]
-                self._devices.post.send(device_server.encode(device_server.FenceWriter(epoch)))
+                world, _ = split(device)
+                self._devices.send(world, device_server.FenceWriter(epoch))
         if self._listener is not None:
-            unit = "" if supervised is self._devices else supervised.name
+            unit = "" if is_device_server else supervised.name
             self._listener.lost(unit, reason, self.now)
 
     def _open(self, world: str) -> None:
+        refuse_unoffered(world)
         try:
             segment = Segment.create(f"bus-{world}", SEGMENT_SIZE)
         except SharedMemoryRefused as refused:
             raise ValueError(reason_of(refused)) from None
         self._segments.append(segment)
-        self._devices.post.send(device_server.encode(device_server.OpenWorld(world)), (segment.fd,))
-        answer = self._answer_of_devices()
+        server = self._devices.of(world)
+        self._await(lambda: server.is_up, Reason.of("host.the_processes_to_start"))
+        self._devices.send(world, device_server.OpenWorld(world), (segment.fd,))
+        answer = self._answer(world, _PATIENCE_S)
         if isinstance(answer, device_server.Denied):
             raise ValueError(answer.reason)
         self._opened.add(world)
@@ -320,13 +320,14 @@ class WallDriver:
         for supervised in self._rtpus.values():
             supervised.post.send(rtpu.encode(rtpu.Share(f"bus:{world}")), (segment.fd,))
 
-    def _ask_devices(self, order: device_server.Order) -> device_server.Word:
-        self._devices.post.send(device_server.encode(order))
-        return self._answer_of_devices()
+    def _ask(self, world: str, order: device_server.Order) -> device_server.Word:
+        self._devices.send(world, order)
+        return self._answer(world, _ANSWER_S)
 
-    def _answer_of_devices(self) -> device_server.Word:
-        self._await(lambda: bool(self._answers), Reason.of("host.the_device_server_to_answer"), _ANSWER_S)
-        return self._answers.popleft()
+    def _answer(self, world: str, patience_s: float) -> device_server.Word:
+        waited_for = Reason.of("host.the_device_server_to_answer")
+        self._await(lambda: self._devices.has_answered(world), waited_for, patience_s)
+        return self._devices.take_answer(world)
 
     def _await(self, is_done: Callable[[], bool], what: Reason, patience_s: float = _PATIENCE_S) -> None:
         """Serve the posts until something is there; raises ValueError when it does not come."""

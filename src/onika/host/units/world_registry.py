@@ -36,6 +36,15 @@ def offered_worlds() -> tuple[str, ...]:
     return tuple(sorted(entry_points(group=GROUP).names))
 
 
+def refuse_unoffered(name: str) -> None:
+    """Raises ValueError with the known names where no world is called so; no code of worlds is executed for that."""
+    offered = offered_worlds()
+    if _plain(name) not in offered:
+        raise ValueError(
+            Reason.of("host.no_such_world", worlds=offered or Reason.of("host.none_installed"), world=name)
+        )
+
+
 def refuse_unknown(world: str, opened: Collection[str]) -> None:
     """Raises ValueError where this world is not open."""
     if world not in opened:
@@ -53,12 +62,13 @@ def split(device: str) -> tuple[str, str]:
 
 def _kind(name: str) -> Any:
     """The class of a world, also of a copy."""
-    offered = entry_points(group=GROUP)
-    plain = name.partition("@")[0] if _is_copy(name) else name
-    if plain not in offered.names:
-        worlds = tuple(sorted(offered.names)) or Reason.of("host.none_installed")
-        raise ValueError(Reason.of("host.no_such_world", worlds=worlds, world=name))
-    return offered[plain].load()
+    refuse_unoffered(name)
+    return entry_points(group=GROUP)[_plain(name)].load()
+
+
+def _plain(name: str) -> str:
+    """The name of the world that a copy is of."""
+    return name.partition("@")[0] if _is_copy(name) else name
 
 
 def _is_copy(name: str) -> bool:

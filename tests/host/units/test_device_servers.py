@@ -1,0 +1,120 @@
+import pytest
+
+from onika.host.units import device_server
+from onika.host.units.device_servers import DEVICES, DeviceServers
+from onika.ring.drive import DriveMode
+from onika.words.reason import Reason
+
+
+class NotedProcess:
+    """A process that was never started, and notes what it is sent."""
+
+    def __init__(self, name, title):
+        self.name, self.title = name, title
+        self.is_lost = False
+        self.orders = []
+        self.post = self
+
+    def send(self, payload, descriptors=()):
+        assert not self.is_lost, "nobody tells a dead process anything"
+        self.orders.append((device_server.decode_order(payload), *descriptors))
+
+    @property
+    def kinds(self):
+        return [type(order).__name__ for order, *_ in self.orders]
+
+
+class NotedSupervisor:
+    """Starts nothing."""
+
+    def __init__(self):
+        self.processes = {}
+
+    def launch(self, name, title, module):
+        assert module == device_server.__name__
+        self.processes[name] = NotedProcess(name, title)
+        return self.processes[name]
+
+
+@pytest.fixture
+def supervisor():
+    return NotedSupervisor()
+
+
+@pytest.fixture
+def servers(supervisor):
+    return DeviceServers(supervisor)
+
+
+def modes_of(device):
+    return {device: DriveMode.HELD}
+
+
+def test_the_first_world_is_stepped_by_the_process_that_starts_with_the_runtime(servers, supervisor):  # R-E09, law 16
+    assert list(supervisor.processes) == [DEVICES]
+    assert servers.of("boxes") is supervisor.processes[DEVICES]
+    assert list(supervisor.processes) == [DEVICES]
+
+
+def test_every_further_world_has_a_process_of_its_own_that_is_called_after_it(servers, supervisor):  # R-E09, law 16
+    servers.expect(["cell", "boxes@copy"])
+    process = servers.of("boxes@copy")
+    assert process is not servers.of("cell")
+    assert servers.of("boxes@copy") is process
+    assert str(process.title) == "the device server of boxes@copy"
+    assert len(supervisor.processes) == 2
+    assert all(servers.is_one(each) for each in supervisor.processes.values())
+
+
+def test_an_order_goes_to_the_server_of_its_world_alone(servers):  # R-E09
+    servers.expect(["cell", "boxes"])
+    servers.send("boxes", device_server.OpenWorld("boxes"), (7,))
+    assert servers.of("boxes").orders == [(device_server.OpenWorld("boxes"), 7)]
+    assert servers.of("cell").orders == []
+
+
+def test_the_answers_of_one_are_not_taken_for_those_of_another(servers):  # R-E09
+    servers.expect(["cell", "boxes"])
+    servers.answered(servers.of("boxes"), device_server.PartTouched())
+    assert (servers.has_answered("boxes"), servers.has_answered("cell")) == (True, False)
+    assert servers.take_answer("boxes") == device_server.PartTouched()
+    assert not servers.has_answered("boxes")
+
+
+def test_a_stop_reaches_all_and_whoever_is_started_while_it_lasts(servers):  # law 27
+    servers.expect(["cell", "boxes"])
+    servers.stop()
+    late = servers.of("late")
+    assert [servers.of(world).kinds for world in ("cell", "boxes", "late")] == [["StopAll"]] * 3
+    servers.allow_motion()
+    assert late.kinds == ["StopAll", "AllowMotion"]
+    assert servers.of("later").kinds == []
+
+
+def test_how_all_drives_stand_is_answered_when_every_server_has_said_it(servers):  # R-E09
+    told = []
+    servers.expect(["cell", "boxes"])
+    cell, boxes = servers.of("cell"), servers.of("boxes")
+    servers.ask_modes(told.append)
+    servers.ask_modes(told.append)
+    servers.answered(cell, device_server.ModesTaken(modes_of("cell:arm")))
+    servers.answered(cell, device_server.ModesTaken({}))
+    assert told == []
+    servers.answered(boxes, device_server.ModesTaken(modes_of("boxes:arm")))
+    assert told == [modes_of("cell:arm") | modes_of("boxes:arm")]
+    servers.answered(boxes, device_server.ModesTaken({}))
+    assert told[1:] == [{}]
+
+
+def test_with_one_lost_the_drives_of_the_others_hold_and_nobody_waits_for_it(servers):  # R-E10
+    told = []
+    servers.expect(["cell", "boxes"])
+    servers.ask_modes(told.append)
+    servers.of("boxes").is_lost = True
+    servers.lose()
+    assert servers.is_lost
+    assert servers.of("cell").kinds == ["TakeModes", "StopAll"]
+    assert told == [{}]
+    servers.ask_modes(told.append)
+    assert told == [{}, {}]
+    assert servers.of("boxes").title == Reason.of("host.the_device_server_of", world="boxes")
