@@ -85,6 +85,21 @@ def test_a_document_goes_to_the_subsystem_of_its_name_or_to_the_only_one(duet): 
     assert "connected with subsystem left" in str(refused.reason) and duet.document(third).live is None
 
 
+def test_a_new_document_gets_a_subsystem_that_no_other_has(duet, tmp_path):  # R-C18
+    subsystems = []
+    for name in ("first", "second", "third"):
+        doc = duet.connected("a")
+        subsystems.append(duet.document(doc).live.subsystem)
+        duet.do(act.Save(doc, name=name, base=str(tmp_path)))  # the next one is Untitled-1 again
+    assert subsystems == ["Untitled-1", "Untitled-1-2", "Untitled-1-3"]
+
+
+def test_a_subsystem_in_which_an_application_runs_is_proposed_to_nobody(duet):  # reading 30
+    duet.runtime.perform("assemble", "Untitled-1", ())
+    doc = duet.connected("a")
+    assert duet.document(doc).live.subsystem == "Untitled-1-2"
+
+
 @pytest.mark.parametrize("name", ["1st", "a b", "ü"])
 def test_what_is_no_name_of_a_subsystem_is_refused_beside_its_field(duet, name):  # R-X01
     doc = duet.new()

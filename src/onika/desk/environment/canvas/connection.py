@@ -1,6 +1,8 @@
 """Acts that connect a document with a runtime, and leave it again (requirements C12, C18)."""
 
+from collections.abc import Set
 from dataclasses import replace
+from itertools import count
 
 import msgspec
 
@@ -146,10 +148,20 @@ def _subsystem(model: Model, document: Document, standing: live.Standing) -> str
         return document.name
     if len(free) == 1 and free[0].tasks:
         return free[0].name
-    taken = used | {subsystem.name for subsystem in standing.subsystems}
-    if TASK_NAME.match(document.name) and document.name not in taken:
-        return document.name
-    return _MAIN
+    applications = {subsystem.name for subsystem in standing.subsystems if subsystem.application}
+    return _new_name(document.name, used | applications)
+
+
+def _new_name(document: str, taken: Set[str]) -> str:
+    """As the document is called, where that is a name of a subsystem; with a number where it is taken.
+
+    Another document may be called otherwise by now than the subsystem it is connected with.
+    """
+    wished = document if TASK_NAME.match(document) else _MAIN
+    if wished not in taken:
+        return wished
+    numbered = (f"{wished}-{number}" for number in count(2))
+    return next(name for name in numbered if name not in taken)
 
 
 def _occupied(model: Model, name: str, document: Document) -> Reason:
