@@ -4,6 +4,7 @@ import pytest
 
 from kit.plans.plan_builder import action
 from kit.runtime.live_edits import live_edits_with_tasks
+from kit.runtime.sessions import SECOND, silent
 from kit.worlds.rail_world import rail_tasks
 from onika.wire import event, live, request, steer
 
@@ -24,22 +25,12 @@ def perform(hand, session="me", on_loss="stop", goals=("5.0",)):
     return hand.asker.ask(request.Begin(on_loss=on_loss), session)
 
 
-SECOND = 1_000_000_000
-
-
 @pytest.fixture
 def watched():
     """A hand whose holders have a lease of one second, which a test lets run out."""
     hand = live_edits_with_tasks()
     hand.asker.lease(SECOND)
     return hand
-
-
-def silent(hand, session, seconds):
-    hand.asker.server.silent[session] = round(seconds * SECOND)
-    hand.asker.program.serve()
-    hand.work()
-    hand.asker.server.silent[session] = 0
 
 
 def test_a_holder_that_is_silent_for_its_lease_leaves_everything_off(watched):  # R-X12, network.md D4

@@ -4,6 +4,7 @@ import pytest
 
 from kit.plans.plan_builder import action
 from kit.runtime.live_edits import live_edits_with_tasks
+from kit.runtime.sessions import leave, there
 from kit.worlds.rail_world import MASS, SERVO, rail_tasks
 from onika.wire import event, holding, live, request, steer
 from onika.words.reason import Reason
@@ -12,12 +13,6 @@ from onika.words.reason import Reason
 @pytest.fixture
 def hand():
     return live_edits_with_tasks()
-
-
-def leave(hand, session):
-    hand.asker.server.gone.append(session)
-    hand.asker.program.serve()
-    hand.work()
 
 
 def perform(hand, session="me", on_loss="stop", goals=("5.0",)):
@@ -107,11 +102,6 @@ def test_the_servo_of_one_holder_is_not_answered_by_another(hand):  # R-X12
     hand.change(spawn=["mass", "servo"], on=["mass", "servo"], session="one")
     assert "held by one" in hand.outcome(hand.asker.ask(request.Reply("s0", "servo", "1.0"), "two"))
     assert hand.states["servo"] == "ASKING"
-
-
-def there(hand, *sessions):
-    for session in sessions:
-        hand.asker.ask(holding.Sessions(), session)
 
 
 def test_a_run_is_handed_over_and_goes_on(hand):  # R-X12
