@@ -10,6 +10,7 @@ import { enRecording } from './en.recording'
 import { enRedirect } from './en.redirect'
 import { enShell } from './en.shell'
 import { enStrip } from './en.strip'
+import { enTask } from './en.task'
 import { enTune } from './en.tune'
 import { enUpper } from './en.upper'
 
@@ -26,6 +27,7 @@ export const en = {
   ...enRedirect,
   ...enHolding,
   ...enRecording,
+  ...enTask,
   ...enTune,
 }
 export type TextKey = keyof typeof en

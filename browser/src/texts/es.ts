@@ -11,6 +11,7 @@ import { esRecording } from './es.recording'
 import { esRedirect } from './es.redirect'
 import { esShell } from './es.shell'
 import { esStrip } from './es.strip'
+import { esTask } from './es.task'
 import { esTune } from './es.tune'
 import { esUpper } from './es.upper'
 
@@ -27,5 +28,6 @@ export const es: Record<TextKey, string> = {
   ...esRedirect,
   ...esHolding,
   ...esRecording,
+  ...esTask,
   ...esTune,
 }
