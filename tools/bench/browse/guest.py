@@ -33,13 +33,25 @@ class Guest:
 
     def do(self, asked: act.AnyAct) -> float:
         """Seconds until the answer."""
-        self.cid += 1
         began = time.perf_counter()
+        self.ask(asked)
+        return time.perf_counter() - began
+
+    def ask(self, asked: act.AnyAct) -> Any:
+        """What an act is answered with; raises RuntimeError with the reason where it is refused."""
+        self.cid += 1
         self.socket.send(msgspec.json.encode(messages.Ordered(self.cid, asked)).decode())
         answer = self.answer(self.cid)
         if answer["t"] == "Refused":
             raise RuntimeError(answer["reason"])
-        return time.perf_counter() - began
+        return answer.get("value")
+
+    def frame(self) -> dict[str, Any]:
+        """The next frame of what it watches."""
+        while True:
+            message: dict[str, Any] = json.loads(self.socket.recv())
+            if message["t"] == "Frame":
+                return message
 
     def answer(self, cid: int) -> dict[str, Any]:
         """The answer to the act of this number."""
