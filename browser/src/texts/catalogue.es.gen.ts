@@ -1623,6 +1623,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "host.overload": "las tareas en ON toman {use:.2f} del tiempo de la unidad {rtpu}: se pierden ciclos",
   "host.parameter_unknown": "LOCAL {name} no es un parámetro del módulo {module}; se conserva y no se usa",
   "host.plan_empty": "se esperaba un plan con al menos un flujo; no hay ninguno",
+  "host.plan_unnamed": "se esperaba el nombre de una aplicación; no hay ninguno",
   "host.porter_ended": "el portero terminó con el código {code}; nadie nuevo puede conectarse",
   "host.porter_killed": "la señal {signal} mató al portero; nadie nuevo puede conectarse",
   "host.porter_not_started": "el portero no arrancó",

@@ -33,6 +33,7 @@ def test_an_honest_plan_has_the_form_of_one():
 @pytest.mark.parametrize(
     ("plan", "key"),
     [
+        (replace(PLAN, application=""), "host.plan_unnamed"),
         (replace(PLAN, flows=()), "host.plan_empty"),
         (replace(PLAN, flows=(FLOW, FLOW)), "host.subsystem_twice"),
         (replace(PLAN, application="a\0b"), "host.text_form"),

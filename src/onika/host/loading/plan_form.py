@@ -28,6 +28,8 @@ def wrong_plan(plan: Plan, targets: Sequence[TargetValues]) -> list[Fault]:
     """Everything about a plan that no environment would send."""
     place = Place(shown(plan.application) or "plan")
     reasons = [*_text(plan.application, "application")]
+    if not plan.application:
+        reasons.append(Reason.of("host.plan_unnamed"))
     if not plan.flows:
         reasons.append(Reason.of("host.plan_empty"))
     names = [flow.subsystem for flow in plan.flows]
