@@ -19,5 +19,5 @@ export default defineConfig({
     host: '127.0.0.1',
     proxy: { '/ws': { target: program, ws: true, changeOrigin: true, rewriteWsOrigin: true } },
   },
-  test: { include: ['test/**/*.test.ts'], environment: 'node', passWithNoTests: true },
+  test: { include: ['test/**/*.test.ts'], environment: 'node', pool: 'threads', passWithNoTests: true },
 })

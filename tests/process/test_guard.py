@@ -138,6 +138,7 @@ open(sys.argv[1], "w").close()
 """A runtime that leaves a child behind, which writes a file later than whoever waits may live."""
 
 
+@pytest.mark.site  # its moment is one of the machine's clock
 @pytest.mark.parametrize(("how", "is_done"), [("pass", True), ("time.sleep(0.01)", False)])
 def test_who_is_at_work_when_a_runtime_ends_has_a_moment_longer(tmp_path, how, is_done):  # R-X05
     ours, theirs = socket.socketpair()

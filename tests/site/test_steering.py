@@ -54,8 +54,17 @@ wait done flow0 1
 """
 
 
-def test_the_panic_button_is_pressed_let_go_and_cleared_and_the_work_is_completed(tmp_path):  # R-E08
-    result, events = steered(tmp_path, PANIC, "assemble24", "--expect", "LAMP == 1", "--virtual")
+ASSEMBLY = ("assemble24", "--expect", "LAMP == 1", "--virtual")
+
+
+@pytest.fixture(scope="module")
+def panicked(tmp_path_factory):
+    """The result and the events of an assembly that the panic button interrupts."""
+    return steered(tmp_path_factory.mktemp("panic"), PANIC, *ASSEMBLY)
+
+
+def test_the_panic_button_is_pressed_let_go_and_cleared_and_the_work_is_completed(panicked):  # R-E08
+    result, events = panicked
     assert (result["state"], result["exit"], result["failed"]) == ("completed", 0, []), result
     explained = next(entry for entry in events if entry["event"] == "explained")
     assert (explained["task"], explained["index"]) == ("puma", 1)
@@ -70,8 +79,8 @@ def test_in_wall_time_the_same_words_do_the_same(tmp_path):  # R-E08
     assert [entry["index"] for entry in events if entry["event"] == "began" and entry["flow"] == 0] == [0, 0, 1]
 
 
-def test_a_steered_run_in_virtual_time_is_the_same_bit_for_bit(tmp_path):  # R-E07, law 14
-    results = [steered(tmp_path, PANIC, "assemble24", "--virtual") for _ in range(2)]
+def test_a_steered_run_in_virtual_time_is_the_same_bit_for_bit(panicked, tmp_path):  # R-E07, law 14
+    results = [panicked, steered(tmp_path, PANIC, *ASSEMBLY)]
     assert results[0][0]["hash"] == results[1][0]["hash"] != ""
     kinds = ("began", "done", "moved", "explained", "steered")
     first, second = ([entry for entry in events if entry["event"] in kinds] for _, events in results)
@@ -83,8 +92,8 @@ def test_a_steered_run_in_virtual_time_is_the_same_bit_for_bit(tmp_path):  # R-E
 
 
 def test_a_script_that_steers_nothing_changes_nothing(tmp_path):  # law 14
-    result, _ = steered(tmp_path, "wait done 2\n", "assemble24", "--virtual")
-    with CliProcess("run", "assemble24", "--virtual", "--json") as plain:
+    result, _ = steered(tmp_path, "wait done 1\n", "two_arms", "--virtual")
+    with CliProcess("run", "two_arms", "--virtual", "--json") as plain:
         assert plain.result()["hash"] == result["hash"]
 
 
