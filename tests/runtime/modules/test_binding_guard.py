@@ -3,9 +3,9 @@
 import pytest
 
 from kit.labs.module_source import COUNTER, module
-from kit.runtime.executive_rig import ExecutiveRig
+from kit.runtime.executive_rig import HOME, ExecutiveRig
 from onika.model.lifecycle import State
-from onika.runtime import news
+from onika.runtime import command, news
 from onika.runtime.execution.running_task import CHECKED_EVERY
 from onika.runtime.modules.binding_guard import BindingGuard
 
@@ -62,6 +62,40 @@ def test_what_a_module_changes_late_is_told_when_it_goes_off():  # R-A12, R-X12
     (failed,) = rig.news_of(news.Failed)
     assert failed.entry == "off"
     assert "Q_REFF is no port of this module" in failed.text
+
+
+ENDS_ODDLY = module(
+    "    def cycle(self):\n        if self.now >= 0.02:\n            self.Q_REFF = 1.0\n            return finish()",
+    trigger=True,
+)
+
+
+def ends_oddly(on=(), then=()):
+    """A trigger changes itself in its last cycle; `next` is prepared to follow it, and what is `on`; `then` comes."""
+    rig = ExecutiveRig(react=lambda entry: [*then] if isinstance(entry, news.Finished) else [])
+    rig.spawn("end", ENDS_ODDLY).spawn("next", COUNTER).switch(on=[command.Launch("end", "", None, 7)])
+    following = command.Switch(HOME, (), (), tuple(command.Launch(task, "", None, 8) for task in ("next", *on)))
+    rig.do(command.PreparedSwitch(HOME, "end", 7, (command.Case(None, None, 1, following),)))
+    return rig.run(20 * MS)
+
+
+def test_who_ends_a_job_is_looked_at_when_the_next_one_has_begun():  # R-A12, R-X12, law 6
+    rig = ends_oddly()
+    told = [entry for at, entry in rig.news if at == 20 * MS]
+    assert [type(entry) for entry in told] == [news.Finished, news.Changed, news.Cycled, news.Failed]
+    assert (rig.news_of(news.Failed)[0].entry, rig.task("end").state) == ("off", State.ERROR)
+    assert rig.task("next").state is State.ON
+
+
+def test_who_comes_on_again_at_once_is_looked_at_with_its_first_cycle():  # R-A12, R-X12
+    rig = ends_oddly(on=["end"])
+    assert (rig.news_of(news.Failed)[0].entry, rig.task("end").state) == ("check", State.ERROR)
+
+
+@pytest.mark.parametrize("order", [command.Kill(HOME, "end"), command.Rebind(HOME, "end", ())])
+def test_who_has_ended_a_job_is_looked_at_before_anything_is_done_to_it(order):  # R-A12, R-X12
+    rig = ends_oddly(then=[order])
+    assert "Q_REFF is no port of this module" in rig.news_of(news.Failed)[0].text
 
 
 def test_a_slow_task_is_looked_at_after_about_a_second():  # R-A12, R-X12

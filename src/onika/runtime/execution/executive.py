@@ -44,6 +44,7 @@ class Executive:
 
     def handle(self, order: command.Command, now: int) -> list[news.News]:
         """Carry out one command; what it led to comes back as news."""
+        self._lifecycle.look(now)
         self._follow(order, now)
         self._entry_points.watch("")
         return self._unit.take_news()
@@ -76,6 +77,9 @@ class Executive:
     def run_due(self, now: int, most: int) -> Sequence[news.News] | None:
         """Run what is due, in order, up to so many cycles or until there is news; None if nothing is due any more."""
         events = self._run_due(now, most)
+        if events is None and self._lifecycle.has_unlooked:
+            self._lifecycle.look(now)
+            events = self._unit.take_news() or None
         if self._entry_points.is_watched:
             self._entry_points.watch("")
         return events
@@ -93,7 +97,7 @@ class Executive:
             except RAISED as wrong:
                 calls.fail(task, "cycle", wrong, now)
             if signal is not None or task.is_first or task.warnings:
-                self._after_cycle(task, signal, now)
+                self._after_cycle(task, signal, now, is_due=True)
             most -= 1
             goes_on = slot.epoch == epoch
             if goes_on and not task.is_periodic:
@@ -204,17 +208,19 @@ class Executive:
             case command.Get() | command.Set():
                 self._task_commands.get_or_set(order, now)
 
-    def _after_cycle(self, task: RunningTask, signal: Signal | None, now: int) -> None:
-        """What a cycle led to besides its outputs."""
+    def _after_cycle(self, task: RunningTask, signal: Signal | None, now: int, *, is_due: bool = False) -> None:
+        """What a cycle led to besides its outputs. One that was due is often followed by others which are due."""
         if task.is_first:
             task.is_first = False
             if task.is_on:
                 self._first_cycle(task, now)
         self._entry_points.warn(task, now)
         if signal is not None and task.is_on:
+            self._lifecycle.looks_later = is_due
             following = self._lifecycle.signalled(task, signal, now)
             if following is not None:
                 self._follow(following, now)
+            self._lifecycle.looks_later = False
 
     def _first_cycle(self, task: RunningTask, now: int) -> None:
         if not task.goes_on:

@@ -284,6 +284,11 @@ class RunningTask:
 
     def off(self) -> None:
         """`off`; a device is put in hold; outputs are not published; is the module still what was bound?"""
+        self.leave()
+        self.no_strays()
+
+    def leave(self) -> None:
+        """All of `off` but the look at what has become of the module."""
         try:
             self.module.off()
         finally:
@@ -291,7 +296,6 @@ class RunningTask:
             self.binding.rest()
             if self.module.partner is not None:
                 self.module.partner.rest()
-        self.no_strays()
 
     def hold(self) -> None:
         """Put the task's device in hold, whatever its module thinks."""

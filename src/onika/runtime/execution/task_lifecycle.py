@@ -1,6 +1,6 @@
 """The lifecycle of the tasks on one RTPU: spawned, turned on, asked for input, turned off, killed (law 11)."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from types import CodeType
 
@@ -26,6 +26,9 @@ class TaskLifecycle:
     def __init__(self, unit: ProcessingUnit, calls: EntryPoints) -> None:
         self._unit = unit
         self._entry_points = calls
+        self.looks_later = False
+        """Between a finish and the first cycles that follow it: what goes off is looked at when they have run."""
+        self._unlooked: dict[Address, RunningTask] = {}
 
     # To life and to its end
 
@@ -160,6 +163,21 @@ class TaskLifecycle:
             self._unit.tell(news.Signalled(*address, signal.kind.value, signal.number, text, now, run))
         return None
 
+    @property
+    def has_unlooked(self) -> bool:
+        """Whether somebody went off who is still to be looked at."""
+        return bool(self._unlooked)
+
+    def look(self, now: int) -> None:
+        """Look at the modules of those who went off while there was no time for it.
+
+        Whoever came on again meanwhile is looked at with its first cycle.
+        """
+        unlooked, self._unlooked = self._unlooked, {}
+        for address, task in unlooked.items():
+            if task.state is State.OFF and self._unit.tasks.get(address) is task:
+                self._entry_points.attempt(task, "off", now, task.no_strays)
+
     # Inner
 
     def _finish(self, task: RunningTask, signal: Signal, now: int) -> command.Switch | None:
@@ -257,7 +275,13 @@ class TaskLifecycle:
         """Out of ON or ASKING; `off` runs only after an `on`. False if it raised: the task is in ERROR instead."""
         self._unit.leave(task, now)
         self._unit.watch(task, now)
-        if task.is_on and not self._entry_points.attempt(task, "off", now, task.off):
+        if task.is_on and not self._entry_points.attempt(task, "off", now, self._way_off(task)):
             return False
         task.step(step)
         return True
+
+    def _way_off(self, task: RunningTask) -> Callable[[], None]:
+        if self.looks_later:
+            self._unlooked[task.address] = task
+            return task.leave
+        return task.off
