@@ -43,7 +43,7 @@ class Watcher:
         until = monotonic() + seconds
         while (left := until - monotonic()) > 0:
             select.select(self.runtime.readers(), [], [], min(left, 0.05))
-            for one in self.runtime.told():
+            for one in self.runtime.events(0.0):
                 if isinstance(one, event.Held) and not one.holder:
                     self.lost[one.subsystem] = (monotonic(), one.cause)
 
