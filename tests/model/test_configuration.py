@@ -25,3 +25,10 @@ def test_the_tasks_of_a_supermodule_come_in_its_order_at_the_places_they_have() 
     grouped = ABC.regrouped([Group("one", ("c", "a"))])
     assert grouped.in_group_order(["a", "x", "b", "c"]) == ["c", "x", "b", "a"]  # R-C17
     assert grouped.in_group_order(["a", "b"]) == ["a", "b"]
+
+
+def test_where_tasks_stand_is_no_part_of_what_a_configuration_means() -> None:
+    here, there = (Configuration("c", (Placed("pd", x), Placed("puma"))) for x in (0, 90))
+    assert (here.meaning == there.meaning, here == there) == (True, False)
+    assert here.meaning != Configuration("c", (Placed("pd", frequency=100.0), Placed("puma"))).meaning
+    assert here.names == ("pd", "puma")

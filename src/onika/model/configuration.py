@@ -84,6 +84,17 @@ class Configuration:
     """Every task is in one at most, and every one has a task."""
 
     @cached_property
+    def names(self) -> tuple[str, ...]:
+        """The names of its tasks, in order."""
+        return tuple(placed.task for placed in self.placed)
+
+    @cached_property
+    def meaning(self) -> tuple[Mapping[str, tuple[object, ...]], Mapping[str, tuple[str, ...]]]:
+        """All of it but its looks: which tasks, how, at which rate, on which unit, and its supermodules."""
+        tasks = {placed.task: (placed.frequency, placed.rtpu, placed.own, placed.rmod) for placed in self.placed}
+        return tasks, {group.name: group.tasks for group in self.groups}
+
+    @cached_property
     def otherwise(self) -> tuple[Placed, ...]:
         """The tasks that are otherwise here than their files say, or have other names."""
         return tuple(placed for placed in self.placed if not placed.is_as_filed)
@@ -104,7 +115,7 @@ class Configuration:
 
     def regrouped(self, groups: Iterable[Group]) -> "Configuration":
         """With these groups as far as their tasks are placed; where one task is in several, the first counts."""
-        left = {placed.task for placed in self.placed}
+        left = set(self.names)
         kept_groups = []
         for group in groups:
             tasks = tuple(name for name in group.tasks if name in left)

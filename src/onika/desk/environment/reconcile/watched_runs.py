@@ -35,9 +35,9 @@ def changed(before: Model, after: Model) -> No | None:
     """Why a change of a document is not made: what it shows belongs to a run. Its looks may change."""
     for doc, document in after.documents.items():
         former = before.documents.get(doc)
-        if former is None or former.content is document.content or document.means(former.content):
+        if former is None or former.watched is None or former.content is document.content:
             continue
-        if former.watched is not None and is_on(before, former.watched):
+        if is_on(before, former.watched) and not document.means(former.content):
             return refusal(before, former, former.watched)
     return None
 

@@ -84,13 +84,15 @@ class _Users:
 
 
 _NOBODY = _Users()
+_NO_FACTS: Mapping[str, TaskFacts] = {}
+"""Always the same: that nothing of them has changed is seen at once."""
 
 
 def _facts(document: Document) -> Mapping[str, TaskFacts]:
     live = document.live
     if live is not None and live.state == "live":
         return live.tasks
-    return {}
+    return _NO_FACTS
 
 
 def _same(view: _T, old: _T | None) -> _T:

@@ -25,13 +25,13 @@ class KeptConfiguration:
     @property
     def names(self) -> tuple[str, ...]:
         """The names of its tasks, in order."""
-        return tuple(placed.task for placed in self.configuration.placed)
+        return self.configuration.names
 
     @property
     def is_unsaved(self) -> bool:
         """Whether it has changed in more than its looks since it was saved."""
         saved = self.opened.value if self.opened else Configuration(self.name)
-        return meaning_of(self.configuration) != meaning_of(saved)
+        return self.configuration.meaning != saved.meaning
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +47,7 @@ class Content:
     @property
     def names(self) -> tuple[str, ...]:
         """The names of the tasks on the canvas, in order."""
-        return tuple(placed.task for placed in self.configuration.placed)
+        return self.configuration.names
 
     @property
     def union(self) -> tuple[str, ...]:
@@ -66,15 +66,7 @@ class Content:
 
         One that is kept lives on, OFF.
         """
-        placed = {placed.task for placed in configuration.placed}
+        placed = set(configuration.names)
         alive = placed.union(*(kept.names for kept in self.kept))
         wanted = {name: is_on and name in placed for name, is_on in self.wanted.items() if name in alive}
         return replace(self, configuration=configuration.regrouped(configuration.groups), wanted=wanted)
-
-
-def meaning_of(
-    configuration: Configuration,
-) -> tuple[Mapping[str, tuple[object, ...]], Mapping[str, tuple[str, ...]]]:
-    """A configuration without its looks: which tasks, how, at which rate, on which unit, and its supermodules."""
-    tasks = {placed.task: (placed.frequency, placed.rtpu, placed.own, placed.rmod) for placed in configuration.placed}
-    return tasks, {group.name: group.tasks for group in configuration.groups}

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, replace
 
-from onika.desk.environment.state.content import Content, meaning_of
+from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.live import SubsystemFacts, TakenOver, WatchedRun
 from onika.desk.environment.state.open_file import DocumentKind, OpenFile
 from onika.model.configuration import Configuration
@@ -34,7 +34,7 @@ class Document(OpenFile[Configuration, Content]):
     @property
     def is_dirty(self) -> bool:
         """Whether it has changed in more than its looks since it was saved."""
-        return meaning_of(self.content.configuration) != meaning_of(self._saved)
+        return self.content.configuration.meaning != self._saved.meaning
 
     @property
     def is_moved(self) -> bool:
@@ -54,7 +54,7 @@ class Document(OpenFile[Configuration, Content]):
 
     def means(self, content: Content) -> bool:
         """Whether other content differs from its own in looks only."""
-        is_same = meaning_of(content.configuration) == meaning_of(self.content.configuration)
+        is_same = content.configuration.meaning == self.content.configuration.meaning
         return is_same and content.wanted == self.content.wanted
 
     def having(self, content: Content) -> "Document":
