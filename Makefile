@@ -10,7 +10,7 @@ AUDIT  := .venv-audit
 SIDE_BY_SIDE := $(BIN)/python tools/side_by_side.py
 
 .DEFAULT_GOAL := help
-.PHONY: help demo assemble page test check audit mutants fuzz soak bench bench-peers clean
+.PHONY: help demo assemble page test tests check audit mutants fuzz soak bench bench-peers clean
 
 help: ## say what can be made
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST)
@@ -53,6 +53,9 @@ SAMPLED := src/onika/ring/drive.py src/onika/runtime/transfer/input_guard.py src
 TWO_AT_A_TIME := $(BIN)/pytest --hypothesis-profile=ci --numprocesses=2 --dist=loadfile --reruns 1 -rR --durations=30 --durations-min=2
 
 test: check ## the checks and all tests but the soak
+	@$(MAKE) --no-print-directory tests
+
+tests: $(VENV)/.installed-dev page
 	PYTHONPATH=tools $(BIN)/python -m mutation --every 4 $(SAMPLED)
 	@$(SIDE_BY_SIDE) \
 	  '$(TWO_AT_A_TIME) -m "site and not slow"' \
