@@ -1,21 +1,28 @@
 import pytest
+from msgspec import structs
 
-from kit.plans.plan_builder import PlanBuilder
+from kit.plans.plan_builder import PlanBuilder, action
 from kit.runtime.live_edits import SOURCE
 from kit.worlds.rail_world import YardLoading
 from onika.host.loading.plan_checks import (
     absent_devices,
+    at_action,
     conflicts,
     cycles,
+    note_at,
+    remarks,
     shapeless,
     shared_devices,
+    unfit,
+    unfit_together,
     wrong_rates,
 )
 from onika.module import InConst, InVar, Module, OutConst, OutVar
 from onika.runtime.modules.sheet import sheet_of
 from onika.runtime.wiring import wire
+from onika.wire.plan import Code
 from onika.words.fault import NOT_RUN, Fault, Place
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 
 def wired(name, module="", hardware=False, device=None, **ports):
@@ -160,3 +167,98 @@ def test_a_rate_is_told_with_where_it_is_given_and_what_it_may_be(job, hz, reaso
     place = Place("x.conf", 3)
     expected = [Fault(place, reason, INSTEAD)] if reason is not None else []
     assert wrong_rates([(place, job, "a", hz)], {"a"}, INSTEAD) == expected
+
+
+def test_a_fault_of_an_action_stands_at_its_icon_and_says_which_it_is():  # R-E01, R-X01
+    why = Reason.plain("why")
+    plan = PlanBuilder()
+    plan.task("a", SOURCE)
+    flows = plan.plan([action("a")], [action("a"), action("a")])
+    fault = at_action(flows, 1, 1, why)
+    assert fault == Fault(Place("test.appl", 102), why, NOT_RUN)
+    assert fault.where == Reason.of("host.where", flow="flow1", action=2, name="action 1")
+    nested = structs.replace(flows.flows[0].actions[0], within=("all", "half"))
+    inner = structs.replace(flows, flows=(structs.replace(flows.flows[0], actions=(nested,)),))
+    where = Reason.of("host.where_within", flow="flow0", action=1, application="all / half", name="action 0")
+    assert at_action(inner, 0, 0, why).where == where
+
+
+CODE = Code("digest", "arm", "arm.py", "")
+UNLIKE, ASIDE = Reason.plain("it has five joints"), Reason.plain("it stands elsewhere")
+
+
+class Judged(YardLoading):
+    """Says of devices what it is told to say, and remembers what it was asked."""
+
+    def __init__(self, fits=NOTHING, company=()):
+        super().__init__()
+        self._fits, self._company = fits, company
+        self.questions = []
+
+    def fits(self, code, constants, device):
+        self.questions.append((code, constants, device))
+        return self._fits
+
+    def company(self, world, names, *, is_of_flow=False):
+        self.questions.append((world, names, is_of_flow))
+        return self._company
+
+
+def test_a_device_that_is_another_one_than_a_task_means_is_told():  # law 16, R-K05
+    task = wired("a", hardware=True, device="yard:m0")
+    loading = Judged(UNLIKE)
+    reason = Reason.of("host.device_unlike", task="a", device="yard:m0", why=UNLIKE)
+    assert unfit(task, CODE, {"N": 6}, loading) == [fault_of(task, reason)]
+    assert loading.questions == [(CODE, {"N": 6}, "yard:m0")]
+    assert unfit(task, CODE, {}, Judged()) == []
+
+
+def test_what_a_device_is_like_is_asked_of_tasks_with_one_only_and_a_module_that_cannot_say_is_a_fault():  # R-B07
+    broken = Fault(Place("arm.py", 3), UNLIKE, NOT_RUN)
+    loading = Judged(broken)
+    assert unfit(wired("a", hardware=True), CODE, {}, loading) == []
+    assert loading.questions == []
+    assert unfit(wired("a", device="yard:m0"), CODE, {}, loading) == [broken]
+
+
+def devices(*names):
+    return [wired(name, hardware=True, device=device) for name, device in zip("bacd", names, strict=False)]
+
+
+def test_devices_that_do_not_go_together_are_told_at_the_last_of_their_tasks():  # law 18
+    tasks = devices("yard:m1", "yard:m0", "field:m0")
+    loading = Judged(company=(UNLIKE, ASIDE))
+    whys = [Reason.of("host.devices_unfit", world="yard", why=why) for why in (UNLIKE, ASIDE)]
+    assert unfit_together([wired("z", hardware=True), wired("y", device="yard:m7"), *tasks], loading) == [
+        fault_of(tasks[0], why) for why in whys
+    ]
+    assert loading.questions == [("yard", ("m0", "m1"), False)]
+
+
+def test_one_device_alone_goes_with_everything_and_a_world_that_cannot_say_is_one_fault():  # law 18, R-B07
+    broken = Fault(Place("w"), UNLIKE, NOT_RUN)
+    assert unfit_together(devices("yard:m0", "field:m0"), Judged(company=(UNLIKE,))) == []
+    assert unfit_together(devices("yard:m0", "field:m0", "yard:m1", "field:m1"), Judged(company=broken)) == [broken]
+
+
+def test_a_note_says_where_it_stands_by_line_where_there_is_one():  # R-X01
+    note = Reason.plain("odd")
+    assert note_at(Place("a.appl", 3), note) == Reason.of("host.note_at", file="a.appl", line=3, note=note)
+    assert note_at(Place("a.rmod"), note) == Reason.of("host.note_in", file="a.rmod", note=note)
+
+
+def test_what_is_odd_about_the_devices_of_a_flow_is_noted_at_the_task_that_it_names():  # R-K02
+    tasks = devices("yard:m1", "yard:m0", "field:m0")
+    named = Reason.of("host.device_claimed", device="m0", other="m7")
+    loading = Judged(company=(named, ASIDE))
+    assert remarks([wired("z", hardware=True), wired("y", device="yard:m7"), *tasks], loading) == [
+        note_at(Place("a.rmod"), named),
+        note_at(Place("yard"), ASIDE),
+    ]
+    assert loading.questions == [("yard", ("m0", "m1"), True)]
+
+
+def test_nothing_is_odd_about_one_device_or_a_world_that_cannot_say():  # R-B07
+    broken = Fault(Place("w"), UNLIKE, NOT_RUN)
+    assert remarks(devices("yard:m0", "field:m0"), Judged(company=(UNLIKE,))) == []
+    assert remarks(devices("yard:m0", "yard:m1"), Judged(company=broken)) == []

@@ -98,6 +98,16 @@ def _with_device(tasks: Sequence[WiredTask]) -> list[tuple[str, WiredTask]]:
     return [(device, task) for task in tasks if (device := task.device)]
 
 
+def _commanded(tasks: Sequence[WiredTask]) -> dict[str, dict[str, WiredTask]]:
+    """By world and name, the devices that take commands of these tasks, each with its task."""
+    worlds: dict[str, dict[str, WiredTask]] = {}
+    for device, task in _with_device(tasks):
+        if task.sheet.hardware:
+            world, _, name = device.partition(":")
+            worlds.setdefault(world, {})[name] = task
+    return worlds
+
+
 def _no_world(reason: Reason, device: str) -> Reason:
     """Why there is no world for a device: one that nobody offers is told with the device that wants it."""
     if reason.key != "host.no_such_world":
@@ -121,12 +131,8 @@ def unfit(wired_task: WiredTask, code: Code, constants: Mapping[str, Any], loadi
 
 def unfit_together(tasks: Sequence[WiredTask], loading: ModuleQuestions) -> list[Fault]:
     """Devices of one world that cannot be used together, as arms with forces and others without (law 18)."""
-    worlds: dict[str, dict[str, WiredTask]] = {}
-    for task in (task for task in tasks if task.device and task.sheet.hardware):
-        world, _, name = (task.device or "").partition(":")
-        worlds.setdefault(world, {})[name] = task
     faults = []
-    for world, claimed in worlds.items():
+    for world, claimed in _commanded(tasks).items():
         reasons = loading.company(world, tuple(sorted(claimed))) if len(claimed) > 1 else ()
         if isinstance(reasons, Fault):
             return [reasons]
@@ -144,12 +150,8 @@ def note_at(place: Place, note: Reason) -> Reason:
 
 def remarks(tasks: Sequence[WiredTask], loading: ModuleQuestions) -> list[Reason]:
     """What is odd about the devices of one flow, and forbids nothing: an arm moves, and the other arm's hand closes."""
-    worlds: dict[str, dict[str, WiredTask]] = {}
-    for task in (task for task in tasks if task.device and task.sheet.hardware):
-        world, _, name = (task.device or "").partition(":")
-        worlds.setdefault(world, {})[name] = task
     notes = []
-    for world, claimed in worlds.items():
+    for world, claimed in _commanded(tasks).items():
         objections = loading.company(world, tuple(sorted(claimed)), is_of_flow=True) if len(claimed) > 1 else ()
         for remark in objections if isinstance(objections, tuple) else ():
             place = next(
