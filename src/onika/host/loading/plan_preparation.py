@@ -38,7 +38,8 @@ class Preparation:
     """A plan with what its modules say; it can run if there is no fault."""
 
     plan: Plan
-    code: dict[str, Code] = field(default_factory=dict)
+    code: dict[str, Code]
+    faults: list[Fault]
     flows: list[list[WiredTask]] = field(default_factory=list)
     triggers: dict[tuple[int, int], str | None] = field(default_factory=dict)
     constants: dict[int, dict[str, Any]] = field(default_factory=dict)
@@ -47,14 +48,12 @@ class Preparation:
     """Joint targets that other robots take by way of their poses."""
     worlds: dict[str, bool] = field(default_factory=dict)
     """The worlds that it drives: whether they are simulated."""
-    faults: list[Fault] = field(default_factory=list)
     notes: list[Reason] = field(default_factory=list)
 
 
 def prepare(plan: Plan, targets: Sequence[TargetValues], loading: ModuleQuestions) -> Preparation:
     """Look at every module, task, flow, argument line and target of a plan."""
-    preparation = Preparation(plan, {code.digest: code for code in plan.code})
-    preparation.faults += wrong_plan(plan, targets)
+    preparation = Preparation(plan, {code.digest: code for code in plan.code}, wrong_plan(plan, targets))
     if preparation.faults:
         return preparation  # nothing else of it is believed
     loading.expect(plan.code)
@@ -70,7 +69,7 @@ def prepare(plan: Plan, targets: Sequence[TargetValues], loading: ModuleQuestion
     preparation.faults += shared_devices(
         [wire(task, sheets[task.digest]) for flow in plan.flows for task in flow.tasks if task.digest in sheets]
     )
-    if all(len(wired) == len(flow.tasks) for wired, flow in zip(preparation.flows, plan.flows, strict=True)):
+    if [len(wired) for wired in preparation.flows] == [len(flow.tasks) for flow in plan.flows]:
         preparation.faults += wrong_conditions(plan.flows, preparation.flows, preparation.constants)
     everyone = [wired_task for flow in preparation.flows for wired_task in flow]
     preparation.faults += absent_devices(everyone, loading) + unfit_together(everyone, loading)
@@ -195,7 +194,7 @@ def _values(
     """
     constants: dict[str, Any] = {}
     robots = []
-    for wired_task in (wired_task for wired_task in wired if wired_task.device and not wired_task.sheet.hardware):
+    for wired_task in (wired_task for wired_task in wired if not wired_task.sheet.hardware):
         preparation.faults += unfit(wired_task, preparation.code[wired_task.task.digest], {}, loading)
     for wired_task in (wired_task for wired_task in wired if wired_task.sheet.hardware):
         code = preparation.code[wired_task.task.digest]
@@ -233,18 +232,18 @@ def _arguments(
     triggers: Mapping[tuple[int, int], str | None],
 ) -> tuple[dict[int, Fault], set[int]]:
     """What is wrong with the argument line of each action; the actions whose lines have as many values as are taken."""
-    by_name = {wired_task.name: wired_task for wired_task in wired}
+    by_name: dict[str | None, WiredTask] = {wired_task.name: wired_task for wired_task in wired}
     wrong: dict[int, Fault] = {}
     counted = set()
     inputs: dict[str, UserInput] = {}
     for index, action in enumerate(flow.actions):
-        trigger = by_name.get(triggers.get((number, index)) or "")
+        trigger = by_name.get(triggers.get((number, index)))
         if trigger is None or not action.arguments:
             counted.add(index)
             continue
         try:
             if trigger.name not in inputs:
-                coded = {port: constants[svar] for port, svar in _coded(trigger).items() if svar in constants}
+                coded = {port.port: constants[port.svar] for port in trigger.ports if port.svar in constants}
                 inputs[trigger.name] = UserInput(trigger.sheet.inputs, coded)
             user_input = inputs[trigger.name]
             if user_input.takes(action.arguments):
@@ -257,10 +256,6 @@ def _arguments(
             reason = Reason.of("host.values_unfit", task=trigger.name, target=target, why=why)
             wrong[index] = at_action(plan, number, index, reason)
     return wrong, counted
-
-
-def _coded(wired: WiredTask) -> dict[str, str]:
-    return {port.port: port.svar for port in wired.ports if port.kind.at_init and port.kind.is_input}
 
 
 def _reach(
