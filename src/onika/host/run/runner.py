@@ -59,15 +59,16 @@ class Runner:
         self._flows = {subsystem.name: flow for flow, subsystem in subsystems.items()}
         self._tables = {subsystem.name: subsystem.table for subsystem in subsystems.values()}
         activations = count(1)
+        units_lost = lost if lost is not None else {}  # shared: what is lost later counts, too
         self._executors = {
             flow: SubsystemExecutor(
                 subsystem,
                 units,
-                self._spawner(units, lost or {}),
+                self._spawner(units, units_lost),
                 partial(self._follow, flow),
                 tell,
                 task_events.in_a_run,
-                lost or {},
+                units_lost,
                 activations,
             )
             for flow, subsystem in subsystems.items()
