@@ -97,7 +97,8 @@ class Configuration:
     @cached_property
     def otherwise(self) -> tuple[Placed, ...]:
         """The tasks that are otherwise here than their files say, or have other names."""
-        return tuple(placed for placed in self.placed if not placed.is_as_filed)
+        own = [placed for placed in self.placed if placed.rmod or placed.own is not NO_OWN_LINES]  # nearly always none
+        return tuple(placed for placed in own if not placed.is_as_filed)
 
     def tasks(self, filed: Mapping[str, Task]) -> dict[str, Task]:
         """The tasks as they are placed, by their names here; those whose files are missing in `filed` are left out."""

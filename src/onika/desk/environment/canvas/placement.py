@@ -1,6 +1,6 @@
 """Acts on the canvas: place, move, flip, align, remove, exchange (requirements C06 to C10, C24)."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 from onika.desk.environment.outcome.on_file import on_document
@@ -83,7 +83,7 @@ def move(model: Model, document: Document, command: act.Move, _outside: Services
         return No(Reason.of("desk.no_locus", svar=lost[0]))
     tasks = {name: inside(*spot) for name, spot in command.tasks.items()}
     spots = {svar: inside(*spot) for svar, spot in command.loci.items()}
-    placed = tuple(_at(placed, tasks.get(placed.task)) for placed in configuration.placed)
+    placed = _placed_at(configuration, tasks)
     moved = tuple(
         replace(locus, x=spots[locus.svar][0], y=spots[locus.svar][1]) if locus.svar in spots else locus
         for locus in configuration.loci
@@ -124,7 +124,7 @@ def align(model: Model, document: Document, command: act.Align, _outside: Servic
     boxes = model.libraries_of(document).boxes(command.tasks)
     heights = {name: box.height for name, box in boxes.items()}
     spots = _aligned(chosen, heights, command.edge)
-    placed = tuple(_at(placed, spots.get(placed.task)) for placed in configuration.placed)
+    placed = _placed_at(configuration, spots)
     return _as_it_stands(
         model, document, replace(configuration, placed=placed), Reason.of("desk.aligning", names=several(command.tasks))
     )
@@ -214,10 +214,12 @@ def _taken_over(groups: Iterable[Group], old: str, new: str) -> tuple[Group, ...
     )
 
 
-def _at(placed: Placed, spot: tuple[int, int] | None) -> Placed:
-    if spot is None:
-        return placed
-    return replace(placed, x=spot[0], y=spot[1])
+def _placed_at(configuration: Configuration, spots: Mapping[str, tuple[int, int]]) -> tuple[Placed, ...]:
+    """The tasks of a configuration, those that are named at their new spots."""
+    return tuple(
+        replace(placed, x=spots[placed.task][0], y=spots[placed.task][1]) if placed.task in spots else placed
+        for placed in configuration.placed
+    )
 
 
 def _aligned(chosen: list[Placed], heights: dict[str, int], edge: str) -> dict[str, tuple[int, int]]:
