@@ -30,7 +30,7 @@ def story_of(application, hash_seed):
     code = "import sys; from onika.cli import main; sys.exit(main())"
     words = [sys.executable, "-c", code, "run", application, "--virtual", "--json"]
     environment = os.environ | {"PYTHONHASHSEED": hash_seed}
-    done = subprocess.run(words, env=environment, capture_output=True, text=True, check=False, timeout=120)
+    done = subprocess.run(words, env=environment, capture_output=True, text=True, check=False, timeout=600)
     assert done.returncode == 0, done.stdout + done.stderr
     lines = [json.loads(line) for line in done.stdout.splitlines()]
     return [{key: value for key, value in line.items() if key not in WALL} for line in lines]

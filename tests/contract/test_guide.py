@@ -46,7 +46,7 @@ def carry_out(command, folder):
         env=environment,
         capture_output=True,
         text=True,
-        timeout=120,
+        timeout=600,
         check=False,
     )
     assert ran.returncode == 0, f"{command}\n{ran.stdout}{ran.stderr}"
@@ -62,6 +62,7 @@ def prepared(folder):
                 (folder / block.file).write_text(block.text)
 
 
+@pytest.mark.site
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_what_a_page_says_works(page, tmp_path, monkeypatch):
     prepared(tmp_path)

@@ -90,7 +90,7 @@ def test_the_order_of_sets_changes_nothing(here, seed):  # R-X08, law 14
         capture_output=True,
         text=True,
         check=True,
-        timeout=120,
+        timeout=600,
     )
     assert process.stdout.strip() == here
 

@@ -12,7 +12,7 @@ pytestmark = pytest.mark.site
 
 
 def get(served, path="/", **headers):
-    link = http.client.HTTPConnection(served.address, timeout=10)
+    link = http.client.HTTPConnection(served.address, timeout=60)
     link.request("GET", path, headers={"Host": served.address, **headers})
     answer = link.getresponse()
     body = answer.read().decode()
@@ -65,7 +65,7 @@ def test_a_refusal_speaks_the_language_of_the_browser_and_names_its_key(served, 
 
 
 def test_a_page_is_only_read(served):
-    link = http.client.HTTPConnection(served.address, timeout=10)
+    link = http.client.HTTPConnection(served.address, timeout=60)
     link.request("POST", "/", headers={"Host": served.address})
     answer = link.getresponse()
     assert refusal_header.read(answer.headers[refusal_header.HEADER]) == Reason.of("desk.only_read")
@@ -118,7 +118,7 @@ def test_a_wrong_message_is_refused_and_its_connection_stays(served, body):  # R
         socket.send('{"cid": 1, "act": {"t": "New"}}')
         kinds = []
         while "Ok" not in kinds:
-            kinds.append(json.loads(socket.recv(timeout=10))["t"])
+            kinds.append(json.loads(socket.recv(timeout=60))["t"])
     assert "Refused" in kinds
 
 
@@ -126,5 +126,5 @@ def test_a_foreign_page_or_a_stranger_may_not_talk(served):
     given = cookie(served)
     for who in ({"given": None}, {"given": "onika=x"}, {"given": given, "origin": "http://evil.example"}):
         with pytest.raises((InvalidStatus, ConnectionClosed)), talk(served, **who) as socket:
-            socket.recv(timeout=10)
+            socket.recv(timeout=60)
     assert served.sitting.environment.tree.people == 0

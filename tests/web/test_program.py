@@ -55,7 +55,7 @@ class Running:
     def browser(self):
         """A socket as a page has it, and the tree it was told first."""
         host, _, path = self.addresses[-1].removeprefix("http://").partition("/")
-        link = http.client.HTTPConnection(host, timeout=10)
+        link = http.client.HTTPConnection(host, timeout=60)
         link.request("GET", "/" + path)
         cookie = link.getresponse().headers["set-cookie"].partition(";")[0]
         link.close()
@@ -65,7 +65,7 @@ class Running:
 def until(socket, wanted):
     """The first message that is wanted; those before it are passed over."""
     while True:
-        message = json.loads(socket.recv(timeout=20))
+        message = json.loads(socket.recv(timeout=60))
         if wanted(message):
             return message
 

@@ -27,7 +27,7 @@ def test_a_port_that_is_taken_is_said():
 
 @pytest.mark.site
 def test_what_runs_beside_ends_the_server(served):
-    link = http.client.HTTPConnection(served.address, timeout=10)
+    link = http.client.HTTPConnection(served.address, timeout=60)
     link.request("GET", "/")
     assert link.getresponse().status in (403, 421)
     link.close()

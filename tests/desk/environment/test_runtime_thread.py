@@ -19,7 +19,7 @@ from onika.model.task import Task
 from onika.wire import act, event, live, reading
 from onika.words.reason import Reason
 
-PATIENCE_S = 20.0
+PATIENCE_S = 60.0
 
 
 class Line:

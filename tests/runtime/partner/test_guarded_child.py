@@ -8,7 +8,7 @@ import pytest
 
 from onika.runtime.partner.guarded_child import GuardedChild
 
-PATIENCE_S = 20.0
+PATIENCE_S = 60.0
 
 
 @pytest.fixture
