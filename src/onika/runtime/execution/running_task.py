@@ -28,7 +28,7 @@ from onika.words.reason import Reason, reason_of
 CHECKED_EVERY = 1023
 """Once in 1024 cycles, so that it costs nothing, a task is looked at: whether its module is still what was bound.
 
-A task below a kilohertz is looked at about once a second; each is when it comes on, and when it goes off.
+A task below a kilohertz is looked at about once a second; each is when it comes on, and when it has gone off.
 """
 
 
