@@ -1,7 +1,7 @@
 // What the tables and plots beneath show: an open configuration, or a subsystem in which an application runs.
 import type { LivingTaskView, LocusView, PlacedView, SubsystemView, TaskView } from '../api.gen'
 import { desk } from '../link/desk.svelte'
-import { inside, intoOf } from '../progress/inside'
+import { inside, intoOf, subsystemOf } from '../progress/inside'
 import { canvas } from '../state/canvas.svelte'
 import { look } from '../state/look.svelte'
 
@@ -60,9 +60,11 @@ export const withinRuns = (): [string, SubsystemView][] =>
     .map(([name, view]): [string, SubsystemView] => [intoOf(name), view])
     .sort(([a, one], [b, other]) => one.application.localeCompare(other.application) || a.localeCompare(b))
 
-/** The id of what is shown: the one that was chosen, as long as it is there. */
+/** The id of what is shown: the one that was chosen, as long as it is there; else a flow of the run that is looked at. */
 export function shownSubject(): string {
   if (canvas.subject && subjectOf(canvas.subject)) return canvas.subject
   if (look.level === 'tasks') return canvas.doc
-  return withinRuns()[0]?.[0] ?? canvas.doc
+  const runs = withinRuns()
+  const ours = runs.find(([id]) => subsystemOf(id) in (desk.tree.run?.flows ?? {}))
+  return (ours ?? runs[0])?.[0] ?? canvas.doc
 }

@@ -2379,7 +2379,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "run.taken_runs": "{name}, de la que usted se hizo cargo, ya se está ejecutando: aquí no empieza nada hasta que termine",
   "run.taken_unsaved": "{names:and} {names:plural:cambió|cambiaron} aquí y no {names:plural:está guardada|están guardadas}: una ejecución usa lo que dice el archivo",
   "run.takes_other_file": "{task} se toma de {path}, no de {seen}, que es lo que se ve",
-  "run.takes_over": "{obstacles:and} ya están en marcha, y {name} necesita esas tareas. Si las toma: {fates:;}. {afterwards:;}",
+  "run.takes_over": "{name} necesita para sí lo que ya está en marcha: {obstacles:and}. Si lo toma: {fates:;}; {afterwards:;}",
   "run.target_kind": "objetivo {kind}",
   "run.target_missing": "{name} necesita detrás un objetivo {kind}",
   "run.target_resolved": "1 objetivo se calcula de nuevo para {task}, por la pose que es para {old}",

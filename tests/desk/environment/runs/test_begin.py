@@ -89,7 +89,7 @@ def test_what_stands_in_the_way_is_ended_only_when_the_user_wants_it(play):  # r
     play.do(act.Connect(apart, subsystem="apart"))
     doc = play.open([job("aC"), job("bC")])
     no = play.answer(act.Run(doc)).no
-    assert str(no.reason).startswith("a of Untitled-1 live already, and play needs such tasks for itself. ")
+    assert str(no.reason).startswith("play needs for itself what lives already: a of Untitled-1. ")
     assert "Untitled-2" not in str(no.reason)
     assert play.environment.tree.run is None and play.carried(live.Close) == []
     play.do(no.remedies[0].act)

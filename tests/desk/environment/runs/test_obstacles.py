@@ -24,7 +24,7 @@ def reason(play, *tasks):
 
 @pytest.mark.parametrize(("lives", "why"), [("a", "its name"), ("twin", "its module"), ("rival", "its device")])
 def test_what_shares_a_name_a_module_or_a_device_is_in_the_way(play, lives, why):  # reading 30
-    assert reason(play, lives, "c").startswith(f"{lives} of Untitled-1 live already"), why
+    assert f"lives already: {lives} of Untitled-1." in reason(play, lives, "c"), why
 
 
 def test_what_shares_nothing_lives_on(play):  # reading 30
