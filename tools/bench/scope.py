@@ -113,7 +113,8 @@ def main() -> None:
             guest.until(act.Turn("c1", tuple(f"counter{number}" for number in range(TASKS)), True))
             scope = Scope(guest, tuple(f"c1/C{number}_{each}" for number in range(TASKS) for each in range(EACH)))
             scope.follow(1.0)
-            schedulers = {_SCHEDULERS.get(os.sched_getscheduler(each), "another") for each in descendants(pid)}
+            policies = [os.sched_getscheduler(each) & ~os.SCHED_RESET_ON_FORK for each in descendants(pid)]
+            schedulers = {_SCHEDULERS.get(policy, "another") for policy in policies}
             said("processes are scheduled by", ", ".join(sorted(schedulers)))
             for _ in range(given.rounds):
                 measure(scope, given.seconds, "16 variables at 500 Hz")
