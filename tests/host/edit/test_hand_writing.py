@@ -121,3 +121,19 @@ def test_a_constant_that_waits_for_its_supplier_is_not_written_by_hand():  # law
     edits.change(spawn=["user"])
     answer = write(edits, "M", 3)
     assert answer.reason.key in ("host.hand_constant", "host.not_read")
+
+
+def test_nothing_is_written_in_the_midst_of_a_change(hand):  # R-C27, R-X10
+    hand.asker.send(hand.order(off=("counter",)))
+    ticket = hand.asker.send(live.Write("s0", "LEVEL", (0.5,)))
+    assert hand.asker.server.replies[ticket].reason.key == "host.hand_changing"
+    hand.work()
+    assert write(hand, "LEVEL", 0.5) == request.Done()
+
+
+def test_a_constant_whose_supplier_is_gone_is_not_written_by_hand(hand):  # R-C27, law 10
+    hand.task("reader", USER.replace("M = InConst", "N = InConst"))
+    assert hand.change(spawn=["reader"]) == ""
+    assert hand.change(kill=("follower",)) == ""
+    refused = write(hand, "N", 4)
+    assert (type(refused), refused.reason.key) == (request.Refused, "host.hand_constant")
