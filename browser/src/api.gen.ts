@@ -23,7 +23,7 @@ export interface CutIcons {
   steps: (number)[];
 }
 
-/** Change this one instance of an icon (D17); what is None stays as it is. `picture` is 1024 digits. */
+/** Change this one instance of an icon (D17); what is None stays as it is. `picture` is its digits. */
 export interface EditIcon {
   t: 'EditIcon';
   doc: string;
@@ -330,7 +330,7 @@ export interface FitTargets {
   subsystem?: string;
 }
 
-/** Write a new target, or an icon that does nothing, into a dictionary (D08); `picture` is 1024 digits. */
+/** Write a new target, or an icon that does nothing, into a dictionary (D08); `picture` is its digits. */
 export interface MakeTarget {
   t: 'MakeTarget';
   name: string;
@@ -401,7 +401,7 @@ export interface Peek {
   path: string;
 }
 
-/** Do the step again that was taken back last. */
+/** Do the step again that was taken back last; replied with its name. */
 export interface Redo {
   t: 'Redo';
   doc: string;
@@ -423,7 +423,7 @@ export interface Save {
   overwrites?: boolean;
 }
 
-/** Take the last step back, in the running system too (law 22): of a document, or of what belongs to none (X10). Without a document only the latter. What was done later goes first. */
+/** Take the last step back, in the running system too (law 22): of a document, or of what belongs to none (X10). Without a document only the latter. What was done later goes first. Replied with the name of the step. */
 export interface Undo {
   t: 'Undo';
   doc: string;
@@ -489,7 +489,7 @@ export interface Draft {
   doc: string;
 }
 
-/** Save the configuration and its onikon, with a picture of 1024 digits (C16, D07). */
+/** Save the configuration and its onikon, with a picture as digits (C16, D07). */
 export interface MakeJob {
   t: 'MakeJob';
   doc: string;

@@ -12,6 +12,7 @@ from tests.files.models import FORMATS, Format, tasks
 
 from onika.files import rmod
 from onika.files.rmod import RmodText
+from onika.model.picture import SIZE
 from onika.model.task import Task
 
 JUNK = ["?? garbled ??", "xyz", "EOF x", "\x00", "FREQ", "8" * 31, "UI none none"]
@@ -151,9 +152,12 @@ def test_what_1_3_can_say_is_written_as_1_3_and_the_rest_is_refused_under_it(for
     needed = words & {"TARGET", "DESCIN", "BRANCH", "MARKERIF", "WHILEIF", "GROUP", "DIMENSION"}
     if form.name == "configuration":
         needed |= words & {"AS", "SVARALIAS", "LOCAL", "NOLOCAL"}
+    rows = [line.split()[-1] for line in body.splitlines() if line.startswith("PICT")]
+    needed |= {"PICT"} if any(len(row) > SIZE for row in rows) else set()
     assert head == ("VERSION     2.0" if needed else "VERSION     1.3")
     _, faults = form.read("VERSION 1.3\n" + body)
     refused = {fault.reason.args["keyword"] for fault in faults if fault.reason.key == "files.version_for_line"}
+    refused |= {"PICT"} if any(fault.reason.key == "files.version_for_picture" for fault in faults) else set()
     assert needed <= refused
     assert bool(faults) == bool(needed)
     assert form.read("VERSION 2.0\n" + body) == form.read(text)

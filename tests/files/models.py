@@ -14,7 +14,7 @@ from onika.model.button import Button
 from onika.model.configuration import Configuration, Group, Locus, Placed
 from onika.model.onikon import Onikon
 from onika.model.own_lines import OwnLines
-from onika.model.picture import SIZE, framed
+from onika.model.picture import SIZE, SIZES, Picture, framed
 from onika.model.preferences import STATUS_COLUMNS, Preferences, Window, WindowCorner
 from onika.model.syntax import SPECIAL_TYPES, DataItem, Edge, IconType, Syntax
 from onika.model.task import LocalLine, Task, TaskType
@@ -48,9 +48,19 @@ counts = st.integers(0, 99)
 sizes = st.integers(1, 9999)
 rates = st.floats(1e-9, 1e9)
 one_line_texts = st.text(st.characters(exclude_categories=("Cc", "Cs")), max_size=12)
-pictures = st.lists(st.text("012345678", min_size=SIZE, max_size=SIZE), min_size=3, max_size=3).map(
-    lambda rows: framed((rows * SIZE)[:SIZE])
+
+
+def _picture(rows: list[str], size: int) -> Picture:
+    """A picture of this size that repeats a few rows of 32 digits."""
+    return framed([(row * 2)[:size] for row in (rows * size)[:size]])
+
+
+pictures = st.builds(
+    _picture,
+    st.lists(st.text("012345678", min_size=SIZE, max_size=SIZE), min_size=3, max_size=3),
+    st.sampled_from((SIZE, *SIZES)),
 )
+"""Mostly those of the thesis: what 1.3 can say is drawn as often."""
 
 
 def more_targets(names: st.SearchStrategy[str]) -> st.SearchStrategy[tuple[str, ...]]:

@@ -251,3 +251,13 @@ def test_the_version_says_what_kept_lines_need() -> None:  # R-B09
     result, faults = read(text.replace("VERSION 1.3", "VERSION 2.0"), "work", "f", SYNTAX)
     assert result is not None, faults
     assert write(result).startswith("VERSION     2.0")
+
+
+def test_the_larger_picture_of_a_kept_target_needs_version_2_0_too() -> None:  # R-B09
+    strange = icon("odd", "Complete job").replace("Complete job", "Odd object")
+    larger = strange.partition("PICT")[0] + "".join(f"PICT {row}\n" for row in blank(64).rows)
+    for kept, version in ((strange, "1.3"), (larger, "2.0")):
+        result, faults = read(application(kept).replace("VERSION 1.3", f"VERSION {version}"), "work", "f", SYNTAX)
+        assert result is not None, faults
+        assert write(result).startswith(f"VERSION     {version}")
+    assert read(application(larger), "work", "f", SYNTAX)[0] is None

@@ -46,6 +46,19 @@ def test_an_older_file_may_lack_its_description() -> None:
     assert "VERSION     1.3" in write(onikon)
 
 
+def test_a_larger_picture_makes_an_icon_one_of_version_2_0_and_a_smaller_one_again_of_1_3() -> None:
+    larger = replace(ONIKON, picture=blank(48))  # R-B09, R-B06
+    text = write(larger)
+    assert text.startswith("VERSION     2.0\n") and text.count("PICT ") == 48
+    assert read(text, "home", "f", SYNTAX) == (larger, ())
+    assert write(replace(larger, picture=blank()), text) == TEXT
+    for older in ("VERSION     1.3", "VERSION     1.0", ""):
+        onikon, (fault,) = read(text.replace("VERSION     2.0", older), "home", "f", SYNTAX)
+        assert onikon is None
+        assert str(fault.reason) == "expected VERSION 2.0 for a picture of 48 rows, found an older one"
+        assert fault.place.line == 7
+
+
 MORE = Syntax((IconType("Joint object", 1, 0, ITEMS), IconType("Joint job", 0, 1), IconType("Complete job", 0, 0)), ())
 VIA = Onikon("via", "Joint job", "", (), blank(), ("Joint object", "Joint object"))
 

@@ -40,6 +40,7 @@ def again(icon: Icon) -> Icon | Hole | None:
         CONDITIONAL,
         replace(CONDITIONAL, marker=False),
         replace(MOVE, onikon=replace(MOVE.onikon, more_targets=("Joint object",))),
+        replace(OPEN, onikon=replace(OPEN.onikon, picture=blank(64))),
     ],
 )
 def test_an_icon_is_read_as_it_was_written(icon: Icon) -> None:

@@ -1,6 +1,6 @@
 /**
- * Pictures of onikons: 32 rows of 32 digits, one string, never changed in place (§5.6.1, §A.3). Every function here
- * answers with a new picture, and none paints on the black border.
+ * Pictures of onikons: 32, 48 or 64 rows of as many digits, one string, never changed in place (§5.6.1, §A.3). Every
+ * function here answers with a new picture, and none paints on the black border.
  */
 
 import { nearestDigit, PALETTE, rgbOf, type Rgb } from './palette'
@@ -8,37 +8,55 @@ import { ellipse, line, rectangle, type Cell } from './strokes'
 
 export type Picture = string
 
-export const SIZE = 32
+/** Cells of a row, and rows: those of the dissertation, and ours, which stand in files of version 2.0. */
+export const SIZES = [32, 48, 64] as const
+export type Size = (typeof SIZES)[number]
+export const SIZE: Size = SIZES[0]
 export const BLACK = '8'
 export const WHITE = '7'
-/** The side of the part that can be painted on. */
-const INNER = SIZE - 2
 
-const inside = (x: number, y: number): boolean => x > 0 && y > 0 && x < SIZE - 1 && y < SIZE - 1
+const inside = (size: number, x: number, y: number): boolean => x > 0 && y > 0 && x < size - 1 && y < size - 1
+
+/** How many rows a picture has. */
+export const sizeOf = (picture: Picture): Size => SIZES.find((size) => size * size === picture.length) ?? SIZE
 
 /** White within the black border; what clearing leaves. */
-export const blank = (): Picture => drawn((x, y) => (inside(x, y) ? WHITE : BLACK))
+export const blank = (size: Size = SIZE): Picture => framed(size, () => WHITE)
 
-function drawn(digitAt: (x: number, y: number) => string): Picture {
+/** A picture of what stands at each cell within its border. */
+function framed(size: Size, digitAt: (x: number, y: number) => string): Picture {
   let picture = ''
-  for (let y = 0; y < SIZE; y++) for (let x = 0; x < SIZE; x++) picture += digitAt(x, y)
+  for (let y = 0; y < size; y++) for (let x = 0; x < size; x++) picture += inside(size, x, y) ? digitAt(x, y) : BLACK
   return picture
 }
 
-/** Whether a text is a picture: 1024 digits from 0 to 8, black around. */
+/** Whether a text is a picture: digits from 0 to 8, as many as one has, black around. */
 export const isPicture = (text: string): boolean =>
-  /^[0-8]{1024}$/.test(text) && text === drawn((x, y) => (inside(x, y) ? at(text, x, y) : BLACK))
+  /^[0-8]+$/.test(text) && text === framed(sizeOf(text), (x, y) => at(text, x, y))
 
-export const at = (picture: Picture, x: number, y: number): string => picture[y * SIZE + x]
+export const at = (picture: Picture, x: number, y: number): string => picture[y * sizeOf(picture) + x]
 
-export const rowsOf = (picture: Picture): string[] =>
-  Array.from({ length: SIZE }, (_, y) => picture.slice(y * SIZE, (y + 1) * SIZE))
+export function rowsOf(picture: Picture): string[] {
+  const size = sizeOf(picture)
+  return Array.from({ length: size }, (_, y) => picture.slice(y * size, (y + 1) * size))
+}
 
 /** Paint cells in one colour; those on the border or outside are left out. */
 export function painted(picture: Picture, cells: Iterable<Cell>, digit: string): Picture {
+  const size = sizeOf(picture)
   const digits = [...picture]
-  for (const [x, y] of cells) if (inside(x, y)) digits[y * SIZE + x] = digit
+  for (const [x, y] of cells) if (inside(size, x, y)) digits[y * size + x] = digit
   return digits.join('')
+}
+
+/**
+ * The same picture with as many cells as this: each is as the nearest one was. So a picture that grew comes back as it
+ * was, and one that shrinks loses what lies between.
+ */
+export function resized(picture: Picture, size: Size): Picture {
+  const before = sizeOf(picture)
+  const from = (cell: number): number => 1 + Math.floor(((cell - 0.5) * (before - 2)) / (size - 2))
+  return before === size ? picture : framed(size, (x, y) => at(picture, from(x), from(y)))
 }
 
 /** A line; also the stroke of a pen from one cell to the next. */
@@ -54,38 +72,42 @@ export const withEllipse = (picture: Picture, a: Cell, b: Cell, digit: string, f
 
 /** Fill the patch of one colour around a cell, up to the border. */
 export function flooded(picture: Picture, [x, y]: Cell, digit: string): Picture {
-  if (!inside(x, y) || at(picture, x, y) === digit) return picture
+  const size = sizeOf(picture)
+  if (!inside(size, x, y) || at(picture, x, y) === digit) return picture
   const old = at(picture, x, y)
   const digits = [...picture]
   const open: Cell[] = [[x, y]]
   for (let cell = open.pop(); cell; cell = open.pop()) {
     const [cx, cy] = cell
-    if (!inside(cx, cy) || digits[cy * SIZE + cx] !== old) continue
-    digits[cy * SIZE + cx] = digit
+    if (!inside(size, cx, cy) || digits[cy * size + cx] !== old) continue
+    digits[cy * size + cx] = digit
     open.push([cx + 1, cy], [cx - 1, cy], [cx, cy + 1], [cx, cy - 1])
   }
   return digits.join('')
 }
 
 /** Left and right exchanged, or with `upright` top and bottom. */
-export const mirrored = (picture: Picture, upright = false): Picture =>
-  drawn((x, y) => (upright ? at(picture, x, SIZE - 1 - y) : at(picture, SIZE - 1 - x, y)))
+export function mirrored(picture: Picture, upright = false): Picture {
+  const size = sizeOf(picture)
+  return framed(size, (x, y) => (upright ? at(picture, x, size - 1 - y) : at(picture, size - 1 - x, y)))
+}
 
 /** An image made a picture: averaged down into the border on white, proportions kept, in the nearest colours. */
 export function fromRgba(
   data: ArrayLike<number>,
   w: number,
   h: number,
+  size: Size = SIZE,
   palette: readonly string[] = PALETTE.map((c) => c.hex),
 ): Picture {
   if (data.length !== w * h * 4 || w < 1 || h < 1) {
     throw new RangeError(`expected ${w} x ${h} x 4 bytes of an image, found ${data.length}`)
   }
   const colours = palette.map(rgbOf)
-  const scale = Math.max(w, h) / INNER // pixels of the image to one cell
-  const [left, top] = [(INNER - w / scale) / 2, (INNER - h / scale) / 2]
-  return drawn((x, y) => {
-    if (!inside(x, y)) return BLACK
+  const inner = size - 2 // the side of the part that can be painted on
+  const scale = Math.max(w, h) / inner // pixels of the image to one cell
+  const [left, top] = [(inner - w / scale) / 2, (inner - h / scale) / 2]
+  return framed(size, (x, y) => {
     const [x0, y0] = [(x - 1 - left) * scale, (y - 1 - top) * scale]
     const mean = average(data, w, h, x0, y0, scale)
     return mean ? nearestDigit(mean, colours) : WHITE

@@ -6,6 +6,11 @@ import type { TextKey } from '../texts/index.svelte'
 export const TOOLS = ['pen', 'line', 'rectangle', 'circle', 'fill'] as const
 export type Tool = (typeof TOOLS)[number]
 
+/** How many times larger than to fit a picture may be painted. */
+const ZOOMS = [1, 2, 3]
+
+export const nextZoom = (zoom: number, by: number): number => Math.max(ZOOMS[0]!, Math.min(ZOOMS.at(-1)!, zoom + by))
+
 /** The name of a colour, by its digit. */
 export const inkName = (digit: string): TextKey => `paint.ink${digit as '0'}`
 

@@ -8,7 +8,10 @@ import {
   isPicture,
   mirrored,
   painted,
+  resized,
   rowsOf,
+  SIZES,
+  sizeOf,
   withEllipse,
   withLine,
   withRectangle,
@@ -36,11 +39,20 @@ describe('a picture', () => {
     expect(isPicture(blank().replace('7', '9'))).toBe(false)
   })
 
-  test('stays one, border and all, whatever is drawn on it', () => {
-    // R-D07
+  test.each(SIZES)('may have %i rows and as many digits in each', (size) => {
+    // R-B09
+    expect(isPicture(blank(size))).toBe(true)
+    expect(sizeOf(blank(size))).toBe(size)
+    expect(rowsOf(blank(size))).toHaveLength(size)
+    expect(isPicture('8'.repeat(40 * 40))).toBe(false)
+  })
+
+  test.each(SIZES)('of %i rows stays one, border and all, whatever is drawn on it', (size) => {
+    // R-D07, R-B09
     const next = chance(6)
-    const cell = (): [number, number] => [Math.floor(next() * 40) - 4, Math.floor(next() * 40) - 4]
-    let picture = blank()
+    const place = (): number => Math.floor(next() * (size + 8)) - 4
+    const cell = (): [number, number] => [place(), place()]
+    let picture = blank(size)
     for (let k = 0; k < 400; k++) {
       const digit = String(Math.floor(next() * 9))
       const tools = [
@@ -51,8 +63,33 @@ describe('a picture', () => {
         () => mirrored(picture, next() < 0.5),
       ]
       picture = tools[k % tools.length]()
-      expect(isPicture(picture)).toBe(true)
+      expect(isPicture(picture) && sizeOf(picture) === size).toBe(true)
     }
+  })
+
+  test('that grew and shrinks again is as it was, from every size to every larger one', () => {
+    // R-B09
+    const next = chance(7)
+    for (const size of SIZES) {
+      let picture = blank(size)
+      for (let k = 0; k < 200; k++) {
+        const cell = [1 + Math.floor(next() * (size - 2)), 1 + Math.floor(next() * (size - 2))] as const
+        picture = painted(picture, [cell], String(Math.floor(next() * 9)))
+      }
+      for (const larger of SIZES.filter((other) => other >= size)) {
+        expect(isPicture(resized(picture, larger))).toBe(true)
+        expect(resized(resized(picture, larger), size)).toBe(picture)
+      }
+    }
+  })
+
+  test('keeps its shape at another size', () => {
+    // R-B09
+    const half = withRectangle(blank(), [1, 1], [15, 30], '0', true)
+    expect(count(resized(half, 64), '0')).toBe(31 * 62)
+    expect(sizeOf(resized(half, 48))).toBe(48)
+    expect(at(resized(half, 64), 1, 1)).toBe('0')
+    expect(at(resized(half, 64), 62, 62)).toBe('7')
   })
 })
 
@@ -113,6 +150,19 @@ describe('an image', () => {
         .join(''),
     ).toBe(digits)
     expect(isPicture(picture)).toBe(true)
+  })
+
+  test('comes as many cells wide as are wished', () => {
+    // R-B09
+    const digits = Array.from({ length: 62 * 62 }, (_, k) => String(k % 9)).join('')
+    const picture = fromRgba(bytes(digits), 62, 62, 64)
+    expect(sizeOf(picture)).toBe(64)
+    expect(
+      rowsOf(picture)
+        .slice(1, 63)
+        .map((row) => row.slice(1, 63))
+        .join(''),
+    ).toBe(digits)
   })
 
   test('that is larger is averaged', () => {

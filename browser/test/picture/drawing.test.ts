@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest'
-import { at, blank, isPicture, painted } from '../../src/geom/pixels'
-import { after, begun, redone, Stroke, TOOLS, undone } from '../../src/picture/drawing'
+import { at, blank, isPicture, painted, resized } from '../../src/geom/pixels'
+import { after, begun, nextZoom, redone, Stroke, TOOLS, undone } from '../../src/picture/drawing'
 
 describe('a drawing (D07)', () => {
   const one = painted(blank(), [[3, 3]], '0')
@@ -21,8 +21,21 @@ describe('a drawing (D07)', () => {
     expect(undone(drawn).picture).toBe(blank())
   })
 
+  it('is given back whole after it was made smaller (B09)', () => {
+    const large = painted(blank(64), [[33, 33]], '0')
+    const small = after(begun(large), resized(large, 32))
+    expect(undone(small).picture).toBe(large)
+    expect(redone(undone(small)).picture).toBe(small.picture)
+  })
+
+  it('is painted at three sizes (B09)', () => {
+    expect([1, 2, 3].map((zoom) => nextZoom(zoom, 1))).toEqual([2, 3, 3])
+    expect([1, 2, 3].map((zoom) => nextZoom(zoom, -1))).toEqual([1, 1, 2])
+  })
+
   it('has no step for what changes nothing', () => {
     expect(after(begun(one), one).past).toEqual([])
+    expect(after(begun(one), resized(one, 32)).past).toEqual([])
   })
 })
 

@@ -1,7 +1,7 @@
 """The lines that describe an onikon in `.onk` and `.appl` alike: ONIKON, DESC, UI, PICT (dissertation §A.3, §A.4).
 
 Of version 2.0 are the lines TARGET, the types of the further targets of an action in their order, and DESCIN, the
-description in another language behind its code: `DESCIN es abre la mano`.
+description in another language behind its code: `DESCIN es abre la mano`; and PICT of 48 or 64 rows and digits.
 """
 
 import re
@@ -11,6 +11,7 @@ from onika.files.line import FileLine, one_line, row, show
 from onika.files.picture import read_rows
 from onika.files.text_reading import KeywordSlot, Need, TextReading
 from onika.model.onikon import Onikon
+from onika.model.picture import SIZE, SIZES
 from onika.model.syntax import DataItem, IconType, Syntax, has_word
 from onika.words import argument
 from onika.words.reason import Reason, reason_of
@@ -40,7 +41,8 @@ def read_icon(
     line = by_keyword["ONIKON"][0] if by_keyword["ONIKON"] else None
     pictures = [(row.number, row.rest) for row in by_keyword["PICT"]]
     last = pictures[-1][0] if pictures else (line.number if line else 0)
-    picture = read_rows(pictures, last, reading) if pictures else None
+    sizes = SIZES if reading.is_extended else (SIZE,)
+    picture = read_rows(pictures, last, reading, sizes) if pictures else None
     kind = _kind(line, syntax, reading) if line else None
     if line is None or kind is None or picture is None:
         return None
@@ -93,7 +95,7 @@ def _target(line: FileLine, kind: IconType, is_own: bool, syntax: Syntax, readin
 
 def needs_extension(onikon: Onikon) -> bool:
     """Whether its lines are of version 2.0."""
-    return bool(onikon.more_targets or onikon.words)
+    return bool(onikon.more_targets or onikon.words or onikon.picture.is_larger)
 
 
 def _words_in(lines: Sequence[FileLine], reading: TextReading) -> tuple[tuple[str, str], ...]:

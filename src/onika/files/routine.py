@@ -11,6 +11,7 @@ from onika.files.line import FileLine, one_line, row
 from onika.files.text_reading import KeywordSlot, Need, TextReading
 from onika.model.application import Hole, Icon
 from onika.model.onikon import Onikon, fits
+from onika.model.picture import SIZES
 from onika.model.syntax import Syntax
 from onika.words.condition import Condition
 from onika.words.name import TASK_NAME
@@ -77,9 +78,14 @@ def write_routine(icon: Icon) -> str:
 def is_extended(step: Icon | Hole) -> bool:
     """Whether its lines are of version 2.0."""
     if isinstance(step, Hole):
-        return any(line.split(maxsplit=1)[0] in _EXTENSIONS for line in step.kept.splitlines())
+        return any(_is_extended_line(line) for line in step.kept.splitlines())
     icon = step
     return bool(icon.marker_if or (icon.while_if and icon.while_tag is not None)) or needs_extension(icon.onikon)
+
+
+def _is_extended_line(line: str) -> bool:
+    keyword, _, rest = line.partition(" ")
+    return keyword in _EXTENSIONS or (keyword == "PICT" and len(rest.strip()) in SIZES[1:])
 
 
 def read_condition(line: FileLine | None, reading: TextReading) -> str:

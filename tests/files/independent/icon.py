@@ -55,17 +55,20 @@ def lines(script: Script, types: Types) -> dict[str, Any]:
 
 
 def picture(script: Script) -> list[str]:
-    rows = []
-    for _ in range(32):
-        rows.append(row(script.take("PICT"), len(rows)))
-    return rows
+    """As many rows as the first has digits; more than 32 only where the file is of version 2.0."""
+    rows = [script.take("PICT")]
+    if len(rows[0]) not in ((32, 48, 64) if script.is_new else (32,)):
+        raise ValueError(rows[0])
+    while len(rows) < len(rows[0]):
+        rows.append(script.take("PICT"))
+    return [row(text, at, len(rows)) for at, text in enumerate(rows)]
 
 
-def row(text: str, at: int) -> str:
-    """32 digits; a 9 is black (reading 38), and so is the border (requirement B11)."""
-    if len(text) != 32 or any(c not in "0123456789" for c in text):
+def row(text: str, at: int, size: int) -> str:
+    """A 9 is black (reading 38), and so is the border (requirement B11)."""
+    if len(text) != size or any(c not in "0123456789" for c in text):
         raise ValueError(text)
-    return "8" * 32 if at in (0, 31) else "8" + text[1:31].replace("9", "8") + "8"
+    return "8" * size if at in (0, size - 1) else "8" + text[1:-1].replace("9", "8") + "8"
 
 
 def _unknown(kind: str) -> list[tuple[str, int]]:

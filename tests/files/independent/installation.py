@@ -102,10 +102,10 @@ def syntax(text: str) -> dict[str, Any]:
 
 
 def picture(text: str) -> list[str]:
-    """32 lines of 32 characters, "nor are there any other lines in the files"."""
+    """Lines of as many characters as there are, 32, 48 or 64, "nor are there any other lines in the files"."""
     parts = [line[:-1] if line.endswith("\r") else line for line in text.split("\n")]
     while parts and not parts[-1].strip(" \t"):
         parts.pop()
-    if len(parts) != 32:
+    if len(parts) not in (32, 48, 64):
         raise ValueError("rows")
-    return [row(line, at) for at, line in enumerate(parts)]
+    return [row(line, at, len(parts)) for at, line in enumerate(parts)]

@@ -70,6 +70,15 @@ def test_shift_and_middle_edit_the_picture_of_this_one_icon(me):  # R-G04: B.4, 
     panel = me.page.get_by_role("dialog", name=OPEN)
     expect(panel.get_by_role("application", name=re.compile("^Picture, 32 by 32"))).to_be_visible()
     expect(panel).to_contain_text("only this one changes")
+    panel.get_by_role("radio", name="64").click()  # R-B09
+    grid = panel.get_by_role("application", name=re.compile("^Picture, 64 by 64"))
+    fitting = grid.bounding_box()["width"]
+    panel.get_by_role("button", name="Larger cells").click()
+    grid.press("ArrowUp")
+    assert grid.bounding_box()["width"] > 1.9 * fitting
+    expect(panel).to_contain_text("VERSION 2.0")
+    panel.get_by_role("button", name="Undo").click()
+    expect(panel.get_by_role("application", name=re.compile("^Picture, 32 by 32"))).to_be_visible()
 
 
 def test_right_inserts_what_is_selected_in_the_dictionary(me):  # R-G04: B.4, row 8; R-D03

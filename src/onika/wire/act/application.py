@@ -94,7 +94,7 @@ class PasteIcons(Act, frozen=True):
 
 
 class EditIcon(Act, frozen=True):
-    """Change this one instance of an icon (D17); what is None stays as it is. `picture` is 1024 digits."""
+    """Change this one instance of an icon (D17); what is None stays as it is. `picture` is its digits."""
 
     doc: str
     step: int

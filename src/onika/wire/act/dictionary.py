@@ -17,7 +17,7 @@ class CloseDictionary(Act, frozen=True):
 
 
 class MakeTarget(Act, frozen=True):
-    """Write a new target, or an icon that does nothing, into a dictionary (D08); `picture` is 1024 digits."""
+    """Write a new target, or an icon that does nothing, into a dictionary (D08); `picture` is its digits."""
 
     name: str
     type: str

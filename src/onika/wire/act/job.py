@@ -10,7 +10,7 @@ class Draft(Act, frozen=True):
 
 
 class MakeJob(Act, frozen=True):
-    """Save the configuration and its onikon, with a picture of 1024 digits (C16, D07)."""
+    """Save the configuration and its onikon, with a picture as digits (C16, D07)."""
 
     doc: str
     picture: str

@@ -66,7 +66,7 @@ class Tree(View, frozen=True):
     types: dict[str, TypeView] = field(default_factory=dict)
     """Those of the syntax definition, by their names."""
     pictures: dict[str, str] = field(default_factory=dict)
-    """1024 digits each, by their keys; those of the start and end icons are `start` and `end`."""
+    """The digits of each, row by row, by their keys; those of the start and end icons are `start` and `end`."""
     icon_clipboard: Reason = NOTHING
     """The icons in the buffer, in words."""
     own_undo: Reason = NOTHING

@@ -68,7 +68,7 @@ class Model:
     icon_clipboard: tuple[Step, ...] = ()
     """The steps that were cut or copied last."""
     flow_pictures: tuple[str, str] = ("", "")
-    """Those of the start and end icons, 1024 digits each."""
+    """Those of the start and end icons, the digits of each."""
     cycles_us: Mapping[str, float] = field(default_factory=dict)
     """The mean time of a cycle in microseconds, by the digest of the code, as a runtime has measured it (X13)."""
     own: OwnHistory = field(default_factory=History)

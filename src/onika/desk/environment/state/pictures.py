@@ -20,7 +20,7 @@ _seen: dict[int, tuple[Picture, tuple[str, str]]] = {}
 
 
 def drawn(picture: Picture) -> tuple[str, str]:
-    """The key of a picture and its 1024 digits; asked for every icon with every change, so one is not read again."""
+    """The key of a picture and its digits; asked for every icon with every change, so one is not read again."""
     picture_seen = _seen.get(id(picture))
     if picture_seen is None:
         if len(_seen) >= _MOST_SEEN:
