@@ -1,3 +1,5 @@
+from dataclasses import replace as replaced
+
 import pytest
 from msgspec.structs import replace
 
@@ -130,11 +132,22 @@ def test_what_is_only_worth_knowing_is_a_warning_at_its_step(play):  # R-X02
     assert faults == {(*row, "warning") for row in expected}
 
 
-def test_a_run_is_not_disturbed(play):
+def test_what_runs_already_keeps_nobody_from_looking_at_another_or_at_the_same(play):  # R-X02, R-C18
     doc, other = play.open([job("aC")]), play.open([job("bC")], name="other")
     play.run(doc)
+    assert play.do(act.Preflight(other)) == 0 and play.do(act.Preflight(doc)) == 0
+    assert shown(play, other).is_checked
+    assert len(play.carried(request.Prepare)) == 3 and len(play.carried(request.Begin)) == 1
+    assert play.environment.model.run_of(doc).view.state == "running"
+
+
+def test_the_plan_of_a_run_that_is_about_to_begin_is_not_exchanged(play):
+    doc, other = play.open([job("aC")]), play.open([job("bC")], name="other")
+    play.run(doc)
+    model = play.environment.model
+    play.environment.model = replaced(model, run=model.run.shown(state="beginning"))
     no = play.no(act.Preflight(other))
-    assert str(no.reason) == "play runs: other is checked when that has ended"
+    assert str(no.reason) == "play is about to begin: other can be checked in a moment"
     assert len(play.carried(request.Prepare)) == 1
 
 

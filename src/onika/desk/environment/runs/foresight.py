@@ -8,13 +8,12 @@ from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, Ste
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.runs.begin import ready
-from onika.desk.environment.runs.preflight import busy
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.environment.state.open_file import DocumentKind
 from onika.wire import act, foresight, request
 from onika.wire.foresight import Effect, Foreseen, Foresight
-from onika.wire.view import EffectView, ForesightsView, ForesightView
+from onika.wire.view import EffectView, ForesightsView, ForesightView, Remedy
 from onika.words.reason import Reason
 
 
@@ -37,7 +36,7 @@ def what_if(model: Model, command: act.WhatIf, outside: Services) -> Procedure:
 
 def _prepared(model: Model, opened: OpenApplication, outside: Services) -> Steps[tuple[Model, No | None]]:
     """Have the runtime prepare an application; a run is not disturbed, and what could not run is not foreseen."""
-    why = busy(model, opened.name)
+    why = _busy(model, opened.name)
     if why is not None:
         return model, why
     if model.syntax is None:
@@ -51,6 +50,15 @@ def _prepared(model: Model, opened: OpenApplication, outside: Services) -> Steps
     if response.faults:
         return model, No(Reason.of("run.not_foreseen", name=opened.name))
     return model, None
+
+
+def _busy(model: Model, name: str) -> No | None:
+    """What would follow is said of what is there now, and a run is there."""
+    running = next(iter(model.going), None)
+    if running is None:
+        return None
+    remedies = (Remedy(Reason.of("run.abort_it"), act.Steer("abort", running.doc)),)
+    return No(Reason.of("run.is_checked_later", running=running.view.name, name=name), remedies)
 
 
 def _view(foreseen: Foresight) -> ForesightView:

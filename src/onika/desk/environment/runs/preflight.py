@@ -22,14 +22,14 @@ from onika.desk.run.runtime_conversation import in_short
 from onika.wire import act, live, request
 from onika.wire.plan import Plan
 from onika.wire.request import TargetValues
-from onika.wire.view import FaultView, Remedy
+from onika.wire.view import FaultView
 from onika.words.reason import Reason
 
 
 @on_application
 def preflight(model: Model, opened: OpenApplication, _asked: act.Preflight, outside: Services) -> Done | No | Procedure:
     """Look at everything; replied with how many faults there are."""
-    why = busy(model, opened.name) or not_run(opened)
+    why = about_to_begin(model, opened.name) or not_run(opened)
     if why is not None:
         return why
     if model.syntax is None:
@@ -62,7 +62,7 @@ def _checked(
         yield InterimModel(flow_placement.lost(model, why))
         return No(Reason.of("run.no_runtime", why=in_short(why)))
     model = replace(model, runtime=runtime_view(model.runtime, standing))
-    at_work = busy(model, opened.name)  # somebody began a run meanwhile
+    at_work = about_to_begin(model, opened.name)  # somebody begins a run meanwhile
     if at_work is not None:
         yield InterimModel(model)
         return at_work
@@ -75,12 +75,12 @@ def _checked(
     return Done(model, value=_count((*fault_views, *(result.faults if result is not None else ()))))
 
 
-def busy(model: Model, name: str) -> No | None:
-    """A run is not disturbed."""
-    if model.run is None or model.run.is_over:
+def about_to_begin(model: Model, name: str) -> No | None:
+    """While a run is about to begin, what the runtime has prepared is that; one that goes on minds nothing."""
+    beginning = next((run for run in model.going if run.view.state == "beginning"), None)
+    if beginning is None:
         return None
-    remedies = (Remedy(Reason.of("run.abort_it"), act.Steer("abort")),)
-    return No(Reason.of("run.is_checked_later", running=model.run.view.name, name=name), remedies)
+    return No(Reason.of("run.is_checked_soon", running=beginning.view.name, name=name))
 
 
 def _count(fault_views: tuple[FaultView, ...]) -> int:
