@@ -2,7 +2,7 @@
 import { areaOf, grown, overlaps } from '../geom/rect'
 import { snap, type Snappable } from '../geom/snap'
 import { canvas } from '../state/canvas.svelte'
-import { move, onGrid } from '../scene/acts'
+import { move, note, onGrid } from '../scene/acts'
 import type { Gesture } from '../gesture/gesture'
 import type { Box, Dot } from '../scene/scene.svelte'
 import { canvasState } from '../scene/canvasState.svelte'
@@ -76,6 +76,7 @@ export class DragBoxes implements Gesture {
   }
 
   cancel(): void {
+    note('cancel_drag', ...[...this.from.keys()].map((box) => box.name))
     canvasState.guides = []
     canvasState.isHolding = false
     this.put(0, 0)
@@ -118,7 +119,8 @@ export class DragDot implements Gesture {
   up(event: PointerEvent): void {
     if (isOverPlots(event)) {
       canvas.plots = [...new Set([...canvas.plots, this.svar])]
-      return this.cancel()
+      note('plot_locus', this.svar)
+      return this.putBack()
     }
     canvasState.isHolding = false
     const dot = this.scene.dots.get(this.svar)
@@ -127,6 +129,11 @@ export class DragDot implements Gesture {
   }
 
   cancel(): void {
+    note('cancel_drag', this.svar)
+    this.putBack()
+  }
+
+  private putBack(): void {
     canvasState.isHolding = false
     this.put(this.from.x, this.from.y)
     this.release()

@@ -3,6 +3,7 @@ import { pick } from '../state/canvas.svelte'
 import { areaOf, type Rect } from '../geom/rect'
 import type { Gesture } from '../gesture/gesture'
 import { wholeOf } from '../group/grouping'
+import { note, pickedTasks } from '../scene/acts'
 import { canvasState } from '../scene/canvasState.svelte'
 
 export class Marquee implements Gesture {
@@ -24,6 +25,7 @@ export class Marquee implements Gesture {
 
   up(): void {
     canvasState.marquee = undefined
+    note('select_icons', ...pickedTasks())
   }
 
   cancel(): void {

@@ -163,7 +163,7 @@ function middleOnTask(event: PointerEvent, name: string): void {
 
 /** A click on a dot pins what it carries; on one of the row of constants it brings the lines out. */
 function clickLocus(svar: string, isOnCanvas: boolean): void {
-  note('select', 'locus', svar)
+  note('select_locus', svar)
   if (isOnCanvas) togglePin(svar)
   else toggleLines(svar)
 }

@@ -1,5 +1,7 @@
 // Something on its way from a library to where it is used. It follows the pointer once that has moved; Esc puts it back.
 
+import { note } from '../link/note'
+
 const MOVED_PX = 5
 
 /** Whoever takes what is dropped: a canvas, a workspace. */
@@ -24,6 +26,9 @@ export class Carry {
   shelf: Ground | undefined
   private over: Ground | undefined
   private letGo: (() => void) | undefined
+
+  /** `window` is that of the library or dictionary, as the diary calls it. */
+  constructor(private readonly window: 'lexi' | 'dict') {}
 
   get isUnderWay(): boolean {
     return this.name !== ''
@@ -60,7 +65,7 @@ export class Carry {
         if (e.key !== 'Escape' || !this.name) return
         e.preventDefault()
         e.stopPropagation()
-        this.stop()
+        this.cancelled()
       },
       { signal, capture: true },
     )
@@ -89,14 +94,21 @@ export class Carry {
 
   private drop(): void {
     const { name, x, y, over } = this
+    if (name && !over) return this.cancelled()
     this.stop()
     if (name) over?.drop(name, x, y)
+  }
+
+  /** It is put back, and the diary hears of it: no act says so. */
+  private cancelled(): void {
+    note('cancel_drag', this.name, this.name, this.window)
+    this.stop()
   }
 }
 
 /** A task, from the library to the canvas. */
-export const carriedTask = new Carry()
+export const carriedTask = new Carry('lexi')
 /** A task that may not be placed, within its library only. */
-export const shelvedTask = new Carry()
+export const shelvedTask = new Carry('lexi')
 /** An icon, from a dictionary into a flow. */
-export const carriedIcon = new Carry()
+export const carriedIcon = new Carry('dict')

@@ -19,7 +19,8 @@ export const pickedGroups = (): string[] => groupsIn(canvasState.document, picke
 export function selectAs(tasks: string[], focus: string): void {
   pick(...tasks)
   canvasState.focus = focus
-  note('select', ...(focus.split(':') as [string, string]))
+  const [kind, name] = focus.split(':') as [string, string]
+  note(kind === 'group' ? 'select_group' : 'select_icon', name)
 }
 
 export const selectGroup = (group: string): void => selectAs(membersOf(canvasState.document, group), `group:${group}`)

@@ -5,7 +5,7 @@ import type { Align } from '../api.gen'
 import { desk } from '../link/desk.svelte'
 import { canvas, pick } from '../state/canvas.svelte'
 import { openDialog } from '../state/dialogs.svelte'
-import { send } from '../link/link'
+import { note as tell } from '../link/note'
 import type { Point } from '../act/refused.svelte'
 import { t } from '../texts/index.svelte'
 import { lociWith } from './groups'
@@ -21,15 +21,14 @@ let copied = ''
 
 export const pickedTasks = (): string[] => [...canvas.picked].filter((name) => canvasState.document?.tasks?.[name])
 
-/** A selection is known to this page alone; the diary hears of it (H01). */
-export function note(event: string, object: string, id: string): void {
-  void send({ t: 'Note', event, object, id, window: 'canvas' }).catch(() => undefined)
-}
+/** What is picked and where a drag ends is known to this page alone; the diary hears of it (H01). */
+export const note = (event: string, ...names: readonly string[]): void =>
+  tell(event, names.join(','), names.map((name) => `${canvas.doc}/${name}`).join(','), 'conf')
 
 export function select(name: string): void {
   pick(name)
   canvasState.focus = `task:${name}`
-  note('select', 'task', name)
+  note('select_icon', name)
 }
 
 export function selectLocus(svar: string): void {

@@ -1647,7 +1647,6 @@ export const catalogue: Readonly<Record<string, string>> = {
   "host.recording_of_launcher": "una grabación se escribe para el programa que arrancó el runtime; {user} llamó desde otro sitio",
   "host.records_another": "ya se graba otra ejecución",
   "host.refused": "rechazado, {reason}",
-  "host.repeats_another": "ya se repite otra ejecución; se repite una cada vez",
   "host.request_deep": "se esperaba una petición; hay valores anidados demasiado hondo",
   "host.resolved": "{target} se calcula de nuevo para {task}, por la pose que es para {old}: {numbers}",
   "host.resolved_often": "{target} se calcula de nuevo para {task}, {count} veces, por la pose que es para {old}: {numbers}",

@@ -36,8 +36,13 @@ export const meantHeads = (): number[] =>
 export function select(step: number): void {
   pickSteps(step)
   placeBehind(step)
-  const { name = '' } = workspaceState.step(step) ?? {}
-  note('select_icon', name, String(step), 'appl')
+  noteSteps('select_icon', [step])
+}
+
+/** What this page alone knows of steps: which are picked, which were dragged and put back (H01). */
+export function noteSteps(event: string, steps: readonly number[]): void {
+  const names = steps.map((step) => workspaceState.step(step)?.name ?? '')
+  note(event, names.join(','), steps.map((step) => `${workspace.app}/${step}`).join(','), 'appl')
 }
 
 export function selectAlso(step: number): void {

@@ -5,7 +5,7 @@ import { showRefusal } from '../act/refused.svelte'
 import { Refusal } from '../link/refusal'
 import { t } from '../texts/index.svelte'
 import { workspaceState } from './workspaceState.svelte'
-import { copyTo, move } from './acts'
+import { copyTo, move, noteSteps } from './acts'
 import { edgeScroll } from './scrolling'
 import { slotAt } from './slot'
 import { plain } from '../texts/say'
@@ -30,8 +30,8 @@ export class Dragging implements Gesture {
   up(event: PointerEvent): void {
     const { slot } = workspaceState
     const isCopy = event.ctrlKey || event.metaKey
-    this.cancel()
-    if (!slot) return
+    this.putDown()
+    if (!slot) return noteSteps('cancel_drag', this.steps)
     workspaceState.isQuiet = true
     const at = { x: event.clientX, y: event.clientY }
     if (workspaceState.isRunning) showRefusal(new Refusal(plain(t('upper.locked'))), at)
@@ -40,6 +40,11 @@ export class Dragging implements Gesture {
   }
 
   cancel(): void {
+    noteSteps('cancel_drag', this.steps)
+    this.putDown()
+  }
+
+  private putDown(): void {
     workspaceState.lifted = undefined
     workspaceState.slot = undefined
   }

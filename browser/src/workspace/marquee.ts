@@ -1,7 +1,8 @@
 // A rectangle drawn on empty ground picks what it touches.
-import { pickSteps } from '../state/workspace.svelte'
+import { pickSteps, workspace } from '../state/workspace.svelte'
 import type { Gesture } from '../gesture/gesture'
 import { workspaceState } from './workspaceState.svelte'
+import { noteSteps } from './acts'
 import { edgeScroll } from './scrolling'
 
 export class Marquee implements Gesture {
@@ -38,6 +39,7 @@ export class Marquee implements Gesture {
 
   up(): void {
     workspaceState.marquee = undefined
+    noteSteps('select_icons', [...workspace.steps])
   }
 
   cancel(): void {

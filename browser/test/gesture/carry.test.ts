@@ -12,7 +12,7 @@ const up = (): void => say('pointerup', { pointerId: 1 })
 
 describe('carrying', () => {
   // R-G04
-  const carry = new Carry()
+  const carry = new Carry('lexi')
   const ground = { holds: (x: number) => x > 100, drop: vi.fn() } satisfies Ground
   beforeEach(() => {
     vi.stubGlobal('window', heard)

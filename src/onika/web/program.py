@@ -145,6 +145,7 @@ class EnvironmentProgram:
             return None
         diary = Diary(self._state / "diary", lambda: environment.model, environment.say)
         environment.observers.append(diary.observe)
+        environment.followers.append(diary.follow)
         return diary
 
     def _recovery(self, environment: Environment) -> Recovery | None:

@@ -2,7 +2,7 @@ import pytest
 
 from kit.desk.app_fixture import AppFixture
 from onika.desk.environment.application_entry import ApplicationNames, things
-from onika.desk.environment.diary_entry import entry
+from onika.desk.environment.diary_entry import entries
 from onika.wire import act
 
 
@@ -18,7 +18,7 @@ def line_of(gallery, request):
     names.look(gallery.environment.model, (doc,))
     answer = gallery.answer(request)
     names.look(gallery.environment.model, (doc, str(answer.value)))
-    return entry(request, answer, names.known).line(1.0).split("\t")[1:]
+    return entries(request, answer, names.known)[0].line(1.0).split("\t")[1:]
 
 
 def test_an_insertion_names_the_icon_and_what_it_was_put_behind(gallery):  # R-H01, §E.2
@@ -58,7 +58,14 @@ def test_what_is_done_to_icons_names_them(gallery):  # R-H01
 
 def test_documents_of_both_kinds_are_told_apart(gallery):  # R-H01
     doc = gallery.begun("grip")
-    assert line_of(gallery, act.Undo(doc)) == ["undo", "Untitled-1", "a1", "none", "0", "appl"]
+    assert line_of(gallery, act.Undo(doc)) == [
+        "undo",
+        "Untitled-1",
+        "a1",
+        "inserting close the hand",
+        "desk.inserting",
+        "appl",
+    ]
     assert line_of(gallery, act.Save(doc, "mine"))[0] == "save_appl"
     assert line_of(gallery, act.Close(doc)) == ["close_appl", "mine", "a1", "none", "0", "appl"]
     assert line_of(gallery, act.Open("mine"))[:3] == ["try_open_conf", "mine", "0"]

@@ -1,8 +1,15 @@
+from dataclasses import replace
+from itertools import pairwise
+
 import pytest
 
 from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.diary import Diary
+from onika.desk.environment.run_state.membership import StepMembership
+from onika.desk.environment.run_state.run import begun
 from onika.wire import act
+from onika.wire.plan import Plan
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -31,6 +38,7 @@ def test_a_session_is_a_file_with_a_line_of_every_act(sitting, tmp_path):  # R-H
         ["Start_Onika", "none", "0"],
         ["new_conf", "Untitled-1", "c1"],
         ["try_insert_icon", "gone", "c1/gone"],
+        ["enter_values", "x,y", '{"x":0,"y":0}'],
         ["select_icon", "pd", "7"],
         ["close_conf", "Untitled-1", "c1"],
         ["Quit_Onika", "none", "0"],
@@ -46,6 +54,47 @@ def test_a_line_is_on_the_disk_while_the_session_goes_on(sitting, tmp_path):  # 
     diary._lines.put(None)
     diary._thread.join(30)
     assert lines(diary)[-1][0] == "new_conf"
+
+
+def run_of(number, **view):
+    return begun("a1", Plan("assemble", (), ()), number, 0.0, StepMembership({}, {})).shown(**view)
+
+
+def test_a_run_is_written_down_when_it_ends_and_once(sitting, tmp_path):  # R-H01
+    diary = kept(sitting, tmp_path)
+    model = sitting.environment.model
+    first, second = run_of(1, state="running"), run_of(2, state="running")
+    both = replace(model, run=second, beside={1: first})
+    ended = both.with_run(first.shown(state="over", cause=Reason.plain("it was stopped")))
+    done = ended.with_run(second.shown(state="over", is_completed=True))
+    changes = [model, both, both, ended, ended, done, done, model]
+    for before, after in pairwise(changes):
+        diary.follow(before, after)
+    diary.close()
+    text = [line.split("\t")[1:] for line in diary.path.read_text().splitlines()]
+    assert [line for line in text if line[0] == "end_appl"] == [
+        ["end_appl", "assemble", "a1", "it was stopped", "1", "appl"],
+        ["end_appl", "assemble", "a1", "completed", "2", "appl"],
+    ]
+
+
+def test_an_environment_tells_what_follows_it_of_every_change(sitting):  # R-H01
+    changes = []
+    sitting.environment.followers.append(lambda before, after: changes.append((before, after)))
+    before = sitting.environment.model
+    sitting.do(act.New())
+    assert changes == [(before, sitting.environment.model)]
+
+
+def test_what_was_taken_back_stands_in_the_diary(sitting, tmp_path):  # R-H01, R-X10
+    diary = kept(sitting, tmp_path)
+    sitting.do(act.Prefer({"shows_period": True}))
+    label = sitting.environment.model.own.last.label
+    sitting.do(act.Undo(""))
+    sitting.do(act.Redo(""))
+    diary.close()
+    text = [line.split("\t")[1:] for line in diary.path.read_text().splitlines()]
+    assert [line[3:5] for line in text if line[0] in ("undo", "redo")] == [[label.text, label.key]] * 2
 
 
 def test_without_the_habit_nothing_is_written(sitting, tmp_path):  # R-H01

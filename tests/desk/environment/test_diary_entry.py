@@ -1,18 +1,26 @@
-from typing import get_args
+from types import NoneType, UnionType
+from typing import Any, Literal, get_args, get_origin, get_type_hints
 
+import msgspec
 import pytest
 
-from onika.desk.environment.diary_entry import _EVENTS, HEADER, DiaryEntry, entry
+from onika.desk.environment.diary_entry import _EVENTS, HEADER, DiaryEntry, entries
 from onika.desk.environment.environment import ActAnswer
+from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.outcome.outcome import No
 from onika.wire import act
 from onika.words.reason import Reason
 
 NAMES = {"c1": "Untitled-1", "c2": "move"}
+OF_THE_PAGE = {act.ListSets, act.LoadModule, act.Watch, act.Scene, act.Peek, act.Seats, act.FindWorlds, act.Company}
+OF_THE_PAGE |= {act.Recordings, act.Glance, act.Course, act.RecordedScene, act.SampleVariables}
+"""What a page asks for by itself, as it shows something."""
+PLACES = {"doc", "step", "steps", "after", "test", "anchor"}
+"""Told by the ids of the act's line, or the line itself."""
 
 
 def columns(wish, value=None, no=None):
-    return entry(wish, ActAnswer(value, no), NAMES).line(770909683.25).split("\t")
+    return entries(wish, ActAnswer(value, no), NAMES)[0].line(770909683.25).split("\t")
 
 
 def test_a_line_has_the_seven_columns_of_the_thesis():  # R-H01, §E.2
@@ -66,10 +74,77 @@ def test_what_was_refused_is_marked():  # R-H01
 
 
 def test_every_act_of_a_user_has_its_event_and_what_a_page_asks_by_itself_has_none():  # R-H01
-    of_the_page = {act.ListSets, act.LoadModule, act.Watch, act.Scene, act.Peek, act.Seats, act.WhatIf, act.FindWorlds}
-    of_the_page |= {act.Company, act.Recordings, act.Glance, act.Course, act.RecordedScene, act.SampleVariables}
-    assert set(_EVENTS) == set(get_args(act.AnyAct)) - of_the_page - {act.Note}
-    assert entry(act.Watch(), ActAnswer(), NAMES) is None
+    assert set(_EVENTS) == set(get_args(act.AnyAct)) - OF_THE_PAGE - {act.Note}
+    assert set(_EVENTS) <= set(HANDLERS) and set(HANDLERS) - set(_EVENTS) <= OF_THE_PAGE | {act.Note}
+    assert entries(act.Watch(), ActAnswer(), NAMES) == ()
+
+
+def filled(kind: Any, mark: str, default: Any = None) -> Any:
+    """A value of an act's field in which this mark can be found again, other than it would be without a word."""
+    if get_origin(kind) is UnionType:
+        return filled(next(part for part in get_args(kind) if part is not NoneType), mark)
+    if get_origin(kind) is Literal:
+        return next(word for word in get_args(kind) if word != default)
+    if get_origin(kind) is tuple:
+        parts = [part for part in get_args(kind) if part is not Ellipsis]
+        return tuple(filled(part, mark) for part in parts)
+    if get_origin(kind) is dict:
+        of_key, of_value = get_args(kind)
+        return {filled(of_key, mark): filled(of_value, mark)}
+    plain = {str: mark, int: 77, float: 7.5, bool: default is not True, Any: mark}
+    return plain[kind]
+
+
+@pytest.mark.parametrize("kind", sorted(_EVENTS, key=lambda kind: kind.__name__))
+def test_the_lines_of_an_act_say_every_word_and_number_that_was_given_with_it(kind):  # R-H01
+    hints = get_type_hints(kind)
+    fields = {
+        field.name: filled(hints[field.name], f"word_{field.name}", field.default)
+        for field in msgspec.structs.fields(kind)
+    }
+    lines = [line.line(1.0) for line in entries(kind(**fields), ActAnswer(), {})]
+    assert all(len(line.split("\t")) == 7 and "" not in line.split("\t") for line in lines)
+    text = "\n".join(lines)
+    for name in fields.keys() - {"token", "stamp"}:
+        has_name = name in PLACES or f'"{name}":' in text
+        assert has_name or f"word_{name}" in text, name
+    assert "word_token" not in text and "word_stamp" not in text
+
+
+@pytest.mark.parametrize(
+    ("wish", "values"),
+    [
+        (act.Rate("c2", "pd", 500.0), '{"hz":500.0}'),
+        (act.Local("pd", (("STIFF", ("0.5", "a  b")),), "c2"), '{"lines":[["STIFF",["0.5","a  b"]]]}'),
+        (act.WriteVariable("c2", "LAMP", (1.0,)), '{"values":[1.0]}'),
+        (act.Answer("c2", "jmove", "0 1 2"), '{"line":"0 1 2"}'),
+        (act.Move("c2", {"pd": (3, 4)}), '{"tasks":{"pd":[3,4]}}'),
+        (act.RemoveFlow("a1", "1"), '{"flow":"1"}'),
+        (act.Close("c2", discards=True), '{"discards":true}'),
+    ],
+)
+def test_what_was_typed_chosen_and_dragged_stands_behind_the_act(wish, values):  # R-H01
+    first, second = (line.line(1.0).split("\t") for line in entries(wish, ActAnswer(), NAMES))
+    assert second[1] == "enter_values" and second[3] == values
+    assert second[4:] == [first[2], first[3], first[6]]
+
+
+def test_an_act_with_nothing_but_what_it_is_about_has_one_line():  # R-H01
+    assert len(entries(act.Remove("c2", ("pd", "cubic")), ActAnswer(), NAMES)) == 1
+    assert len(entries(act.Save("c2"), ActAnswer(), NAMES)) == 1
+
+
+def test_a_long_text_is_told_by_its_length_and_its_digest():  # R-H01
+    _, values = entries(act.MakeJob("c2", "7" * 4096), ActAnswer(), NAMES)
+    assert '"length":4096' in values.line(1.0) and len(values.line(1.0)) < 200
+    _, other = entries(act.MakeJob("c2", "8" * 4096), ActAnswer(), NAMES)
+    assert values != other
+
+
+def test_what_was_taken_back_is_named(tmp_path):  # R-H01, R-X10
+    label = Reason.of("run.nothing_to_undo")
+    assert columns(act.Undo("c2"), label)[1:] == ["undo", "move", "c2", label.text, label.key, "conf"]
+    assert columns(act.Redo("c2"), label)[1:] == ["redo", "move", "c2", label.text, label.key, "conf"]
 
 
 def test_a_text_can_never_break_a_line():  # R-H01
@@ -85,4 +160,5 @@ def test_a_text_can_never_break_a_line():  # R-H01
 
 
 def test_a_token_is_never_written():  # R-H01
-    assert "secret" not in entry(act.Connect("c1", "ws://robot", "secret"), ActAnswer(), NAMES).line(0.0)
+    lines = entries(act.Connect("c1", "ws://robot", "secret"), ActAnswer(), NAMES)
+    assert not any("secret" in line.line(0.0) for line in lines)

@@ -1,4 +1,4 @@
-"""The diary: a line of every meaningful act, refused ones too, written beside what happens (requirement H01)."""
+"""The diary: a line of every meaningful act, refused ones too, and of every run's end (requirement H01)."""
 
 import os
 import threading
@@ -8,7 +8,7 @@ from pathlib import Path
 from queue import SimpleQueue
 
 from onika.desk.environment.application_entry import ApplicationNames
-from onika.desk.environment.diary_entry import HEADER, DiaryEntry, entry
+from onika.desk.environment.diary_entry import HEADER, DiaryEntry, end_of, entries
 from onika.desk.environment.environment import ActAnswer
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.outcome.services import Services
@@ -72,9 +72,17 @@ class Diary:
         self._names.known |= {document.id: document.name for document in model.documents.values()}
         opened = answer.value if isinstance(answer.value, str) else ""
         self._names.look(model, (getattr(command, "doc", ""), opened))
-        line = entry(command, answer, self._names.known)
-        if line is not None:
+        for line in entries(command, answer, self._names.known):
             self._put(line)
+
+    def follow(self, before: Model, after: Model) -> None:
+        """What is open has changed: runs that came to their end are written down."""
+        if before.run is after.run and before.beside is after.beside:
+            return
+        going = {run.view.number for run in before.going}
+        for run in after.every_run:
+            if run.is_over and run.view.number in going:
+                self._put(end_of(run))
 
     def close(self, timeout_s: float = 1.0) -> None:
         """Write what is still to be written."""

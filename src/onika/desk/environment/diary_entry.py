@@ -2,16 +2,20 @@
 
 Time, event, object, the object's id, the associated object, its id, the window. An id tells one thing from another of
 that name: `c2` is a document, `c2/pd` a task in it. Nothing is `none` and its id `0`; windows are called as in §A.5.
-What was refused begins with `try_`.
+What was refused begins with `try_`. Behind an act stands what was given with it, `enter_values`; of a step that was
+taken back or done again its label is the associated object. The end of a run stands where it happens, `end_appl`.
 """
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from onika.desk.environment import application_entry
+from onika.desk.environment import application_entry, diary_values
 from onika.desk.environment.environment import ActAnswer
+from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.state.open_file import DocumentKind
 from onika.wire import act
+from onika.words.reason import Reason
 
 HEADER = "time\tevent\tobject\tid\tassociated\tassociated_id\twindow"
 
@@ -131,6 +135,7 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.CompareWith: ("compare_recording", "main"),
     act.Continue: ("continue_run", "main"),
     act.KeepTest: ("keep_test", "appl"),
+    act.WhatIf: ("ask_what_if", "main"),
 }
 """Not here: what a page asks for by itself, which no user does."""
 
@@ -155,6 +160,10 @@ _THINGS = (
 """The fields of acts that name what is acted upon; the first that says something counts."""
 
 
+_PARTING = re.compile(r"[\x00-\x1f\x7f\x85\u2028\u2029]+")
+"""What ends a line or a column."""
+
+
 @dataclass(frozen=True, slots=True)
 class DiaryEntry:
     """What a line says, but for its time."""
@@ -174,17 +183,31 @@ class DiaryEntry:
         return "\t".join(words)
 
 
-def entry(command: act.AnyAct, answer: ActAnswer, names: Mapping[str, str]) -> DiaryEntry | None:
-    """What is written of an act; None: nothing. `names` are those of documents by their ids."""
+def entries(command: act.AnyAct, answer: ActAnswer, names: Mapping[str, str]) -> tuple[DiaryEntry, ...]:
+    """What is written of an act: nothing of one that no user does. `names` are those of documents by their ids."""
     if isinstance(command, act.Note):
-        return DiaryEntry(
-            command.event, command.object, command.id, command.associated, command.associated_id, command.window
+        return (
+            DiaryEntry(
+                command.event, command.object, command.id, command.associated, command.associated_id, command.window
+            ),
         )
     if type(command) not in _EVENTS:
-        return None
+        return ()
     event, window = _event_of(command, answer)
     name = event if answer.no is None or event.startswith("try_") else f"try_{event}"
-    return DiaryEntry(name, *_things(command, answer, names), window)
+    things = _things(command, answer, names)
+    line = DiaryEntry(name, *things, window)
+    values = diary_values.given(command, things, (*_THINGS, "old", "dictionary"))
+    if not values:
+        return (line,)
+    written = diary_values.written(values)
+    return line, DiaryEntry("enter_values", _listed(values), written, line.object, line.id, window)
+
+
+def end_of(run: Run) -> DiaryEntry:
+    """What is written of a run that has come to its end: how, and the number of the run."""
+    why = "completed" if run.view.is_completed else run.view.cause.text
+    return DiaryEntry("end_appl", run.view.name, run.doc, why, str(run.view.number), "appl")
 
 
 def _event_of(command: act.AnyAct, answer: ActAnswer) -> tuple[str, str]:
@@ -214,6 +237,8 @@ def _things(command: act.AnyAct, answer: ActAnswer, names: Mapping[str, str]) ->
             return names.get(opened, getattr(command, "path", "")), opened, "", ""
         case act.Exchange():
             return command.new, f"{doc}/{command.new}", command.old, f"{doc}/{command.old}"
+        case act.Undo() | act.Redo() if isinstance(answer.value, Reason):
+            return *document, answer.value.text, answer.value.key
         case act.Alias():
             return command.task, command.task, f"{command.pin}={command.svar}", command.pin
         case act.Paste() | act.Insert() if isinstance(answer.value, tuple):
@@ -255,4 +280,4 @@ def _ids(doc: str, names: Iterable[str]) -> str:
 
 def _word(text: str, nothing: str) -> str:
     """A column: one line without the sign that parts columns."""
-    return " ".join(text.split()) or nothing
+    return _PARTING.sub(" ", text).strip() or nothing

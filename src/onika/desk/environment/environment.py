@@ -86,6 +86,8 @@ class Environment:
         self.listeners: list[ModelListener] = []
         self.observers: list[Callable[[act.AnyAct, str, ActAnswer], None]] = []
         """Told of every act, by whom and how it ended: the diary."""
+        self.followers: list[Callable[[Model, Model], None]] = []
+        """Told of every change, with what there was before."""
         self.revision = 0
         self.tree: Tree = self._projector.project(model)
 
@@ -187,8 +189,10 @@ class Environment:
 
     def _adopt(self, done: Done, by: str) -> None:
         logged = tuple(changed_parameters(self.model, done.model))
-        self.model = done.model
+        before, self.model = self.model, done.model
         self._show(by)
+        for follower in self.followers:
+            follower(before, self.model)
         for message in (*done.says, *logged):
             self.say(message)
         for order in done.orders:

@@ -32,7 +32,7 @@ def undo(model: Model, command: act.Undo, outside: Services) -> Done | No:
     done = _restored(model, step.after, step.before, outside)
     if isinstance(done, No):
         return done
-    return replace(done, model=replace(done.model, own=model.own.undone(model.next_step)), own=None)
+    return replace(done, model=replace(done.model, own=model.own.undone(model.next_step)), own=None, value=step.label)
 
 
 def redo(model: Model, command: act.Redo, outside: Services) -> Done | No:
@@ -45,7 +45,7 @@ def redo(model: Model, command: act.Redo, outside: Services) -> Done | No:
     done = _restored(model, step.before, step.after, outside)
     if isinstance(done, No):
         return done
-    return replace(done, model=replace(done.model, own=model.own.redone(model.next_step)), own=None)
+    return replace(done, model=replace(done.model, own=model.own.redone(model.next_step)), own=None, value=step.label)
 
 
 def _restored(model: Model, now: Restoration, then: Restoration, outside: Services) -> Done | No:

@@ -64,7 +64,7 @@ class Keep(Act, frozen=True):
 class Undo(Act, frozen=True):
     """Take the last step back, in the running system too (law 22): of a document, or of what belongs to none (X10).
 
-    Without a document only the latter. What was done later goes first.
+    Without a document only the latter. What was done later goes first. Replied with the name of the step.
     """
 
     doc: str
@@ -72,7 +72,7 @@ class Undo(Act, frozen=True):
 
 
 class Redo(Act, frozen=True):
-    """Do the step again that was taken back last."""
+    """Do the step again that was taken back last; replied with its name."""
 
     doc: str
     confirmed: bool = False

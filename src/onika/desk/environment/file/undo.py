@@ -171,7 +171,7 @@ def _application(model: Model, opened: OpenApplication, history: History[Applica
     content = step.before if is_undo else step.after
     application = content if content.name == opened.name else replace(content, name=opened.name)
     opened = replace(opened, application=application, history=history)
-    return Done(model.with_application(opened), step.label, opened.id)
+    return Done(model.with_application(opened), step.label, opened.id, value=step.label)
 
 
 def _restored(model: Model, document: Document, way: _Way, history: History[Content], cannot: Reason) -> Done | No:
@@ -191,7 +191,7 @@ def _restored(model: Model, document: Document, way: _Way, history: History[Cont
         return refused(cannot, against)
     others = pin_changes.resettled(replace(model.without(document.id), libraries=libraries), model.libraries)
     documents = {key: others.documents.get(key, restored) for key in model.documents}
-    return Done(replace(others, documents=documents), way.step.label, document.id)
+    return Done(replace(others, documents=documents), way.step.label, document.id, value=way.step.label)
 
 
 def _comes_on(document: Document, start: Content, end: Content) -> tuple[str, ...]:
