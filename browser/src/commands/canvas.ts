@@ -1,5 +1,6 @@
 // The commands of the canvas, for keys, palette and help sheet (table B.2).
 import { command, type Command } from '../state/commands'
+import { closesFirst } from '../state/layers'
 import { canvas } from '../state/canvas.svelte'
 import { t, type TextKey } from '../texts/index.svelte'
 import {
@@ -114,7 +115,7 @@ function registerCanvas(): void {
   add('deselect', 'canvas.deselect', {
     group: 'edit',
     keys: ['Escape'],
-    when: () => isHere() && (canvas.picked.size > 0 || canvas.pickedLocus !== ''),
+    when: () => isHere() && !closesFirst() && (canvas.picked.size > 0 || canvas.pickedLocus !== ''),
     run: deselect,
   })
   for (const edge of ['left', 'right', 'top', 'bottom', 'columns', 'rows'] satisfies Edge[])

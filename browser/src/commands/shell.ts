@@ -3,6 +3,7 @@ import { act } from '../act/act'
 import { announce } from '../state/announce'
 import { command } from '../state/commands'
 import { desk } from '../link/desk.svelte'
+import { closeLast, isSomethingOpen } from '../state/layers'
 import { canvas } from '../state/canvas.svelte'
 import { closeDialog, dialogs, openDialog, type DialogName } from '../state/dialogs.svelte'
 import { look, type Theme } from '../state/look.svelte'
@@ -252,14 +253,13 @@ command({
   run: () => act({ t: 'Release', doc: canvas.doc }),
 })
 
-const isNowhere = (): boolean => document.activeElement === null || document.activeElement === document.body
 command({
   id: 'view.closePanel',
   group: 'view',
   title: () => t('shell.closePanel'),
   keys: ['Escape'],
-  when: () => dialogs.current.name !== '' && isNowhere(),
-  run: closeDialog,
+  when: isSomethingOpen,
+  run: closeLast,
 })
 command({
   id: 'view.level',

@@ -1,6 +1,7 @@
 // The commands of the workspace. Where the insertion cursor stands is where they mean.
 import { act } from '../act/act'
 import { command, type Command } from '../state/commands'
+import { closesFirst } from '../state/layers'
 import { workspace } from '../state/workspace.svelte'
 import { topsOf } from '../application/actions'
 import { workspaceState, SIZES } from '../workspace/workspaceState.svelte'
@@ -93,7 +94,7 @@ function registerUpper(): void {
   add('deselect', 'upper.deselect', {
     group: 'edit',
     keys: ['Escape'],
-    when: () => isHere() && (isPicked() || workspace.onikon !== ''),
+    when: () => isHere() && !closesFirst() && (isPicked() || workspace.onikon !== ''),
     run: leave,
   })
   add('break', 'upper.breakTurn', {

@@ -38,7 +38,7 @@ export function run(id: string): void {
   if (entry && isAvailable(entry)) entry.run()
 }
 
-/** Run what the pressed keys stand for; true where they stood for something. */
+/** Run what the pressed keys stand for; true where they stood for something. Esc in a field that has no use for it leaves the field. */
 export function press(event: KeyboardEvent): boolean {
   if (event.isComposing || event.defaultPrevented) return false
   const typing = isTyping(event.target)
@@ -49,7 +49,14 @@ export function press(event: KeyboardEvent): boolean {
     entry.run()
     return true
   }
+  if (typing && event.key === 'Escape' && !clearsItself(event.target)) (event.target as HTMLElement).blur()
   return false
+}
+
+/** A field of a search that holds something: the browser empties it first. */
+function clearsItself(target: EventTarget | null): boolean {
+  const field = target as HTMLInputElement
+  return field.type === 'search' && field.value !== ''
 }
 
 const FIELDS =

@@ -94,6 +94,8 @@ export const enTask = {
   'source.stale': 'This text is stale: another program has written the file.',
   'source.compare': 'Compare both',
   'source.readAgain': 'Another program has written the file; this is what it says now.',
+  'source.typedBefore':
+    'What you had typed here and not saved is here again; “Undo all changes” takes what the file says.',
   'source.code': 'Source of {name}',
   'source.which': 'Which text',
   'source.text': 'Text of {path}',

@@ -96,6 +96,8 @@ export const esTask: Record<keyof typeof enTask, string> = {
   'source.stale': 'Este texto es anterior: otro programa ha escrito el archivo.',
   'source.compare': 'Comparar los dos',
   'source.readAgain': 'Otro programa ha escrito el archivo; esto es lo que dice ahora.',
+  'source.typedBefore':
+    'Lo que había escrito aquí sin guardar está otra vez; «Deshacer todos los cambios» toma lo que dice el archivo.',
   'source.code': 'Código de {name}',
   'source.which': 'Qué texto',
   'source.text': 'Texto de {path}',
