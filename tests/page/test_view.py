@@ -70,6 +70,10 @@ def test_the_minimap_shows_every_task_and_a_click_goes_there(me):  # R-C06, R-G0
     for _ in range(4):
         me.page.keyboard.press("+")
     small = me.page.get_by_role("img", name="the whole configuration in small; click to go there")
+    unfold = me.page.get_by_role("button", name="the whole configuration in small, over what lies there, or folded")
+    expect(unfold).to_be_visible()  # a task lies where it would be: it gives way until somebody wants it
+    expect(small).to_have_count(0)
+    unfold.click()
     assert small.locator("rect").count() >= 3
     before = me.box("wave").bounding_box()
     spot = small.bounding_box()

@@ -103,12 +103,13 @@ const isOverPlots = (event: PointerEvent): boolean =>
 export class DragDot implements Gesture {
   private readonly scene = canvasState.scene
   private readonly from: Corner
+  private readonly seen = canvasState.view.seen
 
   constructor(private readonly svar: string) {
     const dot = this.scene.dots.get(svar)!
     dot.isHeld = true
     this.from = { x: dot.x, y: dot.y }
-    canvasState.isHolding = true
+    canvasState.isHolding = canvasState.isForBelow = true
   }
 
   move(event: PointerEvent): void {
@@ -117,12 +118,17 @@ export class DragDot implements Gesture {
   }
 
   up(event: PointerEvent): void {
+    const { clientX: x, clientY: y } = event
     if (isOverPlots(event)) {
       canvas.plots = [...new Set([...canvas.plots, this.svar])]
       note('plot_locus', this.svar)
-      return this.putBack()
+      return this.takeBack()
     }
-    canvasState.isHolding = false
+    if (!canvasState.view.holds(x, y)) {
+      note('cancel_drag', this.svar)
+      return this.takeBack()
+    }
+    canvasState.isHolding = canvasState.isForBelow = false
     const dot = this.scene.dots.get(this.svar)
     if (!dot || (dot.x === this.from.x && dot.y === this.from.y)) return this.release()
     void move({}, { [this.svar]: [dot.x, dot.y] }).finally(() => this.release())
@@ -134,9 +140,15 @@ export class DragDot implements Gesture {
   }
 
   private putBack(): void {
-    canvasState.isHolding = false
+    canvasState.isHolding = canvasState.isForBelow = false
     this.put(this.from.x, this.from.y)
     this.release()
+  }
+
+  /** Let go off the canvas: dot and paper are where they were before. */
+  private takeBack(): void {
+    canvasState.view.seen = this.seen
+    this.putBack()
   }
 
   private put(x: number, y: number): void {

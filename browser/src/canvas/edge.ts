@@ -43,10 +43,9 @@ export class Edge {
   private step(): [number, number] | undefined {
     if (!this.last || !(canvasState.isHolding || canvasState.marquee)) return undefined
     const { left, top, size } = canvasState.view
-    const step: [number, number] = [
-      pull(this.last.clientX, left, left + size.w),
-      pull(this.last.clientY, top, top + size.h),
-    ]
+    const { clientX: x, clientY: y } = this.last
+    if (canvasState.isForBelow && y > top + size.h - NEAR_PX) return undefined
+    const step: [number, number] = [pull(x, left, left + size.w), pull(y, top, top + size.h)]
     return step[0] || step[1] ? step : undefined
   }
 }

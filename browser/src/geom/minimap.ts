@@ -34,6 +34,14 @@ export function jumped(map: Minimap, click: Pt, view: View, screen: Size): View 
   return { ...view, x: screen.w / 2 - x * view.scale, y: screen.h / 2 - y * view.scale }
 }
 
+/** Whether something of the scene lies under a place of the screen. */
+export function covers(place: Rect, areas: Iterable<Area>, view: View): boolean {
+  const [x0, y0] = toScene(view, [place.x, place.y])
+  const [x1, y1] = toScene(view, [place.x + place.w, place.y + place.h])
+  for (const area of areas) if (overlaps(area, { x0, y0, x1, y1 })) return true
+  return false
+}
+
 /** Whether the small picture is worth its place: many boxes, or one that is off the screen. */
 export function wanted(boxes: readonly Area[], view: View, screen: Size, many = 40): boolean {
   const shown = seen(view, screen)

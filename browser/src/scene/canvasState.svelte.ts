@@ -51,6 +51,8 @@ class CanvasState {
   isPanning = $state(false)
   /** Whether something is under the pointer that moves with it. */
   isHolding = $state(false)
+  /** Whether what is under the pointer may be let go beneath the canvas: then its lower edge draws no paper along. */
+  isForBelow = false
   isSpaceDown = $state(false)
   /** Grows when places must be taken from the document again. */
   turn = $state(0)

@@ -44,6 +44,12 @@ export class View {
     return { x: (x0 + x1) / 2, y: (y0 + y1) / 2 }
   }
 
+  /** Whether a place of the page is on the canvas. */
+  holds(clientX: number, clientY: number): boolean {
+    const [x, y] = [clientX - this.left, clientY - this.top]
+    return x >= 0 && y >= 0 && x <= this.size.w && y <= this.size.h
+  }
+
   /** The place of the scene for one of the page, as a pointer has it, and back. */
   toScene(clientX: number, clientY: number): Pt {
     return toScene(this.seen, [clientX - this.left, clientY - this.top])

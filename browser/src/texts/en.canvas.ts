@@ -45,6 +45,7 @@ export const enCanvas = {
   'canvas.wouldRead': 'reads {names} of {from}',
   'canvas.wouldWrite': 'writes {names}',
   'canvas.minimap': 'the whole configuration in small; click to go there',
+  'canvas.minimap.fold': 'the whole configuration in small, over what lies there, or folded away',
   'canvas.tools': 'View',
   'canvas.zoomIn': 'Larger',
   'canvas.zoomOut': 'Smaller',

@@ -47,6 +47,7 @@ export const esCanvas: Record<keyof typeof enCanvas, string> = {
   'canvas.wouldRead': 'lee {names} de {from}',
   'canvas.wouldWrite': 'escribe {names}',
   'canvas.minimap': 'toda la configuración en pequeño; pulse para ir allí',
+  'canvas.minimap.fold': 'toda la configuración en pequeño, sobre lo que hay ahí, o plegada',
   'canvas.tools': 'Vista',
   'canvas.zoomIn': 'Más grande',
   'canvas.zoomOut': 'Más pequeño',

@@ -138,6 +138,25 @@ describe('the left button', () => {
     expect(sent).toEqual([{ t: 'Move', doc: 'd1', tasks: {}, loci: { Q: [335, 220] } }])
   })
 
+  test('a locus that is let go off the canvas goes back, and so does the paper; over the plots it is plotted', () => {
+    // R-C09, R-C14
+    const plots = new Thing({ drop: 'plots' })
+    for (const [under, plotted] of [
+      [null, []],
+      [plots, ['Q']],
+    ] as const) {
+      canvas.plots = []
+      vi.stubGlobal('document', { elementFromPoint: () => under })
+      hand.down(event(Q))
+      hand.move(event(Q, { clientX: 200, clientY: 200 }))
+      canvasState.view.pan(-40, -30) // an edge has drawn it along meanwhile
+      hand.move(event(Q, { clientX: 700, clientY: 640 }))
+      hand.up(event(Q, { clientX: 700, clientY: 640 }))
+      expect([sent, canvas.plots, canvasState.view.seen]).toEqual([[], plotted, { x: 0, y: 0, scale: 1 }])
+      expect(canvasState.scene.dots.get('Q')).toMatchObject({ x: 300, y: 200 })
+    }
+  })
+
   test('on empty canvas deselects; dragged it picks what it touches', () => {
     click(PD)
     click(GROUND)

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { jumped, minimap, shrunk, wanted } from '../../src/geom/minimap'
+import { covers, jumped, minimap, shrunk, wanted } from '../../src/geom/minimap'
 import { PLAIN, seen, toScreen } from '../../src/geom/viewport'
 
 const screen = { w: 800, h: 600 }
@@ -23,6 +23,14 @@ test('a click brings what is under it to the middle of the screen', () => {
   const [mx, my] = toScreen(jumped(map, [x + w / 2, y + h / 2], PLAIN, screen), [3050, 2050])
   expect(mx).toBeCloseTo(400, 6)
   expect(my).toBeCloseTo(300, 6)
+})
+
+test('it covers what lies under its place on the screen, as far as that is seen now', () => {
+  const place = { x: 640, y: 480, w: 150, h: 110 }
+  const under = { x0: 700, y0: 500, x1: 750, y1: 560 }
+  expect(covers(place, [under], PLAIN)).toBe(true)
+  expect(covers(place, boxes, PLAIN)).toBe(false)
+  expect(covers(place, [under], { ...PLAIN, x: -300 })).toBe(false)
 })
 
 test('it is wanted for many boxes, and when one is off the screen', () => {
