@@ -8,13 +8,9 @@ export interface Spoken {
   at_s?: number
 }
 
-/** No clock of today stands lower, no runtime lives so long. */
-const TODAY_S = 1e9
-
-/** The time of day; of the runtime's own time, which begins with it, the minutes since then: `+03:47.1`. */
+/** The time of day at which the environment said it; all lines have this clock. */
 export function clock(at_s: number): string {
   const two = (part: number): string => String(part).padStart(2, '0')
-  if (at_s < TODAY_S) return `+${two(Math.floor(at_s / 60))}:${(at_s % 60).toFixed(1).padStart(4, '0')}`
   const at = new Date(at_s * 1000)
   return [at.getHours(), at.getMinutes(), at.getSeconds()].map(two).join(':')
 }

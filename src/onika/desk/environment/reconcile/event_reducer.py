@@ -148,7 +148,7 @@ def _stepped(model: Model, message: event.Stepped) -> Done:
     document = _home(model, message.subsystem)
     if document is None:
         return Done(model)
-    line = page.Say("warning", transfer_text.sentence(message), document.id, ShowTask(message.task), message.at_s)
+    line = page.Say("warning", transfer_text.sentence(message), document.id, ShowTask(message.task), is_quiet=True)
     return Done(model, says=(line,))
 
 

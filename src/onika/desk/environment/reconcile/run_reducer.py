@@ -103,9 +103,9 @@ def _says(run: Run, message: event.Event, *, is_held: bool) -> tuple[page.Say, .
             who_ = "/".join(part for part in (message.subsystem, message.task) if part)
             reason = Reason.of("run.what_why", what=who_, why=message.text) if who_ else message.text
             text = run.wording.with_icons(reason)
-            return (page.Say("error", text, doc, ShowStep(where) if where else None, message.at_s),)
+            return (page.Say("error", text, doc, ShowStep(where) if where else None, is_quiet=True),)
         case event.Warned() | event.Stepped():
-            return (page.Say("warning", run.view.notes[-1], doc, None, message.at_s),)
+            return (page.Say("warning", run.view.notes[-1], doc, None, is_quiet=True),)
         case event.Result():
             return (end(run),)
     return ()

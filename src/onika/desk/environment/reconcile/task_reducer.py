@@ -63,7 +63,7 @@ def _in_state(facts: TaskFacts, state: str) -> TaskFacts:
 
 def _failed(model: Model, document: Document, message: event.Failed) -> Done:
     reason = Reason.of("run.task_failed", task=message.task, why=message.text)
-    line = page.Say("error", reason, document.id, ShowTask(message.task), message.at_s)
+    line = page.Say("error", reason, document.id, ShowTask(message.task), is_quiet=True)
     return Done(_changed(model, document, message.task, lambda facts: replace(facts, failed=message)), says=(line,))
 
 
@@ -75,9 +75,9 @@ def _asked(model: Model, document: Document, message: event.Asked) -> Done:
 def _warned(model: Model, document: Document, message: event.Warned) -> Done:
     """A warning of a task is counted; what is of none is only said."""
     if not message.task:
-        return Done(model, says=(page.Say("warning", message.text, document.id, None, message.at_s),))
+        return Done(model, says=(page.Say("warning", message.text, document.id, None, is_quiet=True),))
     reason = Reason.of("run.what_why", what=message.task, why=message.text)
-    line = page.Say("warning", reason, document.id, ShowTask(message.task), message.at_s)
+    line = page.Say("warning", reason, document.id, ShowTask(message.task), is_quiet=True)
     after = _changed(model, document, message.task, lambda facts: replace(facts, warnings=facts.warnings + 1))
     return Done(after, says=(line,))
 
@@ -85,12 +85,12 @@ def _warned(model: Model, document: Document, message: event.Warned) -> Done:
 def _signal(message: event.Signalled, doc: str) -> page.Say:
     task, kind, why, where = message.task, message.kind, message.text, ShowTask(message.task)
     if kind == "FINISH":
-        return page.Say("end", Reason.of("run.task_finished", task=task), doc, where, message.at_s)
+        return page.Say("end", Reason.of("run.task_finished", task=task), doc, where, is_quiet=True)
     if why:
         reason = Reason.of("run.task_signals_why", task=task, kind=kind, why=why)
     else:
         reason = Reason.of("run.task_signals", task=task, kind=kind)
-    return page.Say("info" if kind == "LEGAL" else "warning", reason, doc, where, message.at_s)
+    return page.Say("info" if kind == "LEGAL" else "warning", reason, doc, where, is_quiet=True)
 
 
 def _changed(model: Model, document: Document, task: str, change: Callable[[TaskFacts], TaskFacts]) -> Model:
