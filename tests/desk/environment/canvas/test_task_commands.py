@@ -6,7 +6,7 @@ from kit.desk.fake_runtime_env import FakeRuntimeEnv
 from kit.desk.live_runtime import LiveRuntime
 from kit.labs.laboratory import Laboratory
 from onika.desk.environment.outcome.outcome import Done
-from onika.model.task import Task, TaskType
+from onika.model.task import LocalLine, Task, TaskType
 from onika.wire import act, event, live, request
 from onika.words.reason import Reason
 
@@ -14,6 +14,7 @@ ITEM = event.Item("x", "double", 1, "m", "where to go", None, (0.0,), (1.0,))
 TASKS = (
     Task("a", "a", outvar=("A",), frequency=10.0),
     Task("b", "b", outvar=("B",), frequency=10.0),
+    Task("arm", "arm", outvar=("D",), frequency=100.0, local=(LocalLine("DEVICE", ("boxes:arm_left",)),)),
     Task("asks", "asks", outvar=("C",), type=TaskType.APERIODIC),
 )
 
@@ -82,6 +83,16 @@ def test_a_task_in_error_is_cleared_and_comes_on_again_where_it_was_wanted(duet)
     fail(duet)
     duet.do(act.Toggle(doc, "a"))
     assert duet.state(doc, "a") == "ON" and duet.document(doc).content.wanted == {"a": True}
+
+
+def test_a_task_of_a_device_in_error_is_only_cleared(duet):  # R-C11, R-C28
+    doc = duet.connected("arm")
+    duet.do(act.Toggle(doc, "arm"))
+    fail(duet, "arm")
+    duet.do(act.Toggle(doc, "arm"))
+    assert duet.state(doc, "arm") == "OFF" and duet.document(doc).content.wanted == {"arm": False}
+    duet.do(act.Toggle(doc, "arm"))
+    assert duet.state(doc, "arm") == "ON"
 
 
 def test_clearing_alone_leaves_it_off(duet):  # R-C11

@@ -10,7 +10,7 @@ from onika.desk.environment.outcome.runtime_refusal import refusal, simply_done
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.outcome.staleness import says_otherwise
 from onika.desk.environment.reconcile.reconciliation import accepted, under_way
-from onika.desk.environment.reconcile.task_plan import code_of
+from onika.desk.environment.reconcile.task_plan import code_of, is_hardware
 from onika.desk.environment.reconcile.watched_runs import is_on, refusal as watched_by
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import SubsystemFacts
@@ -55,14 +55,17 @@ def turn(model: Model, document: Document, command: act.Turn, _outside: Services
 
 @on_document
 def toggle(model: Model, document: Document, command: act.Toggle, outside: Services) -> Done | No | Procedure:
-    """ON to OFF and back; a task in ERROR is cleared, and comes on again where that is wanted (C11)."""
+    """ON to OFF and back; a task in ERROR is cleared, and comes on again where that is wanted (C11).
+
+    One that moves a device is only cleared: that it moves again is said by a press of its own.
+    """
     subsystem_facts = held_facts(model, document)
     if isinstance(subsystem_facts, No):
         return subsystem_facts
     state = subsystem_facts.state_of(command.task)
     if state == "ERROR":
-        wanted = document.content.wanted.get(command.task, False)
-        return clear(model, act.Clear(command.doc, command.task, turns_on=wanted), outside)
+        comes_on = document.content.wanted.get(command.task, False) and not _moves(model, document, command.task)
+        return clear(model, act.Clear(command.doc, command.task, turns_on=comes_on), outside)
     if state == "KILLING":
         return No(Reason.of("desk.state_wait", task=command.task, state=state))
     is_on = state not in ("ON", "ASKING")
@@ -167,6 +170,14 @@ def _writers_first(document: Document, why: Reason) -> Iterator[Remedy]:
     writers = why.args["writers"] if why.key == "host.clear_writers_first" else ()
     for writer in writers if isinstance(writers, tuple) else ():
         yield Remedy(Reason.of("desk.clear_writer", task=writer), act.Clear(document.id, str(writer)))
+
+
+def _moves(model: Model, document: Document, name: str) -> bool:
+    """Whether a task moves a device; one of which nothing is known counts as if it did."""
+    libraries = model.libraries_of(document)
+    placed = document.content.placed(name)
+    task = libraries.tasks.get(placed.file if placed else name)
+    return task is None or is_hardware(task, libraries)
 
 
 def _of_living(model: Model, document: Document, task: str) -> SubsystemFacts | No:
