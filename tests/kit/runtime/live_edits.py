@@ -97,6 +97,9 @@ class LossyDriver(VirtualDriver):
         self.fatal: tuple[int, str] | None = None
         self._watched: RuntimeProgram | None = None
         self.commands: list[tuple[str, command.Command]] = []
+        self.tight: set[str] = set()
+        """Units that have no gap between their cycles in which a task could be born."""
+        self._refusals: list[tuple[str, news.News]] = []
 
     def watch(self, program: RuntimeProgram) -> None:
         """Stand between the units and this program."""
@@ -105,9 +108,20 @@ class LossyDriver(VirtualDriver):
 
     def send(self, rtpu: str, order: command.Command) -> None:
         """Give an RTPU a command, if it is there."""
-        if rtpu not in self.gone:
-            self.commands.append((rtpu, order))
-            super().send(rtpu, order)
+        if rtpu in self.gone:
+            return
+        self.commands.append((rtpu, order))
+        if rtpu in self.tight and isinstance(order, command.Spawn):
+            no_gap = Reason.of("runtime.no_gap", needs_ms=3.0, largest_ms=1.0)
+            self._refusals.append((rtpu, news.Refused(order.subsystem, order.task, "spawn", no_gap)))
+            return
+        super().send(rtpu, order)
+
+    def advance(self, wall_ns: int) -> bool:
+        """Run on; what tight units have refused is told first."""
+        while self._refusals:
+            self.hear(*self._refusals.pop(0), self.now)
+        return super().advance(wall_ns)
 
     def living(self) -> dict[tuple[str, str], RunningTask]:
         """What really lives, by subsystem and task."""

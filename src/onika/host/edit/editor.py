@@ -74,12 +74,13 @@ class LiveEditor:
         for task, text in self._overloads(order, [*kept, *new])[1]:
             live.warn(task, text)
         comers = tuple((wired_task, self._subsystems.unit(wired_task.task.rtpu)) for wired_task in new)
+        spare = {task.name: self._subsystems.spare_units(task.task.rtpu) for task in new if not task.sheet.hardware}
         swapped = exchange(
             [wired_task.placed for wired_task in live.wired], order.kill, [wired_task.placed for wired_task in new]
         )
         return (
             yield from transactions.change(
-                live, transactions.Edit(swapped, comers, order.off, order.on, order.rates, constants)
+                live, transactions.Edit(swapped, comers, order.off, order.on, order.rates, constants, spare)
             )
         )
 

@@ -34,6 +34,8 @@ class Edit:
     rates: tuple[tuple[str, float], ...] = ()
     constants: Mapping[str, StatedConstants] = field(default_factory=dict)
     """By newcomer."""
+    spare: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """By newcomer that named no unit, the other units on which it may live; hardware stays where it is."""
 
 
 class _Before:
@@ -74,6 +76,8 @@ def change(live: LiveSubsystem, edit: Edit) -> Transaction:
     for task, values in edit.constants.items():
         live.desired.state_constants(task, values)
     yield from spawn(live, edit.new)
+    for newcomer in edit.new:
+        yield from _elsewhere(live, newcomer, edit.spare.get(newcomer[0].name, ()))
     cause = live.outcomes.trouble(born)
     is_committed = not cause
     if is_committed:
@@ -167,6 +171,19 @@ def rest(live: LiveSubsystem) -> Transaction:
 
 
 # Parts of them
+
+
+def _elsewhere(live: LiveSubsystem, newcomer: Newcomer, units: Sequence[str]) -> Step:
+    """A newcomer that found no gap between the cycles of its unit is born on another one, OFF; it is told (law 21)."""
+    wired, former = newcomer
+    for unit in units:
+        if not live.outcomes.found_no_gap(wired.name):
+            return
+        yield from kill(live, [wired.name])
+        live.outcomes.excuse(wired.name)
+        yield from spawn(live, [(wired, unit)])
+        if not live.outcomes.has_trouble(wired.name):
+            live.warn(wired.name, Reason.of("host.spawned_elsewhere", unit=unit, former=former))
 
 
 def _commit(

@@ -75,6 +75,11 @@ class Outcomes:
         """Whether it has failed or refused something."""
         return task in self._troubles
 
+    def found_no_gap(self, task: str) -> bool:
+        """Whether its trouble is that it found no time between the cycles of its unit."""
+        why = self._troubles.get(task, NOTHING).args.get("why")
+        return isinstance(why, Reason) and why.key == "runtime.no_gap"
+
     def trouble(self, tasks: Iterable[str]) -> Reason:
         """What went wrong with these, as one sentence; empty if nothing did."""
         wrong = [task for task in dict.fromkeys(tasks) if task in self._troubles]

@@ -101,6 +101,12 @@ class Subsystems:
             return wanted
         return next(iter(self._alive()), self._rtpus[0])
 
+    def spare_units(self, wanted: str) -> tuple[str, ...]:
+        """The other units that live, for a task that names none; where it names one, only that will do."""
+        if wanted in self._rtpus:
+            return ()
+        return tuple(unit for unit in self._alive() if unit != self.unit(wanted))
+
     def gone(self, wanted: str) -> Reason:
         """Why no task can run on the unit it would be on; empty: it can."""
         return self.lost_units.get(self.unit(wanted), NOTHING)
