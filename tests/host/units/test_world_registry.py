@@ -44,6 +44,16 @@ def test_an_unknown_world_names_those_there_are():  # law 16
         open_world("atlantis")
 
 
+def test_a_world_that_lacks_something_is_refused_and_what_it_lacks_is_named(tmp_path, monkeypatch):  # law 16
+    source = "class Bare:\n    step_ns = 2_000_000\n    now_ns = 0\n    is_simulated = True\n"
+    install_world(tmp_path, "bare", source, "Bare")
+    monkeypatch.syspath_prepend(tmp_path)
+    importlib.invalidate_caches()
+    with pytest.raises(ValueError, match=r"world bare: Bare lacks devices, claim, .*, lit, .*fingerprint"):
+        open_world("bare")
+    sys.modules.pop("bare_of_test", None)
+
+
 def test_a_copy_of_a_simulated_world_is_a_world_of_its_own():  # R-E09
     here, there = open_world("boxes"), open_world("boxes@copy")
     here.claim("arm_left", 1)

@@ -8,10 +8,12 @@ from onika.runtime.bus import World
 from onika.words.reason import Reason
 
 GROUP = "onika.worlds"
+_MEMBERS = (*World.__annotations__, *(name for name in vars(World) if not name.startswith("_")))
+"""What a world has to have: the attributes and methods of `World`."""
 
 
 def open_world(name: str, shake: int | None = None) -> World:
-    """A new world; raises ValueError with the known names where there is none called so.
+    """A new world; raises ValueError with the known names where there is none called so, or with what it lacks.
 
     Of a simulated one, `boxes@NAME` is a copy of its own, in which nothing touches what is in `boxes`. `shake` is a
     seed: its things then stand a little elsewhere, where the world knows how (a method `shaken`).
@@ -20,7 +22,11 @@ def open_world(name: str, shake: int | None = None) -> World:
     if _is_copy(name) and not _is_simulated(kind):
         raise ValueError(Reason.of("host.no_copy_of_real", world=name.partition("@")[0]))
     shaken = getattr(kind, "shaken", None) if shake is not None else None
-    return cast(World, kind() if shaken is None else shaken(shake))
+    world = kind() if shaken is None else shaken(shake)
+    lacking = tuple(member for member in _MEMBERS if not hasattr(world, member))
+    if lacking:
+        raise ValueError(Reason.of("host.world_lacks", world=name, kind=type(world).__qualname__, lacking=lacking))
+    return cast(World, world)
 
 
 def is_simulated(name: str) -> bool:
