@@ -162,6 +162,20 @@ def test_a_configuration_replaces_what_is_there_and_leaves_what_is_in_both(sit):
     assert dict(second.rates)["puma"] == 500.0
 
 
+def test_arguments_that_nobody_would_take_are_refused_and_nothing_is_changed(sit, tmp_path):  # R-A13
+    Laboratory(tmp_path).configuration("plain", "pd 500")
+    sitting = sit()
+    fault = sitting.fails("config plain 1 2 3")
+    assert (fault.reason.key, fault.reason.args["name"]) == ("console.nobody_takes", "plain")
+    sitting.does("config cmoveC 1 2 3")
+    count = len(sitting.requests_of(live.Change))
+    fault = sitting.fails("config cmoveC 4 5 6")
+    assert (fault.reason.key, fault.reason.args["takers"]) == ("console.takers_are_on", ("ctraj",))
+    assert len(sitting.requests_of(live.Change)) == count
+    sitting.does("off ctraj", "config cmoveC 4 5 6")
+    assert "4 5 6" in [turn.arguments for turn in sitting.requests_of(live.Change)[-1].on]
+
+
 def test_a_switch_turns_others_off_and_keeps_them_alive(sit):  # R-C32
     sitting = sit()
     sitting.does("config jmoveC @home", "spawn all of cmoveC", "switch cmoveC 1 2 3")

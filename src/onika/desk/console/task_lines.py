@@ -135,6 +135,7 @@ def _reconfigured(
     resting = [name for name in names if name not in same or living[name].state != "ON"]
     files = {placed.task: placed.file for placed in configuration.placed}
     starts, wrong = _starts(library, resting, files, line)
+    wrong += _useless(session, library, configuration, resting, line)
     others = {name: task for name, task in living.items() if name not in names}
     otherwise = tuple(name for name in living if name in names and name not in same)
     change = leave(others)
@@ -172,6 +173,21 @@ def _starts(
         if task is not None:
             starts.append(live.Turn(name, line if task.object_type else ""))
     return tuple(starts), faults
+
+
+def _useless(
+    session: ConsoleSession, library: SiteLibrary, configuration: Configuration, resting: Sequence[str], line: str
+) -> Faults:
+    """An argument line that nobody would take: no task takes a target, or those that do are ON already."""
+    if not line:
+        return ()
+    tasks = {placed.task: library.task(placed.file)[0] for placed in configuration.placed}
+    takers = tuple(name for name, task in tasks.items() if task is not None and task.object_type)
+    if set(takers) & set(resting):
+        return ()
+    if takers:
+        return session.no(Reason.of("console.takers_are_on", line=line, takers=takers))
+    return session.no(Reason.of("console.nobody_takes", line=line, name=configuration.name))
 
 
 def _rates(configuration: Configuration, living: Mapping[str, live.TaskStanding]) -> Iterator[tuple[str, float]]:
