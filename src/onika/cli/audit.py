@@ -27,11 +27,24 @@ def describe(parser: argparse.ArgumentParser) -> None:
 def carry_out(given: argparse.Namespace) -> int:
     """Show and check it; 0 whole, 1 not, 2 there is none."""
     path = given.file or trail.usual_path(os.environ)
-    files = trail.older(path)
-    if not files:
+    paths = [path] if given.file else trail.beside(path)  # runtimes that ran side by side wrote one each
+    if not any(map(trail.older, paths)):
         print(say(Reason.of("cli.no_trail", path=str(path))), file=sys.stderr)
         return 2
-    records = trail.read(files)
+    readings = []
+    for each in paths:
+        if len(paths) > 1:
+            print(say(Reason.of("cli.trail_of", path=str(each))))
+        readings.append(_shown(each, given))
+    if given.head and not any(given.head in records.hashes for records in readings):
+        print(say(Reason.of("cli.no_head", head=given.head)), file=sys.stderr)
+        return 1
+    return 1 if any(records.faults for records in readings) else 0
+
+
+def _shown(path: Path, given: argparse.Namespace) -> trail.TrailReading:
+    """Print the records of one trail, what is wrong with it, and whether it is whole."""
+    records = trail.read(trail.older(path))
     shown = [] if given.quiet else list(lines(records))
     for line in shown if given.last is None else shown[-given.last :] if given.last > 0 else []:
         print(say(line))
@@ -40,7 +53,4 @@ def carry_out(given: argparse.Namespace) -> int:
     for fault in records.faults:
         print(say(fault.sentence), file=sys.stderr)
     print(say(verdict(records)))
-    if given.head and given.head not in records.hashes:
-        print(say(Reason.of("cli.no_head", head=given.head)), file=sys.stderr)
-        return 1
-    return 1 if records.faults else 0
+    return records

@@ -70,6 +70,17 @@ def older(path: Path) -> list[Path]:
     return [*reversed([path for path in numbered if path.is_file()]), *([path] if path.is_file() else [])]
 
 
+def beside(path: Path) -> list[Path]:
+    """The trail at a path and those beside it (`audit-2.log` …), of runtimes that ran at the same time, by number."""
+    numbered: dict[int, Path] = {}
+    for file in path.parent.glob(f"{path.stem}-*{path.suffix}*"):
+        match = re.fullmatch(rf"({re.escape(path.stem)}-(\d+)){re.escape(path.suffix)}(\.\d+)?", file.name)
+        if match is not None:
+            numbered[int(match[2])] = path.with_stem(match[1])
+    there = [path] if older(path) else []
+    return there + [numbered[number] for number in sorted(numbered)]
+
+
 def read(files: Sequence[Path]) -> TrailReading:
     """Read files one after another and check the chain; raises OSError for what cannot be read."""
     trail = TrailReading()

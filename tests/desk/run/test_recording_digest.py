@@ -35,6 +35,15 @@ def test_it_tells_what_was_run_and_how_it_ended(tmp_path):  # R-X05
     assert output[-2:] == ["aborted: enough, hash abc", "4 values were written over before they were seen"]
 
 
+def test_an_action_that_a_loop_repeats_is_counted_once_with_its_times(tmp_path):  # R-X05
+    tape = taped(tmp_path)
+    for at in (2.0, 3.0):
+        tape.tell(at, event.Began(0, 0, 2, "one", at))
+        tape.tell(at + 0.5, event.Done(0, 0, at + 0.5))
+    tape.end(completed="no", cause="enough")
+    assert "flow0: 2 of 2 actions done, some more than once, 4 times in all" in lines(tape)
+
+
 def test_it_says_that_a_file_was_cut_short(tmp_path):  # R-X05
     tape = taped(tmp_path)
     tape.cut()

@@ -41,9 +41,12 @@ def black_box_line(held: BlackBoxSpan, *, is_by_hand: bool) -> Reason:
 def _flows(review: Review) -> Iterator[Reason]:
     """Of each flow how far it came, and its actions one by one."""
     for flow in review.flows if not review.run.is_by_hand else ():
-        done = sum(interval.end_s is not None for interval in flow.intervals)
-        count = len(flow.actions)
-        yield Reason.of("desk.digest_flow", flow=flow.subsystem, done=done, count=count)
+        ended = [interval.action for interval in flow.intervals if interval.end_s is not None]
+        done, count = len(set(ended)), len(flow.actions)
+        if len(ended) == done:
+            yield Reason.of("desk.digest_flow", flow=flow.subsystem, done=done, count=count)
+        else:  # a loop, a jump or a repeated step carries actions out more than once
+            yield Reason.of("desk.digest_flow_again", flow=flow.subsystem, done=done, count=count, times=len(ended))
         for interval in flow.intervals:
             end = Reason.of("desk.digest_not_ended")
             if interval.end_s is not None:

@@ -41,12 +41,16 @@ def open_for(named: str) -> "AuditTrail":
 
 def open_free(path: Path) -> "AuditTrail":
     """The trail at a path, or beside it (`audit-2.log`) where another runtime writes it; raises OSError."""
-    for number in range(2, _SAME):
+    for number in range(1, _SAME):
         try:
-            return AuditTrail(path if number == 2 else path.with_stem(f"{path.stem}-{number - 1}"))
+            return AuditTrail(_numbered(path, number))
         except BlockingIOError:
             continue
-    return AuditTrail(path.with_stem(f"{path.stem}-{_SAME}"))
+    return AuditTrail(_numbered(path, _SAME))
+
+
+def _numbered(path: Path, number: int) -> Path:
+    return path if number == 1 else path.with_stem(f"{path.stem}-{number}")
 
 
 class AuditTrail:
