@@ -4,7 +4,7 @@ import type { AnyShow } from '../api.gen'
 import { desk } from '../link/desk.svelte'
 import { canvas, pick } from '../state/canvas.svelte'
 import { openDialog } from '../state/dialogs.svelte'
-import { look } from '../state/look.svelte'
+import { look, type Column } from '../state/look.svelte'
 import { pickSteps, workspace } from '../state/workspace.svelte'
 
 /** What shall be brought into view, and of which document; `turn` grows so that the same can be asked for twice. */
@@ -16,10 +16,23 @@ export interface Destination {
 
 export const destination: Destination = $state({ show: undefined, doc: '', turn: 0 })
 
+/** Where a narrow page shows what is revealed. */
+const COLUMNS: Partial<Record<AnyShow['t'], Column>> = {
+  ShowTask: 'desk',
+  ShowLocus: 'desk',
+  ShowPin: 'right',
+  ShowLibraryTask: 'left',
+  ShowStep: 'desk',
+  ShowLoop: 'desk',
+  ShowFits: 'left',
+  ShowOnikon: 'left',
+}
+
 /** Select what a remedy names, and let whoever draws it bring it into view. */
 export function reveal(show: AnyShow, doc: string = look.level === 'applications' ? workspace.app : canvas.doc): void {
   comeTo(doc)
   select(show)
+  look.column = COLUMNS[show.t] ?? look.column
   Object.assign(destination, { show, doc, turn: untrack(() => destination.turn) + 1 })
 }
 

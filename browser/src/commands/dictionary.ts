@@ -1,4 +1,5 @@
 // The commands of the dictionaries, for keys, palette and help sheet (table B.3).
+import { flushSync } from 'svelte'
 import { command, type Command } from '../state/commands'
 import { desk } from '../link/desk.svelte'
 import {
@@ -24,6 +25,7 @@ function add(id: string, title: TextKey, given: Given): void {
 }
 
 function find(): void {
+  flushSync(() => (look.column = 'left'))
   const field = document.querySelector<HTMLInputElement>('.dictionary [role=searchbox]')
   field?.focus()
   field?.select()

@@ -1,4 +1,5 @@
 // The commands of the page as a whole: files, undo, the runtime, views.
+import { flushSync } from 'svelte'
 import { act } from '../act/act'
 import { announce } from '../state/announce'
 import { command } from '../state/commands'
@@ -134,6 +135,7 @@ command({
 
 const findField = (): HTMLInputElement | null => document.querySelector('.library [role=searchbox]')
 function find(): void {
+  flushSync(() => (look.column = 'left'))
   findField()?.focus()
   findField()?.select()
 }

@@ -1,6 +1,7 @@
 // Something on its way from a library to where it is used. It follows the pointer once that has moved; Esc puts it back.
 
 import { note } from '../link/note'
+import { look } from '../state/look.svelte'
 
 const MOVED_PX = 5
 
@@ -46,7 +47,7 @@ export class Carry {
       (e) => {
         if (e.pointerId !== pointerId) return
         if (!this.name && Math.hypot(e.clientX - clientX, e.clientY - clientY) < MOVED_PX) return
-        this.name = name
+        this.begins(name)
         this.follow(e)
       },
       { signal },
@@ -80,6 +81,12 @@ export class Carry {
     this.over = undefined
     this.name = ''
     this.isOverGround = false
+  }
+
+  /** Where it may be dropped comes to the front of a narrow page. */
+  private begins(name: string): void {
+    if (!this.name && this.ground) look.column = 'desk'
+    this.name = name
   }
 
   private follow(event: PointerEvent): void {

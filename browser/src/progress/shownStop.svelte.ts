@@ -1,4 +1,5 @@
 // Which standstill is explained: it shows itself when it comes; put aside, it stays until somebody wants it back.
+import { look } from '../state/look.svelte'
 import type { RunView, StopView } from '../api.gen'
 
 export interface Standstill {
@@ -62,6 +63,7 @@ class ShownStop {
   /** Bring one back: this one, or the newest. */
   open(key = this.all.at(-1)?.key ?? ''): void {
     this.shown = key
+    look.column = 'desk'
   }
 }
 

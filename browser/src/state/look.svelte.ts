@@ -5,10 +5,14 @@ export type Theme = 'auto' | 'light' | 'dark' | '1994'
 export type Language = 'en' | 'es'
 /** The lower level, where tasks are connected, and the upper one, where pictures are joined. */
 export type Level = 'tasks' | 'applications'
+/** The parts of a level side by side, as they stand on a wide page; a narrow one shows one of them at a time. */
+export type Column = 'left' | 'desk' | 'right' | 'low'
 export type Presentation = 'pictures' | 'both' | 'words'
 
 interface Look {
   level: Level
+  /** Which part a narrow page shows. */
+  column: Column
   /** Whether the lower level is hidden. */
   isUpperOnly: boolean
   /** Whether the tables of what runs stand beneath the upper level too. */
@@ -27,6 +31,7 @@ const language: Language = globalThis.navigator?.language?.startsWith('es') ? 'e
 
 export const look: Look = $state({
   level: kept<Level>('level', 'tasks'),
+  column: 'desk',
   isUpperOnly: kept('isUpperOnly', false),
   isInside: false,
   presentation: kept<Presentation>('presentation', 'both'),

@@ -28,6 +28,7 @@ test('a step is selected in its application, which comes to the front', () => {
   expect([...workspace.steps]).toEqual([17])
   expect([look.level, workspace.app, canvas.doc]).toEqual(['applications', 'a1', 'c1'])
   expect(destination).toMatchObject({ show: { t: 'ShowStep', step: 17 }, doc: 'a1' })
+  expect(look.column).toBe('desk')
 })
 
 test('what fits somewhere is shown: the cursor goes there, the dictionary keeps what fits', () => {
@@ -35,6 +36,7 @@ test('what fits somewhere is shown: the cursor goes there, the dictionary keeps 
   reveal({ t: 'ShowFits', flow: '1/17/0', after: 4 }, 'a1')
   expect(workspace.place).toEqual({ flow: '1/17/0', after: 4 })
   expect(workspace.fitsOnly).toBe(true)
+  expect(look.column).toBe('left') // of a narrow page
 })
 
 test('a target is made, values are edited, an icon of the dictionary is selected', () => {
