@@ -221,6 +221,18 @@ def test_what_a_fault_would_lead_to_is_said_and_nothing_is_touched(me):  # R-X24
     me.state("calm", "ON")
 
 
+def test_the_last_seconds_before_a_failure_are_opened_from_the_sheet(me):  # R-X05, R-C28
+    place(me, "sick")
+    turn(me, "sick", state="ERROR")
+    me.box("sick").click()
+    me.sheet.get_by_role("button", name="Look at the last seconds").click()
+    close = me.page.get_by_role("button", name="Close the recording")
+    expect(close).to_be_visible()
+    close.click()
+    expect(close).to_have_count(0)
+    me.state("sick", "ERROR")
+
+
 def test_a_narrow_page_shows_one_part_at_a_time_and_always_stop(me):  # R-G04, R-X11, R-X24
     me.page.set_viewport_size({"width": 360, "height": 740})
     banner = me.page.get_by_role("banner")
