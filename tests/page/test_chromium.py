@@ -26,12 +26,12 @@ def test_an_error_that_was_announced_is_excused(page, excused):
     page.goto("data:text/html,<script>console.error('brought about'); throw Error('brought about')</script>")
 
 
-def test_an_error_in_the_page_fails_its_test(chromium, tmp_path, request):
+def test_an_error_in_the_page_fails_its_test(chromium, tmp_path):
     scripts = ("console.error('amiss')", "throw Error('amiss')", "Promise.reject(Error('amiss'))", "'nothing amiss'")
     address = "data:text/html,<link rel=icon href=data:,><script>{0}</script>"
     tests = (f"def test_{i}(page): page.goto({address.format(script)!r})\n" for i, script in enumerate(scripts))
     (tmp_path / "test_amiss.py").write_text("".join(tests))
-    (tmp_path / "conftest.py").write_text((request.path.parent / "conftest.py").read_text())
+    (tmp_path / "conftest.py").write_text("from page.conftest import *\n")
     words = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", str(tmp_path)]
     search = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}  # the copied fixtures use the kit
     output = subprocess.run(words, cwd=tmp_path, env=search, capture_output=True, text=True, check=False).stdout

@@ -41,7 +41,7 @@ def test_one_arm_is_real_beside_a_simulated_one_and_each_flow_says_its_world(pro
     opening.get_by_role("button", name="Open twins", exact=True).click()
     run = page.get_by_role("region", name="Run", exact=True)
     workspace = page.get_by_role("region", name="Workspace")
-    expect(run.get_by_text("Ready to run")).to_be_visible()
+    expect(run).to_contain_text("boxes:arm_left")  # which both flows would move: so it cannot run
 
     page.locator("body").press("Alt+i")
     panel = page.get_by_role("dialog", name="Redirect twins")
@@ -60,6 +60,7 @@ def test_one_arm_is_real_beside_a_simulated_one_and_each_flow_says_its_world(pro
     marks = workspace.locator(".head [data-world]")
     expect(marks).to_have_text(["boxes · simulated", "cell · real"])
     expect(run.get_by_role("note", name="Redirected: boxes → cell in flow 1")).to_be_visible()
+    expect(run.get_by_text("Ready to run")).to_be_visible()
     run.get_by_role("button", name=re.compile("^Run")).click()
     for number, world in enumerate(("boxes · simulated", "cell · real")):
         expect(run.get_by_role("group", name=f"flow {number}").locator("[data-world]")).to_have_text(world)

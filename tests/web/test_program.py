@@ -137,7 +137,7 @@ def test_a_line_for_each_act_of_a_user_stands_in_the_diary(tmp_path):  # R-H01
         send(browser, t="Place", doc=doc, task="a", x=10, y=20)
     (file,) = (tmp_path / "state" / "diary").glob("*.log")
     lines = file.read_text().splitlines()
-    assert sum("\ta\t" in line for line in lines) == 1
+    assert sum("\tinsert_icon\ta\t" in line for line in lines) == 1
 
 
 def test_an_application_is_judged_soon_after_it_was_opened_and_when_its_files_change(tmp_path):  # R-E01
