@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from hypothesis import given, settings, strategies as st
 from tests.contract.test_formats import every_format
-from tests.files.models import FORMATS, TYPES, Format
+from tests.files.models import FORMATS, TYPES, Format, branches, flows
 
 from onika.files import appl, conf, onk, rmod
 from onika.files.rmod import RmodText
@@ -141,8 +141,8 @@ def test_the_strategies_vary_every_field_of_every_value() -> None:
     @given(data=st.data())
     @settings(max_examples=150, deadline=None, database=None, derandomize=True)
     def look(data: st.DataObject) -> None:
-        for form in FORMATS:
-            for part in _parts(data.draw(form.models)):
+        for values in (*(form.models for form in FORMATS), branches(flows)):  # a branch is rare in an application
+            for part in _parts(data.draw(values)):
                 if is_dataclass(part):
                     for field in fields(part):
                         seen.setdefault((type(part), field.name), set()).add(repr(getattr(part, field.name)))
