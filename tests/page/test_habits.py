@@ -64,6 +64,21 @@ def test_preferences_are_written_to_the_users_file_when_they_are_changed_or_at_t
     expect(preferences(me).get_by_label("Show periods instead of frequencies")).to_be_checked()
 
 
+def test_panels_stand_as_they_were_shaped_also_in_another_browser(me, program, new_page):  # R-G01
+    border = me.page.get_by_role("separator", name="Width of the library")
+    width = int(border.get_attribute("aria-valuenow"))
+    border.focus()
+    for _ in range(4):
+        me.page.keyboard.press("ArrowRight")
+    expect(border).to_have_attribute("aria-valuenow", str(width + 64))
+    for _ in range(10):  # it is kept as soon as nobody shapes it any more
+        other = program.enter(new_page()).get_by_role("separator", name="Width of the library")
+        if other.get_attribute("aria-valuenow") == str(width + 64):
+            break
+    expect(other).to_have_attribute("aria-valuenow", str(width + 64))
+    border.press("Enter")
+
+
 def test_warnings_are_switched_off_and_on_again(me):  # R-C08
     me.place("calm")
     expect(me.strip.get_by_role("tab", name="Problems 1")).to_be_visible()

@@ -6,7 +6,7 @@ from kit.desk.environment_fixture import EnvironmentFixture
 from onika.desk.environment.preferences import leave
 from onika.desk.environment.state import settings
 from onika.files import preferences as file
-from onika.model.preferences import STATUS_COLUMNS, Preferences
+from onika.model.preferences import STATUS_COLUMNS, Preferences, Window
 from onika.model.task import Task
 from onika.wire import act
 
@@ -39,7 +39,18 @@ def test_a_page_sees_the_preferences_that_change_something_by_their_names(sittin
         "shows_lower": True,
         "angle_unit": "rad",
         "length_unit": "m",
+        "places": {},
     }
+
+
+def test_windows_that_were_moved_are_kept_and_are_no_step_to_take_back(sitting):  # R-G01
+    place = {"x": 0, "y": 0, "height": 650, "width": 300}
+    sitting.do(act.Prefer({"places": {"library": place}}))
+    assert preferred(sitting).library == Window(0, 0, 650, 300)
+    assert sitting.environment.tree.preferences["places"] == {"library": place}
+    assert sitting.no(act.Undo("")).reason.key
+    assert sitting.no(act.Prefer({"places": {"library": {"x": 0}}})).fields["places"].key == "run.place_form"
+    assert preferred(sitting).library.width == 300
 
 
 def test_units_to_read_are_chosen_out_of_those_that_are_known(sitting):  # R-G08

@@ -8,9 +8,10 @@ from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state import settings
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.preference_values import preference_values
+from onika.desk.environment.state.preference_values import PLACES, preference_values
 from onika.desk.environment.state.restoration import own_step
 from onika.desk.environment.state.settings import Settings
+from onika.desk.environment.state.window_places import places_of
 from onika.model.preferences import STATUS_COLUMNS
 from onika.wire import act, page
 from onika.words.fault import Refusal
@@ -28,19 +29,23 @@ class _Wrong(ValueError):
 
 
 def prefer(model: Model, command: act.Prefer, outside: Services) -> Done | No:
-    """Change preferences, all that are named or none; each that cannot be so is in `fields`."""
+    """Change preferences, all that are named or none; each that cannot be so is in `fields`.
+
+    That a window was moved is no step to take back: it is moved back by hand.
+    """
     now = preference_values(model)
     taken: dict[str, Any] = {}
     wrong: dict[str, Reason] = {}
     for name, value in command.values.items():
         try:
             taken[name] = _taken(name, value, now)
-        except _Wrong as why:
+        except ValueError as why:
             wrong[name] = reason_of(why)
     if wrong:
         reasons = tuple(Reason.of("run.what_why", what=name, why=why) for name, why in wrong.items())
         return No(Reason.of("run.together", parts=reasons), fields=wrong)
-    of_file = {name: value for name, value in taken.items() if name not in _SETTINGS}
+    places = taken.pop(PLACES, {})
+    of_file = {name: value for name, value in taken.items() if name not in _SETTINGS} | places
     of_settings = {name: value for name, value in taken.items() if name in _SETTINGS}
     preferred = replace(model.preferences, **of_file)
     changed = replace(
@@ -86,6 +91,8 @@ def _taken(name: str, value: Any, now: Mapping[str, Any]) -> Any:
     """A value as the preference of that name has it; raises _Wrong."""
     if name not in now:
         raise _Wrong(Reason.of("run.no_preference"))
+    if name == PLACES:
+        return places_of(value)
     before = now[name]
     if isinstance(before, bool):
         return _flag(value)

@@ -1,17 +1,16 @@
-"""The values of the preferences that change something, by their names, whichever file keeps them."""
+"""The values of the preferences by their names, whichever file keeps them."""
 
 from dataclasses import asdict
 from typing import Any
 
 from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.window_places import WINDOWS, chosen_places
 
-_WITHOUT_EFFECT = {
-    *("library", "canvas", "status", "variables", "dictionary", "workspace", "main", "buttons"),
-}
-"""What a file of §A.5 says of the windows of its time: kept in the file, offered nowhere."""
+PLACES = "places"
+"""Under this name stand the places of all windows together."""
 
 
 def preference_values(model: Model) -> dict[str, Any]:
     """The preferences that a user may change, as a page sees them."""
-    of_file = {name: value for name, value in asdict(model.preferences).items() if name not in _WITHOUT_EFFECT}
-    return of_file | asdict(model.settings)
+    of_file = {name: value for name, value in asdict(model.preferences).items() if name not in WINDOWS}
+    return of_file | asdict(model.settings) | {PLACES: chosen_places(model.preferences)}
