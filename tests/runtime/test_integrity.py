@@ -77,7 +77,7 @@ def test_a_module_that_writes_past_its_entry_is_named_as_a_candidate(rig):  # R-
 def test_a_value_written_over_in_place_is_found_until_it_is_made_anew(rig):  # R-A12
     rig.run(70 * MS)  # to a publication that is sealed
     ring = rig.table.ring("C")
-    ctypes.memset(address_of(rig, "C") + 64 + (ring.count & 15) * 64 + 8, 0x11, 4)
+    ctypes.memset(address_of(rig, "C") + 64 + (ring.count & 63) * 64 + 8, 0x11, 4)
     finding = only_finding(rig, "C")
     assert texts(finding.wrong) == ("its value is not what its writer published",)
     assert str(finding.reason).startswith("C: its value is not what its writer published. It could have been task ")
@@ -139,7 +139,7 @@ def test_a_constant_that_is_overwritten_is_found_as_long_as_it_stands():  # R-A1
     rig = ExecutiveRig().spawn("robot", source)
     assert check(rig.table, []) == []
     ring = rig.table.ring("QMAX")
-    ctypes.memset(address_of(rig, "QMAX") + 64 + (ring.count & 15) * 64, 0xFF, 1)
+    ctypes.memset(address_of(rig, "QMAX") + 64 + (ring.count & 63) * 64, 0xFF, 1)
     assert [finding.variable for finding in check(rig.table, [])] == ["QMAX"]
 
 
@@ -153,7 +153,7 @@ def test_a_counter_that_is_moved_at_rest_is_found(count):  # R-A12
     assert "its counter was" in str(finding.reason)
 
 
-@given(st.integers(0, 4 * (64 + 16 * 64) - 1), st.binary(min_size=1, max_size=40))
+@given(st.integers(0, 4 * (64 + 64 * 64) - 1), st.binary(min_size=1, max_size=40))
 def test_whatever_is_written_astray_is_found_or_harms_no_value(place, data):  # R-A12
     """Bytes anywhere in a table at rest: either the check tells, or every variable still has its value."""
     rig = ExecutiveRig()

@@ -12,7 +12,7 @@ from onika.words.value import ValueType
 
 @pytest.fixture
 def table():
-    segment = Segment.create("test", 1 << 16)
+    segment = Segment.create("test", 1 << 18)
     yield Table(segment)
     segment.close()
 
@@ -52,7 +52,7 @@ def test_a_declaration_of_another_type_or_shape_is_refused(table, other):  # law
 
 def test_a_table_that_is_full_says_so(table):
     with pytest.raises(ValueError, match="no room for PICTURE"):
-        table.entry("PICTURE", shape("byte[128,128]"))
+        table.entry("PICTURE", shape("byte[512,512]"))
     assert table.entries == {}
 
 

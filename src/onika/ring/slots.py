@@ -1,10 +1,10 @@
 """One entry of shared memory: a ring of slots that one writer fills and any reader reads without waiting.
 
 The first line of 64 bytes holds a guard, the counters and four seals; the slots follow, each a multiple of 64 bytes:
-sixteen, so that a recording may look now and then and misses nothing, and four where a value is long. The writer fills
-the slot behind the current one and then moves the counter, so a dead writer blocks nobody. A copy is good unless the
-writer came round meanwhile, which a reader sees by the counter. The order of stores is kept by x86-64; other processors
-would need a fence (law 31).
+sixty-four, so that who looks now and then misses nothing even if he is late, and four where a value is long. The writer
+fills the slot behind the current one and then moves the counter, so a dead writer blocks nobody. A copy is good unless
+the writer came round meanwhile, which a reader sees by the counter. The order of stores is kept by x86-64; other
+processors would need a fence (law 31).
 """
 
 from collections.abc import Callable
@@ -14,7 +14,7 @@ from zlib import crc32
 from onika.words.reason import Reason
 
 LINE = 64
-_SLOTS, _LONG_SLOTS = 16, 4
+_SLOTS, _LONG_SLOTS = 64, 4
 _SEAL = 3
 """Of a count, the bits that tell its seal."""
 _WORD = 8
@@ -99,8 +99,9 @@ class Ring:
         strange = self.words[_STRANGE] & _COUNTED
         if strange:
             faults_.append(Reason.of("runtime.strangely_published", count=strange))
-        stride = len(self._memory) // len(self._slots)
-        if any(any(self._memory[at + self.size : at + stride]) for at in range(0, len(self._memory), stride)):
+        blank = bytes(self.stride - self.size)
+        ends = range(self.stride, len(self._memory) + 1, self.stride)
+        if any(self._memory[end - len(blank) : end] != blank for end in ends):
             faults_.append(Reason.of("runtime.between_overwritten"))
         if self._is_broken():
             faults_.append(Reason.of("runtime.value_strange"))

@@ -17,7 +17,7 @@ from onika.ring.slots import Ring
 from onika.runtime.command import DeviceGrant
 from onika.words.reason import Reason
 
-SEGMENT_SIZE = 1 << 20
+SEGMENT_SIZE = 1 << 22
 
 
 class World(Protocol):

@@ -31,7 +31,7 @@ from onika.words.shape import Shape
 
 _Kind = TypeVar("_Kind")
 _HOME, _TASK = "bench", "module"
-_TABLE_BYTES = 1 << 20
+_TABLE_BYTES = 1 << 22
 _SECOND = 1_000_000_000
 
 

@@ -62,7 +62,7 @@ class Run:
         ranks = {(number, name): rank for number in range(len(flows)) for rank, name in enumerate(TASKS)}
         triggers = self.prepared.triggers
         self.engine = Engine(self.plan, triggers, passive, ranks, stands_still=stands_still)
-        self.tables = {flow.subsystem: Table(Segment.create("explained", 1 << 16)) for flow in self.plan.flows}
+        self.tables = {flow.subsystem: Table(Segment.create("explained", 1 << 18)) for flow in self.plan.flows}
         self.told = []
         self.now = 1000 * MS
         self.explainer = Explainer(self.prepared, self.tables, self.engine.positions, self.told.append)

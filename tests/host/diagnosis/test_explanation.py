@@ -40,7 +40,7 @@ class Scene:
         shop.task("aside", module("aside", Q="InVar double rad", TAU_2="OutVar double N.m"))
         plan = shop.plan([action("goal", "law", "arm")], [action("goal", "law", "arm", "aside")])
         self.prepared = prepare(plan, (), YardLoading())
-        self.table = Table(Segment.create("explanation", 1 << 16))
+        self.table = Table(Segment.create("explanation", 1 << 18))
         self.history = VariableHistory({"flow0": self.table})
 
     def write(self, **values):

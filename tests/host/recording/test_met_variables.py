@@ -13,7 +13,7 @@ def place(name, shape="double", unit="", offset=HEAD):
 
 
 def test_what_has_come_is_told_once_with_its_unit():  # R-X05
-    table = Table(Segment.create("test", 1 << 16))
+    table = Table(Segment.create("test", 1 << 18))
     met = MetVariables("s0", table)
     assert met.news({}) is None
     table.entry("X", DOUBLE)
@@ -23,7 +23,7 @@ def test_what_has_come_is_told_once_with_its_unit():  # R-X05
 
 
 def test_what_is_gone_is_told_before_what_lies_there_now():  # R-X05, R-C12
-    table = Table(Segment.create("test", 1 << 16))
+    table = Table(Segment.create("test", 1 << 18))
     met = MetVariables("s0", table)
     table.entry("X", DOUBLE)
     met.news({})
@@ -33,7 +33,7 @@ def test_what_is_gone_is_told_before_what_lies_there_now():  # R-X05, R-C12
 
 
 def test_a_variable_that_is_made_anew_is_gone_and_has_come():  # R-X05
-    table = Table(Segment.create("test", 1 << 16))
+    table = Table(Segment.create("test", 1 << 18))
     met = MetVariables("s0", table)
     former = table.entry("X", DOUBLE)
     met.news({})

@@ -53,7 +53,7 @@ class Beside:
 def test_it_looks_by_itself_until_the_run_is_over(tmp_path):  # law 29
     beside = Beside(tmp_path / "run.mcap")
     assert beside.word() == recording_process.RecordingBegun()
-    table = Table(Segment.create("table", 1 << 16))
+    table = Table(Segment.create("table", 1 << 18))
     entry = table.entry("X", Shape.parse("long"))
     beside.post.send(encode(BeginRecording(monotonic_ns())))
     beside.post.send(

@@ -30,7 +30,7 @@ class Desk:
 
     def __init__(self, path):
         self.path = path
-        self.table = Table(Segment.create("test", 1 << 16))
+        self.table = Table(Segment.create("test", 1 << 18))
         self._stream = path.open("wb")
         self.sink = RecordingSink(self._stream, Writer(self._stream))
 
@@ -84,12 +84,12 @@ def test_several_values_since_the_last_look_are_all_there_each_at_a_time_of_its_
 def test_what_was_written_over_is_counted(desk):  # X05: dropping is counted and told in the file
     desk.meet("X", "double")
     desk.sink.look(0)
-    for k in range(20):
+    for k in range(68):
         desk.write("X", k)
     desk.sink.look(MS)
     assert desk.sink.missed == 5
     reader = desk.read()
-    assert [value for _, value in Series.all_of(reader)["flow0/X"].values()] == [float(k) for k in range(5, 20)]
+    assert [value for _, value in Series.all_of(reader)["flow0/X"].values()] == [float(k) for k in range(5, 68)]
     assert reader.notes["end"]["missed"] == "5"
 
 

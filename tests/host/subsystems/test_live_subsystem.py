@@ -183,7 +183,7 @@ class Units:
 def bare():
     """A subsystem whose units only listen, with a change of two tasks under way, and what it tells."""
     messages, shop = [], PlanBuilder()
-    segment = Segment.create("test", 1 << 16)
+    segment = Segment.create("test", 1 << 18)
     subsystem = LiveSubsystem("s0", Table(segment), Units(), messages.append, lambda: 0)
     new = []
     for name, rtpu in (("quick", "rt0"), ("slow", "rt1")):

@@ -15,7 +15,7 @@ class Place:
     """A table and a device for one task."""
 
     def __init__(self) -> None:
-        self.segment = Segment.create("test", 1 << 16)
+        self.segment = Segment.create("test", 1 << 18)
         self.table = Table(self.segment)
         self.device = BenchDevice(("x",), ("force",))
 

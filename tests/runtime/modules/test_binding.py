@@ -25,7 +25,7 @@ class Six(Module):
 
 @pytest.fixture
 def table():
-    segment = Segment.create("test", 1 << 16)
+    segment = Segment.create("test", 1 << 18)
     yield Table(segment)
     segment.close()
 

@@ -28,7 +28,7 @@ from onika.wire import event, request
 from onika.words.reason import Reason, reason_of
 
 LOOKED_EVERY_NS = 28_000_000
-"""An entry keeps fifteen values; of what is written 500 times a second nothing is missed."""
+"""An entry keeps sixty-three values; of what is written 500 times a second nothing is missed, nor if looks are late."""
 _PATIENCE_NS = 1_000_000_000
 """How long the end of a run waits until its black box is written; it may be written later all the same."""
 _UNTOLD = (event.Company, event.Stood, event.LastSecondsKept, event.Result)
