@@ -1,8 +1,11 @@
+from dataclasses import replace
+
 import pytest
 
 from kit.desk.fake_runtime_env import FakeRuntimeEnv
 from kit.desk.run_fixture import RunFixture
 from kit.labs.laboratory import job
+from onika.desk.environment.outcome.outcome import Done
 from onika.wire import act, foresight, request
 from onika.wire.foresight import Effect, Foresight
 from onika.words.fault import NOT_RUN
@@ -60,3 +63,20 @@ def test_what_could_not_run_is_not_foreseen(play):  # R-X24
     play.runtime.faults = (request.FaultText(str(play.files.path / "appl" / "play.appl"), 1, *NOT_RUN_OF),)
     assert play.answer(act.WhatIf(doc=doc)).no.reason.key == "run.not_foreseen"
     assert play.answer(act.WhatIf(doc="nobody")).no.reason.key == "run.application_closed"
+
+
+def test_an_application_is_foreseen_while_another_one_runs_and_as_if_it_ran_alone(play):  # R-X24, R-C18
+    first, other = play.open([job("aC")]), play.open([job("cC")], name="other")
+    play.run(first)
+    (seen,) = play.do(act.WhatIf("task", "main/pd", other)).foresights
+    assert [note.key for note in seen.notes] == ["run.foreseen_alone"] and "play" in str(seen.notes[0])
+    assert [flow.subsystem for flow in play.carried(request.Prepare)[-1].plan.flows] == ["flow0-1"]
+    assert len(play.carried(request.Begin)) == 1 and play.view.state == "running"
+
+
+def test_no_plan_is_prepared_beside_one_that_is_about_to_begin(play):  # R-X24
+    first, other = play.open([job("aC")]), play.open([job("cC")], name="other")
+    play.run(first)
+    play.environment.become(lambda model: Done(replace(model, run=model.run.shown(state="beginning"))))
+    assert play.answer(act.WhatIf(doc=other)).no.reason.key == "run.foreseen_after_beginning"
+    assert len(play.carried(request.Prepare)) == 1
