@@ -1677,6 +1677,7 @@ export interface RuntimeView {
   stop_text?: Reason;
   units?: Record<string, UnitView>;
   worlds?: Record<string, boolean>;
+  outdated?: Record<string, Reason>;
   subsystems?: Record<string, string>;
   holds?: Record<string, HoldView>;
   sessions?: Record<string, SessionView>;

@@ -30,6 +30,7 @@ def english(outcome, drawn):
         (event.Began(0, 4, 12, "jmoveC home", 3.14159), "    3.14 s   5/12  jmoveC home"),
         (event.Warned("flow0", "jtraj", Reason.plain("too fast"), 1.0), "    1.00 s  note: jtraj: too fast"),
         (event.Warned("flow0", "", Reason.plain("waits"), 1.0), "    1.00 s  note: waits"),
+        (event.Outdated("cell", True, Reason.plain("changed"), 1.0), "    1.00 s  note: changed"),
         (
             event.Stepped("flow0", "puma", "TAU_REF", "N m", 1, 40.0, 9.0, 9.76, 6, 1.0),
             "    1.00 s  note: flow0/puma: TAU_REF[1] stepped by 40 N m at a switch, more than 9.76 N m a cycle: "

@@ -1,3 +1,5 @@
+from time import monotonic_ns
+
 import pytest
 from msgspec.structs import replace
 
@@ -40,6 +42,23 @@ def test_the_last_word_of_a_drive_comes_before_the_result(desk):  # law 17
     drives = [number for number, message in enumerate(desk.server.events) if isinstance(message, event.Drive)]
     assert desk.server.events[drives[-1]].state == "HELD"
     assert drives[-1] < len(desk.server.events) - 1
+
+
+def test_a_world_whose_file_was_changed_is_told_of_and_goes_on(tmp_path, monkeypatch):  # law 21
+    path = tmp_path / "yard.py"
+    path.write_text("one")
+    monkeypatch.setattr("onika.host.units.world_files.source_files", lambda _module: (path,))
+    desk = DirectClient()
+    desk.ask(request.Prepare(plan("1.0"), ()))
+    desk.ask(request.Begin())
+    while not desk.of(event.Drive):
+        desk.program.advance(0)
+    path.write_text("other")
+    monkeypatch.setattr("onika.host.program.monotonic_ns", lambda: monotonic_ns() + 2 * SECOND)
+    desk.program.advance(0)
+    assert [(told.world, told.is_outdated) for told in desk.of(event.Outdated)] == [("yard", True)]
+    assert desk.to_the_end().completed
+    assert len(desk.of(event.Outdated)) == 1
 
 
 def test_a_world_is_touched_and_what_is_not_there_refused(desk):  # R-K06

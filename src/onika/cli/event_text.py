@@ -58,7 +58,7 @@ def sentence(happening: event.Event, total: int, flows: Sequence[str] = ()) -> s
             return ""
         case event.LastSecondsKept():
             return f"{happening.at_s:8.2f} s  {say(Reason.of('cli.standstill_kept', path=happening.path))}"
-        case event.Met() | event.Stepped() | event.Warned() | event.Failed() | event.Drive():
+        case event.Met() | event.Stepped() | event.Warned() | event.Outdated() | event.Failed() | event.Drive():
             text = say(_reason(happening))
             return f"{happening.at_s:8.2f} s  {text}" if text else ""
         case _:
@@ -74,7 +74,9 @@ def _began(began: event.Began, total: int, flows: Sequence[str]) -> str:
     return f"{flows[began.flow]:<{column}}  {began.index + 1:>{width}}/{began.of}  {began.action}"
 
 
-def _reason(happening: event.Met | event.Stepped | event.Warned | event.Failed | event.Drive) -> Reason:
+def _reason(
+    happening: event.Met | event.Stepped | event.Warned | event.Outdated | event.Failed | event.Drive,
+) -> Reason:
     """What is said of an event beside its time."""
     match happening:
         case event.Met():
@@ -87,6 +89,8 @@ def _reason(happening: event.Met | event.Stepped | event.Warned | event.Failed |
             if happening.task:
                 text = Reason.of("cli.warned", task=happening.task, text=text)
             return Reason.of("cli.note", text=text)
+        case event.Outdated():
+            return Reason.of("cli.note", text=happening.text)
         case event.Failed():
             where = f" ({happening.path}:{happening.line})" if happening.line else ""
             task = f"{happening.subsystem}/{happening.task}"

@@ -33,6 +33,7 @@ from onika.host.subsystems.motion import Motion
 from onika.host.subsystems.run_commands import RunCommands
 from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.host.units.process_socket import ProcessSocket
+from onika.host.units.world_files import WorldFiles
 from onika.host.units.world_registry import offered_worlds
 from onika.link.caller import Role
 from onika.record.black_box_folder import clear_unfinished
@@ -68,6 +69,7 @@ class RuntimeProgram:
         self.network = NetworkChannel(server)
         self._look = Inspection(self.subsystems, driver, server, rtpus)
         self._sampling = Sampling(self.subsystems, driver)
+        self._world_files = WorldFiles()
         self._descriptions = RunDescriptions(self.subsystems, driver, rtpus)
         self._recorder = Recorder(self.subsystems, driver, server, self._descriptions)
         self.motion = Motion(self.subsystems, driver, server.tell)
@@ -148,6 +150,8 @@ class RuntimeProgram:
                 self.applications.end(run)
         self._look.show(monotonic_ns())
         self._sampling.serve()
+        for outdated in self._world_files.look(self._driver.worlds, monotonic_ns(), self._driver.now * 1e-9):
+            self._server.tell(outdated)
         return goes_on
 
     def _lease_of(self, session: str) -> int:

@@ -133,6 +133,16 @@ class Lost(Struct, frozen=True, tag=True):
     at_s: float
 
 
+class Outdated(Struct, frozen=True, tag=True):
+    """The files of an open world say something else than what was loaded; or, if not `is_outdated`, the same again."""
+
+    world: str
+    is_outdated: bool
+    text: Reason
+    """Which file it is, as a sentence."""
+    at_s: float
+
+
 class Held(Struct, frozen=True, tag=True):
     """The holder of a subsystem has changed; empty: nobody holds it."""
 
@@ -313,6 +323,7 @@ Event = (
     | Edited
     | Signalled
     | Lost
+    | Outdated
     | Held
     | Offered
     | Company

@@ -46,6 +46,7 @@ def lines(message):
             Tone.NOTE,
         ),
         (event.Lost("rt1", Reason.plain("killed"), 1.0), "     1.00 s  LOST rt1: killed", Tone.FAULT),
+        (event.Outdated("cell", True, Reason.plain("changed"), 1.0), "     1.00 s  note: changed", Tone.NOTE),
         (event.Held("main", ""), "main is held by nobody", Tone.NOTE),
         (event.Held("main", "", Reason.plain("silent")), "main is held by nobody: silent", Tone.NOTE),
         (event.Offered("main", "a", "b", Reason.plain("accepted")), "a offers main to b: accepted", Tone.NOTE),

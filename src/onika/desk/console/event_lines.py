@@ -20,7 +20,7 @@ def lines(message: event.Event, say: Callable[[Reason], str] = str) -> Iterator[
     match message:
         case event.Began() | event.TaskState() | event.Signalled() | event.Drive():
             yield _step(message)
-        case event.Warned() | event.Stepped():
+        case event.Warned() | event.Stepped() | event.Outdated():
             yield from _noted(message)
         case event.Failed():
             yield from _failed(message)
@@ -122,13 +122,15 @@ def _because(cause: Reason) -> Reason:
     return NOTHING
 
 
-def _noted(message: event.Warned | event.Stepped) -> Iterator[Line]:
+def _noted(message: event.Warned | event.Stepped | event.Outdated) -> Iterator[Line]:
     """What is worth knowing; a step that was no larger than it may be is not."""
     if isinstance(message, event.Warned):
         text = message.text
         if message.task:
             text = Reason.of("console.task_reason", task=f"{message.subsystem}/{message.task}", reason=text)
         yield _timed(message.at_s, Reason.of("console.note", text=text)), Tone.NOTE
+    elif isinstance(message, event.Outdated):
+        yield _timed(message.at_s, Reason.of("console.note", text=message.text)), Tone.NOTE
     elif message.is_too_far:
         step = transfer_text.sentence_with_subsystem(message)
         yield _timed(message.at_s, Reason.of("console.note", text=step)), Tone.NOTE

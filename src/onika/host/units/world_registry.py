@@ -42,6 +42,11 @@ def offered_worlds() -> tuple[str, ...]:
     return tuple(sorted(entry_points(group=GROUP).names))
 
 
+def module_of(name: str) -> str:
+    """The module that offers a world, also of a copy; empty where there is none. No code of it is executed for that."""
+    return next((entry.module for entry in entry_points(group=GROUP, name=_plain(name))), "")
+
+
 def refuse_unoffered(name: str) -> None:
     """Raises ValueError with the known names where no world is called so; no code of worlds is executed for that."""
     offered = offered_worlds()

@@ -69,6 +69,8 @@ class RuntimeView(View, frozen=True):
     units: dict[str, UnitView] = field(default_factory=dict)
     worlds: dict[str, bool] = field(default_factory=dict)
     """Those that are open."""
+    outdated: dict[str, Reason] = field(default_factory=dict)
+    """Those whose files were changed since they were opened, and which file it is."""
     subsystems: dict[str, str] = field(default_factory=dict)
     """Names of those that live, with what holds them."""
     holds: dict[str, HoldView] = field(default_factory=dict)

@@ -1,6 +1,7 @@
 from dataclasses import replace
 from hashlib import sha256
 
+import msgspec
 import pytest
 
 from kit.desk.fake_runtime_env import FakeRuntimeEnv
@@ -10,7 +11,8 @@ from onika.desk.environment.refresh import refreshed
 from onika.files import rmod
 from onika.files.rmod import RmodText
 from onika.model.task import LocalLine, Task
-from onika.wire import act, live
+from onika.wire import act, event, live
+from onika.words.reason import Reason
 
 A = Task("a", "a", outvar=("A",), frequency=10.0, local=(LocalLine("GAIN", ("1",)),))
 B = Task("b", "b", outvar=("B",), frequency=10.0)
@@ -89,6 +91,23 @@ def test_a_description_alone_concerns_no_living_task(duet):
 def test_nothing_is_behind_where_nothing_lives(duet):
     doc = duet.new("a")
     rewritten(duet, replace(A, local=()))
+    assert behind(duet, doc) == {}
+
+
+def test_whoever_drives_a_world_whose_files_were_changed_is_offered_a_runtime_that_loads_it_anew(tmp_path):  # law 21
+    arm = replace(A, local=(LocalLine("DEVICE", ("cell:arm",)),))
+    duet = FakeRuntimeEnv(tmp_path, (arm, B), LiveRuntime())
+    doc, other = duet.connected("a"), duet.connected("b")
+    for world in ("cell", "yard"):
+        duet.tell(event.Outdated(world, True, Reason.plain(f"{world} was changed"), 1.0))
+    assert behind(duet, other) == {}
+    (problem,) = behind(duet, doc).values()
+    assert (str(problem.text), problem.remedies[0].act) == ("cell was changed", act.StartAnew())
+    duet.environment.become(
+        lambda model: Done(replace(model, runtime=msgspec.structs.replace(model.runtime, address="x")))
+    )
+    assert [problem.remedies for problem in behind(duet, doc).values()] == [()]  # it is not ours to end
+    duet.tell(event.Outdated("cell", False, Reason.plain("as it was"), 2.0))
     assert behind(duet, doc) == {}
 
 

@@ -52,6 +52,16 @@ def test_a_unit_that_is_lost_is_shown_so(duet, doc):  # R-E10
     assert str(duet.says[-1].text) == "rt1 is lost: it was killed"
 
 
+def test_a_world_whose_files_were_changed_is_told_of_until_they_are_put_back(duet, doc):  # law 21
+    changed, same = Reason.plain("cell.py was changed"), Reason.plain("it is as it was")
+    duet.tell(event.Outdated("cell", True, changed, 1.0))
+    assert duet.environment.tree.runtime.outdated == {"cell": changed}
+    assert (duet.says[-1].level, duet.says[-1].text) == ("warning", changed)
+    duet.tell(event.Outdated("cell", False, same, 2.0))
+    assert duet.environment.tree.runtime.outdated == {}
+    assert (duet.says[-1].level, duet.says[-1].text) == ("info", same)
+
+
 def test_who_holds_what_is_known_of_other_subsystems_too(duet, doc):  # R-X12
     duet.tell(event.Held("elsewhere", "anna#2"))
     duet.tell(event.Held("Untitled-1", "bob#3"))

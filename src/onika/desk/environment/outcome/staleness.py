@@ -6,19 +6,20 @@ from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import TaskFacts
 from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.model.planned import task_of
+from onika.model.rules.worlds import worlds_of
 from onika.model.task import Task
 from onika.wire import act
 from onika.wire.plan import PlannedTask
-from onika.wire.view import ProblemView, Remedy, ShowSource, ShowTask
+from onika.wire.view import ProblemView, Remedy, RuntimeView, ShowSource, ShowTask
 from onika.words.reason import NOTHING, Reason
 
 
-def stale(document: Document, libraries: OpenLibraries) -> dict[str, ProblemView]:
+def stale(document: Document, libraries: OpenLibraries, runtime: RuntimeView) -> dict[str, ProblemView]:
     """What is to be told of a document; nothing while a change is under way."""
     live = document.live
     if live is None or live.state != "live" or live.pending:
         return {}
-    return dict(_stale(document, live.tasks, libraries))
+    return {**dict(_stale(document, live.tasks, libraries)), **dict(_outdated_worlds(live.tasks, runtime))}
 
 
 def says_otherwise(planned: PlannedTask, task: Task) -> bool:
@@ -38,6 +39,19 @@ def _stale(
             take = Remedy(Reason.of("run.take_file_over"), act.Renew(document.id, name))
             look = Remedy(Reason.of("run.source"), show=ShowSource(name))
             yield f"stale {name}", ProblemView(reason, "warning", ShowTask(name), (take, look))
+
+
+def _outdated_worlds(tasks: Mapping[str, TaskFacts], runtime: RuntimeView) -> Iterator[tuple[str, ProblemView]]:
+    """Open worlds of which a task drives a device; only the runtime that was started here is started anew from here."""
+    remedies = () if runtime.address else (Remedy(Reason.of("run.start_runtime_anew"), act.StartAnew()),)
+    for world, reason in runtime.outdated.items():
+        driving = next((name for name, facts in tasks.items() if _drives(facts.planned, world)), None)
+        if driving is not None:
+            yield f"stale world {world}", ProblemView(reason, "warning", ShowTask(driving), remedies)
+
+
+def _drives(planned: PlannedTask | None, world: str) -> bool:
+    return planned is not None and world in worlds_of([task_of(planned)])
 
 
 def _reason(name: str, planned: PlannedTask, task: Task, libraries: OpenLibraries) -> Reason:

@@ -1,6 +1,7 @@
 """What a runtime tells becomes facts of documents: states, questions, errors, who holds what (law 22)."""
 
 from dataclasses import replace
+from typing import Literal
 
 import msgspec
 
@@ -32,7 +33,7 @@ def after_event(model: Model, message: event.Event, at_s: float = 0.0) -> Done:
             return Done(model, orders=(presence.ask_what(),))
         case event.Held() | event.Offered() | event.Company() | event.Moved():
             return _of_holder(model, message, at_s)
-        case event.Stopped() | event.Lost() | event.Drive():
+        case event.Stopped() | event.Lost() | event.Drive() | event.Outdated():
             return _of_runtime(model, message)
     return Done(model)
 
@@ -68,13 +69,15 @@ def _of_holder(model: Model, message: event.Held | event.Offered | event.Company
             return Done(replace(model, runtime=holders.moved(model.runtime, message)))
 
 
-def _of_runtime(model: Model, message: event.Stopped | event.Lost | event.Drive) -> Done:
+def _of_runtime(model: Model, message: event.Stopped | event.Lost | event.Drive | event.Outdated) -> Done:
     """What concerns everybody."""
     match message:
         case event.Stopped():
             return _stopped(model, message)
         case event.Lost():
             return _lost(model, message)
+        case event.Outdated():
+            return _outdated(model, message)
     if message.state not in ("TRIPPED", "PRESSED") or model.runtime.is_stopped:
         return Done(model)
     return Done(model, says=(page.Say("error", _drive(message)),))
@@ -169,6 +172,15 @@ def _lost(model: Model, message: event.Lost) -> Done:
     runtime = msgspec.structs.replace(model.runtime, units=units)
     reason = Reason.of("run.is_lost", name=message.name, cause=message.cause)
     return Done(replace(model, runtime=runtime), says=(page.Say("error", reason),))
+
+
+def _outdated(model: Model, message: event.Outdated) -> Done:
+    """The files of a world have changed, or are again as they were: told to everybody, and nothing restarts."""
+    others = {world: why for world, why in model.runtime.outdated.items() if world != message.world}
+    outdated = {**others, message.world: message.text} if message.is_outdated else others
+    level: Literal["warning", "info"] = "warning" if message.is_outdated else "info"
+    runtime = msgspec.structs.replace(model.runtime, outdated=outdated)
+    return Done(replace(model, runtime=runtime), says=(page.Say(level, message.text),))
 
 
 def _with_subsystem(model: Model, name: str) -> Model:

@@ -149,10 +149,11 @@ class Projector:
         )
         living = document.live.tasks if document.live else None
         pending = document.live.pending if document.live else None
+        runtime = model.runtime
         behind = self._once(
             f"stale {document.id}",
-            (document.content.configuration, living, pending, libraries),
-            lambda: stale(document, libraries),
+            (document.content.configuration, living, pending, libraries, runtime.outdated, runtime.address),
+            lambda: stale(document, libraries, runtime),
         )
         troubles = self._once(f"troubles {document.id}", (troubles, behind), lambda: troubles | behind)
         late = self._once(
