@@ -111,7 +111,6 @@ def test_what_is_held_and_repeated_stays_so_while_others_leave_and_their_runs_en
     begin(desk, plan("1.0"), is_held=True, repeat=(repeated(100, steer.Pause()),), repeat_until_ns=-1)
     begin(desk, plan("1.0", home="flow1", mass="yard:m1"), "other")
     subsystems = desk.program.subsystems
-    subsystems.repeat.begin("me", request.Begin(repeat_until_ns=-1), desk.driver.now)  # as it was before the other came
     desk.ask(request.Abort(Reason.plain("enough")), "other")
     for _ in range(100):
         desk.program.advance(0)
@@ -137,6 +136,30 @@ def test_what_is_repeated_is_asked_anew_from_the_begin_of_the_run_in_its_session
     assert desk.driver.now > began + 9_000 * MS
     assert "paused" in [moved.state for moved in desk.of(event.Moved)]
     assert desk.program.subsystems.repeat.session == ""
+
+
+def test_a_run_that_is_steered_beside_a_repeated_one_leaves_that_alone(desk):  # law 29, R-C18
+    asked = (repeated(100, steer.Pause("flow0")), repeated(9_000, steer.Resume("flow0")))
+    begin(desk, plan("1.5", "2.0"), repeat=asked)
+    begin(desk, plan("1.0", home="flow1", mass="yard:m1"), "other")
+    assert desk.ask(steer.Pause("flow1"), "other") == request.Done()
+    assert desk.ask(steer.Resume("flow1"), "other") == request.Done()
+    while len(desk.of(event.Result)) < 2:
+        desk.program.advance(0)
+    assert {result.run: result.completed for result in desk.of(event.Result)} == {"flow0": True, "flow1": True}
+    assert [moved.subsystem for moved in desk.of(event.Moved) if moved.state == "paused"] == ["flow0"]
+    assert desk.driver.now > 9_000 * MS
+
+
+def test_a_second_run_is_not_repeated_beside_a_first_one(desk):  # law 29
+    begin(desk, plan("1.0"), repeat_until_ns=-1)
+    planned = plan("1.0", home="flow1", mass="yard:m1")
+    assert desk.ask(request.Prepare(planned, ()), "other") == request.Prepared(())
+    refused = desk.ask(request.Begin(repeat_until_ns=-1), "other")
+    assert (type(refused), refused.reason.key) == (request.Refused, "host.repeats_another")
+    assert desk.ask(request.Begin(), "other") == request.Done()
+    desk.to_the_end()
+    assert desk.ask(request.Abort(Reason.plain("enough")), "other") == request.Done()
 
 
 def test_a_repetition_ends_with_its_session(desk):  # law 29

@@ -52,7 +52,7 @@ class ApplicationRuns:
         """The session is gone: nobody steers or repeats a run in its name."""
         self.forget(session)
         self._subsystems.hold.release(session)
-        self._subsystems.repeat.end(session)
+        self._subsystems.repeat.lost(session)
 
     def take(self, session: str, prepared: Preparation) -> None:
         """The next plan of a session to run; one with faults leaves nothing to run."""
@@ -65,7 +65,8 @@ class ApplicationRuns:
         prepared = self._prepared.get(session)
         if prepared is None:
             return request.Refused(Reason.of("host.no_plan"))
-        refusal = self._refusal(session, prepared) or self._recorder.begin(session, message, prepared)
+        refusal = self._refusal(session, prepared) or self._subsystems.repeat.objection(message, self._driver.now)
+        refusal = refusal or self._recorder.begin(session, message, prepared)
         if refusal:
             return request.Refused(refusal)
         about = self._descriptions.describe(session, message)
@@ -80,7 +81,8 @@ class ApplicationRuns:
         tell: Tell = self._tell
         if message.is_held and self._driver.is_virtual:
             tell = self._subsystems.hold.begin(session, prepared.plan.flows[0].subsystem, self._driver.now)
-        self._subsystems.repeat.begin(session, message, self._driver.now)
+        homes = tuple(flow.subsystem for flow in prepared.plan.flows)
+        self._subsystems.repeat.begin(session, message, self._driver.now, homes)
         run = ApplicationRun(session, prepared, message, running, self._driver, tell, self._subsystems.lost_units)
         if self.black_box is not None and about is not None:
             self.black_box.begin(run, about)
@@ -98,7 +100,7 @@ class ApplicationRuns:
             return
         self._subsystems.runs.remove(run)
         self._subsystems.hold.release(run.session)
-        self._subsystems.repeat.end(run.session)
+        self._subsystems.repeat.end(run.names)
         run.end(replace(result, black_box=black_box))
 
     def _refusal(self, session: str, prepared: Preparation) -> Reason:

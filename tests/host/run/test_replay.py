@@ -10,7 +10,7 @@ PAUSE, ANSWER = steer.Pause("flow0"), request.Reply("flow0", "gauge", "1")
 def repeated(*requests, until_ns=10 * SECOND, now=0):
     repeat = Replay()
     inputs = tuple(Recorded(at, turn, encode(wish)) for at, turn, wish in requests)
-    repeat.begin("me", request.Begin(repeat=inputs, repeat_until_ns=until_ns), now)
+    repeat.begin("me", request.Begin(repeat=inputs, repeat_until_ns=until_ns), now, ("flow0", "flow1"))
     return repeat
 
 
@@ -50,10 +50,32 @@ def test_it_is_on_up_to_its_instant_and_nobody_else_steers_meanwhile():  # R-X05
 def test_a_whole_run_is_repeated_to_its_end():
     repeat = repeated(until_ns=-1)
     assert repeat.is_on(10**18)
-    repeat.end("other")
+    repeat.lost("other")
+    repeat.end(("flow2",))
     assert repeat.is_on(0)
-    repeat.end("me")
+    repeat.end(("flow0", "flow1"))
     assert not repeat.is_on(0)
+    repeat = repeated(until_ns=-1)
+    repeat.lost("me")
+    assert not repeat.is_on(0)
+
+
+def test_a_run_of_another_that_begins_and_is_steered_leaves_a_repeated_run_as_it_is():  # law 29, R-C18
+    repeat = repeated((5 * SECOND, 0, PAUSE))
+    repeat.begin("you", request.Begin(), SECOND, ("flow2",))
+    assert repeat.is_on(SECOND) and repeat.session == "me"
+    assert not repeat.refusal("you", steer.Pause("flow2"), SECOND)
+    assert repeat.refusal("you", steer.Pause("flow1"), SECOND)
+    assert repeat.refusal("you", steer.Pause(), SECOND)
+    repeat.end(("flow2",))
+    assert repeat.take(5 * SECOND, 1, False) == PAUSE
+
+
+def test_two_runs_are_not_repeated_at_once():  # law 29
+    repeat = repeated()
+    assert "repeated" in repeat.objection(request.Begin(repeat_until_ns=-1), SECOND).text
+    assert not repeat.objection(request.Begin(), SECOND)
+    assert not repeat.objection(request.Begin(repeat_until_ns=-1), 10 * SECOND)
 
 
 def test_what_is_not_repeated_waits_for_nothing():

@@ -5,6 +5,7 @@ requests at the same instants make the same run, bit for bit.
 """
 
 from collections import deque
+from collections.abc import Collection
 
 from onika.wire import request, steer
 from onika.words.reason import NOTHING, Reason
@@ -23,29 +24,49 @@ _STEERING = (
 
 
 class Replay:
-    """At most one run is repeated at a time. `now` is the runtime's time, `turn` the driver's count at that instant."""
+    """At most one run is repeated at a time; others may go on beside it.
+
+    `now` is the runtime's time, `turn` the driver's count at that instant.
+    """
 
     def __init__(self) -> None:
         self.session = ""
         """Who began the run; empty: none is repeated."""
+        self._subsystems: frozenset[str] = frozenset()
+        """Those of its flows."""
         self._left: deque[request.Recorded] = deque()
         self._began = 0
         self._until = 0
         self._is_answer = False
 
-    def begin(self, session: str, begin_request: request.Begin, now: int) -> None:
-        """A run begins, to be repeated as far as `asked` says."""
-        is_wanted = bool(begin_request.repeat) or begin_request.repeat_until_ns != 0
-        self.session = session if is_wanted else ""
+    def objection(self, begin_request: request.Begin, now: int) -> Reason:
+        """Why a run may not begin so: two cannot be repeated at once, as each has the clock go its own way."""
+        if _is_wanted(begin_request) and self.is_on(now):
+            return Reason.of("host.repeats_another")
+        return NOTHING
+
+    def begin(self, session: str, begin_request: request.Begin, now: int, subsystems: Collection[str]) -> None:
+        """A run begins in these subsystems, to be repeated as far as it says; one that is not leaves another alone."""
+        if not _is_wanted(begin_request):
+            return
+        self.session, self._subsystems = session, frozenset(subsystems)
         self._left = deque(begin_request.repeat)
         self._began, self._until = now, begin_request.repeat_until_ns
         self._look_ahead()
 
-    def end(self, session: str | None = None) -> None:
-        """The run is over, or its session is gone."""
-        if session in (None, self.session):
-            self.session = ""
-            self._left.clear()
+    def end(self, subsystems: Collection[str]) -> None:
+        """The run of these subsystems is over."""
+        if not self._subsystems.isdisjoint(subsystems):
+            self._forget()
+
+    def lost(self, session: str) -> None:
+        """A session is gone: nothing is repeated in its name."""
+        if session == self.session:
+            self._forget()
+
+    def _forget(self) -> None:
+        self.session, self._subsystems = "", frozenset()
+        self._left.clear()
 
     def is_on(self, now: int) -> bool:
         """Whether it is still being repeated."""
@@ -84,7 +105,14 @@ class Replay:
         return at if at > now else None
 
     def refusal(self, session: str, message: request.Request, now: int) -> Reason:
-        """Why this may not be asked meanwhile; empty: it may."""
+        """Why this may not be asked meanwhile; empty: it may. The run of other subsystems is steered as ever."""
         if not isinstance(message, _STEERING) or not self.is_on(now):
             return NOTHING
+        if message.subsystem and message.subsystem not in self._subsystems:
+            return NOTHING
         return Reason.of("host.is_repeated")
+
+
+def _is_wanted(begin_request: request.Begin) -> bool:
+    """Whether a run is to repeat one that was recorded."""
+    return bool(begin_request.repeat) or begin_request.repeat_until_ns != 0
