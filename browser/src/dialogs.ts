@@ -16,6 +16,7 @@ import RedirectPanel from './redirect/RedirectPanel.svelte'
 import RecordingsPanel from './review/RecordingsPanel.svelte'
 import KeepPanel from './run/KeepPanel.svelte'
 import ButtonsPanel from './shell/ButtonsPanel.svelte'
+import UnitPanel from './monitor/UnitPanel.svelte'
 import ConnectPanel from './shell/ConnectPanel.svelte'
 import PreferencesPanel from './shell/PreferencesPanel.svelte'
 import BringBackPanel from './task/BringBackPanel.svelte'
@@ -48,6 +49,7 @@ export const DIALOGS: Partial<Record<DialogName, Component>> = {
   sets: SetsPanel,
   source: SourcePanel,
   target: TargetPanel,
+  unit: UnitPanel,
   whatIf: WhatIfPanel,
 }
 

@@ -238,6 +238,14 @@ def test_a_unit_that_a_module_takes_along_is_named_and_the_others_go_on(bench, h
     answer = bench.runtime.ask(live.Change("s1", spawn=(bench.shop.planned("sick"),), code=(bench.shop.code("sick"),)))
     assert isinstance(answer, request.Prepared)
     assert "rt0" in str(answer.faults[0].reason)
+    assert bench.runtime.ask(live.AddUnit("rt0")) == request.Done()
+    assert {unit.name: unit.is_lost for unit in bench.standing().rtpus} == {"rt0": False, "rt1": False}
+    bench.shop.task("counter", f"# anew\n{COUNTER}", frequency=100.0, rtpu="rt0")
+    assert bench.change(("counter",), ("counter",), subsystem="s2") == ""
+    bench.cycled(20, subsystem="s2")
+    anew = [task.rtpu for home in bench.standing().subsystems if home.name == "s2" for task in home.tasks]
+    assert anew == ["rt0"]
+    far_goes_on(bench)
 
 
 def test_a_module_that_takes_memory_without_end_is_in_error_and_nobody_else(bench):  # R-A18, law 30

@@ -24,6 +24,7 @@ export type DialogName =
   | 'sheet'
   | 'source'
   | 'target'
+  | 'unit'
   | 'whatIf'
 
 /** The panel that is open, and what it is about. */

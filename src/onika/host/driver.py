@@ -8,6 +8,7 @@ from onika.host.recording.recorder import RecordedDriver
 from onika.host.subsystems.subsystem_registry import Tables
 from onika.host.units.unit_listener import UnitListener
 from onika.ring.drive import DriveMode
+from onika.words.reason import Reason
 
 
 class Driver(Tables, InspectedDriver, RecordedDriver, Protocol):
@@ -21,6 +22,10 @@ class Driver(Tables, InspectedDriver, RecordedDriver, Protocol):
     @property
     def outside(self) -> tuple[str, ...]:
         """The tasks that had to do with the outside since `begin`, where without them it were the same every time."""
+        ...
+
+    def add_unit(self, name: str, answer: Callable[[Reason], None]) -> None:
+        """Have one more processing unit, or a lost one anew; answered with nothing when it is up, else with why not."""
         ...
 
     def expect(self, worlds: Iterable[str]) -> None:

@@ -59,13 +59,10 @@ class _Watch:
 class Inspection:
     """Answers every question that changes nothing."""
 
-    def __init__(
-        self, subsystems: Subsystems, seen: InspectedDriver, server: RequestServer, rtpus: tuple[str, ...]
-    ) -> None:
+    def __init__(self, subsystems: Subsystems, seen: InspectedDriver, server: RequestServer) -> None:
         self._subsystems = subsystems
         self._seen = seen
         self._server = server
-        self._rtpus = rtpus
         self._watches: dict[str, _Watch] = {}
 
     def answer(self, session: str, message: request.Request, is_stopped: bool) -> request.Response:
@@ -166,7 +163,7 @@ class Inspection:
         names = [*self._subsystems.live, *(name for run in self._subsystems.runs for name in run.names)]
         subsystems = tuple(self._subsystem(name) for name in sorted(set(names)))
         lost, loads = self._subsystems.lost_units, self._subsystems.status_poll.loads
-        rtpus = tuple(live.RtpuStanding(name, name in lost, loads.get(name, 0.0)) for name in self._rtpus)
+        rtpus = tuple(live.RtpuStanding(name, name in lost, loads.get(name, 0.0)) for name in self._subsystems.units)
         seen = self._seen
         now_s, addresses = seen.now * 1e-9, self._server.addresses
         simulated = seen.simulated

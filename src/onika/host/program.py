@@ -32,6 +32,7 @@ from onika.host.sessions.request_server import RequestServer, SessionRequest
 from onika.host.subsystems.motion import Motion
 from onika.host.subsystems.run_commands import RunCommands
 from onika.host.subsystems.subsystem_registry import Subsystems
+from onika.host.subsystems.unit_starts import UnitStarts
 from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.world_files import WorldFiles
 from onika.host.units.world_registry import offered_worlds
@@ -67,11 +68,12 @@ class RuntimeProgram:
         self.authority = ControlAuthority(self.subsystems, server.tell, self._run_commands, self._presence.sessions)
         self.leases = Leases(self.authority, server.hearing, lease_ns, deaf=server.deaf_ns)
         self.network = NetworkChannel(server)
-        self._look = Inspection(self.subsystems, driver, server, rtpus)
+        self._look = Inspection(self.subsystems, driver, server)
         self._sampling = Sampling(self.subsystems, driver)
         self._world_files = WorldFiles()
-        self._descriptions = RunDescriptions(self.subsystems, driver, rtpus)
+        self._descriptions = RunDescriptions(self.subsystems, driver)
         self._recorder = Recorder(self.subsystems, driver, server, self._descriptions)
+        self._unit_starts = UnitStarts(self.subsystems, driver)
         self.motion = Motion(self.subsystems, driver, server.tell)
         self.applications = ApplicationRuns(
             self.subsystems, driver, self.authority, self.motion, self._descriptions, self._recorder, server.tell
@@ -218,6 +220,8 @@ class RuntimeProgram:
                 self.network.open(call.asked, answer)
             case holding.StopListening():
                 self.network.close(answer)
+            case live.AddUnit():
+                self._unit_starts.add(call.asked, answer)
             case live.Advance():
                 self._advance(call.asked.seconds, answer)
             case WhatIf():

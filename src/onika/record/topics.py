@@ -31,6 +31,7 @@ STEERING = (
     live.Swap,
     live.Clear,
     live.Close,
+    live.AddUnit,
 )
 """What may change the course of a run."""
 

@@ -133,6 +133,13 @@ class Lost(Struct, frozen=True, tag=True):
     at_s: float
 
 
+class UnitUp(Struct, frozen=True, tag=True):
+    """A processing unit is up that was added, or started anew after its loss; it is empty."""
+
+    name: str
+    at_s: float
+
+
 class Outdated(Struct, frozen=True, tag=True):
     """The files of an open world say something else than what was loaded; or, if not `is_outdated`, the same again."""
 
@@ -323,6 +330,7 @@ Event = (
     | Edited
     | Signalled
     | Lost
+    | UnitUp
     | Outdated
     | Held
     | Offered

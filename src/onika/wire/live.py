@@ -161,6 +161,12 @@ class Reset(Struct, frozen=True, tag=True):
     """After a Stop: allow motion again (law 27)."""
 
 
+class AddUnit(Struct, frozen=True, tag=True):
+    """Have one more processing unit, or a lost one anew and empty; replied by Done when it is up, or by Refused."""
+
+    name: str
+
+
 class ListWorlds(Struct, frozen=True, tag=True):
     """Ask which worlds are installed, and which of them are simulated; replied by WorldList."""
 
@@ -190,6 +196,7 @@ LiveRequest = (
     | Attend
     | Scene
     | Touch
+    | AddUnit
     | ListWorlds
     | Reset
     | Advance

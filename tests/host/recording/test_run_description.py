@@ -8,8 +8,8 @@ PREPARE = request.Prepare(rail_tasks().plan([action("mass", "servo", arguments="
 
 
 def descriptions():
-    desk = DirectClient()
-    described = RunDescriptions(desk.program.subsystems, desk.driver, ("rt0", "rt1"))
+    desk = DirectClient(("rt0", "rt1"))
+    described = RunDescriptions(desk.program.subsystems, desk.driver)
     described.keep("me", PREPARE)
     return described
 

@@ -30,7 +30,7 @@ COMMANDS = [
     request.Prepare(Plan("a", (), ()), ()),
     live.Change("s"), live.Take("s"), live.Release("s"), live.Set("s", "t", "n", "1"), live.Reset(), live.Close("s"),
     live.Write("s", "X", (1.0,)),
-    live.Touch("w", "panic", 1.0), live.Reinit("s", "t", (("GAIN", ("1",)),)),
+    live.Touch("w", "panic", 1.0), live.Reinit("s", "t", (("GAIN", ("1",)),)), live.AddUnit("rt2"),
     holding.Hand("s", "ann"), holding.Decline("s"),
 ]  # fmt: skip
 OWN = [request.Quit(), holding.Listen("127.0.0.1:0"), holding.StopListening()]

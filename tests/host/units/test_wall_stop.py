@@ -3,6 +3,7 @@
 import pytest
 
 from onika.host.units import rtpu
+from onika.host.units.unit_processes import UnitProcesses
 from onika.host.units.wall import WallDriver
 from onika.runtime import command
 
@@ -11,11 +12,22 @@ class NotedProcess:
     """A process that notes what it is sent, in one list with the others."""
 
     def __init__(self, name, sent):
-        self._name, self._sent = name, sent
+        self.name, self._sent = name, sent
+        self.is_up, self.is_lost = True, False
         self.post = self
 
     def send(self, payload):
-        self._sent.append((self._name, payload))
+        self._sent.append((self.name, payload))
+
+
+class NotedSupervisor:
+    """Starts nothing."""
+
+    def __init__(self, sent):
+        self._sent = sent
+
+    def launch(self, name, *_, **__):
+        return NotedProcess(name, self._sent)
 
 
 class NotedServers:
@@ -41,7 +53,7 @@ def driver(sent):
     """A driver whose processes were never started."""
     driver = WallDriver.__new__(WallDriver)
     driver._devices = NotedServers(sent)
-    driver._rtpus = {name: NotedProcess(name, sent) for name in ("rt0", "rt1")}
+    driver._units = UnitProcesses(NotedSupervisor(sent), ["rt1", "rt0"])
     return driver
 
 

@@ -1,6 +1,7 @@
 """Live changes of a runtime's subsystems in virtual time, while any processing unit may be lost."""
 
 from collections import deque
+from collections.abc import Callable
 
 from kit.plans.plan_builder import PlanBuilder
 from kit.runtime.direct_client import DirectClient, OpenGate
@@ -126,6 +127,11 @@ class LossyDriver(VirtualDriver):
     def living(self) -> dict[tuple[str, str], RunningTask]:
         """What really lives, by subsystem and task."""
         return self._executive.tasks
+
+    def add_unit(self, name: str, answer: Callable[[Reason], None]) -> None:
+        """A unit that was gone is there again, empty."""
+        self.gone.discard(name)
+        super().add_unit(name, answer)
 
     def lose(self, rtpu: str) -> None:
         """From now on this unit is gone."""

@@ -15,6 +15,10 @@ def test_placing_spawns_where_the_person_says_and_the_icon_shows_it(me):  # R-C1
     place(me, "calm", unit="rt1")
     expect(me.canvas.locator("[data-task=wave]")).to_contain_text("OFF · rt0")
     expect(me.canvas.locator("[data-task=calm]")).to_contain_text("OFF · rt1")
+    me.drag(me.icon("gain"), 600, 120)
+    chooser = me.page.get_by_role("dialog", name="On which processing unit shall gain live?")
+    chooser.get_by_role("button", name=re.compile("^On a new unit")).click()
+    expect(me.canvas.locator("[data-task=gain]")).to_contain_text(re.compile(r"OFF · rt[2-7]"), timeout=60_000)
 
 
 def test_shift_click_turns_on_and_off_and_lines_show_who_supplies(me):  # R-C11, R-C25, table B.2

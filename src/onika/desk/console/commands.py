@@ -14,6 +14,7 @@ from onika.desk.console import (
     time_lines,
     transfer_lines,
     tuning_lines,
+    unit_lines,
     world_lines,
 )
 from onika.desk.console.command import Command
@@ -121,7 +122,16 @@ LOOKS = (
     ),
     Command("tasks", "tasks [SUBSYSTEM]", Reason.of("console.does_tasks"), inspection.tasks, ("subsystem",), 0, 1),
     Command("library", "library [PATTERN]", Reason.of("console.does_library"), inspection.library, ("library",), 0, 1),
-    Command("rtpus", "rtpus", Reason.of("console.does_rtpus"), inspection.rtpus, most=0),
+    Command(
+        "rtpus",
+        "rtpus [add NAME]",
+        Reason.of("console.does_rtpus"),
+        unit_lines.rtpus,
+        ("rtpu_word", "lost_unit"),
+        0,
+        2,
+        more=Reason.of("console.more_rtpus"),
+    ),
     Command("subsystems", "subsystems", Reason.of("console.does_subsystems"), inspection.subsystems, most=0),
     Command(
         "subsystem",

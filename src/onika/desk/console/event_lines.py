@@ -28,8 +28,8 @@ def lines(message: event.Event, say: Callable[[Reason], str] = str) -> Iterator[
             yield from _asked(message)
         case event.Moved() | event.Met() | event.Explained():
             yield from _flows(message, say)
-        case event.Lost():
-            yield _timed(message.at_s, Reason.of("console.lost", name=message.name, cause=message.cause)), Tone.FAULT
+        case event.Lost() | event.UnitUp():
+            yield _process(message)
         case event.Held() | event.Offered():
             yield _held(message)
         case event.LastSecondsKept():
@@ -40,6 +40,13 @@ def lines(message: event.Event, say: Callable[[Reason], str] = str) -> Iterator[
             for name in sorted(message.values):
                 yield from ((Reason.plain(line), Tone.PLAIN) for line in shown(name, message.values[name]))
             yield _result(message)
+
+
+def _process(message: event.Lost | event.UnitUp) -> Line:
+    """A process of the runtime is gone, or a unit is there."""
+    if isinstance(message, event.Lost):
+        return _timed(message.at_s, Reason.of("console.lost", name=message.name, cause=message.cause)), Tone.FAULT
+    return _timed(message.at_s, Reason.of("console.unit_up", name=message.name)), Tone.NOTE
 
 
 def _step(message: event.Began | event.TaskState | event.Signalled | event.Drive) -> Line:

@@ -103,16 +103,6 @@ def _task_row(offered: SiteLibrary, name: str) -> tuple[Cell, ...]:
     return name, Reason.of("console.kind_task"), does
 
 
-def rtpus(session: ConsoleSession, words: Words) -> Faults:
-    """The processing units, whether they live, and their loads."""
-    del words
-    units = session.look_again().rtpus
-    lost, alive = Reason.of("console.unit_lost"), Reason.of("console.unit_alive")
-    rows = [(unit.name, lost if unit.is_lost else alive, f"{unit.load:.1%}") for unit in units]
-    session.show_table((Reason.of("console.head_rtpu"), "", Reason.of("console.head_load")), rows)
-    return ()
-
-
 def subsystems(session: ConsoleSession, words: Words) -> Faults:
     """The subsystems, who holds them and what they run."""
     del words

@@ -110,6 +110,7 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.LogReadings: ("log_readings", "conf"),
     act.Stop: ("stop", "main"),
     act.Reset: ("reset", "main"),
+    act.AddUnit: ("add_unit", "main"),
     act.Take: ("take", "conf"),
     act.Release: ("release", "conf"),
     act.Hand: ("hand_over", "conf"),

@@ -139,6 +139,7 @@ HANDLERS: Mapping[type, Handler] = {
     act.Answer: steering_run.answer,
     act.Stop: control_authority.stop,
     act.Reset: control_authority.reset,
+    act.AddUnit: control_authority.add_unit,
     act.Take: control_authority.take,
     act.Release: control_authority.release,
     act.Hand: control_authority.hand,

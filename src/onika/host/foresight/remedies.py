@@ -18,7 +18,7 @@ def after_task(outlook: Outlook, _subject: str) -> tuple[Reason, ...]:
 
 
 def after_unit(outlook: Outlook, _subject: str) -> tuple[Reason, ...]:
-    """A unit that is gone does not come back before the runtime is started anew."""
+    """A unit that is gone does not come back by itself: a person starts it anew, a device server with the runtime."""
     lost = [effect.subject for effect in outlook.effects if effect.kind == "unit"]
     units = tuple(name for name in lost if name != DEVICES)
     anew = (Reason.of("foresight.do_start_anew", units=units),) if units else ()

@@ -29,10 +29,9 @@ class DescribedDriver(DriverClock, Protocol):
 class RunDescriptions:
     """Of every run of a runtime."""
 
-    def __init__(self, subsystems: Subsystems, driver: DescribedDriver, rtpus: tuple[str, ...]) -> None:
+    def __init__(self, subsystems: Subsystems, driver: DescribedDriver) -> None:
         self._subsystems = subsystems
         self._driver = driver
-        self._rtpus = rtpus
         self._prepared: dict[str, request.Prepare] = {}
         self._has_run = False
 
@@ -56,9 +55,8 @@ class RunDescriptions:
         driver = self._driver
         bare = replace(message, record="", repeat=(), repeat_until_ns=0, is_held=False)
         began = datetime.now(UTC).isoformat(timespec="milliseconds")
-        return RunRecord(
-            original, bare, self._rtpus, driver.is_virtual, self._is_first(), began, options=tuple(driver.options)
-        )
+        units, options = self._subsystems.units, tuple(driver.options)
+        return RunRecord(original, bare, units, driver.is_virtual, self._is_first(), began, options=options)
 
     def describe_by_hand(self, live: LiveSubsystem) -> RunRecord:
         """A subsystem that is held by hand, as it is now: a plan of its tasks, without an action."""
@@ -72,7 +70,7 @@ class RunDescriptions:
         return RunRecord(
             request.Prepare(plan, ()),
             request.Begin(),
-            self._rtpus,
+            self._subsystems.units,
             driver.is_virtual,
             is_fresh=False,
             began=began,

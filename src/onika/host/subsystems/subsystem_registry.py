@@ -95,6 +95,19 @@ class Subsystems:
         self._units.unshare(f"table:{name}")
         self.tables.pop(name).close()
 
+    @property
+    def units(self) -> tuple[str, ...]:
+        """All processing units by name, those that are lost too."""
+        return self._rtpus
+
+    def unit_up(self, name: str) -> None:
+        """A unit is up that was added or started anew. It is empty: whatever was on it before is gone."""
+        self.lost_units.pop(name, None)
+        self.status_poll.loads.pop(name, None)
+        if name not in self._rtpus:
+            self._rtpus = (*self._rtpus, name)
+        self._tell(event.UnitUp(name, round(self._units.now * 1e-9, 9)), "", "")
+
     def unit(self, wanted: str) -> str:
         """The unit a task runs on: the named one, else the first that lives (reading 12)."""
         if wanted in self._rtpus:

@@ -1,6 +1,7 @@
 """The supervisor: starts the runtime's real-time processes, hears their heartbeats, ends the ones that fail."""
 
 import subprocess
+from collections.abc import Collection
 from dataclasses import dataclass
 from time import monotonic_ns
 
@@ -116,10 +117,11 @@ class Supervisor:
         self.processes[name] = Supervised(name, ours, Heartbeat(segment), process, title)
         return self.processes[name]
 
-    def trouble(self) -> Reason:
-        """Why the first process that has failed has to be given up; empty if all are well."""
+    def trouble(self, besides: Collection[str] = ()) -> Reason:
+        """Why the first process that has failed has to be given up, besides these; empty if all are well."""
         now = monotonic_ns()
-        found = (process.trouble(now) for process in self.processes.values() if not process.is_lost)
+        looked_at = [process for name, process in self.processes.items() if name not in besides]
+        found = (process.trouble(now) for process in looked_at if not process.is_lost)
         return next((reason for reason in found if reason), NOTHING)
 
     def troubles(self) -> list[tuple[Supervised, Reason]]:

@@ -18,6 +18,7 @@ from onika.runtime import command, news
 from onika.runtime.bus import Poses, World
 from onika.runtime.execution.executive import Executive
 from onika.wire import event
+from onika.words.reason import NOTHING, Reason
 
 _LONGEST_STEP_NS = 1_000_000_000
 """How far worlds step at a time."""
@@ -123,6 +124,11 @@ class VirtualDriver:
     def share(self, name: str, segment: Segment) -> None:
         """Let the RTPUs see a table."""
         self._views[name] = segment.view
+
+    def add_unit(self, name: str, answer: Callable[[Reason], None]) -> None:
+        """One more unit, whose tasks the one executive carries out with all others; answered at once."""
+        self._rtpus |= {name}
+        answer(NOTHING)
 
     def expect(self, worlds: Iterable[str]) -> None:
         """Nothing: a world is opened within the instant that asks for it."""

@@ -11,6 +11,7 @@ from onika.host.units.pose_stream import WorldPoses
 from onika.host.units.supervisor import Supervised, Supervisor
 from onika.host.units.unit_listener import UnitListener
 from onika.host.units.unit_loss import dead_writers
+from onika.host.units.unit_processes import UnitProcesses
 from onika.host.units.world_registry import refuse_unknown, refuse_unoffered, split
 from onika.ring.device import DriveState
 from onika.ring.drive import DriveMode
@@ -50,7 +51,7 @@ class WallDriver:
         self._drives: dict[str, int] = {}
         self.granted: dict[str, dict[str, bool]] = {}
         self._devices = DeviceServers(self._supervisor)
-        self._rtpus = {name: self._launch_unit(name) for name in sorted(rtpus)}
+        self._units = UnitProcesses(self._supervisor, rtpus)
         processes = self._supervisor.processes
         try:
             self._await(
@@ -83,7 +84,7 @@ class WallDriver:
 
     def send(self, name: str, order: command.Command) -> None:
         """Give an RTPU a command."""
-        self._rtpus[name].post.send(rtpu.encode(order))
+        self._units.send(name, order)
 
     def grant(self, name: str, device: str) -> command.DeviceGrant:
         """Claim a device; raises ValueError with the reason."""
@@ -104,6 +105,10 @@ class WallDriver:
         epoch, _ = self._claims.pop(device)
         world, _ = split(device)
         self._devices.send(world, device_server.ReleaseDevice(device, epoch))
+
+    def add_unit(self, name: str, answer: Callable[[Reason], None]) -> None:
+        """Launch a processing unit; answered with nothing when it is up, else with the reason. Nothing waits for it."""
+        self._units.add(name, self.now, answer)
 
     def expect(self, worlds: Iterable[str]) -> None:
         """These worlds will be opened; nothing waits for what is prepared for that."""
@@ -160,13 +165,11 @@ class WallDriver:
 
     def unshare(self, name: str) -> None:
         """The table is not used any more."""
-        for supervised in self._rtpus.values():
-            supervised.post.send(rtpu.encode(rtpu.Unshare(name)))
+        self._units.unshare(name)
 
     def share(self, name: str, segment: Segment) -> None:
         """Let the RTPUs see a table, in place of an old one of this name."""
-        for supervised in self._rtpus.values():
-            supervised.post.send(rtpu.encode(rtpu.Share(name)), (segment.fd,))
+        self._units.share(name, segment)
 
     def listen(self, listener: UnitListener) -> None:
         """Tell this one what happens."""
@@ -192,11 +195,13 @@ class WallDriver:
     def look_after(self) -> None:
         """Take in what the processes say; end those that fail."""
         self._receive()
+        self._units.answer_starts(self.now)
         while self._heard and self._listener is not None:
             name, heard = self._heard.popleft()
             self._listener.hear(name, heard, self.now)
         for supervised, reason in self._supervisor.troubles():
-            self._lost(supervised, reason)
+            if not self._units.fail_start(supervised, reason):
+                self._lost(supervised, reason)
 
     def wait_s(self) -> float:
         """How long the loop may sleep before `advance` has something to do."""
@@ -208,14 +213,12 @@ class WallDriver:
     def stop(self) -> None:
         """Every drive in hold and everything off, straight to the processes (law 27)."""
         self._devices.stop()
-        for name in self._rtpus:
-            self.send(name, command.Stop())
+        self._units.stop()
 
     def reset(self) -> None:
         """After a stop: motion is allowed again; nothing moves by itself."""
         self._devices.allow_motion()
-        for name in self._rtpus:
-            self.send(name, command.Reset())
+        self._units.reset()
 
     def is_at_rest(self) -> bool:
         """Whether every drive holds, as far as the device server lives to say so."""
@@ -239,10 +242,6 @@ class WallDriver:
             segment.close()
 
     # Inner
-
-    def _launch_unit(self, name: str) -> Supervised:
-        title = Reason.of("host.processing_unit", name=name)
-        return self._supervisor.launch(name, title, "onika.host.units.rtpu", ("--name", name), has_modules=True)
 
     def _receive(self) -> None:
         for post in self.posts():
@@ -289,8 +288,7 @@ class WallDriver:
         is_device_server = self._devices.is_one(supervised)
         if is_device_server:
             self._devices.lose()
-            for name in self._rtpus:
-                self.send(name, command.Fail(reason))
+            self._units.send_all(command.Fail(reason))
         else:
             homes = {device: home for device, (_, home) in self._claims.items()}
             for device in dead_writers(supervised.name, homes):
@@ -317,8 +315,7 @@ class WallDriver:
         self._opened.add(world)
         if isinstance(answer, device_server.WorldOpened) and answer.is_simulated:
             self._simulated.add(world)
-        for supervised in self._rtpus.values():
-            supervised.post.send(rtpu.encode(rtpu.Share(f"bus:{world}")), (segment.fd,))
+        self._units.share(f"bus:{world}", segment)
 
     def _ask(self, world: str, order: device_server.Order) -> device_server.Word:
         self._devices.send(world, order)
@@ -339,6 +336,6 @@ class WallDriver:
                 raise ValueError(Reason.of("host.waited", seconds=patience_s, what=what))
             select.select([post.post for post in self.posts()], [], [], 0.02)
             self._receive()
-            trouble = self._supervisor.trouble()
+            trouble = self._supervisor.trouble(besides=self._units.starting)
             if trouble:
                 raise ValueError(Reason.of("host.failed_meanwhile", why=trouble, what=what))

@@ -138,6 +138,7 @@ from onika.wire.act.run import (
     WhatIf as WhatIf,
 )
 from onika.wire.act.running import (
+    AddUnit as AddUnit,
     Answer as Answer,
     AskModule as AskModule,
     CheckMemory as CheckMemory,
@@ -231,6 +232,7 @@ AnyAct = (
     | Answer
     | Stop
     | Reset
+    | AddUnit
     | Take
     | Release
     | Hand

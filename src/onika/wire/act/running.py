@@ -144,6 +144,12 @@ class Stop(Act, frozen=True):
     """Stop everything: every drive holds (law 27). Always carried out first, never refused."""
 
 
+class AddUnit(Act, frozen=True):
+    """Have one more processing unit in the runtime, or a lost one anew; what was on it stays gone."""
+
+    name: str
+
+
 class Reset(Act, frozen=True):
     """After a Stop: allow motion again."""
 

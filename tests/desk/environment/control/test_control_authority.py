@@ -32,6 +32,14 @@ def test_a_reset_allows_motion_again_and_nothing_more(duet):  # law 27
     assert str(duet.answer(act.Reset()).no.reason) == "only a holder leaves a stop"
 
 
+def test_a_unit_is_added_or_the_runtimes_refusal_is_told(duet):  # R-A06
+    duet.connected("a")
+    duet.do(act.AddUnit("rt2"))
+    assert duet.carried_out[-1] == live.AddUnit("rt2")
+    duet.rebuffs = {live.AddUnit: request.Refused(Reason.of("host.units_many", most=8))}
+    assert duet.answer(act.AddUnit("rt9")).no.reason == Reason.of("host.units_many", most=8)
+
+
 def test_a_subsystem_is_released_and_taken_again(duet):  # R-X12
     doc = duet.connected("a")
     duet.do(act.Release(doc))

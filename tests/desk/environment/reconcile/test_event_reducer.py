@@ -52,6 +52,15 @@ def test_a_unit_that_is_lost_is_shown_so(duet, doc):  # R-E10
     assert str(duet.says[-1].text) == "rt1 is lost: it was killed"
 
 
+def test_a_unit_that_is_up_is_shown_to_everybody_whether_it_is_new_or_was_lost(duet, doc):  # R-A06, R-E10
+    duet.tell(event.Lost("rt1", Reason.plain("it was killed"), 1.0))
+    duet.tell(event.UnitUp("rt1", 2.0))
+    duet.tell(event.UnitUp("rt2", 3.0))
+    units = duet.environment.tree.runtime.units
+    assert units["rt1"] == units["rt2"] == view.UnitView(0.0, False)
+    assert (duet.says[-1].level, str(duet.says[-1].text)) == ("info", "processing unit rt2 is up; it is empty")
+
+
 def test_a_world_whose_files_were_changed_is_told_of_until_they_are_put_back(duet, doc):  # law 21
     changed, same = Reason.plain("cell.py was changed"), Reason.plain("it is as it was")
     duet.tell(event.Outdated("cell", True, changed, 1.0))

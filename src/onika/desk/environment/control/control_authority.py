@@ -27,6 +27,11 @@ def reset(model: Model, _asked: act.Reset, _outside: Services) -> Procedure:
     return simply_done(model, live.Reset())
 
 
+def add_unit(model: Model, command: act.AddUnit, _outside: Services) -> Procedure:
+    """One more processing unit, or a lost one anew; every page learns it by the event that tells it is up."""
+    return simply_done(model, live.AddUnit(command.name))
+
+
 def take(model: Model, command: act.Take, _outside: Services) -> No | Procedure:
     """Become the one who may change a subsystem; a run that is nobody's is taken as a whole."""
     name = held_subsystems.named(model, command.doc, command.subsystem, connects=True)

@@ -33,7 +33,7 @@ def after_event(model: Model, message: event.Event, at_s: float = 0.0) -> Done:
             return Done(model, orders=(presence.ask_what(),))
         case event.Held() | event.Offered() | event.Company() | event.Moved():
             return _of_holder(model, message, at_s)
-        case event.Stopped() | event.Lost() | event.Drive() | event.Outdated():
+        case event.Stopped() | event.Lost() | event.UnitUp() | event.Drive() | event.Outdated():
             return _of_runtime(model, message)
     return Done(model)
 
@@ -69,7 +69,9 @@ def _of_holder(model: Model, message: event.Held | event.Offered | event.Company
             return Done(replace(model, runtime=holders.moved(model.runtime, message)))
 
 
-def _of_runtime(model: Model, message: event.Stopped | event.Lost | event.Drive | event.Outdated) -> Done:
+def _of_runtime(
+    model: Model, message: event.Stopped | event.Lost | event.UnitUp | event.Drive | event.Outdated
+) -> Done:
     """What concerns everybody."""
     match message:
         case event.Stopped():
@@ -78,6 +80,8 @@ def _of_runtime(model: Model, message: event.Stopped | event.Lost | event.Drive 
             return _lost(model, message)
         case event.Outdated():
             return _outdated(model, message)
+        case event.UnitUp():
+            return _unit_up(model, message)
     if message.state not in ("TRIPPED", "PRESSED") or model.runtime.is_stopped:
         return Done(model)
     return Done(model, says=(page.Say("error", _drive(message)),))
@@ -172,6 +176,13 @@ def _lost(model: Model, message: event.Lost) -> Done:
     runtime = msgspec.structs.replace(model.runtime, units=units)
     reason = Reason.of("run.is_lost", name=message.name, cause=message.cause)
     return Done(replace(model, runtime=runtime), says=(page.Say("error", reason),))
+
+
+def _unit_up(model: Model, message: event.UnitUp) -> Done:
+    units = {**model.runtime.units, message.name: view.UnitView(0.0, is_lost=False)}
+    runtime = msgspec.structs.replace(model.runtime, units=units)
+    says = (page.Say("info", Reason.of("run.unit_up", name=message.name)),)
+    return Done(replace(model, runtime=runtime), says=says)
 
 
 def _outdated(model: Model, message: event.Outdated) -> Done:

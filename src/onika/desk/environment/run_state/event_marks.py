@@ -90,6 +90,8 @@ def _by_hand(command: request.Request) -> Reason:
         case live.Write():
             value = " ".join(f"{value:g}" for value in command.values)
             return Reason.of("run.wrote_value", name=command.name, value=value)
+        case live.AddUnit():
+            return Reason.of("run.added_unit", name=command.name)
         case live.Clear():
             return Reason.of("run.brought_out", task=command.task)
         case live.Reinit():

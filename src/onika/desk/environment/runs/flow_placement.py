@@ -39,8 +39,13 @@ def refused(model: Model, plan: Plan) -> No | None:
     wanted = {_unit(task.rtpu, units) for flow in plan.flows for task in flow.tasks}
     gone = sorted(name for name in wanted if name not in units or units[name].is_lost)
     if gone:
-        return No(Reason.of("run.unit_lost", name=gone[0]), (_ANEW,))
+        lost_unit = (_unit_anew(gone[0]),) if gone[0] in units else ()
+        return No(Reason.of("run.unit_lost", name=gone[0]), (*lost_unit, _ANEW))
     return None
+
+
+def _unit_anew(name: str) -> Remedy:
+    return Remedy(Reason.of("run.start_unit_anew", name=name), act.AddUnit(name))
 
 
 def notes(model: Model, plan: Plan) -> tuple[Reason, ...]:
