@@ -60,12 +60,7 @@ export function placesOf(page: Extent, lower: Sizes, upper: UpperSizes): Places 
   const aboveWords = within(page.height - upper.words)
   return {
     library: { x: 0, y: 0, height: above, width: within(lower.library) },
-    canvas: {
-      x: within(lower.library),
-      y: 0,
-      height: above,
-      width: within(page.width - lower.library - lower.sheet),
-    },
+    canvas: { x: within(lower.library), y: 0, height: above, width: within(page.width - lower.library - lower.sheet) },
     status: { x: 0, y: above },
     dictionary: { x: 0, y: 0, height: within(page.height), width: within(upper.dictionary) },
     workspace: {
