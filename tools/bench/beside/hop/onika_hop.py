@@ -48,7 +48,7 @@ class End:
 def contestant() -> None:
     """Sends first."""
     post, theirs = ProcessSocket.pair()
-    segment = Segment.create("hop", 4096)
+    segment = Segment.create("hop", 1 << 14)
     start("beside.hop.onika_hop", (str(theirs.fileno()), str(segment.fd)), (theirs.fileno(), segment.fd))
     theirs.close()
     end = End(post, segment, 0)
