@@ -34,8 +34,8 @@ def test_the_runtime_is_shown_as_it_stands():
     assert shown == view.RuntimeView(
         "linked", "ws://x", NOTHING, True, True, Reason.plain("why"),
         {"rt0": view.UnitView(0.12), "rt1": view.UnitView(0.0, True)}, {"boxes": True, "cell": True},
-        {"left": "anna#2", "right": "assemble"},
-        {"left": view.HoldView("anna#2"), "right": view.HoldView("", "assemble")},
+        subsystems={"left": "anna#2", "right": "assemble"},
+        holds={"left": view.HoldView("anna#2"), "right": view.HoldView("", "assemble")},
         inside={"right": view.SubsystemView("assemble")},
         world_kinds={"sea": "real", "boxes": "simulated", "cell": "real"},
     )  # fmt: skip
