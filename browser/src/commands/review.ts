@@ -1,8 +1,8 @@
 // Commands of recordings: open one, scrub it, lay another beside it, go on from it.
 import { command } from '../state/commands'
 import { openDialog } from '../state/dialogs.svelte'
+import { isPages } from '../state/keyboard'
 import { closeRecording, compareWith, continueHere, toMark } from '../recording/acts'
-import { isFree } from '../review/keys'
 import { PACES, review } from '../recording/review.svelte'
 import { t } from '../texts/index.svelte'
 
@@ -79,7 +79,7 @@ command({
   group: 'review',
   title: () => t('review.previousMark'),
   keys: ['PageUp'],
-  when: () => review.isOpen && isFree(),
+  when: () => review.isOpen && isPages(),
   run: () => toMark(-1),
 })
 command({
@@ -87,7 +87,7 @@ command({
   group: 'review',
   title: () => t('review.nextMark'),
   keys: ['PageDown'],
-  when: () => review.isOpen && isFree(),
+  when: () => review.isOpen && isPages(),
   run: () => toMark(1),
 })
 command({

@@ -262,6 +262,7 @@ command({
   keys: ['Escape'],
   when: isSomethingOpen,
   run: closeLast,
+  inDialogs: true,
 })
 command({
   id: 'view.level',
@@ -286,7 +287,14 @@ command({
   run: () => (dialogs.isPaletteOpen = !dialogs.isPaletteOpen),
   whileTyping: true,
 })
-command({ id: 'view.help', group: 'help', title: () => t('help.title'), keys: ['?', 'F1'], run: () => turn('help') })
+command({
+  id: 'view.help',
+  group: 'help',
+  title: () => t('help.title'),
+  keys: ['?', 'F1'],
+  run: () => turn('help'),
+  inDialogs: true,
+})
 command({ id: 'view.tutorial', group: 'help', title: () => t('tutorial.title'), run: startTutorial })
 command({
   id: 'view.preferences',

@@ -26,6 +26,3 @@ export function keyDown(event: KeyboardEvent): boolean {
   event.stopPropagation()
   return true
 }
-
-/** Whether the keyboard is with nothing in particular. */
-export const isFree = (): boolean => document.activeElement === null || document.activeElement === document.body

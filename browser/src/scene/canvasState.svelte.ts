@@ -8,6 +8,7 @@ import type { Guide } from '../geom/snap'
 import { PLAIN, type View as Seen } from '../geom/viewport'
 import { canvas } from '../state/canvas.svelte'
 import { keep, kept } from '../state/kept'
+import { isPages } from '../state/keyboard'
 import type { Point } from '../act/refused.svelte'
 import { frameOf, membersOf, PAD, TAB } from './groups'
 import { Scene } from './scene.svelte'
@@ -166,8 +167,7 @@ class CanvasState {
 
   /** Whether the keyboard is with the canvas: with something on it, or with nothing at all. */
   get hasKeyboard(): boolean {
-    const at = document.activeElement
-    return !at || at === document.body || (this.svg?.contains(at) ?? false)
+    return isPages() || (this.svg?.contains(document.activeElement) ?? false)
   }
 }
 

@@ -1,5 +1,6 @@
 // What can be done by name, key or menu. The keymap, the palette, the menus and the help sheet all read this list.
 
+import { isTyping, keeperNow, keeperOf } from './keyboard'
 import { look, type Level } from './look.svelte'
 
 export type Group =
@@ -17,8 +18,10 @@ export interface Command {
   level?: Level
   when?: () => boolean
   run: () => unknown
-  /** Whether its keys work while a text is being typed. */
+  /** Whether its keys work while a text is being typed, and in dialogs. */
   whileTyping?: boolean
+  /** Whether its keys work in dialogs, which keep all others. */
+  inDialogs?: boolean
 }
 
 const commands = new Map<string, Command>()
@@ -42,8 +45,9 @@ export function run(id: string): void {
 export function press(event: KeyboardEvent): boolean {
   if (event.isComposing || event.defaultPrevented) return false
   const typing = isTyping(event.target)
+  const isKept = (keeperOf(event.target) ?? keeperNow()) !== undefined
   for (const entry of commands.values()) {
-    if (typing && !entry.whileTyping) continue
+    if ((typing && !entry.whileTyping) || (isKept && !entry.whileTyping && !entry.inDialogs)) continue
     if (!entry.keys?.some((keys) => matches(keys, event)) || !isAvailable(entry)) continue
     event.preventDefault()
     entry.run()
@@ -57,13 +61,6 @@ export function press(event: KeyboardEvent): boolean {
 function clearsItself(target: EventTarget | null): boolean {
   const field = target as HTMLInputElement
   return field.type === 'search' && field.value !== ''
-}
-
-const FIELDS =
-  'input:not([type=checkbox]):not([type=radio]):not([type=button]):not([type=range]), textarea, select, [contenteditable=true]'
-
-function isTyping(target: EventTarget | null): boolean {
-  return typeof Element !== 'undefined' && target instanceof Element && target.closest(FIELDS) !== null
 }
 
 export type Pressed = Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'shiftKey' | 'altKey'>

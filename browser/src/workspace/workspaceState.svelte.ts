@@ -4,6 +4,7 @@ import { desk } from '../link/desk.svelte'
 import { look } from '../state/look.svelte'
 import { workspace, type Place } from '../state/workspace.svelte'
 import { keep, kept } from '../state/kept'
+import { isPages, keeperOf } from '../state/keyboard'
 import type { Point } from '../act/refused.svelte'
 import { actionsOf, loopsOf, topsOf, type Actions, type Loop } from '../application/actions'
 import { arrange, type Arrangement, type Cell, type Content, type Gap } from '../application/arrangement'
@@ -119,7 +120,7 @@ class WorkspaceState {
     return (
       this.app !== undefined &&
       look.level === 'applications' &&
-      (at === null || at === document.body || (this.ground?.contains(at) ?? false))
+      (isPages() || ((this.ground?.contains(at) ?? false) && !keeperOf(at)))
     )
   }
 

@@ -35,6 +35,7 @@ describe('a command', () => {
   const deed = vi.fn()
   let isPossible = true
   beforeEach(() => {
+    vi.stubGlobal('document', { activeElement: null })
     deed.mockClear()
     isPossible = true
     command({ id: 'test.deed', group: 'help', title: () => 'Deed', keys: ['F9'], when: () => isPossible, run: deed })

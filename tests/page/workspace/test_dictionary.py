@@ -113,11 +113,30 @@ def test_only_what_fits_at_the_marked_place(me):  # R-D03, R-D19
 def test_what_does_not_fit_is_refused_beside_the_pointer(me):  # R-D03, R-X01
     me.icon("jmoveC").dblclick()
     me.has_steps(2)
+    me.dictionary.get_by_role("searchbox").fill("box")  # what fits is shown whole, whatever was searched for
     me.icon("box3_bx").dblclick()
     expect(me.refusal).to_contain_text("does not fit")
     me.refusal.get_by_role("button", name=re.compile("that fit$")).click()
     expect(me.icon("home")).to_be_visible()
     expect(me.icon("box3_bx")).to_have_count(0)
+
+
+def test_an_open_dialog_keeps_every_key(me):  # R-G04
+    keys = me.page.keyboard
+    me.icon("opengripC").dblclick()
+    me.has_steps(1)
+    me.page.locator("body").press("Alt+t")
+    panel = me.panel("New target")
+    keys.type("my place")
+    keys.press("Tab")  # the button that has come is no stop
+    expect(panel.get_by_label("Words")).to_be_focused()
+    panel.get_by_role("button", name=re.compile("my-place")).click()
+    expect(panel.get_by_label("Name")).to_be_focused()
+    panel.get_by_role("button", name="Cancel").focus()
+    for key in ("Delete", "Control+z", "x", "m", "/"):
+        keys.press(key)
+    expect(panel).to_be_visible()
+    me.has_steps(1)
 
 
 def test_arrow_keys_walk_and_enter_inserts(me):  # R-G04
