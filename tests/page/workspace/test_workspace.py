@@ -138,6 +138,19 @@ def test_deleting_opens_holes_and_closes_them(me):  # R-D19
     me.has(CLOSE)
 
 
+def test_a_search_begins_clean_after_a_refusal(me):  # R-D03, R-G04
+    me.insert("jmoveC")
+    me.step(1).click()
+    keys = me.page.keyboard
+    keys.press("/")
+    keys.type("open the hand")
+    keys.press("Enter")
+    expect(me.refusal).to_contain_text("does not fit")
+    keys.type("home")  # the hand stays in the field, and what was refused gives way
+    expect(me.refusal).to_have_count(0)
+    expect(me.workspace.get_by_role("combobox")).to_have_value("home")
+
+
 def test_what_does_not_fit_is_refused_with_a_reason_and_what_would_fit(me):  # R-D03, R-X01
     me.insert("jmoveC")
     me.icon("box3_bx").click()
