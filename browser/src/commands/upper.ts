@@ -7,6 +7,8 @@ import { topsOf } from '../application/actions'
 import { workspaceState, SIZES } from '../workspace/workspaceState.svelte'
 import {
   addFlow,
+  askForLoop,
+  askHowOften,
   copy,
   cut,
   deselect,
@@ -114,8 +116,9 @@ function registerUpper(): void {
   add('loop', 'upper.loop', {
     keys: ['W'],
     when: () => isFree() && hasAction() && isLetterFree(),
-    run: () => (workspaceState.opened = { kind: 'loop', step: head(), other: 0 }),
+    run: () => askForLoop(),
   })
+  add('repeat', 'upper.repeat', { when: () => isFree() && hasAction(), run: () => askHowOften() })
   add('menu', 'upper.openMenu', { keys: ['Shift+F10', 'ContextMenu'], when: isHere, run: openMenu })
   add('skipTo', 'upper.skipHere', {
     group: 'run',

@@ -143,6 +143,18 @@ function left(place: Place): void {
   goTo(place)
 }
 
+/** Steps done so many times: a job that counts comes behind them, as one step that Undo takes back. */
+export const repeat = (steps: readonly number[], times: number): Promise<unknown> =>
+  act({ t: 'RepeatSteps', doc: workspace.app, steps: [...steps], times, description: t('upper.times', { n: times }) })
+
+/** The form of a loop: both its ends where several actions are selected, else the one, and the other is pointed at. */
+export function askForLoop(heads = meantHeads()): void {
+  const [first = 0] = heads
+  workspaceState.opened = { kind: 'loop', step: heads.at(-1) ?? 0, other: heads.length > 1 ? first : 0 }
+}
+
+export const askHowOften = (steps = meant()): void => void (workspaceState.opened = { kind: 'repeat', steps })
+
 export async function copy(steps = meant()): Promise<void> {
   if (steps.length) takeText(await act({ t: 'CopyIcons', doc: workspace.app, steps }))
 }

@@ -12,6 +12,8 @@ import { headOf, topsOf } from '../application/actions'
 import { workspaceState, type Opened } from './workspaceState.svelte'
 import {
   addFlow,
+  askForLoop,
+  askHowOften,
   copy,
   cut,
   edit,
@@ -120,10 +122,11 @@ function markItems(): Item[] {
       run: () => (workspaceState.opened = { kind: 'tag', step: head }),
       ...off,
     }),
+    locked({ label: t('upper.repeat'), run: () => askHowOften(), ...off }),
     locked({
       label: t(view.loop ? 'upper.changeLoop' : 'upper.loop'),
       keys: 'W',
-      run: () => (workspaceState.opened = { kind: 'loop', step: head, other: 0 }),
+      run: () => askForLoop(heads),
       ...off,
     }),
     ...(view.loop

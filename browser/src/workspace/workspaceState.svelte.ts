@@ -18,6 +18,8 @@ export type Opened =
   | { kind: 'menu'; at: Point; over: Over }
   /** The tag at which an action waits for other flows. */
   | { kind: 'tag'; step: number }
+  /** Steps that are to be done so many times. */
+  | { kind: 'repeat'; steps: readonly number[] }
   /** A loop between two actions; without an anchor, the other end is still to be pointed at. */
   | { kind: 'loop'; step: number; other: number }
   | { kind: 'condition'; step: number }

@@ -283,6 +283,21 @@ def test_a_loop_has_two_ends_and_exactly_one_is_the_test(me):  # R-D06, R-D13
     expect(me.workspace.locator("path.loop")).to_have_count(0)
 
 
+def test_what_is_selected_is_repeated_so_many_times_in_one_step(me):  # R-D06, R-D13, R-G04
+    me.insert("opengripC", "closegripC")
+    me.step(1).click()
+    me.page.keyboard.press("Shift+ArrowRight")
+    me.page.keyboard.press("w")
+    form = me.page.get_by_role("form", name=f"Loop of “{CLOSE}”")
+    expect(form.get_by_label("How often")).to_be_focused()
+    me.page.keyboard.type("5")
+    me.page.keyboard.press("Enter")
+    me.has(OPEN, CLOSE, "repeat the loop", "5 times")
+    expect(me.step(1)).to_have_attribute("aria-label", re.compile("loop A goes on here"))
+    me.page.keyboard.press("Control+z")
+    me.has(OPEN, CLOSE)
+
+
 def test_a_branch_stands_in_line_with_its_flows_and_conditions(me):  # R-D13, R-D10
     me.insert("opengripC")
     me.step(1).click()

@@ -53,7 +53,7 @@ def things(command: act.AnyAct, value: object, names: Mapping[str, str]) -> Thin
             return *_each(command.doc, value, names), *_of(command.doc, command.after, names)
         case act.SetLoop():
             return *_of(command.doc, command.test, names), *_of(command.doc, command.anchor, names)
-        case act.RemoveIcons() | act.CopyIcons() | act.CutIcons() | act.SetBreakpoint():
+        case act.RemoveIcons() | act.CopyIcons() | act.CutIcons() | act.SetBreakpoint() | act.RepeatSteps():
             return *_each(command.doc, command.steps, names), names.get(command.doc, ""), command.doc
         case act.EditIcon() | act.SetSynchTag() | act.RemoveLoop() | act.SetConditions():
             return *_of(command.doc, command.step, names), names.get(command.doc, ""), command.doc

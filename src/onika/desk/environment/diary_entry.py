@@ -62,6 +62,7 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.SetBreakpoint: ("set_marker", "appl"),
     act.SetSynchTag: ("set_synchtag", "appl"),
     act.SetLoop: ("set_whiletag", "appl"),
+    act.RepeatSteps: ("set_whiletag", "appl"),
     act.RemoveLoop: ("remove_whiletag", "appl"),
     act.AddFlow: ("add_flow", "appl"),
     act.RemoveFlow: ("delete_flow", "appl"),

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from onika.desk.plan import claimed_devices, redirection
+from onika.desk.plan import claimed_devices, loop_counters, redirection
 from onika.desk.plan.compile import Compiler
 from onika.model.application import Application, Icon, every_flow, without_breakpoints
 from onika.model.redirect import Redirect
@@ -110,7 +110,7 @@ def _judged(
     compiler = Compiler(program, syntax, place, places, file_of, sound)
     plan = compiler.plan()
     found_later = (*compiler.faults, *redirection.faults(redirects, plan, program))
-    met = (*meetings.findings(plan), *claimed_devices.faults(plan))
+    met = (*meetings.findings(plan), *claimed_devices.faults(plan), *loop_counters.faults(program, syntax, place.file))
     remarks = (*_notes(program, home, places), *_unreadable_icons(program, home, syntax))
     mistakes, notes = parted((*faults, *program.faults, *judged, *found_later, *met, *remarks, *home.absent()))
     name = program.application.name

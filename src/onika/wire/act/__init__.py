@@ -19,6 +19,7 @@ from onika.wire.act.application import (
     RemoveFlow as RemoveFlow,
     RemoveIcons as RemoveIcons,
     RemoveLoop as RemoveLoop,
+    RepeatSteps as RepeatSteps,
     SetBreakpoint as SetBreakpoint,
     SetConditions as SetConditions,
     SetLoop as SetLoop,
@@ -264,6 +265,7 @@ AnyAct = (
     | SetBreakpoint
     | SetSynchTag
     | SetLoop
+    | RepeatSteps
     | RemoveLoop
     | AddFlow
     | RemoveFlow

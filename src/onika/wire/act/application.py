@@ -132,6 +132,16 @@ class SetLoop(Act, frozen=True):
     """Empty: the test's return value."""
 
 
+class RepeatSteps(Act, frozen=True):
+    """Have steps of one flow done so many times: a job that counts comes behind them, and decides a loop over them."""
+
+    doc: str
+    steps: Steps
+    times: int
+    description: str = ""
+    """What the icon of a number says that no dictionary has."""
+
+
 class RemoveLoop(Act, frozen=True):
     """Take the loop away that has a tag at this step."""
 

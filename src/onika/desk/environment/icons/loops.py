@@ -34,7 +34,7 @@ def set_loop(model: Model, opened: OpenApplication, command: act.SetLoop, _outsi
     test, anchor = ends
     syntax = syntax_of(model)
     freed = _without(test.flow, {test.action.icon.while_tag, anchor.action.icon.while_tag})
-    tag = command.tag or _free(with_flows(opened.application, {test.path: freed}))
+    tag = command.tag or free_tag(with_flows(opened.application, {test.path: freed}))
     if tag in tags(freed.steps):
         other = Remedy(
             Reason.of("desk.take_free_tag"),
@@ -51,12 +51,9 @@ def set_loop(model: Model, opened: OpenApplication, command: act.SetLoop, _outsi
             anchor.action.position: replace(back, while_tag=tag, while_test=False, while_if=""),
         },
     )
-    crossed = _crossed(flow, tag, syntax)
+    crossed = crossing_refused(opened, flow, tag, syntax)
     if crossed:
-        remove = (
-            Remedy(Reason.of("desk.remove_loop", tag=tag), act.RemoveLoop(opened.id, at)) for tag, at in crossed.items()
-        )
-        return No(Reason.of("desk.loop_crosses", loops=tuple(crossed)), tuple(remove))
+        return crossed
     label = Reason.of("desk.looping", test=named(job.onikon), anchor=named(back.onikon))
     return reflowed(model, opened, {test.path: flow}, label, tag)
 
@@ -73,6 +70,17 @@ def _ends(model: Model, opened: OpenApplication, command: act.SetLoop) -> tuple[
     if test.action.position == anchor.action.position:
         return No(Reason.of("desk.loop_of_one_action"))
     return test, anchor
+
+
+def crossing_refused(opened: OpenApplication, flow: AppFlow, tag: str, syntax: Syntax) -> No | None:
+    """Why the loop `tag` of a flow may not be; None: it crosses no other."""
+    crossed = _crossed(flow, tag, syntax)
+    if not crossed:
+        return None
+    remove = (
+        Remedy(Reason.of("desk.remove_loop", tag=other), act.RemoveLoop(opened.id, at)) for other, at in crossed.items()
+    )
+    return No(Reason.of("desk.loop_crosses", loops=tuple(crossed)), tuple(remove))
 
 
 @on_resting_application
@@ -131,7 +139,7 @@ def _without(flow: AppFlow, gone: set[str | None]) -> AppFlow:
     return exchanged(flow, unmarked((at, icon) for at, icon in icons if icon.while_tag in gone))
 
 
-def _free(application: Application) -> str:
+def free_tag(application: Application) -> str:
     """The first letter that no loop of an application has: two loops of one name would puzzle who reads it."""
     taken = {tag for _, flow in flows_by_path(application) for tag in tags(flow.steps)}
     return next(name for name in _names() if name not in taken)

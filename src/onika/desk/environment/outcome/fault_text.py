@@ -27,6 +27,7 @@ _SENTENCES = {
     "rules.action_missing": "run.action_missing",
     "rules.application_circle": "run.circle",
     "rules.application_missing": "run.no_application",
+    "desk.repeats_nothing": "run.repeats_nothing",
     "rules.condition_count": "run.condition_count",
     "rules.condition_flow": "run.condition_variable",
     "rules.condition_form": "run.condition_none",

@@ -12,7 +12,7 @@ from onika.desk.plan.icon_names import a_kind, kind_named, quoted
 from onika.desk.plan.preparation import PreparedRun
 from onika.desk.plan.substitutes import with_substitutes
 from onika.files import appl, rmod
-from onika.model.application import Application, Branch, Hole, Icon, Step
+from onika.model.application import Application, Branch, Hole, Icon, Step, actions
 from onika.model.flow_path import StepAddress, flows_by_path, spots
 from onika.model.redirect import Redirect
 from onika.model.rules.hole import holes
@@ -198,6 +198,8 @@ class FaultViews:
         if key in _OF_LOOPS and icon.while_tag is not None:
             yield Remedy(Reason.of("run.loop_removed"), act.RemoveLoop(self.doc, number))
             yield Remedy(Reason.of("run.mark_anew"), show=ShowLoop(number))
+        elif key == "desk.repeats_nothing":
+            yield from self._looping(icon)
         elif key in _OF_TAGS and icon.synch_tag is not None:
             yield Remedy(Reason.of("run.tag_removed"), act.SetSynchTag(self.doc, number))
         elif key in ("rules.kind_of_trigger", "rules.kind_unknown"):
@@ -212,6 +214,15 @@ class FaultViews:
             yield Remedy(Reason.of("run.remove_it"), act.RemoveIcons(self.doc, (number,)))
         elif self.program is not None and icon.onikon.name in self.program.configurations and not fault.is_note:
             yield Remedy(Reason.of("run.open_configuration"), show=ShowConfiguration(icon.onikon.name))
+
+    def _looping(self, icon: Icon) -> Iterator[Remedy]:
+        """The loop that a job was most likely meant to count: over all that stands before it."""
+        path = self._spots[icon.number].path
+        flow = next((flow for flow_path, flow in flows_by_path(self.application) if flow_path == path), None)
+        first = next(iter(actions(flow, self.syntax)), None) if flow is not None else None
+        if first is not None and first.icon.number != icon.number and first.icon.while_tag is None:
+            yield Remedy(Reason.of("run.repeat_all_before"), act.SetLoop(self.doc, icon.number, first.icon.number))
+        yield Remedy(Reason.of("run.mark_loop"), show=ShowLoop(icon.number))
 
 
 def _new_target(kind: str) -> Remedy:
