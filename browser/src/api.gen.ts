@@ -1019,6 +1019,7 @@ export interface ApplicationView {
   is_checked?: boolean;
   is_running?: boolean;
   redirects?: (RedirectView)[];
+  forecast?: ForecastView;
   worlds?: Record<string, (string)[]>;
 }
 
@@ -1029,6 +1030,15 @@ export interface FaultView {
   step?: number;
   remedies?: (Remedy)[];
   is_of_runtime?: boolean;
+}
+
+/** What an application would come to, in a workcell as at its start (E16). */
+export interface ForecastView {
+  state?: 'going' | 'none' | 'part' | 'whole';
+  lasts_s?: number;
+  cause?: Reason;
+  mishaps?: number;
+  standing?: (Reason)[];
 }
 
 /** A task that stands for another one in a flow, by its subsystem, or in all of them; or a world, with its colon. */

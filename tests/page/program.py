@@ -15,6 +15,14 @@ from pathlib import Path
 
 from playwright.sync_api import Page, expect
 
+FORESEES = "--foresees"
+"""An option of these tests: what is open is foreseen in the background, which takes time that others need."""
+
+
+def _without_forecast(options: tuple[str, ...]) -> tuple[str, ...]:
+    wanted = tuple(option for option in options if option != FORESEES)
+    return wanted if FORESEES in options else ("--no-forecast", *wanted)
+
 
 class Program:
     """The environment as a process, with a home, a state and a base directory of its own."""
@@ -24,7 +32,7 @@ class Program:
         self.home.mkdir(parents=True, exist_ok=True)
         bases = [Path(option.removeprefix("--base=")) for option in options if option.startswith("--base=")]
         self._at_first = _copies([self.home, *bases], Path(tempfile.mkdtemp(dir=folder)))
-        self._words = ("page", *files, "--port", "0", "--no-browser", *options)
+        self._words = ("page", *files, "--port", "0", "--no-browser", *_without_forecast(options))
         inherited = {name: value for name, value in os.environ.items() if not name.startswith("ONIKA_")}
         self._environment = {**inherited, "HOME": str(self.home), "XDG_STATE_HOME": str(self.state)}
         self.said: list[str] = []

@@ -23,6 +23,16 @@ export const enPerform = {
   'perform.stopped': 'Everything is stopped. Reset allows motion again.',
   'perform.reset': 'Reset',
 
+  'forecast.title': 'Forecast',
+  'forecast.hint':
+    'The program is run in virtual time, in a workcell as at its start, each time it was changed. Nothing moves, nothing outside is touched.',
+  'forecast.going': 'Looking ahead…',
+  'forecast.whole': 'It will take {lasts} s.',
+  'forecast.wholeEnds': 'It will take {lasts} s; then: {ends}.',
+  'forecast.part': 'Not foreseen to its end: {why}',
+  'forecast.mishaps': '{n} thing happens that it does not mean.|{n} things happen that it does not mean.',
+  'forecast.clear': 'Nothing touches what it should not.',
+
   'perform.beginning': 'Beginning',
   'perform.running': 'Running',
   'perform.paused': 'Paused',

@@ -25,6 +25,16 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
   'perform.stopped': 'Todo está parado. Restablecer permite de nuevo el movimiento.',
   'perform.reset': 'Restablecer',
 
+  'forecast.title': 'Pronóstico',
+  'forecast.hint':
+    'El programa se ejecuta en tiempo virtual, en una célula como al principio, cada vez que se cambia. Nada se mueve, nada de fuera se toca.',
+  'forecast.going': 'Mirando adelante…',
+  'forecast.whole': 'Durará {lasts} s.',
+  'forecast.wholeEnds': 'Durará {lasts} s; después: {ends}.',
+  'forecast.part': 'No se prevé hasta el final: {why}',
+  'forecast.mishaps': 'Sucede {n} cosa que no se pretende.|Suceden {n} cosas que no se pretenden.',
+  'forecast.clear': 'Nada toca lo que no debe.',
+
   'perform.beginning': 'Empezando',
   'perform.running': 'En marcha',
   'perform.paused': 'En pausa',

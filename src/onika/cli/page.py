@@ -41,6 +41,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--no-fifo", action="store_true", help=say(Reason.of("cli.page_no_fifo")))
     parser.add_argument("--no-black-box", action="store_true", help=say(Reason.of("cli.no_black_box")))
     parser.add_argument("--upper", action="store_true", help=say(Reason.of("cli.page_upper")))
+    parser.add_argument("--no-forecast", action="store_true", help=say(Reason.of("cli.page_no_forecast")))
     parser.add_argument("--no-diary", action="store_true", help=say(Reason.of("cli.page_no_diary")))
     add_base(parser)
 
@@ -64,6 +65,7 @@ def carry_out(given: argparse.Namespace) -> int:
         rtpus=tuple(dict.fromkeys(given.rtpu)) or ("rt0",),
         with_fifo=not given.no_fifo,
         has_black_box=not given.no_black_box,
+        foresees=not given.no_forecast,
         has_diary=not given.no_diary,
         is_upper_only=given.upper,
     )

@@ -29,6 +29,7 @@ from onika.host.units.descriptor_guard import DescriptorGuard
 from onika.host.units.garbage import Garbage
 from onika.host.units.memory_limit import bound
 from onika.host.units.output_pipe import open_output_pipes
+from onika.host.units.outside_guard import stay_inside
 from onika.host.units.realtime_scheduling import RUNNER_PRIORITY, fine_timers, first_in_first_out, still_garbage
 from onika.host.units.rtpu import preload
 from onika.host.units.virtual import VirtualDriver
@@ -47,6 +48,8 @@ from onika.words.system_error import is_used_up, system_reason
 
 _SLICE_NS = 20_000_000
 _REST_NS = 300_000_000
+_FORECAST_NICE = 19
+"""A forecast takes only time that nobody else wants."""
 
 
 def main(words: list[str]) -> None:
@@ -66,21 +69,18 @@ def _run(words: list[str]) -> None:
         die_with_parent(given.parent)
     ending = ShutdownSignals(is_launched=given.parent is not None)
     open_output_pipes()
+    if given.forecast:
+        os.nice(_FORECAST_NICE)
     _guard_files(given)
     listener = _listener(given)
     audit = _audit(given)
     rtpus = tuple(given.rtpu) or ("rt0",)
-    loader = Loader()
+    loader = Loader(stays_inside=given.forecast)
     loader_client = LoaderClient(loader)
     server = _server(given, listener, audit)
     try:
         if given.virtual:
-            preload()
-            worlds = partial(open_world, shake=given.shake)
-            virtual = VirtualDriver(rtpus, server.tell, worlds, _watched_calls(given), scale=given.scale)
-            virtual.options = () if given.shake is None else ("--shake", str(given.shake))
-            bound()
-            still_garbage()
+            virtual = _virtual_driver(given, rtpus, server)
             program = RuntimeProgram(server, virtual, loader_client, rtpus)
             _adopt(program, listener)
             _keep_last_seconds(program, None if given.no_black_box else InProcessHolder(), InProcessHolder)
@@ -116,6 +116,7 @@ def _given(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--virtual", action="store_true")
     parser.add_argument("--scale", type=float)
     parser.add_argument("--shake", type=int)
+    parser.add_argument("--forecast", action="store_true")
     parser.add_argument("--no-fifo", action="store_true")
     parser.add_argument("--no-black-box", action="store_true")
     parser.add_argument("--audit", default="")
@@ -229,6 +230,19 @@ def _guard_files(given: argparse.Namespace) -> None:
         _print(sentence)
     if report.refused:
         raise SystemExit(2)
+
+
+def _virtual_driver(given: argparse.Namespace, rtpus: tuple[str, ...], server: RequestServer) -> VirtualDriver:
+    """What moves in virtual time, with this process made ready for it."""
+    preload()
+    worlds, watch = partial(open_world, shake=given.shake), _watched_calls(given)
+    driver = VirtualDriver(rtpus, server.tell, worlds, watch, given.scale, watches_mishaps=given.forecast)
+    driver.options = () if given.shake is None else ("--shake", str(given.shake))
+    bound()
+    still_garbage()
+    if given.forecast:
+        stay_inside()
+    return driver
 
 
 def _wall_driver(rtpus: tuple[str, ...], server: RequestServer, *, with_fifo: bool) -> WallDriver:

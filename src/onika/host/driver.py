@@ -67,3 +67,7 @@ class Driver(Tables, InspectedDriver, RecordedDriver, Protocol):
     def snapshots(self) -> dict[str, bytes]:
         """The worlds as they stand."""
         ...
+
+    def standings(self) -> dict[str, tuple[Reason, ...]]:
+        """What the worlds say in sentences of how they stand, as far as they say so."""
+        ...

@@ -52,3 +52,19 @@ class DriveEvent:
     previous_step_ns: int
     last_command_ns: int
     cause: Reason
+
+
+@dataclass(frozen=True, slots=True)
+class MishapEvent:
+    """What happens in a simulated world that no program means, such as a hand that touches a box; when in its time.
+
+    devices to which it happens
+    poses    float32[bodies,7] as bytes, as `World.poses` has them
+    lit     the names of the shapes that shone then
+    """
+
+    text: Reason
+    at_ns: int
+    devices: tuple[str, ...]
+    poses: bytes
+    lit: tuple[str, ...] = ()

@@ -172,6 +172,11 @@ class Bus:
         """How the drives of its world stand, by `world:device`."""
         return {f"{self.name}:{device}": mode for device, mode in self.world.modes().items()}
 
+    def standing(self) -> tuple[Reason, ...]:
+        """What its world says in sentences of how it stands; nothing where it does not know how (`standing`)."""
+        standing = getattr(self.world, "standing", None)
+        return () if standing is None else tuple(standing())
+
     def scene(self) -> dict[str, Any]:
         """What there is to draw and to touch, as plain values that travel."""
         return {

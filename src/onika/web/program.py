@@ -22,6 +22,7 @@ from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.outcome.worker import BackgroundWorker
 from onika.desk.environment.reconcile.runtime_launch import RuntimeLauncher
 from onika.desk.environment.runs import readiness
+from onika.desk.environment.runs.forecaster import Forecaster
 from onika.desk.environment.runs.readiness import ReadinessJudge
 from onika.desk.environment.runtime_thread import RuntimeThread
 from onika.desk.environment.state.model import Model
@@ -64,6 +65,8 @@ class EnvironmentOptions:
     with_fifo: bool = True
     has_black_box: bool = True
     has_diary: bool = True
+    foresees: bool = True
+    """Whether what open applications would come to is foreseen while they are edited (E16)."""
     is_upper_only: bool = False
 
 
@@ -88,6 +91,7 @@ class EnvironmentProgram:
         commands = Commands(tell, os.environ)
         reading, comparing = BackgroundWorker(tell, "reading"), BackgroundWorker(tell, "comparing")
         keeping = BackgroundWorker(tell, "keeping")
+        forecaster = Forecaster(self._site, BackgroundWorker(tell, "forecast")) if self._options.foresees else None
         surroundings = Services(
             self._site, time.monotonic, self._state, commands, reading=reading, comparing=comparing, keeping=keeping
         )
@@ -110,11 +114,14 @@ class EnvironmentProgram:
             self._look(environment, disk),
             self._keep(environment, kept, autosave),
             self._judge(environment),
+            self._foresee(environment, forecaster),
         )
         try:
             await serve(application(login, hub), listening, beside, lambda: on_ready(_address(listening, login.key)))
         finally:
             listening.close()
+            if forecaster is not None:
+                forecaster.close()
             runtime_thread.end()
             commands.close()
             reading.close()
@@ -203,6 +210,13 @@ class EnvironmentProgram:
             for case in cases:
                 judgement = await asyncio.to_thread(judge.judge, case)
                 environment.become(partial(readiness.judged, doc=case.opened.id, judgement=judgement))
+
+    async def _foresee(self, environment: Environment, forecaster: Forecaster | None) -> None:
+        """What applications would come to, soon after they were changed."""
+        while True:
+            await asyncio.sleep(_JUDGE_S)
+            if forecaster is not None:
+                forecaster.look(environment.model, time.monotonic())
 
     async def _keep(self, environment: Environment, kept: Recovery | None, autosave: Autosave) -> None:
         """What is not saved, soon after it was changed."""

@@ -105,6 +105,21 @@ class Drive(Struct, frozen=True, tag=True):
     """As all else: of the run that uses the device, or of the runtime where none does."""
 
 
+class Mishap(Struct, frozen=True, tag=True):
+    """In a simulated world that is watched, something has happened that no program means (E16)."""
+
+    world: str
+    text: Reason
+    devices: tuple[str, ...]
+    """Those to which it happened, `world:device`."""
+    at_s: float
+    """When it began: of the run that uses the first of the devices, or of the runtime where none does."""
+    poses: bytes
+    """Where the bodies of the world were then, float32[bodies,7]."""
+    lit: tuple[str, ...] = ()
+    """The shapes of it that shone then."""
+
+
 class Edited(Struct, frozen=True, tag=True):
     """The outcome of an accepted change of a subsystem; no cause: it is done."""
 
@@ -321,6 +336,7 @@ Event = (
     | Failed
     | Asked
     | Drive
+    | Mishap
     | Moved
     | Met
     | Stepped

@@ -151,6 +151,8 @@ class Worlds(Struct, frozen=True, tag=True):
     """Snapshots of worlds by name."""
 
     snapshots: dict[str, bytes]
+    standings: dict[str, tuple[Reason, ...]] = {}
+    """What a world says in sentences of how it stands, where it says so."""
 
 
 _RunRequest = Prepare | Inspect | Begin | Reply | Abort | Stop | Snapshot | Quit

@@ -9,7 +9,7 @@ import numpy.typing as npt
 from mujoco import mj_step
 
 from onika.laws.frames import Array
-from onika.ring.device import DeviceOrder, DeviceSheet, DriveEvent
+from onika.ring.device import DeviceOrder, DeviceSheet, DriveEvent, MishapEvent
 from onika.ring.drive import NEVER_NS, DriveInput, DriveMode, input_of
 from onika.words.reason import Reason
 from onika.workcell import layout
@@ -19,6 +19,7 @@ from onika.workcell.gripper_unit import GripperUnit
 from onika.workcell.kinematics import Kinematics
 from onika.workcell.lamp_unit import LampUnit
 from onika.workcell.layout import SIDES
+from onika.workcell.lookout import Lookout
 from onika.workcell.panic_button import PanicButton
 from onika.workcell.part import STEP_S
 from onika.workcell.plant import Plant
@@ -56,6 +57,7 @@ class BoxesWorld:
         self._events: list[DriveEvent] = []
         self._sense_ns = 0
         self._due_ns = NEVER_NS
+        self._lookout: Lookout | None = None
         self._plant = Plant(self._text(drawn=False))
         self._bind()
         self._begin()
@@ -187,6 +189,20 @@ class BoxesWorld:
         events, self._events = self._events, []
         return events
 
+    def watch_mishaps(self) -> None:
+        """From now on notice what no program means: arms and hands, and what they carry, that touch something."""
+        self._lookout = Lookout(self._claimed_at, lambda: self.lit)
+        self._begin()
+
+    def take_mishaps(self) -> list[MishapEvent]:
+        """What was noticed since the last call."""
+        return [] if self._lookout is None else self._lookout.take()
+
+    def standing(self) -> tuple[Reason, ...]:
+        """In sentences what is worth knowing of how everything stands."""
+        lamp = Reason.of("workcell.lamp_lit") if self._lamp.lit else Reason.of("workcell.lamp_dark")
+        return (lamp,)
+
     def scene(self) -> list[Shape3d]:
         """What there is to draw; changes when an arm is added."""
         return shapes(Plant(self._text(drawn=True)))
@@ -304,13 +320,21 @@ class BoxesWorld:
         """Go on from the plant's present positions: with physics, or without forces."""
         self._plant.settle()
         self._advance: Callable[[Any, Any], None] = mj_step
+        carried: Callable[[str], tuple[str, ...]] | None = None
         self._feel = self._plant.sense
         if self._arms.kinematic:
             hands = [self._hands[side].sheet.name for side in self._sides]
             kinematics = Kinematics(self._plant, self._arms.moving(self._sides), hands)
             self._advance, self._feel = kinematics.step, kinematics.feel
             self._plant.settle()
+            carried = kinematics.carried
+        if self._lookout is not None:
+            self._advance = self._lookout.watch(self._plant, self._sides, self._advance, lambda: self.now_ns, carried)
         self._publish()
+
+    def _claimed_at(self, side: str) -> tuple[str, ...]:
+        """The devices at a side that somebody uses."""
+        return tuple(unit.sheet.name for unit in self._present if unit.side == side and unit.epoch is not None)
 
     def _sense(self) -> None:
         self._sense_ns = self.now_ns + _SENSE_NS

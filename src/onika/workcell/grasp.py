@@ -27,6 +27,7 @@ class Grasp:
     """One hand by name in one plant, and what it carries: boxes by number, and their poses in the frame of its tip."""
 
     def __init__(self, plant: Plant, name: str, pile: Pile) -> None:
+        self.name = name
         fingers, valves, pads = ([f"{name}.{part}{k}" for k in (1, 2)] for part in ("finger", "valve", "touch"))
         where, rate = plant.joints(fingers)
         self._q, self._qd = plant.data.qpos[where], plant.data.qvel[rate]

@@ -8,6 +8,7 @@ from typing import Any
 
 import mujoco
 
+from onika.workcell.box import SIGNS
 from onika.workcell.circuit import Circuit
 from onika.workcell.grasp import Grasp
 from onika.workcell.kinematic_unit import KinematicUnit
@@ -42,6 +43,11 @@ class Kinematics:
             for hand in self._hands:
                 hand.carry()
         mujoco.mj_kinematics(model, data)
+
+    def carried(self, side: str) -> tuple[str, ...]:
+        """The signs of the boxes in the hand of a side."""
+        hand = next(hand for hand in self._hands if hand.name.endswith(f"_{side}"))
+        return tuple(SIGNS[number] for number in hand.carried)
 
     def feel(self) -> None:
         """Press the sensors of pads and patches, as `Plant.sense` does where there are forces."""

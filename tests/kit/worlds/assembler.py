@@ -90,7 +90,7 @@ class Assembler:
     def above(self, sign: str) -> Array:
         """The joint angles well above a place of the layout."""
         near = _LIFTED if self.arm == "arm_left" else [*_LIFTED[:5], -1.78]
-        return self._near(_pose_at(*LAYOUT_M[sign], _ABOVE_M), np.array(near))
+        return self._near(pose_at(*LAYOUT_M[sign], _ABOVE_M), np.array(near))
 
     def actions(self) -> list[tuple[Callable[[Any], None], Any]]:
         """The twenty-four actions of chapter 6, each a verb and what it is done with."""
@@ -99,11 +99,11 @@ class Assembler:
         for level, sign in enumerate(("triangle", "square", "cross"), 1):
             rows += [
                 (self.turn, self.above(sign)),
-                (self.go, _pose_at(*LAYOUT_M[sign], GRASP_M)),
+                (self.go, pose_at(*LAYOUT_M[sign], GRASP_M)),
                 (self.grip, -1.0),
                 (self.turn, self.above(sign)),
                 (self.turn, self.above("waves")),
-                (self.go, _pose_at(*waves, TOP_M + 0.0508 * (level + 0.5) + 0.0008)),
+                (self.go, pose_at(*waves, TOP_M + 0.0508 * (level + 0.5) + 0.0008)),
                 (self.grip, 1.0),
                 (self.turn, self.above("waves")),
             ]
@@ -129,5 +129,5 @@ class Assembler:
         return nearest
 
 
-def _pose_at(x: float, y: float, z: float) -> Array:
+def pose_at(x: float, y: float, z: float) -> Array:
     return pose_of_nine([0.0, 0.0, -1.0, 0.0, 1.0, 0.0, x, y, z])

@@ -38,6 +38,7 @@ from onika.host.loading.module_facts import ModuleFacts
 from onika.host.units.child_process import start
 from onika.host.units.memory_limit import bound
 from onika.host.units.output_pipe import open_output_pipes
+from onika.host.units.outside_guard import stay_inside
 from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.rtpu import preload
 from onika.link.launcher import die_with_parent
@@ -60,7 +61,8 @@ decode_answer = msgpack.Decoder(Answer).decode
 class Loader:
     """The runtime's end of the loader process, which is started at once and again whenever it had to be ended."""
 
-    def __init__(self) -> None:
+    def __init__(self, *, stays_inside: bool = False) -> None:
+        self._arguments = ("--stays-inside",) if stays_inside else ()
         self._post, self._process = self._start()
 
     def close(self) -> None:
@@ -71,7 +73,7 @@ class Loader:
 
     def _start(self) -> tuple[ProcessSocket, "subprocess.Popen[bytes]"]:
         ours, theirs = ProcessSocket.pair()
-        return ours, start("onika.host.loading.loader", theirs, own_group=True)
+        return ours, start("onika.host.loading.loader", theirs, self._arguments, own_group=True)
 
     @property
     def post(self) -> ProcessSocket:
@@ -166,12 +168,15 @@ def main(words: list[str]) -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--fd", type=int, required=True)
     parser.add_argument("--parent", type=int, required=True)
+    parser.add_argument("--stays-inside", action="store_true")
     given = parser.parse_args(words)
     die_with_parent(given.parent)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     open_output_pipes()
     preload()
     bound()
+    if given.stays_inside:
+        stay_inside()
     post, loading = ProcessSocket(socket.socket(fileno=given.fd)), ModuleFacts(LoadAlarm().watch)
     while not post.is_closed:
         select.select([post], [post] if post.is_waiting else [], [])

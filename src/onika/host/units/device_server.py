@@ -134,9 +134,10 @@ class ModesTaken(Struct, frozen=True, tag=True):
 
 
 class SnapshotsTaken(Struct, frozen=True, tag=True):
-    """The answer to Draw."""
+    """The answer to TakeSnapshots, with what the worlds say in sentences of how they stand."""
 
     snapshots: dict[str, bytes]
+    standings: dict[str, tuple[Reason, ...]] = {}
 
 
 class WorldDescribed(Struct, frozen=True, tag=True):
@@ -275,7 +276,7 @@ class DeviceServer:
             scene = self._worlds.scene(order.world)
             return Denied(Reason.of("host.not_open")) if scene is None else WorldDescribed(scene)
         if isinstance(order, TakeSnapshots):
-            return SnapshotsTaken(self._worlds.snapshots())
+            return SnapshotsTaken(self._worlds.snapshots(), self._worlds.standings())
         return ModesTaken(self._worlds.modes())
 
 

@@ -9,6 +9,7 @@ from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.runtime.bus import Bus, Poses, World
 from onika.runtime.command import DeviceGrant
+from onika.words.reason import Reason
 
 _MOST_BEHIND_NS = 50_000_000
 """Further behind, a world loses time instead of running after it: a stall stretches a motion and never jumps."""
@@ -100,6 +101,11 @@ class ServedWorlds:
     def snapshots(self) -> dict[str, bytes]:
         """The worlds as they stand."""
         return {name: bus.world.snapshot() for name, bus in self._buses.items()}
+
+    def standings(self) -> dict[str, tuple[Reason, ...]]:
+        """What each of them says of how it stands, where it knows how."""
+        said = {name: bus.standing() for name, bus in self._buses.items()}
+        return {name: sentences for name, sentences in said.items() if sentences}
 
     def modes(self) -> dict[str, DriveMode]:
         """How the drives of all of them stand from within, by `world:device`."""

@@ -42,6 +42,8 @@ class VirtualDriver:
         worlds: Callable[[str], World] = open_world,
         watch: Callable[[str], None] = lambda _task: None,
         scale: float | None = None,
+        *,
+        watches_mishaps: bool = False,
     ) -> None:
         self._now = 0
         self._realtime_factor = None if scale is None else RealtimeFactor(scale, 0, monotonic_ns())
@@ -51,7 +53,8 @@ class VirtualDriver:
         self._homes: dict[tuple[str, str], str] = {}
         self._statuses: dict[str, news.Statuses] = {}
         self._commands: deque[tuple[str, command.Command]] = deque()
-        self._buses = Buses(self._views, worlds, self._dated(tell))
+        tell_mishap = self._dated_mishaps(tell) if watches_mishaps else None
+        self._buses = Buses(self._views, worlds, self._dated(tell), tell_mishap)
         self._listener: UnitListener | None = None
         self._digest = Digest()
         self.with_fifo = False
@@ -146,6 +149,16 @@ class VirtualDriver:
 
         return dated
 
+    def _dated_mishaps(self, tell: Callable[[event.Event], None]) -> Callable[[event.Mishap, int], None]:
+        """A world's time is that of this runtime."""
+
+        def dated(mishap: event.Mishap, at_ns: int) -> None:
+            listener = self._listener
+            began = 0 if listener is None else max(map(listener.run_began, mishap.devices), default=0)
+            tell(structs.replace(mishap, at_s=round((at_ns - began) * 1e-9, 9)))
+
+        return dated
+
     def begin(self) -> None:
         """A run starts now: what happens from here on is its digest."""
         self._digest = Digest(self._now)
@@ -223,6 +236,10 @@ class VirtualDriver:
     def snapshots(self) -> dict[str, bytes]:
         """The worlds as they stand."""
         return self._buses.snapshots()
+
+    def standings(self) -> dict[str, tuple[Reason, ...]]:
+        """What the worlds say of how they stand."""
+        return self._buses.standings()
 
     # Inner
 

@@ -226,14 +226,20 @@ class WallDriver:
 
     def snapshots(self) -> dict[str, bytes]:
         """The worlds as they stand."""
+        return {world: snapshot for taken in self._taken() for world, snapshot in taken.snapshots.items()}
+
+    def standings(self) -> dict[str, tuple[Reason, ...]]:
+        """What the worlds say of how they stand."""
+        return {world: sentences for taken in self._taken() for world, sentences in taken.standings.items()}
+
+    def _taken(self) -> list[device_server.SnapshotsTaken]:
         if self._devices.is_lost:
-            return {}
+            return []
         try:
             answers = [self._ask(world, device_server.TakeSnapshots()) for world in self.worlds]
         except ValueError:
-            return {}  # one does not answer any more: there is nothing to draw
-        taken = [answer.snapshots for answer in answers if isinstance(answer, device_server.SnapshotsTaken)]
-        return {world: snapshot for snapshots in taken for world, snapshot in snapshots.items()}
+            return []  # one does not answer any more: there is nothing to draw
+        return [answer for answer in answers if isinstance(answer, device_server.SnapshotsTaken)]
 
     def close(self) -> None:
         """End every process."""

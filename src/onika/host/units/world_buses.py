@@ -10,17 +10,23 @@ from onika.ring.segment import Segment
 from onika.runtime.bus import SEGMENT_SIZE, Bus, Poses, World
 from onika.runtime.command import DeviceGrant
 from onika.wire import event
+from onika.words.reason import Reason
 
 
 class Buses:
     """Every world that is open; what its drives do is told after each step and touch."""
 
     def __init__(
-        self, views: dict[str, memoryview], worlds: Callable[[str], World], tell: Callable[[event.Drive], None]
+        self,
+        views: dict[str, memoryview],
+        worlds: Callable[[str], World],
+        tell: Callable[[event.Drive], None],
+        tell_mishap: Callable[[event.Mishap, int], None] | None = None,
     ) -> None:
         self._views = views
         self._open = worlds
         self._tell = tell
+        self._tell_mishap = tell_mishap
         self._buses: dict[str, Bus] = {}
         self._claims: dict[str, int] = {}
         self._epoch = 0
@@ -75,6 +81,11 @@ class Buses:
         """The worlds as they stand."""
         return {name: bus.world.snapshot() for name, bus in self._buses.items()}
 
+    def standings(self) -> dict[str, tuple[Reason, ...]]:
+        """What each world says of how it stands, where it knows how."""
+        said = {name: bus.standing() for name, bus in self._buses.items()}
+        return {name: sentences for name, sentences in said.items() if sentences}
+
     def touch(self, world: str, part: str, value: float) -> None:
         """Touch a part of an open world; raises ValueError with the reason why not."""
         refuse_unknown(world, self._buses)
@@ -86,6 +97,7 @@ class Buses:
         for name, bus in self._buses.items():
             bus.step(now)
             self._tell_drives(name)
+            self._tell_mishaps(name)
 
     def step_once(self) -> None:
         """Each makes one step, so that the last commands act."""
@@ -113,6 +125,8 @@ class Buses:
             bus.step(now)
             if self._is_stopped:
                 bus.world.stop()
+            if self._tell_mishap is not None and hasattr(bus.world, "watch_mishaps"):
+                bus.world.watch_mishaps()
             self._buses[world] = bus
         return self._buses[world]
 
@@ -129,3 +143,12 @@ class Buses:
                     drive_event.cause,
                 )
             )
+
+    def _tell_mishaps(self, world: str) -> None:
+        take = getattr(self._buses[world].world, "take_mishaps", None)
+        if self._tell_mishap is None or take is None:
+            return
+        for mishap in take():
+            devices = tuple(f"{world}:{device}" for device in mishap.devices)
+            told = event.Mishap(world, mishap.text, devices, 0.0, mishap.poses, mishap.lit)
+            self._tell_mishap(told, mishap.at_ns)

@@ -8,6 +8,7 @@ from onika.wire.view.application import (
     ApplicationFile as ApplicationFile,
     ApplicationView as ApplicationView,
     FaultView as FaultView,
+    ForecastView as ForecastView,
     RedirectView as RedirectView,
     StepView as StepView,
 )

@@ -74,6 +74,20 @@ class FaultView(View, frozen=True):
     """Whether a runtime has found it, where it looked; `Run` looks again."""
 
 
+class ForecastView(View, frozen=True):
+    """What an application would come to, in a workcell as at its start (E16)."""
+
+    state: Literal["none", "going", "whole", "part"] = "none"
+    """Whether it is foreseen: not, just now, to its end, or not so far."""
+    lasts_s: float = 0.0
+    cause: Reason = NOTHING
+    """Why not to its end."""
+    mishaps: int = 0
+    """How much happens that it does not mean; that is told among its faults."""
+    standing: tuple[Reason, ...] = ()
+    """How everything stands at its end."""
+
+
 class ApplicationView(View, frozen=True):
     """An open application."""
 
@@ -98,6 +112,7 @@ class ApplicationView(View, frozen=True):
     """Whether a runtime has looked at what is here now, with what it found among `faults`."""
     is_running: bool = False
     redirects: tuple[RedirectView, ...] = ()
+    forecast: ForecastView = ForecastView()
     worlds: dict[str, tuple[str, ...]] = field(default_factory=dict)
     """The worlds that its flows drive, by their subsystems, as it was judged last."""
 

@@ -136,8 +136,8 @@ def judged(model: Model, doc: str, judgement: Judgement) -> Done:
     opened = model.applications.get(doc)
     if opened is None:
         return Done(model)
-    if judgement.has_new_files and opened.looked is not None:
-        opened = replace(opened, looked=None)
+    if judgement.has_new_files and (opened.looked is not None or opened.foretelling is not None):
+        opened = replace(opened, looked=None, foretelling=None)
     former = opened.judgement
     if former is not None and former.faults == judgement.faults:
         judgement = Judgement(judgement.of, former.faults, homes=judgement.homes, worlds=judgement.worlds)

@@ -12,13 +12,23 @@ from msgspec import structs
 from onika.desk.environment.outcome.on_file import syntax_of
 from onika.desk.environment.show.step_view import MadeStep, step_views
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.open_application import OpenApplication, PreflightResult
+from onika.desk.environment.state.open_application import Foretelling, OpenApplication, PreflightResult
 from onika.desk.environment.state.undo_order import label_of, redoable, undoable
 from onika.model.application import AppFlow, Hole
 from onika.model.flow_path import flows_by_path
 from onika.model.redirect import Redirect
 from onika.model.syntax import END, START, Syntax
-from onika.wire.view import AppFlowView, ApplicationView, FaultView, RedirectView, StepView
+from onika.wire.view import (
+    AppFlowView,
+    ApplicationView,
+    FaultView,
+    ForecastView,
+    RedirectView,
+    Remedy,
+    ShowStep,
+    StepView,
+)
+from onika.words.reason import Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +48,7 @@ class ApplicationProjector:
     def __init__(self) -> None:
         self._flows: dict[str, _Flow] = {}
         self._of: tuple[object, object] = (None, None)
-        self._faults: tuple[object, object, object, dict[str, FaultView]] = (None, None, None, {})
+        self._faults: tuple[object, object, object, object, dict[str, FaultView]] = (None, None, None, None, {})
 
     def view(self, opened: OpenApplication, order: int, model: Model, *, is_running: bool) -> ApplicationView:
         """The application as it is now; `order` is its place among those that are open."""
@@ -62,6 +72,7 @@ class ApplicationProjector:
             is_checked=looked is not None,
             is_running=is_running,
             redirects=tuple(_wish(opened, redirect) for redirect in opened.redirects),
+            forecast=_forecast(opened),
             worlds=dict(opened.judgement.worlds) if opened.judgement is not None else {},
         )
 
@@ -89,16 +100,36 @@ class ApplicationProjector:
         }
 
     def _told(self, opened: OpenApplication, looked: PreflightResult | None) -> dict[str, FaultView]:
-        """What is wrong with its file, then with what is here, as it was looked at last."""
-        file_faults, judgement, looked_before, faults = self._faults
-        if file_faults is opened.file_faults and judgement is opened.judgement and looked_before is looked:
+        """What is wrong with its file, then with what is here, as it was looked at last, and what is foreseen."""
+        of = (opened.file_faults, opened.judgement, looked, opened.foretold)
+        *made_of, faults = self._faults
+        if all(part is other for part, other in zip(of, made_of, strict=True)):
             return faults
         judged = opened.judgement.faults if opened.judgement else ()
         shown_already = {(fault.step, fault.text) for fault in judged}
         more = [fault for fault in looked.faults if (fault.step, fault.text) not in shown_already] if looked else []
         fault_views = _keyed("file", opened.file_faults) | _keyed("here", judged) | _keyed("runtime", more)
-        self._faults = (opened.file_faults, opened.judgement, looked, fault_views)
+        fault_views |= _keyed("forecast", _foreseen(opened.foretold))
+        self._faults = (*of, fault_views)
         return fault_views
+
+
+def _forecast(opened: OpenApplication) -> ForecastView:
+    """What is foreseen, in short."""
+    of = opened.foretold
+    if of is None or (not of.is_going and not of.lasts_s and not of.cause):
+        return ForecastView()
+    if of.is_going:
+        return ForecastView("going")
+    return ForecastView("part" if of.cause else "whole", of.lasts_s, of.cause, len(of.mishaps), of.standing)
+
+
+def _foreseen(of: Foretelling | None) -> Iterable[FaultView]:
+    """What is foreseen to happen, as something worth knowing of its steps."""
+    for mishap in of.mishaps if of is not None else ():
+        text = Reason.of("run.foreseen_at", at_s=mishap.at_s, what=mishap.text)
+        show = (Remedy(Reason.of("run.show_it"), show=ShowStep(mishap.step)),) if mishap.step else ()
+        yield FaultView(text, "warning", mishap.step, show)
 
 
 def _keyed(where: str, faults: Iterable[FaultView]) -> dict[str, FaultView]:

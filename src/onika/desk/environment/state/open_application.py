@@ -2,12 +2,13 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 from onika.desk.environment.state.open_file import DocumentKind, OpenFile
 from onika.model.application import Application
 from onika.model.redirect import Redirect
 from onika.wire.view import FaultView
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 MOST_FLOWS = 32
 """Flows of an application, and of a branch: more are a slip of the hand."""
@@ -39,6 +40,37 @@ class PreflightResult:
 
 
 @dataclass(frozen=True, slots=True)
+class MishapAtStep:
+    """What happens that the program does not mean, at which step of it (0: at none), and how a world stands then."""
+
+    step: int
+    text: Reason
+    at_s: float
+    world: str
+    poses: bytes
+    lit: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Foretelling:
+    """What is foreseen of an application as it was when that began: under way or finished (E16).
+
+    cause       why it is not foreseen to its end; nothing: it is, or is not yet
+    standing    how everything stands at the end, in sentences
+    scenes      what the worlds consist of in which something happens
+    """
+
+    of: Application
+    redirects: tuple[Redirect, ...]
+    is_going: bool = True
+    lasts_s: float = 0.0
+    cause: Reason = NOTHING
+    mishaps: tuple[MishapAtStep, ...] = ()
+    standing: tuple[Reason, ...] = ()
+    scenes: Mapping[str, dict[str, Any]] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
 class OpenApplication(OpenFile[Application, Application]):
     """An application whose steps have numbers."""
 
@@ -59,6 +91,8 @@ class OpenApplication(OpenFile[Application, Application]):
     """What became of steps when a runtime looked at them last, by their numbers."""
     looked: PreflightResult | None = None
     """The last look of a runtime, which may be of an earlier content."""
+    foretelling: Foretelling | None = None
+    """The last forecast, which may be of an earlier content."""
 
     @property
     def name(self) -> str:
@@ -81,6 +115,19 @@ class OpenApplication(OpenFile[Application, Application]):
     def is_judged(self) -> bool:
         """Whether what is known to be wrong is of what is here now."""
         return self.judgement is not None and self.judgement.of is self.application
+
+    @property
+    def foretold(self) -> Foretelling | None:
+        """What is foreseen of what is here now."""
+        of = self.foretelling
+        if of is None or of.of is not self.application or of.redirects != self.redirects:
+            return None
+        return of
+
+    @property
+    def is_foretold(self) -> bool:
+        """Whether what is here now is foreseen, or just being so."""
+        return self.foretold is not None
 
     def looked_at(self, address: str) -> PreflightResult | None:
         """What the runtime of that address has found in what is here now; None: it has not looked at it."""
