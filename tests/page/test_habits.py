@@ -1,5 +1,6 @@
 """What a person may have otherwise: preferences, buttons, languages, grounds, sounds."""
 
+import base64
 import re
 
 import pytest
@@ -152,6 +153,40 @@ def test_the_colours_of_1994_are_the_dissertations(me):  # R-C02, R-C25
     assert after != before
     red, green, blue = map(int, re.findall(r"\d+", after)[:3])
     assert blue > max(red, green), "an idle line is blue"
+
+
+COLOURED = """async shown => {
+    const picture = new Image()
+    picture.src = 'data:image/png;base64,' + shown
+    await picture.decode()
+    const paper = new OffscreenCanvas(picture.width, picture.height).getContext('2d')
+    paper.drawImage(picture, 0, 0)
+    const { data } = paper.getImageData(0, 0, picture.width, picture.height)
+    let coloured = 0
+    for (let k = 0; k < data.length; k += 4) {
+        const dots = [data[k], data[k + 1], data[k + 2]]
+        if (Math.max(...dots) - Math.min(...dots) > 3) coloured += 1
+    }
+    return coloured
+}"""
+"""How many dots of a screenshot have a hue."""
+
+
+def coloured_dots(me):
+    return me.page.evaluate(COLOURED, base64.b64encode(me.page.screenshot()).decode())
+
+
+def test_the_monochrome_look_has_no_colour_and_what_is_greyed_a_broken_line(me):  # R-G09
+    me.place("wave", "calm")
+    assert coloured_dots(me) > 0
+    panel = preferences(me)
+    panel.get_by_label("Look").select_option("Monochrome")
+    me.page.keyboard.press("Escape")
+    expect(panel).to_have_count(0)
+    assert coloured_dots(me) == 0
+    broken = "one => getComputedStyle(one).strokeDasharray"
+    assert me.icon("wave").locator(".frame").evaluate(broken) != "none"  # it is placed already
+    assert me.icon("gain").locator(".frame").evaluate(broken) == "none"
 
 
 def test_sounds_can_be_switched_off(me):  # R-G06

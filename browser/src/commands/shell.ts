@@ -7,7 +7,7 @@ import { desk } from '../link/desk.svelte'
 import { closeLast, isSomethingOpen } from '../state/layers'
 import { canvas } from '../state/canvas.svelte'
 import { closeDialog, dialogs, openDialog, type DialogName } from '../state/dialogs.svelte'
-import { look, type Theme } from '../state/look.svelte'
+import { look, THEMES } from '../state/look.svelte'
 import { goTo, shownDocument, shownId, shownOne, step, toRedo, toUndo } from '../act/documents.svelte'
 import { openBlank, save } from '../act/opening'
 import { checkMemory, saveReadings } from '../monitor/memory'
@@ -306,16 +306,16 @@ command({
 })
 command({ id: 'view.buttons', group: 'view', title: () => t('buttons.title'), run: () => turn('buttons') })
 
-const THEMES: Theme[] = ['auto', 'light', 'dark', '1994']
-command({
-  id: 'view.theme',
-  group: 'view',
-  title: () => t('theme.next'),
-  run: () => {
-    look.theme = THEMES[(THEMES.indexOf(look.theme) + 1) % THEMES.length]!
-    announce(t(`theme.${look.theme}`))
-  },
-})
+for (const theme of THEMES)
+  command({
+    id: `view.theme.${theme}`,
+    group: 'view',
+    title: () => t('theme.choose', { look: t(`theme.${theme}`) }),
+    run: () => {
+      look.theme = theme
+      announce(t(`theme.${theme}`))
+    },
+  })
 command({
   id: 'view.language',
   group: 'view',

@@ -1,7 +1,9 @@
 // How the page looks in this browser: which level, in which colours, language and sizes.
 import { kept } from './kept'
 
-export type Theme = 'auto' | 'light' | 'dark' | '1994'
+export type Theme = 'auto' | 'light' | 'dark' | '1994' | 'monochrome'
+/** As they are offered, and as one command goes through them. */
+export const THEMES: readonly Theme[] = ['auto', 'light', 'dark', '1994', 'monochrome']
 export type Language = 'en' | 'es'
 /** The lower level, where tasks are connected, and the upper one, where pictures are joined. */
 export type Level = 'tasks' | 'applications'

@@ -137,7 +137,7 @@ describe('R-X01: a remedy leads to what it names', () => {
   })
 })
 
-test('the look of 1994 is light with other wires', () => {
+test('the looks of 1994 and without colour are light ones, and leave nothing behind', () => {
   const worn = new Set(['dark'])
   const root = {
     classList: {
@@ -147,6 +147,8 @@ test('the look of 1994 is light with other wires', () => {
   }
   applyTheme('1994', root as unknown as Element)
   expect([...worn]).toEqual(['light', 'y1994'])
+  applyTheme('monochrome', root as unknown as Element)
+  expect([...worn]).toEqual(['light', 'monochrome'])
   applyTheme('auto', root as unknown as Element)
   expect([...worn]).toEqual([])
 })
