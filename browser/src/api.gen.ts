@@ -369,6 +369,11 @@ export interface Teach {
   t: 'Teach';
   type: string;
   subsystem?: string;
+  doc?: string;
+  flow?: string;
+  after?: number;
+  arm?: string;
+  or_another?: boolean;
 }
 
 /** Close a document; one that is not saved is refused unless `discards`, one whose tasks are ON is asked about. alive what becomes of tasks that live: they end with it where none is ON; else `end` or `leave` says it */
@@ -1168,6 +1173,9 @@ export interface TaughtView {
   source?: Reason;
   subsystem?: string;
   others?: (string)[];
+  type?: string;
+  arm?: string;
+  arms?: (string)[];
 }
 
 /** A type of icon of the syntax definition. */

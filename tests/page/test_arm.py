@@ -68,6 +68,24 @@ def test_the_first_start_teaches_and_an_example_runs_by_a_click_and_an_answer(pr
     stopped(me)
 
 
+def test_the_present_position_of_the_arm_is_taken_by_one_click_and_nothing_is_left(program, page):  # R-D23, R-G03
+    program.enter(page)
+    page.get_by_role("button", name="Applications", exact=True).click()
+    page.locator("body").press("Alt+n")
+    page.get_by_role("dialog", name="New application").get_by_role("button", name="Begin").click()
+    page.locator("#onikon-jmoveC").dblclick()
+    steps = page.get_by_role("region", name="Workspace").locator("[data-step]")
+    expect(steps).to_have_count(4)
+    page.get_by_role("button", name="Take the arm’s present position").click()
+    panel = page.get_by_role("dialog", name="New target")
+    expect(panel).to_contain_text("where puma stands now", timeout=30_000)
+    values = panel.locator("input[id*='-value-']")  # the joints, and the duration, which nobody measures
+    for k in range(6):
+        expect(values.nth(k)).not_to_have_value("")
+    panel.get_by_role("button", name="Cancel").click()
+    expect(page.get_by_role("button", name=re.compile("^Take position"))).to_be_visible()
+
+
 def stopped(me):
     """Stop: every drive holds, the arm stands, and says so until it is reset."""
     me.page.get_by_role("button", name="Stop").click()

@@ -13,6 +13,7 @@ from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.runtime_launch import RuntimeLauncher
 from onika.desk.environment.runtime_thread import RuntimeThread
 from onika.laws import puma560
+from onika.laws.arm import SerialArm
 from onika.laws.frames import pose_of_nine
 from onika.store.site import open_site
 from onika.wire import act
@@ -87,3 +88,15 @@ def test_targets_are_taken_from_where_the_robot_stands(bench):  # R-D13, R-D23, 
     assert bench.environment.tree.onikons["here"].values[1] == ("2",)
     no = bench.answer(act.MakeTarget("beyond", "Joint object", (("9", *words[1:]), ("2",)), WHITE)).no
     assert "9 is above" in str(no.fields["endpoint[0]"])
+
+
+def test_the_arm_of_the_open_program_is_measured_without_a_run_and_nothing_is_left(bench):  # R-D23
+    doc = bench.do(act.NewApplication(1))
+    job = bench.do(act.InsertIcon(doc, "jmoveC", "0", 0))
+    taught = bench.do(act.Teach("Joint object", doc=doc, flow="0", after=job))
+    assert (taught.arm, taught.arms, str(taught.source)) == ("puma", ("puma",), "where puma stands now")
+    joints = taught.values["endpoint"]
+    pose = pose_of_nine(list(bench.do(act.Teach("Cartesian object", doc=doc, after=job)).values["pose"]))
+    arm = SerialArm(puma560.DH, base=np.eye(4), tool=puma560.TOOL)
+    assert np.allclose(arm.forward(np.array(joints)), pose, atol=1e-3)
+    assert bench.environment.model.measuring is None and "measuring" not in bench.environment.tree.runtime.subsystems

@@ -39,8 +39,10 @@ export class ValuesDraft {
     this.words = this.items.flatMap((item, k) => (item.name === name ? [...words] : (before[k] ?? [])))
   }
 
-  /** Take over what was measured; answers with the names of what still lacks. */
-  take({ values }: TaughtView): string[] {
+  /** Take over what was measured, with the bounds that are known now; answers with the names of what still lacks. */
+  take({ values }: TaughtView, items: readonly ItemView[] = this.items): string[] {
+    const counts = new Map(this.items.map(({ name, count }) => [name, count]))
+    if (items.every(({ name, count }) => counts.get(name) === count)) this.items = items
     this.present = values
     this.words = taken(this.rows, this.words, values)
     return lacking(this.rows, values).filter((name) =>

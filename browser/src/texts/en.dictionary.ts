@@ -81,6 +81,7 @@ export const enDictionary = {
   'target.description': 'Words',
   'target.descriptionHint': 'above the triangle',
   'target.values': 'Values',
+  'target.arm': 'Arm',
   'target.take': 'Take present values',
   'target.taking': 'Reading…',
   'target.took': 'Read from {source}.',

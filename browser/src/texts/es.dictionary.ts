@@ -83,6 +83,7 @@ export const esDictionary: Record<keyof typeof enDictionary, string> = {
   'target.description': 'Palabras',
   'target.descriptionHint': 'sobre el triángulo',
   'target.values': 'Valores',
+  'target.arm': 'Brazo',
   'target.take': 'Tomar los valores actuales',
   'target.taking': 'Leyendo…',
   'target.took': 'Leído de {source}.',

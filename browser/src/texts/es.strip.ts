@@ -140,6 +140,7 @@ export const esStrip: Record<keyof typeof enStrip, string> = {
 
   'world.name': 'Célula {name}',
   'world.canvas': 'La célula en tres dimensiones: arrastre para girarla, la rueda la acerca.',
+  'world.take': 'Tomar posición…',
   'world.reset': 'Vista inicial',
   'world.loading': 'Construyendo la célula…',
   'world.failed': 'Este navegador no puede dibujar en tres dimensiones: {why}',

@@ -18,15 +18,23 @@ from onika.desk.environment.outcome.outcome import Done, Order
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.model.task import Task
+from onika.store.site import Site
 from onika.wire import act, event, live, request
 
 
 class FakeRuntimeEnv(EnvironmentFixture):
     """`runtime` answers; `rebuffs` are orders that it answers otherwise, by their kind; `is_held_back` keeps orders."""
 
-    def __init__(self, folder: Path, tasks: Iterable[Task] = (), runtime: LiveRuntime | None = None) -> None:
+    def __init__(
+        self,
+        folder: Path,
+        tasks: Iterable[Task] = (),
+        runtime: LiveRuntime | None = None,
+        model: Model | None = None,
+        site: Site | None = None,
+    ) -> None:
         sheets = tuple(tasks)
-        super().__init__(folder, sheets)
+        super().__init__(folder, sheets, model, site)
         for task in sheets:
             (folder / "module" / f"{task.module}.py").write_text(f'"""The code of {task.module}."""\n')
         self.runtime = runtime or LiveRuntime()

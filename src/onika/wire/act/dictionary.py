@@ -52,8 +52,18 @@ class Teach(Act, frozen=True):
     """Ask for what the robot measures now, as the values of a type of target (D13); replied by `view.TaughtView`."""
 
     type: str
+    """Empty: the first that is measured."""
     subsystem: str = ""
     """Where several measure it; empty: the one of an open configuration, else the first."""
+    doc: str = ""
+    """The open application whose arm is meant: it is measured whether it runs or not."""
+    flow: str = "0"
+    after: int = 0
+    """A place in it: the arm of the job nearest before it is meant."""
+    arm: str = ""
+    """The task of the arm that is meant, where the application moves several."""
+    or_another: bool = False
+    """Whether another type will do where nothing measures this one."""
 
 
 class FitTargets(Act, frozen=True):

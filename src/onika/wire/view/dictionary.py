@@ -89,6 +89,12 @@ class TaughtView(View, frozen=True):
     """Where it was read."""
     others: tuple[str, ...] = ()
     """The other subsystems that measure it."""
+    type: str = ""
+    """The type of target that it is."""
+    arm: str = ""
+    """The task of the arm that was measured."""
+    arms: tuple[str, ...] = ()
+    """All arms that the application moves."""
 
 
 class TargetFitView(View, frozen=True):

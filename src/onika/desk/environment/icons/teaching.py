@@ -2,11 +2,16 @@
 
 from collections.abc import Mapping, Sequence
 
+from msgspec import structs
+
 from onika.desk.environment.icons.measured_variables import MeasuredVariable, measures_of, values_of
 from onika.desk.environment.icons.measuring_remedies import ways_to_measure
-from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure
+from onika.desk.environment.icons.moment import measured
+from onika.desk.environment.icons.program_arms import MeasuringTasks, arms_of, jobs_near
+from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, RequiredRuntime
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Services
+from onika.desk.environment.runs.begin import ready
 from onika.desk.environment.state.model import Model
 from onika.desk.plan.icon_names import a_kind, kind_named
 from onika.model.planned import task_of
@@ -19,22 +24,22 @@ Writers = Mapping[str, str]
 """By variable: the task that writes it now."""
 
 
-def teach(model: Model, command: act.Teach, _outside: Services) -> Procedure:
+def teach(model: Model, command: act.Teach, outside: Services) -> Procedure:
     """Ask for what is measured now; the value is a `view.TaughtView`, of which what nothing measures is left out."""
-    kind = model.syntax.find(command.type) if model.syntax else None
-    if kind is None or not kind.is_target:
-        return No(
-            Reason.of("desk.no_target_type", kind=kind_named(command.type)),
-            fields={"type": Reason.of("desk.target_type_form")},
-        )
+    kind = _kind(model, command)
+    if isinstance(kind, No):
+        return kind
     measures = measures_of(model, kind)
     if not measures:
         return No(Reason.of("desk.nothing_measures", kind=a_kind(kind.name)))
-    if model.runtime.state != "linked":
+    arms = _arms(model, command, measures, outside)
+    if model.runtime.state != "linked" and not arms:
         return No(Reason.of("desk.no_robot"), ways_to_measure(model, measures))
-    model, standing = yield Ask(model, live.Survey())
+    model, standing = yield Ask(model, live.Survey(), RequiredRuntime() if arms else None)
     if not isinstance(standing, live.Standing):
         return No(refusal(standing))
+    if arms and not command.subsystem:
+        return (yield from _of_arm(model, standing, kind, measures, arms))
     places = {home.name: writers for home in standing.subsystems if (writers := _writers(home, measures))}
     why = _unmeasured(places, measures, command.subsystem, kind)
     if why:
@@ -44,7 +49,68 @@ def teach(model: Model, command: act.Teach, _outside: Services) -> Procedure:
     model, response = yield Ask(model, live.Read(subsystem, tuple(places[subsystem])))
     if not isinstance(response, live.Values):
         return No(refusal(response))
-    return _taught(model, response, measures, places[subsystem], subsystem, others)
+    sources = _sources(measures, response, places[subsystem], subsystem)
+    return _taught(model, response, measures, TaughtView({}, sources, subsystem, others, kind.name))
+
+
+def _kind(model: Model, command: act.Teach) -> IconType | No:
+    """The type of target that is measured: the one that is named, else the first that something measures."""
+    kinds = model.syntax.types if model.syntax else ()
+    kind = model.syntax.find(command.type) if model.syntax else None
+    is_target = kind is not None and kind.is_target
+    is_free = not command.type or (is_target and command.or_another)
+    if is_free and not (kind is not None and measures_of(model, kind)):
+        kind = next((other for other in kinds if other.is_target and measures_of(model, other)), kind)
+    if kind is not None and kind.is_target:
+        return kind
+    return No(
+        Reason.of("desk.no_target_type", kind=kind_named(command.type)),
+        fields={"type": Reason.of("desk.target_type_form")},
+    )
+
+
+def _arms(
+    model: Model, command: act.Teach, measures: Sequence[MeasuredVariable], outside: Services
+) -> tuple[MeasuringTasks, ...]:
+    """The arms of the open application, the one that is meant first."""
+    opened = model.applications.get(command.doc)
+    if opened is None or model.syntax is None:
+        return ()
+    plan = ready(opened, outside.site, model.syntax).plan
+    if plan is None:
+        return ()
+    jobs = jobs_near(opened.application, command.flow, command.after)
+    arms = arms_of(plan, jobs, frozenset(measure.variable for measure in measures), model.libraries)
+    return tuple(sorted(arms, key=lambda arm: arm.arm != command.arm))
+
+
+def _of_arm(
+    model: Model,
+    standing: live.Standing,
+    kind: IconType,
+    measures: Sequence[MeasuredVariable],
+    arms: Sequence[MeasuringTasks],
+) -> Procedure:
+    """What an arm measures: where its driver is ON it is read there, else it lives for a moment."""
+    arm = arms[0]
+    variables = tuple(dict.fromkeys(measure.variable for measure in measures))
+    home = next((home for home in standing.subsystems if _is_driven(home, arm)), None)
+    if home is not None and _writers(home, measures):
+        model, response = yield Ask(model, live.Read(home.name, tuple(_writers(home, measures))))
+        values = response if isinstance(response, live.Values) else No(refusal(response))
+    else:
+        model, values = yield from measured(model, standing, arm, variables)
+    if isinstance(values, No):
+        turns = (way for way in ways_to_measure(model, measures) if isinstance(way.act, act.Turn))
+        return No(values.reason, values.remedies or tuple(turns))
+    source = Reason.of("desk.where_arm_stands", arm=arm.arm)
+    names = tuple(sorted(each.arm for each in arms))
+    return _taught(model, values, measures, TaughtView({}, source, type=kind.name, arm=arm.arm, arms=names))
+
+
+def _is_driven(home: live.SubsystemStanding, arm: MeasuringTasks) -> bool:
+    """Whether a task that is ON there drives the arm."""
+    return any(task.state == "ON" and task.claims in arm.devices for task in home.tasks)
 
 
 def _unmeasured(
@@ -58,14 +124,7 @@ def _unmeasured(
     return Reason.of("desk.not_measured", names=tuple(dict.fromkeys(measure.variable for measure in measures)))
 
 
-def _taught(
-    model: Model,
-    response: live.Values,
-    measures: Sequence[MeasuredVariable],
-    writers: Writers,
-    subsystem: str,
-    others: tuple[str, ...],
-) -> Done | No:
+def _taught(model: Model, response: live.Values, measures: Sequence[MeasuredVariable], view: TaughtView) -> Done | No:
     """What was measured, as far as it fits the type."""
     taken: dict[str, tuple[float, ...]] = {}
     wrong: list[Reason] = []
@@ -78,14 +137,18 @@ def _taught(
                 taken[measure.item] = values
     if not taken:
         return No(Reason.of("desk.measured_unfit", reasons=tuple(wrong)))
-    used = {measure.variable for measure in measures if measure.item in taken and measure.variable in writers}
+    return Done(model, value=structs.replace(view, values=taken))
+
+
+def _sources(measures: Sequence[MeasuredVariable], response: live.Values, writers: Writers, subsystem: str) -> Reason:
+    """The variables that give something, with who writes each."""
+    used = {measure.variable for measure in measures if measure.variable in response.values}
     sources = tuple(
         Reason.of("desk.measured_by", name=name, task=writers[name], subsystem=subsystem)
         for name in writers
         if name in used
     )
-    source = Reason.of("desk.measured_sources", sources=sources)
-    return Done(model, value=TaughtView(taken, source, subsystem, others))
+    return Reason.of("desk.measured_sources", sources=sources)
 
 
 def _writers(subsystem: live.SubsystemStanding, measures: Sequence[MeasuredVariable]) -> dict[str, str]:

@@ -5,7 +5,7 @@ from typing import Literal
 
 import msgspec
 
-from onika.desk.environment.outcome.outcome import Done
+from onika.desk.environment.outcome.outcome import Done, EditEnd, No
 from onika.desk.environment.reconcile import holders, presence, reconciliation, task_reducer
 from onika.desk.environment.reconcile.watches import is_going
 from onika.desk.environment.run_state import subsystem_views
@@ -39,6 +39,10 @@ def after_event(model: Model, message: event.Event, at_s: float = 0.0) -> Done:
 
 
 def _edited(model: Model, message: event.Edited) -> Done:
+    measuring = model.measuring
+    if measuring is not None and message.subsystem == measuring.name:
+        news = ((EditEnd(message.number), No(message.cause) if message.cause else None),)
+        return Done(replace(model, measuring=measuring.ended(message.number, message.cause)), news=news)
     document = _home(model, message.subsystem)
     if document is None:
         return Done(model)

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import msgspec
 
-from onika.desk.environment.outcome.outcome import Done
+from onika.desk.environment.outcome.outcome import Done, EditEnd, No
 from onika.desk.environment.reconcile import putting_back
 from onika.desk.environment.reconcile.run_reducer import lost as run_lost
 from onika.desk.environment.state.live import SubsystemFacts
@@ -33,7 +33,10 @@ def lost(model: Model, reason: Reason) -> Done:
     is_elsewhere = bool(runtime.address)
     text = Reason.of("run.runtime_gone", address=runtime.address) if is_elsewhere else Reason.of("run.runtime_ended")
     never = putting_back.lost(done.model)
-    return replace(done, model=never.model, says=(page.Say("error", text), *done.says, *never.says))
+    measuring = model.measuring
+    awaited = () if measuring is None or measuring.awaits is None else ((EditEnd(measuring.awaits), No(reason)),)
+    says, news = (page.Say("error", text), *done.says, *never.says), (*done.news, *awaited)
+    return replace(done, model=replace(never.model, measuring=None), says=says, news=news)
 
 
 def with_loads(model: Model, loads: Mapping[str, float], cycles_us: Mapping[str, float]) -> Done:

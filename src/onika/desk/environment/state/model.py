@@ -12,6 +12,7 @@ from onika.desk.environment.state.clipboard import Clipboard
 from onika.desk.environment.state.dictionary import Dictionary
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.history import History
+from onika.desk.environment.state.measuring import MeasuringSubsystem
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.desk.environment.state.restoration import OwnHistory
@@ -81,6 +82,8 @@ class Model:
     """The recorded run that is looked at."""
     keeping: view.KeepingView | None = None
     """The test that is being kept, or was last."""
+    measuring: MeasuringSubsystem | None = None
+    """What lives for a moment to measure where an arm stands."""
     performed: int = 0
     """How many runs there were."""
     people: int = 0
