@@ -174,7 +174,9 @@ def test_an_answer_is_given_again_by_itself(tmp_path, capsys):  # R-X05, law 25
     assert json.loads(capsys.readouterr().out.splitlines()[-1])["hash"] == original.hash
 
 
-@pytest.mark.parametrize("options", [("--virtual", "--scale", "4"), ("--no-fifo",)])
+@pytest.mark.parametrize(
+    "options", [pytest.param(("--virtual", "--scale", "4"), marks=pytest.mark.slow), ("--no-fifo",)]
+)
 def test_what_was_recorded_before_a_kill_is_there(tmp_path, options):  # R-X05, K03
     path = tmp_path / "run.mcap"
     program = subprocess.Popen(

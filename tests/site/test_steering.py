@@ -222,7 +222,9 @@ def open_to_hangups():
 
 
 @pytest.mark.usefixtures("open_to_hangups")
-@pytest.mark.parametrize("stop_signal", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP])
+@pytest.mark.parametrize(
+    "stop_signal", [pytest.param(signal.SIGTERM, marks=pytest.mark.slow), signal.SIGINT, signal.SIGHUP]
+)
 def test_the_terminal_is_restored_whatever_ends_the_run(stop_signal):  # R-E07
     with Terminal("run", "assemble") as terminal:
         terminal.until("2/25  jmoveC")

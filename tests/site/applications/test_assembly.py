@@ -96,6 +96,7 @@ def test_equal_programs_give_equal_hashes_whatever_the_hash_seed_of_python():  #
     assert len(hashes) == 1
 
 
+@pytest.mark.slow
 def test_a_program_that_draws_no_random_numbers_is_the_same_with_any_seed(capsys):  # R-X08
     assert (
         result_of(capsys, "go_home", "--virtual", "--seed", "1")["hash"]
@@ -151,12 +152,15 @@ def test_a_forgotten_open_at_the_beginning_leaves_the_lamp_dark(capsys, tmp_path
     assert lamp_of(capsys, tmp_path, without(RIGHT, 0)) == 0
 
 
-@pytest.mark.parametrize("place", [3, 11, 19])
+@pytest.mark.parametrize(
+    "place", [pytest.param(3, marks=pytest.mark.slow), 11, pytest.param(19, marks=pytest.mark.slow)]
+)
 def test_a_forgotten_close_leaves_the_lamp_dark(capsys, tmp_path, place):  # R-K01
     assert RIGHT[place] == CLOSE
     assert lamp_of(capsys, tmp_path, without(RIGHT, place)) == 0
 
 
+@pytest.mark.slow
 def test_no_approach_before_the_first_grasp_leaves_the_lamp_dark(capsys, tmp_path):  # R-K01
     path = Laboratory(tmp_path).application("hand_made", list(icons(without(RIGHT, 1))))
     result = result_of(capsys, str(path), "--virtual", "--expect", "LAMP == 1")
