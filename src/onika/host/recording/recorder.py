@@ -29,8 +29,8 @@ from onika.words.system_error import system_reason_with_place
 
 _POSED_EVERY_NS = 33_000_000
 _LOOKS = 4
-_UNTOLD = (event.LastSecondsKept, event.Result, event.Stood)
 """Periods of the fastest task between two looks; an entry keeps sixty-three values, so that looks may come late."""
+_UNTOLD = (event.LastSecondsKept, event.Result, event.Stood)
 _FASTEST_NS, _SLOWEST_NS = 2_000_000, 20_000_000
 END_NS = 5_000_000_000
 """How long the end of a run waits at most for its recording to be finished."""
