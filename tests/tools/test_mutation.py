@@ -162,12 +162,22 @@ def test_it_is_worn_the_second_time():
 """
 
 
-def trial_of_brake(root, functions=()):
+FROZEN = """
+import gc
+
+def pytest_collection_finish():
+    gc.freeze()
+"""
+"""What our own tests do once all is loaded."""
+
+
+def trial_of_brake(root, functions=(), conftest=FROZEN):
     """What comes of the trial of the brake, or of some of its functions."""
     if "CI" not in os.environ:
         pytest.importorskip("coverage")
     (root / "brake.py").write_text(BRAKE)
     (root / "test_brake.py").write_text(TESTS)
+    (root / "conftest.py").write_text(conftest)
     (root / "pyproject.toml").write_text("[tool.pytest.ini_options]\npythonpath = ['.']\n")
     program = (
         "import json, sys; from dataclasses import asdict; from pathlib import Path; from mutation.trial import trial\n"
@@ -204,6 +214,11 @@ def test_what_no_test_carries_out_is_named(tried):  # R-X24
 def test_of_a_file_that_does_much_else_only_its_core_is_tried(tmp_path):  # R-X24
     tried = trial_of_brake(tmp_path, ["Brake.is_worn"])
     assert (tried["mutants"], tried["survivors"], tried["missing"], tried["failure"]) == (5, [], [], "")
+
+
+def test_a_trial_that_breaks_off_has_failed(tmp_path):  # R-X24
+    tried = trial_of_brake(tmp_path, conftest="def pytest_collection_finish():\n    raise OSError\n")
+    assert tried["failure"] == "the trial itself has failed"
 
 
 def test_survivors_without_a_reason_and_reasons_without_a_survivor_are_wrong():  # R-X24

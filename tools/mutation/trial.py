@@ -42,7 +42,9 @@ def trial(root: Path, core_file: CoreFile, choice: Choice = list) -> Findings:
     with TemporaryDirectory(prefix="mutants-") as folder:
         os.chdir(folder)  # what a mutant leaves behind is left there
         os.environ |= {"PYTEST_DEBUG_TEMPROOT": folder, "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
-        pytest.main(arguments, plugins=[_Plan(core_file, file, mutated_file, mutants, tried)])
+        ended = pytest.main(arguments, plugins=[_Plan(core_file, file, mutated_file, mutants, tried)])
+    if ended == pytest.ExitCode.INTERNAL_ERROR:
+        tried.failure = "the trial itself has failed"
     tried.survivors.sort(key=[mutant.name for mutant in mutants].index)
     tried.seconds = time.monotonic() - begun
     return tried
@@ -81,6 +83,7 @@ class _Plan:
             return True
         self._reach = measured
         self._tried.missing = [line.name for line in measured.missing if self._core_file.covers(line.scope)]
+        gc.unfreeze()  # the tests freeze what they have loaded, and what is frozen is not found
         functions = _functions(str(self._file))
         gc.freeze()  # forks share what is there
         if not child.passes(lambda: passes(session, session.items), 600.0, 600):
