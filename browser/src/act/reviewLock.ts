@@ -18,6 +18,7 @@ const MOVES: ReadonlySet<AnyAct['t']> = new Set([
   'Steer',
   'SkipTo',
   'StartAnew',
+  'PutBack',
 ])
 /** In a configuration that lives these change what runs. */
 const CHANGES: ReadonlySet<AnyAct['t']> = new Set([

@@ -5,7 +5,17 @@ import { desk, runsIn } from '../link/desk.svelte'
 import { dialogs } from '../state/dialogs.svelte'
 import { workspace } from '../state/workspace.svelte'
 import { options } from '../state/options.svelte'
-import { canPause, dismiss, flowsOf, isGoing, pauseOrContinue, putBack, start, steer } from '../run/orders'
+import {
+  canPause,
+  dismiss,
+  flowsOf,
+  isGoing,
+  pauseOrContinue,
+  putBack,
+  startAfresh,
+  startAnew,
+  steer,
+} from '../run/orders'
 import { anewWords } from '../progress/recording'
 import { skipMode } from '../run/skipMode.svelte'
 import { isReviewing } from '../recording/review.svelte'
@@ -30,7 +40,7 @@ function moves(deed: () => unknown): unknown {
 
 /** Begin; while it runs the same key goes on after a pause, and never loads the page anew. */
 function begin(): unknown {
-  if (!isGoing() || (workspace.app && run()?.doc !== workspace.app)) return start(workspace.app)
+  if (!isGoing() || (workspace.app && run()?.doc !== workspace.app)) return startAfresh(workspace.app)
   return canPause(run()) ? announce(t('perform.running')) : steer('continue')
 }
 
@@ -129,6 +139,14 @@ command({
   title: () => anewWords(desk.live.runtime).name,
   when: () => ['linked', 'lost'].includes(desk.tree.runtime.state ?? '') && !isGoing() && !isReviewing(),
   run: putBack,
+})
+command({
+  id: 'application.startAnew',
+  group: 'application',
+  level: 'applications',
+  title: () => t('perform.startAnew'),
+  when: () => desk.tree.runtime.state === 'linked' && !desk.tree.runtime.address && !isReviewing(),
+  run: startAnew,
 })
 command({
   id: 'application.passes',

@@ -2,6 +2,8 @@
 import { act } from '../act/act'
 import type { FlowRunView, RunView } from '../api.gen'
 import { desk } from '../link/desk.svelte'
+import { canBePutBack } from '../progress/displaced'
+import { isSimulator } from '../progress/recording'
 import { options } from '../state/options.svelte'
 
 /** Whether there is a run that can be steered: what a recording shows cannot. */
@@ -25,10 +27,11 @@ export const stateOf = (flow: FlowRunView | undefined): NonNullable<FlowRunView[
 export const isHeld = (state: string): boolean => state === 'paused' || state === 'stopped'
 export const isEnded = (state: string): boolean => ['done', 'killing', 'ended'].includes(state)
 
-export const start = (doc: string): Promise<unknown> =>
+export const start = (doc: string, putsBack = false): Promise<unknown> =>
   act({
     t: 'Run',
     doc,
+    ...(putsBack ? { puts_back: true } : {}),
     passes_breakpoints: options.passesBreakpoints,
     is_recorded: options.records,
     on_loss: desk.live.runtime.address ? options.onLoss : 'stop',
@@ -39,7 +42,12 @@ const shownDoc = (): string => desk.live.run?.doc ?? ''
 export const steer = (verb: string, flow = '', doc = shownDoc()): Promise<unknown> =>
   act({ t: 'Steer', line: flow ? `${verb} ${flow}` : verb, doc })
 export const dismiss = (): Promise<unknown> => act({ t: 'Dismiss', doc: shownDoc() })
-export const putBack = (): Promise<unknown> => act({ t: 'StartAnew' })
+/** Everything to where it stood at the start, in the same runtime; a simulator of a recorded run is left. */
+export const putBack = (): Promise<unknown> => (isSimulator(desk.live.runtime) ? startAnew() : act({ t: 'PutBack' }))
+export const startAnew = (): Promise<unknown> => act({ t: 'StartAnew' })
+/** Begin as the black button says: where something has left its place it is put back first. */
+export const startAfresh = (doc: string): Promise<unknown> =>
+  start(doc, canBePutBack(desk.live.runtime, desk.live.applications[doc]))
 
 /** Pause what goes on; where all stand still, go on. */
 export const pauseOrContinue = (): Promise<unknown> => steer(canPause(desk.live.run) ? 'pause' : 'continue')

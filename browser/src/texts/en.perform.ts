@@ -111,8 +111,11 @@ export const enPerform = {
   'perform.endedAt': 'After {seconds} s and {n} of {of} actions.',
   'perform.noCause': 'no reason is known',
   'perform.putBack': 'Put the workcell back',
-  'perform.putBackHint':
-    'Ends the runtime with all that lives there and starts it again: everything stands where it stood at first',
+  'perform.putBackHint': 'Everything stands at once where it stood at first; nothing else ends',
+  'perform.putBackAndRun': 'Put back and run',
+  'perform.runAsItStands': 'Run as it stands',
+  'perform.away': 'Not at its place',
+  'perform.startAnew': 'Start the runtime anew…',
   'perform.beside': 'Running beside it',
   'perform.pauseOf': 'Pause {name}',
   'perform.continueOf': 'Continue {name}',

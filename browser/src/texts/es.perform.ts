@@ -113,8 +113,11 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
   'perform.endedAt': 'Tras {seconds} s y {n} de {of} acciones.',
   'perform.noCause': 'no se conoce el motivo',
   'perform.putBack': 'Devolver la célula a su estado inicial',
-  'perform.putBackHint':
-    'Termina el runtime con todo lo que vive en él y lo arranca de nuevo: todo vuelve a estar donde estaba al principio',
+  'perform.putBackHint': 'Todo está al momento donde estaba al principio; nada más termina',
+  'perform.putBackAndRun': 'Devolver al inicio y ejecutar',
+  'perform.runAsItStands': 'Ejecutar tal como está',
+  'perform.away': 'Fuera de su sitio',
+  'perform.startAnew': 'Arrancar de nuevo el runtime…',
   'perform.beside': 'En ejecución al lado',
   'perform.pauseOf': 'Pausar {name}',
   'perform.continueOf': 'Continuar {name}',

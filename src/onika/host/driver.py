@@ -60,6 +60,10 @@ class Driver(Tables, InspectedDriver, RecordedDriver, Protocol):
         """Touch a part of a world; raises ValueError with the reason why not."""
         ...
 
+    def put_back(self, world: str) -> None:
+        """Everything in a world to where it stood at the start; raises ValueError where only a person can do that."""
+        ...
+
     def is_at_rest(self) -> bool:
         """Whether every drive holds."""
         ...

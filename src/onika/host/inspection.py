@@ -36,6 +36,10 @@ class InspectedDriver(DriverClock, Protocol):
         """Those of them in which nothing outside the program moves."""
         ...
 
+    def displaced(self) -> dict[str, tuple[Reason, ...]]:
+        """What does not stand where it stood at the start, by world."""
+        ...
+
     def scene(self, world: str) -> dict[str, object] | None:
         """What an open world consists of."""
         ...
@@ -166,8 +170,9 @@ class Inspection:
         rtpus = tuple(live.RtpuStanding(name, name in lost, loads.get(name, 0.0)) for name in self._subsystems.units)
         seen = self._seen
         now_s, addresses = seen.now * 1e-9, self._server.addresses
-        simulated = seen.simulated
-        return live.Standing(subsystems, rtpus, seen.worlds, seen.is_virtual, is_stopped, now_s, addresses, simulated)
+        displaced = {} if self._subsystems.runs else seen.displaced()
+        facts = seen.is_virtual, is_stopped, now_s, addresses, seen.simulated, displaced
+        return live.Standing(subsystems, rtpus, seen.worlds, *facts)
 
     def _subsystem(self, name: str) -> live.SubsystemStanding:
         run = self._subsystems.run_in(name)

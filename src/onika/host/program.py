@@ -33,6 +33,7 @@ from onika.host.subsystems.motion import Motion
 from onika.host.subsystems.run_commands import RunCommands
 from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.host.subsystems.unit_starts import UnitStarts
+from onika.host.subsystems.world_reset import WorldReset
 from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.world_files import WorldFiles
 from onika.host.units.world_registry import offered_worlds
@@ -75,6 +76,7 @@ class RuntimeProgram:
         self._recorder = Recorder(self.subsystems, driver, server, self._descriptions)
         self._unit_starts = UnitStarts(self.subsystems, driver)
         self.motion = Motion(self.subsystems, driver, server.tell)
+        self._world_reset = WorldReset(self.subsystems, driver)
         self.applications = ApplicationRuns(
             self.subsystems, driver, self.authority, self.motion, self._descriptions, self._recorder, server.tell
         )
@@ -271,8 +273,8 @@ class RuntimeProgram:
             case request.Stop():
                 self.motion.stop(session, message.cause)
                 return request.Done()
-            case live.Touch():
-                return self._touch(message)
+            case live.Touch() | live.PutBack():
+                return self._in_a_world(session, message)
             case steer.Onward():
                 return self.subsystems.hold.onward(session, message)
             case request.Snapshot():
@@ -322,7 +324,10 @@ class RuntimeProgram:
             case live.Close():
                 return self._editor.close(message)
 
-    def _touch(self, message: live.Touch) -> request.Response:
+    def _in_a_world(self, session: str, message: live.Touch | live.PutBack) -> request.Response:
+        """What hands do in a workcell."""
+        if isinstance(message, live.PutBack):
+            return self._world_reset.answer(session, message)
         try:
             self._driver.touch(message.world, message.part, message.value)
         except ValueError as wrong:

@@ -24,6 +24,7 @@ STEERING = (
     request.Stop,
     live.Reset,
     live.Touch,
+    live.PutBack,
     live.Change,
     live.Set,
     live.Write,

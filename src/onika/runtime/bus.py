@@ -14,6 +14,7 @@ from onika.ring.device import DeviceSheet, DriveEvent
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring
+from onika.runtime import world_start
 from onika.runtime.command import DeviceGrant
 from onika.words.reason import Reason
 
@@ -167,6 +168,18 @@ class Bus:
         self.world.touch(part, value)
         for publish in self._publishers.values():
             publish()
+
+    def put_back(self, *, is_stopped: bool) -> None:
+        """Everything to where it stood at the start, and stopped as before; raises ValueError where nobody can here."""
+        world_start.put_back(self.name, self.world)
+        if is_stopped:
+            self.world.stop()
+        for publish in self._publishers.values():
+            publish()
+
+    def displaced(self) -> tuple[Reason, ...]:
+        """What does not stand where it stood at the start, as far as its world knows."""
+        return world_start.displaced(self.world)
 
     def modes(self) -> dict[str, DriveMode]:
         """How the drives of its world stand, by `world:device`."""

@@ -157,6 +157,16 @@ class Touch(Struct, frozen=True, tag=True):
     value: float
 
 
+class PutBack(Struct, frozen=True, tag=True):
+    """Everything in open worlds goes to where it stood at the start (law 18); replied by WorldsPutBack or Refused.
+
+    Refused while an application, or a task that is ON, drives a device of one of them.
+    """
+
+    worlds: tuple[str, ...] = ()
+    """Those that are meant; none: all that are open."""
+
+
 class Reset(Struct, frozen=True, tag=True):
     """After a Stop: allow motion again (law 27)."""
 
@@ -196,6 +206,7 @@ LiveRequest = (
     | Attend
     | Scene
     | Touch
+    | PutBack
     | AddUnit
     | ListWorlds
     | Reset
@@ -280,6 +291,15 @@ class Standing(Struct, frozen=True, tag=True):
     """Where it listens for others; none where it was started for its launcher alone."""
     simulated: tuple[str, ...] = ()
     """Those of `worlds` in which nothing outside the program moves; the others are real."""
+    displaced: dict[str, tuple[Reason, ...]] = {}
+    """What does not stand where it stood at the start, by world; nothing is said while an application runs."""
+
+
+class WorldsPutBack(Struct, frozen=True, tag=True):
+    """The answer to PutBack: these worlds are as at the start; of the others, what a person has to put where."""
+
+    worlds: tuple[str, ...]
+    by_hand: dict[str, Reason] = {}
 
 
 class TaskFigure(Struct, frozen=True):
@@ -340,4 +360,6 @@ class Scenery(Struct, frozen=True, tag=True):
     scene: dict[str, Any]
 
 
-LiveResponse = Accepted | Value | Values | Standing | Figures | Findings | Scenery | WorldList | Described
+LiveResponse = (
+    Accepted | Value | Values | Standing | WorldsPutBack | Figures | Findings | Scenery | WorldList | Described
+)

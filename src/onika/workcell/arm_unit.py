@@ -72,6 +72,11 @@ class ArmUnit(DeviceUnit):
         pull += self._bias
         self._signal[:] = pull
 
+    @property
+    def posture(self) -> Array:
+        """The joints as they stand (rad; m where one slides)."""
+        return self._q
+
     def restart(self) -> None:
         """Where it starts, at rest."""
         self._q[:] = self.robot.HOME

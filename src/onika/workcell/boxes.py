@@ -25,6 +25,7 @@ from onika.workcell.part import STEP_S
 from onika.workcell.plant import Plant
 from onika.workcell.scene import Shape3d, shapes
 from onika.workcell.snapshot import WorldSnapshot, encode
+from onika.workcell.start_places import StartPlaces
 from onika.workcell.unit import DeviceUnit
 
 _SENSE_NS = 20_000_000  # how often touch is felt: at the pads of hands and in the lamp's circuit
@@ -45,6 +46,7 @@ class BoxesWorld:
 
     def __init__(self, seed: int = 0, offsets_m: float = 0.0) -> None:
         self._boxes = layout.boxes(seed, offsets_m)
+        self._start_places = StartPlaces(self._boxes)
         self.now_ns = 0
         self._lamp = LampUnit()
         self._arms = Arms()
@@ -166,6 +168,14 @@ class BoxesWorld:
         self._sense_ns = self.now_ns
         self._begin()
 
+    def places(self) -> tuple[Reason, ...]:
+        """What stands where at the start."""
+        return tuple(self._start_places.places(self._standing()))
+
+    def displaced(self) -> tuple[Reason, ...]:
+        """What does not stand there now."""
+        return tuple(self._start_places.displaced(self._plant, self._standing()))
+
     def modes(self) -> Mapping[str, DriveMode]:
         """How the drives of the arms and hands that are there stand."""
         return {unit.sheet.name: unit.drive.mode for unit in self._present if unit.count}
@@ -225,6 +235,10 @@ class BoxesWorld:
         """Time, positions and speeds, byte for byte: equal runs have equal fingerprints."""
         data = self._plant.data
         return b"".join((self.now_ns.to_bytes(8, "little"), data.qpos.tobytes(), data.qvel.tobytes()))
+
+    def _standing(self) -> list[ArmUnit]:
+        """The arms that are there."""
+        return [self._arms.acting[side] for side in self._sides]
 
     def _unit(self, device: str) -> DeviceUnit:
         unit = self._units.get(device)

@@ -186,3 +186,9 @@ def test_it_says_how_every_drive_stands(server):  # R-X24, law 17
     assert server.ask(room.TakeModes(), room.ModesTaken).modes == {"yard:m0": DriveMode.HELD, "yard:m1": DriveMode.HELD}
     server.say(room.StopAll())
     assert set(server.ask(room.TakeModes(), room.ModesTaken).modes.values()) == {DriveMode.STOPPED}
+
+
+def test_a_world_that_nobody_can_put_back_is_denied_and_says_nothing_of_its_places(server):  # law 18
+    server.open()
+    assert "by hand" in str(server.ask(room.PutWorldBack("yard"), room.Denied).reason)
+    assert server.ask(room.TakeDisplaced(), room.DisplacedTaken).displaced == {"yard": ()}

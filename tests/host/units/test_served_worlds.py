@@ -6,6 +6,7 @@ from onika.ring.device import DeviceOrder, DriveState
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.runtime.bus import SEGMENT_SIZE
+from onika.words.reason import Reason
 
 MS = 1_000_000
 TAKES = {"key": "workcell.button_takes", "text": "1 pressed, 0 let go"}
@@ -203,3 +204,40 @@ def test_worlds_show_what_they_are_and_where(opened):  # R-K06
     assert opened.served.scene("yard") == {"shapes": [], "parts": {"panic": TAKES}}
     assert opened.served.poses("yard") == (3 * MS, yard.poses().tobytes(), ())
     assert opened.served.snapshots() == {"yard": yard.snapshot()}
+
+
+class Stage(Yard):
+    """A world that is put back, and says so; it knows nothing of its places."""
+
+    is_simulated = True
+
+    def reset(self):
+        self.orders.append("reset")
+
+    def places(self):
+        return ()
+
+    def displaced(self):
+        return (Reason.plain(f"{self.name} is not as it was"),) if "reset" not in self.orders else ()
+
+
+def test_the_world_that_is_named_is_put_back_and_a_stop_stays(opened):  # laws 18, 27
+    for name in ("stage", "other"):
+        opened.worlds[name] = Stage(name)
+        opened.open(name)
+    assert opened.served.displaced() == {
+        "stage": (Reason.plain("stage is not as it was"),),
+        "other": (Reason.plain("other is not as it was"),),
+    }
+    opened.served.put_back("stage")
+    assert (opened.worlds["stage"].orders, opened.worlds["other"].orders) == (["reset"], [])
+    assert opened.served.displaced() == {"stage": (), "other": (Reason.plain("other is not as it was"),)}
+    opened.served.stop()
+    opened.served.put_back("other")
+    assert opened.worlds["other"].orders == ["stop", "reset", "stop"]
+
+
+def test_a_world_that_nobody_can_put_back_is_refused(opened):  # law 18
+    opened.open("yard")
+    with pytest.raises(ValueError, match="by hand"):
+        opened.served.put_back("yard")

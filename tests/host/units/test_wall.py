@@ -160,3 +160,16 @@ def test_a_unit_that_cannot_start_is_the_end_of_all(monkeypatch):  # R-E10
         WallDriver(("rt0",), lambda _: None, with_fifo=False)
     assert len(kept) == 2
     assert all(supervised.process.returncode is not None for supervised in kept)
+
+
+def test_a_world_is_put_back_by_the_process_that_steps_it(start):  # law 18
+    run = start()
+    run.over()
+    assert run.driver.displaced() == {"boxes": ()}
+    run.driver.put_back("boxes")
+    assert run.driver.displaced() == {"boxes": ()}
+    with pytest.raises(ValueError, match="'sea'"):
+        run.driver.put_back("sea")
+    os.kill(run.driver._supervisor.processes[DEVICES].process.pid, signal.SIGKILL)
+    run.until(lambda: run.driver._devices.is_lost)
+    assert run.driver.displaced() == {}

@@ -2,7 +2,7 @@ import pytest
 
 from kit.worlds.mass_world import MassWorld
 from onika.host.units.world_buses import Buses
-from onika.ring.device import DeviceOrder
+from onika.ring.device import DeviceOrder, DriveState
 from onika.ring.drive import DriveMode
 from onika.runtime.bus import SEGMENT_SIZE
 from onika.wire import event
@@ -174,3 +174,47 @@ def test_drives_say_how_they_stand_by_world_and_device(buses):  # R-X24, law 17
     assert buses.modes() == {"yard:m0": DriveMode.PRESSED, "yard:m1": DriveMode.PRESSED}
     buses.touch("yard", "panic", 0.0)
     assert buses.modes()["yard:m0"] is DriveMode.TRIPPED
+
+
+class Stage(MassWorld):
+    """A world that is put back: its drives hold then."""
+
+    is_simulated = True
+    is_as_it_was = False
+
+    def reset(self):
+        self.is_as_it_was = True
+        for mass in self._masses.values():
+            self._turn(mass, DriveState.HELD, "reset")
+
+    def places(self):
+        return ()
+
+    def displaced(self):
+        return () if self.is_as_it_was else (Reason.plain("away"),)
+
+
+def test_a_world_is_put_back_what_its_drives_do_is_told_and_a_stop_stays(messages):  # laws 18, 27
+    worlds = {}
+    buses = Buses({}, lambda name: worlds.setdefault(name, Stage()), messages.append)
+    for name in ("cell", "yard"):
+        buses.grant(f"{name}:m0", 0)
+    worlds["yard"].command("m0", 2, DeviceOrder.DRIVE, [1.0])
+    buses.step(MS)
+    messages.clear()
+    buses.put_back("yard")
+    assert buses.displaced() == {"cell": (Reason.plain("away"),), "yard": ()}
+    assert [(drive.device, drive.state) for drive in messages] == [("yard:m0", "HELD")]
+    assert buses.modes()["yard:m0"] is DriveMode.HELD
+    buses.stop()
+    buses.put_back("yard")
+    assert buses.modes()["yard:m0"] is DriveMode.STOPPED
+
+
+def test_a_world_that_is_not_open_or_that_nobody_can_move_is_not_put_back(buses):  # law 18
+    with pytest.raises(ValueError, match="yard"):
+        buses.put_back("yard")
+    buses.grant("yard:m0", 0)
+    with pytest.raises(ValueError, match="by hand"):
+        buses.put_back("yard")
+    assert buses.displaced() == {"yard": ()}

@@ -87,6 +87,8 @@ class LiveRuntime:
         """What the next code or plan is found to be wrong with."""
         self.worlds: dict[str, bool] = {}
         """The worlds that are installed: whether they are simulated."""
+        self.displaced: dict[str, tuple[Reason, ...]] = {}
+        """What does not stand where it stood at their start."""
 
     def events(self, timeout_s: float) -> Iterator[event.Event]:
         """What happened since the last call; it never waits."""
@@ -142,12 +144,21 @@ class LiveRuntime:
                 return request.Prepared(self.faults, worlds=self.worlds)
             case live.ListWorlds():
                 return live.WorldList(self.worlds)
+            case live.PutBack():
+                return self._put_back(message)
             case holding.Listen():
                 self.addresses = (f"ws://{message.place}",)
                 return holding.Listening(self.addresses, "/state/token", "tell-me-once", message.role)
             case holding.StopListening():
                 self.addresses = ()
         return self._command(message)
+
+    def _put_back(self, message: live.PutBack) -> live.WorldsPutBack:
+        """Simulated worlds are as at their start; of the others a person is told what to do."""
+        worlds = message.worlds or tuple(self.worlds)
+        by_hand = {world: Reason.plain(f"put {world} back by hand") for world in worlds if not self.worlds[world]}
+        self.displaced = {world: reasons for world, reasons in self.displaced.items() if world in by_hand}
+        return live.WorldsPutBack(tuple(world for world in worlds if world not in by_hand), by_hand)
 
     def _foresee(self, message: WhatIf) -> request.Response:
         chosen = (message.fault, message.subject)
@@ -191,7 +202,7 @@ class LiveRuntime:
         worlds = tuple(self.worlds)
         simulated = tuple(world for world in worlds if self.worlds[world])
         stands = self._is_virtual, self.is_stopped, self.now_s
-        return live.Standing(subsystems, rtpus, worlds, *stands, self.addresses, simulated)
+        return live.Standing(subsystems, rtpus, worlds, *stands, self.addresses, simulated, self.displaced)
 
     def _task(self, life: _Life) -> live.TaskStanding:
         claims = next((words[0] for key, words in life.task.local if key == "DEVICE"), "")

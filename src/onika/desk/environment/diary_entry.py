@@ -132,6 +132,7 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.SkipTo: ("skip_to_icon", "appl"),
     act.Dismiss: ("dismiss_run", "appl"),
     act.StartAnew: ("start_runtime_anew", "main"),
+    act.PutBack: ("put_back", "main"),
     act.OpenRecording: ("open_recording", "main"),
     act.CloseRecording: ("close_recording", "main"),
     act.CompareWith: ("compare_recording", "main"),

@@ -70,6 +70,16 @@ class TouchPart(Struct, frozen=True, tag=True):
     value: float
 
 
+class PutWorldBack(Struct, frozen=True, tag=True):
+    """Everything in a world goes to where it stood at the start."""
+
+    world: str
+
+
+class TakeDisplaced(Struct, frozen=True, tag=True):
+    """Ask what does not stand where it stood at the start."""
+
+
 class TakeModes(Struct, frozen=True, tag=True):
     """Ask how every drive stands from within."""
 
@@ -97,7 +107,7 @@ class Granted(Struct, frozen=True, tag=True):
 
 
 class Denied(Struct, frozen=True, tag=True):
-    """The answer to an Open, a Claim or a Touch that cannot be."""
+    """The answer to an Open, a Claim, a Touch or a PutWorldBack that cannot be."""
 
     reason: Reason
 
@@ -111,6 +121,16 @@ class WorldOpened(Struct, frozen=True, tag=True):
 
 class PartTouched(Struct, frozen=True, tag=True):
     """The answer to a Touch."""
+
+
+class WorldPutBack(Struct, frozen=True, tag=True):
+    """The answer to PutWorldBack: it is as at the start."""
+
+
+class DisplacedTaken(Struct, frozen=True, tag=True):
+    """The answer to TakeDisplaced, by world."""
+
+    displaced: dict[str, tuple[Reason, ...]]
 
 
 class DriveChanged(Struct, frozen=True, tag=True):
@@ -160,6 +180,8 @@ Order = (
     | StopAll
     | AllowMotion
     | TouchPart
+    | PutWorldBack
+    | TakeDisplaced
     | TakeModes
     | TakeSnapshots
     | DescribeWorld
@@ -170,6 +192,8 @@ Word = (
     | Denied
     | WorldOpened
     | PartTouched
+    | WorldPutBack
+    | DisplacedTaken
     | DriveChanged
     | ModesTaken
     | SnapshotsTaken
@@ -230,7 +254,7 @@ class DeviceServer:
 
     def _carry_out(self, order: Order, descriptors: list[int]) -> Word | None:
         match order:
-            case OpenWorld() | ClaimDevice() | TouchPart():
+            case OpenWorld() | ClaimDevice() | TouchPart() | PutWorldBack():
                 return self._try(order, descriptors)
             case ReleaseDevice():
                 self._worlds.release(order.device, order.epoch)
@@ -243,11 +267,11 @@ class DeviceServer:
             case StreamPoses():
                 post = ProcessSocket(socket.socket(fileno=descriptors[0])) if descriptors else self._post
                 self._posing.setdefault(order.world, PoseStream(order.world)).add(post)
-            case DescribeWorld() | TakeModes() | TakeSnapshots():
+            case DescribeWorld() | TakeDisplaced() | TakeModes() | TakeSnapshots():
                 return self._look(order)
         return None
 
-    def _try(self, order: OpenWorld | ClaimDevice | TouchPart, descriptors: list[int]) -> Word:
+    def _try(self, order: OpenWorld | ClaimDevice | TouchPart | PutWorldBack, descriptors: list[int]) -> Word:
         """What may be denied."""
         try:
             match order:
@@ -258,6 +282,9 @@ class DeviceServer:
                 case TouchPart():
                     self._worlds.touch(order.world, order.part, order.value)
                     return PartTouched()
+                case PutWorldBack():
+                    self._worlds.put_back(order.world)
+                    return WorldPutBack()
         except ValueError as wrong:
             return Denied(reason_of(wrong))
 
@@ -270,13 +297,15 @@ class DeviceServer:
             self._heartbeat.beat()
             self._heartbeat.is_slow(False)
 
-    def _look(self, order: DescribeWorld | TakeModes | TakeSnapshots) -> Word:
+    def _look(self, order: DescribeWorld | TakeDisplaced | TakeModes | TakeSnapshots) -> Word:
         """What a world consists of, or what all of them are like now."""
         if isinstance(order, DescribeWorld):
             scene = self._worlds.scene(order.world)
             return Denied(Reason.of("host.not_open")) if scene is None else WorldDescribed(scene)
         if isinstance(order, TakeSnapshots):
             return SnapshotsTaken(self._worlds.snapshots(), self._worlds.standings())
+        if isinstance(order, TakeDisplaced):
+            return DisplacedTaken(self._worlds.displaced())
         return ModesTaken(self._worlds.modes())
 
 

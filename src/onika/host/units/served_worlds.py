@@ -69,6 +69,14 @@ class ServedWorlds:
         """Touch a part of a world; raises ValueError with the reason why not."""
         self._buses[world].touch(part, value)
 
+    def put_back(self, world: str) -> None:
+        """Everything in a world to where it stood at the start; raises ValueError where only a person can do that."""
+        self._buses[world].put_back(is_stopped=self._is_stopped)
+
+    def displaced(self) -> dict[str, tuple[Reason, ...]]:
+        """What does not stand where it stood at the start, by world."""
+        return {name: bus.displaced() for name, bus in self._buses.items()}
+
     def behind_ns(self, name: str) -> int:
         """How far the world's time is behind the runtime's."""
         return self._behind[name]

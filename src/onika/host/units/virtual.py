@@ -120,6 +120,14 @@ class VirtualDriver:
         """Touch a part of an open world; raises ValueError with the reason why not."""
         self._buses.touch(world, part, value)
 
+    def put_back(self, world: str) -> None:
+        """Everything in a world to where it stood at the start; raises ValueError where only a person can do that."""
+        self._buses.put_back(world)
+
+    def displaced(self) -> dict[str, tuple[Reason, ...]]:
+        """What does not stand where it stood at the start, by world."""
+        return self._buses.displaced()
+
     def unshare(self, name: str) -> None:
         """The table is not used any more."""
         self._views.pop(name, None)

@@ -163,6 +163,24 @@ class WallDriver:
         if isinstance(answer, device_server.Denied):
             raise ValueError(answer.reason)
 
+    def put_back(self, world: str) -> None:
+        """Everything in a world to where it stood at the start; raises ValueError where only a person can do that."""
+        refuse_unknown(world, self.worlds)
+        answer = self._ask(world, device_server.PutWorldBack(world))
+        if isinstance(answer, device_server.Denied):
+            raise ValueError(answer.reason)
+
+    def displaced(self) -> dict[str, tuple[Reason, ...]]:
+        """What does not stand where it stood at the start, by world; nothing where none answers any more."""
+        if self._devices.is_lost:
+            return {}
+        try:
+            answers = [self._ask(world, device_server.TakeDisplaced()) for world in self.worlds]
+        except ValueError:
+            return {}
+        taken = [answer.displaced for answer in answers if isinstance(answer, device_server.DisplacedTaken)]
+        return {world: reasons for displaced in taken for world, reasons in displaced.items()}
+
     def unshare(self, name: str) -> None:
         """The table is not used any more."""
         self._units.unshare(name)

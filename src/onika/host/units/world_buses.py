@@ -92,6 +92,16 @@ class Buses:
         self._buses[world].touch(part, value)
         self._tell_drives(world)
 
+    def put_back(self, world: str) -> None:
+        """Everything in a world to where it stood at the start; raises ValueError where only a person can do that."""
+        refuse_unknown(world, self._buses)
+        self._buses[world].put_back(is_stopped=self._is_stopped)
+        self._tell_drives(world)
+
+    def displaced(self) -> dict[str, tuple[Reason, ...]]:
+        """What does not stand where it stood at the start, by world."""
+        return {name: bus.displaced() for name, bus in self._buses.items()}
+
     def step(self, now: int) -> None:
         """All go on to this instant."""
         for name, bus in self._buses.items():

@@ -130,6 +130,7 @@ from onika.wire.act.run import (
     Dismiss as Dismiss,
     FindWorlds as FindWorlds,
     Preflight as Preflight,
+    PutBack as PutBack,
     Redirect as Redirect,
     Run as Run,
     Seats as Seats,
@@ -285,6 +286,7 @@ AnyAct = (
     | SkipTo
     | Dismiss
     | StartAnew
+    | PutBack
     | Preflight
     | WhatIf
     | OpenRecording

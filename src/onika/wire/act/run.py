@@ -25,6 +25,8 @@ class Run(Act, frozen=True):
     """What becomes of it where this environment is lost: it ends, finishes its actions and pauses, goes on (X12)."""
     units: tuple[tuple[str, str], ...] = ()
     """Tasks that name no processing unit of this runtime, each with the one that the user has chosen (reading 12)."""
+    puts_back: bool = False
+    """Whether the workcell is first put back to where everything stood at its start (law 18)."""
 
 
 class Preflight(Act, frozen=True):
@@ -94,6 +96,13 @@ class Dismiss(Act, frozen=True):
 
     doc: str = ""
     """The application whose run is meant; empty: the one that was begun last."""
+
+
+class PutBack(Act, frozen=True):
+    """Everything in the open workcells to where it stood at the start, in the same runtime (law 18).
+
+    Of a workcell that nobody here can move it is told what a person has to put where.
+    """
 
 
 class StartAnew(Act, frozen=True):

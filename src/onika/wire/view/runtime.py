@@ -81,3 +81,5 @@ class RuntimeView(View, frozen=True):
     """What lives in those in which an application runs."""
     world_kinds: dict[str, Literal["simulated", "real"]] = field(default_factory=dict)
     """What is known of worlds, open or not; in a simulated one nothing outside the program moves."""
+    displaced: dict[str, tuple[Reason, ...]] = field(default_factory=dict)
+    """What does not stand where it stood at their start, by world; told while no application runs."""

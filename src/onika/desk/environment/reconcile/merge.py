@@ -96,6 +96,7 @@ def runtime_view(former: view.RuntimeView, standing: live.Standing) -> view.Runt
         worlds=dict.fromkeys(standing.worlds, True),
         world_kinds={**former.world_kinds, **kinds({name: name in standing.simulated for name in standing.worlds})},
         outdated={name: why for name, why in former.outdated.items() if name in standing.worlds},
+        displaced={name: reasons for name, reasons in standing.displaced.items() if reasons},
         subsystems={subsystem.name: subsystem.application or subsystem.holder for subsystem in standing.subsystems},
         holds=holders.surveyed(former.holds, standing),
         sessions=former.sessions,

@@ -15,6 +15,7 @@ _STEERED: dict[type, Reason] = {
     steer.Leave: Reason.of("run.steer_leave"),
     steer.Recover: Reason.of("run.steer_recover"),
     live.Reset: Reason.of("run.steer_reset"),
+    live.PutBack: Reason.of("run.steer_put_back"),
     live.Change: Reason.of("run.steer_change"),
     live.Swap: Reason.of("run.steer_swap"),
     live.Close: Reason.of("run.steer_close"),

@@ -32,7 +32,7 @@ from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.run_state.membership import StepMembership
 from onika.desk.environment.run_state.messages import IconWording
 from onika.desk.environment.run_state.run import Run, begun
-from onika.desk.environment.runs import beside, flow_placement, recording, takeover, unit_choice, unsaved
+from onika.desk.environment.runs import beside, flow_placement, put_back, recording, takeover, unit_choice, unsaved
 from onika.desk.environment.runs.obstacles import documents_in_the_way, obstacles
 from onika.desk.environment.runs.preflight_result import looked, worth_noting
 from onika.desk.environment.runs.readiness_refusal import refused, refused_by_runtime
@@ -235,6 +235,10 @@ def _begun(model: Model, start: _Start) -> Steps[tuple[Model, No | None]]:
     model = replace(model, run=_new(model, start))
     for subsystem in ended:
         model, refused_ = yield from _ended(model, start, subsystem)
+        if refused_ is not None:
+            return model, refused_
+    if start.command.puts_back:
+        model, refused_ = yield from put_back.before_run(model, start.plan, start.command)
         if refused_ is not None:
             return model, refused_
     model, response = yield Ask(model, request.Prepare(start.plan, start.targets))
