@@ -52,6 +52,8 @@ def _former(kind):
             return "said"
         case inspect.StrType():
             return "text"
+        case inspect.BytesType():
+            return ""
         case inspect.BoolType():
             return True
         case inspect.IntType() | inspect.FloatType():
