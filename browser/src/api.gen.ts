@@ -766,6 +766,13 @@ export interface FindWorlds {
   t: 'FindWorlds';
 }
 
+/** How a workcell stands when something happens that is foreseen; the value is a `view.ForeseenInstantView`. */
+export interface ForeseenInstant {
+  t: 'ForeseenInstant';
+  doc: string;
+  number: number;
+}
+
 /** Look at everything that could keep an application from running, the modules' reach too; nothing moves (X02). The faults are then those of the application, each at its step; replied with how many there are. */
 export interface Preflight {
   t: 'Preflight';
@@ -1041,6 +1048,7 @@ export interface FaultView {
   step?: number;
   remedies?: (Remedy)[];
   is_of_runtime?: boolean;
+  instant?: number;
 }
 
 /** What an application would come to, in a workcell as at its start (E16). */
@@ -1282,6 +1290,16 @@ export interface EffectView {
   after: string;
   text: Reason;
   is_told?: boolean;
+}
+
+/** How a workcell stands when something happens that is foreseen (E16). */
+export interface ForeseenInstantView {
+  world: string;
+  at_s: number;
+  text: Reason;
+  scene: Record<string, unknown>;
+  poses: string;
+  lit?: (string)[];
 }
 
 /** The faults that can be asked about, or the one that was asked. */
@@ -1999,6 +2017,6 @@ export interface Numbered {
   cid: number;
 }
 
-export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Arrange | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | Connect | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | AddUnit | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RepeatSteps | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | PutBack | Preflight | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
+export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Arrange | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | Connect | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | AddUnit | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RepeatSteps | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | PutBack | Preflight | ForeseenInstant | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
 export type AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say;
 export type AnyShow = ShowTask | ShowPin | ShowLocus | ShowSource | ShowAnswer | ShowLibraryTask | ShowLibraries | ShowConnect | ShowSaveAs | ShowStep | ShowFits | ShowValues | ShowLoop | ShowConfiguration | ShowOnikon | ShowTarget | ShowRecording;

@@ -2285,6 +2285,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "run.not_compared": "las dos grabaciones no se pueden comparar: {why}",
   "run.not_compiled": "{name} no se puede compilar como está ahora: las acciones grabadas se muestran sin sus iconos",
   "run.not_foreseen": "{name} no podría ejecutarse así: compruébela antes",
+  "run.not_foreseen_any_more": "ya no se prevé: la aplicación ha cambiado",
   "run.not_gone_on": "no se puede seguir con {name}: {why}",
   "run.not_had_back": "{name} no se guardó y no se puede recuperar: {why}",
   "run.not_held_here": "{name} no lo tiene usted, así que no se puede entregar",

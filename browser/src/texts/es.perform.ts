@@ -32,7 +32,10 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
   'forecast.whole': 'Durará {lasts} s.',
   'forecast.wholeEnds': 'Durará {lasts} s; después: {ends}.',
   'forecast.part': 'No se prevé hasta el final: {why}',
-  'forecast.mishaps': 'Sucede {n} cosa que no se pretende.|Suceden {n} cosas que no se pretenden.',
+  'forecast.mishaps': 'En el camino {n} cosa sale mal; su icono está marcado.|En el camino {n} cosas salen mal; sus iconos están marcados.',
+  'forecast.picture': 'Mostrar el instante',
+  'forecast.pictureShut': 'Quitar la imagen',
+  'forecast.pictureOf': 'La célula en este instante; las flechas giran la vista',
   'forecast.clear': 'Nada toca lo que no debe.',
 
   'perform.beginning': 'Empezando',

@@ -1,6 +1,6 @@
 """A lookout: it watches a simulated world for what no program means (requirement E16).
 
-It looks at the contacts after every step. A hand may touch the box that it takes, and a box that is carried what it is
+It looks at the contacts again and again. A hand may touch the box that it takes, and a box that is carried what it is
 taken from and put on; whatever else an arm, a hand or what it carries touches is a mishap, and so is a hand that closes
 on nothing, loses its box or drops one on the floor.
 """
@@ -21,6 +21,7 @@ from onika.workcell.watched_hand import WatchedHand
 MOST = 50
 """Mishaps that are told of one world; one that has so many needs no more of them."""
 
+_EVERY_NS = 8_000_000  # how often it looks: what touches something is not gone again sooner
 _AGAIN_NS = 500_000_000  # how long two things were apart that meet anew
 
 Advance = Callable[[Any, Any], None]
@@ -54,7 +55,7 @@ class Lookout:
         now: Callable[[], int],
         carried: Callable[[str], Iterable[str]] | None = None,
     ) -> Advance:
-        """Look after each step of this plant from now on; gives what makes a step and looks.
+        """Look at this plant again and again from now on; gives what makes a step and looks.
 
         carried     the signs of the boxes in the hand of a side, where no forces hold them there
         """
@@ -65,9 +66,15 @@ class Lookout:
         self._carriages.clear()
         self._look(now(), is_first=True)
 
+        due_ns = now() + _EVERY_NS
+
         def step(model: Any, data: Any) -> None:
+            nonlocal due_ns
             advance(model, data)
-            self._look(now())
+            now_ns = now()
+            if now_ns >= due_ns:
+                due_ns = now_ns + _EVERY_NS
+                self._look(now_ns)
 
         return step
 

@@ -282,7 +282,7 @@ def _words(stage: Stage, folder: Path, recording: Path) -> list[str]:
     match stage:
         case Stage.PAGE:
             base.mkdir(parents=True, exist_ok=True)
-            return ["page", "--no-browser", "--port", "0", "--base", str(base)]
+            return ["page", "--no-browser", "--port", "0", "--no-forecast", "--base", str(base)]
         case Stage.LISTENING:
             return ["runtime", "--listen", "127.0.0.1:0", "--no-console"]
     words = ["run", _application(base), "--json"]

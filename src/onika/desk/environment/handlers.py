@@ -54,6 +54,7 @@ from onika.desk.environment.review import (
 )
 from onika.desk.environment.runs import (
     begin,
+    forecaster,
     foresight,
     kept_test,
     module_load,
@@ -151,6 +152,7 @@ HANDLERS: Mapping[type, Handler] = {
     act.Company: presence.look_around,
     act.SteerTaken: held_subsystems.steer_taken,
     act.Scene: scene.scene,
+    act.ForeseenInstant: forecaster.instant,
     act.WhatIf: foresight.what_if,
     act.Run: begin.run,
     act.Steer: steering_run.steer_line,

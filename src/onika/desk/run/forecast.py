@@ -26,7 +26,7 @@ from onika.words.reason import NOTHING, Reason, reason_of
 LONGEST_S = 600.0
 """How much of a program's time is foreseen."""
 
-PATIENCE_S = 20.0
+PATIENCE_S = 60.0
 """How long that may take."""
 
 _LOOK_S = 0.05

@@ -129,6 +129,7 @@ from onika.wire.act.review import (
 from onika.wire.act.run import (
     Dismiss as Dismiss,
     FindWorlds as FindWorlds,
+    ForeseenInstant as ForeseenInstant,
     Preflight as Preflight,
     PutBack as PutBack,
     Redirect as Redirect,
@@ -288,6 +289,7 @@ AnyAct = (
     | StartAnew
     | PutBack
     | Preflight
+    | ForeseenInstant
     | WhatIf
     | OpenRecording
     | CloseRecording

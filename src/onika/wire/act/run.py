@@ -38,6 +38,14 @@ class Preflight(Act, frozen=True):
     doc: str
 
 
+class ForeseenInstant(Act, frozen=True):
+    """How a workcell stands when something happens that is foreseen; the value is a `view.ForeseenInstantView`."""
+
+    doc: str
+    number: int
+    """As `view.FaultView.instant` has it."""
+
+
 class WhatIf(Act, frozen=True):
     """What would follow from a fault; nothing is touched (X24). Replied with a `view.ForesightsView`."""
 

@@ -34,6 +34,7 @@ from onika.wire.view.document import (
 )
 from onika.wire.view.foresight import (
     EffectView as EffectView,
+    ForeseenInstantView as ForeseenInstantView,
     ForesightsView as ForesightsView,
     ForesightView as ForesightView,
 )

@@ -1,4 +1,6 @@
-"""What would follow from a fault, as the page shows it (requirement X24)."""
+"""What would follow from a fault, and what a program would come to, as the page shows it (requirements X24, E16)."""
+
+from typing import Any
 
 from onika.wire.view.view import View
 from onika.words.reason import Reason
@@ -35,3 +37,16 @@ class ForesightsView(View, frozen=True):
     """The faults that can be asked about, or the one that was asked."""
 
     foresights: tuple[ForesightView, ...] = ()
+
+
+class ForeseenInstantView(View, frozen=True):
+    """How a workcell stands when something happens that is foreseen (E16)."""
+
+    world: str
+    at_s: float
+    text: Reason
+    scene: dict[str, Any]
+    """As the value of `act.Scene`."""
+    poses: str
+    """The rows of its bodies as `page.Frame` has them: float32 numbers in base64."""
+    lit: tuple[str, ...] = ()

@@ -1,3 +1,4 @@
+from base64 import b64decode
 from dataclasses import replace
 
 import pytest
@@ -127,7 +128,22 @@ def test_what_happens_is_told_at_its_step(desk, monkeypatch):  # R-E16
     forecast = desk.shown.forecast
     assert (forecast.state, str(forecast.cause), forecast.mishaps) == ("part", "it stops", 2)
     told_at = {(fault.step, str(fault.text), fault.level) for fault in desk.shown.faults.values()}
+    assert {fault.instant for fault in desk.shown.faults.values()} == {1, 2}
     assert told_at == {(step, "at 1.2 s it touches", "warning"), (0, "at 2.0 s it falls", "warning")}
+
+
+def test_the_instant_of_what_happens_is_shown_as_long_as_it_is_foreseen(desk, monkeypatch):  # R-E16
+    mishap = ForeseenMishap(Reason.plain("it touches"), 1.25, None, "yard", b"\0\0\x80?", ("lamp",))
+    scenes = {"yard": {"shapes": []}}
+    monkeypatch.setattr(Foreseen, "result", ForecastResult(3.5, mishaps=[mishap], scenes=scenes))
+    desk.look()
+    desk.work.carry_out()
+    shown = desk.do(act.ForeseenInstant(desk.doc, 1))
+    assert (shown.world, shown.at_s, shown.scene, shown.lit) == ("yard", 1.25, {"shapes": []}, ("lamp",))
+    assert b64decode(shown.poses) == mishap.poses
+    assert desk.no(act.ForeseenInstant(desk.doc, 2)).reason.key == "run.not_foreseen_any_more"
+    desk.add(desk.doc, "wait")
+    assert desk.no(act.ForeseenInstant(desk.doc, 1)).reason.key == "run.not_foreseen_any_more"
 
 
 def test_the_next_edit_ends_it_and_what_came_of_it_is_not_told(desk, monkeypatch):  # R-E16

@@ -4,11 +4,13 @@ A forecast begins when an application that could run has rested for a moment. Th
 run: nothing is foreseen while something moves.
 """
 
+from base64 import b64encode
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import partial
 
-from onika.desk.environment.outcome.outcome import Done
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.outcome.worker import BackgroundWorker
 from onika.desk.environment.runs.begin import ready
 from onika.desk.environment.state.model import Model
@@ -16,8 +18,11 @@ from onika.desk.environment.state.open_application import Foretelling, MishapAtS
 from onika.desk.run.forecast import Forecast, ForecastResult, ForeseenMishap
 from onika.model.syntax import Syntax
 from onika.store.site import Site
+from onika.wire import act
+from onika.wire.view import ForeseenInstantView
+from onika.words.reason import Reason
 
-REST_S = 0.25
+REST_S = 0.15
 """How long an application rests before it is foreseen."""
 
 
@@ -108,6 +113,18 @@ def told(model: Model, doc: str, foretelling: Foretelling | None) -> Done:
     if opened is None:
         return Done(model)
     return Done(model.with_application(replace(opened, foretelling=foretelling)))
+
+
+def instant(model: Model, command: act.ForeseenInstant, _outside: Services) -> Done | No:
+    """Reply with a `view.ForeseenInstantView`."""
+    opened = model.applications.get(command.doc)
+    foretold = None if opened is None else opened.foretold
+    if foretold is None or not 1 <= command.number <= len(foretold.mishaps):
+        return No(Reason.of("run.not_foreseen_any_more"))
+    mishap = foretold.mishaps[command.number - 1]
+    scene, poses = foretold.scenes.get(mishap.world, {}), b64encode(mishap.poses).decode()
+    shown = ForeseenInstantView(mishap.world, mishap.at_s, mishap.text, scene, poses, mishap.lit)
+    return Done(model, value=shown)
 
 
 def _unforeseen(rested: Iterable[OpenApplication]) -> Iterable[OpenApplication]:

@@ -126,10 +126,10 @@ def _forecast(opened: OpenApplication) -> ForecastView:
 
 def _foreseen(of: Foretelling | None) -> Iterable[FaultView]:
     """What is foreseen to happen, as something worth knowing of its steps."""
-    for mishap in of.mishaps if of is not None else ():
+    for number, mishap in enumerate(of.mishaps if of is not None else (), 1):
         text = Reason.of("run.foreseen_at", at_s=mishap.at_s, what=mishap.text)
         show = (Remedy(Reason.of("run.show_it"), show=ShowStep(mishap.step)),) if mishap.step else ()
-        yield FaultView(text, "warning", mishap.step, show)
+        yield FaultView(text, "warning", mishap.step, show, instant=number)
 
 
 def _keyed(where: str, faults: Iterable[FaultView]) -> dict[str, FaultView]:
