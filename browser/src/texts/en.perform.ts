@@ -30,7 +30,8 @@ export const enPerform = {
   'forecast.whole': 'It will take {lasts} s.',
   'forecast.wholeEnds': 'It will take {lasts} s; then: {ends}.',
   'forecast.part': 'Not foreseen to its end: {why}',
-  'forecast.mishaps': 'On the way {n} thing goes wrong; its icon is marked.|On the way {n} things go wrong; their icons are marked.',
+  'forecast.mishaps':
+    'On the way {n} thing goes wrong; its icon is marked.|On the way {n} things go wrong; their icons are marked.',
   'forecast.picture': 'Show the instant',
   'forecast.pictureShut': 'Put the picture away',
   'forecast.pictureOf': 'The workcell at this instant; arrow keys turn the view',

@@ -32,7 +32,8 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
   'forecast.whole': 'Durará {lasts} s.',
   'forecast.wholeEnds': 'Durará {lasts} s; después: {ends}.',
   'forecast.part': 'No se prevé hasta el final: {why}',
-  'forecast.mishaps': 'En el camino {n} cosa sale mal; su icono está marcado.|En el camino {n} cosas salen mal; sus iconos están marcados.',
+  'forecast.mishaps':
+    'En el camino {n} cosa sale mal; su icono está marcado.|En el camino {n} cosas salen mal; sus iconos están marcados.',
   'forecast.picture': 'Mostrar el instante',
   'forecast.pictureShut': 'Quitar la imagen',
   'forecast.pictureOf': 'La célula en este instante; las flechas giran la vista',
