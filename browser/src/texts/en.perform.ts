@@ -35,6 +35,8 @@ export const enPerform = {
   'forecast.picture': 'Show the instant',
   'forecast.pictureShut': 'Put the picture away',
   'forecast.pictureOf': 'The workcell at this instant; arrow keys turn the view',
+  'forecast.asAssumed': 'The workcell stands as this assumes.',
+  'forecast.otherwise': 'The workcell does not stand as this assumes: it was foreseen from the start.',
   'forecast.clear': 'Nothing touches what it should not.',
 
   'perform.beginning': 'Beginning',

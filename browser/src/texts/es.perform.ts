@@ -37,6 +37,8 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
   'forecast.picture': 'Mostrar el instante',
   'forecast.pictureShut': 'Quitar la imagen',
   'forecast.pictureOf': 'La célula en este instante; las flechas giran la vista',
+  'forecast.asAssumed': 'La célula está como esto supone.',
+  'forecast.otherwise': 'La célula no está como esto supone: se previó desde el principio.',
   'forecast.clear': 'Nada toca lo que no debe.',
 
   'perform.beginning': 'Empezando',
