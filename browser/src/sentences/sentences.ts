@@ -1,6 +1,6 @@
 // An application as plain sentences, flow by flow (X11). The descriptions are the user's; what joins them is ours.
 import type { ApplicationView, TypeView } from '../api.gen'
-import { type Connectives, fillOne, note, type Tale } from './tale'
+import { type Connectives, fillOne, note, type Tale, textOf } from './tale'
 import { Teller } from './teller'
 
 /** The top flows of an application, in order. */
@@ -23,6 +23,18 @@ export function tell(
       sentences,
     }
   })
+}
+
+/** The sentence that speaks of a step, as it stands among those of its flow; empty where none does. */
+export function sentenceOf(
+  step: number,
+  app: ApplicationView,
+  types: Readonly<Record<string, TypeView>>,
+  connectives: Connectives,
+): string {
+  const sentences = tell(app, types, connectives).flatMap((tale) => tale.sentences)
+  const sentence = sentences.find(({ kind, steps }) => kind === 'action' && steps.includes(step))
+  return sentence ? textOf(sentence) : ''
 }
 
 /** What each action is about, without its marks and times: "move the joints above the box"; a target's is its action's. */
