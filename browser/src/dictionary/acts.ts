@@ -3,6 +3,7 @@ import { act } from '../act/act'
 import type { OnikonView } from '../api.gen'
 import { desk } from '../link/desk.svelte'
 import { openDialog } from '../state/dialogs.svelte'
+import { look } from '../state/look.svelte'
 import { workspace } from '../state/workspace.svelte'
 import { note } from '../link/note'
 import type { Point } from '../act/refused.svelte'
@@ -27,8 +28,10 @@ export function select(name: string): void {
 /** Insert an icon behind the place where the next one goes; without an application, ask first what it shall be. */
 export async function insert(name: string, at?: Point): Promise<void> {
   workspace.onikon = name
-  if (application()) await insertHere(name, workspace.place, at)
-  else openDialog('newApplication', { onikon: name })
+  if (application()) {
+    // A narrow page shows the dictionary alone: what was put in comes to the front.
+    if (await insertHere(name, workspace.place, at)) look.column = 'desk'
+  } else openDialog('newApplication', { onikon: name })
 }
 
 /** Show what stands behind an icon: an application in its tab; a configuration at the lower level, in the place of a live one (D12). */
