@@ -4,16 +4,18 @@ import { look } from '../state/look.svelte'
 import { workspace } from '../state/workspace.svelte'
 import { keep, kept } from '../state/kept'
 import { goTo } from '../act/documents.svelte'
-import { LESSONS, type Seen } from './tutorial'
+import { LESSONS, skippedWith, type LessonId, type Seen } from './tutorial'
 
-export const tutorial: { isOpen: boolean; done: number } = $state({
+/** What was skipped counts as passed, but gets no tick. */
+export const tutorial: { isOpen: boolean; done: number; skipped: readonly LessonId[] } = $state({
   isOpen: kept('tutorialOpen', false),
   done: kept('tutorial', 0),
+  skipped: kept<LessonId[]>('tutorialSkipped', []),
 })
 
 /** Open it at the upper level; from the beginning where it was done to its end. */
 export function startTutorial(): void {
-  if (tutorial.done >= LESSONS.length) setDone(0)
+  if (tutorial.done >= LESSONS.length) beginAgain()
   setOpen(true)
   goTo('applications')
 }
@@ -27,6 +29,23 @@ export function setOpen(isOpen: boolean): void {
 export function setDone(done: number): void {
   tutorial.done = Math.max(0, Math.min(done, LESSONS.length))
   keep('tutorial', tutorial.done)
+}
+
+/** From the beginning: nothing is done, and nothing skipped. */
+export function beginAgain(): void {
+  setDone(0)
+  setSkipped([])
+}
+
+export function skip(): void {
+  const left = skippedWith(tutorial.done)
+  setSkipped([...tutorial.skipped, ...left])
+  setDone(tutorial.done + left.length)
+}
+
+function setSkipped(skipped: readonly LessonId[]): void {
+  tutorial.skipped = skipped
+  keep('tutorialSkipped', skipped)
 }
 
 export const seen = (): Seen => ({

@@ -15,6 +15,8 @@ export interface Seen {
 
 interface Lesson {
   id: LessonId
+  /** The lesson before, of which it makes sense only if that was done. */
+  goesWith?: LessonId
   isDone: (seen: Seen) => boolean
 }
 
@@ -51,10 +53,10 @@ export const LESSONS: readonly Lesson[] = [
   { id: 'job', isDone: (seen) => hasAction(seen, () => true) },
   { id: 'fill', isDone: (seen) => hasAction(seen, isTarget) },
   { id: 'out', isDone: (seen) => hasAction(seen, (step) => kindOf(step) === 'hole') },
-  { id: 'back', isDone: (seen) => hasAction(seen, isTarget) },
+  { id: 'back', goesWith: 'out', isDone: (seen) => hasAction(seen, isTarget) },
   { id: 'run', isDone: (seen) => isRunning(seen) || isOver(seen) },
   { id: 'pause', isDone: isPaused },
-  { id: 'goOn', isDone: (seen) => (isRunning(seen) && !isPaused(seen)) || isOver(seen) },
+  { id: 'goOn', goesWith: 'pause', isDone: (seen) => (isRunning(seen) && !isPaused(seen)) || isOver(seen) },
   { id: 'end', isDone: (seen) => isOver(seen) && seen.run?.is_completed === true },
   { id: 'save', isDone: (seen) => !!seen.view?.path && !seen.view.is_dirty },
 ]
@@ -64,4 +66,11 @@ export function advanced(done: number, seen: Seen): number {
   let at = done
   while (at < LESSONS.length && LESSONS[at]!.isDone(seen)) at += 1
   return at
+}
+
+/** Which lessons are left out where the one at this place is skipped: it, and what only goes on from it. */
+export function skippedWith(at: number): LessonId[] {
+  const [lesson, next] = [LESSONS[at], LESSONS[at + 1]]
+  if (!lesson) return []
+  return next?.goesWith === lesson.id ? [lesson.id, next.id] : [lesson.id]
 }

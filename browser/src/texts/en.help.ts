@@ -61,6 +61,7 @@ export const enHelp = {
   'tutorial.begin': 'Tutorial, 15 minutes',
   'tutorial.count': '{done} of {of}',
   'tutorial.done': '(done)',
+  'tutorial.skipped': '(skipped)',
   'tutorial.next': 'Done. Next: {what}',
   'tutorial.over':
     'That was everything you need. Now build your own, or open “assemble” and run it: four boxes, and at the end the lamp lights.',

@@ -63,6 +63,7 @@ export const esHelp: Record<keyof typeof enHelp, string> = {
   'tutorial.begin': 'Tutorial, 15 minutos',
   'tutorial.count': '{done} de {of}',
   'tutorial.done': '(hecho)',
+  'tutorial.skipped': '(omitido)',
   'tutorial.next': 'Hecho. A continuación: {what}',
   'tutorial.over':
     'Eso es todo lo que necesita. Ahora construya el suyo, o abra «assemble» y ejecútelo: cuatro cajas, y al final se enciende la lámpara.',

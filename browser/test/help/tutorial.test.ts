@@ -1,7 +1,7 @@
 // The tutorial sees by itself what is done, in order, and what was done stays done.
 import { expect, test } from 'vitest'
 import type { ApplicationView, RunView, StepView } from '../../src/api.gen'
-import { advanced, LESSONS, type LessonId, type Seen } from '../../src/help/tutorial'
+import { advanced, LESSONS, skippedWith, type LessonId, type Seen } from '../../src/help/tutorial'
 
 const OPEN: StepView = { role: 'job', type: 'Complete job' }
 const MOVE: StepView = { role: 'job', type: 'Joint job' }
@@ -65,4 +65,11 @@ test('a run of another application does not count', () => {
 test('a run that was over before it was paused leaves the lesson to be done', () => {
   const over = run('over', { state: 'ended' }, { is_completed: true })
   expect(advanced(before('run'), seen({ run: over }))).toBe(before('pause'))
+})
+
+test('who skips a deed skips also the one that only goes on from it', () => {
+  expect(skippedWith(before('out'))).toEqual(['out', 'back'])
+  expect(skippedWith(before('pause'))).toEqual(['pause', 'goOn'])
+  expect(skippedWith(before('run'))).toEqual(['run'])
+  expect(skippedWith(LESSONS.length)).toEqual([])
 })
