@@ -2,7 +2,7 @@ import dataclasses
 
 import pytest
 
-from onika.ring.device import DeviceOrder, DeviceSheet, DriveEvent, DriveState
+from onika.ring.device import DeviceOrder, DeviceSheet, DriveEvent, DriveState, MishapEvent
 from onika.words.reason import Reason
 
 
@@ -22,3 +22,8 @@ def test_sheets_and_events_are_values():
     with pytest.raises(dataclasses.FrozenInstanceError):
         sheet.name = "other"  # type: ignore[misc]
     assert DriveEvent("arm", 1, 4, 2, 0, Reason.plain("stop")) == DriveEvent("arm", 1, 4, 2, 0, Reason.plain("stop"))
+
+
+def test_in_a_mishap_nothing_shines_that_is_not_named():
+    assert MishapEvent(Reason.plain("fall"), 1, ("arm",), b"poses").lit == ()
+    assert MishapEvent(Reason.plain("fall"), 1, ("arm",), b"poses", ("lamp",)).lit == ("lamp",)

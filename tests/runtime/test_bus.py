@@ -293,3 +293,21 @@ def test_what_is_put_back_is_published_at_once_and_stays_stopped_where_it_was(se
     bus.put_back(is_stopped=is_stopped)
     assert (mass.read()[0], bus.displaced()) == (0.0, ())
     assert (bus.modes()["masses:m0"] is DriveMode.STOPPED) is is_stopped
+
+
+def test_a_world_that_only_a_person_can_put_back_is_refused_by_its_name(segment):  # law 18
+    with pytest.raises(ValueError, match="masses") as refusal:
+        Bus("masses", MassWorld(), segment).put_back(is_stopped=False)
+    assert refusal.value.args == (Reason.of("runtime.put_all_back_by_hand", world="masses"),)
+
+
+class Teller(MassWorld):
+    """Masses of which each has a sentence of how it stands."""
+
+    def standing(self):
+        return [Reason.plain(f"{name} rests") for name in self._masses]
+
+
+def test_how_a_world_stands_is_told_in_its_sentences_and_nothing_where_it_knows_none(segment):  # R-E16
+    assert Bus("masses", Teller(), segment).standing() == (Reason.plain("m0 rests"), Reason.plain("m1 rests"))
+    assert Bus("masses", MassWorld(), segment).standing() == ()

@@ -241,3 +241,24 @@ def test_a_world_that_nobody_can_put_back_is_refused(opened):  # law 18
     opened.open("yard")
     with pytest.raises(ValueError, match="by hand"):
         opened.served.put_back("yard")
+
+
+class Teller(Yard):
+    """A world that says how it stands."""
+
+    sentences = ()
+
+    def standing(self):
+        return list(self.sentences)
+
+
+def test_how_worlds_stand_is_told_of_those_that_know_how(opened):  # R-E16
+    lamp, door = Reason.plain("the lamp is lit"), Reason.plain("the door is shut")
+    opened.worlds.update(yard=Teller("yard"), mute=Teller("mute"))
+    opened.worlds["yard"].sentences = (lamp, door)
+    assert opened.served.standings() == {}
+    for name in ("plain", "yard", "mute"):
+        opened.open(name)
+    assert opened.served.standings() == {"yard": (lamp, door)}
+    opened.worlds["yard"].sentences = (door,)
+    assert opened.served.standings() == {"yard": (door,)}, "as it stands now"

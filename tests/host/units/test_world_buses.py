@@ -2,7 +2,7 @@ import pytest
 
 from kit.worlds.mass_world import MassWorld
 from onika.host.units.world_buses import Buses
-from onika.ring.device import DeviceOrder, DriveState
+from onika.ring.device import DeviceOrder, DriveState, MishapEvent
 from onika.ring.drive import DriveMode
 from onika.runtime.bus import SEGMENT_SIZE
 from onika.wire import event
@@ -177,13 +177,14 @@ def test_drives_say_how_they_stand_by_world_and_device(buses):  # R-X24, law 17
 
 
 class Stage(MassWorld):
-    """A world that is put back: its drives hold then."""
+    """A world that is put back: its drives hold then, and a stop is forgotten."""
 
     is_simulated = True
     is_as_it_was = False
 
     def reset(self):
         self.is_as_it_was = True
+        self.go_on()
         for mass in self._masses.values():
             self._turn(mass, DriveState.HELD, "reset")
 
@@ -218,3 +219,75 @@ def test_a_world_that_is_not_open_or_that_nobody_can_move_is_not_put_back(buses)
     with pytest.raises(ValueError, match="by hand"):
         buses.put_back("yard")
     assert buses.displaced() == {"yard": ()}
+
+
+class Witness(MassWorld):
+    """A world that knows what goes wrong in it, and what it says of how it stands."""
+
+    def __init__(self, *mishaps, standing=()):
+        super().__init__()
+        self.mishaps = list(mishaps)
+        self.is_watched = False
+        self._sentences = standing
+
+    def watch_mishaps(self):
+        self.is_watched = True
+
+    def take_mishaps(self):
+        taken, self.mishaps = self.mishaps, []
+        return taken
+
+    def standing(self):
+        return self._sentences
+
+
+FALL = MishapEvent(Reason.plain("m0 falls"), 3 * MS, ("m0",), b"fallen", ("lamp",))
+CRASH = MishapEvent(Reason.plain("m0 hits m1"), 5 * MS, ("m0", "m1"), b"crashed")
+
+
+def mishap_buses(worlds, mishaps):
+    """Buses of worlds by name, which note each mishap with its time."""
+    return Buses({}, worlds.__getitem__, lambda _drive: None, lambda *mishap: mishaps.append(mishap))
+
+
+def test_mishaps_are_watched_from_the_opening_where_somebody_wants_them_and_the_world_knows_them():  # R-E16
+    yard = Witness()
+    buses = mishap_buses({"yard": yard, "plain": MassWorld()}, [])
+    assert not yard.is_watched
+    buses.grant("yard:m0", 0)
+    assert yard.is_watched
+    assert buses.grant("plain:m0", 0).epoch == 2, "a world that knows of no mishaps is opened all the same"
+
+
+def test_each_mishap_is_told_once_after_a_step_with_its_world_devices_and_time():  # R-E16
+    mishaps = []
+    buses = mishap_buses({"plain": MassWorld(), "yard": Witness(FALL, CRASH), "field": Witness(FALL)}, mishaps)
+    for name in ("plain", "yard", "field"):
+        buses.grant(f"{name}:m0", 0)
+    assert mishaps == []
+    buses.step(20 * MS)
+    assert mishaps == [
+        (event.Mishap("yard", Reason.plain("m0 falls"), ("yard:m0",), 0.0, b"fallen", ("lamp",)), 3 * MS),
+        (event.Mishap("yard", Reason.plain("m0 hits m1"), ("yard:m0", "yard:m1"), 0.0, b"crashed", ()), 5 * MS),
+        (event.Mishap("field", Reason.plain("m0 falls"), ("field:m0",), 0.0, b"fallen", ("lamp",)), 3 * MS),
+    ]
+    buses.step(40 * MS)
+    assert len(mishaps) == 3
+
+
+def test_where_nobody_wants_mishaps_none_is_watched_or_taken(messages):  # R-E16
+    yard = Witness(FALL)
+    buses = Buses({}, lambda _name: yard, messages.append)
+    buses.grant("yard:m0", 0)
+    buses.step(20 * MS)
+    assert (yard.is_watched, yard.mishaps, messages) == (False, [FALL], [])
+
+
+def test_how_worlds_stand_is_told_of_those_that_know_how():  # R-E16
+    lamp, door = Reason.plain("the lamp is lit"), Reason.plain("the door is shut")
+    worlds = {"plain": MassWorld(), "yard": Witness(standing=[lamp, door]), "mute": Witness()}
+    buses = mishap_buses(worlds, [])
+    assert buses.standings() == {}
+    for name in worlds:
+        buses.grant(f"{name}:m0", 0)
+    assert buses.standings() == {"yard": (lamp, door)}
