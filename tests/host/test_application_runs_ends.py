@@ -162,6 +162,18 @@ def test_a_second_run_is_not_repeated_beside_a_first_one(desk):  # law 29
     assert desk.ask(request.Abort(Reason.plain("enough")), "other") == request.Done()
 
 
+def test_a_second_run_is_repeated_when_the_first_one_has_been_as_far_as_it_was_asked(desk):  # law 29
+    begin(desk, plan("1.0"), repeat_until_ns=200 * MS)
+    planned = plan("1.0", home="flow1", mass="yard:m1")
+    assert desk.ask(request.Prepare(planned, ()), "other") == request.Prepared(())
+    refused = desk.ask(request.Begin(repeat_until_ns=-1), "other")
+    assert refused == request.Refused(Reason.of("host.repeats_another"))
+    while desk.driver.now < 200 * MS:
+        desk.program.advance(0)
+    assert desk.result is None
+    assert desk.ask(request.Begin(repeat_until_ns=-1), "other") == request.Done()
+
+
 def test_a_repetition_ends_with_its_session(desk):  # law 29
     begin(desk, plan("1.0"), repeat=(repeated(100, steer.Pause()),), repeat_until_ns=-1, on_loss="run")
     assert desk.program.subsystems.repeat.session == "me"

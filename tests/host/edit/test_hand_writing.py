@@ -5,6 +5,7 @@ import pytest
 from kit.runtime.live_edits import COUNTER, LiveEdits
 from kit.worlds.rail_world import rail_tasks
 from onika.wire import live, request
+from onika.words.reason import Reason
 
 FOLLOWER = """
 from onika.module import InConst, InVar, Module, OutConst, OutVar
@@ -29,6 +30,17 @@ from onika.module import InConst, InVar, Module, OutVar
 class User(Module):
     M = InConst("int", "-", "how many")
     OUT = OutVar("double", "m", "nothing")
+
+    def cycle(self):
+        pass
+"""
+
+RULER = """
+from onika.module import InVar, Module, OutVar
+
+class Ruler(Module):
+    MARKS = InVar("double[N]", "m", "as many levels as somebody says")
+    LENGTH = OutVar("double", "m", "nothing")
 
     def cycle(self):
         pass
@@ -93,6 +105,33 @@ def test_what_cannot_be_written_so_is_refused_and_nothing_is_changed(hand, name,
     assert read(hand, "LEVEL", "HITS", "ROW") == before
 
 
+@pytest.mark.parametrize(
+    ("name", "values", "shape", "why"),
+    [
+        ("LEVEL", (), "double", Reason.of("host.hand_count", expected=1, given=0)),
+        ("LEVEL", (1.0, 2.0), "double", Reason.of("host.hand_count", expected=1, given=2)),
+        ("ROW", (1.0,), "double[3]", Reason.of("host.hand_count", expected=3, given=1)),
+        ("LEVEL", (float("nan"),), "double", Reason.of("host.hand_infinite")),
+        ("ROW", (1.0, 2.0, float("-inf")), "double[3]", Reason.of("host.hand_infinite")),
+        ("HITS", (float("inf"),), "int", Reason.of("host.hand_infinite")),
+        ("HITS", (1.5,), "int", Reason.of("host.hand_kind", kind="int", value="1.5")),
+        ("HITS", (1e12,), "int", Reason.of("host.hand_kind", kind="int", value="1e+12")),
+    ],
+)
+def test_what_is_wrong_with_values_is_told_beside_what_the_variable_is(hand, name, values, shape, why):  # R-B07
+    assert write(hand, name, *values) == request.Refused(Reason.of("host.hand_value", name=name, shape=shape, why=why))
+
+
+def test_a_variable_whose_writer_is_gone_is_written_and_its_memory_is_sound(hand):  # R-A12, R-C27
+    hand.task("feeder", COUNTER.replace("COUNT", "LEVEL").replace('"-"', '"m"'))
+    assert hand.change(spawn=["feeder"], on=["feeder"]) == ""
+    hand.let_pass(0.2)
+    assert hand.change(kill=("feeder",)) == ""
+    assert write(hand, "LEVEL", 0.5) == request.Done()
+    assert read(hand, "LEVEL") == {"LEVEL": 0.5}
+    assert hand.asker.ask(live.Check("s0")) == live.Findings(())
+
+
 def test_a_variable_is_no_longer_free_when_a_task_comes_that_writes_it(hand):  # R-C27
     hand.shop.task("feeder", COUNTER.replace("COUNT", "LEVEL").replace('"-"', '"m"'))
     assert write(hand, "LEVEL", 1.0) == request.Done()
@@ -108,6 +147,15 @@ def test_what_moves_a_device_without_a_task_between_is_not_written_by_hand():  #
     edits.shop = rail_tasks()
     assert edits.change(spawn=["mass"], on=["mass"]) == ""
     assert write(edits, "FORCE", 50.0).reason.key == "host.hand_device"
+
+
+def test_what_moves_no_device_is_written_beside_one():  # law 33
+    edits = LiveEdits()
+    edits.shop = rail_tasks()
+    edits.task("follower", FOLLOWER)
+    assert edits.change(spawn=["mass", "follower"], on=["mass", "follower"]) == ""
+    assert write(edits, "LEVEL", 1.0) == request.Done()
+    assert write(edits, "FORCE", 50.0) == request.Refused(Reason.of("host.hand_device", name="FORCE", tasks=("mass",)))
 
 
 def test_only_the_holder_writes_and_only_what_is_held_by_hand(hand):  # law 27
@@ -137,3 +185,10 @@ def test_a_constant_whose_supplier_is_gone_is_not_written_by_hand(hand):  # R-C2
     assert hand.change(kill=("follower",)) == ""
     refused = write(hand, "N", 4)
     assert (type(refused), refused.reason.key) == (request.Refused, "host.hand_constant")
+
+
+def test_what_the_shapes_of_tasks_depend_on_is_not_written_by_hand(hand):  # R-C27, law 12
+    hand.task("ruler", RULER)
+    assert hand.change(spawn=["ruler"]) == ""
+    assert hand.change(kill=("follower",)) == ""
+    assert write(hand, "N", 4) == request.Refused(Reason.of("host.hand_constant", name="N"))

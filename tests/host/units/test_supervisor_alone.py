@@ -129,6 +129,18 @@ def test_work_that_was_announced_may_take_fifteen_seconds(supervisor, machine): 
     assert process.trouble(machine.now).key == "host.process_silent"
 
 
+def test_a_process_that_reads_no_commands_is_given_up_beyond_64_megabytes_and_not_before(supervisor, machine):  # law 30
+    process = up(supervisor)
+    beat(process, machine.now)
+    order = bytes(1 << 16)
+    while process.post.unsent < 64 << 20:
+        process.post.send(order)
+    assert process.post.unsent == 64 << 20
+    assert process.trouble(machine.now) == NOTHING
+    process.post.send(b"!")
+    assert process.trouble(machine.now) == Reason.of("host.commands_unread", name=TITLE, megabytes=64)
+
+
 def test_a_process_may_leave_its_code_unlooked_at_for_five_seconds(supervisor, machine):  # law 14
     process = up(supervisor)
     beat(process, machine.now)
@@ -242,6 +254,16 @@ def test_of_several_processes_each_that_failed_is_ended_and_told_once(supervisor
     assert [machine.processes[pid].blows for pid in (1, 2, 3)] == [[], ["kill", "wait"], ["kill", "wait"]]
     assert [process.post.is_closed for process in processes] == [False, True, True]
     assert (supervisor.trouble(), supervisor.troubles()) == (NOTHING, [])
+
+
+def test_the_trouble_of_those_that_are_named_is_not_looked_at(supervisor, machine):  # law 30
+    for name in ("rt0", "rt1", "rt2"):
+        beat(up(supervisor, name, Reason.plain(name)), machine.now)
+    machine.processes[1].code = -9
+    machine.processes[3].code = 1
+    ended = Reason.of("host.process_ended", name=Reason.plain("rt2"), code=1, during=NOTHING)
+    assert supervisor.trouble(("rt0",)) == ended
+    assert supervisor.trouble(("rt0", "rt2")) == NOTHING
 
 
 def test_the_end_ends_every_process_once_also_those_that_were_lost(supervisor, machine):  # R-E10

@@ -93,6 +93,14 @@ def test_a_unit_that_is_added_after_a_stop_is_stopped_until_motion_is_allowed(un
     assert supervisor.processes["rt3"].orders == []
 
 
+def test_a_stop_reaches_every_unit_that_lives(units, supervisor):  # law 27
+    supervisor.processes["rt0"].is_lost = True
+    units.add("rt2", 0, lambda _: None)
+    units.stop()
+    assert [supervisor.processes[name].orders for name in ("rt1", "rt2")] == [[(command.Stop(),)]] * 2
+    assert supervisor.processes["rt0"].orders == []
+
+
 def test_a_lost_unit_is_told_nothing_until_another_process_stands_in_its_place(units, supervisor, answers):  # law 30
     first = supervisor.processes["rt0"]
     first.is_lost = True

@@ -51,13 +51,12 @@ def _dimensions(wired: WiredTask) -> set[str]:
 
 def _wrong(values: tuple[float, ...], shape: Shape) -> Reason:
     """What is wrong with values for a variable of numbers."""
-    count = int(np.prod([int(dim) for dim in shape.dims], dtype=int)) if shape.dims else 1
-    if len(values) != count:
-        return Reason.of("host.hand_count", expected=count, given=len(values))
+    if len(values) != shape.count:
+        return Reason.of("host.hand_count", expected=shape.count, given=len(values))
     for value in values:
         if not isfinite(value):
             return Reason.of("host.hand_infinite")
-        if not shape.type.fits(value if shape.type.is_real else _whole(value)):
+        if not shape.type.fits(_whole(value)):
             return Reason.of("host.hand_kind", kind=shape.type.value, value=f"{value:g}")
     return NOTHING
 
