@@ -1,5 +1,6 @@
 """Variables that nobody writes are written by hand, and only those."""
 
+import numpy as np
 import pytest
 
 from kit.runtime.live_edits import COUNTER, LiveEdits
@@ -41,6 +42,17 @@ from onika.module import InVar, Module, OutVar
 class Ruler(Module):
     MARKS = InVar("double[N]", "m", "as many levels as somebody says")
     LENGTH = OutVar("double", "m", "nothing")
+
+    def cycle(self):
+        pass
+"""
+
+SHORT = """
+from onika.module import InVar, Module, OutVar
+
+class Short(Module):
+    FINE = InVar("float", "m", "a level in four bytes")
+    TWICE = OutVar("double", "m", "nothing")
 
     def cycle(self):
         pass
@@ -192,3 +204,16 @@ def test_what_the_shapes_of_tasks_depend_on_is_not_written_by_hand(hand):  # R-C
     assert hand.change(spawn=["ruler"]) == ""
     assert hand.change(kill=("follower",)) == ""
     assert write(hand, "N", 4) == request.Refused(Reason.of("host.hand_constant", name="N"))
+
+
+def test_what_a_short_real_number_cannot_hold_is_refused_and_does_not_become_infinite(hand):  # R-B07
+    largest = float(np.finfo(np.float32).max)
+    hand.task("short", SHORT)
+    assert hand.change(spawn=["short"], on=["short"]) == ""
+    for bound in (largest, -largest):
+        assert write(hand, "FINE", bound) == request.Done()
+        kind = Reason.of("host.hand_kind", kind="float", value=f"{10 * bound:g}")
+        why = Reason.of("host.hand_value", name="FINE", shape="float", why=kind)
+        assert write(hand, "FINE", 10 * bound) == request.Refused(why)
+        assert read(hand, "FINE") == {"FINE": bound}
+    assert write(hand, "LEVEL", 10 * largest) == request.Done()

@@ -1,6 +1,6 @@
 """Variables that nobody writes are written by hand: by whoever holds the subsystem, value by value (law 27)."""
 
-from math import isfinite
+from math import inf, isfinite
 
 import numpy as np
 
@@ -9,6 +9,9 @@ from onika.runtime.wiring import WiredTask
 from onika.wire import live as asked, request
 from onika.words.reason import NOTHING, Reason
 from onika.words.shape import Shape
+from onika.words.value import ValueType
+
+_LARGEST_FLOAT = float(np.finfo(ValueType.FLOAT.code).max)
 
 
 def write(live: LiveSubsystem, order: asked.Write) -> request.Response:
@@ -56,9 +59,14 @@ def _wrong(values: tuple[float, ...], shape: Shape) -> Reason:
     for value in values:
         if not isfinite(value):
             return Reason.of("host.hand_infinite")
-        if not shape.type.fits(_whole(value)):
+        if not shape.type.fits(_whole(value)) or abs(value) > _largest(shape.type):
             return Reason.of("host.hand_kind", kind=shape.type.value, value=f"{value:g}")
     return NOTHING
+
+
+def _largest(kind: ValueType) -> float:
+    """What is larger would be infinite where it is kept."""
+    return _LARGEST_FLOAT if kind is ValueType.FLOAT else inf
 
 
 def _whole(value: float) -> float | int:
