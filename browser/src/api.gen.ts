@@ -1189,6 +1189,7 @@ export interface TaughtView {
   others?: (string)[];
   type?: string;
   arm?: string;
+  device?: string;
   arms?: (string)[];
 }
 

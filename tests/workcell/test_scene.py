@@ -1,3 +1,6 @@
+import mujoco
+import numpy as np
+
 from onika.workcell.layout import boxes, text
 from onika.workcell.plant import Plant
 from onika.workcell.scene import shapes
@@ -19,3 +22,35 @@ def test_boxes_are_blue_with_white_signs_and_the_lamp_has_its_name():
     assert len(blue) == 4
     assert {shape.body for shape in SHAPES if shape.paint == "white"} == {shape.body for shape in blue}
     assert [shape.kind for shape in SHAPES if shape.name == "lamp"] == ["ellipsoid"]
+
+
+def test_hinges_say_where_the_bodies_of_an_arm_come_for_given_angles():  # R-D23
+    plant = Plant(text(boxes(0, 0.0), ("left",), drawn=True))
+    angles = [0.3, -1.2, 0.7, 0.5, -0.4, 1.1]
+    where, _ = plant.joints([f"arm_left.joint{k}" for k in range(1, 7)])
+    plant.data.qpos[where] = angles
+    mujoco.mj_kinematics(plant.model, plant.data)
+    hinges = {shape.body: shape.hinge for shape in shapes(plant) if shape.hinge and shape.hinge.joint}
+    assert len([shape for shape in shapes(plant) if shape.hinge]) == len({shape.body for shape in SHAPES}) - 5
+    links = [(body, hinge) for body, hinge in hinges.items() if hinge.joint.startswith("arm_left.joint")]
+    assert [hinge.joint for _, hinge in links] == [f"arm_left.joint{k}" for k in range(1, 7)]
+    poses = plant.poses()
+    for (body, hinge), angle in zip(links, angles, strict=True):
+        assert np.allclose(hung(poses[hinge.carrier], hinge, angle), poses[body][:3], atol=1e-5)
+
+
+def hung(carrier, hinge, angle):
+    """The place of a body that turns by an angle about its joint."""
+    rest, turn = np.zeros(3), np.zeros(4)
+    mujoco.mju_mulPose(rest, turn, *map(np.float64, (carrier[:3], carrier[3:], hinge.position, hinge.quaternion)))
+    about, turned, pivot, back = np.zeros(4), np.zeros(4), np.zeros(3), np.zeros(3)
+    mujoco.mju_axisAngle2Quat(about, np.array(hinge.axis), angle)
+    mujoco.mju_mulQuat(turned, turn, about)
+    mujoco.mju_rotVecQuat(pivot, np.array(hinge.anchor), turn)
+    mujoco.mju_rotVecQuat(back, np.array(hinge.anchor), turned)
+    return rest + pivot - back
+
+
+def test_what_lies_free_hangs_on_nothing():
+    free = {shape.hinge for shape in SHAPES if shape.paint == "blue"}
+    assert free == {None}

@@ -1,4 +1,5 @@
 // A simulated world as it travels: its shapes once, then the places of its bodies.
+import type { Hinge } from '../geom/chain'
 
 /** As `workcell.scene.Shape3d`: lengths in metres, sizes are half sizes, quaternions w x y z. */
 export interface Shape {
@@ -10,6 +11,7 @@ export interface Shape {
   quaternion: [number, number, number, number]
   rgba: [number, number, number, number]
   paint: string
+  hinge?: Hinge | null
 }
 
 export interface World {

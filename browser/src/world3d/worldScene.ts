@@ -30,6 +30,7 @@ import {
 } from 'three'
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
 import { inks } from '../values/inks'
+import { posture, type Hinge, type Pose } from '../geom/chain'
 import { bodiesOf, GLOW, ROW, type Shape, type World } from '../values/world'
 
 const ENDLESS = 30
@@ -52,6 +53,9 @@ export class WorldScene {
   private readonly glows: Mesh[] = []
   private readonly bulbs: MeshLambertMaterial[] = []
   private readonly floors: MeshLambertMaterial[] = []
+  private readonly hinges: ReadonlyMap<number, Hinge>
+  private readonly ghosts = new Map<number, Group>()
+  private readonly ghostly = new MeshLambertMaterial({ transparent: true, opacity: 0.42, depthWrite: false })
   private readonly grid = new GridHelper(12, 40)
   private readonly lights: { sky: HemisphereLight; window: DirectionalLight; lamp?: PointLight }
   private isDue = false
@@ -69,6 +73,7 @@ export class WorldScene {
     world: World,
   ) {
     this.bodies = bodiesOf(world)
+    this.hinges = new Map(world.shapes.flatMap(({ body, hinge }) => (hinge ? [[body, hinge] as const] : [])))
     this.groups = Array.from({ length: this.bodies }, () => new Group())
     this.scene.add(...this.groups)
     for (const shape of world.shapes) this.build(shape)
@@ -99,6 +104,41 @@ export class WorldScene {
     })
     if (!this.isViewed) this.look()
     this.draw()
+  }
+
+  /** A second arm, seen through, where the joints of an arm would bring it; without one there is none. */
+  haunt(arm: string, joints: readonly number[], isBeyond = false): void {
+    const poses = this.posed.length ? posture(this.hinges, arm, joints, (body) => this.poseOf(body)) : new Map()
+    for (const [body, group] of this.ghosts) group.visible = poses.has(body)
+    for (const [body, [x, y, z, qw, qx, qy, qz]] of poses as Map<number, Pose>) {
+      const group = this.ghosts.get(body) ?? this.ghostOf(body)
+      group.visible = true
+      group.position.set(x, y, z)
+      group.quaternion.set(qx, qy, qz, qw)
+    }
+    this.ghostly.color.set(isBeyond ? '#d03020' : '#2f7fd8')
+    this.draw()
+  }
+
+  private poseOf(body: number): Pose {
+    const [x = 0, y = 0, z = 0, w = 1, i = 0, j = 0, k = 0] = this.posed.subarray(body * ROW, (body + 1) * ROW)
+    return [x, y, z, w, i, j, k]
+  }
+
+  /** The shapes of a body once more. */
+  private ghostOf(body: number): Group {
+    const ghost = new Group()
+    for (const part of this.groups[body]?.children ?? []) {
+      if (!(part instanceof Mesh)) continue
+      const mesh = new Mesh(part.geometry as BufferGeometry, this.ghostly)
+      mesh.position.copy(part.position)
+      mesh.quaternion.copy(part.quaternion)
+      mesh.scale.copy(part.scale)
+      ghost.add(mesh)
+    }
+    this.ghosts.set(body, ghost)
+    this.scene.add(ghost)
+    return ghost
   }
 
   /** Lamps shine or do not. */

@@ -24,6 +24,25 @@ class Shape3d:
     quaternion: tuple[float, ...]
     rgba: tuple[float, ...]
     paint: str
+    hinge: "Hinge3d | None" = None
+    """How its body moves against the one that carries it, told once for each body; None: not here, or it is free."""
+
+
+@dataclass(frozen=True, slots=True)
+class Hinge3d:
+    """A body in the frame of the body that carries it, where its joint is at 0: place (m) and quaternion (w, x, y, z).
+
+    The joint turns it about `axis` through `anchor`, both in the body's own frame, or moves it along the axis. A body
+    without a joint has no name for one.
+    """
+
+    carrier: int
+    position: tuple[float, ...]
+    quaternion: tuple[float, ...]
+    joint: str = ""
+    slides: bool = False
+    axis: tuple[float, ...] = (0.0, 0.0, 1.0)
+    anchor: tuple[float, ...] = (0.0, 0.0, 0.0)
 
 
 def shapes(plant: Plant) -> list[Shape3d]:
@@ -33,13 +52,35 @@ def shapes(plant: Plant) -> list[Shape3d]:
 
 def _shape(model: Any, k: int) -> Shape3d:
     paint = model.material(int(model.geom_matid[k]))
+    body = int(model.geom_bodyid[k])
     return Shape3d(
         model.geom(k).name,
-        int(model.geom_bodyid[k]),
+        body,
         mujoco.mjtGeom(int(model.geom_type[k])).name.removeprefix("mjGEOM_").lower(),
         tuple(model.geom_size[k].tolist()),
         tuple(model.geom_pos[k].tolist()),
         tuple(model.geom_quat[k].tolist()),
         tuple(paint.rgba.tolist()),
         paint.name,
+        _hinge(model, body) if k == model.body_geomadr[body] else None,
+    )
+
+
+def _hinge(model: Any, body: int) -> Hinge3d | None:
+    carrier, first, count = int(model.body_parentid[body]), int(model.body_jntadr[body]), int(model.body_jntnum[body])
+    if body == 0 or count > 1:
+        return None
+    place = tuple(model.body_pos[body].tolist()), tuple(model.body_quat[body].tolist())
+    if count == 0:
+        return Hinge3d(carrier, *place)
+    kind = mujoco.mjtJoint(int(model.jnt_type[first]))
+    if kind not in (mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_SLIDE):
+        return None
+    return Hinge3d(
+        carrier,
+        *place,
+        model.joint(first).name,
+        kind is mujoco.mjtJoint.mjJNT_SLIDE,
+        tuple(model.jnt_axis[first].tolist()),
+        tuple(model.jnt_pos[first].tolist()),
     )

@@ -93,6 +93,8 @@ class TaughtView(View, frozen=True):
     """The type of target that it is."""
     arm: str = ""
     """The task of the arm that was measured."""
+    device: str = ""
+    """The arm itself, as `WORLD:NAME`."""
     arms: tuple[str, ...] = ()
     """All arms that the application moves."""
 

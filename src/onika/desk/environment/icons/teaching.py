@@ -105,7 +105,12 @@ def _of_arm(
         return No(values.reason, values.remedies or tuple(turns))
     source = Reason.of("desk.where_arm_stands", arm=arm.arm)
     names = tuple(sorted(each.arm for each in arms))
-    return _taught(model, values, measures, TaughtView({}, source, type=kind.name, arm=arm.arm, arms=names))
+    return _taught(
+        model,
+        values,
+        measures,
+        TaughtView({}, source, type=kind.name, arm=arm.arm, device=min(arm.devices), arms=names),
+    )
 
 
 def _is_driven(home: live.SubsystemStanding, arm: MeasuringTasks) -> bool:
