@@ -4,15 +4,19 @@ What is compared are effects and events by what they are about, never sentences.
 again.
 """
 
+from functools import wraps
+
 import pytest
 
 from kit.faults.foreseen_changes import foretold
-from kit.faults.struck_runtime import StruckRuntime
+from kit.faults.struck_runtime import MachineWasLateError, StruckRuntime
 
 pytestmark = pytest.mark.site
 
 SPARE_MS = 3000.0
 """A machine that has other things to do tells everything later by so much at most."""
+
+TRIES = 5
 
 
 @pytest.fixture(scope="module")
@@ -31,6 +35,23 @@ def there(started, tmp_path_factory):
     yield started[-1]
     if not started[-1].is_spent:
         started[-1].settle()
+
+
+def undisturbed(test):
+    """Tries again where the machine was late by itself, as long as the runtime is whole."""
+
+    @wraps(test)
+    def tried(there, **more):
+        for _ in range(TRIES):
+            try:
+                return test(there, **more)
+            except MachineWasLateError:
+                if there.is_spent:
+                    raise
+                there.settle()
+        pytest.fail("the machine was late each time")
+
+    return tried
 
 
 def settled(states, foreseen):
@@ -62,6 +83,7 @@ def assert_foreseen(there, fault, subject=""):
 
 
 @pytest.mark.parametrize("task", ["flow0/push", pytest.param("flow0/lamp", marks=pytest.mark.slow), "hand/arm2"])
+@undisturbed
 def test_a_task_that_fails(there, task):  # R-X24, R-E08
     there.begin()
     there.hold()
@@ -69,6 +91,7 @@ def test_a_task_that_fails(there, task):  # R-X24, R-E08
 
 
 @pytest.mark.parametrize("device", [pytest.param("arm_left_kin", marks=pytest.mark.slow), "arm_right_kin"])
+@undisturbed
 def test_a_button_that_is_pressed(there, device):  # R-X24
     there.begin()
     there.hold()
@@ -76,6 +99,7 @@ def test_a_button_that_is_pressed(there, device):  # R-X24
 
 
 @pytest.mark.parametrize("on_loss", ["stop", "finish", pytest.param("run", marks=pytest.mark.slow)])
+@undisturbed
 def test_a_beginner_who_is_silent(there, on_loss):  # R-X24, R-X12
     there.begin(on_loss=on_loss)
     foresight = there.foresee("holder", "beginner")
@@ -84,12 +108,14 @@ def test_a_beginner_who_is_silent(there, on_loss):  # R-X24, R-X12
     assert ("pausing" in states) == (on_loss == "finish") == there.is_pausing()
 
 
+@undisturbed
 def test_a_holder_who_is_silent(there):  # R-X24, R-X12
     there.begin()
     there.hold()
     assert_foreseen(there, "holder", "holder")
 
 
+@undisturbed
 def test_a_stop_of_everything(there):  # R-X24, law 27
     there.begin()
     there.hold()
@@ -98,6 +124,7 @@ def test_a_stop_of_everything(there):  # R-X24, law 27
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("fault", "subject"), [("unit-frozen", "rt0"), ("devices-frozen", "")])
+@undisturbed
 def test_a_process_that_is_frozen(there, fault, subject):  # R-X24, law 17
     there.begin()
     there.hold()
@@ -105,18 +132,21 @@ def test_a_process_that_is_frozen(there, fault, subject):  # R-X24, law 17
 
 
 @pytest.mark.parametrize("unit", ["rt0", pytest.param("rt1", marks=pytest.mark.slow)])
+@undisturbed
 def test_a_unit_that_is_killed(there, unit):  # R-X24, law 17
     there.begin()
     there.hold()
     assert_foreseen(there, "unit-killed", unit)
 
 
+@undisturbed
 def test_the_device_server_that_is_killed(there):  # R-X24, law 17
     there.begin()
     there.hold()
     assert_foreseen(there, "devices-killed")
 
 
+@undisturbed
 def test_the_runtime_that_is_killed(there):  # R-X24, R-E10
     there.begin()
     there.hold()

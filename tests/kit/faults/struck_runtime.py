@@ -12,6 +12,7 @@ import signal
 import subprocess
 import sys
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from time import monotonic
 
@@ -31,6 +32,12 @@ _PATIENCE_S = 15.0
 _SETTLED_S = 0.4
 """When nothing was told for so long, everything has followed."""
 _STEADY_S = 0.2
+_LATE = ("runtime.device_silent", "runtime.drive_tripped")
+"""What a task fails with where the machine was late: its device, or it itself to its drive, was silent for too long."""
+_GOES_ON_S = 3.0
+"""How long a drive may hold for no other reason than that the machine is busy."""
+_AT_WORK = {"arm_left_kin": ("flow0/arm", "flow0/push"), "arm_right_kin": ("hand/arm2", "hand/push2")}
+"""By device: the tasks that drive it."""
 
 _IMPORTS = """
 from pathlib import Path
@@ -96,6 +103,10 @@ class Lamp(Module):
 )
 
 
+class MachineWasLateError(Exception):
+    """The machine itself has kept a device silent for a task: what came is not what the fault has done."""
+
+
 class StruckRuntime:
     """The runtime, its sessions, and what was told since the fault came."""
 
@@ -115,6 +126,7 @@ class StruckRuntime:
         self._silent: RemoteRuntime | None = None
         self._began_at = self._told_at = monotonic()
         self.failures: list[event.Failed] = []
+        self._was_late = False
         self.is_spent = False
         self._join("watcher")
         self.ask(live.Attend(("*",)))
@@ -139,7 +151,7 @@ class StruckRuntime:
         if not isinstance(prepared, request.Prepared) or prepared.faults:
             raise ValueError(str(prepared))
         self._do(request.Begin(**begin), "beginner")  # type: ignore[arg-type]
-        self._move("arm_left_kin", "flow0/arm", "flow0/push", "flow0/lamp")
+        self._move("arm_left_kin", "flow0/lamp")
 
     def hold(self) -> None:
         """Have the other arm turned on by hand, and let it work."""
@@ -151,7 +163,7 @@ class StruckRuntime:
         accepted = self.ask(change, "holder")
         if not isinstance(accepted, live.Accepted):
             raise ValueError(str(accepted))
-        self._move("arm_right_kin", "hand/arm2", "hand/push2")
+        self._move("arm_right_kin")
 
     def settle(self) -> None:
         """End everything that this fault has left, so that the next one finds nothing of it."""
@@ -167,18 +179,20 @@ class StruckRuntime:
                 self._part(name)
         self._fall_quiet()
         for subsystem in self._living():
-            self._do(live.Take(subsystem))
+            self.until(partial(self._takes, subsystem))
             is_run = subsystem == "flow0"
             self.ask(request.Abort(Reason.plain("enough"), subsystem) if is_run else live.Close(subsystem))
         self.until(lambda: not self._living())
         if self._is_stopped:  # only a holder leaves a stop, while there is one
             self._do(live.Reset())
-        self._is_stopped = False
+        self._is_stopped = self._was_late = False
+        self.failures.clear()
 
     # What is asked, and what is told
 
     def foresee(self, fault: str, subject: str = "") -> Foresight:
         """What follows from a fault now; `beginner` and `holder` stand for the sessions themselves."""
+        self._judge_machine()
         answer = self.ask(WhatIf(fault, self._names.get(subject, subject)))
         if not isinstance(answer, Foreseen):
             raise TypeError(str(answer))
@@ -197,7 +211,15 @@ class StruckRuntime:
         self._began_at = self._told_at = monotonic()
         getattr(self, "_" + fault.replace("-", "_"))(subject)
         self._fall_quiet()
+        end = monotonic() + _GOES_ON_S
+        self.until(lambda: monotonic() > end or not any(map(self._holds_at_work, _AT_WORK)))
+        if not fault.startswith(("devices", "unit")):
+            self._judge_machine()
         return gathered(self._told)
+
+    def _judge_machine(self) -> None:
+        if self._was_late:
+            raise MachineWasLateError(str(self.failures[-1].text))
 
     def ask(self, message: request.Request, who: str = "watcher") -> request.Response:
         """Ask in a session; the others go on beating meanwhile."""
@@ -215,6 +237,7 @@ class StruckRuntime:
         end = monotonic() + _PATIENCE_S
         while not holds():
             if monotonic() > end:
+                self._judge_machine()
                 raise TimeoutError(f"it did not come: {self._now}, {self.failures}")
             self._listen()
 
@@ -244,21 +267,31 @@ class StruckRuntime:
         now = monotonic()
         if isinstance(message, event.Failed):
             self.failures.append(message)
+            self._was_late |= any(key in repr(message.text) for key in _LATE)
         for change in changes_of(message, 1000.0 * (now - self._began_at)):
             self._told.append(change)
             self._now[change.kind, change.subject] = change.after
             if change.kind != "drive":  # a busy machine lets drives hold and go on at any time
                 self._told_at = now
 
-    def _move(self, device: str, *tasks: str) -> None:
-        """Wait until these are at work, and the world has taken in its new arm."""
-        self.until(lambda: self._is_moving(device, *tasks))
+    def _move(self, device: str, *besides: str) -> None:
+        """Wait until it is driven and these are at work too, and the world has taken in its new arm."""
+        tasks = (*_AT_WORK[device], *besides)
+        self.until(lambda: self._has(device, "DRIVEN", tasks))
         steady_at = monotonic() + _STEADY_S
-        self.until(lambda: monotonic() > steady_at and self._is_moving(device, *tasks))
+        self.until(lambda: monotonic() > steady_at and self._has(device, "DRIVEN", tasks))
 
-    def _is_moving(self, device: str, *tasks: str) -> bool:
-        is_driven = self._now.get(("drive", f"boxes:{device}")) == "DRIVEN"
-        return is_driven and all(self._now.get(("task", task)) == "ON" for task in tasks)
+    def _takes(self, subsystem: str) -> bool:
+        """Take it, which may be refused as long as it is not noticed that its holder is gone."""
+        return self.ask(live.Take(subsystem)) == request.Done()
+
+    def _holds_at_work(self, device: str) -> bool:
+        return self._has(device, "HELD", _AT_WORK[device])
+
+    def _has(self, device: str, drive: str, tasks: tuple[str, ...]) -> bool:
+        """Whether a drive is in this state, and these tasks are ON."""
+        is_so = self._now.get(("drive", f"boxes:{device}")) == drive
+        return is_so and all(self._now.get(("task", task)) == "ON" for task in tasks)
 
     def _living(self) -> set[str]:
         tasks = {subject: state for (kind, subject), state in self._now.items() if kind == "task"}
