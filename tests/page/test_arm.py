@@ -68,6 +68,7 @@ def test_the_first_start_teaches_and_an_example_runs_by_a_click_and_an_answer(pr
     stopped(me)
 
 
+@pytest.mark.slow
 def test_the_present_position_of_the_arm_is_taken_by_one_click_and_nothing_is_left(program, page):  # R-D23, R-G03
     program.enter(page)
     page.get_by_role("button", name="Applications", exact=True).click()

@@ -116,6 +116,7 @@ def test_where_nothing_can_be_recorded_that_is_said_before_and_it_runs_without(m
     expect(me.run.get_by_text(re.compile("^Recorded"))).to_have_count(0)
 
 
+@pytest.mark.slow
 def test_a_run_is_kept_as_a_test_with_what_must_hold_at_its_end(me, folder):  # R-X07
     me.opens("quick")
     me.page.keyboard.press("Alt+Shift+K")

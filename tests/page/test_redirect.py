@@ -80,6 +80,7 @@ def choose(me, name, other):
     expect(me.panel(name)).to_have_count(0)
 
 
+@pytest.mark.slow
 def test_another_robot_is_chosen_at_the_start_icon_and_does_the_program(me):  # R-E09, R-X02
     me.opens("reach")
     me.icon(0).click(button="right")
