@@ -32,7 +32,6 @@ def program(begin, tmp_path_factory):
         return begin(folder=folder)
 
 
-@pytest.mark.slow
 def test_one_arm_is_real_beside_a_simulated_one_and_each_flow_says_its_world(program, page):  # R-E09
     program.enter(page)
     page.get_by_role("button", name="Applications", exact=True).click()

@@ -138,7 +138,6 @@ def test_a_contestant_that_cannot_start_says_why():
 
 
 @pytest.mark.site
-@pytest.mark.slow
 def test_all_rows_of_our_own_are_measured():
     words = [sys.executable, "-m", "beside", "--quick", "--alone", "--rounds", "1"]
     search = os.pathsep.join((str(BENCH), str(BENCH.parents[1] / "tests"), *sys.path))
