@@ -275,6 +275,14 @@ def test_each_mishap_is_told_once_after_a_step_with_its_world_devices_and_time()
     assert len(mishaps) == 3
 
 
+def test_a_mishap_of_the_very_last_step_is_told_too():  # R-E16
+    mishaps = []
+    buses = mishap_buses({"yard": Witness(FALL)}, mishaps)
+    buses.grant("yard:m0", 0)
+    buses.step_once()
+    assert [at_ns for _, at_ns in mishaps] == [3 * MS]
+
+
 def test_where_nobody_wants_mishaps_none_is_watched_or_taken(messages):  # R-E16
     yard = Witness(FALL)
     buses = Buses({}, lambda _name: yard, messages.append)

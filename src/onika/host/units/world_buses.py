@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from onika.host.units.world_registry import refuse_unknown, split
-from onika.ring.device import DriveState
+from onika.ring.device import DriveState, MishapEvent
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.runtime.bus import SEGMENT_SIZE, Bus, Poses, World
@@ -14,7 +14,7 @@ from onika.words.reason import Reason
 
 
 class Buses:
-    """Every world that is open; what its drives do is told after each step and touch."""
+    """Every world that is open; what its drives do, and what mishaps it has, is told after each step and touch."""
 
     def __init__(
         self,
@@ -90,13 +90,13 @@ class Buses:
         """Touch a part of an open world; raises ValueError with the reason why not."""
         refuse_unknown(world, self._buses)
         self._buses[world].touch(part, value)
-        self._tell_drives(world)
+        self._tell_news(world)
 
     def put_back(self, world: str) -> None:
         """Everything in a world to where it stood at the start; raises ValueError where only a person can do that."""
         refuse_unknown(world, self._buses)
         self._buses[world].put_back(is_stopped=self._is_stopped)
-        self._tell_drives(world)
+        self._tell_news(world)
 
     def displaced(self) -> dict[str, tuple[Reason, ...]]:
         """What does not stand where it stood at the start, by world."""
@@ -106,14 +106,13 @@ class Buses:
         """All go on to this instant."""
         for name, bus in self._buses.items():
             bus.step(now)
-            self._tell_drives(name)
-            self._tell_mishaps(name)
+            self._tell_news(name)
 
     def step_once(self) -> None:
         """Each makes one step, so that the last commands act."""
         for name, bus in self._buses.items():
             bus.step(bus.world.now_ns + bus.world.step_ns)
-            self._tell_drives(name)
+            self._tell_news(name)
 
     def stop(self) -> None:
         """Every drive in hold, latched; also those of worlds that are opened from now on."""
@@ -140,7 +139,7 @@ class Buses:
             self._buses[world] = bus
         return self._buses[world]
 
-    def _tell_drives(self, world: str) -> None:
+    def _tell_news(self, world: str) -> None:
         for drive_event in self._buses[world].world.take_events():
             device, state = f"{world}:{drive_event.device}", DriveState(drive_event.state).name
             self._tell(
@@ -153,12 +152,11 @@ class Buses:
                     drive_event.cause,
                 )
             )
+        if self._tell_mishap is not None:
+            self._tell_mishaps(world, self._tell_mishap)
 
-    def _tell_mishaps(self, world: str) -> None:
-        take = getattr(self._buses[world].world, "take_mishaps", None)
-        if self._tell_mishap is None or take is None:
-            return
+    def _tell_mishaps(self, world: str, tell: Callable[[event.Mishap, int], None]) -> None:
+        take: Callable[[], list[MishapEvent]] = getattr(self._buses[world].world, "take_mishaps", list)
         for mishap in take():
             devices = tuple(f"{world}:{device}" for device in mishap.devices)
-            told = event.Mishap(world, mishap.text, devices, 0.0, mishap.poses, mishap.lit)
-            self._tell_mishap(told, mishap.at_ns)
+            tell(event.Mishap(world, mishap.text, devices, 0.0, mishap.poses, mishap.lit), mishap.at_ns)
