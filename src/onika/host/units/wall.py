@@ -4,6 +4,7 @@ import select
 from collections import deque
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from time import monotonic_ns
+from typing import TypeVar
 
 from onika.host.units import device_server, rtpu
 from onika.host.units.device_servers import DeviceServers
@@ -24,6 +25,9 @@ from onika.words.reason import Reason, reason_of
 _PATIENCE_S = 15.0
 _ANSWER_S = 2.0
 """So long a device server may owe an answer: meanwhile nobody else is served."""
+
+
+_Answer = TypeVar("_Answer", device_server.DisplacedTaken, device_server.SnapshotsTaken)
 
 
 class WallDriver:
@@ -171,15 +175,9 @@ class WallDriver:
             raise ValueError(answer.reason)
 
     def displaced(self) -> dict[str, tuple[Reason, ...]]:
-        """What does not stand where it stood at the start, by world; nothing where none answers any more."""
-        if self._devices.is_lost:
-            return {}
-        try:
-            answers = [self._ask(world, device_server.TakeDisplaced()) for world in self.worlds]
-        except ValueError:
-            return {}
-        taken = [answer.displaced for answer in answers if isinstance(answer, device_server.DisplacedTaken)]
-        return {world: reasons for displaced in taken for world, reasons in displaced.items()}
+        """What does not stand where it stood at the start, by world."""
+        answers = self._answers(device_server.TakeDisplaced(), device_server.DisplacedTaken)
+        return {world: reasons for answer in answers for world, reasons in answer.displaced.items()}
 
     def unshare(self, name: str) -> None:
         """The table is not used any more."""
@@ -249,15 +247,6 @@ class WallDriver:
     def standings(self) -> dict[str, tuple[Reason, ...]]:
         """What the worlds say of how they stand."""
         return {world: sentences for taken in self._taken() for world, sentences in taken.standings.items()}
-
-    def _taken(self) -> list[device_server.SnapshotsTaken]:
-        if self._devices.is_lost:
-            return []
-        try:
-            answers = [self._ask(world, device_server.TakeSnapshots()) for world in self.worlds]
-        except ValueError:
-            return []  # one does not answer any more: there is nothing to draw
-        return [answer for answer in answers if isinstance(answer, device_server.SnapshotsTaken)]
 
     def close(self) -> None:
         """End every process."""
@@ -340,6 +329,19 @@ class WallDriver:
         if isinstance(answer, device_server.WorldOpened) and answer.is_simulated:
             self._simulated.add(world)
         self._units.share(f"bus:{world}", segment)
+
+    def _taken(self) -> list[device_server.SnapshotsTaken]:
+        return self._answers(device_server.TakeSnapshots(), device_server.SnapshotsTaken)
+
+    def _answers(self, order: device_server.Order, kind: type[_Answer]) -> list[_Answer]:
+        """What the servers of all open worlds answer; nothing where one does not any more."""
+        if self._devices.is_lost:
+            return []
+        try:
+            answers = [self._ask(world, order) for world in self.worlds]
+        except ValueError:
+            return []
+        return [answer for answer in answers if isinstance(answer, kind)]
 
     def _ask(self, world: str, order: device_server.Order) -> device_server.Word:
         self._devices.send(world, order)
