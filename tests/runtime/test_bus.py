@@ -7,6 +7,7 @@ import pytest
 from msgspec import convert
 
 from kit.worlds.mass_world import MassWorld
+from kit.worlds.resettable_masses import ResettableMasses
 from onika.ring.device import DeviceOrder, DeviceSheet, DriveState
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
@@ -267,29 +268,13 @@ def test_a_world_is_simulated_only_where_it_says_so(segment):  # R-E09
     assert Bus("boxes", BoxesWorld(), segment).is_simulated
 
 
-class Resettable(MassWorld):
-    """Masses that can be put back."""
-
-    is_simulated = True
-
-    def reset(self):
-        for mass in self._masses.values():
-            mass.state[2:] = 0.0
-
-    def places(self):
-        return ()
-
-    def displaced(self):
-        return tuple(Reason.plain(name) for name, mass in self._masses.items() if mass.state[2])
-
-
 @pytest.mark.parametrize("is_stopped", [False, True])
 def test_what_is_put_back_is_published_at_once_and_stays_stopped_where_it_was(segment, is_stopped):  # laws 18, 27
-    bus = Bus("masses", Resettable(), segment)
+    bus = Bus("masses", ResettableMasses(), segment)
     mass = device(bus, segment)
     bus.world.state("m0")[2] = 3.0
     bus.step(MS)
-    assert (mass.read()[0], bus.displaced()) == (3.0, (Reason.plain("m0"),))
+    assert (mass.read()[0], bus.displaced()) == (3.0, (Reason.plain("m0 is away"),))
     bus.put_back(is_stopped=is_stopped)
     assert (mass.read()[0], bus.displaced()) == (0.0, ())
     assert (bus.modes()["masses:m0"] is DriveMode.STOPPED) is is_stopped

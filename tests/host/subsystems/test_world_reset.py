@@ -5,33 +5,16 @@ from kit.runtime.direct_client import DirectClient
 from kit.runtime.live_edits import LiveEdits
 from kit.worlds.mass_world import MassWorld
 from kit.worlds.rail_world import MASS, SERVO, rail_tasks
+from kit.worlds.resettable_masses import ResettableMasses
 from onika.wire import live, request
 from onika.words.reason import Reason
-
-
-class Rails(MassWorld):
-    """Masses that can be put back."""
-
-    is_simulated = True
-
-    def reset(self):
-        for mass in self._masses.values():
-            mass.state[2:] = 0.0
-
-    def places(self):
-        return ()
-
-    def displaced(self):
-        return tuple(
-            Reason.plain(f"{name} is away") for name, mass in self._masses.items() if abs(mass.state[2]) > 0.01
-        )
 
 
 @pytest.fixture
 def hand():
     """A mass on its rail, and a servo that drives it; the mass has been driven to 1 m and stands there."""
     hand = LiveEdits()
-    worlds = {"yard": Rails(), "cell": MassWorld()}
+    worlds = {"yard": ResettableMasses(), "cell": MassWorld()}
     hand.driver._buses._open = worlds.__getitem__
     hand.task("mass", MASS, frequency=500.0, local={"DEVICE": "yard:m0"})
     hand.task("servo", SERVO)

@@ -1,44 +1,15 @@
 import pytest
 
+from kit.process.noted_process import NotedSupervisor
 from onika.host.units import device_server
 from onika.host.units.device_servers import DEVICES, DeviceServers
 from onika.ring.drive import DriveMode
 from onika.words.reason import Reason
 
 
-class NotedProcess:
-    """A process that was never started, and notes what it is sent."""
-
-    def __init__(self, name, title):
-        self.name, self.title = name, title
-        self.is_lost = False
-        self.orders = []
-        self.post = self
-
-    def send(self, payload, descriptors=()):
-        assert not self.is_lost, "nobody tells a dead process anything"
-        self.orders.append((device_server.decode_order(payload), *descriptors))
-
-    @property
-    def kinds(self):
-        return [type(order).__name__ for order, *_ in self.orders]
-
-
-class NotedSupervisor:
-    """Starts nothing."""
-
-    def __init__(self):
-        self.processes = {}
-
-    def launch(self, name, title, module):
-        assert module == device_server.__name__
-        self.processes[name] = NotedProcess(name, title)
-        return self.processes[name]
-
-
 @pytest.fixture
 def supervisor():
-    return NotedSupervisor()
+    return NotedSupervisor(device_server.__name__, device_server.decode_order)
 
 
 @pytest.fixture

@@ -1,5 +1,6 @@
 import pytest
 
+from kit.process.noted_process import NotedSupervisor
 from onika.host.units import rtpu
 from onika.host.units.unit_processes import START_NS, UnitProcesses
 from onika.ring.segment import Segment, SharedMemoryRefused
@@ -9,46 +10,15 @@ from onika.words.reason import NOTHING, Reason
 WHY = Reason.plain("it ended")
 
 
-class NotedProcess:
-    """A process that was never started, and notes what it is sent."""
-
-    def __init__(self, name, title):
-        self.name, self.title = name, title
-        self.is_up = self.is_lost = self.is_ended = False
-        self.orders = []
-        self.post = self
-
-    def send(self, payload, descriptors=()):
-        assert not self.is_lost, "nobody tells a dead process anything"
-        self.orders.append((rtpu.decode_command(payload), *descriptors))
-
-    def end(self):
-        self.is_ended = True
-
-
-class NotedSupervisor:
-    """Starts nothing; `refusal` is why not even that is possible."""
-
-    def __init__(self):
-        self.processes = {}
-        self.refusal = None
-
-    def launch(self, name, title, module, arguments, *, has_modules):
-        assert (module, arguments, has_modules) == (rtpu.__name__, ("--name", name), True)
-        if self.refusal:
-            raise self.refusal
-        self.processes[name] = NotedProcess(name, title)
-        return self.processes[name]
-
-
 @pytest.fixture
 def supervisor():
-    return NotedSupervisor()
+    return NotedSupervisor(rtpu.__name__, rtpu.decode_command)
 
 
 @pytest.fixture
 def units(supervisor):
     units = UnitProcesses(supervisor, ["rt1", "rt0"])
+    assert supervisor.launched == {name: ("--name", name, True) for name in ("rt0", "rt1")}
     for process in supervisor.processes.values():
         process.is_up = True
     return units
