@@ -37,6 +37,15 @@ def test_all_are_carried_out_though_one_fails(capfd, failing):
     assert all(f"did {k}\n" in output for k in range(3))
 
 
+@pytest.mark.parametrize("failing", range(2))
+def test_the_last_lines_of_what_failed_come_once_more_at_the_end(capfd, failing):
+    front, behind = (f"seq -f '{name} %g' 100; exit {k == failing:d}" for k, name in enumerate(("front", "behind")))
+    _, output = carried_out(capfd, front, "--behind", behind)
+    name = ("front", "behind")[failing]
+    _, end = output.split("\nfailed: ")
+    assert end.splitlines()[1:] == [f"{name} {k}" for k in range(76, 101)]
+
+
 def test_who_is_behind_is_there_at_once_and_gives_way(capfd, tmp_path):
     os.mkfifo(tmp_path / "pipe")
     niceness = f"{sys.executable} -c 'import os; print(os.nice(0), os.getsid(0) == os.getppid())'"
