@@ -9,6 +9,10 @@ PEERS  := .venv-bench
 AUDIT  := .venv-audit
 SIDE_BY_SIDE := $(BIN)/python tools/side_by_side.py
 
+# What is compiled is kept, also where the environment says otherwise: the tests start thousands of programs, and each
+# would compile anew all it loads.
+unexport PYTHONDONTWRITEBYTECODE
+
 .DEFAULT_GOAL := help
 .PHONY: help demo assemble page test tests check audit mutants fuzz soak bench bench-peers clean
 
