@@ -2,7 +2,7 @@
 
 In subsystem flow0 an application runs, begun by the session `beginner`: `arm` commands a device from unit rt0, `push`
 turns its first joint from rt1, `lamp` is passive on rt2. In subsystem hand the session `holder` has the other arm:
-`arm2` on rt0, `push2` on rt1. `watcher` is told everything. A module raises as soon as a test says so.
+`arm2` on rt0, `push2` on rt1. `watcher` is told everything.
 """
 
 import os
@@ -17,7 +17,8 @@ from pathlib import Path
 from time import monotonic
 
 from kit.faults.foreseen_changes import Change, Changes, changes_of, gathered
-from kit.plans.plan_builder import PlanBuilder, action
+from kit.faults.struck_tasks import SICK, struck_tasks
+from kit.plans.plan_builder import action
 from kit.process.traces import Traces
 from onika.desk.run.remote_runtime import RemoteRuntime, connect
 from onika.desk.run.runtime_conversation import NumberedResponse
@@ -39,69 +40,6 @@ _GOES_ON_S = 3.0
 _AT_WORK = {"arm_left_kin": ("flow0/arm", "flow0/push"), "arm_right_kin": ("hand/arm2", "hand/push2")}
 """By device: the tasks that drive it."""
 
-_IMPORTS = """
-from pathlib import Path
-
-from onika.module import InVar, Module, ModuleError, OutVar
-
-sick = Path("{sick}")
-"""
-_CYCLE = """
-    def cycle(self):
-        if sick.exists():
-            raise ModuleError("sick")
-"""
-_ARM = (
-    _IMPORTS
-    + """
-class Arm(Module):
-    hardware = True
-
-    TURN = InVar("double", "rad", "how far the first joint is turned", step=1.0)
-    X = OutVar("double", "rad", "where the first joint is")
-
-    def init(self):
-        self.clear_drive()
-
-    def on(self, inputs):
-        self._stand = [float(angle) for angle in self.device.read()[:6]]
-"""
-    + _CYCLE
-    + """
-        self.X = float(self.device.read()[0])
-        self.check_drive()
-        self.device.write((self._stand[0] + self.TURN, *self._stand[1:]))
-"""
-)
-_PUSH = (
-    _IMPORTS
-    + """
-class Push(Module):
-    trigger = True
-
-    X = InVar("double", "rad", "where the first joint is")
-    TURN = OutVar("double", "rad", "how far it is turned")
-"""
-    + _CYCLE
-    + """
-        self.TURN = 0.01
-"""
-)
-_LAMP = (
-    _IMPORTS
-    + """
-class Lamp(Module):
-    passive = True
-
-    X = InVar("double", "rad", "where the first joint is")
-    SEEN = OutVar("double", "rad", "where it was seen")
-"""
-    + _CYCLE
-    + """
-        self.SEEN = self.X
-"""
-)
-
 
 class MachineWasLateError(Exception):
     """The machine itself has kept a device silent for a task: what came is not what the fault has done."""
@@ -112,7 +50,7 @@ class StruckRuntime:
 
     def __init__(self, folder: Path) -> None:
         self._folder, self.traces = folder, Traces(folder)
-        self._shop = _tasks(folder)
+        self._shop = struck_tasks(folder)
         words = [sys.executable, "-m", "onika.host", "--listen", "127.0.0.1:0", "--no-fifo", "--no-black-box"]
         words += ["--lease", str(LEASE_S), *(word for unit in UNITS for word in ("--rtpu", unit))]
         environment = os.environ | self.traces.environment
@@ -167,7 +105,7 @@ class StruckRuntime:
 
     def settle(self) -> None:
         """End everything that this fault has left, so that the next one finds nothing of it."""
-        for path in self._folder.glob("*.sick"):
+        for path in self._folder.glob(f"*{SICK}"):
             path.unlink()
         if self._pressed:
             self._do(live.Touch("boxes", self._pressed, 0.0))
@@ -319,7 +257,7 @@ class StruckRuntime:
         return next(pid for pid, command in processes if all(word in command for word in words))
 
     def _task(self, task: str) -> None:
-        self._folder.joinpath(f"{task.partition('/')[2]}.sick").touch()
+        self._folder.joinpath(task.partition("/")[2] + SICK).touch()
         self.until(lambda: bool(self._told))
 
     def _button(self, device: str) -> None:
@@ -358,20 +296,6 @@ class StruckRuntime:
     def _runtime_killed(self, _subject: str) -> None:
         self.is_spent = True
         self._process.kill()
-
-
-def _tasks(folder: Path) -> PlanBuilder:
-    shop = PlanBuilder()
-
-    def source(text: str, name: str) -> str:
-        return text.format(sick=folder / f"{name}.sick")
-
-    for name, device in (("arm", "arm_left_kin"), ("arm2", "arm_right_kin")):
-        shop.task(name, source(_ARM, name), frequency=250.0, local={"DEVICE": f"boxes:{device}"}, rtpu="rt0")
-    for name in ("push", "push2"):
-        shop.task(name, source(_PUSH, name), frequency=50.0, rtpu="rt1")
-    shop.task("lamp", source(_LAMP, "lamp"), frequency=50.0, rtpu="rt2")
-    return shop
 
 
 def _address(process: "subprocess.Popen[str]") -> tuple[str, str]:
