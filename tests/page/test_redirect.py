@@ -7,6 +7,8 @@ from playwright.sync_api import expect
 
 from kit.labs.laboratory import Laboratory, job, joints
 
+from .run_end import runs_to_its_end
+
 pytestmark = pytest.mark.page
 
 ABOVE = (0.181442, -0.625356, 2.700589, 0.0, 1.06636, 1.752238)
@@ -101,7 +103,7 @@ def test_another_robot_is_chosen_at_the_start_icon_and_does_the_program(me):  # 
     me.icon(2).hover()
     expect(me.card).to_contain_text("there is re-resolved for scara, by the pose that it is for puma")
     me.runs()
-    expect(me.run.get_by_text(re.compile("Done: "))).to_be_visible(timeout=30_000)
+    runs_to_its_end(me.page)
     me.run.get_by_role("button", name="All as the program says").click()
     expect(me.mark("redirect", 0)).to_have_count(0)
     expect(me.mark("note", 2)).to_have_count(0)
