@@ -46,11 +46,11 @@ check: $(VENV)/.installed-dev page ## style, types, floors, tests for every file
 audit: $(VENV)/.installed-dev ## ask the advisory databases about all packages, where a network allows
 	$(BIN)/python tools/audit.py --venv $(AUDIT)
 
-# The profile draws the same examples every time, so a change is judged by what it changed; `soak` draws new ones. What
-# starts programs runs apart from what starts browsers, two of a kind at a time share the machine. Both wait for much; what
-# only computes goes on behind them, and gets what they leave of the processors. The first two meet the machine's clock,
-# and so do a few of the rest that start a process: what fails is tried once more, and the summary names it as RERUN. A
-# test that is named there twice is a fault like any other.
+# The profile draws the same examples every time, so a change is judged by what it changed, and less than half of those
+# that `soak` draws anew. What starts programs runs apart from what starts browsers, two of a kind at a time share the
+# machine. Both wait for much; what only computes goes on behind them, and gets what they leave of the processors. The
+# first two meet the machine's clock, and so do a few of the rest that start a process: what fails is tried once more, and
+# the summary names it as RERUN. A test that is named there twice is a fault like any other.
 # Of three files of the safety core every fourth mutant is tried here; `mutants` tries all of every file.
 SAMPLED := src/onika/ring/drive.py src/onika/runtime/transfer/input_guard.py src/onika/host/sessions/leases.py
 

@@ -6,9 +6,14 @@ What all end with: whatever recordings tell of drives, the drives' table made it
 import gc
 
 import pytest
+from hypothesis import settings
 
 _BY_TEXT = ("page", "site", "slow")
 """The marks whose tests are wanted alone, by the commands of `make`; each file says in its text which it bears."""
+
+# Where the examples are the same every time, fewer will do, but not for what no mutant shall survive.
+settings.register_profile("mutation", settings.get_profile("ci"))
+settings.register_profile("ci", settings.get_profile("ci"), max_examples=40)
 
 
 def pytest_ignore_collect(collection_path, config):

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 from tests.files.models import FORMATS, Format, tasks
 
+from kit.examples import examples
 from onika.files import rmod
 from onika.files.rmod import RmodText
 from onika.model.picture import SIZE
@@ -24,7 +25,7 @@ def every_format(test: Callable[..., None]) -> Callable[..., None]:
 
 @every_format
 @given(data=st.data())
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 def test_what_is_written_is_read_again_as_the_same_model_and_the_same_bytes(form: Format, data: st.DataObject) -> None:
     model = data.draw(form.models)  # R-B08
     text = form.write(model)
@@ -48,7 +49,7 @@ def test_a_file_cut_at_any_line_is_reported(form: Format, data: st.DataObject) -
 @given(
     data=st.data(), junk=st.sampled_from(["?? garbled ??", "xyz", "EOF x", "\x00", "FREQ", "8" * 31, "UI none none"])
 )
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 def test_a_line_replaced_by_junk_is_reported(form: Format, data: st.DataObject, junk: str) -> None:
     lines = form.write(data.draw(form.models)).splitlines()  # R-B07
     at = data.draw(st.sampled_from([at for at, line in enumerate(lines) if line]))
@@ -62,7 +63,7 @@ def test_a_line_replaced_by_junk_is_reported(form: Format, data: st.DataObject, 
 
 @every_format
 @given(data=st.data())
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 def test_a_line_with_a_control_sign_is_reported(form: Format, data: st.DataObject) -> None:
     text = form.write(data.draw(form.models))
     at = data.draw(st.integers(0, len(text) - 1))
@@ -88,7 +89,7 @@ def test_two_lines_exchanged_are_reported_or_mean_the_same(form: Format, data: s
 
 @every_format
 @given(text=st.text(max_size=200))
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 def test_no_text_at_all_raises_an_exception(form: Format, text: str) -> None:
     _, faults = form.read(text)
     meant = [line.strip() for line in text.splitlines() if line.strip() and not line.startswith("#")]
@@ -99,7 +100,7 @@ def test_no_text_at_all_raises_an_exception(form: Format, text: str) -> None:
 
 @every_format
 @given(data=st.data())
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 def test_lines_in_any_number_and_order_give_a_model_or_a_fault(form: Format, data: st.DataObject) -> None:
     lines = [line for line in form.write(data.draw(form.models)).splitlines() if line]  # R-B07
     soup = data.draw(st.lists(st.sampled_from([*lines, "EOF"]), max_size=12))
@@ -141,7 +142,7 @@ def test_a_newer_version_is_refused_with_one_clear_fault(form: Format, data: st.
 
 @every_format
 @given(data=st.data())
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 def test_what_1_3_can_say_is_written_as_1_3_and_the_rest_is_refused_under_it(form: Format, data: st.DataObject) -> None:
     text = form.write(data.draw(form.models))  # R-B06, R-B09
     head, _, body = text.partition("\n")
@@ -164,7 +165,7 @@ def test_what_1_3_can_say_is_written_as_1_3_and_the_rest_is_refused_under_it(for
 
 
 @given(before=tasks(), after=tasks(), data=st.data())
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 def test_a_changed_task_keeps_the_comments_of_its_file(before: Task, after: Task, data: st.DataObject) -> None:
     lines = rmod.write(RmodText(before)).splitlines()  # R-B01
     for number in range(3):

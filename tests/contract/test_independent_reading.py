@@ -14,6 +14,7 @@ from tests.contract.test_formats import every_format
 from tests.files.independent.judge import naive_readers, plain
 from tests.files.models import FORMATS, TYPES, Format
 
+from kit.examples import examples
 from onika.model.configuration import Configuration, Placed
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
@@ -44,7 +45,7 @@ def judge(form: Format, text: str) -> None:
 
 @every_format
 @given(data=st.data())
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40), deadline=None)
 def test_what_we_write_says_the_same_to_the_other_reader(form: Format, data: st.DataObject) -> None:
     model = data.draw(form.models)  # R-B01, R-B02, R-B03, R-B04, R-B05
     assert naive(form, form.write(model)) == plain(model)
@@ -105,7 +106,7 @@ def test_a_file_with_signs_changed_in_any_line_is_read_alike(form: Format, data:
 
 @every_format
 @given(data=st.data())
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 def test_lines_of_two_files_in_any_order_are_read_alike(form: Format, data: st.DataObject) -> None:
     lines = [line for _ in range(2) for line in form.write(data.draw(form.models)).splitlines(keepends=True)]  # R-B07
     judge(form, "".join(data.draw(st.lists(st.sampled_from(lines), max_size=12))) + "EOF\n")

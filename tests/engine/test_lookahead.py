@@ -1,5 +1,6 @@
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from kit.plans import build
 from kit.plans.flow_program import bottom, branch, program, top
 from onika.engine.lookahead import ways
@@ -102,7 +103,7 @@ class Counted:
 
 
 @given(parts(), st.data())
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=examples(300), deadline=None)
 def test_whatever_is_foreseen_comes_true_and_no_value_fits_two_ways(drawn, data):
     counted = Counted()
     script = program(counted.do(), *counted.parts(drawn))

@@ -4,6 +4,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 from tests.files.models import names, some_prose, words
 
+from kit.examples import examples
 from onika.files.parameter_sets import read, write
 from onika.model.parameter_set import ParameterSet
 from onika.model.task import LocalLine
@@ -18,7 +19,7 @@ sets = st.dictionaries(some_prose, values, max_size=3).map(
 
 
 @given(sets)
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(50), deadline=None)
 def test_what_is_written_is_read_again_as_the_same_sets_and_the_same_bytes(given_sets):  # R-B08
     text = write(given_sets)
     assert read(text, "move", "f") == (given_sets, ())
@@ -26,7 +27,7 @@ def test_what_is_written_is_read_again_as_the_same_sets_and_the_same_bytes(given
 
 
 @given(sets, st.data())
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 def test_a_file_that_is_cut_is_reported(given_sets, data):  # R-B07
     lines = write(given_sets).splitlines(keepends=True)
     end = data.draw(st.integers(0, len(lines) - 1))
@@ -36,7 +37,7 @@ def test_a_file_that_is_cut_is_reported(given_sets, data):  # R-B07
 
 
 @given(st.text(max_size=200))
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(50), deadline=None)
 def test_no_text_at_all_raises(text):  # R-B07
     found, faults = read(text, "move", "f")
     assert faults or found is not None

@@ -3,6 +3,7 @@ from dataclasses import replace
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.files.rmod import RmodText, read, write
 from onika.model.task import LocalLine, Task, TaskType
 from onika.words.reason import Reason
@@ -214,7 +215,7 @@ def test_a_period_is_exactly_its_frequency(period: str, frequency: float) -> Non
 
 
 @given(st.floats(1e-200, 1e200))
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=examples(200), deadline=None)
 def test_every_rate_survives_being_written_as_period(frequency: float) -> None:
     text = write(RmodText(replace(TASK, frequency=frequency, gives_period=True)))  # R-B08
     record, _ = read(text, "jmove", "f")

@@ -4,6 +4,7 @@ from pathlib import Path
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.files.trail import head_of, line, older, read, torn_hash, usual_path
 from onika.words.reason import Reason
 
@@ -28,7 +29,7 @@ def test_what_was_written_is_read_whole(tmp_path):  # R-X12
     assert (trail.faults, trail.notes, trail.head) == ([], [], head)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=examples(200), deadline=None)
 @given(st.integers(0, 10_000), st.integers(0, 7))
 def test_whichever_bit_is_changed_it_shows(tmp_path_factory, at, bit):  # R-X12
     path = tmp_path_factory.getbasetemp() / "flipped"

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.laws import puma560
 from onika.laws.arm import SerialArm
 from onika.laws.frames import pose_of_nine
@@ -40,7 +41,7 @@ inner = st.tuples(
 ).filter(lambda q: abs(q[4]) > 0.1)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40), deadline=None)
 @given(posture=inner)
 def test_the_posture_of_a_pose_of_a_posture_is_that_posture(posture):
     forward = Bench(GENERIC / "fwdkin.py", frequency=250, constants=CONSTANTS).init()

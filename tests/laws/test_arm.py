@@ -3,6 +3,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.laws import puma560
 from onika.laws.arm import SerialArm
 from onika.laws.chain import chain_pose
@@ -47,7 +48,7 @@ def test_gravity_is_the_slope_of_the_potential_energy():
     assert np.allclose(arm.bias(q, np.zeros(6)), slope, atol=1e-6)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 @given(st.integers(0, 2**32 - 1))
 def test_coriolis_torque_spends_what_the_inertia_gains(seed):
     # the work of C(q, qd) qd is half the change of the inertia: qd . (bias - gravity) = qd . dM/dt qd / 2

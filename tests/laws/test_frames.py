@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.laws.frames import (
     as_array,
     dh_transform,
@@ -30,7 +31,7 @@ def test_a_dh_transform_turns_and_moves_as_its_four_numbers_say():
     assert np.allclose(pose[:3, :3], [[0, 0, 1], [1, 0, 0], [0, 1, 0]], atol=1e-15)
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(50), deadline=None)
 @given(rotations, metres, metres, metres)
 def test_nine_numbers_and_pose_are_the_same_thing(rotation, x, y, z):
     pose = np.eye(4)
@@ -61,7 +62,7 @@ def test_nine_numbers_that_are_no_orientation_are_refused(nine, sentence):
         pose_of_nine([float(x) for x in nine])
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(50), deadline=None)
 @given(rotations, metres, metres, metres)
 def test_a_pose_times_its_inverse_is_nothing(rotation, x, y, z):
     pose = np.eye(4)
@@ -69,7 +70,7 @@ def test_a_pose_times_its_inverse_is_nothing(rotation, x, y, z):
     assert np.allclose(pose @ inverse_pose(pose), np.eye(4), atol=1e-12)
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 @given(rotations)
 def test_the_exponential_of_the_logarithm_is_the_rotation(rotation):
     vector = rotation_log(rotation)
@@ -82,7 +83,7 @@ def test_the_logarithm_of_no_turn_is_zero_and_of_half_a_turn_is_pi():
     assert np.allclose(np.abs(rotation_log(np.diag([-1.0, -1.0, 1.0]))), (0, 0, math.pi))
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(50), deadline=None)
 @given(rotations, rotations)
 def test_the_turn_between_two_rotations_leads_from_one_to_the_other(first, second):
     turn = turn_between(first.tolist(), second.tolist())
@@ -93,7 +94,7 @@ def test_a_tiny_turn_keeps_its_digits():
     assert np.allclose(rotation_log(rotation_exp([1e-9, 0.0, -2e-9])), (1e-9, 0.0, -2e-9), rtol=1e-6, atol=0.0)
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(50), deadline=None)
 @given(rotations)
 def test_a_quaternion_has_length_one_and_turns_like_its_matrix(rotation):
     w, x, y, z = quaternion_of_rotation(rotation)
@@ -102,7 +103,7 @@ def test_a_quaternion_has_length_one_and_turns_like_its_matrix(rotation):
     assert np.allclose(first, rotation[:, 0], atol=1e-12)
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(50), deadline=None)
 @given(rotations)
 def test_roll_pitch_yaw_give_the_rotation_back(rotation):
     assert np.allclose(rotation_of_rpy(*rpy_of_rotation(rotation)), rotation, atol=1e-8)
@@ -120,7 +121,7 @@ def test_constants_of_the_wrong_number_are_refused_with_both_shapes():
         as_array([1, 2, 3, 4, 5], (6, 4))
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(50), deadline=None)
 @given(rotations)
 def test_a_quaternion_of_a_rotation_is_that_rotation(rotation):
     assert np.allclose(rotation_of_quaternion(quaternion_of_rotation(rotation)), rotation, atol=1e-9)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.laws.frames import rotation_log, rotation_of_rpy
 from onika.laws.path import PEAK, StraightLine, joint_duration, quintic
 
@@ -24,7 +25,7 @@ def test_half_way_in_half_the_time_at_peak_speed():
     assert speed == pytest.approx(PEAK / 2.0)
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(50), deadline=None)
 @given(st.floats(0.01, 0.99), st.floats(0.1, 10.0))
 def test_the_speed_is_the_slope_of_the_value(share, duration):
     t, d = share * duration, 1e-5 * duration
@@ -46,7 +47,7 @@ def _pose(x, y, z, roll, pitch, yaw):
 poses = st.builds(_pose, angles, angles, angles, angles, angles, angles)
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(50), deadline=None)
 @given(poses, poses, st.floats(0.0, 1.0))
 def test_a_line_is_straight_and_turns_evenly(start, end, share):
     line = StraightLine(start, end)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.laws import puma560
 from onika.laws.arm import SerialArm
 from onika.laws.frames import rotation_of_rpy
@@ -26,7 +27,7 @@ def _within(share):
     return puma560.QMIN + np.array(share) * (puma560.QMAX - puma560.QMIN)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=examples(200), deadline=None)
 @given(st.sampled_from(sorted(PLACES)), shares)
 def test_joints_to_pose_to_joints_gives_the_same_joints(place, share):  # R-K01
     q = _within(share)
@@ -38,7 +39,7 @@ def test_joints_to_pose_to_joints_gives_the_same_joints(place, share):  # R-K01
         assert np.abs(solution - q).max() < 1e-5
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 @given(shares, shares)
 def test_nearest_is_the_nearest_of_all_branches_within_limits(share, near):
     pose, q_near = ARMS["plain"].forward(_within(share)), _within(near)
@@ -50,7 +51,7 @@ def test_nearest_is_the_nearest_of_all_branches_within_limits(share, near):
             assert np.sum((solution - q_near) ** 2) <= np.sum((branch - q_near) ** 2) + 1e-6
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(50), deadline=None)
 @given(shares)
 def test_all_eight_branches_reach_the_pose(share):
     q = _within(share)

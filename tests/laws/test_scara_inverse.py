@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.laws import adept_one, puma560
 from onika.laws.arm import SerialArm
 from onika.laws.chain import kinds_of
@@ -39,7 +40,7 @@ def down(x, y, z):
     return pose_of_nine([0.0, 0.0, -1.0, 0.0, 1.0, 0.0, x, y, z])
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(50), deadline=None)
 @given(
     q=within,
     near=within,

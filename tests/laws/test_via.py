@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.laws.via import Via
 
 LIMIT = np.array([1.0, 2.0, 0.5])
@@ -15,7 +16,7 @@ def sampled(path, count=400):
     return looks, np.array([q for q, _ in points]), np.array([speed for _, speed in points])
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(places, places, places, times, times)
 def test_it_goes_through_its_points_within_their_range_and_the_speed_limits(start, via, end, first, second):
     path = Via(start, via, end, (first, second), LIMIT)
@@ -31,7 +32,7 @@ def test_it_goes_through_its_points_within_their_range_and_the_speed_limits(star
     assert path.at(path.duration)[1] == pytest.approx(np.zeros(3), abs=1e-9)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40), deadline=None)
 @given(places, places, places, times, times)
 def test_its_speed_is_its_derivative_over_the_point_on_the_way_too(start, via, end, first, second):
     path = Via(start, via, end, (first, second), LIMIT)

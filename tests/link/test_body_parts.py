@@ -1,11 +1,12 @@
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.link.body_parts import BodyAssembly, split
 from onika.wire.packet import Part
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 @given(st.binary(max_size=100), st.integers(1, 30), st.randoms())
 def test_a_body_is_whole_again_whatever_the_order_of_its_parts(body, piece, random):  # R-F01
     parts, last = split(7, body, piece)

@@ -1,10 +1,11 @@
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.link.signal_journal import SignalJournal
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(st.lists(st.binary(max_size=9), max_size=40))
 def test_signals_are_numbered_from_one_without_gaps_and_kept_within_bounds(bodies):  # R-F01
     journal = SignalJournal("epoch", keep=10, keep_bytes=40)

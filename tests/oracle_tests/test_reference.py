@@ -6,6 +6,7 @@ from types import MappingProxyType
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from kit.labs.sample_task import MS, SampleTask
 from kit.runtime.executive_rig import HOME
 from kit.runtime.law_comparison import Exchanged, by_executive, by_law
@@ -115,14 +116,14 @@ def some_story(draw, with_costs=False):
     return probes, [(0, everyone), *sorted(requests, key=lambda request: request[0])], react
 
 
-@settings(deadline=None, max_examples=150)
+@settings(deadline=None, max_examples=examples(150))
 @given(some_story())
 def test_the_executive_does_exactly_what_the_reference_says(story):  # laws 1 to 6, 13
     probes, requests, react = story
     assert_same_story(probes, requests, 300 * MS, react)
 
 
-@settings(deadline=None, max_examples=100)
+@settings(deadline=None, max_examples=examples(100))
 @given(some_story(with_costs=True))
 def test_overruns_are_counted_and_skipped_by_the_executive_as_the_reference_says(story):  # law 2
     probes, requests, react = story

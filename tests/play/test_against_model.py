@@ -17,6 +17,7 @@ from hypothesis.stateful import (
 
 from kit.engine.engine_sim import RUNTIME, EngineSim
 from kit.engine.reference_engine import ReferenceEngine
+from kit.examples import examples
 from kit.plans.program_tree import Act, Loop, Pick, Side, engine_for, planned
 from onika.engine import news
 from onika.engine.orders import Began, Done, Settle
@@ -233,7 +234,7 @@ class Comparison(RuleBasedStateMachine):
         assert not self.small.is_done or self.settles
 
 
-Comparison.TestCase.settings = settings(max_examples=150, stateful_step_count=25, deadline=None)
+Comparison.TestCase.settings = settings(max_examples=examples(150), stateful_step_count=25, deadline=None)
 test_the_engine_does_what_a_plain_reading_of_the_specification_does = Comparison.TestCase
 
 

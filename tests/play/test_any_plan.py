@@ -5,6 +5,7 @@ from collections import Counter
 from hypothesis import given, settings, strategies as st
 
 from kit.engine.fake_runtime import FakeRuntime, Fault
+from kit.examples import examples
 from kit.plans import build
 from onika.engine.orders import Began, Done, End, Kill, Settle, Spawn
 
@@ -90,7 +91,7 @@ def triggers_are_told_their_targets(run, plan):
         assert not any(each.arguments for each in activations if each.task != job.trigger)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 @given(flows, st.data())
 def test_a_run_in_which_nothing_serious_happens_is_completed(plan, data):  # R-E02, R-E03, R-E14
     run = runtime(plan, Chance(data))
@@ -104,7 +105,7 @@ def test_a_run_in_which_nothing_serious_happens_is_completed(plan, data):  # R-E
     assert run.orders[-1] == End(True)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 @given(flows, st.data(), st.integers(0, 60))
 def test_a_run_ends_once_and_cleanly_wherever_it_is_broken(plan, data, abort_after):  # R-E07, R-E08
     run = runtime(plan, Chance(data, faults=(*HARMLESS, *HARMLESS, Fault.FAIL, Fault.REFUSE, Fault.SWITCH_OFF)))
@@ -120,7 +121,7 @@ def test_a_run_ends_once_and_cleanly_wherever_it_is_broken(plan, data, abort_aft
     assert not end.completed or len(given_orders(run, Done)) == sum(map(len, plan))
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 @given(st.lists(st.integers(0, 2), min_size=2, max_size=3), st.integers(1, 3), st.data())
 def test_flows_that_meet_as_often_as_each_other_always_get_through(before, meetings, data):  # R-E04
     free = build.job("move", trigger="move")

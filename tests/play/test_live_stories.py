@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from hypothesis import example, given, settings, strategies as st
 from msgspec import structs
 
+from kit.examples import examples
 from kit.runtime.live_edits import BROKEN, SOURCE, SULKY, live_edits_with_tasks
 from onika.wire import event, live
 
@@ -233,7 +234,7 @@ class Story:
         return {name: value for name, value in self.hand.values().items() if name == "N"}
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=examples(200), deadline=None)
 @given(st.one_of(st.just([]), st.lists(everyone, min_size=1, max_size=1)), st.lists(steps, min_size=1, max_size=10))
 @example([], [("change", set(), {"late"}, set(), set()), ("exchange", {"late"}, False)])
 @example(

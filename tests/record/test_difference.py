@@ -1,6 +1,7 @@
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
+from kit.examples import examples
 from kit.record.recording_builder import RecordingBuilder
 from onika.record.difference import first_difference
 from onika.record.reader import Reader
@@ -66,7 +67,7 @@ def test_what_only_one_of_them_has_is_told(tmp_path):  # R-X05
 
 
 @given(k=st.integers(0, 2), by=st.floats(0.1, 5.0), place=st.integers(0, 1))
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=30)
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=examples(30))
 def test_whatever_value_is_changed_is_the_first_difference(tmp_path, k, by, place):  # R-X05
     other = [(at, list(values)) for at, values in COURSE]
     other[k][1][place] += by

@@ -3,6 +3,7 @@ import math
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
+from kit.examples import examples
 from kit.record.recording_builder import RecordingBuilder
 from onika.record.mismatch import mismatches
 from onika.record.series import Series
@@ -38,7 +39,7 @@ def plainly(ours, other, tolerance, begin, end):
 
 
 @given(ours=COURSES, other=COURSES, room=ROOMS, seconds=st.integers(0, 6), at=st.integers(0, 9))
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=40, deadline=None)
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=examples(40), deadline=None)
 def test_the_first_value_that_is_far_is_found_as_it_is_by_hand(tmp_path, ours, other, room, seconds, at):  # R-X05
     courses = [sorted((float(k), value) for k, value in each.items()) for each in (ours, other)]
     both = [series(tmp_path / f"{n}.mcap", "double", each) for n, each in enumerate(courses)]

@@ -7,6 +7,7 @@ import pytest
 import zstandard
 from hypothesis import HealthCheck, given, settings, strategies as st
 
+from kit.examples import examples
 from onika.record.reader import UNREADABLE, Reader, complaint
 from onika.record.writer import MAGIC, Writer
 
@@ -72,7 +73,7 @@ def test_the_newest_word_before_a_time_is_found(path, at):  # R-X05: scrubbing
 
 
 @given(cut=st.integers(0, len(WHOLE) - 1))
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=300)
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=examples(300))
 def test_a_file_cut_anywhere_is_read_up_to_its_last_whole_chunk(path, cut):  # R-X05: kill -9
     path.write_bytes(WHOLE[:cut])
     if cut < 8:
@@ -89,7 +90,7 @@ def test_a_file_cut_anywhere_is_read_up_to_its_last_whole_chunk(path, cut):  # R
 
 
 @given(cut=st.integers(600, len(WHOLE) - 1), garbage=st.binary(min_size=1, max_size=40))
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=200)
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=examples(200))
 def test_garbage_behind_a_cut_does_no_harm(path, cut, garbage):  # R-X05
     path.write_bytes(WHOLE[:cut] + garbage)
     reader = Reader(path)
@@ -111,7 +112,7 @@ def test_what_is_no_recording_is_said(path):  # R-E01
 
 
 @given(at=st.integers(8, len(WHOLE) - 1), bit=st.integers(0, 7))
-@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=300)
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=examples(300))
 def test_a_bit_that_has_fallen_over_is_never_taken_for_what_was_said(path, at, bit):  # R-E01
     spoilt = bytearray(WHOLE)
     spoilt[at] ^= 1 << bit

@@ -2,6 +2,7 @@
 
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.runtime.scheduler import Scheduler, TaskSlot
 
 
@@ -54,7 +55,7 @@ def test_slots_due_at_one_instant_run_by_deadline_criticality_rank_and_name():  
     assert run_all(scheduler, 0) == ["crit", "c", "a", "b", "slow"]
 
 
-@settings(deadline=None, max_examples=50)
+@settings(deadline=None, max_examples=examples(50))
 @given(st.permutations([slot(name, 10 * (1 + n % 2), n % 3, n % 2) for n, name in enumerate("abcdef")]))
 def test_the_order_at_one_instant_does_not_depend_on_what_came_before(slots):  # law 1
     scheduler = Scheduler()

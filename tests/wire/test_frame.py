@@ -1,12 +1,13 @@
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.wire.frame import FrameReader, frame
 
 PAYLOADS = st.lists(st.binary(min_size=1, max_size=50), max_size=8)
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 @given(PAYLOADS, st.lists(st.integers(1, 20), min_size=1, max_size=10))
 def test_payloads_come_out_as_they_went_in_however_the_bytes_are_cut(payloads, cuts):  # R-F01
     stream = b"".join(frame(payload) for payload in payloads)
@@ -20,7 +21,7 @@ def test_payloads_come_out_as_they_went_in_however_the_bytes_are_cut(payloads, c
     assert reader.is_between_frames
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=examples(200), deadline=None)
 @given(st.binary(max_size=200))
 def test_any_bytes_give_payloads_within_the_limit_or_a_value_error(stream):
     reader = FrameReader(limit=16)

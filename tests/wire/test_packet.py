@@ -2,6 +2,7 @@ import msgspec
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.wire.packet import (
     Ack,
     Beat,
@@ -36,7 +37,7 @@ PACKETS = st.one_of(
 )
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=examples(300), deadline=None)
 @given(st.binary(max_size=100))
 def test_any_bytes_are_a_packet_or_a_value_error(payload):
     try:
@@ -47,7 +48,7 @@ def test_any_bytes_are_a_packet_or_a_value_error(payload):
         assert isinstance(packet, Packet)
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 @given(PACKETS, st.data())
 def test_a_packet_that_is_cut_short_or_followed_by_more_is_refused(packet, data):
     whole = encode(packet)

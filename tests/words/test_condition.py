@@ -3,6 +3,7 @@ import math
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.words.condition import Condition
 
 NAMES = st.from_regex(r"[A-Z][A-Z0-9_^]{0,6}", fullmatch=True)
@@ -19,7 +20,7 @@ RELATIONS = {
 BLANKS = st.sampled_from(["", " ", "  ", "\t"])
 
 
-@settings(deadline=None, max_examples=200)
+@settings(deadline=None, max_examples=examples(200))
 @given(st.lists(HOMES, max_size=2), NAMES, st.lists(st.integers(0, 99), max_size=2), st.sampled_from(sorted(RELATIONS)),
        NUMBERS, NUMBERS, st.lists(BLANKS, min_size=4, max_size=4))  # fmt: skip
 def test_an_expectation_is_an_address_a_comparison_and_a_number(homes, name, index, relation, number, value, blanks):
@@ -35,7 +36,7 @@ def test_an_expectation_is_an_address_a_comparison_and_a_number(homes, name, ind
     assert parse.holds({parse.address: held}) == RELATIONS[relation](value, number)
 
 
-@settings(deadline=None, max_examples=300)
+@settings(deadline=None, max_examples=examples(300))
 @given(st.one_of(st.text(max_size=30), st.text(alphabet="AQ_^[]0123456789.+-e=<>!/ ()'\n", max_size=20)))
 def test_any_other_text_is_refused_with_what_was_expected(text):  # law 8
     try:

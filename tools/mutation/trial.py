@@ -22,7 +22,7 @@ from mutation.mutant import Mutant, MutatedFile
 from mutation.reach import Reach, passes, reach
 from mutation.safety_core import CoreFile
 
-_OPTIONS = ("--assert=plain", "--capture=sys", "-p", "_hypothesis_pytestplugin", "--hypothesis-profile=ci")
+_OPTIONS = ("--assert=plain", "--capture=sys", "-p", "_hypothesis_pytestplugin", "--hypothesis-profile=mutation")
 _QUICK = ("-m", "not page and not site and not slow", "-p", "no:cacheprovider", "-p", "no:faulthandler")
 _QUIET = ("-q", "-W", "ignore::pytest.PytestAssertRewriteWarning")  # what others have loaded may be loaded already
 _PATIENCE = 20

@@ -4,6 +4,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from kit.desk.environment_fixture import EnvironmentFixture
+from kit.examples import examples
 from onika.desk.environment.outcome.outcome import (
     Ask,
     AwaitedNews,
@@ -34,7 +35,7 @@ acts = st.one_of(
 )
 
 
-@settings(deadline=None, max_examples=60)
+@settings(deadline=None, max_examples=examples(60))
 @given(done=st.lists(acts, max_size=25))
 def test_a_page_that_follows_the_patches_has_the_tree(tmp_path_factory, done):  # R-X10
     sitting = EnvironmentFixture(tmp_path_factory.mktemp("base"), TASKS)
@@ -43,7 +44,7 @@ def test_a_page_that_follows_the_patches_has_the_tree(tmp_path_factory, done):  
         sitting.answer(wish)  # whose patches are compared with the tree, one by one
 
 
-@settings(deadline=None, max_examples=60)
+@settings(deadline=None, max_examples=examples(60))
 @given(done=st.lists(acts.filter(lambda wish: not isinstance(wish, act.Undo | act.Redo)), max_size=15))
 def test_undo_goes_back_through_every_state_and_redo_forward(tmp_path_factory, done):  # R-X10
     sitting = EnvironmentFixture(tmp_path_factory.mktemp("base"), TASKS)

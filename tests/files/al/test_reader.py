@@ -5,6 +5,7 @@ from collections.abc import Callable
 from hypothesis import given, settings, strategies as st
 from tests.files.models import TYPES, applications, onikons
 
+from kit.examples import examples
 from onika.files import appl
 from onika.files.al.reader import read
 from onika.files.al.writer import write
@@ -56,7 +57,7 @@ def faults_of(text: str) -> list[str]:
 
 
 @given(application=applications | tagged() | paired(), data=st.data())
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 def test_any_application_is_read_back_as_the_same_and_its_file_has_the_same_bytes(
     application: Application, data: st.DataObject
 ) -> None:
@@ -70,7 +71,7 @@ def test_any_application_is_read_back_as_the_same_and_its_file_has_the_same_byte
 
 
 @given(application=applications | tagged())
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 def test_a_whole_text_needs_no_dictionary_and_ignores_any(application: Application) -> None:
     def other(name: str) -> Onikon:
         return Onikon(name, "Complete job", "another", (), blank())
@@ -90,7 +91,7 @@ def test_a_text_cut_at_any_line_is_reported(application: Application) -> None:
 
 
 @given(application=applications, data=st.data())
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 def test_a_garbled_text_gives_an_application_or_faults_with_lines(
     application: Application, data: st.DataObject
 ) -> None:
@@ -105,7 +106,7 @@ def test_a_garbled_text_gives_an_application_or_faults_with_lines(
 
 
 @given(text=st.text(max_size=200) | st.lists(st.sampled_from([*JUNK, "a", "1", "\n"]), max_size=40).map(" ".join))
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 def test_no_text_at_all_raises_an_exception(text: str) -> None:
     faults_of(text)
 

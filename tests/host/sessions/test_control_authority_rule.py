@@ -2,6 +2,7 @@
 
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from kit.runtime.live_edits import live_edits_with_tasks
 from kit.runtime.sessions import SECOND, leave, silent, there
 from onika.wire import holding, live, request
@@ -120,7 +121,7 @@ def do(hand, deed, session, other):
         leave(hand, session)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 @given(st.lists(DEEDS, min_size=3, max_size=20))
 def test_there_are_never_two_writers_and_nothing_starts_by_itself(deeds):  # R-X12, network.md P4
     hand, rule = live_edits_with_tasks(), Rule()

@@ -3,6 +3,7 @@ import select
 
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.host.units.process_socket import ProcessSocket
 
 
@@ -18,7 +19,7 @@ def everything(post):
     return descriptors
 
 
-@settings(deadline=None, max_examples=30)
+@settings(deadline=None, max_examples=examples(30))
 @given(st.lists(st.binary(min_size=1, max_size=2000), max_size=20))
 def test_datagrams_arrive_whole_and_in_order(bodies):  # law 30
     ours, theirs = pair()

@@ -2,6 +2,7 @@ from dataclasses import replace
 
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.model.configuration import Configuration, Locus, Placed
 from onika.model.preferences import Preferences
 from onika.model.rules.arrangement import arranged
@@ -77,7 +78,7 @@ def any_tasks(draw: st.DrawFn) -> tuple[Task, ...]:
 
 
 @given(any_tasks(), st.booleans())
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 def test_no_icon_lies_upon_another_and_every_variable_has_a_locus_of_its_own(
     tasks: tuple[Task, ...], has_hardware: bool
 ) -> None:

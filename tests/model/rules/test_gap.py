@@ -2,6 +2,7 @@ from itertools import pairwise
 
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.model.application import AppFlow, Branch, Hole, Icon
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
@@ -71,7 +72,7 @@ def carried_out(flow, deed, solids):
 
 
 @given(deeds)
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=examples(300), deadline=None)
 def test_a_hole_stands_exactly_where_neighbours_do_not_fit_whatever_was_done(acts):  # R-D03, R-D19, Equation (7)
     flow = AppFlow(())
     for deed in acts:
@@ -80,7 +81,7 @@ def test_a_hole_stands_exactly_where_neighbours_do_not_fit_whatever_was_done(act
 
 
 @given(deeds)
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=examples(300), deadline=None)
 def test_with_several_targets_no_two_neighbours_misfit_either(acts):  # R-D13, R-D19
     flow = AppFlow(())
     for deed in acts:

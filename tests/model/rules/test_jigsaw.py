@@ -3,6 +3,7 @@ from itertools import pairwise
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.model.application import AppFlow, Branch, Hole, Icon
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
@@ -86,7 +87,7 @@ def test_misfits_count_the_start_and_the_end_icon() -> None:
 
 
 @given(st.lists(st.tuples(st.sampled_from(PLACEABLE), st.integers(-1, 6), st.booleans()), max_size=12))
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 def test_no_row_of_insertions_and_deletions_makes_two_neighbours_misfit(acts: list[tuple[str, int, bool]]) -> None:
     flow = AppFlow(())  # R-D05
     for kind, wish, inserts in acts:
@@ -140,7 +141,7 @@ targets = st.lists(st.sampled_from([0, 1, 2, 3]), max_size=8)
 
 
 @given(targets)
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=examples(400), deadline=None)
 def test_whatever_is_inserted_and_deleted_a_flow_without_holes_fits_and_has_its_targets(draws: list[int]) -> None:
     flow = AppFlow((AND_OTHER, Hole(), GRIP))  # R-D13, R-D19
     for number, draw in enumerate(draws):

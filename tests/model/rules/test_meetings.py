@@ -2,6 +2,7 @@
 
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from kit.plans.program_tree import Act, Loop, Pick, Side, planned
 from onika.model.rules import meetings
 from onika.words.fault import Place
@@ -106,7 +107,7 @@ def test_flows_that_can_always_meet_are_left_in_peace():
     assert meetings.findings(plan_of(tags("a b a"), tags("a b - a"), ())) == ()
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 @given(st.lists(st.lists(st.sampled_from(["", "a", "b", "c"]).map(Act), max_size=5).map(tuple), min_size=2, max_size=4))
 def test_every_finding_names_places_that_are_there(flows):
     plan = plan_of(*flows)

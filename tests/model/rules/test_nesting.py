@@ -3,6 +3,7 @@ from collections.abc import Mapping
 from hypothesis import given, settings, strategies as st
 from tests.model.rules.upper import SYNTAX, application, branch, flow, job, outline, part, texts
 
+from kit.examples import examples
 from onika.model.application import Application
 from onika.model.rules.nesting import DEEPEST, Nest, missing, nest
 from onika.words.reason import Reason
@@ -82,7 +83,7 @@ NAMES = "abcd"
 
 
 @given(st.fixed_dictionaries({name: st.lists(st.sampled_from((*NAMES, "work")), max_size=3) for name in NAMES}))
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=examples(200), deadline=None)
 def test_there_is_a_circle_exactly_if_an_application_reaches_itself(runs: dict[str, list[str]]) -> None:
     result = nested({name: tuple(inner) for name, inner in runs.items()})  # R-E06
     ways = {**runs, "work": ["a"]}

@@ -1,5 +1,6 @@
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.model.rules.order import Ports, constant_order, rank
 from onika.model.task import Task
 
@@ -112,7 +113,7 @@ tasks = st.lists(st.tuples(svars, svars), max_size=7).map(
 )
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 @given(tasks, st.sets(st.integers(0, 6).map(str), max_size=2))
 def test_of_two_tasks_the_writer_runs_first_unless_they_lie_on_a_loop(tasks, hardware):  # law 1
     onward = {t.name: {o.name for o in tasks if o.name not in hardware and {*t.outvar} & {*o.invar}} for t in tasks}
@@ -129,7 +130,7 @@ def test_of_two_tasks_the_writer_runs_first_unless_they_lie_on_a_loop(tasks, har
                 assert ranks[a] < ranks[b]
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(50), deadline=None)
 @given(tasks)
 def test_the_order_of_constants_is_that_of_variables_with_the_words_exchanged(tasks):
     constants = [Ports(task.name, inconst=task.invar, outconst=task.outvar) for task in tasks]

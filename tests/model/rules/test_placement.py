@@ -2,6 +2,7 @@ from dataclasses import replace
 
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.model.rules.placement import PlacedNeighbours, alias_refusals, greyed, meets_constant, refusals
 from onika.model.task import Task
 
@@ -75,7 +76,7 @@ tasks = st.builds(
 
 
 @given(st.lists(tasks, max_size=4), st.lists(tasks, max_size=3))
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=examples(200), deadline=None)
 def test_the_greyed_set_is_exactly_equation_2(library: list[Task], placed: list[Task]) -> None:
     def clashes(t: Task, s: Task) -> bool:  # R-C07
         o_v = {x: set(x.outvar) - set(x.outconst) for x in (s, t)}
@@ -89,7 +90,7 @@ def test_the_greyed_set_is_exactly_equation_2(library: list[Task], placed: list[
 
 
 @given(tasks, tasks)
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 def test_meeting_a_constant_needs_both_ends_pure(writer: Task, reader: Task) -> None:
     for svar in meets_constant(writer, reader):
         assert svar in writer.outvar and svar not in writer.outconst
@@ -120,7 +121,7 @@ aliased = st.builds(replace, tasks, aliases=aliases)
 
 
 @given(st.lists(aliased, max_size=6), st.lists(aliased, max_size=6))
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=examples(200), deadline=None)
 def test_reasons_are_those_of_every_pair_in_their_order(library: list[Task], placed: list[Task]) -> None:
     by_name = list({t.name: t for t in library}.values())  # R-C07
     expected = {t.name: [reason for s in placed for reason in plain_reasons(t, s)] for t in by_name}
@@ -130,7 +131,7 @@ def test_reasons_are_those_of_every_pair_in_their_order(library: list[Task], pla
 
 
 @given(st.lists(aliased, max_size=6), aliased)
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 def test_whom_a_task_keeps_out_is_told_as_each_would_be_told(library: list[Task], task: Task) -> None:
     result = [(other.name, refused) for other, refused in PlacedNeighbours(library).kept_out_by(task)]  # R-C07
     assert result == [(other.name, refusals(other, [task])) for other in library if refusals(other, [task])]

@@ -1,5 +1,6 @@
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.model.rules.order import Ports
 from onika.model.rules.reconfiguration import PlacedTask, TaskSwitch, dependents, difference, exchange
 
@@ -34,7 +35,7 @@ def test_a_task_named_twice_is_switched_once():
     assert difference(["a", "a"], ["b", "b"]) == TaskSwitch(off=("a",), keep=(), on=("b",))
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 @given(names, names)
 def test_carrying_a_change_out_gives_what_is_wanted(on_now, wanted):
     change = difference(on_now, wanted)
@@ -105,7 +106,7 @@ def placements(draw, prefix):
     return tasks
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=examples(200), deadline=None)
 @given(placements("t"), placements("n"), st.data())
 def test_an_exchange_says_of_everybody_what_happens(living, new, data):  # R-A13, reading 14
     gone = data.draw(st.sets(st.sampled_from([item.name for item in living]))) if living else set()
@@ -125,7 +126,7 @@ def test_an_exchange_says_of_everybody_what_happens(living, new, data):  # R-A13
             assert later.isdisjoint(by_name[name].inconst)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=examples(200), deadline=None)
 @given(placements("t"), st.sets(st.sampled_from(CONSTANTS)))
 def test_dependents_are_all_who_read_what_changes_and_nobody_else(tasks, constants):  # R-A13
     ports = [task.ports for task in tasks]

@@ -2,6 +2,7 @@
 
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from kit.plans.program_tree import Act, Loop, Pick, Side, planned
 from onika.model.rules.waits import FlowWait, Waits
 from onika.wire.plan import Again, Choose, Fork, Halt, Join, Jump, Meet, Unless
@@ -210,7 +211,7 @@ def judged(plan):
     return [waits.explore(family, 100_000) for family in waits.families()]
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 @given(
     st.one_of(
         st.tuples(trees(), trees()),
@@ -231,7 +232,7 @@ def test_what_can_stand_still_is_foretold_and_nothing_else(flows):
 straight = st.lists(st.sampled_from(["", "a", "b", "c"]).map(Act), max_size=6).map(tuple)
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 @given(st.lists(straight, min_size=2, max_size=3))
 def test_straight_flows_either_get_through_or_certainly_do_not(flows):
     plan = planned(*flows)

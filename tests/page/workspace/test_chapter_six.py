@@ -1,6 +1,5 @@
 """Chapter 6 at the page: a beginner builds the warm-up and the whole assembly from pictures, and the lamp lights."""
 
-import re
 import subprocess
 import sys
 

@@ -3,6 +3,7 @@
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from kit.plans import build
 from onika.engine.engine import Engine
 from onika.engine.news import Abort, Failed, Finished, Illegal, News, Refused, Run, Spawned, SwitchedOff, TurnedOn
@@ -154,13 +155,13 @@ def tell(plan: Plan, draw: st.DataObject, words: int) -> None:
 
 
 @given(plans, st.data())
-@settings(max_examples=120, deadline=None)
+@settings(max_examples=examples(120), deadline=None)
 def test_any_story_of_any_plan_is_told_alike(plan: Plan, data: st.DataObject) -> None:
     tell(plan, data, 25)  # R-E02, R-E04, readings 16, 17, 26
 
 
 @pytest.mark.slow
 @given(plans, st.data())
-@settings(max_examples=4000, deadline=None)
+@settings(max_examples=examples(4000), deadline=None)
 def test_thousands_of_stories_are_told_alike(plan: Plan, data: st.DataObject) -> None:
     tell(plan, data, 60)  # R-E02, R-E04, readings 16, 17, 26

@@ -3,6 +3,7 @@
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from kit.labs.module_source import COUNTER, module
 from kit.runtime.executive_rig import HOME, ExecutiveRig
 from onika.model.lifecycle import State
@@ -197,7 +198,7 @@ def test_an_exchange_of_a_task_that_is_still_to_come_follows_it(rig):  # law 21
     assert work(rig, MS) == ["Swapped"]
 
 
-@settings(deadline=None, max_examples=60)
+@settings(deadline=None, max_examples=examples(60))
 @given(st.lists(st.tuples(st.integers(1, 12), st.integers(0, 11)), max_size=5), st.integers(5, 20))
 def test_no_task_that_is_on_misses_a_cycle_whatever_comes(pieces, period):  # law 21
     """Each step takes exactly what it was expected to take; `work` is asked at every millisecond of rest."""

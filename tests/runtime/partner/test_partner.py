@@ -6,6 +6,7 @@ import sys
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.runtime.error import ModuleError
 from onika.runtime.partner.partner import Partner
 from onika.runtime.partner.protocol import LONGEST
@@ -208,7 +209,7 @@ def test_a_partner_that_floods_is_hung_up_on_even_when_nothing_is_asked(partner,
     assert call.has_ended()
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 @given(data=st.binary(min_size=1, max_size=100))
 def test_any_bytes_are_an_answer_or_a_fault_and_never_anything_else(tmp_path_factory, data):  # R-F04
     with FakePartner(tmp_path_factory.mktemp("p")) as outsider:

@@ -6,6 +6,7 @@ from itertools import pairwise
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from kit.runtime.executive_rig import HOME, ExecutiveRig
 from kit.worlds.mass_world import MassWorld
 from onika.model.lifecycle import State
@@ -251,7 +252,7 @@ SOURCES = st.tuples(LEVELS, st.sampled_from([0.0, 0.04]), st.booleans(), st.samp
 PAUSES = st.sampled_from([0, 2, 6, 30, 90, 400])
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(st.lists(st.tuples(SOURCES, st.sampled_from(["switch", "swap", "through"]), PAUSES), min_size=2, max_size=7))
 def test_no_exchange_ever_gives_the_device_a_step_above_its_limit(exchanges):  # R-X04
     """Controllers and what they follow, exchanged at random: the device goes over into the new, or stays, or holds."""
@@ -281,7 +282,7 @@ def test_no_exchange_ever_gives_the_device_a_step_above_its_limit(exchanges):  #
         assert event.given <= LIMIT * (1 + 1e-9)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=examples(30), deadline=None)
 @given(st.floats(0.11, 4.9), st.booleans(), st.sampled_from([50.0, 100.0, 500.0]), st.sampled_from(["REF", "GOAL"]))
 def test_each_planted_jump_is_caught_with_its_number(jump, at_once, hz, out):  # R-X04
     rig = hand_rig().spawn("follower", FOLLOWER, frequency=500.0, rank=2)

@@ -5,6 +5,7 @@ from hypothesis import given, settings, strategies as st
 
 from kit.desk.environment_fixture import EnvironmentFixture
 from kit.desk.installed_fixture import InstalledFixture
+from kit.examples import examples
 from onika.files import rmod
 from onika.model.task import Task, TaskType
 from onika.wire import act
@@ -124,7 +125,7 @@ names = st.sampled_from(["", "A", "B", "C", "D", "Z"])
 
 
 @given(st.lists(st.tuples(st.sampled_from("ABC"), names), max_size=8))
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=examples(40), deadline=None)
 def test_aliases_are_resolved_once_whatever_was_aliased_before(tmp_path_factory, changes):  # R-C04
     swap = Task("swap", "swap", invar=("A", "B", "C"), frequency=1.0)
     sitting = EnvironmentFixture(tmp_path_factory.mktemp("swap"), (swap,))

@@ -2,6 +2,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
 from kit.desk.app_fixture import ONIKONS, AppFixture
+from kit.examples import examples
 from onika.desk.environment.outcome.on_file import syntax_of
 from onika.desk.environment.show.application_view import ApplicationProjector
 from onika.model.flow_path import flows_by_path, spots
@@ -78,7 +79,7 @@ deeds = st.lists(st.tuples(st.sampled_from(KINDS), places, places, names), max_s
 
 
 @given(deeds)
-@settings(max_examples=100, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=examples(100), deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_whatever_is_done_flows_fit_numbers_are_unique_and_undo_leads_back(gallery, deeds):  # R-D03, R-D05, R-X10
     doc = gallery.begun(flows=2)
     beginning = gallery.application(doc)

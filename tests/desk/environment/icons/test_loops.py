@@ -2,6 +2,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
 from kit.desk.app_fixture import ONIKONS, AppFixture
+from kit.examples import examples
 from onika.desk.environment.icons.loops import for_pasting, tags
 from onika.model.application import AppFlow, Icon
 from onika.model.rules import loop
@@ -79,7 +80,7 @@ def test_a_tag_that_is_taken_is_refused_and_a_free_one_offered(gallery):  # R-X0
 
 
 @given(acts=st.lists(st.tuples(st.sampled_from(["loop", "remove", "delete"]), st.integers(0, 7), st.integers(0, 7))))
-@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=examples(60), deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_whatever_is_marked_the_loops_of_a_flow_are_well_formed(gallery, acts):  # reading 23
     doc = gallery.begun(*["grip", "wait"] * 4)
     syntax = gallery.environment.model.syntax

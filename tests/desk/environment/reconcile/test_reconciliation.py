@@ -3,6 +3,7 @@ from hypothesis import given, settings, strategies as st
 
 from kit.desk.fake_runtime_env import FakeRuntimeEnv
 from kit.desk.live_runtime import LiveRuntime
+from kit.examples import examples
 from onika.desk.environment.reconcile.reconciliation import accepted, edited
 from onika.model.lifecycle import State
 from onika.model.task import Task
@@ -209,7 +210,7 @@ acts = st.one_of(
 )
 
 
-@settings(deadline=None, max_examples=150)
+@settings(deadline=None, max_examples=examples(150))
 @given(
     done=st.lists(acts, max_size=20),
     moods=st.lists(st.sampled_from(("done", "done", "refused", "faults", "fails")), max_size=12),

@@ -1,5 +1,6 @@
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.desk.environment.outcome.remedy import reasons
 from onika.desk.environment.show.greying import GreyedTasks
 from onika.desk.environment.state.open_libraries import OpenLibraries
@@ -35,7 +36,7 @@ def plain(names, libraries):
 
 
 @given(shelves, placements)
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 def test_the_set_is_what_it_would_be_made_anew_whatever_comes_and_goes(libraries, placements):  # R-C07, Equation (2)
     greying = GreyedTasks("c1")
     for names in placements:
@@ -43,7 +44,7 @@ def test_the_set_is_what_it_would_be_made_anew_whatever_comes_and_goes(libraries
 
 
 @given(shelves, shelves, placements)
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(50), deadline=None)
 def test_it_follows_changed_libraries(first, other, placements):  # R-C01, R-C07
     greying = GreyedTasks("c1")
     for names in placements:

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.desk.environment.show.tree import Projector
 from onika.desk.environment.show.wiring import MadeDocument, group_views, locus_views, placed_views
 from onika.desk.environment.state.content import Content
@@ -59,7 +60,7 @@ def cpu_s(work):
 
 
 @given(st.lists(st.tuples(spots, lives, libraries_examples), min_size=1, max_size=5))
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 def test_what_is_shown_is_what_it_would_be_made_anew(states):  # R-C09, R-C25
     seen = None
     for placed, live, libraries in states:
@@ -106,7 +107,7 @@ def test_acts_are_quick_on_a_large_canvas(tmp_path):  # R-C07: a thousand tasks 
 
 
 @given(st.lists(lives, min_size=2, max_size=5))
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 def test_lines_follow_the_states_of_their_writers(states):  # R-C25
     placed, seen = tuple(Placed(name) for name in "abcd"), None
     for live in states:

@@ -3,6 +3,7 @@
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.model.rules.order import Ports, constant_order
 from onika.model.rules.reconfiguration import PlacedTask, TaskExchange, difference, exchange
 from onika.model.task import Task
@@ -46,19 +47,19 @@ def exchanges_agree(living: Tasks, kill: set[str], new: Tasks) -> None:
 
 
 @given(st.booleans().flatmap(lambda sparse: libraries(7, sparse=sparse)))
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 def test_any_tasks_are_spawned_after_those_they_wait_for(tasks: Tasks) -> None:
     orders_agree(tasks)  # law 10
 
 
 @given(libraries(6, sparse=True), st.sets(st.sampled_from("pqrstuvw"), max_size=4), libraries(5, sparse=True))
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 def test_any_exchange_keeps_kills_spawns_and_reinitialises_the_same(living: Tasks, kill: set[str], new: Tasks) -> None:
     exchanges_agree(living, kill, new)  # R-A13, reading 14
 
 
 @given(libraries(4), libraries(4))
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=examples(50), deadline=None)
 def test_a_switch_is_the_difference_of_two_sets(before: Tasks, after: Tasks) -> None:
     on, wanted = [task.name for task in before], [task.name for task in after]  # R-A13, §5.3.4
     change = difference(on, wanted)
@@ -83,7 +84,7 @@ def test_who_came_with_the_exchange_is_initialised_once_where_nothing_changes_be
 
 @pytest.mark.slow
 @given(libraries(7, sparse=True), st.sets(st.sampled_from("pqrstuvw"), max_size=5), libraries(6, sparse=True))
-@settings(max_examples=3000, deadline=None)
+@settings(max_examples=examples(3000), deadline=None)
 def test_thousands_of_exchanges_are_judged_alike(living: Tasks, kill: set[str], new: Tasks) -> None:
     orders_agree(living)  # law 10
     exchanges_agree(living, kill, new)  # R-A13, reading 14

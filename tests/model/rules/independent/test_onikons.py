@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.model.application import AppFlow, Hole, Icon
 from onika.model.rules import jigsaw, loop
 from onika.model.syntax import IconType, Syntax
@@ -54,32 +55,32 @@ def loops_agree(kinds: naive.Line, syntax: Syntax, data: st.DataObject) -> None:
 
 
 @given(syntaxes(), lines, places, st.sampled_from((*PLACEABLE, "Odd object")))
-@settings(max_examples=250, deadline=None)
+@settings(max_examples=examples(250), deadline=None)
 def test_any_icon_is_inserted_or_refused_alike(syntax: Syntax, kinds: naive.Line, after: int, kind: str) -> None:
     insertions_agree(syntax, kinds, after, kind)  # R-D03, R-D19, R-D22
 
 
 @given(syntaxes(), lines, places)
-@settings(max_examples=250, deadline=None)
+@settings(max_examples=examples(250), deadline=None)
 def test_any_deletion_opens_and_closes_the_same_holes(syntax: Syntax, kinds: naive.Line, at: int) -> None:
     deletions_agree(syntax, kinds, at)  # R-D19
 
 
 @given(syntaxes(), lines)
-@settings(max_examples=250, deadline=None)
+@settings(max_examples=examples(250), deadline=None)
 def test_a_flow_is_whole_for_both_or_for_neither(syntax: Syntax, kinds: naive.Line) -> None:
     is_whole = None not in kinds and not jigsaw.misfits(flow(kinds), syntax)  # R-D03, R-E01
     assert is_whole == naive.is_whole(kinds, edges_of(syntax))
 
 
 @given(lines, syntaxes(), st.data())
-@settings(max_examples=250, deadline=None)
+@settings(max_examples=examples(250), deadline=None)
 def test_any_loops_are_judged_alike(kinds: naive.Line, syntax: Syntax, data: st.DataObject) -> None:
     loops_agree(kinds, syntax, data)  # R-E01, readings 23, 24
 
 
 @given(st.lists(st.sampled_from(["Complete job", "Complete NOP"]), min_size=2, max_size=6), st.data())
-@settings(max_examples=250, deadline=None)
+@settings(max_examples=examples(250), deadline=None)
 def test_loops_over_whole_actions_are_judged_alike(kinds: naive.Line, data: st.DataObject) -> None:
     loops_agree(kinds, data.draw(syntaxes()), data)  # R-E01, reading 23
 
@@ -95,7 +96,7 @@ PAIRS: list[naive.Line] = [["Joint job", "Joint object"], ["Complete job"], ["Od
 
 
 @given(st.lists(st.sampled_from(PAIRS), min_size=1, max_size=4), st.data())
-@settings(max_examples=250, deadline=None)
+@settings(max_examples=examples(250), deadline=None)
 def test_loops_over_jobs_and_their_targets_are_judged_alike(groups: list[naive.Line], data: st.DataObject) -> None:
     loops_agree([kind for group in groups for kind in group], data.draw(syntaxes()), data)  # R-D06, reading 24
 
@@ -129,7 +130,7 @@ def test_an_action_is_in_one_loop_whichever_of_its_icons_bears_the_mark() -> Non
 
 @pytest.mark.slow
 @given(syntaxes(), lines, places, st.sampled_from(PLACEABLE), st.data())
-@settings(max_examples=2500, deadline=None)
+@settings(max_examples=examples(2500), deadline=None)
 def test_thousands_of_flows_are_judged_alike(
     syntax: Syntax, kinds: naive.Line, at: int, kind: str, data: st.DataObject
 ) -> None:

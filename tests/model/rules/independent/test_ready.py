@@ -3,6 +3,7 @@
 import pytest
 from hypothesis import event, given, settings
 
+from kit.examples import examples
 from onika.model.application import Application
 from onika.model.configuration import Configuration
 from onika.model.rules import readiness
@@ -25,13 +26,13 @@ def agree(laboratory: Laboratory) -> None:
 
 
 @given(laboratories())
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 def test_any_application_can_be_run_for_both_or_for_neither(laboratory: Laboratory) -> None:
     agree(laboratory)  # R-E01
 
 
 @pytest.mark.slow
 @given(laboratories())
-@settings(max_examples=4000, deadline=None)
+@settings(max_examples=examples(4000), deadline=None)
 def test_thousands_of_applications_can_be_run_for_both_or_for_neither(laboratory: Laboratory) -> None:
     agree(laboratory)  # R-E01

@@ -5,6 +5,7 @@ from itertools import product
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.examples import examples
 from onika.model.rules import placement, union, warning
 from onika.model.task import Task
 from onika.words.fault import Place
@@ -31,7 +32,7 @@ def agree(library: tuple[Task, ...], placed: tuple[Task, ...]) -> None:
 
 
 @given(libraries(), libraries(4))
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 def test_any_library_beside_any_configuration_is_judged_alike(
     library: tuple[Task, ...], placed: tuple[Task, ...]
 ) -> None:
@@ -39,14 +40,14 @@ def test_any_library_beside_any_configuration_is_judged_alike(
 
 
 @given(libraries(4, sparse=True), libraries(3, sparse=True))
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=examples(100), deadline=None)
 def test_tasks_of_few_pins_are_judged_alike(library: tuple[Task, ...], placed: tuple[Task, ...]) -> None:
     agree(library, placed)  # R-C07, R-C08, readings 1, 5, 6
 
 
 @pytest.mark.slow
 @given(st.booleans().flatmap(lambda sparse: st.tuples(libraries(8, sparse=sparse), libraries(8, sparse=sparse))))
-@settings(max_examples=2500, deadline=None)
+@settings(max_examples=examples(2500), deadline=None)
 def test_thousands_of_libraries_are_judged_alike(both: tuple[tuple[Task, ...], tuple[Task, ...]]) -> None:
     agree(*both)  # R-C07, R-C08, readings 1, 5, 6
 
