@@ -31,6 +31,8 @@ class Change(Struct, frozen=True, tag=True):
     on: tuple[Turn, ...] = ()
     rates: tuple[tuple[str, float], ...] = ()
     """Tasks and their new rates in hertz."""
+    holds: bool = False
+    """Whether all that is ON here may go OFF for a moment where a newcomer finds no gap between cycles otherwise."""
 
 
 class Clear(Struct, frozen=True, tag=True):
@@ -57,6 +59,8 @@ class Swap(Struct, frozen=True, tag=True):
     subsystem: str
     task: str
     code: Code
+    holds: bool = False
+    """Whether all that is ON here may go OFF for a moment where the code finds no gap between cycles otherwise."""
 
 
 class Get(Struct, frozen=True, tag=True):

@@ -166,21 +166,6 @@ def test_units_share_the_work_and_constants_cross_them():  # R-A06
     assert hand.asker.values("ROW")["ROW"] == [101.0, 101.0]
 
 
-def test_a_newcomer_without_a_gap_is_born_on_another_unit_where_it_names_none():  # law 21
-    hand = LiveEdits(("rt0", "rt1"))
-    hand.driver.tight = {"rt0"}
-    hand.task("source", SOURCE)
-    hand.task("fixed", COUNTER, rtpu="rt0")
-    assert hand.change(spawn=["source"], on=["source"]) == ""
-    assert (hand.states, hand.standing()["source"].rtpu) == ({"source": "ON"}, "rt1")
-    assert [warning.text.key for warning in hand.asker.of(event.Warned)] == ["host.spawned_elsewhere"]
-    assert "ways out: another processing unit" in hand.change(spawn=["fixed"])
-    assert hand.states == {"source": "ON"}
-    hand.driver.tight = {"rt0", "rt1"}
-    hand.task("late", COUNTER)
-    assert "needs 3 ms" in hand.change(spawn=["late"]) and hand.states == {"source": "ON"}
-
-
 @pytest.mark.parametrize("fault", ["init", "on"])
 def test_old_hardware_comes_back_with_its_device(hand, fault):  # R-X10, reading 14
     hand.shop = rail_tasks()

@@ -87,6 +87,8 @@ class LiveRuntime:
         """What the next code or plan is found to be wrong with."""
         self.worlds: dict[str, bool] = {}
         """The worlds that are installed: whether they are simulated."""
+        self.tight: set[str] = set()
+        """Units on which there is no gap between cycles."""
         self.displaced: dict[str, tuple[Reason, ...]] = {}
         """What does not stand where it stood at their start."""
 
@@ -223,16 +225,34 @@ class LiveRuntime:
         if isinstance(message, live.Swap) and self.faults:
             return request.Prepared(self.faults)
         self._numbers += 1
-        number, cause = self._numbers, ""
+        number, cause = self._numbers, self._lack_of_room(message)
         if self.is_stopped and isinstance(message, live.Change) and message.on:
-            cause = "everything is stopped"
-        else:
+            cause = Reason.plain("everything is stopped")
+        elif not cause:
             try:
                 self._carry_out(message)
             except (IllegalTransition, KeyError, ValueError) as wrong:
-                cause = str(wrong)
-        self._told.append(event.Edited(message.subsystem, number, Reason.plain(cause), self.now_s))
+                cause = Reason.plain(str(wrong))
+        self._told.append(event.Edited(message.subsystem, number, cause, self.now_s))
         return live.Accepted(number)
+
+    def _lack_of_room(self, message: live.LiveRequest) -> Reason:
+        """That newcomers, or new code, find no gap on a tight unit, unless there may be a moment of hold."""
+        match message:
+            case live.Change(holds=False):
+                tight = [task.name for task in message.spawn if self._home(task.rtpu) in self.tight]
+            case live.Swap(holds=False):
+                tight = [message.task] if self.lives[message.subsystem][message.task].rtpu in self.tight else []
+            case _:
+                tight = []
+        if not tight:
+            return NOTHING
+        no_gap = Reason.of("runtime.no_gap", needs_ms=2.74, largest_ms=1.89)
+        why = Reason.of("host.entry_failed", entry="spawn", why=no_gap)
+        return Reason.of("host.several", reasons=tuple(Reason.of("host.of_task", task=task, why=why) for task in tight))
+
+    def _home(self, wanted: str) -> str:
+        return wanted if wanted in self._rtpus else self._rtpus[0]
 
     def _carry_out(self, message: live.Change | live.Clear | live.Reinit | live.Swap | live.Close) -> None:
         lives = self.lives.setdefault(message.subsystem, {})

@@ -99,7 +99,7 @@ class LossyDriver(VirtualDriver):
         self._watched: RuntimeProgram | None = None
         self.commands: list[tuple[str, command.Command]] = []
         self.tight: set[str] = set()
-        """Units that have no gap between their cycles in which a task could be born."""
+        """Units that have no gap between their cycles, while something cycles, in which a task could be born."""
         self._refusals: list[tuple[str, news.News]] = []
 
     def watch(self, program: RuntimeProgram) -> None:
@@ -112,17 +112,26 @@ class LossyDriver(VirtualDriver):
         if rtpu in self.gone:
             return
         self.commands.append((rtpu, order))
-        if rtpu in self.tight and isinstance(order, command.Spawn):
+        spawn = order.spawn if isinstance(order, command.Swap) else order
+        if isinstance(spawn, command.Spawn) and self._has_no_gap(rtpu, spawn):
             no_gap = Reason.of("runtime.no_gap", needs_ms=3.0, largest_ms=1.0)
-            self._refusals.append((rtpu, news.Refused(order.subsystem, order.task, "spawn", no_gap)))
+            entry = "spawn" if order is spawn else "swap"
+            self._refusals.append((rtpu, news.Refused(spawn.subsystem, spawn.task, entry, no_gap)))
             return
         super().send(rtpu, order)
 
+    def _has_no_gap(self, rtpu: str, spawn: command.Spawn) -> bool:
+        if rtpu not in self.tight or not spawn.cost_ns:
+            return False
+        return any(task.is_on and self._homes[address] == rtpu for address, task in self.living().items())
+
     def advance(self, wall_ns: int) -> bool:
-        """Run on; what tight units have refused is told first."""
+        """Run on; what tight units have refused is told in between."""
+        goes_on = super().advance(wall_ns)
         while self._refusals:
             self.hear(*self._refusals.pop(0), self.now)
-        return super().advance(wall_ns)
+            goes_on = super().advance(wall_ns)
+        return goes_on
 
     def living(self) -> dict[tuple[str, str], RunningTask]:
         """What really lives, by subsystem and task."""

@@ -1,6 +1,7 @@
 """The table of all console commands, in the groups in which `help` shows them."""
 
 from onika.desk.console import (
+    again_lines,
     channel_lines,
     control_lines,
     foresight_lines,
@@ -95,6 +96,16 @@ TASKS = (
 )
 
 CHANGES = (
+    Command(
+        "again",
+        "again in hold  |  again on RTPU",
+        Reason.of("console.does_again"),
+        again_lines.again,
+        ("again_word", "again_how"),
+        2,
+        2,
+        more=Reason.of("console.more_again"),
+    ),
     Command("rate", "rate TASK HZ", Reason.of("console.does_rate"), tuning_lines.rate, ("task", ""), 2, 2),
     Command("get", "get TASK NAME", Reason.of("console.does_get"), tuning_lines.get, ("task", ""), 2, 2),
     Command("set", "set TASK NAME VALUE", Reason.of("console.does_set"), tuning_lines.put, ("task", ""), 3, raw=2),

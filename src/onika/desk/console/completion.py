@@ -111,6 +111,8 @@ _KINDS: dict[str, Callable[[ConsoleSession, Sequence[Command], str], list[str]]]
     "foreseen": lambda session, commands, typed: [foresight.subject for foresight in _foresights(session)],
     "flow": lambda session, commands, typed: [position.subsystem for position in where(session)],
     "command": lambda session, commands, typed: [command.name for command in commands],
+    "again_word": lambda session, commands, typed: ["in", "on"],
+    "again_how": lambda session, commands, typed: ["hold", *(unit.name for unit in session.standing().rtpus)],
     "rtpu_word": lambda session, commands, typed: ["add"],
     "lost_unit": lambda session, commands, typed: [unit.name for unit in session.standing().rtpus if unit.is_lost],
     "state": lambda session, commands, typed: [state.value.lower() for state in State],

@@ -1,6 +1,7 @@
 """A console session: sends requests to the runtime, shows its events, and remembers what later lines need."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from typing import Protocol
 
 from onika.desk.console import event_lines
@@ -8,6 +9,7 @@ from onika.desk.console.display import ConsoleDisplay, Tone
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.preparation import fault_of
 from onika.desk.run import text_table
+from onika.desk.run.lack_of_room import without_gap
 from onika.desk.run.text_table import Cell
 from onika.store.site import Site
 from onika.wire import event, live, request
@@ -40,6 +42,14 @@ class Runtime(Protocol):
     def events(self, timeout_s: float) -> Iterator[event.Event]:
         """The events since the last call; raises LinkLost at the end."""
         ...
+
+
+@dataclass(frozen=True, slots=True)
+class WithoutGap:
+    """An order, and the tasks that found no gap between the cycles of their unit."""
+
+    order: live.Change | live.Swap
+    tasks: tuple[str, ...]
 
 
 class ConsoleSession:
@@ -80,6 +90,8 @@ class ConsoleSession:
         """How the last run ended."""
         self.steps: dict[tuple[str, str], event.Stepped | VariableSteps] = {}
         """What was told last of steps in the inputs of hardware, by subsystem and variable."""
+        self.without_gap: WithoutGap | None = None
+        """What was ordered last, where that found no gap between the cycles of a unit."""
         self.ticks: list[Callable[[], None]] = []
         """What is looked at whenever the runtime is listened to: variables watched, files followed."""
         self._in_tick = False
@@ -134,7 +146,9 @@ class ConsoleSession:
                     self.say(Reason.of("console.note", text=note), Tone.NOTE)
                 return tuple(map(fault_of, answer.faults))
             case live.Accepted():
-                return self._outcome(getattr(message, "subsystem", self.subsystem), answer.number)
+                faults = self._outcome(getattr(message, "subsystem", self.subsystem), answer.number)
+                self._remember_room(message, faults)
+                return faults
         return ()
 
     def standing(self) -> live.Standing:
@@ -208,6 +222,14 @@ class ConsoleSession:
         if cause:
             return self.no(Reason.of("console.change_refused", cause=cause))
         return ()
+
+    def _remember_room(self, message: request.Request, faults: Faults) -> None:
+        """Whether something found no gap between cycles is told with the ways in which it can be done again."""
+        tasks = tuple(task for fault in faults for task in without_gap(fault.reason))
+        self.without_gap = None
+        if tasks and isinstance(message, live.Change | live.Swap) and not message.holds:
+            self.without_gap = WithoutGap(message, tasks)
+            self.say(Reason.of("console.ways_again"), Tone.NOTE)
 
     def _tick(self) -> None:
         """Each once; what one of them asks for and hears begins none anew."""

@@ -1,11 +1,13 @@
 """The editor: answers what is asked of subsystems by hand: all that is wrong with a change at once, else it begins."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from types import MappingProxyType
 from typing import Any
 
 from msgspec import structs
 
-from onika.host.edit import edit_objections, failed_writers, hand_writing, transactions
+from onika.host.edit import edit_objections, failed_writers, hand_writing, tight_units, transactions
 from onika.host.loading.module_questions import ModuleQuestions
 from onika.host.loading.plan_checks import absent_devices, conflicts, cycles, shapeless, shared_devices
 from onika.host.loading.plan_form import wrong_code, wrong_tasks
@@ -75,12 +77,13 @@ class LiveEditor:
             live.warn(task, text)
         comers = tuple((wired_task, self._subsystems.unit(wired_task.task.rtpu)) for wired_task in new)
         spare = {task.name: self._subsystems.spare_units(task.task.rtpu) for task in new if not task.sheet.hardware}
+        latitude = self._latitude(order.subsystem, order.holds, spare)
         swapped = exchange(
             [wired_task.placed for wired_task in live.wired], order.kill, [wired_task.placed for wired_task in new]
         )
         return (
             yield from transactions.change(
-                live, transactions.Edit(swapped, comers, order.off, order.on, order.rates, constants, spare)
+                live, transactions.Edit(swapped, comers, order.off, order.on, order.rates, constants, latitude)
             )
         )
 
@@ -127,7 +130,8 @@ class LiveEditor:
         if faults:
             return refused([edit_objections.of_change(fault) for fault in faults], unknown_parameters(planned, sheet))
         live.executor.spawner.add_code(order.code, self._loading.cost_ns(order.code))
-        return self._begin(live, _still(live, before, transactions.swap(live, order.task, wired)))
+        latitude = self._latitude(order.subsystem, order.holds)
+        return self._begin(live, _still(live, before, transactions.swap(live, order.task, wired, latitude)))
 
     def clear(self, order: asked.Clear) -> request.Response:
         """Bring a task out of ERROR."""
@@ -185,6 +189,11 @@ class LiveEditor:
         self._count += 1
         live.begin(self._count, transaction)
         return asked.Accepted(self._count)
+
+    def _latitude(
+        self, subsystem: str, holds: bool, spare: Mapping[str, tuple[str, ...]] = MappingProxyType({})
+    ) -> tight_units.Latitude:
+        return tight_units.Latitude(spare, partial(self._subsystems.is_driven, by=subsystem), holds)
 
     def _living(self, subsystem: str) -> list[WiredTask]:
         live = self._subsystems.live.get(subsystem)

@@ -5,9 +5,9 @@ What was prepared is taken back then, and what was ON is ON again.
 """
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
-from onika.host.edit import failed_writers
+from onika.host.edit import failed_writers, tight_units
 from onika.host.edit.edit_steps import Lines, Newcomer, Step, clear, kill, reinit, spawn, switch, tasks_on, tell
 from onika.host.subsystems.live_subsystem import LiveSubsystem, Transaction
 from onika.model.lifecycle import State
@@ -34,8 +34,7 @@ class Edit:
     rates: tuple[tuple[str, float], ...] = ()
     constants: Mapping[str, StatedConstants] = field(default_factory=dict)
     """By newcomer."""
-    spare: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    """By newcomer that named no unit, the other units on which it may live; hardware stays where it is."""
+    latitude: tight_units.Latitude = tight_units.NO_LATITUDE
 
 
 class _Before:
@@ -76,13 +75,13 @@ def change(live: LiveSubsystem, edit: Edit) -> Transaction:
     for task, values in edit.constants.items():
         live.desired.state_constants(task, values)
     yield from spawn(live, edit.new)
-    for newcomer in edit.new:
-        yield from _elsewhere(live, newcomer, edit.spare.get(newcomer[0].name, ()))
+    held = yield from tight_units.make_room(live, edit.new, edit.latitude)
     cause = live.outcomes.trouble(born)
     is_committed = not cause
     if is_committed:
         again = exchange.reinit  # those born in this change too: a supplier of theirs may have learnt something since
         old = [name for name in exchange.kill if name not in exchange.kill_first]
+        edit = _with_held(live, edit, held)
         yield from _commit(live, edit, [*edit.off, *old], again, before.on)
         cause = live.outcomes.trouble([*(turn.task for turn in edit.on), *again, *(name for name, _ in edit.rates)])
     if not cause:
@@ -133,7 +132,9 @@ def _restore_chain(live: LiveSubsystem, chain: Sequence[str], errors: Collection
         yield from _restore(live, name, name not in errors, local if name == task else None)
 
 
-def swap(live: LiveSubsystem, task: str, wired: WiredTask) -> Transaction:
+def swap(
+    live: LiveSubsystem, task: str, wired: WiredTask, latitude: tight_units.Latitude = tight_units.NO_LATITUDE
+) -> Transaction:
     """Exchange the code of a living task; where it fails the old one stays (law 21)."""
     member = live.members[task]
     before, member.wired = member.wired, wired
@@ -141,6 +142,8 @@ def swap(live: LiveSubsystem, task: str, wired: WiredTask) -> Transaction:
         return NOTHING  # it is born with the new code
     order = live.executor.spawner.order(live.executor.subsystem, task)
     yield from tell(live, task, command.Swap(order))
+    if live.outcomes.found_no_gap(task):
+        yield from tight_units.exchange(live, task, order, latitude)
     if not live.outcomes.has_answered(task):
         member.wired = before
     return live.outcomes.trouble([task])
@@ -173,17 +176,11 @@ def rest(live: LiveSubsystem) -> Transaction:
 # Parts of them
 
 
-def _elsewhere(live: LiveSubsystem, newcomer: Newcomer, units: Sequence[str]) -> Step:
-    """A newcomer that found no gap between the cycles of its unit is born on another one, OFF; it is told (law 21)."""
-    wired, former = newcomer
-    for unit in units:
-        if not live.outcomes.found_no_gap(wired.name):
-            return
-        yield from kill(live, [wired.name])
-        live.outcomes.excuse(wired.name)
-        yield from spawn(live, [(wired, unit)])
-        if not live.outcomes.has_trouble(wired.name):
-            live.warn(wired.name, Reason.of("host.spawned_elsewhere", unit=unit, former=former))
+def _with_held(live: LiveSubsystem, edit: Edit, held: Collection[Turn]) -> Edit:
+    """With whoever went OFF for a moment to come ON again."""
+    others = {*edit.off, *edit.exchange.kill, *(turn.task for turn in edit.on)}
+    back = _to_return(live, [turn for turn in held if turn.task not in others])
+    return replace(edit, on=(*back, *edit.on))
 
 
 def _commit(

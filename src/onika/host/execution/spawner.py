@@ -2,6 +2,8 @@
 
 from collections.abc import Collection, Mapping
 
+from msgspec import structs
+
 from onika.host.execution.reshape import Reshaping
 from onika.host.units.unit_registry import Units
 from onika.runtime import command
@@ -29,6 +31,7 @@ class Spawner:
         self._load_ns: dict[str, int] = {}
         self._grants: dict[str, command.DeviceGrant] = {}
         self._claims: dict[str, str] = {}
+        self._hurried: set[str] = set()
 
     @property
     def claims(self) -> dict[str, str]:
@@ -71,6 +74,10 @@ class Spawner:
             return shape_fault(error)
         return NOTHING
 
+    def hurry(self, task: str) -> None:
+        """The next time this task is sent, it waits for no gap between cycles."""
+        self._hurried.add(task)
+
     def order(self, subsystem: RunningSubsystem, task: str) -> command.Spawn:
         """The command that brings a task to life, or exchanges the code of one that lives.
 
@@ -80,7 +87,11 @@ class Spawner:
         if self._reshaping is not None:
             self._reshaping.ports(subsystem, task)
         grant, load_ns = self._grants.get(task), self._load_ns[code.digest]
-        return subsystem.spawn(task, code.source, code.path, self._seed, grant, load_ns)
+        order = subsystem.spawn(task, code.source, code.path, self._seed, grant, load_ns)
+        if task not in self._hurried:
+            return order
+        self._hurried.discard(task)
+        return structs.replace(order, cost_ns=0)
 
     def release(self, task: str, member: Member) -> None:
         """Give back the device that a task was granted for itself alone; harmless where it has none."""

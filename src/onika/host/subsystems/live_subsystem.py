@@ -110,6 +110,11 @@ class LiveSubsystem:
         """Whether it is ON, or would be if somebody answered it."""
         return self.state(task) in (State.ON, State.ASKING)
 
+    def drives(self, unit: str, is_settled: bool) -> bool:
+        """Whether what lives on a unit may have a part in driving a device; what may come ON counts if not settled."""
+        lives = [member for task, member in self.members.items() if self.is_on(task) or not is_settled]
+        return any(member.rtpu == unit for member in lives) and any(member.wired.sheet.hardware for member in lives)
+
     def is_being_spawned(self, task: str) -> bool:
         """Whether its unit has not said yet what became of it."""
         is_initialising = self.members[task].is_sent and self.state(task) is State.WAITING

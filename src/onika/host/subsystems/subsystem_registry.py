@@ -120,6 +120,15 @@ class Subsystems:
             return ()
         return tuple(unit for unit in self._alive() if unit != self.unit(wanted))
 
+    def is_driven(self, unit: str, by: str) -> bool:
+        """Whether what lives on a unit may have a part in driving a device, as somebody sees it who changes `by` now.
+
+        An application may at any time, and so may another subsystem that is being changed.
+        """
+        if any(member.rtpu == unit for run in self.runs for name in run.names for member in run.members(name).values()):
+            return True
+        return any(live.drives(unit, name == by or not live.is_busy) for name, live in self.live.items())
+
     def gone(self, wanted: str) -> Reason:
         """Why no task can run on the unit it would be on; empty: it can."""
         return self.lost_units.get(self.unit(wanted), NOTHING)
