@@ -13,6 +13,7 @@ const MOVES: ReadonlySet<AnyAct['t']> = new Set([
   'Clear',
   'Reinit',
   'Renew',
+  'FindRoom',
   'Answer',
   'Run',
   'Steer',

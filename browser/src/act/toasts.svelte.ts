@@ -27,6 +27,7 @@ export function notify(message: Say): void {
   toasts.lines = atOnce([...toasts.lines.filter((other) => say(other.text) !== sentence), line])
   announce(sentence)
   if (look.sounds) play(message.level)
+  if (message.remedies?.length) return // a choice waits for its user
   setTimeout(() => dismiss(line.id), LASTS_MS[message.level])
 }
 

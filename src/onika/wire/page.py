@@ -85,6 +85,8 @@ class Say(Message, frozen=True):
     """Seconds since 1970, when it was said."""
     is_quiet: bool = False
     """Whether it goes into the log alone."""
+    remedies: tuple[Remedy, ...] = ()
+    """What can be done instead; while there is something, it stays on the screen."""
 
 
 AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say

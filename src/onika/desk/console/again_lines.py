@@ -7,6 +7,7 @@ from onika.wire import live
 from onika.words.reason import Reason
 
 Words = tuple[str, ...]
+HOLD = "hold"
 
 
 def again(session: ConsoleSession, words: Words) -> Faults:
@@ -14,16 +15,14 @@ def again(session: ConsoleSession, words: Words) -> Faults:
     tight = session.without_gap
     if tight is None:
         return session.no(Reason.of("console.nothing_without_gap"))
-    if words == ("in", "hold"):
+    if words == (HOLD,):
         return session.order(structs.replace(tight.order, holds=True))
-    if len(words) != 2 or words[0] != "on":
-        return session.no(Reason.of("console.again_words", words=" ".join(words)))
     if not isinstance(tight.order, live.Change):
         return session.no(Reason.of("console.code_stays_on_unit"))
     units = tuple(unit.name for unit in session.standing().rtpus if not unit.is_lost)
-    if words[1] not in units:
-        return session.no(Reason.of("console.unit_unknown", units=units, rtpu=words[1]))
-    return session.order(_on(tight.order, tight.tasks, words[1]))
+    if words[0] not in units:
+        return session.no(Reason.of("console.unit_unknown", units=units, rtpu=words[0]))
+    return session.order(_on(tight.order, tight.tasks, words[0]))
 
 
 def _on(order: live.Change, tasks: Words, unit: str) -> live.Change:

@@ -98,12 +98,12 @@ TASKS = (
 CHANGES = (
     Command(
         "again",
-        "again in hold  |  again on RTPU",
+        "again RTPU  |  again hold",
         Reason.of("console.does_again"),
         again_lines.again,
-        ("again_word", "again_how"),
-        2,
-        2,
+        ("again_word",),
+        1,
+        1,
         more=Reason.of("console.more_again"),
     ),
     Command("rate", "rate TASK HZ", Reason.of("console.does_rate"), tuning_lines.rate, ("task", ""), 2, 2),

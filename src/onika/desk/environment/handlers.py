@@ -21,6 +21,7 @@ from onika.desk.environment.canvas import (
     sampling,
     source_texts,
     task_commands,
+    tight_change,
 )
 from onika.desk.environment.control import control_authority, held_subsystems, view_only
 from onika.desk.environment.environment import Handler
@@ -143,6 +144,7 @@ HANDLERS: Mapping[type, Handler] = {
     act.Stop: control_authority.stop,
     act.Reset: control_authority.reset,
     act.AddUnit: control_authority.add_unit,
+    act.FindRoom: tight_change.find_room,
     act.Take: control_authority.take,
     act.Release: control_authority.release,
     act.Hand: control_authority.hand,

@@ -148,6 +148,7 @@ from onika.wire.act.running import (
     Clear as Clear,
     Connect as Connect,
     Disconnect as Disconnect,
+    FindRoom as FindRoom,
     KeepAlive as KeepAlive,
     LetGo as LetGo,
     LogReadings as LogReadings,
@@ -226,6 +227,7 @@ AnyAct = (
     | Clear
     | Reinit
     | Renew
+    | FindRoom
     | AskModule
     | TellModule
     | WriteVariable

@@ -81,6 +81,8 @@ class Renew(Act, frozen=True):
 
     doc: str
     task: str
+    holds: bool = False
+    """Whether all tasks that are ON may go OFF for a moment, where there is no gap between cycles."""
 
 
 class AskModule(Act, frozen=True):
@@ -148,6 +150,14 @@ class AddUnit(Act, frozen=True):
     """Have one more processing unit in the runtime, or a lost one anew; what was on it stays gone."""
 
     name: str
+
+
+class FindRoom(Act, frozen=True):
+    """Do once more what found no gap between the cycles of a unit last, and was taken back (law 21)."""
+
+    doc: str
+    unit: str = ""
+    """Where the tasks live that found none; it is started if it does not live. Empty: in a moment of hold."""
 
 
 class Reset(Act, frozen=True):

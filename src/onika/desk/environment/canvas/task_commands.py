@@ -114,7 +114,7 @@ def renew(model: Model, document: Document, command: act.Renew, _outside: Servic
     planned = of_living.tasks[command.task].planned
     if planned is not None and says_otherwise(planned, task):
         return _exchanged(model, document, of_living, task_of(planned))
-    return _asked(model, document, live.Swap(of_living.subsystem, command.task, code), command.task)
+    return _asked(model, document, live.Swap(of_living.subsystem, command.task, code, command.holds), command.task)
 
 
 @on_document

@@ -15,6 +15,7 @@ from onika.desk.environment.reconcile import merge
 from onika.desk.environment.reconcile.live_facts import settled, true_to_facts
 from onika.desk.environment.reconcile.reconfiguration_diff import Reconfiguration, reconfiguration, with_facts
 from onika.desk.environment.reconcile.rollback import file_before, reverted, without_steps
+from onika.desk.environment.reconcile.room_offers import offered
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import Pending, RequestedState, SubsystemFacts
 from onika.desk.environment.state.model import Model
@@ -123,7 +124,9 @@ def edited(model: Model, doc: str, number: int, cause: Reason) -> Done:
         return _unknown(model, document, subsystem_facts, number, cause)
     if cause:
         done = _failed(model, document, key)
-        return replace(done, says=(page.Say("error", Reason.of("run.not_changed", cause=cause), doc), *done.says))
+        after, remedies = offered(done.model, document, subsystem_facts.pending[key], cause)
+        line = page.Say("error", Reason.of("run.not_changed", cause=cause), doc, remedies=remedies)
+        return replace(done, model=after, says=(line, *done.says))
     return _go_on(model, _carried_out(document, key))
 
 
@@ -155,17 +158,17 @@ def _sent(model: Model, document: Document, what: Reconfiguration) -> Done:
     if what.resting:
         content = replace(content, wanted={**content.wanted, **dict.fromkeys(what.resting, False)})
     key = subsystem_facts.requests + 1
-    pending = Pending(base, content, document.history, what.names)
+    pending = Pending(base, content, document.history, what.names, turns=subsystem_facts.turns)
     change = next_change(document.id, subsystem_facts)
     message = with_facts(subsystem_facts, what, living_units(model))
     pendings = {**message.pending, key: pending}
-    subsystem_facts = replace(message, requests=key, changes=change.number, is_awaited=False)
+    order = what.change(subsystem_facts.subsystem, subsystem_facts.holds)
+    subsystem_facts = replace(message, requests=key, changes=change.number, is_awaited=False, holds=False, tight=None)
     subsystem_facts = replace(subsystem_facts, pending=pendings, base=replace(base, edits={}))
     then = partial(accepted, doc=document.id, key=key, change=change)
-    order = Order(what.change(subsystem_facts.subsystem), then)
     says = tuple(_rests(name, document) for name in what.resting)
     document = replace(document, content=content, live=subsystem_facts)
-    return Done(model.with_document(document), orders=(order,), says=says, awaits=change)
+    return Done(model.with_document(document), orders=(Order(order, then),), says=says, awaits=change)
 
 
 def _carried_out(document: Document, key: int) -> Document:

@@ -44,11 +44,11 @@ class Reconfiguration:
         """Whether somebody comes to life or goes ON, which a stopped runtime does not allow."""
         return bool(self.spawn or self.on)
 
-    def change(self, subsystem: str) -> live.Change:
-        """As it is asked of a runtime."""
+    def change(self, subsystem: str, holds: bool = False) -> live.Change:
+        """As it is asked of a runtime; `holds`: everything may go OFF for a moment."""
         code = {newcomer.code.digest: newcomer.code for newcomer in self.spawn}
         spawn = tuple(newcomer.task for newcomer in self.spawn)
-        return live.Change(subsystem, self.kill, spawn, tuple(code.values()), self.off, self.on, self.rates)
+        return live.Change(subsystem, self.kill, spawn, tuple(code.values()), self.off, self.on, self.rates, holds)
 
 
 def reconfiguration(

@@ -6,6 +6,7 @@ from typing import Literal
 
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.history import Edits, History
+from onika.model.configuration import Configuration
 from onika.wire import event
 from onika.wire.plan import PlannedTask
 from onika.words.reason import NOTHING, Reason
@@ -56,6 +57,22 @@ class Pending:
     """Which tasks it touches."""
     number: int | None = None
     """By which its outcome is told; None: it was not accepted yet."""
+    turns: Mapping[str, str] = field(default_factory=dict)
+    """The tasks that it turns ON whatever they were, each with its argument line."""
+
+
+@dataclass(frozen=True, slots=True)
+class TightChange:
+    """A change that was taken back because tasks found no gap between the cycles of their unit."""
+
+    before: Content
+    after: Content
+    rest: Configuration
+    """What is on the canvas without it."""
+    tasks: tuple[str, ...]
+    """Those tasks."""
+    turns: Mapping[str, str] = field(default_factory=dict)
+    """As the change had them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,6 +135,10 @@ class SubsystemFacts:
     """Whether acts wait for the next change, with which goes out what they did while one was under way."""
     requests: int = 0
     """How many things were ever asked for."""
+    tight: TightChange | None = None
+    """The last change that found no gap between cycles, for which there are other ways."""
+    holds: bool = False
+    """Whether the next change may turn everything OFF for a moment."""
 
     @property
     def is_changing(self) -> bool:
