@@ -9,11 +9,11 @@ from onika.desk.console.display import ConsoleDisplay, Tone
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.preparation import fault_of
 from onika.desk.run import text_table
-from onika.desk.run.lack_of_room import without_gap
 from onika.desk.run.text_table import Cell
 from onika.store.site import Site
 from onika.wire import event, live, request
 from onika.wire.figures import VariableSteps
+from onika.wire.lack_of_room import without_gap
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
 

@@ -75,8 +75,9 @@ def test_an_outcome_may_come_before_its_change_is_accepted(duet, cause):
     doc = duet.connected()
     duet.is_held_back = True
     duet.environment.do(act.Place(doc, "a", 0, 0), "me", lambda given: None)
-    model = edited(duet.environment.model, doc, 17, cause).model
-    assert model.documents[doc].live.early == {17: cause}
+    reason = Reason.plain(cause)
+    model = edited(duet.environment.model, doc, 17, reason).model
+    assert model.documents[doc].live.early == {17: reason}
     key = next(iter(model.documents[doc].live.pending))
     document = accepted(model, live.Accepted(17), doc, key).model.documents[doc]
     assert not document.live.pending and not document.live.early

@@ -6,8 +6,8 @@ from dataclasses import replace
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import Pending, SubsystemFacts, TightChange
 from onika.desk.environment.state.model import Model
-from onika.desk.run.lack_of_room import without_gap
 from onika.wire import act
+from onika.wire.lack_of_room import without_gap
 from onika.wire.view import Remedy
 from onika.words.reason import Reason
 

@@ -1,4 +1,4 @@
-from onika.desk.run.lack_of_room import without_gap
+from onika.wire.lack_of_room import without_gap
 from onika.words.reason import Reason
 
 
