@@ -20,6 +20,11 @@ interface Lesson {
   isDone: (seen: Seen) => boolean
 }
 
+/** The icons of the shipped laboratory that the lessons name. */
+const NAMED = { complete: 'opengripC', job: 'jmoveC' }
+/** What takes an icon out of a program, as the environment calls it. */
+const TAKING_OUT = ['desk.deleting', 'desk.cutting']
+
 const kindOf = (step: StepView): string => step.kind ?? 'icon'
 
 /** The steps of the first flow, in order. */
@@ -29,14 +34,13 @@ function steps({ view }: Seen): StepView[] {
 
 const takes = (step: StepView, { types }: Seen): boolean =>
   kindOf(step) === 'icon' && step.role === 'job' && !!types[step.type ?? '']?.takes
-const isComplete = (step: StepView, seen: Seen): boolean =>
-  kindOf(step) === 'icon' && step.role === 'job' && !takes(step, seen)
 const isTarget = (step: StepView): boolean => kindOf(step) === 'icon' && step.role === 'target'
 
-/** Whether a job that takes a target stands there, with the target or with the hole for it. */
-function hasAction(seen: Seen, with_: (step: StepView) => boolean): boolean {
+/** Whether a job that takes a target stands there, under this name if one is given, with the target or with the hole for it. */
+function hasAction(seen: Seen, with_: (step: StepView) => boolean, name = ''): boolean {
   const all = steps(seen)
-  return all.some((step, k) => takes(step, seen) && all[k + 1] !== undefined && with_(all[k + 1]!))
+  const isMeant = (step: StepView): boolean => takes(step, seen) && (!name || step.name === name)
+  return all.some((step, k) => isMeant(step) && all[k + 1] !== undefined && with_(all[k + 1]!))
 }
 
 const flowsOf = ({ run }: Seen): string[] =>
@@ -46,18 +50,23 @@ const isRunning = (seen: Seen): boolean => isMine(seen) && (seen.run?.state ?? '
 const isPaused = (seen: Seen): boolean =>
   isRunning(seen) && flowsOf(seen).some((state) => state === 'paused' || state === 'pausing')
 const isOver = (seen: Seen): boolean => isMine(seen) && seen.run?.state === 'over'
+const isCompleted = (seen: Seen): boolean => isOver(seen) && seen.run?.is_completed === true
+
+/** Whether what was done last took something out; whether what was taken back last did. */
+const wasTakenOut = ({ view }: Seen): boolean => TAKING_OUT.includes(view?.undo?.key ?? '')
+const wasTakenBack = ({ view }: Seen): boolean => TAKING_OUT.includes(view?.redo?.key ?? '')
 
 export const LESSONS: readonly Lesson[] = [
   { id: 'new', isDone: (seen) => seen.isUpper && seen.view !== undefined && !seen.view.path },
-  { id: 'complete', isDone: (seen) => steps(seen).some((step) => isComplete(step, seen)) },
-  { id: 'job', isDone: (seen) => hasAction(seen, () => true) },
+  { id: 'complete', isDone: (seen) => steps(seen).some((step) => step.name === NAMED.complete) },
+  { id: 'job', isDone: (seen) => hasAction(seen, () => true, NAMED.job) },
   { id: 'fill', isDone: (seen) => hasAction(seen, isTarget) },
-  { id: 'out', isDone: (seen) => hasAction(seen, (step) => kindOf(step) === 'hole') },
-  { id: 'back', goesWith: 'out', isDone: (seen) => hasAction(seen, isTarget) },
+  { id: 'out', isDone: (seen) => wasTakenOut(seen) && hasAction(seen, (step) => kindOf(step) === 'hole') },
+  { id: 'back', goesWith: 'out', isDone: (seen) => wasTakenBack(seen) && hasAction(seen, isTarget) },
   { id: 'run', isDone: (seen) => isRunning(seen) || isOver(seen) },
   { id: 'pause', isDone: isPaused },
-  { id: 'goOn', goesWith: 'pause', isDone: (seen) => (isRunning(seen) && !isPaused(seen)) || isOver(seen) },
-  { id: 'end', isDone: (seen) => isOver(seen) && seen.run?.is_completed === true },
+  { id: 'goOn', goesWith: 'pause', isDone: (seen) => (isRunning(seen) && !isPaused(seen)) || isCompleted(seen) },
+  { id: 'end', isDone: isCompleted },
   { id: 'save', isDone: (seen) => !!seen.view?.path && !seen.view.is_dirty },
 ]
 

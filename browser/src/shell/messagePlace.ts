@@ -24,6 +24,9 @@ const SIDE = 8
 const LEAST = 120
 /** As in the rules of both levels: below it one part is seen at a time. */
 const NARROW = 760
+/** Whether a window this wide shows the parts of a level side by side. */
+export const isWide = (width: number): boolean => width > NARROW
+
 const SHOWN: Record<string, string> = { left: '.left', desk: '.desk', right: '.right', low: '.low' }
 
 /** In pixels of the window; `bottom` counts from its lower side. */
@@ -38,7 +41,7 @@ export function placeOf({ part, feet }: Standing, inner: Size): { left: number; 
 /** What stands where on the page as it is. */
 export function standing(inner: Size): Standing {
   const level = document.querySelector<HTMLElement>('[data-column]')
-  const name = inner.width > NARROW ? 'desk' : (level?.dataset['column'] ?? 'desk')
+  const name = isWide(inner.width) ? 'desk' : (level?.dataset['column'] ?? 'desk')
   const part = level?.querySelector(`:scope > ${SHOWN[name]}`)
   if (!part) return { part: { left: 0, right: inner.width, top: 0, bottom: inner.height }, feet: [] }
   const feet = [...part.querySelectorAll('[data-foot]')].map((foot) => foot.getBoundingClientRect())
