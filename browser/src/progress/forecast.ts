@@ -1,0 +1,27 @@
+// What stands beside Run of the forecast: a few plain sentences, each with how it is shown.
+import type { ForecastView } from '../api.gen'
+import { t } from '../texts/index.svelte'
+import { say } from '../texts/say'
+
+export interface ForecastLine {
+  readonly look: 'plain' | 'dim' | 'mishaps'
+  readonly text: string
+}
+
+/** The sentences of a forecast; none without one. `isAsAssumed`: whether the workcell stands as at its start. */
+export function forecastLines(forecast: ForecastView | undefined, isAsAssumed: boolean): ForecastLine[] {
+  if (!forecast?.state || forecast.state === 'none') return []
+  if (forecast.state === 'going') return [{ look: 'dim', text: t('forecast.going') }]
+  const lines: ForecastLine[] = [{ look: 'plain', text: outlook(forecast) }]
+  if (forecast.mishaps) lines.push({ look: 'mishaps', text: t('forecast.mishaps', { n: forecast.mishaps }) })
+  else if (forecast.state === 'whole') lines.push({ look: 'dim', text: t('forecast.clear') })
+  return [...lines, { look: 'dim', text: t(isAsAssumed ? 'forecast.asAssumed' : 'forecast.otherwise') }]
+}
+
+/** How long it takes and how everything stands then, or why that is not known. */
+function outlook({ state, cause, lasts_s = 0, standing = [] }: ForecastView): string {
+  if (state === 'part') return t('forecast.part', { why: say(cause) })
+  const lasts = Number(lasts_s.toFixed(1))
+  const ends = standing.map((reason) => say(reason)).join(', ')
+  return ends ? t('forecast.wholeEnds', { lasts, ends }) : t('forecast.whole', { lasts })
+}

@@ -1,0 +1,39 @@
+// Beside Run stands what the program would come to: how long, what goes wrong, and whether the workcell is as assumed.
+import { expect, test } from 'vitest'
+import { forecastLines } from '../../src/progress/forecast'
+import { plain } from '../../src/texts/say'
+
+const texts = (...given: Parameters<typeof forecastLines>): string[] => forecastLines(...given).map(({ text }) => text)
+
+test('without a forecast nothing is said, and while it is made only that', () => {
+  expect(forecastLines(undefined, true)).toEqual([])
+  expect(forecastLines({}, true)).toEqual([])
+  expect(forecastLines({ state: 'none' }, true)).toEqual([])
+  expect(texts({ state: 'going', mishaps: 2 }, false)).toEqual(['Looking ahead…'])
+})
+
+test('a whole one says how long it takes and how everything stands then', () => {
+  const forecast = { state: 'whole', lasts_s: 41.2345, standing: [plain('the lamp is lit'), plain('the hand is open')] }
+  expect(texts(forecast as never, true)).toEqual([
+    'It will take 41.2 s; then: the lamp is lit, the hand is open.',
+    'Nothing touches what it should not.',
+    'The workcell stands as this assumes.',
+  ])
+  expect(texts({ state: 'whole', lasts_s: 3 }, true)[0]).toBe('It will take 3 s.')
+})
+
+test('what goes wrong takes the place of what is clear', () => {
+  const lines = forecastLines({ state: 'whole', lasts_s: 3, mishaps: 2 }, true)
+  expect(lines.map(({ look }) => look)).toEqual(['plain', 'mishaps', 'dim'])
+  expect(lines[1]!.text).toBe('On the way 2 things go wrong; their icons are marked.')
+})
+
+test('one that does not reach the end says why, and promises nothing of what comes behind', () => {
+  expect(texts({ state: 'part', cause: plain('it asks for a value') }, true)).toEqual([
+    'Not foreseen to its end: it asks for a value',
+    'The workcell stands as this assumes.',
+  ])
+})
+
+test('where the workcell stands otherwise, that is said', () =>
+  expect(texts({ state: 'whole', lasts_s: 3 }, false).at(-1)).toContain('does not stand as this assumes'))
