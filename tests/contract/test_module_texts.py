@@ -18,9 +18,16 @@ def sentences_of(path):
     return [call.args[0] for call in calls if ast.unparse(call.func) in SAY and call.args]
 
 
+def meanings_of(path):
+    """What each input of a module means, as its declaration says."""
+    calls = [node for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.Call)]
+    inputs = [call for call in calls if ast.unparse(call.func) == "Input" and len(call.args) == 3]
+    return {ast.literal_eval(call.args[2]) for call in inputs}
+
+
 @pytest.mark.parametrize("path", MODULES, ids=lambda path: path.stem)
 def test_every_sentence_of_a_shipped_module_has_its_spanish_with_the_same_gaps(path):
-    sentences = {node.value for node in sentences_of(path) if isinstance(node, ast.Constant)}
+    sentences = {node.value for node in sentences_of(path) if isinstance(node, ast.Constant)} | meanings_of(path)
     catalogue = path.with_name(f"{path.stem}.es.toml")
     translations, faults = read(catalogue.read_text() if catalogue.exists() else "", str(catalogue))
     assert faults == ()

@@ -27,7 +27,7 @@ export const esDictionary: Record<keyof typeof enDictionary, string> = {
   'dictionary.fits': 'Encaja aquí',
   'dictionary.fitsOnly': 'Mostrar solo lo que encaja en el lugar marcado, o todo',
   'dictionary.fitsHint': 'Mostrar solo lo que encaja en el lugar marcado de la aplicación',
-  'dictionary.fitsHere': 'encajan aquí',
+  'dictionary.fitsHere': 'encajan',
   'dictionary.fitsHole': 'llenan el hueco',
   'dictionary.insert': 'Insertar en el lugar marcado',
   'dictionary.openConfiguration': 'Abrir su configuración',

@@ -51,6 +51,12 @@ function ofModule(key: string, language: string): string | undefined {
   return entry(modules.sentences()[key.slice(OF_MODULE.length, end)]?.[language], key.slice(end + 1))
 }
 
+/** What a module says of one of its inputs, in the language of the page: the first module that has a translation gives it. */
+export function meaningOf(text: string, language: string = look.language): string {
+  const translations = Object.values(modules.sentences()).map((sentences) => entry(sentences[language], text))
+  return translations.find((translation) => translation !== undefined) ?? text
+}
+
 function entry(catalogue: Catalogue | undefined, key: string): string | undefined {
   return catalogue && Object.hasOwn(catalogue, key) ? catalogue[key] : undefined
 }

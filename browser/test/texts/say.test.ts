@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 import { applyPatch, desk } from '../../src/link/desk.svelte'
-import { plain, contains, every, say, type Reason } from '../../src/texts/say'
+import { plain, contains, every, meaningOf, say, type Reason } from '../../src/texts/say'
 
 const option: Reason = {
   key: 'cli.language_option',
@@ -80,4 +80,12 @@ test('the reasons within a reason are at hand', () => {
   expect([contains(plain('too hot'), plain('too hot')), contains(inner, inner)]).toEqual([true, true])
   const bare: Reason = { key: 'test.outer', text: 'cycle: no glass', args: { why: 'no glass' } }
   expect([contains(bare, { key: 'plain', text: 'no glass' }), contains(bare, inner)]).toEqual([true, false])
+})
+
+test('what an input means is said as any module translates it, else as it stands in the code', () => {
+  const words = { es: { 'where to go': 'adónde ir' } }
+  applyPatch({ t: 'Patch', rev: desk.rev + 1, changes: [[['module_sentences', 'jtraj'], words]] })
+  expect(meaningOf('where to go', 'es')).toBe('adónde ir')
+  expect(meaningOf('where to go', 'en')).toBe('where to go')
+  expect(meaningOf('toString', 'es')).toBe('toString')
 })
