@@ -165,12 +165,21 @@ def test_every_icon_reads_without_fault(name):  # R-B03
     onikon.argument_line(SYNTAX)
 
 
-def test_pictures_differ_unless_they_show_the_same_job_of_another_arm():
+def test_every_icon_has_a_picture_of_its_own_also_the_same_job_of_another_arm():
     shown = {}
     for name in names("dict", ".onk"):
-        plain = name.replace("_right", "").replace("_scara", "")
-        shown.setdefault(read("onikon", name, SYNTAX).picture, set()).add(plain)
-    assert all(len(same) == 1 for same in shown.values())
+        shown.setdefault(read("onikon", name, SYNTAX).picture, []).append(name)
+    assert [alike for alike in shown.values() if len(alike) > 1] == []
+
+
+def test_an_application_shows_the_pictures_of_the_dictionaries():
+    for name in names("appl", ".appl"):
+        application = read("application", name, SYNTAX)
+        icons = {
+            step.onikon.name: step.onikon for flow in application.flows for step in flow.steps if isinstance(step, Icon)
+        }
+        for onikon in icons.values():
+            assert onikon.picture == read("onikon", onikon.name, SYNTAX).picture, (name, onikon.name)
 
 
 def test_the_lamp_is_watched_in_all_jobs_of_the_left_arm():  # law 19
