@@ -32,7 +32,7 @@ export interface Wish {
   readonly left: string | undefined
 }
 
-/** All icons in the order of the syntax's types, of the dictionaries, and within these. */
+/** All icons in the order of the syntax's types, of the dictionaries, those that are shipped first, and within these. */
 export function inOrder(
   onikons: Readonly<Record<string, OnikonView>>,
   types: Readonly<Record<string, TypeView>>,
@@ -40,6 +40,7 @@ export function inOrder(
   language: string,
 ): Entry[] {
   const places = new Map(Object.values(dictionaries).map((dictionary) => [dictionary.path, dictionary.order]))
+  const shipped = new Set(Object.values(dictionaries).flatMap(({ path, is_shipped }) => (is_shipped ? [path] : [])))
   const arranged = new Map(
     Object.values(dictionaries).map(({ path, arranged }) => [
       path,
@@ -48,6 +49,7 @@ export function inOrder(
   )
   const rank = (name: string, onikon: OnikonView): number[] => [
     types[onikon.type]?.order ?? Infinity,
+    Number(!shipped.has(onikon.dictionary)), // what is shipped keeps its places when somebody makes an icon
     places.get(onikon.dictionary) ?? Infinity,
     arranged.get(onikon.dictionary)?.get(name) ?? Infinity,
     onikon.order,

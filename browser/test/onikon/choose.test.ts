@@ -44,6 +44,13 @@ describe('the icons shown', () => {
     ])
   })
 
+  test('come behind those that are shipped where somebody has made them, so that these keep their places', () => {
+    const first = { '/own': dictionary('/own', 0), '/boxes': { ...dictionary('/boxes', 1), is_shipped: true } }
+    const made = { mine: icon('Joint object', '/own', 0, '2'), home: onikons.home!, above: onikons.above! }
+    const [group] = choose(inOrder(made, types, first, 'en'), all)
+    expect(group?.names).toEqual(['home', 'above', 'mine'])
+  })
+
   test('are those of one dictionary where one is chosen', () => {
     expect(shown({ dictionary: '/boxes' })).toEqual([['Joint object', ['home', 'above']]])
   })

@@ -98,3 +98,16 @@ def test_what_would_come_among_what_comes_with_onika_is_ones_own(cabinet):  # R-
 def test_where_it_cannot_be_written_the_reason_is_given(cabinet):  # R-B07
     cabinet.own.path.write_text("no folder")
     assert "cannot be saved" in str(cabinet.no(made()).reason)
+
+
+def test_what_a_new_target_is_put_among_keeps_its_places(cabinet):  # R-D24
+    def arranged():
+        return cabinet.environment.tree.dictionaries[str(cabinet.own.path)].arranged
+
+    cabinet.do(made("nap"))
+    cabinet.do(made("zebra"))
+    assert arranged() == ()  # by their names it is last
+    cabinet.do(made("apple"))
+    assert arranged() == ("nap", "zebra", "apple")
+    cabinet.do(made("nap", values=(("2.5",),), overwrites=True))
+    assert arranged() == ("nap", "zebra", "apple")

@@ -7,7 +7,8 @@ from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import overwriting
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state import target_values
-from onika.desk.environment.state.dictionary import home_of
+from onika.desk.environment.state.arrangements import with_arrangements
+from onika.desk.environment.state.dictionary import find, home_of
 from onika.desk.environment.state.icon_types import role_of
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.picture_digits import painted
@@ -16,8 +17,9 @@ from onika.desk.environment.state.target_items import items_of
 from onika.desk.plan.icon_names import a_kind, kind_named
 from onika.model.onikon import Onikon
 from onika.model.picture import Picture
-from onika.model.syntax import IconType
+from onika.model.syntax import IconType, same_type
 from onika.store.base_directory import BaseDirectory
+from onika.store.folder_arrangement import FolderArrangement, in_order
 from onika.store.own_copy import saving_place
 from onika.store.site import Site
 from onika.store.user_path import user_path
@@ -59,8 +61,25 @@ def make_target(model: Model, command: act.MakeTarget, outside: Services) -> Don
         return No(saved.reason, overwriting(saved, again, Reason.of("desk.replace_it")))
     text = Reason.of("desk.target_made", name=command.name, kind=a_kind(kind.name), path=str(saved.path))
     now = shown_at_once(model, saved.path, outside.site)
+    if find(model.dictionaries, command.name) is None:
+        now = _placed_last(now, home, command.name, outside.site)
     step = own_step(Reason.of("run.making_target", name=command.name), before, FileText.of(saved.path))
     return Done(now, value=command.name, says=(page.Say("success", text),), own=step)
+
+
+def _placed_last(model: Model, home: BaseDirectory, name: str, site: Site) -> Model:
+    """With a new icon behind those of its type, which keep their places; where no order can be kept, by its name."""
+    dictionary = home_of(model.dictionaries, name)
+    if dictionary is None or dictionary.base != home:
+        return model
+    folder, kind = home.path / "dict", dictionary.onikons[name].value.type
+    order = in_order(list(dictionary.onikons), model.arrangements.get(str(folder), ()))
+    alike = [other for other in order if same_type(dictionary.onikons[other].value.type, kind)]
+    place = FolderArrangement.of(folder, site.own)
+    if alike[-1] == name or isinstance(place, Refusal):
+        return model
+    others = [other for other in order if other != name]
+    return model if place.saved([*others, name]) is not None else with_arrangements(model, site)[0]
 
 
 def _kind(model: Model, name: str) -> IconType | No:
