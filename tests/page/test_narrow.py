@@ -138,3 +138,21 @@ def test_no_width_loses_stop(visitor, width):  # R-G04
     for level in ("Tasks", "Applications"):
         visitor.level(level)
         visitor.sees_stop()
+
+
+def test_the_columns_at_the_sides_fold_away_and_come_back_where_they_are_needed(visitor):  # R-G04, R-G01
+    page = visitor.page
+    page.set_viewport_size({"width": 900, "height": 700})
+    visitor.level("Applications")
+    workspace = page.get_by_role("region", name="Workspace")
+    field = page.get_by_role("complementary", name="Dictionary").get_by_role("searchbox")
+    before = workspace.bounding_box()["width"]
+    for name in ("Dictionary", "Run"):
+        page.get_by_role("button", name=f"Fold away: {name}", exact=True).click()
+        expect(page.get_by_role("button", name=f"Show: {name}", exact=True)).to_be_visible()
+    expect(field).to_be_hidden()
+    page.wait_for_function("least => document.querySelector('.workspace').clientWidth > least", arg=before + 400)
+    page.keyboard.press("Control+f")
+    expect(field).to_be_focused()
+    page.get_by_role("button", name="Show: Run", exact=True).press("Enter")
+    expect(visitor.run).to_be_visible()

@@ -25,7 +25,10 @@ function add(id: string, title: TextKey, given: Given): void {
 }
 
 function find(): void {
-  flushSync(() => (look.column = 'left'))
+  flushSync(() => {
+    look.column = 'left'
+    look.folded.left = false
+  })
   const field = document.querySelector<HTMLInputElement>('.dictionary [role=searchbox]')
   field?.focus()
   field?.select()

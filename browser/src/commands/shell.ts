@@ -135,7 +135,10 @@ command({
 
 const findField = (): HTMLInputElement | null => document.querySelector('.library [role=searchbox]')
 function find(): void {
-  flushSync(() => (look.column = 'left'))
+  flushSync(() => {
+    look.column = 'left'
+    look.folded.left = false
+  })
   findField()?.focus()
   findField()?.select()
 }

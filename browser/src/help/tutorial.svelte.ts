@@ -21,6 +21,7 @@ export function startTutorial(): void {
 }
 
 export function setOpen(isOpen: boolean): void {
+  if (isOpen) look.folded.right = false // it stands there
   tutorial.isOpen = isOpen
   keep('tutorialOpen', isOpen)
 }

@@ -24,6 +24,8 @@ interface Look {
   theme: Theme
   language: Language
   sounds: boolean
+  /** Which columns at the sides of a wide page are folded away. */
+  folded: { left: boolean; right: boolean }
   sizes: { library: number; sheet: number; strip: number }
   /** The same for the upper level. */
   upperSizes: { dictionary: number; run: number; words: number }
@@ -40,6 +42,7 @@ export const look: Look = $state({
   theme: kept<Theme>('theme', 'auto'),
   language: kept<Language>('language', language),
   sounds: kept('sounds', true),
+  folded: kept('folded', { left: false, right: false }),
   sizes: kept('sizes', { library: 236, sheet: 286, strip: 206 }),
   upperSizes: kept('upperSizes', { dictionary: 252, run: 330, words: 138 }),
 })

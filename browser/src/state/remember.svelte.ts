@@ -12,6 +12,7 @@ export function remember(): void {
   $effect(() => keep('level', look.level))
   $effect(() => keep('isUpperOnly', look.isUpperOnly))
   $effect(() => keep('presentation', look.presentation))
+  $effect(() => keep('folded', $state.snapshot(look.folded)))
   $effect(() => keep('sizes', $state.snapshot(look.sizes)))
   $effect(() => keep('upperSizes', $state.snapshot(look.upperSizes)))
   $effect(() => keep('dictionary', workspace.dictionary))

@@ -39,6 +39,8 @@ export const enLevels = {
   'levels.hideLower': 'Hide the lower level',
   'levels.hidden': 'That is part of the lower level, which is hidden here.',
   'columns.label': 'Parts of the page',
+  'columns.fold': 'Fold away: {name}',
+  'columns.unfold': 'Show: {name}',
   'columns.library': 'Library',
   'columns.canvas': 'Canvas',
   'columns.sheet': 'Sheet',

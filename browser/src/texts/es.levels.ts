@@ -41,6 +41,8 @@ export const esLevels: Record<keyof typeof enLevels, string> = {
   'levels.hideLower': 'Ocultar el nivel inferior',
   'levels.hidden': 'Eso pertenece al nivel inferior, que aquí está oculto.',
   'columns.label': 'Partes de la página',
+  'columns.fold': 'Plegar: {name}',
+  'columns.unfold': 'Mostrar: {name}',
   'columns.library': 'Biblioteca',
   'columns.canvas': 'Lienzo',
   'columns.sheet': 'Ficha',
