@@ -120,7 +120,9 @@ def test_pictures_are_joined_and_a_run_is_begun_paused_and_ended(visitor):  # R-
     visitor.part("Run")
     visitor.press(run.get_by_role("button", name=re.compile("^Check")), does=False)
     visitor.press(run.get_by_role("button", name=re.compile("^Run")))
+    expect(run.get_by_role("button", name="Look inside")).to_be_visible(timeout=30_000)  # it has begun
     visitor.press(run.get_by_role("button", name="Pause", exact=True))
+    expect(run).to_contain_text(re.compile("pauses after this|is paused"))  # it waits there, however slow the page is
     visitor.reaches("Step", "Abort", "Look inside", within=run)
     visitor.part("Workspace")
     expect(page.get_by_role("region", name="Workspace")).to_be_in_viewport()
