@@ -12,9 +12,11 @@ from onika.desk.environment.file.recovery_record import (
     rescue_of,
     write,
 )
-from onika.desk.environment.state.content import Content
+from onika.desk.environment.state.content import Content, KeptConfiguration
 from onika.desk.environment.state.document import Document
 from onika.model.configuration import Configuration, Placed
+from onika.model.own_lines import OwnLines
+from onika.model.task import LocalLine
 from onika.store.base_directory import BaseDirectory
 from onika.wire import act
 from onika.words.fault import Refusal
@@ -34,6 +36,23 @@ def test_a_document_comes_back_as_it_was_and_as_unsaved(document):  # R-X10
     assert again == replace(document, id="c2")
     assert again.is_dirty
     assert not again.has_changed_on_disk
+
+
+def test_what_a_task_says_otherwise_here_comes_back_with_it(document):  # R-B09, R-X10
+    own = OwnLines((("Q", "Q_LEFT"),), (LocalLine("STIFF", ("0.5",)),), ("DAMP",))
+    tuned = Configuration("move", (Placed("pd_left", own=own, rmod="pd"),))
+    again = document_of(read(write(rescue_of(replace(document, content=Content(tuned))))), "c2")
+    assert again.content.configuration.placed == tuned.placed
+
+
+def test_what_is_kept_alive_and_not_saved_comes_back_as_a_document_of_its_own(document):  # R-C32, R-X10
+    own = OwnLines(local=(LocalLine("STIFF", ("0.5",)),))
+    tuned = Configuration("tuned", (Placed("pd", own=own),))
+    kept = (KeptConfiguration(tuned), KeptConfiguration(document.opened.value, document.opened, document.base))
+    keeper = replace(document, content=replace(document.content, kept=kept))
+    main, other = read(write(rescue_of(keeper))).every
+    assert document_of(main, "c7") == document
+    assert document_of(other, "c8").content == Content(tuned) and document_of(other, "c8").is_dirty
 
 
 def test_a_document_without_a_file_comes_back_too():

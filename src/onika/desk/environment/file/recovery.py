@@ -119,7 +119,7 @@ def _read(folder: Path) -> Iterator[RecoveryRecord]:
     for path in sorted(folder.glob(f"*{_ENDING}")):
         content, _ = text.load(path, str(path))
         try:
-            yield records.read(content or "")
+            yield from records.read(content or "").every
         except ValueError:
             with suppress(OSError):
                 path.rename(folder.parent / f"{folder.name}-{path.stem}{_UNREADABLE}")

@@ -27,6 +27,7 @@ class RecoveryRecord:
     path    its file; empty: it has none
     former  what that file held when it was read or saved last
     kind    the ending of such files
+    kept    configurations that are kept alive with it and have changed since they were saved
     """
 
     name: str
@@ -35,6 +36,12 @@ class RecoveryRecord:
     path: str = ""
     former: str = ""
     kind: str = conf.ENDING
+    kept: tuple["RecoveryRecord", ...] = ()
+
+    @property
+    def every(self) -> tuple["RecoveryRecord", ...]:
+        """It, then those that are kept alive with it: each comes back as a document of its own."""
+        return replace(self, kept=()), *self.kept
 
 
 def rescue_of(document: Document | OpenApplication) -> RecoveryRecord:
@@ -47,6 +54,7 @@ def rescue_of(document: Document | OpenApplication) -> RecoveryRecord:
         base=str(document.base or ""),
         path=str(opened.path) if opened else "",
         former=opened.text if opened else "",
+        kept=_kept(document) if isinstance(document, Document) else (),
     )
 
 
@@ -111,6 +119,15 @@ def _text(document: Document | OpenApplication) -> str:
     if isinstance(document, Document):
         return conf.write(document.content.configuration)
     return appl.write(document.application)
+
+
+def _kept(document: Document) -> tuple[RecoveryRecord, ...]:
+    """Those that are kept alive with it and are not saved, as if each were open by itself."""
+    return tuple(
+        rescue_of(Document(document.id, Content(kept.configuration), opened=kept.opened, base=kept.base))
+        for kept in document.content.kept
+        if kept.is_unsaved
+    )
 
 
 def _has_changed(record: RecoveryRecord) -> bool:
