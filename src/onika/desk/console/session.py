@@ -1,7 +1,7 @@
 """A console session: sends requests to the runtime, shows its events, and remembers what later lines need."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 from onika.desk.console import event_lines
@@ -147,8 +147,7 @@ class ConsoleSession:
                 return tuple(map(fault_of, answer.faults))
             case live.Accepted():
                 faults = self._outcome(getattr(message, "subsystem", self.subsystem), answer.number)
-                self._remember_room(message, faults)
-                return faults
+                return self._with_ways(message, faults)
         return ()
 
     def standing(self) -> live.Standing:
@@ -223,13 +222,14 @@ class ConsoleSession:
             return self.no(Reason.of("console.change_refused", cause=cause))
         return ()
 
-    def _remember_room(self, message: request.Request, faults: Faults) -> None:
-        """Whether something found no gap between cycles is told with the ways in which it can be done again."""
+    def _with_ways(self, message: request.Request, faults: Faults) -> Faults:
+        """Where something found no gap between cycles: with the ways in which it can be done again."""
         tasks = tuple(task for fault in faults for task in without_gap(fault.reason))
         self.without_gap = None
         if tasks and isinstance(message, live.Change | live.Swap) and not message.holds:
             self.without_gap = WithoutGap(message, tasks)
-            self.say(Reason.of("console.ways_again"), Tone.NOTE)
+            faults = tuple(replace(fault, instead=Reason.of("console.ways_again")) for fault in faults)
+        return faults
 
     def _tick(self) -> None:
         """Each once; what one of them asks for and hears begins none anew."""
