@@ -122,7 +122,7 @@ def test_a_run_asks_for_a_unit_and_once_for_what_lives_in_its_way_which_is_put_b
     run.get_by_role("button", name=re.compile("^Run")).click()
     expect(me.refusal).to_contain_text("on which processing unit beat, brief run: rt0 or rt1?")
     me.refusal.get_by_role("button", name="All on rt1").click()
-    expect(me.refusal).to_contain_text("beat stays, begun anew; brief comes; ")
+    expect(me.refusal).to_contain_text("beat is in both: it ends, and begins anew; brief comes; ")
     expect(me.refusal).to_contain_text("afterwards idleC is put back, beat ON again")
     me.refusal.get_by_role("button", name="Take over and run").click()
     expect(run.get_by_text(re.compile("Done: "))).to_be_visible()

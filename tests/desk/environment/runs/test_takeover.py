@@ -65,7 +65,7 @@ def test_one_question_says_what_happens_to_each_task_and_what_is_put_back(play):
     sheets = {"c": ModuleSheet((), (), (), False, False, False, 0, "")}
     play.environment.become(lambda model: Done(replace(model, libraries=replace(model.libraries, sheets=sheets))))
     reason, remedies = question(play, play.open([job("aC"), job("bC")]))
-    assert "b stays, begun anew; rival gives way to a; c goes OFF and ends; " in reason
+    assert "b is in both: it ends, and begins anew; rival gives way to a; c goes OFF and ends; " in reason
     assert "afterwards Untitled-1 is put back, c ON again where all actions were done" in reason
     assert [str(remedy.label) for remedy in remedies] == ["Take over and run"]
     assert play.carried(live.Close) == [] and play.state(lower, "c") == "ON"

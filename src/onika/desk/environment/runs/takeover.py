@@ -78,7 +78,7 @@ class Fates:
     """What happens to each task where a run takes over what lives."""
 
     again: tuple[str, ...]
-    """On both sides, as it is: it stays, and begins anew."""
+    """On both sides, as it is: it ends, and begins anew with the run."""
     exchanged: tuple[str, ...]
     """On both sides by its name; its file or its code differs."""
     gives_way: tuple[tuple[str, str], ...]
