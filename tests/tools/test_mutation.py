@@ -162,6 +162,13 @@ def test_it_is_worn_the_second_time():
 """
 
 
+PROFILE = """
+from hypothesis import settings
+
+settings.register_profile("mutation", settings.get_profile("ci"))
+"""
+"""The profile under which mutants are tried, as our own tests have it."""
+
 FROZEN = """
 import gc
 
@@ -177,7 +184,7 @@ def trial_of_brake(root, functions=(), conftest=FROZEN):
         pytest.importorskip("coverage")
     (root / "brake.py").write_text(BRAKE)
     (root / "test_brake.py").write_text(TESTS)
-    (root / "conftest.py").write_text(conftest)
+    (root / "conftest.py").write_text(PROFILE + conftest)
     (root / "pyproject.toml").write_text("[tool.pytest.ini_options]\npythonpath = ['.']\n")
     program = (
         "import json, sys; from dataclasses import asdict; from pathlib import Path; from mutation.trial import trial\n"
