@@ -16,6 +16,7 @@ from onika.host.loading.loader_client import LoaderClient, NotYet
 from onika.host.loading.module_description import describe
 from onika.host.loading.module_questions import ModuleQuestions
 from onika.host.loading.plan_preparation import inspect, prepare
+from onika.host.loading.pose_solution import solve
 from onika.host.loading.world_kinds import world_list
 from onika.host.recording.black_box import BlackBox
 from onika.host.recording.black_box_holder import BlackBoxHolder
@@ -262,7 +263,7 @@ class RuntimeProgram:
                 return replace(refused(prepared.faults, prepared.notes), resolved=resolved, worlds=worlds)
             case request.Inspect():
                 return refused(*inspect(message.tasks, message.code, self._loading))
-            case live.Describe() | live.ListWorlds():
+            case live.Describe() | live.ListWorlds() | live.Solve():
                 return self._described(message)
             case request.Begin():
                 return self.applications.begin(session, message)
@@ -284,10 +285,12 @@ class RuntimeProgram:
                 return request.Done()
         return self._by_hand(session, message)
 
-    def _described(self, message: live.Describe | live.ListWorlds) -> request.Response:
+    def _described(self, message: live.Describe | live.ListWorlds | live.Solve) -> request.Response:
         """What the code of modules or worlds says of itself."""
         if isinstance(message, live.Describe):
             return describe(message.code, self._loading)
+        if isinstance(message, live.Solve):
+            return solve(message, self._loading)
         return world_list(offered_worlds(), self._loading)
 
     def _by_hand(self, session: str, message: request.Request) -> request.Response:

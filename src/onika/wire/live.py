@@ -110,6 +110,16 @@ class Describe(Struct, frozen=True, tag=True):
     code: tuple[Code, ...]
 
 
+class Solve(Struct, frozen=True, tag=True):
+    """Ask the module of an arm for the joint values of poses; replied by Solved. It lets everything else pass."""
+
+    code: Code
+    local: tuple[tuple[str, tuple[str, ...]], ...]
+    """The LOCAL lines of the arm's task, which say what arm it is and where it stands."""
+    poses: tuple[tuple[float, ...], ...]
+    """Each as the nine numbers of a Cartesian target."""
+
+
 class Check(Struct, frozen=True, tag=True):
     """Check the memory of a subsystem's variables (A12); replied by Findings."""
 
@@ -203,6 +213,7 @@ LiveRequest = (
     | Survey
     | Read
     | Describe
+    | Solve
     | Check
     | Close
     | Take
@@ -244,6 +255,13 @@ class Described(Struct, frozen=True, tag=True):
 
     sheets: dict[str, ModuleSheet]
     faults: dict[str, Reason] = {}
+
+
+class Solved(Struct, frozen=True, tag=True):
+    """Joint values for each pose, each nearest to those before it; none where there are none, with the reason."""
+
+    joints: tuple[tuple[float, ...], ...]
+    reasons: tuple[Reason, ...]
 
 
 class TaskStanding(Struct, frozen=True):
@@ -365,5 +383,5 @@ class Scenery(Struct, frozen=True, tag=True):
 
 
 LiveResponse = (
-    Accepted | Value | Values | Standing | WorldsPutBack | Figures | Findings | Scenery | WorldList | Described
+    Accepted | Value | Values | Standing | WorldsPutBack | Figures | Findings | Scenery | WorldList | Described | Solved
 )

@@ -20,6 +20,7 @@ WITH_CODE = [
     request.Prepare(Plan("a", (), (CODE,)), ()),
     request.Inspect((), (CODE,)),
     live.Describe((CODE,)),
+    live.Solve(CODE, (), ()),
     live.Change("s", code=(CODE,)),
     live.Swap("s", "t", CODE),
     live.Reinit("s", "t", (("GAIN", ("1",)), ("STARTS", ("rm", "-r")))),

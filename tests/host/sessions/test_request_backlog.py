@@ -4,6 +4,7 @@ from onika.host.sessions.request_backlog import Backlog
 from onika.host.sessions.request_server import SessionRequest
 from onika.link.caller import Role
 from onika.wire import holding, live, request
+from onika.wire.plan import Code
 from onika.words.reason import NOTHING
 
 
@@ -36,9 +37,10 @@ def test_what_is_urgent_waits_behind_nothing(backlog, wish):  # law 27
     assert not backlog.is_before(call(wish))
 
 
-def test_a_description_holds_up_nobody():  # law 21
+@pytest.mark.parametrize("wish", [live.Describe(()), live.Solve(Code("d", "m", "m.py", ""), (), ())])
+def test_what_code_says_of_itself_holds_up_nobody(wish):  # law 21
     backlog = Backlog()
-    backlog.keep(call(live.Describe(())), answered)
+    backlog.keep(call(wish), answered)
     assert not backlog.is_before(call(live.Clear("arm", "pd")))
 
 

@@ -28,6 +28,7 @@ def honest_requests(plans: Sequence[Plan], tasks: tuple[str, str]) -> list[reque
         live.Change("s0", off=(second,), rates=((first, 250.0),)),
         live.Change("s0", kill=(second,)),
         live.Describe(code),
+        live.Solve(code[0], planned[0].local, ((0.0, 0.0, -1.0, 1.0, 0.0, 0.0, 0.4, 0.2, 0.1),)),
         live.Swap("s0", second, code[1]),
         live.Reinit("s0", first, planned[0].local),
         live.Get("s0", second, "x"),

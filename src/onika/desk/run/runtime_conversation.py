@@ -35,6 +35,7 @@ _AGAIN = (
     live.Read,
     live.Check,
     live.Describe,
+    live.Solve,
     live.Attend,
     live.Scene,
     live.Get,

@@ -58,7 +58,7 @@ def refusal(caller: Caller, message: request.Request, accepts_code: bool) -> Rea
 
 def changes_nothing(message: request.Request) -> bool:
     """Whether who only watches may ask it: it looks, or stops."""
-    return isinstance(message, (*_LOOKING, live.Get, live.Describe, request.Inspect))
+    return isinstance(message, (*_LOOKING, live.Get, live.Describe, live.Solve, request.Inspect))
 
 
 def brings_code(message: request.Request) -> bool:
@@ -68,6 +68,8 @@ def brings_code(message: request.Request) -> bool:
             return bool(message.plan.code)
         case request.Inspect() | live.Describe():
             return bool(message.code)
+        case live.Solve():
+            return True
         case live.Change():
             return bool(message.code) or any(_leads_outside(task.local) for task in message.spawn)
         case live.Swap():

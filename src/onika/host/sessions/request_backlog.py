@@ -12,6 +12,8 @@ _AT_ONCE = (
     *get_args(holding.HoldingRequest),
 )
 """What never waits behind another request."""
+_ASIDE = (live.Describe, live.Solve)
+"""What nobody waits behind: it asks what code says of itself."""
 
 Answer = Callable[[request.Response], None]
 
@@ -23,11 +25,11 @@ class Backlog:
         self._waiting: list[tuple[SessionRequest, Answer]] = []
 
     def is_before(self, call: SessionRequest) -> bool:
-        """Whether something waits that this session asked earlier, but for descriptions: then this waits too."""
+        """Whether something waits that this session asked earlier, but of what code says: then this waits too."""
         if isinstance(call.asked, _AT_ONCE):
             return False
         return any(
-            waiting_call.session == call.session and not isinstance(waiting_call.asked, live.Describe)
+            waiting_call.session == call.session and not isinstance(waiting_call.asked, _ASIDE)
             for waiting_call, _ in self._waiting
         )
 
