@@ -87,6 +87,34 @@ def test_the_present_position_of_the_arm_is_taken_by_one_click_and_nothing_is_le
     expect(page.get_by_role("button", name=re.compile("^Take position"))).to_be_visible()
 
 
+@pytest.mark.slow
+def test_a_place_clicked_in_the_workcell_becomes_a_pose_before_it_that_points_into_it(program, page):  # R-D25
+    program.enter(page)
+    page.get_by_role("button", name="Applications", exact=True).click()
+    page.locator("body").press("Alt+n")
+    page.get_by_role("dialog", name="New application").get_by_role("button", name="Begin").click()
+    page.locator("#onikon-cmoveC").dblclick()
+    expect(page.get_by_role("region", name="Workspace").locator("[data-step]")).to_have_count(4)
+    page.get_by_role("button", name="Take the arm’s present position").click()
+    panel = page.get_by_role("dialog", name="New target")
+    expect(panel).to_contain_text("where puma stands now", timeout=30_000)
+    values = panel.locator("input[id*='-value-']")
+    before = [values.nth(k).input_value() for k in range(9)]
+    panel.get_by_role("button", name="Click a place…").click()
+    world = page.get_by_role("application", name=re.compile("^The workcell in three dimensions"))
+    expect(world).to_contain_text("Click where the tool shall go.")
+    room = world.locator("canvas").bounding_box()
+    world.locator("canvas").click(position={"x": room["width"] * 0.56, "y": room["height"] * 0.7})
+    expect(panel).to_contain_text("the place that was clicked, as puma reaches it", timeout=30_000)
+    after = [values.nth(k).input_value() for k in range(9)]
+    assert after != before
+    assert [float(word) for word in after[:3]] == [0, 0, -1], "it points down into the table"
+    height = float(after[8])
+    panel.get_by_label("Away from its surface").fill("0.1")
+    expect(values.nth(8)).not_to_have_value(after[8])
+    assert float(values.nth(8).input_value()) == pytest.approx(height + 0.05)
+
+
 def stopped(me):
     """Stop: every drive holds, the arm stands, and says so until it is reset."""
     me.page.get_by_role("button", name="Stop").click()

@@ -66,6 +66,16 @@ function tidy(value: number, all: readonly number[]): string {
   return String(Number(value.toFixed(places)) || 0)
 }
 
+/** Whether it is of a pose, which says where an arm's tool goes. */
+export const isOfPose = ({ item }: Field): boolean => 'place' in item && item.place === 'pose'
+
+/** How the tool of a pose is turned about its approach; undefined where no pose is filled in. */
+export function normalOf(rows: readonly Field[], words: readonly string[]): [number, number, number] | undefined {
+  const pose = rows.flatMap((row, k) => (isOfPose(row) ? [words[k] ?? ''] : []))
+  const [x = NaN, y = NaN, z = NaN] = pose.slice(3, 6).map((word) => (word.trim() ? Number(word) : NaN))
+  return Number.isFinite(x + y + z) && Math.hypot(x, y, z) > 0 ? [x, y, z] : undefined
+}
+
 /** The names of the items that were not measured: what a taught target still lacks (D23). */
 export function lacking(rows: readonly Field[], values: Readonly<Record<string, readonly number[]>>): string[] {
   return [...new Set(rows.map((row) => row.item.name))].filter((name) => !(name in values))

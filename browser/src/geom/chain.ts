@@ -57,6 +57,14 @@ export function jointsOf(hinges: ReadonlyMap<number, Hinge>, arm: string): numbe
   return own.sort((a, b) => number(a) - number(b))
 }
 
+/** The bodies that joints move, and those that stand on such. */
+export function movedBodies(hinges: ReadonlyMap<number, Hinge>): Set<number> {
+  const moved = new Set<number>()
+  for (const [body, { joint, carrier }] of [...hinges].sort(([a], [b]) => a - b))
+    if (joint || moved.has(carrier)) moved.add(body)
+  return moved
+}
+
 /**
  * The poses of all that an arm moves, by body; none where it has not so many joints. What is not of its joints, as the
  * fingers, stands against its carrier as it does now. `now` gives the present pose of a body.

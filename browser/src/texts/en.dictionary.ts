@@ -82,6 +82,10 @@ export const enDictionary = {
   'target.descriptionHint': 'above the triangle',
   'target.values': 'Values',
   'target.arm': 'Arm',
+  'target.point': 'Click a place…',
+  'target.away': 'Away from its surface',
+  'target.pointHint':
+    'Click the workcell where the tool shall go: it points into what is there. Arms are looked through.',
   'target.take': 'Take present values',
   'target.taking': 'Reading…',
   'target.took': 'Read from {source}.',

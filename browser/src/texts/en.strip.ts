@@ -136,6 +136,7 @@ export const enStrip = {
 
   'world.name': 'Workcell {name}',
   'world.canvas': 'The workcell in three dimensions: drag turns it, the wheel comes closer.',
+  'world.point': 'Click where the tool shall go.',
   'world.take': 'Take position…',
   'world.reset': 'Reset the view',
   'world.loading': 'Building the workcell…',

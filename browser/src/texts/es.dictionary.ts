@@ -84,6 +84,10 @@ export const esDictionary: Record<keyof typeof enDictionary, string> = {
   'target.descriptionHint': 'sobre el triángulo',
   'target.values': 'Valores',
   'target.arm': 'Brazo',
+  'target.point': 'Señalar un lugar…',
+  'target.away': 'Separada de su superficie',
+  'target.pointHint':
+    'Señale en la célula adónde va la herramienta: apuntará hacia lo que hay allí. Los brazos no estorban.',
   'target.take': 'Tomar los valores actuales',
   'target.taking': 'Leyendo…',
   'target.took': 'Leído de {source}.',

@@ -140,6 +140,7 @@ export const esStrip: Record<keyof typeof enStrip, string> = {
 
   'world.name': 'Célula {name}',
   'world.canvas': 'La célula en tres dimensiones: arrastre para girarla, la rueda la acerca.',
+  'world.point': 'Señale adónde va la herramienta.',
   'world.take': 'Tomar posición…',
   'world.reset': 'Vista inicial',
   'world.loading': 'Construyendo la célula…',

@@ -2,6 +2,7 @@
 // at no other time.
 import {
   AmbientLight,
+  ArrowHelper,
   Box3,
   BoxGeometry,
   BufferGeometry,
@@ -30,7 +31,8 @@ import {
 } from 'three'
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
 import { inks } from '../values/inks'
-import { posture, type Hinge, type Pose } from '../geom/chain'
+import { movedBodies, posture, type Hinge, type Pose } from '../geom/chain'
+import { placeUnder } from './picking'
 import { bodiesOf, GLOW, ROW, type Shape, type World } from '../values/world'
 
 const ENDLESS = 30
@@ -40,6 +42,8 @@ const SEEN = 0.0002
 /** Of its time a picture leaves so much to all else: without graphics hardware it is made by the processor that drives the arm. */
 const REST = 3
 const FROM = new Vector3(-1.15, -1.55, 0.75).normalize() // where one looks from at first
+/** How long the arrow at a place that is pointed at is, in m. */
+const ARROW = 0.12
 /** Paint of a lamp's glass. */
 const BULB = 'glass'
 
@@ -57,6 +61,7 @@ export class WorldScene {
   private readonly ghosts = new Map<number, Group>()
   private readonly ghostly = new MeshLambertMaterial({ transparent: true, opacity: 0.42, depthWrite: false })
   private readonly grid = new GridHelper(12, 40)
+  private readonly arrow = new ArrowHelper(new Vector3(0, 0, -1), new Vector3(), ARROW, '#2f7fd8', ARROW / 3, ARROW / 6)
   private readonly lights: { sky: HemisphereLight; window: DirectionalLight; lamp?: PointLight }
   private isDue = false
   private posed: Float32Array = new Float32Array()
@@ -75,7 +80,8 @@ export class WorldScene {
     this.bodies = bodiesOf(world)
     this.hinges = new Map(world.shapes.flatMap(({ body, hinge }) => (hinge ? [[body, hinge] as const] : [])))
     this.groups = Array.from({ length: this.bodies }, () => new Group())
-    this.scene.add(...this.groups)
+    this.arrow.visible = false
+    this.scene.add(...this.groups, this.arrow)
     for (const shape of world.shapes) this.build(shape)
     this.lights = this.light()
     this.renderer.shadowMap.enabled = true
@@ -117,6 +123,25 @@ export class WorldScene {
       group.quaternion.set(qx, qy, qz, qw)
     }
     this.ghostly.color.set(isBeyond ? '#d03020' : '#2f7fd8')
+    this.draw()
+  }
+
+  /** The place under a point of the window; arms are looked through, for they will stand elsewhere. */
+  under(clientX: number, clientY: number): ReturnType<typeof placeUnder> {
+    const { left, top, width, height } = this.canvas.getBoundingClientRect()
+    const moved = movedBodies(this.hinges)
+    const parts = this.groups.filter((_, body) => !moved.has(body))
+    return placeUnder(((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2, this.camera, parts)
+  }
+
+  /** An arrow that ends at a place, along its normal; without one there is none. */
+  mark(place?: { position: readonly [number, number, number]; normal: readonly [number, number, number] }): void {
+    this.arrow.visible = place !== undefined
+    if (place) {
+      const normal = new Vector3(...place.normal)
+      this.arrow.position.set(...place.position).addScaledVector(normal, ARROW)
+      this.arrow.setDirection(normal.negate())
+    }
     this.draw()
   }
 

@@ -1,6 +1,6 @@
 // R-D23: where the bodies of an arm are for given angles of its joints.
 import { expect, test } from 'vitest'
-import { hung, jointsOf, posture, type Hinge, type Pose } from '../../src/geom/chain'
+import { hung, jointsOf, movedBodies, posture, type Hinge, type Pose } from '../../src/geom/chain'
 
 const HERE: Pose = [0, 0, 0, 1, 0, 0, 0]
 const hinge = (carrier: number, joint: string, more: Partial<Hinge> = {}): Hinge => ({
@@ -46,4 +46,9 @@ test('an arm of another count of joints, or none of this name, has no posture', 
 test('joints stand in the order of their numbers', () => {
   const many = new Map(Array.from({ length: 11 }, (_, k) => [11 - k, hinge(0, `a.joint${11 - k}`)] as const))
   expect(jointsOf(many, 'a')).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11])
+})
+
+test('what joints move, and what stands on that, is no place of its own; a table is', () => {
+  // R-D25
+  expect([...movedBodies(new Map([...ARM, [9, hinge(0, '')]]))].sort()).toEqual([1, 2, 3, 4])
 })

@@ -56,6 +56,7 @@ from onika.wire.act.dictionary import (
     FitTargets as FitTargets,
     MakeTarget as MakeTarget,
     OpenDictionary as OpenDictionary,
+    PointAt as PointAt,
     RemoveOnikon as RemoveOnikon,
     Teach as Teach,
 )
@@ -280,6 +281,7 @@ AnyAct = (
     | EditOnikon
     | RemoveOnikon
     | Teach
+    | PointAt
     | FitTargets
     | Run
     | Redirect

@@ -66,6 +66,26 @@ class Teach(Act, frozen=True):
     """Whether another type will do where nothing measures this one."""
 
 
+class PointAt(Act, frozen=True):
+    """Ask for a place of a workcell as the values of a type of target (D25); replied by `view.TaughtView`."""
+
+    type: str
+    world: str
+    position: tuple[float, float, float]
+    """Where the tool shall be, in m."""
+    approach: tuple[float, float, float]
+    """Where it shall point, of any length."""
+    normal: tuple[float, float, float] = (1.0, 0.0, 0.0)
+    """How it shall be turned about the approach, as far as the arm reaches it so."""
+    doc: str = ""
+    """The open application whose arm is meant."""
+    flow: str = "0"
+    after: int = 0
+    """A place in it: the arm of the job nearest before it is meant."""
+    arm: str = ""
+    """The task of the arm that is meant, where the application moves several."""
+
+
 class FitTargets(Act, frozen=True):
     """Ask which targets a state variable makes as it is now (C30); replied by `view.TargetFitsView`."""
 

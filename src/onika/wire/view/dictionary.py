@@ -23,6 +23,8 @@ class ItemView(View, frozen=True):
     default: tuple[Any, ...] | None = None
     dimension: str = ""
     """The constant that says how many values there are, `count` being what is usual; empty: it is `count`."""
+    place: Literal["", "pose", "joints"] = ""
+    """Whether it says where an arm goes: as the pose of its tool, or as the values of its joints."""
 
 
 class TypeView(View, frozen=True):
@@ -97,6 +99,8 @@ class TaughtView(View, frozen=True):
     """The arm itself, as `WORLD:NAME`."""
     arms: tuple[str, ...] = ()
     """All arms that the application moves."""
+    joints: tuple[float, ...] = ()
+    """Where a place was pointed at: the joints with which that arm comes to it."""
 
 
 class TargetFitView(View, frozen=True):

@@ -4,14 +4,14 @@ from collections.abc import Mapping, Sequence
 
 from msgspec import structs
 
+from onika.desk.environment.icons.meant_arms import arms_meant
 from onika.desk.environment.icons.measured_variables import MeasuredVariable, measures_of, values_of
 from onika.desk.environment.icons.measuring_remedies import ways_to_measure
 from onika.desk.environment.icons.moment import measured
-from onika.desk.environment.icons.program_arms import MeasuringTasks, arms_of, jobs_near
+from onika.desk.environment.icons.program_arms import MeasuringTasks
 from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, RequiredRuntime
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Services
-from onika.desk.environment.runs.begin import ready
 from onika.desk.environment.state.model import Model
 from onika.desk.plan.icon_names import a_kind, kind_named
 from onika.model.planned import task_of
@@ -32,7 +32,7 @@ def teach(model: Model, command: act.Teach, outside: Services) -> Procedure:
     measures = measures_of(model, kind)
     if not measures:
         return No(Reason.of("desk.nothing_measures", kind=a_kind(kind.name)))
-    arms = _arms(model, command, measures, outside)
+    arms = arms_meant(model, command, measures, outside)
     if model.runtime.state != "linked" and not arms:
         return No(Reason.of("desk.no_robot"), ways_to_measure(model, measures))
     model, standing = yield Ask(model, live.Survey(), RequiredRuntime() if arms else None)
@@ -67,21 +67,6 @@ def _kind(model: Model, command: act.Teach) -> IconType | No:
         Reason.of("desk.no_target_type", kind=kind_named(command.type)),
         fields={"type": Reason.of("desk.target_type_form")},
     )
-
-
-def _arms(
-    model: Model, command: act.Teach, measures: Sequence[MeasuredVariable], outside: Services
-) -> tuple[MeasuringTasks, ...]:
-    """The arms of the open application, the one that is meant first."""
-    opened = model.applications.get(command.doc)
-    if opened is None or model.syntax is None:
-        return ()
-    plan = ready(opened, outside.site, model.syntax).plan
-    if plan is None:
-        return ()
-    jobs = jobs_near(opened.application, command.flow, command.after)
-    arms = arms_of(plan, jobs, frozenset(measure.variable for measure in measures), model.libraries)
-    return tuple(sorted(arms, key=lambda arm: arm.arm != command.arm))
 
 
 def _of_arm(

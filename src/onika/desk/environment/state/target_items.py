@@ -2,12 +2,16 @@
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
+
+from msgspec import structs
 
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import OpenLibraries
 from onika.desk.plan.declarations import declared_inputs, declared_ports
 from onika.desk.plan.target_inputs import paired, takes
+from onika.model import pose_numbers
+from onika.model.port import PortKind
 from onika.model.syntax import DataItem, IconType, Syntax
 from onika.model.task import Task
 from onika.wire.sheet import InputSheet, PortSheet
@@ -34,7 +38,8 @@ def items_of(model: Model, type_: str) -> tuple[ItemView, ...]:
     if kind is None or model.syntax is None:
         return ()
     uses = uses_of(model.libraries, model.syntax, kind)
-    return tuple(_view(item, uses.get(item.name, ()), model.limits) for item in kind.items)
+    views = (_view(item, uses.get(item.name, ()), model.limits) for item in kind.items)
+    return tuple(structs.replace(view, place=_place(view, uses.get(view.name, ()), model.libraries)) for view in views)
 
 
 def uses_of(libraries: OpenLibraries, syntax: Syntax, kind: IconType) -> dict[str, tuple[InputUse, ...]]:
@@ -79,6 +84,21 @@ def _view(item: DataItem, uses: Sequence[InputUse], limits: Limits) -> ItemView:
         high=_widest([_bound(use, use.input.high, item.count, limits) for use in uses], max),
         default=_spread(defaults[0], item.count) if defaults else None,
         dimension=item.dimension,
+    )
+
+
+def _place(item: ItemView, uses: Sequence[InputUse], libraries: OpenLibraries) -> Literal["", "pose", "joints"]:
+    """Whether it says where an arm goes: the angles of its joints, or a frame, which its task also measures."""
+    if item.dimension and item.unit == "rad":
+        return "joints"
+    if item.count == pose_numbers.COUNT and any(_measures_frame(use, libraries) for use in uses):
+        return "pose"
+    return ""
+
+
+def _measures_frame(use: InputUse, libraries: OpenLibraries) -> bool:
+    return any(
+        port.shape == pose_numbers.SHAPE and PortKind(port.kind).is_input for port in ports_of(libraries, use.task)
     )
 
 
