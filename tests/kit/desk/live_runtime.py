@@ -242,7 +242,8 @@ class LiveRuntime:
             case live.Change(holds=False):
                 tight = [task.name for task in message.spawn if self._home(task.rtpu) in self.tight]
             case live.Swap(holds=False):
-                tight = [message.task] if self.lives[message.subsystem][message.task].rtpu in self.tight else []
+                life = self.lives.get(message.subsystem, {}).get(message.task)
+                tight = [message.task] if life is not None and life.rtpu in self.tight else []
             case _:
                 tight = []
         if not tight:
