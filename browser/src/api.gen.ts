@@ -1766,6 +1766,7 @@ export interface RuntimeView {
   inside?: Record<string, SubsystemView>;
   world_kinds?: Record<string, 'real' | 'simulated'>;
   displaced?: Record<string, (Reason)[]>;
+  moved?: Record<string, (Reason)[]>;
 }
 
 /** Somebody who is connected with the runtime; a user may be there several times. */

@@ -9,6 +9,7 @@ from msgspec import convert
 from kit.worlds.mass_world import MassWorld
 from kit.worlds.resettable_masses import ResettableMasses
 from onika.ring.device import DeviceOrder, DeviceSheet, DriveState
+from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring
@@ -274,7 +275,7 @@ def test_what_is_put_back_is_published_at_once_and_stays_stopped_where_it_was(se
     mass = device(bus, segment)
     bus.world.state("m0")[2] = 3.0
     bus.step(MS)
-    assert (mass.read()[0], bus.displaced()) == (3.0, (Reason.plain("m0 is away"),))
+    assert (mass.read()[0], bus.displaced()) == (3.0, (Displacement(Reason.plain("m0 is away")),))
     bus.put_back(is_stopped=is_stopped)
     assert (mass.read()[0], bus.displaced()) == (0.0, ())
     assert (bus.modes()["masses:m0"] is DriveMode.STOPPED) is is_stopped

@@ -1,6 +1,7 @@
 import pytest
 
 from kit.worlds.mass_world import MassWorld
+from onika.ring.displacement import Displacement
 from onika.runtime import world_start
 from onika.words.reason import Reason
 
@@ -24,7 +25,7 @@ class Placed(Movable):
         return (Reason.plain("m0 at 0 m"), Reason.plain("m1 at 0 m"))
 
     def displaced(self):
-        return (Reason.plain("m1 is away"),)
+        return (Displacement(Reason.plain("m1 is away")),)
 
 
 def refused(world):
@@ -53,5 +54,5 @@ def test_of_one_that_does_not_know_its_places_that_is_said(world):  # law 18
 
 
 def test_what_is_away_is_told_by_a_world_that_knows_and_by_no_other():  # law 18
-    assert world_start.displaced(Placed(True)) == (Reason.plain("m1 is away"),)
+    assert world_start.displaced(Placed(True)) == (Displacement(Reason.plain("m1 is away")),)
     assert world_start.displaced(MassWorld()) == ()

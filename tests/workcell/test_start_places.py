@@ -14,8 +14,8 @@ def world():
     return world
 
 
-def words(reasons):
-    return [str(reason) for reason in reasons]
+def words(displaced, *, is_harmless=False):
+    return [str(displacement.text) for displacement in displaced if displacement.is_harmless is is_harmless]
 
 
 def test_at_the_start_and_where_things_only_settle_all_is_at_its_place(world):  # law 18
@@ -32,10 +32,8 @@ def test_what_a_hand_holds_is_told_in_words_and_after_a_reset_all_is_as_it_was()
     assembler = Assembler(world)
     for verb, argument in assembler.actions()[:5]:
         verb(argument)
-    assert words(world.displaced()) == [
-        "the hand holds the box with the triangle",
-        "the arm does not stand as it began",
-    ]
+    assert words(world.displaced()) == ["the hand holds the box with the triangle"]
+    assert words(world.displaced(), is_harmless=True) == ["the arm does not stand as it began"]
     world.reset()
     assert world.displaced() == ()
     world.step(world.now_ns + SECOND)
@@ -57,7 +55,8 @@ def test_where_there_are_two_arms_it_is_said_which(world):  # law 18
     world.step(SECOND)
     assert world.displaced() == ()
     world._arms.acting["right"].posture[0] += 0.3
-    assert words(world.displaced()) == ["the right arm does not stand as it began"]
-    places = words(world.places())
+    assert words(world.displaced(), is_harmless=True) == ["the right arm does not stand as it began"]
+    assert words(world.displaced()) == []
+    places = [str(place) for place in world.places()]
     assert places[1] == "the box with the triangle stands on the table at x = 70.0 cm, y = 28.0 cm"
     assert places[-2:] == ["the left arm stands as it began", "the right arm stands as it began"]

@@ -4,16 +4,26 @@ import type { Reason } from '../texts/say'
 
 /** What is not at its place, workcell by workcell; of one that the application does not drive nothing is said. */
 export function displaced(runtime: RuntimeView, app: ApplicationView | undefined): Reason[] {
-  return worldsOf(runtime, app).flatMap((world) => runtime.displaced?.[world] ?? [])
+  return ofDriven(runtime.displaced, app)
 }
 
-/** Whether all of that can be put back from here: no real workcell is among them. */
+/** What stands elsewhere and does no harm there, as an arm where a run left it; only a forecast assumes otherwise. */
+export function moved(runtime: RuntimeView, app: ApplicationView | undefined): Reason[] {
+  return ofDriven(runtime.moved, app)
+}
+
+/** Whether all that is not at its place can be put back from here: no real workcell is among them. */
 export function canBePutBack(runtime: RuntimeView, app: ApplicationView | undefined): boolean {
-  const worlds = worldsOf(runtime, app)
+  const worlds = driven(runtime.displaced, app)
   return worlds.length > 0 && worlds.every((world) => runtime.world_kinds?.[world] === 'simulated')
 }
 
-function worldsOf(runtime: RuntimeView, app: ApplicationView | undefined): string[] {
-  const driven = new Set(Object.values(app?.worlds ?? {}).flat())
-  return Object.keys(runtime.displaced ?? {}).filter((world) => driven.has(world))
+type ByWorld = RuntimeView['displaced']
+
+const ofDriven = (things: ByWorld, app: ApplicationView | undefined): Reason[] =>
+  driven(things, app).flatMap((world) => things?.[world] ?? [])
+
+function driven(things: ByWorld, app: ApplicationView | undefined): string[] {
+  const worlds = new Set(Object.values(app?.worlds ?? {}).flat())
+  return Object.keys(things ?? {}).filter((world) => worlds.has(world))
 }

@@ -1,7 +1,7 @@
 // Law 18: what is not at its place is told of the workcells that an application drives.
 import { describe, expect, it } from 'vitest'
 import type { ApplicationView, RuntimeView } from '../../src/api.gen'
-import { canBePutBack, displaced } from '../../src/progress/displaced'
+import { canBePutBack, displaced, moved } from '../../src/progress/displaced'
 
 const held = { key: 'workcell.hand_holds', text: 'the hand holds the box' }
 const app = { worlds: { flow0: ['cell'], flow1: ['cell', 'real'] } } as unknown as ApplicationView
@@ -15,6 +15,13 @@ describe('what is not at its place', () => {
     expect(displaced(runtime({ cell: [held], shed: [held] }), app)).toEqual([held])
     expect(displaced(runtime({ shed: [held] }), app)).toEqual([])
     expect(displaced({}, undefined)).toEqual([])
+  })
+
+  it('is no arm that a run left elsewhere: only a forecast is told of that', () => {
+    const elsewhere: RuntimeView = { ...runtime({}), moved: { cell: [held], shed: [held] } }
+    expect(moved(elsewhere, app)).toEqual([held])
+    expect(displaced(elsewhere, app)).toEqual([])
+    expect(canBePutBack(elsewhere, app)).toBe(false)
   })
 
   it('can be put back where no real workcell is among them', () => {

@@ -9,6 +9,7 @@ from onika.host.sessions.request_server import RequestServer
 from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.host.units.driver_clock import DriverClock
 from onika.model.lifecycle import State
+from onika.ring.displacement import Displacement
 from onika.runtime import news
 from onika.runtime.bus import Poses
 from onika.runtime.integrity import Accessor, check
@@ -36,7 +37,7 @@ class InspectedDriver(DriverClock, Protocol):
         """Those of them in which nothing outside the program moves."""
         ...
 
-    def displaced(self) -> dict[str, tuple[Reason, ...]]:
+    def displaced(self) -> dict[str, tuple[Displacement, ...]]:
         """What does not stand where it stood at the start, by world."""
         ...
 

@@ -11,6 +11,7 @@ import numpy as np
 from msgspec import to_builtins
 
 from onika.ring.device import DeviceSheet, DriveEvent
+from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring
@@ -177,7 +178,7 @@ class Bus:
         for publish in self._publishers.values():
             publish()
 
-    def displaced(self) -> tuple[Reason, ...]:
+    def displaced(self) -> tuple[Displacement, ...]:
         """What does not stand where it stood at the start, as far as its world knows."""
         return world_start.displaced(self.world)
 

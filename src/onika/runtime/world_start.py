@@ -2,6 +2,7 @@
 
 from typing import Protocol, runtime_checkable
 
+from onika.ring.displacement import Displacement
 from onika.words.reason import Reason
 
 
@@ -13,7 +14,7 @@ class PlacedWorld(Protocol):
         """What stands where at the start, a sentence for each thing: for whoever puts it there by hand."""
         ...
 
-    def displaced(self) -> tuple[Reason, ...]:
+    def displaced(self) -> tuple[Displacement, ...]:
         """What does not stand there now; none: all is as it was."""
         ...
 
@@ -27,7 +28,7 @@ class ResettableWorld(Protocol):
         ...
 
 
-def displaced(world: object) -> tuple[Reason, ...]:
+def displaced(world: object) -> tuple[Displacement, ...]:
     """What does not stand where it stood at the start, as far as the world knows."""
     return world.displaced() if isinstance(world, PlacedWorld) else ()
 

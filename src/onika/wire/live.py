@@ -4,6 +4,7 @@ from typing import Any
 
 from msgspec import Struct
 
+from onika.ring.displacement import Displacement
 from onika.wire.event import Asked
 from onika.wire.plan import Code, PlannedTask
 from onika.wire.sheet import ModuleSheet
@@ -313,7 +314,7 @@ class Standing(Struct, frozen=True, tag=True):
     """Where it listens for others; none where it was started for its launcher alone."""
     simulated: tuple[str, ...] = ()
     """Those of `worlds` in which nothing outside the program moves; the others are real."""
-    displaced: dict[str, tuple[Reason, ...]] = {}
+    displaced: dict[str, tuple[Displacement, ...]] = {}
     """What does not stand where it stood at the start, by world; nothing is said while an application runs."""
 
 

@@ -10,6 +10,7 @@ from mujoco import mj_step
 
 from onika.laws.frames import Array
 from onika.ring.device import DeviceOrder, DeviceSheet, DriveEvent, MishapEvent
+from onika.ring.displacement import Displacement
 from onika.ring.drive import NEVER_NS, DriveInput, DriveMode, input_of
 from onika.words.reason import Reason
 from onika.workcell import layout
@@ -172,7 +173,7 @@ class BoxesWorld:
         """What stands where at the start."""
         return tuple(self._start_places.places(self._standing()))
 
-    def displaced(self) -> tuple[Reason, ...]:
+    def displaced(self) -> tuple[Displacement, ...]:
         """What does not stand there now."""
         return tuple(self._start_places.displaced(self._plant, self._standing()))
 

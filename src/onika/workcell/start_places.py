@@ -7,6 +7,7 @@ import numpy as np
 
 from onika.laws import puma560
 from onika.laws.frames import Array, inverse_pose, rotation_of_quaternion
+from onika.ring.displacement import Displacement
 from onika.words.reason import Reason
 from onika.workcell.arm_unit import ArmUnit
 from onika.workcell.box import SIZE_M, AssemblyBox
@@ -41,17 +42,17 @@ class StartPlaces:
         for arm in arms:
             yield Reason.of("workcell.arm_place", arm=_named("arm", arm, arms))
 
-    def displaced(self, plant: Plant, arms: Sequence[ArmUnit]) -> Iterator[Reason]:
-        """What does not stand there: what a hand holds first, then boxes, then arms."""
+    def displaced(self, plant: Plant, arms: Sequence[ArmUnit]) -> Iterator[Displacement]:
+        """What does not stand there: what a hand holds first, then boxes, then arms, which may be anywhere."""
         holders = {arm: held for arm in arms if (held := self._held(plant, arm)) is not None}
         for arm, held in holders.items():
-            yield Reason.of("workcell.hand_holds", hand=_named("hand", arm, arms), box=_box(held))
+            yield Displacement(Reason.of("workcell.hand_holds", hand=_named("hand", arm, arms), box=_box(held)))
         for box in self._boxes:
             if box not in holders.values():
                 yield from _away(box, _pose(plant, box))
         for arm in arms:
             if np.abs(arm.posture - arm.robot.HOME).max() > POSTURE:
-                yield Reason.of("workcell.arm_away", arm=_named("arm", arm, arms))
+                yield Displacement(Reason.of("workcell.arm_away", arm=_named("arm", arm, arms)), is_harmless=True)
 
     def _held(self, plant: Plant, arm: ArmUnit) -> AssemblyBox | None:
         """The box between the jaws of a hand that is closed on it."""
@@ -74,13 +75,13 @@ def _box(box: AssemblyBox) -> Reason:
     return Thing("box", box.sign).text(is_alone=True)
 
 
-def _away(box: AssemblyBox, pose: Array) -> Iterator[Reason]:
+def _away(box: AssemblyBox, pose: Array) -> Iterator[Displacement]:
     """How far a box is from its place; or that it is turned there."""
     away = float(np.linalg.norm(pose[:3, 3] - (box.x, box.y, box.z + _HIGH)))
     if away > NEAR_M:
-        yield Reason.of("workcell.box_away", box=_box(box), cm=100 * away)
+        yield Displacement(Reason.of("workcell.box_away", box=_box(box), cm=100 * away))
     elif min(pose[0, 0], pose[2, 2]) < math.cos(TURNED_RAD):
-        yield Reason.of("workcell.box_turned", box=_box(box))
+        yield Displacement(Reason.of("workcell.box_turned", box=_box(box)))
 
 
 def _pose(plant: Plant, box: AssemblyBox) -> Array:

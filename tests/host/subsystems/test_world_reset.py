@@ -6,6 +6,7 @@ from kit.runtime.live_edits import LiveEdits
 from kit.worlds.mass_world import MassWorld
 from kit.worlds.rail_world import MASS, SERVO, rail_tasks
 from kit.worlds.resettable_masses import ResettableMasses
+from onika.ring.displacement import Displacement
 from onika.wire import live, request
 from onika.words.reason import Reason
 
@@ -30,7 +31,7 @@ def driven(hand):
 def test_what_stands_elsewhere_is_surveyed_and_put_back_where_nothing_drives_it(hand):  # law 18
     driven(hand)
     hand.change(off=["mass"])
-    assert hand.asker.ask(live.Survey()).displaced == {"yard": (Reason.plain("m0 is away"),)}
+    assert hand.asker.ask(live.Survey()).displaced == {"yard": (Displacement(Reason.plain("m0 is away")),)}
     assert hand.asker.ask(live.PutBack()) == live.WorldsPutBack(("yard",))
     assert hand.asker.ask(live.Survey()).displaced == {"yard": ()}
     assert hand.worlds["yard"].state("m0")[2] == 0.0

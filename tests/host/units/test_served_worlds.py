@@ -3,6 +3,7 @@ import pytest
 from kit.worlds.mass_world import MassWorld
 from onika.host.units.served_worlds import ServedWorlds
 from onika.ring.device import DeviceOrder, DriveState
+from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.runtime.bus import SEGMENT_SIZE
@@ -218,7 +219,7 @@ class Stage(Yard):
         return ()
 
     def displaced(self):
-        return (Reason.plain(f"{self.name} is not as it was"),) if "reset" not in self.orders else ()
+        return (Displacement(Reason.plain(f"{self.name} is not as it was")),) if "reset" not in self.orders else ()
 
 
 def test_the_world_that_is_named_is_put_back_and_a_stop_stays(opened):  # laws 18, 27
@@ -226,12 +227,12 @@ def test_the_world_that_is_named_is_put_back_and_a_stop_stays(opened):  # laws 1
         opened.worlds[name] = Stage(name)
         opened.open(name)
     assert opened.served.displaced() == {
-        "stage": (Reason.plain("stage is not as it was"),),
-        "other": (Reason.plain("other is not as it was"),),
+        "stage": (Displacement(Reason.plain("stage is not as it was")),),
+        "other": (Displacement(Reason.plain("other is not as it was")),),
     }
     opened.served.put_back("stage")
     assert (opened.worlds["stage"].orders, opened.worlds["other"].orders) == (["reset"], [])
-    assert opened.served.displaced() == {"stage": (), "other": (Reason.plain("other is not as it was"),)}
+    assert opened.served.displaced() == {"stage": (), "other": (Displacement(Reason.plain("other is not as it was")),)}
     opened.served.stop()
     opened.served.put_back("other")
     assert opened.worlds["other"].orders == ["stop", "reset", "stop"]

@@ -3,6 +3,7 @@ import pytest
 from kit.worlds.mass_world import MassWorld
 from onika.host.units.world_buses import Buses
 from onika.ring.device import DeviceOrder, DriveState, MishapEvent
+from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveMode
 from onika.runtime.bus import SEGMENT_SIZE
 from onika.wire import event
@@ -192,7 +193,7 @@ class Stage(MassWorld):
         return ()
 
     def displaced(self):
-        return () if self.is_as_it_was else (Reason.plain("away"),)
+        return () if self.is_as_it_was else (Displacement(Reason.plain("away")),)
 
 
 def test_a_world_is_put_back_what_its_drives_do_is_told_and_a_stop_stays(messages):  # laws 18, 27
@@ -204,7 +205,7 @@ def test_a_world_is_put_back_what_its_drives_do_is_told_and_a_stop_stays(message
     buses.step(MS)
     messages.clear()
     buses.put_back("yard")
-    assert buses.displaced() == {"cell": (Reason.plain("away"),), "yard": ()}
+    assert buses.displaced() == {"cell": (Displacement(Reason.plain("away")),), "yard": ()}
     assert [(drive.device, drive.state) for drive in messages] == [("yard:m0", "HELD")]
     assert buses.modes()["yard:m0"] is DriveMode.HELD
     buses.stop()

@@ -16,6 +16,7 @@ from typing import Any, Protocol
 from msgspec import structs
 
 from onika.model.lifecycle import IllegalTransition, LifecycleInput, State, after
+from onika.ring.displacement import Displacement
 from onika.wire import event, holding, live, request, steer
 from onika.wire.foresight import Foreseen, Foresight, WhatIf
 from onika.wire.plan import PlannedTask
@@ -89,7 +90,7 @@ class LiveRuntime:
         """The worlds that are installed: whether they are simulated."""
         self.tight: set[str] = set()
         """Units on which there is no gap between cycles."""
-        self.displaced: dict[str, tuple[Reason, ...]] = {}
+        self.displaced: dict[str, tuple[Displacement, ...]] = {}
         """What does not stand where it stood at their start."""
 
     def events(self, timeout_s: float) -> Iterator[event.Event]:

@@ -1,6 +1,7 @@
 """Masses that can be put back to where they stood at the start (law 18)."""
 
 from kit.worlds.mass_world import MassWorld
+from onika.ring.displacement import Displacement
 from onika.words.reason import Reason
 
 
@@ -18,7 +19,7 @@ class ResettableMasses(MassWorld):
         """Nothing that a person would have to put anywhere."""
         return ()
 
-    def displaced(self) -> tuple[Reason, ...]:
+    def displaced(self) -> tuple[Displacement, ...]:
         """The masses that are more than a centimetre away."""
         away = (name for name, mass in self._masses.items() if abs(mass.state[2]) > 0.01)
-        return tuple(Reason.plain(f"{name} is away") for name in away)
+        return tuple(Displacement(Reason.plain(f"{name} is away")) for name in away)

@@ -20,6 +20,7 @@ from onika.host.units.served_worlds import ServedWorlds
 from onika.host.units.world_registry import open_world
 from onika.link.launcher import die_with_parent
 from onika.ring.device import DriveEvent
+from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.runtime.command import DeviceGrant
@@ -130,7 +131,7 @@ class WorldPutBack(Struct, frozen=True, tag=True):
 class DisplacedTaken(Struct, frozen=True, tag=True):
     """The answer to TakeDisplaced, by world."""
 
-    displaced: dict[str, tuple[Reason, ...]]
+    displaced: dict[str, tuple[Displacement, ...]]
 
 
 class DriveChanged(Struct, frozen=True, tag=True):

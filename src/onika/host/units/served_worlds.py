@@ -5,6 +5,7 @@ from typing import Any
 
 from onika.host.units.world_registry import split
 from onika.ring.device import DriveEvent
+from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.runtime.bus import Bus, Poses, World
@@ -73,7 +74,7 @@ class ServedWorlds:
         """Everything in a world to where it stood at the start; raises ValueError where only a person can do that."""
         self._buses[world].put_back(is_stopped=self._is_stopped)
 
-    def displaced(self) -> dict[str, tuple[Reason, ...]]:
+    def displaced(self) -> dict[str, tuple[Displacement, ...]]:
         """What does not stand where it stood at the start, by world."""
         return {name: bus.displaced() for name, bus in self._buses.items()}
 

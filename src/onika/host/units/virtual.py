@@ -12,6 +12,7 @@ from onika.host.units.run_digest import Digest
 from onika.host.units.unit_listener import UnitListener
 from onika.host.units.world_buses import Buses
 from onika.host.units.world_registry import open_world
+from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.runtime import command, news
@@ -124,7 +125,7 @@ class VirtualDriver:
         """Everything in a world to where it stood at the start; raises ValueError where only a person can do that."""
         self._buses.put_back(world)
 
-    def displaced(self) -> dict[str, tuple[Reason, ...]]:
+    def displaced(self) -> dict[str, tuple[Displacement, ...]]:
         """What does not stand where it stood at the start, by world."""
         return self._buses.displaced()
 

@@ -15,6 +15,7 @@ from onika.host.units.unit_loss import dead_writers
 from onika.host.units.unit_processes import UnitProcesses
 from onika.host.units.world_registry import refuse_unknown, refuse_unoffered, split
 from onika.ring.device import DriveState
+from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment, SharedMemoryRefused
 from onika.runtime import command, news
@@ -174,7 +175,7 @@ class WallDriver:
         if isinstance(answer, device_server.Denied):
             raise ValueError(answer.reason)
 
-    def displaced(self) -> dict[str, tuple[Reason, ...]]:
+    def displaced(self) -> dict[str, tuple[Displacement, ...]]:
         """What does not stand where it stood at the start, by world."""
         answers = self._answers(device_server.TakeDisplaced(), device_server.DisplacedTaken)
         return {world: reasons for answer in answers for world, reasons in answer.displaced.items()}

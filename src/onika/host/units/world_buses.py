@@ -5,6 +5,7 @@ from typing import Any
 
 from onika.host.units.world_registry import refuse_unknown, split
 from onika.ring.device import DriveState, MishapEvent
+from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.runtime.bus import SEGMENT_SIZE, Bus, Poses, World
@@ -98,7 +99,7 @@ class Buses:
         self._buses[world].put_back(is_stopped=self._is_stopped)
         self._tell_news(world)
 
-    def displaced(self) -> dict[str, tuple[Reason, ...]]:
+    def displaced(self) -> dict[str, tuple[Displacement, ...]]:
         """What does not stand where it stood at the start, by world."""
         return {name: bus.displaced() for name, bus in self._buses.items()}
 

@@ -82,4 +82,6 @@ class RuntimeView(View, frozen=True):
     world_kinds: dict[str, Literal["simulated", "real"]] = field(default_factory=dict)
     """What is known of worlds, open or not; in a simulated one nothing outside the program moves."""
     displaced: dict[str, tuple[Reason, ...]] = field(default_factory=dict)
-    """What does not stand where it stood at their start, by world; told while no application runs."""
+    """What does not stand where a program needs it, by world; told while no application runs."""
+    moved: dict[str, tuple[Reason, ...]] = field(default_factory=dict)
+    """What stands elsewhere than at their start and does no harm there, as an arm does."""

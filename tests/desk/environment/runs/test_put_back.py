@@ -2,12 +2,15 @@ import pytest
 
 from kit.desk.run_fixture import RunFixture
 from kit.labs.laboratory import job
+from onika.ring.displacement import Displacement
 from onika.wire import act, live, request
 from onika.words.reason import Reason
 
 HOLDS = Reason.of(
     "workcell.hand_holds", hand=Reason.of("workcell.the_hand"), box=Reason.of("workcell.the_box_triangle")
 )
+
+AWAY = Reason.of("workcell.arm_away", arm=Reason.of("workcell.the_arm"))
 
 
 @pytest.fixture
@@ -18,7 +21,7 @@ def play(tmp_path):
     play.runtime.worlds = {"cell": True}
     play.doc = play.open([job("aC")])
     play.run(play.doc)
-    play.runtime.displaced = {"cell": (HOLDS,)}
+    play.runtime.displaced = {"cell": (Displacement(HOLDS), Displacement(AWAY, is_harmless=True))}
     play.end()
     play.pump()
     return play
@@ -35,6 +38,16 @@ def test_what_is_not_at_its_place_is_shown_when_a_run_is_over_until_it_is_put_ba
     assert play.carried(live.PutBack) == [live.PutBack()]
     assert any(say.text.key == "run.workcell_is_back" for say in play.says)
     assert not any(order.reach is not None and order.reach.is_anew for order in play.orders)
+
+
+def test_an_arm_that_ended_elsewhere_is_not_among_what_is_to_be_put_back(play):  # law 18, R-E16
+    assert play.environment.tree.runtime.moved == {"cell": (AWAY,)}
+    play.runtime.displaced = {"cell": (Displacement(AWAY, is_harmless=True),)}
+    play.run(play.doc)
+    play.end()
+    play.pump()
+    assert shown(play) == {}
+    assert play.environment.tree.runtime.moved == {"cell": (AWAY,)}
 
 
 def test_a_run_puts_back_what_it_needs_and_begins_at_one_press(play):  # law 18, R-E12

@@ -96,12 +96,22 @@ def runtime_view(former: view.RuntimeView, standing: live.Standing) -> view.Runt
         worlds=dict.fromkeys(standing.worlds, True),
         world_kinds={**former.world_kinds, **kinds({name: name in standing.simulated for name in standing.worlds})},
         outdated={name: why for name, why in former.outdated.items() if name in standing.worlds},
-        displaced={name: reasons for name, reasons in standing.displaced.items() if reasons},
+        displaced=_elsewhere(standing, is_harmless=False),
+        moved=_elsewhere(standing, is_harmless=True),
         subsystems={subsystem.name: subsystem.application or subsystem.holder for subsystem in standing.subsystems},
         holds=holders.surveyed(former.holds, standing),
         sessions=former.sessions,
         inside=subsystem_views.surveyed(former.inside, standing),
     )
+
+
+def _elsewhere(standing: live.Standing, *, is_harmless: bool) -> dict[str, tuple[Reason, ...]]:
+    """In words what is elsewhere in each world, as far as that does harm, or none."""
+    worlds = {
+        world: tuple(displacement.text for displacement in displaced if displacement.is_harmless is is_harmless)
+        for world, displaced in standing.displaced.items()
+    }
+    return {world: reasons for world, reasons in worlds.items() if reasons}
 
 
 def with_loci(model: Model, document: Document) -> Model:
