@@ -58,6 +58,7 @@ export interface InsertIcon {
   onikon: string;
   flow?: string;
   after?: number;
+  first?: string;
 }
 
 /** Take steps out and insert them behind another one, as one step. */
@@ -67,6 +68,7 @@ export interface MoveIcons {
   steps: (number)[];
   flow: string;
   after: number;
+  replaces?: number;
 }
 
 /** Open a blank application of so many flows; with several, parallel or conditional. */

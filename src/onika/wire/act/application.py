@@ -26,6 +26,8 @@ class InsertIcon(Act, frozen=True):
     onikon: str
     flow: str = "0"
     after: int = 0
+    first: str = ""
+    """An icon that comes before it, such as the job of a target; both are one step."""
 
 
 class InsertBranch(Act, frozen=True):
@@ -68,6 +70,8 @@ class MoveIcons(Act, frozen=True):
     steps: Steps
     flow: str
     after: int
+    replaces: int = 0
+    """The icon in whose place they come, in place of `after`: a job goes with its targets; 0: none."""
 
 
 class CopyIcons(Act, frozen=True):

@@ -109,3 +109,13 @@ def test_a_branch_is_copied_with_what_is_in_it_under_new_numbers(gallery):  # R-
     (copy,) = gallery.do(act.PasteIcons(doc, "0", branch))
     assert gallery.flow(doc, f"0/{copy}/0") == "grip"
     assert gallery.number(doc, "grip", f"0/{copy}/0") != gallery.number(doc, "grip", f"0/{branch}/0")
+
+
+def test_it_is_told_what_was_copied(gallery):  # R-D05
+    doc = gallery.begun("move", "there", "grip", "wait", "open", "slide")
+    steps = {name: gallery.number(doc, name) for name in ("move", "there", "grip", "wait", "open", "slide")}
+    gallery.do(act.CopyIcons(doc, (steps["grip"],)))
+    assert str(gallery.says[-1].text).startswith("copied: close the hand; Paste puts it behind")
+    gallery.do(act.CopyIcons(doc, tuple(steps.values())))
+    assert "close the hand, " in str(gallery.says[-1].text)
+    assert "and 2 more; Paste puts them behind" in str(gallery.says[-1].text)

@@ -56,17 +56,25 @@ def test_to_a_target_that_comes_too_early_its_job_is_offered(gallery):  # R-X01
     grip = gallery.number(doc, "grip")
     no = gallery.no(act.InsertIcon(doc, "spot", "0", grip))
     assert str(no.reason) == "a Cartesian target does not fit behind “close the hand”: an action comes next"
-    assert str(no.remedies[0].label) == "First insert move on a straight line"
+    assert str(no.remedies[0].label) == "First insert move on a straight line, then it"
     number = gallery.do(no.remedies[0].act)
-    gallery.do(act.InsertIcon(doc, "spot", "0", number))
     assert gallery.flow(doc) == "grip slide spot"
+    assert number == gallery.number(doc, "spot")
+    gallery.do(act.Undo(doc))
+    assert gallery.flow(doc) == "grip"
+
+
+def test_what_is_moved_or_pasted_too_early_is_not_put_behind_a_new_job(gallery):  # R-X01
+    doc = gallery.begun("grip", "slide", "spot")
+    no = gallery.no(act.MoveIcons(doc, (gallery.number(doc, "spot"),), "0", gallery.number(doc, "grip")))
+    assert all(remedy.act is None for remedy in no.remedies)
 
 
 def test_a_target_at_another_one_of_the_same_edges_may_take_its_place(gallery):  # R-X01
     doc = gallery.begun("move", "there")
     there = gallery.number(doc, "there")
     first = gallery.no(act.InsertIcon(doc, "here", "0", there)).remedies[0]
-    assert str(first.label) == "Put it in its place"
+    assert str(first.label) == "Replace above triangle"
     gallery.do(first.act)
     assert gallery.flow(doc) == "move here"
 
@@ -74,4 +82,4 @@ def test_a_target_at_another_one_of_the_same_edges_may_take_its_place(gallery): 
 def test_a_target_of_other_edges_takes_no_place(gallery):  # R-X01
     doc = gallery.begun("move", "there")
     no = gallery.no(act.InsertIcon(doc, "spot", "0", gallery.number(doc, "there")))
-    assert "Put it in its place" not in [str(remedy.label) for remedy in no.remedies]
+    assert not any(str(remedy.label).startswith("Replace") for remedy in no.remedies)

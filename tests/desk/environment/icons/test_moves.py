@@ -89,3 +89,39 @@ def test_icons_move_into_branches_and_out_but_no_branch_into_itself(gallery):  #
 def test_a_hole_cannot_be_moved(gallery):  # R-D19
     doc = gallery.begun("move")
     assert "no icon" in str(gallery.no(act.MoveIcons(doc, (gallery.number(doc, "_"),), "0", 0)).reason)
+
+
+def test_what_is_moved_onto_an_icon_comes_in_its_place_as_one_step(gallery):  # R-D05, R-X10
+    doc = gallery.begun("grip", "wait", "open")
+    grip, opens = gallery.number(doc, "grip"), gallery.number(doc, "open")
+    gallery.do(act.MoveIcons(doc, (opens,), "0", 0, replaces=grip))
+    assert gallery.flow(doc) == "open wait"
+    gallery.do(act.Undo(doc))
+    assert gallery.flow(doc) == "grip wait open"
+
+
+def test_an_action_comes_for_a_whole_action_and_a_target_for_a_target(gallery):  # R-D05, R-D19
+    doc = gallery.begun("move", "there", "visit", "here", "grip")
+    move, there, visit, here, grip = (gallery.number(doc, name) for name in ("move", "there", "visit", "here", "grip"))
+    gallery.do(act.MoveIcons(doc, (grip,), "0", 0, replaces=visit))
+    assert gallery.flow(doc) == "move there grip"
+    gallery.do(act.Undo(doc))
+    gallery.do(act.MoveIcons(doc, (here,), "0", 0, replaces=there))
+    assert gallery.flow(doc) == "move here visit _ grip"
+    gallery.do(act.Undo(doc))
+    gallery.do(act.MoveIcons(doc, (move,), "0", 0, replaces=visit))
+    assert gallery.flow(doc) == "move there grip"
+
+
+def test_onto_an_icon_where_it_does_not_fit_nothing_is_moved(gallery):  # R-D03
+    doc = gallery.begun("move", "there", "grip")
+    grip, there = gallery.number(doc, "grip"), gallery.number(doc, "there")
+    assert "needs a Joint target" in str(gallery.no(act.MoveIcons(doc, (grip,), "0", 0, replaces=there)).reason)
+    assert gallery.flow(doc) == "move there grip"
+
+
+def test_onto_one_of_themselves_nothing_changes(gallery):  # R-D05
+    doc = gallery.begun("move", "there", "grip")
+    move, there = gallery.number(doc, "move"), gallery.number(doc, "there")
+    gallery.do(act.MoveIcons(doc, (move,), "0", 0, replaces=there))
+    assert gallery.flow(doc) == "move there grip"

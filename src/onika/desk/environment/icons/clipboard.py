@@ -3,6 +3,7 @@
 What is copied travels as the text of an application of one flow (§A.4), which a mail takes too.
 """
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from onika.desk.environment.icons.alteration import flow_at, place_behind, reflowed, spots_of
@@ -21,17 +22,19 @@ from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.plan.icon_names import several
+from onika.desk.plan.icon_names import several, step_named
 from onika.files import appl
 from onika.model.application import AppFlow, Application, Hole, Step
 from onika.model.flow_path import numbered, unnumbered, with_flows
 from onika.model.rules import jigsaw
 from onika.model.syntax import Syntax
-from onika.wire import act
+from onika.wire import act, page
 from onika.words.fault import Fault
 from onika.words.reason import Reason
 
 _NAME = "copied"
+_NAMED = 4
+"""Icons that are called by name where they were copied."""
 
 
 @on_application
@@ -44,7 +47,8 @@ def copy_icons(model: Model, opened: OpenApplication, command: act.CopyIcons, _o
     steps = unnumbered(spot.step for spot in spots if not is_within(spot.path, numbers))
     if all(isinstance(step, Hole) for step in steps):
         return No(Reason.of("desk.hole_not_copied"))
-    return Done(replace(model, icon_clipboard=steps), value=_written(steps))
+    says = (page.Say("info", _copied(steps), command.doc),)
+    return Done(replace(model, icon_clipboard=steps), value=_written(steps), says=says)
 
 
 @on_application
@@ -89,6 +93,14 @@ def paste_icons(model: Model, opened: OpenApplication, command: act.PasteIcons, 
     opened = replace(opened, last_number=last)
     numbers = tuple(step.number for step in pasted if not isinstance(step, Hole))
     return reflowed(model, opened, {path: after}, Reason.of("desk.pasting", icons=several(pasted)), numbers)
+
+
+def _copied(steps: Sequence[Step]) -> Reason:
+    """What was copied, by name; of many the first ones."""
+    names = tuple(step_named(step) for step in steps if not isinstance(step, Hole))
+    if len(names) > _NAMED:
+        return Reason.of("desk.copied_and_more", icons=names[:_NAMED], more=len(names) - _NAMED)
+    return Reason.of("desk.copied", icons=names, count=len(names))
 
 
 def _written(steps: tuple[Step, ...]) -> str:

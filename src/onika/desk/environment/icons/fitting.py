@@ -79,7 +79,7 @@ def _ways(model: Model, opened: OpenApplication, misfit: _Misfit) -> list[Remedy
     number = before.number if before else 0
     fitting = fitting_behind(model, misfit.left)
     remedies = [*_in_its_place(model, opened, before, misfit.step, syntax)]
-    remedies += _use(opened, misfit.path, number, _likeliest(fitting, kind, opened, syntax), kind, syntax)
+    remedies += _use(model, opened, misfit, number, _likeliest(fitting, kind, opened, syntax))
     if isinstance(before, Icon) and kind.is_target:
         remedies += _other_jobs(model, opened, before, kind, syntax)
     if fitting:
@@ -123,7 +123,8 @@ def _in_its_place(
         return
     is_like = (stands.left_edge, stands.right_edge) == (new.left_edge, new.right_edge)
     if is_like and isinstance(onikon(model, step.onikon.name), Onikon):
-        yield Remedy(Reason.of("desk.put_in_place"), act.ExchangeIcon(opened.id, before.number, step.onikon.name))
+        label = Reason.of("desk.put_in_place", icon=named(before.onikon))
+        yield Remedy(label, act.ExchangeIcon(opened.id, before.number, step.onikon.name))
 
 
 def _likeliest(fitting: list[Onikon], meant: IconType, opened: OpenApplication, syntax: Syntax) -> list[Onikon]:
@@ -147,15 +148,19 @@ def _likeliest(fitting: list[Onikon], meant: IconType, opened: OpenApplication, 
 
 
 def _use(
-    opened: OpenApplication, path: str, number: int, fitting: list[Onikon], meant: IconType, syntax: Syntax
+    model: Model, opened: OpenApplication, misfit: _Misfit, number: int, fitting: list[Onikon]
 ) -> Iterator[Remedy]:
-    for onikon in fitting[:2]:
-        label = (
-            Reason.of("desk.first_insert", icon=named(onikon))
-            if _leads_to(onikon, meant, syntax)
-            else Reason.of("desk.use_icon", icon=named(onikon))
-        )
-        yield Remedy(label, act.InsertIcon(opened.id, onikon.name, path, number))
+    """Those that fit; behind one that leads to what was meant that comes too, where it is an icon of a dictionary."""
+    step, syntax = misfit.step, syntax_of(model)
+    is_new = isinstance(step, Icon) and not step.number
+    meant = step.onikon.name if isinstance(step, Icon) and is_new else ""
+    for other in fitting[:2]:
+        if meant and _leads_to(other, misfit.kind, syntax) and isinstance(onikon(model, meant), Onikon):
+            label = Reason.of("desk.first_insert", icon=named(other))
+            yield Remedy(label, act.InsertIcon(opened.id, meant, misfit.path, number, first=other.name))
+        else:
+            label = Reason.of("desk.use_icon", icon=named(other))
+            yield Remedy(label, act.InsertIcon(opened.id, other.name, misfit.path, number))
 
 
 def _leads_to(onikon: Onikon, target: IconType, syntax: Syntax) -> bool:

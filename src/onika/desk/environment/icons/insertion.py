@@ -24,11 +24,24 @@ from onika.words.reason import Reason
 
 @on_resting_application
 def insert_icon(model: Model, opened: OpenApplication, command: act.InsertIcon, _outside: Services) -> Done | No:
-    """Insert an icon of a dictionary; the value is its number."""
+    """Insert an icon of a dictionary, and before it the one that has to come first; the value is its number."""
     wanted = onikon(model, command.onikon)
     if isinstance(wanted, No):
         return wanted
-    return _inserted(model, opened, command.flow, command.after, Icon(for_placing(wanted)))
+    if not command.first:
+        return _inserted(model, opened, command.flow, command.after, Icon(for_placing(wanted)))
+    first = onikon(model, command.first)
+    if isinstance(first, No):
+        return first
+    begun = _inserted(model, opened, command.flow, command.after, Icon(for_placing(first)))
+    if isinstance(begun, No):
+        return begun
+    grown = begun.model.applications[opened.id]
+    done = _inserted(begun.model, grown, command.flow, begun.value, Icon(for_placing(wanted)))
+    if isinstance(done, No):
+        return done
+    icons = several([Icon(first), Icon(wanted)])
+    return replace(done, label=Reason.of("desk.inserting", step=icons))
 
 
 @on_resting_application

@@ -22,7 +22,7 @@ from onika.words.reason import Reason
 
 @on_resting_application
 def move_icons(model: Model, opened: OpenApplication, command: act.MoveIcons, _outside: Services) -> Done | No:
-    """Take steps out and insert them behind another one; an action takes its targets with it."""
+    """Take steps out and insert them behind another one, or in its place; an action takes its targets with it."""
     spots = spots_of(opened.application, command.steps)
     if isinstance(spots, No):
         return spots
@@ -32,13 +32,14 @@ def move_icons(model: Model, opened: OpenApplication, command: act.MoveIcons, _o
         return No(Reason.of("desk.hole_no_icon"))
     steps = list(taken(opened.application, wanted, syntax))
     numbers = {step.number for step in steps}
-    place = place_behind(opened.application, command.flow, command.after)
+    place = _place(opened.application, command)
     if isinstance(place, No):
         return place
     if is_within(place[0], numbers):
         return No(Reason.of("desk.branch_into_itself"))
-    after = _before(opened.application, *place, numbers)
-    left = with_flows(opened.application, without(model, opened, numbers))
+    gone = numbers | _replaced(opened.application, command.replaces, numbers, syntax)
+    after = _before(opened.application, *place, gone)
+    left = with_flows(opened.application, without(model, opened, gone))
     place = place_behind(left, place[0], after)
     if isinstance(place, No):
         return place
@@ -50,6 +51,20 @@ def move_icons(model: Model, opened: OpenApplication, command: act.MoveIcons, _o
     if application == opened.application:
         return Done(model)
     return altered(model, opened, application, Reason.of("desk.moving", icons=several(steps)))
+
+
+def _place(application: Application, command: act.MoveIcons) -> tuple[str, int] | No:
+    """Behind which step of which flow they come; where they replace one, that is it until it goes."""
+    return place_behind(application, command.flow, command.replaces or command.after)
+
+
+def _replaced(application: Application, number: int, moved: set[int], syntax: Syntax) -> set[int]:
+    """What goes for what is moved: the icon, and where an action comes for an action all of it; else nothing."""
+    if not number or number in moved:
+        return set()
+    whole = {step.number for step in taken(application, {number}, syntax)}
+    heads = {action.icon.number for _, flow in flows_by_path(application) for action in actions(flow, syntax)}
+    return whole if heads & moved else {number}
 
 
 def _inserted(
