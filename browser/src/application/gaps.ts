@@ -1,7 +1,7 @@
 /** Finding the place of the insertion cursor: the nearest to a pointer, and the next one for a key. */
 
-import { onikonWidth } from '../geom/jigsaw'
-import type { Gap, Place } from './arrangement'
+import { BAND, onikonWidth } from '../geom/jigsaw'
+import type { Cell, Gap, Place } from './arrangement'
 
 export const isSame = (a: Place, b: Place): boolean => a.flow === b.flow && a.after === b.after
 
@@ -19,6 +19,14 @@ export function gapAt(gaps: readonly Gap[], x: number, y: number, size: number, 
     if (far < least) [best, least] = [gap, far]
   }
   return best
+}
+
+/** The step whose picture a pointer is at; its sides belong to the gaps beside it. */
+export function cellAt(cells: readonly Cell[], x: number, y: number, size: number): Cell | undefined {
+  const side = BAND + size / 8
+  return cells.find(
+    (cell) => cell.step > 0 && x >= cell.x + side && x < cell.x + cell.w - side && y >= cell.y && y < cell.y + size,
+  )
 }
 
 export type Way = 'left' | 'right' | 'up' | 'down' | 'first' | 'last' | 'begin' | 'end'

@@ -8,6 +8,7 @@ import { workspaceState, SIZES } from '../workspace/workspaceState.svelte'
 import {
   addFlow,
   askForLoop,
+  askForOther,
   askHowOften,
   copy,
   cut,
@@ -21,6 +22,7 @@ import {
   paste,
   remove,
   removeFlow,
+  replaceable,
   selectAll,
   setParallel,
   turnBreakpoint,
@@ -63,6 +65,11 @@ function registerUpper(): void {
   add('insertSelected', 'upper.insertSelected', {
     when: () => isOpen() && workspace.onikon !== '',
     run: () => insert(workspace.onikon),
+  })
+  add('replaceBy', 'upper.replaceBy', {
+    keys: ['R'],
+    when: () => isFree() && isLetterFree() && replaceable() > 0,
+    run: () => askForOther(),
   })
   add('insertBranch', 'upper.insertBranch', {
     keys: ['B'],

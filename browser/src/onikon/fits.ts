@@ -29,6 +29,14 @@ export function gapAt(app: ApplicationView | undefined, { flow, after }: Place):
   return { left: left ?? '', right: hole?.left ?? line.end ?? '', wants: [], isHole: false }
 }
 
+/** The place that a step has: what comes there in its stead has its left edge, and best its right one too. */
+export const placeOf = ({ left = '', right = '' }: { left?: string; right?: string }): Gap => ({
+  left,
+  right,
+  wants: [],
+  isHole: true,
+})
+
 type Edges = Pick<OnikonView, 'left'>
 
 export const fits = (edges: Edges, gap: Gap | undefined): boolean => gap !== undefined && edges.left === gap.left

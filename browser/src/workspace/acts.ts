@@ -11,10 +11,9 @@ import { goInto, lookInto, open } from '../act/opening'
 import { subsystemAt } from '../progress/inside'
 import { t } from '../texts/index.svelte'
 import { flowOf, headOf, inReadingOrder, wholeOf } from '../application/actions'
-import { readPlace } from './place'
 import { workspaceState } from './workspaceState.svelte'
 import { gapOf } from '../application/gaps'
-import { nameOf } from '../application/words'
+import { flowName, nameOf } from '../application/words'
 
 /** The text that was copied last here: the environment still has it in its buffer. */
 let copied = ''
@@ -77,7 +76,13 @@ export function placeBehind(step: number): void {
 export function goTo(place: Place, isSaid = false): void {
   workspace.place = { flow: place.flow, after: place.after }
   showPlace(place)
-  if (isSaid) announce(readPlace(place.flow, place.after))
+  if (isSaid) announce(readPlace(place))
+}
+
+/** The place of the insertion cursor in words, as it is read out when the cursor comes there. */
+function readPlace({ flow, after }: Place): string {
+  const step = workspaceState.step(after)
+  return step ? t('upper.behind', { name: nameOf(step) }) : t('upper.atStart', { flow: flowName(flow) })
 }
 
 export function showPlace(place: Place): void {
@@ -103,9 +108,10 @@ export async function insert(
  * What is selected in the dictionary goes into a place, and is selected no more; refused, it is again. What was selected
  * there while the answer was on its way stays so.
  */
-export async function insertSelected(onikon: string, place: Place, at: Point): Promise<void> {
+export async function insertSelected(onikon: string, slot: Place & { replaces?: number }, at: Point): Promise<void> {
   workspace.onikon = ''
-  if (!(await insert(onikon, place, at))) workspace.onikon ||= onikon
+  const wentWell = await (slot.replaces ? exchange(slot.replaces, onikon, at) : insert(onikon, slot, at))
+  if (!wentWell) workspace.onikon ||= onikon
 }
 
 function arrive(flow: string, step: number): void {
@@ -169,7 +175,13 @@ export async function cut(steps = meant()): Promise<void> {
   left(place)
 }
 
-export async function paste(text = '', place: Place = workspace.place): Promise<void> {
+/** Behind what is selected; with nothing selected, at the cursor. */
+function placeBehindPicked(): Place {
+  const last = pickedSteps().at(-1)
+  return last ? { flow: flowOf(workspaceState.app, last), after: last } : workspace.place
+}
+
+export async function paste(text = '', place: Place = placeBehindPicked()): Promise<void> {
   const { flow, after } = place
   const numbers = await act(
     { t: 'PasteIcons', doc: workspace.app, flow, after, text: text === copied ? '' : text },
@@ -185,10 +197,32 @@ function takeText(text: unknown): void {
   void navigator.clipboard?.writeText(text).catch(() => undefined)
 }
 
-export async function move(steps: readonly number[], { flow, after }: Place, at?: Point): Promise<void> {
-  if ((await act({ t: 'MoveIcons', doc: workspace.app, steps: [...steps], flow, after }, at)) !== undefined)
-    goTo({ flow, after: steps.at(-1) ?? after })
+export async function move(steps: readonly number[], slot: Place & { replaces?: number }, at?: Point): Promise<void> {
+  const { flow, after, replaces } = slot
+  const inPlace = replaces ? { replaces } : {}
+  const moved = await act({ t: 'MoveIcons', doc: workspace.app, steps: [...steps], flow, after, ...inPlace }, at)
+  if (moved !== undefined) goTo({ flow, after: steps.at(-1) ?? after })
 }
+
+/** Another icon in the place of a step; it is selected then. True where it went well. */
+export async function exchange(step: number, onikon: string, at?: Point): Promise<boolean> {
+  if ((await act({ t: 'ExchangeIcon', doc: workspace.app, step, onikon }, at ?? stepPoint(step))) === undefined)
+    return false
+  select(step)
+  announce(t('upper.replaced', { name: nameOf(workspaceState.step(step)) || onikon }))
+  return true
+}
+
+/** The step that another icon may come in place of: the one that is meant, where it is an icon. */
+export function replaceable(): number {
+  const [step = 0, ...others] = meant()
+  const view = workspaceState.step(step)
+  return view && !others.length && (view.kind ?? 'icon') === 'icon' ? step : 0
+}
+
+/** Look for what comes in place of a step. */
+export const askForOther = (step = replaceable()): void =>
+  void (workspaceState.opened = { kind: 'quick', words: '', replaces: step })
 
 /** Copies of steps behind another one, as one who drags with Ctrl means. */
 export async function copyTo(steps: readonly number[], { flow, after }: Place, at?: Point): Promise<void> {

@@ -13,11 +13,13 @@ import { workspaceState, type Opened } from './workspaceState.svelte'
 import {
   addFlow,
   askForLoop,
+  askForOther,
   askHowOften,
   copy,
   cut,
   edit,
   editPicture,
+  exchange,
   expand,
   insert,
   meantHeads,
@@ -87,11 +89,12 @@ function iconItems(step: number, at: Point): Item[] {
       isOff: why !== '',
       note: why || undefined,
     },
+    locked({ label: t('upper.replaceBy'), keys: 'R', run: () => askForOther(step) }),
     ...(onikon
       ? [
           locked({
             label: t('upper.exchange', { name: workspace.onikon }),
-            run: () => act({ t: 'ExchangeIcon', doc: workspace.app, step, onikon: workspace.onikon }, at),
+            run: () => exchange(step, workspace.onikon, at),
           }),
         ]
       : []),

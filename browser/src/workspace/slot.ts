@@ -6,11 +6,16 @@ import type { Place } from '../state/workspace.svelte'
 import type { Point } from '../act/refused.svelte'
 import { t } from '../texts/index.svelte'
 import { workspaceState, type Slot } from './workspaceState.svelte'
-import { gapAt } from '../application/gaps'
+import { cellAt, gapAt } from '../application/gaps'
 import { nameOf } from '../application/words'
 
-/** The slot under a place of the window, for something with these edges. */
+/** The slot under a place of the window, for something with these edges: an icon, or what lies between two. */
 export function slotAt(at: Point, left: string, right: string): Slot | undefined {
+  return iconAt(at, left) ?? betweenAt(at, left, right)
+}
+
+/** The slot between two icons. */
+export function betweenAt(at: Point, left: string, right: string): Slot | undefined {
   const { x, y } = workspaceState.toPaper(at)
   const gap = gapAt(workspaceState.base.gaps, x, y, workspaceState.size)
   if (!gap) return undefined
@@ -20,8 +25,27 @@ export function slotAt(at: Point, left: string, right: string): Slot | undefined
     flow: gap.flow,
     after: gap.after,
     hole: isFilled ? gap.hole : 0,
+    replaces: 0,
     why: edges?.left === left ? '' : misfit(gap),
   }
+}
+
+/** The icon whose picture lies there: what is dropped on it comes in its place. */
+function iconAt(at: Point, left: string): Slot | undefined {
+  const { x, y } = workspaceState.toPaper(at)
+  const cell = cellAt(workspaceState.base.cells, x, y, workspaceState.size)
+  const step = cell && workspaceState.step(cell.step)
+  if (!cell || (step?.kind ?? 'icon') !== 'icon') return undefined
+  const place = { flow: cell.flow, after: stepBefore(cell.flow, cell.step) }
+  const edges = edgesAt(workspaceState.app, place)
+  const doesFit = edges?.isHole === true || edges?.left === left // behind a hole nothing fits anyway
+  return { ...place, hole: 0, replaces: cell.step, why: doesFit ? '' : misfit(place) }
+}
+
+/** The step before another one in its flow; 0: the start icon. */
+export function stepBefore(flow: string, step: number): number {
+  const steps = workspaceState.app?.flows?.[flow]?.steps ?? []
+  return steps[steps.indexOf(step) - 1] ?? 0
 }
 
 /** Why something with another left edge may not stand behind a step. */

@@ -13,8 +13,8 @@ import { gapOf } from '../application/gaps'
 /** Something small that is open beside a place of the page. */
 export type Opened =
   | { kind: '' }
-  /** Find an icon and insert it; `words` is what was typed already. */
-  | { kind: 'quick'; words: string }
+  /** Find an icon and insert it, or put it in the place of a step; `words` is what was typed already. */
+  | { kind: 'quick'; words: string; replaces?: number }
   | { kind: 'menu'; at: Point; over: Over }
   /** The tag at which an action waits for other flows. */
   | { kind: 'tag'; step: number }
@@ -34,6 +34,8 @@ export type Over = { kind: 'step'; step: number } | { kind: 'flow'; flow: string
 /** Where what is carried would go, and why it would not. */
 export interface Slot extends Place {
   readonly hole: number
+  /** The icon in whose place it would come; 0: between icons. */
+  readonly replaces: number
   readonly why: string
 }
 
@@ -42,6 +44,8 @@ export interface Lifted {
   readonly steps: readonly number[]
   readonly at: Point
   readonly isCopy: boolean
+  /** Whether they would be deleted here, outside of the workspace. */
+  readonly isOutside: boolean
 }
 
 export interface Area {
@@ -88,7 +92,9 @@ class WorkspaceState {
   readonly base: Arrangement = $derived(arrange(this.content, this.frame))
   /** As it is drawn: with the place open for what is carried. */
   readonly shown: Arrangement = $derived(
-    this.slot && !this.slot.hole && !this.slot.why ? arrange(this.content, this.frame, this.slot) : this.base,
+    this.slot && !this.slot.hole && !this.slot.replaces && !this.slot.why
+      ? arrange(this.content, this.frame, this.slot)
+      : this.base,
   )
   readonly cells: ReadonlyMap<number, Cell> = $derived(
     new Map(this.shown.cells.filter((cell) => cell.step > 0).map((cell) => [cell.step, cell])),
@@ -149,6 +155,13 @@ class WorkspaceState {
   toWindow({ x, y }: Point): Point {
     const { left = 0, top = 0 } = this.paper?.getBoundingClientRect() ?? {}
     return { x: x + left, y: y + top }
+  }
+
+  /** Whether a place of the window lies beside the workspace; beyond the window nobody knows. */
+  isOutside({ x, y }: Point): boolean {
+    if (!this.ground || x < 0 || y < 0 || x >= window.innerWidth || y >= window.innerHeight) return false
+    const { left, right, top, bottom } = this.ground.getBoundingClientRect()
+    return x < left || x >= right || y < top || y >= bottom
   }
 
   /** Scroll so that a row is seen. */

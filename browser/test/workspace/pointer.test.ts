@@ -22,6 +22,8 @@ const { pickSteps, workspace } = await import('../../src/state/workspace.svelte'
 const { workspaceState } = await import('../../src/workspace/workspaceState.svelte')
 const { PointerGestures } = await import('../../src/workspace/pointer')
 const { keyDown } = await import('../../src/workspace/keys')
+const { askForOther, exchange, paste, replaceable } = await import('../../src/workspace/acts')
+const { slotAt } = await import('../../src/workspace/slot')
 
 /** Something in the workspace that a pointer may be over. */
 class Thing extends (Element as unknown as new () => object) {
@@ -175,6 +177,106 @@ describe('the left button', () => {
     drag(2, 0)
     expect(sent).toEqual([])
   })
+})
+
+/** Drag a step by the mouse to a place of the window, and let it go there. */
+function dropAt(step: number, clientX: number, clientY: number): void {
+  const there = { clientX, clientY }
+  hand.down(event(over(step), at(step)))
+  hand.move(event(over(step), there))
+  hand.up(event(over(step), there))
+}
+
+describe('an icon that is dropped', () => {
+  const bounds = { left: 0, top: 0, right: 1000, bottom: 600 }
+  const ground = { getBoundingClientRect: () => bounds, contains: () => false }
+  beforeEach(() => {
+    vi.stubGlobal('window', { innerWidth: 1200, innerHeight: 700 })
+    Object.assign(workspaceState, { ground })
+    return () => Object.assign(workspaceState, { ground: undefined })
+  })
+
+  test('on the picture of another one replaces it, with its targets', () => {
+    // R-D05
+    const { clientX, clientY } = at(4)
+    dropAt(2, clientX, clientY)
+    expect(sent).toEqual([{ t: 'MoveIcons', doc: 'a1', steps: [2, 3], flow: '0', after: 3, replaces: 4 }])
+  })
+
+  test('on itself stays', () => {
+    const { clientX, clientY } = at(2)
+    dropAt(2, clientX + 6, clientY)
+    expect(sent).toEqual([])
+  })
+
+  test('outside of the workspace is deleted with its targets', () => {
+    // R-D05
+    dropAt(2, 1100, 300)
+    expect(sent).toEqual([{ t: 'RemoveIcons', doc: 'a1', steps: [2, 3] }])
+  })
+
+  test('outside as a copy, beyond the window, or while it runs, is not', () => {
+    // R-D18
+    hand.down(event(over(2), { ...at(2), ctrlKey: true }))
+    hand.move(event(over(2), { clientX: 1100, clientY: 300, ctrlKey: true }))
+    hand.up(event(over(2), { clientX: 1100, clientY: 300, ctrlKey: true }))
+    dropAt(2, 1300, 300)
+    dropAt(2, 500, 590)
+    desk.tree.applications.a1!.is_running = true
+    dropAt(2, 1100, 300)
+    expect(sent).toEqual([])
+  })
+
+  test('tells before it is let go what becomes of it', () => {
+    hand.down(event(over(2), at(2)))
+    const { clientX, clientY } = at(4)
+    hand.move(event(over(2), { clientX, clientY }))
+    expect(workspaceState.slot).toMatchObject({ replaces: 4, why: '' })
+    hand.move(event(over(2), { clientX: 1100, clientY: 300 }))
+    expect(workspaceState.lifted?.isOutside).toBe(true)
+    hand.cancel()
+    expect(sent).toEqual([])
+  })
+
+  test('from a dictionary on a picture comes in its place, and is told where it fits not', () => {
+    const { clientX, clientY } = at(4)
+    expect(slotAt({ x: clientX, y: clientY }, '0', '0')).toMatchObject({ replaces: 4, after: 3, why: '' })
+    expect(slotAt({ x: clientX, y: clientY }, '1', '0')?.why).not.toBe('')
+    expect(slotAt({ x: clientX - 44, y: clientY }, '0', '0')).toMatchObject({ replaces: 0, after: 3 })
+  })
+})
+
+describe('what comes in the place of an icon', () => {
+  test('is looked for by a key, and stands there when it is chosen', async () => {
+    // R-D05 R-X11
+    click(4)
+    expect(replaceable()).toBe(4)
+    askForOther()
+    expect(workspaceState.opened).toEqual({ kind: 'quick', words: '', replaces: 4 })
+    expect(await exchange(4, 'open')).toBe(true)
+    expect(sent).toEqual([{ t: 'ExchangeIcon', doc: 'a1', step: 4, onikon: 'open' }])
+    expect([...workspace.steps]).toEqual([4])
+  })
+
+  test('is of one icon only', () => {
+    click(2)
+    click(4, { ctrlKey: true })
+    expect(replaceable()).toBe(0)
+  })
+})
+
+test('what is pasted goes behind the selection, else to the cursor', async () => {
+  // R-D05
+  pickSteps(2, 3)
+  workspace.place = { flow: '0', after: 0 }
+  await paste()
+  pickSteps()
+  workspace.place = { flow: '0', after: 1 }
+  await paste()
+  expect(sent).toMatchObject([
+    { t: 'PasteIcons', after: 3 },
+    { t: 'PasteIcons', after: 1 },
+  ])
 })
 
 describe('the middle button', () => {

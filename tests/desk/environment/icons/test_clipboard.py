@@ -119,3 +119,17 @@ def test_it_is_told_what_was_copied(gallery):  # R-D05
     gallery.do(act.CopyIcons(doc, tuple(steps.values())))
     assert "close the hand, " in str(gallery.says[-1].text)
     assert "and 2 more; Paste puts them behind" in str(gallery.says[-1].text)
+
+
+def test_behind_a_job_alone_is_behind_its_targets_where_an_action_is_pasted(gallery):  # R-D05
+    doc = gallery.begun("grip", "move", "there", "open")
+    gallery.do(act.CopyIcons(doc, (gallery.number(doc, "grip"),)))
+    gallery.do(act.PasteIcons(doc, "0", gallery.number(doc, "move")))
+    assert gallery.flow(doc) == "grip move there grip open"
+
+
+def test_behind_a_job_that_lacks_its_target_that_is_pasted_into_its_hole(gallery):  # R-D05, R-D19
+    doc = gallery.begun("move", "there", "visit", flows=2)
+    gallery.do(act.CopyIcons(doc, (gallery.number(doc, "there"),)))
+    gallery.do(act.PasteIcons(doc, "0", gallery.number(doc, "visit")))
+    assert gallery.flow(doc) == "move there visit there"

@@ -24,7 +24,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.plan.icon_names import several, step_named
 from onika.files import appl
-from onika.model.application import AppFlow, Application, Hole, Step
+from onika.model.application import AppFlow, Application, Hole, Step, actions
 from onika.model.flow_path import numbered, unnumbered, with_flows
 from onika.model.rules import jigsaw
 from onika.model.syntax import Syntax
@@ -69,7 +69,7 @@ def cut_icons(model: Model, opened: OpenApplication, command: act.CutIcons, outs
 
 @on_resting_application
 def paste_icons(model: Model, opened: OpenApplication, command: act.PasteIcons, _outside: Services) -> Done | No:
-    """Insert what was copied behind a step; the value is the numbers of the new steps."""
+    """Insert what was copied behind a step, or the action of that; the value is the numbers of the new steps."""
     syntax = syntax_of(model)
     steps = _read(command.text, syntax) if command.text else model.icon_clipboard
     if isinstance(steps, No):
@@ -83,6 +83,9 @@ def paste_icons(model: Model, opened: OpenApplication, command: act.PasteIcons, 
     path, position = place
     flow = flow_at(opened.application, path) or AppFlow(())
     refused = misfit(model, opened, flow, position, first, path=path)
+    behind = _behind_action(flow, position, syntax)
+    if refused and behind != position and misfit(model, opened, flow, behind, first, path=path) is None:
+        refused, position = None, behind
     if refused:
         return replace(refused, reason=Reason.of("desk.nothing_pasted", reason=refused.reason))
     new, last = numbered(Application("", False, (AppFlow(for_pasting(steps, flow)),)), opened.last_number)
@@ -93,6 +96,12 @@ def paste_icons(model: Model, opened: OpenApplication, command: act.PasteIcons, 
     opened = replace(opened, last_number=last)
     numbers = tuple(step.number for step in pasted if not isinstance(step, Hole))
     return reflowed(model, opened, {path: after}, Reason.of("desk.pasting", icons=several(pasted)), numbers)
+
+
+def _behind_action(flow: AppFlow, position: int, syntax: Syntax) -> int:
+    """The last step of the action that stands there: whoever selects a job alone means its targets too."""
+    ends = (action.end - 1 for action in actions(flow, syntax) if action.position <= position < action.end)
+    return next(ends, position)
 
 
 def _copied(steps: Sequence[Step]) -> Reason:
