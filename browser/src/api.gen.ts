@@ -821,6 +821,7 @@ export interface Run {
   on_loss?: 'finish' | 'run' | 'stop';
   units?: ([string, string])[];
   puts_back?: boolean;
+  ends_former?: boolean;
 }
 
 /** Which tasks the flows of an application use, and who could stand for each; the value is a `view.SeatsView`. */
@@ -1734,6 +1735,8 @@ export interface StopView {
   choices?: (ChoiceView)[];
   short?: Reason;
   black_box?: string;
+  stands?: (Reason)[];
+  touches?: (Reason)[];
 }
 
 /** Who may change a subsystem that lives (law 27, X12). */

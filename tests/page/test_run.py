@@ -211,7 +211,7 @@ def test_flows_that_meet_begin_together(me):  # R-X03, R-E04
 
 def test_a_stop_is_explained_and_the_choice_is_carried_out(me):  # R-X06, R-E08
     me.starts("fails")
-    why = me.page.get_by_role("dialog", name=re.compile("stopped: sick has an error"))
+    why = me.page.get_by_role("dialog", name=re.compile("stopped at"))
     expect(why).to_contain_text("the sensor is dead")
     for choice in ("Try again", "Leave this action", "Go on with another action", "End the run"):
         expect(why.get_by_role("button", name=re.compile(choice))).to_be_visible()
@@ -221,7 +221,7 @@ def test_a_stop_is_explained_and_the_choice_is_carried_out(me):  # R-X06, R-E08
 
 def test_to_try_again_fails_again_and_the_run_can_be_ended(me):  # R-X06, R-E08, R-E14
     me.starts("fails")
-    why = me.page.get_by_role("dialog", name=re.compile("stopped: sick has an error"))
+    why = me.page.get_by_role("dialog", name=re.compile("stopped at"))
     why.get_by_role("button", name=re.compile("Try again")).click()
     expect(why).to_contain_text("the sensor is dead")
     why.get_by_role("button", name=re.compile("End the run")).click()
@@ -230,7 +230,7 @@ def test_to_try_again_fails_again_and_the_run_can_be_ended(me):  # R-X06, R-E08,
 
 def test_the_last_seconds_are_kept_at_the_stop_and_at_the_end_and_can_be_looked_at(me):  # R-X05, R-X06
     me.starts("fails")
-    why = me.page.get_by_role("dialog", name=re.compile("stopped: sick has an error"))
+    why = me.page.get_by_role("dialog", name=re.compile("stopped at"))
     expect(why.get_by_role("button", name="Look at the last seconds")).to_be_visible()
     why.get_by_role("button", name=re.compile("End the run")).click()
     me.ended_early("ended by you, after: cycle: ValueError: the sensor is dead")

@@ -1,6 +1,7 @@
 """What holds and trips a drive: silence, stops, nonsense, the panic button."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ from onika.laws import puma560
 from onika.laws.path import quintic
 from onika.ring.device import DeviceOrder, DriveEvent, DriveState
 from onika.ring.drive import DriveInput, DriveMode
+from onika.words.reason import NOTHING
 from onika.workcell.boxes import BoxesWorld
 
 MS = 1_000_000
@@ -31,7 +33,9 @@ def test_silence_holds_at_the_first_step_beyond_fifty_and_trips_beyond_two_hundr
     world.command("arm_left", 1, DeviceOrder.DRIVE, np.zeros(6))
     world.step(600 * MS)
     last = 100 * MS
-    assert world.take_events() == [
+    driven, held, tripped = world.take_events()
+    assert held.stands.key == "workcell.stands_at"
+    assert [driven, replace(held, stands=NOTHING), tripped] == [
         DriveEvent("arm_left", DriveState.DRIVEN, 100 * MS, 98 * MS, -1, DriveInput.DRIVE.value),
         DriveEvent("arm_left", DriveState.HELD, 152 * MS, 150 * MS, last, DriveInput.SILENCE.value),
         DriveEvent("arm_left", DriveState.TRIPPED, 352 * MS, 350 * MS, last, DriveInput.LONG_SILENCE.value),

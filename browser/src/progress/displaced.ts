@@ -18,6 +18,12 @@ export function canBePutBack(runtime: RuntimeView, app: ApplicationView | undefi
   return worlds.length > 0 && worlds.every((world) => runtime.world_kinds?.[world] === 'simulated')
 }
 
+/** Whether all that an application drives is simulated, so that everything can be put back from here. */
+export function isAllSimulated(runtime: RuntimeView, app: ApplicationView | undefined): boolean {
+  const worlds = Object.values(app?.worlds ?? {}).flat()
+  return worlds.length > 0 && worlds.every((world) => runtime.world_kinds?.[world] === 'simulated')
+}
+
 type ByWorld = RuntimeView['displaced']
 
 const ofDriven = (things: ByWorld, app: ApplicationView | undefined): Reason[] =>

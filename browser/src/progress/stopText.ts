@@ -2,7 +2,7 @@
 import type { AnyAct, RunView, StopView } from '../api.gen'
 import { t, type TextKey } from '../texts/index.svelte'
 import { isSeveral, nameOf } from '../sentences/words'
-import { say } from '../texts/say'
+import { every, say, type Reason } from '../texts/say'
 
 const KINDS = [
   'error',
@@ -17,6 +17,8 @@ const KINDS = [
   'deserted',
   'user',
 ]
+/** An input of what moves an arm that would jump. */
+const SUDDEN = 'runtime.would_step'
 const TITLES: Record<string, TextKey> = {
   clear: 'stopped.clear',
   next: 'stopped.next',
@@ -38,11 +40,29 @@ export interface Choice {
 }
 
 export function titleOf(run: RunView, at: string, stop: StopView): string {
-  const kind = KINDS.includes(stop.kind) ? stop.kind : 'other'
   const subsystem = stop.subsystem || at
   const flow = subsystem ? nameOf(run, subsystem) : t('stopped.theRun')
-  return t(`stopped.title.${kind}` as TextKey, { flow, task: stop.task || t('stopped.aTask') })
+  const named = { flow, task: stop.task || t('stopped.aTask'), action: stop.action ?? '' }
+  return t(`stopped.title.${titleKind(stop)}` as TextKey, named)
 }
+
+/** An error is told by what is in the way or by its action; which task has it stands among the details. */
+function titleKind(stop: StopView): string {
+  if (stop.kind !== 'error') return KINDS.includes(stop.kind) ? stop.kind : 'other'
+  if (stop.touches?.length) return 'blocked'
+  return stop.action ? 'atAction' : 'error'
+}
+
+/** What happened in the words of the program; `isPlain`: tasks and variables are left to the details. */
+export function accountOf(stop: StopView): { lines: string[]; isPlain: boolean } {
+  const touches = (stop.touches ?? []).map(asSentence)
+  const isSudden = every(stop.text).some(({ key }) => key === SUDDEN)
+  const isPlain = touches.length > 0 || isSudden
+  const what = touches.length ? touches : [isSudden ? t('stopped.tooSudden') : inShort(stop)]
+  return { lines: [...what, ...(stop.stands ?? []).map(asSentence)], isPlain }
+}
+
+const asSentence = (reason: Reason): string => withStop(capital(say(reason)))
 
 /** What was said, without where in the module it was said, as the beginning of a sentence. */
 export function inShort(stop: StopView): string {
@@ -59,8 +79,16 @@ export function choiceTitle(verb: string): string {
   return key ? t(key) : verb
 }
 
-/** The choices in order. What each does is told by whoever knows the run. */
-export function choicesOf(run: RunView, stop: StopView): Choice[] {
+/** The choices in order, before the last, the end of the run, to begin anew where that can be. */
+export function choicesOf(run: RunView, stop: StopView, canStartOver = false): Choice[] {
+  const choices = told(run, stop)
+  if (!canStartOver || !choices.length) return choices
+  const anew = { verb: 'anew', title: t('stopped.anew'), meaning: t('stopped.anewWords'), act: null }
+  return [...choices.slice(0, -1), anew, ...choices.slice(-1)]
+}
+
+/** What each does is told by whoever knows the run. */
+function told(run: RunView, stop: StopView): Choice[] {
   return (stop.choices ?? []).map(({ verb, subsystem = '', meaning, act = null }) => {
     const title = choiceTitle(verb)
     const isOther = run.flows?.[subsystem] !== undefined && subsystem !== stop.subsystem && isSeveral(run)

@@ -27,11 +27,12 @@ export const stateOf = (flow: FlowRunView | undefined): NonNullable<FlowRunView[
 export const isHeld = (state: string): boolean => state === 'paused' || state === 'stopped'
 export const isEnded = (state: string): boolean => ['done', 'killing', 'ended'].includes(state)
 
-export const start = (doc: string, putsBack = false): Promise<unknown> =>
+export const start = (doc: string, putsBack = false, endsFormer = false): Promise<unknown> =>
   act({
     t: 'Run',
     doc,
     ...(putsBack ? { puts_back: true } : {}),
+    ...(endsFormer ? { ends_former: true } : {}),
     passes_breakpoints: options.passesBreakpoints,
     is_recorded: options.records,
     on_loss: desk.live.runtime.address ? options.onLoss : 'stop',
@@ -48,6 +49,9 @@ export const startAnew = (): Promise<unknown> => act({ t: 'StartAnew' })
 /** Begin as the black button says: where something has left its place it is put back first. */
 export const startAfresh = (doc: string): Promise<unknown> =>
   start(doc, canBePutBack(desk.live.runtime, desk.live.applications[doc]))
+
+/** End the run that stands, put everything back and begin anew. */
+export const startOver = (doc: string): Promise<unknown> => start(doc, true, true)
 
 /** Pause what goes on; where all stand still, go on. */
 export const pauseOrContinue = (): Promise<unknown> => steer(canPause(desk.live.run) ? 'pause' : 'continue')

@@ -2811,6 +2811,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "workcell.reset": "vuelta al comienzo",
   "workcell.right": "derecha",
   "workcell.short_silence": "ninguna orden en 50 ms",
+  "workcell.stands_at": "{who} está en x = {x:.1f} cm, y = {y:.1f} cm, z = {z:.1f} cm",
   "workcell.stop": "parada",
   "workcell.the_arm": "el brazo",
   "workcell.the_box_cross": "la caja con la cruz",

@@ -133,6 +133,8 @@ export const enPerform = {
   'perform.whichWorkcell': 'Which workcell',
   'perform.noWorkcell': 'The workcell appears here when a run begins.',
 
+  'stopped.title.blocked': '{flow} stopped: something is in the way',
+  'stopped.title.atAction': '{flow} stopped at “{action}”',
   'stopped.title.error': '{flow} stopped: {task} has an error',
   'stopped.title.pressed': '{flow} stopped: the panic button is pressed',
   'stopped.title.tripped': '{flow} stopped: the drive has tripped',
@@ -171,6 +173,10 @@ export const enPerform = {
   'stopped.here': 'stops here',
   'stopped.choices': 'What you can do',
   'stopped.nothing': 'The run is over. Nothing is left to choose.',
+  'stopped.tooSudden':
+    'The arm would have to jump: it does not stand where this step needs it, or the motion is too fast.',
+  'stopped.anew': 'Put the workcell back and run again',
+  'stopped.anewWords': 'Ends this run, takes everything to where it stood at first, and begins anew.',
   'stopped.clear': 'Try again',
   'stopped.next': 'Leave this action',
   'stopped.skip': 'Go on with another action',

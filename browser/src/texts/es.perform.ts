@@ -135,6 +135,8 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
   'perform.whichWorkcell': 'Qué célula',
   'perform.noWorkcell': 'La célula aparece aquí cuando empieza una ejecución.',
 
+  'stopped.title.blocked': '{flow} se detuvo: algo está en el camino',
+  'stopped.title.atAction': '{flow} se detuvo en «{action}»',
   'stopped.title.error': '{flow} se detuvo: {task} tiene un error',
   'stopped.title.pressed': '{flow} se detuvo: el botón de emergencia está pulsado',
   'stopped.title.tripped': '{flow} se detuvo: el accionamiento se ha desconectado',
@@ -173,6 +175,10 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
   'stopped.here': 'se detiene aquí',
   'stopped.choices': 'Qué puede hacer',
   'stopped.nothing': 'La ejecución ha terminado. No queda nada que elegir.',
+  'stopped.tooSudden':
+    'El brazo tendría que saltar: no está donde este paso lo necesita, o el movimiento es demasiado rápido.',
+  'stopped.anew': 'Devolver la célula a su estado inicial y ejecutar de nuevo',
+  'stopped.anewWords': 'Termina esta ejecución, lleva todo adonde estaba al principio y empieza de nuevo.',
   'stopped.clear': 'Intentarlo otra vez',
   'stopped.next': 'Dejar esta acción',
   'stopped.skip': 'Seguir con otra acción',

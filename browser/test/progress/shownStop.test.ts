@@ -1,9 +1,10 @@
 // R-X06: the stop explained: when it shows itself, what it is called, what can be done, which plots say most.
 import { beforeEach, describe, expect, it } from 'vitest'
-import type { CourseView, RunView, StopView } from '../../src/api.gen'
+import type { ApplicationView, CourseView, RuntimeView, RunView, StopView } from '../../src/api.gen'
 import { look } from '../../src/state/look.svelte'
+import { isAllSimulated } from '../../src/progress/displaced'
 import { standstills, shownStop } from '../../src/progress/shownStop.svelte'
-import { choicesOf, inShort, titleOf } from '../../src/progress/stopText'
+import { accountOf, choicesOf, inShort, titleOf } from '../../src/progress/stopText'
 import { stopVariables } from '../../src/progress/stopVariables'
 import { plain } from '../../src/texts/say'
 
@@ -207,5 +208,62 @@ describe('the last seconds', () => {
 
   it('texts and vectors that change their length are left out', () => {
     expect(stopVariables([course('NAME', ['a', 'b']), course('V', [[1], [1, 2]]), course('NONE', [])], 11)).toEqual([])
+  })
+})
+
+describe('what happened, in the words of the program', () => {
+  const touches = [plain('the hand touches the table')]
+  const stands = [plain('the hand stands at x = 1.0 cm')]
+  const would = { key: 'runtime.would_step', text: 'TAU_REF[1] would step by 40 N m' }
+  const failed = {
+    key: 'host.entry_failed',
+    text: 'cycle: TAU_REF[1] would step',
+    args: { entry: 'cycle', why: would },
+  }
+
+  it('is what was in the way, and where the arm stood; the task is left to the details', () => {
+    look.language = 'en'
+    const blocked = stop({ text: failed, touches, stands, action: 'go down' })
+    expect(titleOf(run({}), 'flow0', blocked)).toBe('Flow 0 stopped: something is in the way')
+    expect(accountOf(blocked)).toEqual({
+      lines: ['The hand touches the table.', 'The hand stands at x = 1.0 cm.'],
+      isPlain: true,
+    })
+  })
+
+  it('is that the arm would jump, where nothing is in the way', () => {
+    const sudden = stop({ text: failed, action: 'go down' })
+    expect(titleOf(run({}), 'flow0', sudden)).toBe('Flow 0 stopped at “go down”')
+    expect(accountOf(sudden).isPlain).toBe(true)
+    expect(accountOf(sudden).lines.join(' ')).toMatch(/would have to jump/)
+    expect(accountOf(sudden).lines.join(' ')).not.toMatch(/TAU_REF/)
+  })
+
+  it('is what a module says, where it is no matter of the arm', () => {
+    expect(accountOf(stop({ text: plain('the sensor is dead') }))).toEqual({
+      lines: ['The sensor is dead'],
+      isPlain: false,
+    })
+  })
+})
+
+describe('to begin anew', () => {
+  const clear = { verb: 'clear', meaning: plain('tries again') }
+  const abort = { verb: 'abort', meaning: plain('ends the run') }
+
+  it('is offered before the end of the run, where everything can be put back', () => {
+    const stands = stop({ choices: [clear, abort] })
+    expect(choicesOf(run({}), stands, true).map(({ verb }) => verb)).toEqual(['clear', 'anew', 'abort'])
+    expect(choicesOf(run({}), stands, false).map(({ verb }) => verb)).toEqual(['clear', 'abort'])
+    expect(choicesOf(run({}), stop({ choices: [] }), true)).toEqual([])
+  })
+
+  it('needs a workcell, and none that is real', () => {
+    const drives = (...worlds: string[]): ApplicationView => ({ name: 'one', order: 0, worlds: { flow0: worlds } })
+    const runtime: RuntimeView = { world_kinds: { cell: 'simulated', real: 'real' } }
+    expect(isAllSimulated(runtime, drives('cell'))).toBe(true)
+    expect(isAllSimulated(runtime, drives('cell', 'real'))).toBe(false)
+    expect(isAllSimulated(runtime, drives())).toBe(false)
+    expect(isAllSimulated(runtime, undefined)).toBe(false)
   })
 })

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import IntEnum
 
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 
 class DeviceOrder(IntEnum):
@@ -43,7 +43,8 @@ class DeviceSheet:
 class DriveEvent:
     """One change of a drive's state, in world time: when, at which step before, after which last command, why.
 
-    `last_command_ns` is -1 where no command came since the claim.
+    `last_command_ns` is -1 where no command came since the claim. Where an arm begins to hold, its world may say where
+    it stands, and what it presses against.
     """
 
     device: str
@@ -52,6 +53,8 @@ class DriveEvent:
     previous_step_ns: int
     last_command_ns: int
     cause: Reason
+    stands: Reason = NOTHING
+    touches: tuple[Reason, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

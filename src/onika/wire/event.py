@@ -103,6 +103,10 @@ class Drive(Struct, frozen=True, tag=True):
     cause: Reason
     at_s: float = 0.0
     """As all else: of the run that uses the device, or of the runtime where none does."""
+    stands: Reason = NOTHING
+    """Where the device stands that begins to hold, as far as its world knows."""
+    touches: tuple[Reason, ...] = ()
+    """What it presses against then, each a sentence."""
 
 
 class Mishap(Struct, frozen=True, tag=True):

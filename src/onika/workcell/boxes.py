@@ -17,6 +17,7 @@ from onika.workcell import layout
 from onika.workcell.arm_unit import ArmUnit
 from onika.workcell.arms import Arms
 from onika.workcell.gripper_unit import GripperUnit
+from onika.workcell.hindrance import Hindrance
 from onika.workcell.kinematics import Kinematics
 from onika.workcell.lamp_unit import LampUnit
 from onika.workcell.layout import SIDES
@@ -287,12 +288,23 @@ class BoxesWorld:
         if after is not before:
             unit.state[1] = after
             last = max(self.now_ns - self.step_ns, 0)
-            event = DriveEvent(unit.sheet.name, int(after), self.now_ns, last, unit.drive.last_ns, drive_input.value)
-            self._events.append(event)
+            times = self.now_ns, last, unit.drive.last_ns
+            said = self._halted(unit) if was is DriveMode.DRIVEN else ()
+            self._events.append(DriveEvent(unit.sheet.name, int(after), *times, drive_input.value, *said))
         unit.follows = unit.epoch if unit.drive.mode is DriveMode.DRIVEN else None
         self._holding = [
             present for present in self._present if present.holds and present.drive.mode is not DriveMode.DRIVEN
         ]
+
+    def _halted(self, unit: DeviceUnit) -> tuple[Reason, tuple[Reason, ...]] | tuple[()]:
+        """Where an arm stands that begins to hold, and what is in its way; nothing of what is no arm."""
+        if not isinstance(unit, ArmUnit) or unit.side not in self._sides:
+            return ()
+        if self._hindrance is None:
+            self._hindrance = Hindrance(self._plant, has_forces=not self._arms.kinematic)
+        held, is_alone = self._start_places.held(self._plant, unit.side), len(self._sides) < 2
+        told = self._hindrance.told(unit.side, "" if held is None else held.sign, is_alone=is_alone)
+        return self._hindrance.place(unit.side, is_alone=is_alone), told
 
     def _admit(self, unit: DeviceUnit) -> None:
         """Make room for a device: its arm may be new in the world, of another kind or in the other mode."""
@@ -317,6 +329,7 @@ class BoxesWorld:
         return layout.text(self._boxes, self._sides, drawn, self._arms.kinds())
 
     def _bind(self) -> None:
+        self._hindrance: Hindrance | None = None
         arms = self._arms.acting
         self._acting: list[DeviceUnit] = [unit for side in SIDES for unit in (arms[side], self._hands[side])] + [
             self._lamp

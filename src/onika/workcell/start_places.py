@@ -44,7 +44,7 @@ class StartPlaces:
 
     def displaced(self, plant: Plant, arms: Sequence[ArmUnit]) -> Iterator[Displacement]:
         """What does not stand there: what a hand holds first, then boxes, then arms, which may be anywhere."""
-        holders = {arm: held for arm in arms if (held := self._held(plant, arm)) is not None}
+        holders = {arm: held for arm in arms if (held := self.held(plant, arm.side)) is not None}
         for arm, held in holders.items():
             yield Displacement(Reason.of("workcell.hand_holds", hand=_named("hand", arm, arms), box=_box(held)))
         for box in self._boxes:
@@ -54,9 +54,9 @@ class StartPlaces:
             if np.abs(arm.posture - arm.robot.HOME).max() > POSTURE:
                 yield Displacement(Reason.of("workcell.arm_away", arm=_named("arm", arm, arms)), is_harmless=True)
 
-    def _held(self, plant: Plant, arm: ArmUnit) -> AssemblyBox | None:
-        """The box between the jaws of a hand that is closed on it."""
-        hand = f"gripper_{arm.side}"
+    def held(self, plant: Plant, side: str) -> AssemblyBox | None:
+        """The box between the jaws of the hand at a side that is closed on it."""
+        hand = f"gripper_{side}"
         fingers, _ = plant.joints([f"{hand}.finger1", f"{hand}.finger2"])
         signal = plant.data.ctrl[plant.signals([f"{hand}.valve1"])]
         opening = float(plant.data.qpos[fingers].mean())

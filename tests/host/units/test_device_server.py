@@ -16,6 +16,7 @@ from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring
 from onika.runtime.bus import SEGMENT_SIZE
+from onika.words.reason import NOTHING, Reason
 
 
 def open_world(name):
@@ -100,6 +101,15 @@ def test_a_command_drives_and_silence_holds(server):  # laws 16, 17
     assert (driven.world, driven.device, driven.state, str(driven.cause)) == ("yard", "m0", 0, "DRIVE")
     assert (held.state, str(held.cause)) == (1, "silence")
     assert held.previous_step_ns - held.last_command_ns <= 50_000_000 < held.at_ns - held.last_command_ns
+
+
+def test_where_a_drive_holds_and_what_is_in_its_way_is_passed_on(server, monkeypatch):  # R-X06
+    stands, touches = Reason.plain("m0 stands at 1 m"), (Reason.plain("m0 touches m1"),)
+    monkeypatch.setattr(MassWorld, "halt", (stands, touches))
+    server.open()
+    server.command(server.claim(), 1.0)
+    driven, held = server.hear(room.DriveChanged), server.hear(room.DriveChanged)
+    assert ((driven.stands, driven.touches), (held.stands, held.touches)) == ((NOTHING, ()), (stands, touches))
 
 
 def test_a_device_is_granted_to_one_writer_until_it_is_released(server):  # law 16

@@ -7,7 +7,7 @@ from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveMode
 from onika.runtime.bus import SEGMENT_SIZE
 from onika.wire import event
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 MS = 1_000_000
 TAKES = {"key": "workcell.button_takes", "text": "1 pressed, 0 let go"}
@@ -211,6 +211,20 @@ def test_a_world_is_put_back_what_its_drives_do_is_told_and_a_stop_stays(message
     buses.stop()
     buses.put_back("yard")
     assert buses.modes()["yard:m0"] is DriveMode.STOPPED
+
+
+def test_where_a_drive_holds_and_what_is_in_its_way_is_told(buses, messages, monkeypatch):  # R-X06
+    stands, touches = Reason.plain("m0 stands at 1 m"), (Reason.plain("m0 touches m1"),)
+    monkeypatch.setattr(MassWorld, "halt", (stands, touches))
+    epoch = buses.grant("yard:m0", 0).epoch
+    world = next(buses.worlds)
+    for order in (DeviceOrder.DRIVE, DeviceOrder.HOLD):
+        world.command("m0", epoch, order, [1.0])
+    buses.step(MS)
+    assert [(drive.state, drive.stands, drive.touches) for drive in messages] == [
+        ("DRIVEN", NOTHING, ()),
+        ("HELD", stands, touches),
+    ]
 
 
 def test_a_world_that_is_not_open_or_that_nobody_can_move_is_not_put_back(buses):  # law 18

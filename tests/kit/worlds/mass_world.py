@@ -24,6 +24,8 @@ class MassWorld:
     """
 
     step_ns = 1_000_000
+    halt: tuple[Reason, tuple[Reason, ...]] | tuple[()] = ()
+    """What is told of a mass as its drive holds: where it stands, and what it touches."""
 
     def __init__(self, count: int = 2) -> None:
         self.now_ns = 0
@@ -168,7 +170,9 @@ class MassWorld:
         if drive is not DriveState.DRIVEN:
             mass.state[3] = 0.0
         before = max(self.now_ns - self.step_ns, 0)
-        self._events.append(DriveEvent(mass.sheet.name, drive, self.now_ns, before, mass.heard_ns, Reason.plain(cause)))
+        said = self.halt if drive is DriveState.HELD else ()
+        times = self.now_ns, before, mass.heard_ns
+        self._events.append(DriveEvent(mass.sheet.name, drive, *times, Reason.plain(cause), *said))
 
 
 class _Mass:

@@ -24,7 +24,7 @@ from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.runtime.command import DeviceGrant
-from onika.words.reason import Reason, reason_of
+from onika.words.reason import NOTHING, Reason, reason_of
 
 _LONGEST_SLEEP_S = 0.02
 
@@ -146,6 +146,8 @@ class DriveChanged(Struct, frozen=True, tag=True):
     cause: Reason
     behind_ns: int = 0
     """How far the world's time is behind the runtime's."""
+    stands: Reason = NOTHING
+    touches: tuple[Reason, ...] = ()
 
 
 class ModesTaken(Struct, frozen=True, tag=True):
@@ -312,7 +314,8 @@ class DeviceServer:
 
 def _driven(world: str, drive_event: DriveEvent, behind_ns: int) -> DriveChanged:
     times = drive_event.at_ns, drive_event.previous_step_ns, drive_event.last_command_ns
-    return DriveChanged(world, drive_event.device, int(drive_event.state), *times, drive_event.cause, behind_ns)
+    said = drive_event.stands, drive_event.touches
+    return DriveChanged(world, drive_event.device, int(drive_event.state), *times, drive_event.cause, behind_ns, *said)
 
 
 def main(words: list[str]) -> None:

@@ -295,7 +295,7 @@ class WallDriver:
         began = self._listener.run_began(device) if self._listener is not None else 0
         at_s = round((word.at_ns + word.behind_ns - began) * 1e-9, 9)
         times = word.at_ns, word.previous_step_ns, word.last_command_ns
-        return event.Drive(device, DriveState(word.state).name, *times, word.cause, at_s)
+        return event.Drive(device, DriveState(word.state).name, *times, word.cause, at_s, word.stands, word.touches)
 
     def _lost(self, supervised: Supervised, reason: Reason) -> None:
         """A process is gone: fence its claims, let hardware tasks know, name the cause."""

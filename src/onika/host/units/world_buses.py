@@ -151,6 +151,8 @@ class Buses:
                     drive_event.previous_step_ns,
                     drive_event.last_command_ns,
                     drive_event.cause,
+                    stands=drive_event.stands,
+                    touches=drive_event.touches,
                 )
             )
         if self._tell_mishap is not None:

@@ -27,6 +27,8 @@ class Run(Act, frozen=True):
     """Tasks that name no processing unit of this runtime, each with the one that the user has chosen (reading 12)."""
     puts_back: bool = False
     """Whether the workcell is first put back to where everything stood at its start (law 18)."""
+    ends_former: bool = False
+    """Whether its own run is ended first that still goes on, or stands at an error."""
 
 
 class Preflight(Act, frozen=True):

@@ -94,6 +94,10 @@ class StopView(View, frozen=True):
     """The text without where in a module it was said."""
     black_box: str = ""
     """The file on the runtime's machine in which the last seconds before it stand; empty: there is none, or not yet."""
+    stands: tuple[Reason, ...] = ()
+    """Where the arms of the flow stood, each a sentence."""
+    touches: tuple[Reason, ...] = ()
+    """What was in their way."""
 
 
 class JumpView(View, frozen=True):

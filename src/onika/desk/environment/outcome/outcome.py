@@ -78,6 +78,13 @@ class EditEnd:
 
 
 @dataclass(frozen=True, slots=True)
+class RunEnd:
+    """The end of a run of an application, by the number that it has here: there is nothing else to say of it."""
+
+    number: int
+
+
+@dataclass(frozen=True, slots=True)
 class Done:
     """A new model; with a label it is a step of its document, which Undo takes back."""
 

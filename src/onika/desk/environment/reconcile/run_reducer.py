@@ -5,10 +5,10 @@ from functools import partial
 
 from msgspec import structs
 
-from onika.desk.environment.outcome.outcome import Done, EditEnd, No, Order
+from onika.desk.environment.outcome.outcome import Done, EditEnd, No, Order, RunEnd
 from onika.desk.environment.reconcile.current_values import measured, values_of
 from onika.desk.environment.reconcile.merge import runtime_view
-from onika.desk.environment.run_state import flow_progress, run_view
+from onika.desk.environment.run_state import flow_progress, halted_arm, run_view
 from onika.desk.environment.run_state.recording_size import with_recording_size
 from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.state.model import Model
@@ -34,6 +34,7 @@ def after_event(model: Model, message: event.Event) -> Done:
         model.with_run(now),
         orders=_orders(model, run, now, message),
         says=_says(now, message, is_held=model.runtime.is_stopped),
+        news=((RunEnd(now.view.number), None),) if now.is_over else (),
     )
 
 
@@ -52,7 +53,7 @@ def _lost(model: Model, run: Run, reason: Reason) -> Done:
         return Done(model.with_run(replace(run, awaits=None)), news=news)
     cause = Reason.of("run.lost_runtime", why=reason)
     now = with_recording_size(flow_progress.lost(run, cause, black_box_in(reason)))
-    return Done(model.with_run(now), says=(end(now),))
+    return Done(model.with_run(now), says=(end(now),), news=((RunEnd(now.view.number), None),))
 
 
 def _meant(model: Model, message: event.Event) -> Run | None:
@@ -60,6 +61,8 @@ def _meant(model: Model, message: event.Event) -> Run | None:
     named: str = getattr(message, "run", "") or getattr(message, "subsystem", "")
     if isinstance(message, event.Met) and message.subsystems:
         named = message.subsystems[0]
+    if isinstance(message, event.Drive):
+        return next((run for run in model.going if halted_arm.claims(run, message.device)), None)
     if not named or isinstance(message, event.Edited):
         return model.run
     return model.run_in(named)

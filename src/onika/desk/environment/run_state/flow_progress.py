@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from msgspec import structs
 
+from onika.desk.environment.run_state import halted_arm
 from onika.desk.environment.run_state.question import ask_view
 from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.run_state.run_view import in_short, is_question, left_for, stop_view, tag, with_black_box
@@ -34,7 +35,9 @@ def after(run: Run, message: event.Event) -> Run:
             return run.shown(meets=(*run.view.meets, met)[-_MOST_MEETS:])
         case event.Explained() if message.subsystem in ("", *run.view.flows):
             key = message.subsystem if message.choices else ""
-            return run.shown(stops={**run.view.stops, key: stop_view(run, message)})
+            return run.shown(stops={**run.view.stops, key: halted_arm.beside(run, stop_view(run, message))})
+        case event.Drive():
+            return halted_arm.heard(run, message)
         case event.LastSecondsKept():
             return run.shown(stops={key: with_black_box(stop, message) for key, stop in run.view.stops.items()})
         case event.Result():

@@ -36,6 +36,8 @@ class Run:
     """The tasks that are ON, as `SUBSYSTEM/TASK`."""
     failures: Mapping[str, event.Failed] = field(default_factory=dict)
     """Of the tasks in ERROR, by `SUBSYSTEM/TASK`."""
+    halts: Mapping[str, event.Drive] = field(default_factory=dict)
+    """What was told of drives that hold now, by device."""
     awaits: int | None = None
     """The live change that has to end before it can begin, by its number."""
     reason: Reason = NOTHING

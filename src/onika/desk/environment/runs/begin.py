@@ -20,6 +20,7 @@ from onika.desk.environment.outcome.outcome import (
     Order,
     Procedure,
     RequiredRuntime,
+    RunEnd,
     Steps,
 )
 from onika.desk.environment.outcome.runtime_refusal import refusal
@@ -77,6 +78,10 @@ class _Start:
 
 def run(model: Model, command: act.Run, outside: Services) -> Procedure:
     """Run an application as it is here; the value is the number of the run."""
+    if command.ends_former:
+        model, refused_ = yield from _without_former(model, command.doc)
+        if refused_ is not None:
+            return refused_
     before = model
     begun_with = _start(model, command, outside)
     if isinstance(begun_with, No):
@@ -95,6 +100,19 @@ def run(model: Model, command: act.Run, outside: Services) -> Procedure:
     abort = request.Abort(Reason.of("desk.aborted_by_user"), run.homes[0])
     end = (Order(abort),) if _is_given_up(model) else ()
     return Done(described.model, value=run.view.number, says=says, orders=(*end, run_reducer.look(), *described.orders))
+
+
+def _without_former(model: Model, doc: str) -> Steps[tuple[Model, No | None]]:
+    """End the run of an application that goes on, and wait until it is over."""
+    run = next((run for run in model.going if run.doc == doc and run.view.state != "beginning"), None)
+    if run is None:
+        return model, None
+    model, response = yield Ask(model, request.Abort(Reason.of("desk.aborted_by_user"), run.homes[0]))
+    if any(other.view.number == run.view.number for other in model.going):
+        if not isinstance(response, request.Done):
+            return model, No(refusal(response))
+        model, _ = yield AwaitedNews(model, RunEnd(run.view.number))
+    return model, None
 
 
 def _start(model: Model, command: act.Run, outside: Services) -> tuple[Model, _Start] | No:
