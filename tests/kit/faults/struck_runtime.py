@@ -33,7 +33,7 @@ _PATIENCE_S = 15.0
 _SETTLED_S = 0.4
 """When nothing was told for so long, everything has followed."""
 _STEADY_S = 0.2
-_LATE = ("runtime.device_silent", "runtime.drive_tripped")
+_LATE = ("runtime.device_silent", "runtime.device_silent_late", "runtime.drive_tripped")
 """What a task fails with where the machine was late: its device, or it itself to its drive, was silent for too long."""
 _GOES_ON_S = 3.0
 """How long a drive may hold for no other reason than that the machine is busy."""

@@ -235,6 +235,24 @@ def test_a_device_may_be_silent_for_sixty_milliseconds_and_no_longer(guard, modu
     assert broken.value.args[0] == Reason.of("runtime.device_silent", name="arm", ms=60)
 
 
+@pytest.mark.parametrize(("away_ns", "key"), [(30 * MS, "device_silent"), (30 * MS + 1, "device_silent_late")])
+def test_it_is_said_whether_the_device_was_late_or_the_machine_with_it(guard, module, away_ns, key):  # law 17, R-X06
+    guard.take_in(500 * MS)
+    module.device.silence_ns = 60 * MS + 1
+    with pytest.raises(LawBroken) as broken:
+        guard.take_in(500 * MS + away_ns)
+    assert broken.value.args[0].key == f"runtime.{key}"
+
+
+def test_the_time_before_the_task_came_on_is_no_lateness_of_the_machine(guard, module):  # law 17, R-X06
+    guard.take_in(0)
+    guard.begin(500 * MS)
+    module.device.silence_ns = 60 * MS + 1
+    with pytest.raises(LawBroken) as broken:
+        guard.take_in(510 * MS)
+    assert broken.value.args[0].key == "runtime.device_silent"
+
+
 def test_a_silent_device_is_a_fault_of_who_still_waits_too(guard, module):  # law 17
     guard.begin(0)
     module.device.silence_ns = 60 * MS + 1

@@ -8,6 +8,9 @@ from onika.runtime.transfer.bumpless_channel import BLENDED_NS
 from onika.runtime.transfer.bumpless_transfer import BumplessTransfer, bumpless_channels
 from onika.words.reason import Reason
 
+LATE_NS = 30_000_000
+"""Who has not looked at its device for so long was kept waiting itself: then the machine is late, not the device."""
+
 
 class InputGuard:
     """Takes the inputs in, in place of the task; `table` is the memory in which they lie."""
@@ -19,6 +22,7 @@ class InputGuard:
         self._address = subsystem, task
         self._module = module
         self._period_ns = period_ns
+        self._looked_ns = 0
         self._watched_until = table[:8].cast("q")
 
     def bind(self, binding: Binding) -> None:
@@ -46,6 +50,7 @@ class InputGuard:
         self.is_waiting, self._patient_until = bool(self._marks), 0
         device.holding(self.is_waiting)
         device.listen_from(now)
+        self._looked_ns = now
 
     def take_in(self, now: int) -> bool:
         """Copy in; False where the task has to hold. Raises LawBroken for what it cannot be given."""
@@ -74,8 +79,10 @@ class InputGuard:
 
     def _check_device(self, now: int) -> None:
         device = self._module.device
+        away_ns, self._looked_ns = now - self._looked_ns, now
         if device.silent_ns(now) > SILENCE_NS:
-            raise LawBroken(Reason.of("runtime.device_silent", name=device.sheet.name, ms=SILENCE_NS // 1_000_000))
+            key = "runtime.device_silent_late" if away_ns > LATE_NS else "runtime.device_silent"
+            raise LawBroken(Reason.of(key, name=device.sheet.name, ms=SILENCE_NS // 1_000_000))
 
     def _check_values(self) -> None:
         bad = self._binding.not_finite()
