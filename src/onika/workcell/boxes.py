@@ -62,6 +62,7 @@ class BoxesWorld:
         self._sense_ns = 0
         self._due_ns = NEVER_NS
         self._lookout: Lookout | None = None
+        self._hindrance: Hindrance | None = None
         self._plant = Plant(self._text(drawn=False))
         self._bind()
         self._begin()
@@ -329,7 +330,7 @@ class BoxesWorld:
         return layout.text(self._boxes, self._sides, drawn, self._arms.kinds())
 
     def _bind(self) -> None:
-        self._hindrance: Hindrance | None = None
+        self._hindrance = None
         arms = self._arms.acting
         self._acting: list[DeviceUnit] = [unit for side in SIDES for unit in (arms[side], self._hands[side])] + [
             self._lamp
