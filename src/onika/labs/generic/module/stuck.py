@@ -1,0 +1,46 @@
+"""A measured vector of which one element stays."""
+
+from onika.laws.finite import FiniteValues
+from onika.module import InConst, InVar, Local, Module, ModuleError, OutVar
+
+
+class Stuck(Module):
+    """A fault to try: one element of what is measured stays as it is, the others go on.
+
+    As an encoder whose counter has stopped.
+
+    Kind     passive, periodic, 20..1000 Hz
+    Ports    INCONST  NDOF  int           -    number of elements
+             INVAR    Y     double[NDOF]  rad  what is measured
+             OUTVAR   Z     double[NDOF]  rad  what its readers get; always finite
+    Local    ELEMENT  int     -  which element stays, from 0
+             AFTER    double  s  when it begins, counted from `on`
+    Errors   no such element  ELEMENT is NDOF or more: stays uninitialised
+             no number        what is NaN or infinite leaves the number before
+    """
+
+    passive = True
+
+    NDOF = InConst("int", "-", "number of elements")
+    Y = InVar("double[NDOF]", "rad", "what is measured")
+    Z = OutVar("double[NDOF]", "rad", "what its readers get; always finite")
+
+    ELEMENT = Local("int", "-", "which element stays, from 0", default=0, low=0, high=63)
+    AFTER = Local("double", "s", "when it begins, counted from `on`", default=1.0, low=0.0, high=3600.0)
+
+    def init(self):
+        if self.ELEMENT >= self.NDOF:
+            raise ModuleError("ELEMENT: expected 0..{last}, found {found}", last=self.NDOF - 1, found=self.ELEMENT)
+
+    def on(self, inputs):
+        self._sound = FiniteValues(self.NDOF)
+        self._sound.take(self.Z)
+        self._steps = 0
+        self.Z = self._sound.take(self.Y)
+
+    def cycle(self):
+        stays = float(self.Z[self.ELEMENT])
+        self.Z = self._sound.take(self.Y)
+        if self._steps * self.dt >= self.AFTER - self.dt / 2.0:
+            self.Z[self.ELEMENT] = stays
+        self._steps += 1
