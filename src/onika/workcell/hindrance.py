@@ -36,7 +36,7 @@ class Hindrance:
         """Where the middle between the fingers of a hand is."""
         body, pose = self._plant.body(f"gripper_{side}.hand"), np.eye(4)
         pose[:3, 3], pose[:3, :3] = self._plant.data.xpos[body], self._plant.data.xmat[body].reshape(3, 3)
-        x, y, z = (pose @ puma560.TOOL)[:3, 3] * 100.0
+        x, y, z = ((pose @ puma560.TOOL)[:3, 3] * 100.0).tolist()  # a message takes plain numbers
         return Reason.of("workcell.stands_at", who=Thing("hand", side).text(is_alone=is_alone), x=x, y=y, z=z)
 
     def _pairs(self, own: set[Thing], box: Thing | None) -> Iterator[tuple[Thing, Thing]]:
