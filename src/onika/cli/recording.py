@@ -1,4 +1,4 @@
-"""`onika recording`: look at a recorded run, write its variables as a table, or find where two runs differ."""
+"""`onika recording`: look at a recorded run, write its variables as a table, compare or measure it."""
 
 import argparse
 import sys
@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from onika.cli import response_table
 from onika.cli.language import say
 from onika.desk.run.recording_digest import digest_lines
 from onika.desk.run.run_review import Review
@@ -32,6 +33,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
     table.add_argument("file", type=Path, metavar="RUN.mcap")
     table.add_argument("variables", nargs="*", metavar="NAME", help=say(Reason.of("cli.recording_variables")))
     table.add_argument("--output", type=Path, metavar="FILE.csv", help=say(Reason.of("cli.recording_output")))
+    response_table.describe(acts.add_parser("response", help=say(Reason.of("cli.recording_response"))))
     compare = acts.add_parser(
         "diff", help=say(Reason.of("cli.recording_diff")), epilog=say(Reason.of("cli.recording_diff_epilog"))
     )
@@ -50,6 +52,8 @@ def carry_out(given: argparse.Namespace) -> int:
                 return _show(given.file)
             case "csv":
                 return _table(given)
+            case "response":
+                return _respond(given)
             case _:
                 return _compare(given)
     except _UnreadableRecording as wrong:
@@ -109,6 +113,15 @@ def _table(given: argparse.Namespace) -> int:
             rows = columns.write(stream, series)
     print(say(Reason.of("cli.table_written", rows=rows, variables=len(series), path=str(output))))
     _tell_cut(review)
+    return 0
+
+
+def _respond(given: argparse.Namespace) -> int:
+    if given.output is not None and given.output.exists() and given.output.samefile(given.file):
+        raise _UnreadableRecording(say(Reason.of("cli.table_over_recording", path=str(given.output))))
+    with _reading(given.file), Review(given.file) as review:
+        response_table.write(review, given)
+        _tell_cut(review)
     return 0
 
 
