@@ -2,7 +2,7 @@ import pytest
 
 from kit.desk.run_fixture import RunFixture
 from kit.labs.laboratory import HOLE, job
-from onika.wire import act, event, live, request
+from onika.wire import act, event, live, request, steer
 from onika.wire.view import ShowFits, ShowValues
 from onika.words.reason import NOTHING, Reason
 
@@ -213,3 +213,20 @@ def test_who_aborts_before_it_has_begun_gets_no_run(play, carried, is_begun):  #
     assert bool(play.carried(request.Begin)) == bool(play.carried(request.Abort)) == is_begun
     assert (given[0].no is None) == is_begun
     assert is_begun or "before it had begun" in str(given[0].no.reason)
+
+
+@pytest.mark.parametrize("carried", range(3))
+@pytest.mark.parametrize(("lines", "pauses"), [(("pause",), 1), (("pause", "continue"), 0)])
+def test_who_pauses_before_it_has_begun_gets_a_run_that_pauses_at_once(play, carried, lines, pauses):  # R-E07
+    doc = play.open([job("aC")])
+    play.is_held_back = True
+    play.environment.do(act.Run(doc), "me", lambda _answer: None)
+    for _ in range(carried):
+        order = play._waiting.popleft()
+        play.environment.replied(order, play.runtime.ask(order.asked))
+    for line in lines:
+        play.environment.do(act.Steer(line), "other", lambda _answer: None)
+    play.is_held_back = False
+    play.pump()
+    assert play.carried(request.Begin)
+    assert play.carried(steer.Pause) == [steer.Pause("flow0")] * pauses

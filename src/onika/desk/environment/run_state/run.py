@@ -44,6 +44,8 @@ class Run:
     """Why a flow stood when it was ended."""
     is_given_up: bool = False
     """Whether the user has said abort before it had begun."""
+    is_to_pause: bool = False
+    """Whether the user has said pause before it had begun."""
     outcomes: Mapping[int, Reason] = field(default_factory=dict)
     """What came of live changes while the run was about to begin, by number."""
 

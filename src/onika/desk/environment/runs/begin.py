@@ -47,7 +47,7 @@ from onika.desk.run.runtime_conversation import in_short
 from onika.model.application import with_numbers_as_lines
 from onika.model.syntax import Syntax
 from onika.store.site import Site
-from onika.wire import act, live, page, request
+from onika.wire import act, live, page, request, steer
 from onika.wire.plan import Plan
 from onika.wire.request import TargetValues
 from onika.wire.view import Remedy
@@ -97,9 +97,15 @@ def run(model: Model, command: act.Run, outside: Services) -> Procedure:
     run = model.run if model.run.is_over else model.run.shown(state="running")
     says = (page.Say("info", Reason.of("run.runs", name=start.name), command.doc),)
     described = describe(replace(model, run=run, performed=model.performed + 1))  # what tasks ask can be prefilled then
-    abort = request.Abort(Reason.of("desk.aborted_by_user"), run.homes[0])
-    end = (Order(abort),) if _is_given_up(model) else ()
-    return Done(described.model, value=run.view.number, says=says, orders=(*end, run_reducer.look(), *described.orders))
+    orders = (*_said_before(run), run_reducer.look(), *described.orders)
+    return Done(described.model, value=run.view.number, says=says, orders=orders)
+
+
+def _said_before(run: Run) -> tuple[Order, ...]:
+    """What the user has said of it before it had begun."""
+    if run.is_given_up:
+        return (Order(request.Abort(Reason.of("desk.aborted_by_user"), run.homes[0])),)
+    return tuple(Order(steer.Pause(home)) for home in run.homes) if run.is_to_pause else ()
 
 
 def _without_former(model: Model, doc: str) -> Steps[tuple[Model, No | None]]:
@@ -250,7 +256,8 @@ def _begun(model: Model, start: _Start) -> Steps[tuple[Model, No | None]]:
     if isinstance(placed, No):
         return model, placed
     start, ended = placed
-    model = replace(model, run=_new(model, start))
+    is_to_pause = model.run is not None and model.run.is_to_pause
+    model = replace(model, run=replace(_new(model, start), is_to_pause=is_to_pause))
     for subsystem in ended:
         model, refused_ = yield from _ended(model, start, subsystem)
         if refused_ is not None:

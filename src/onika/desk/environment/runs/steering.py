@@ -33,8 +33,11 @@ def steer_line(model: Model, command: act.Steer, _outside: Services) -> Done | N
         return _look(model)
     if not isinstance(wish, steering.SteeringOrder):
         return No(Reason.of("run.for_scripts", line=command.line))
-    if isinstance(wish.message, request.Abort) and run.view.state == "beginning":
-        return Done(model.with_run(replace(run, is_given_up=True)))  # what is asked for already comes to its end
+    if run.view.state == "beginning":  # what is asked for already comes to its end first
+        if isinstance(wish.message, request.Abort):
+            return Done(model.with_run(replace(run, is_given_up=True)))
+        if isinstance(wish.message, steer.Pause | steer.Resume):
+            return Done(model.with_run(replace(run, is_to_pause=isinstance(wish.message, steer.Pause))))
     if isinstance(wish.message, steer.Resume):
         is_named = len(command.line.split()) > 1
         has_nested = any(part.is_nested for part in run.flow_index.parts)
