@@ -238,6 +238,20 @@ def test_control_c_stops_the_run_and_its_end_is_still_heard(runtime):  # R-E07
     assert (outcome.state, outcome.exit_code, outcome.printed) == ("aborted", 1, "it printed this")
 
 
+def test_control_c_while_a_run_that_is_over_is_being_ended_loses_no_result(runtime, monkeypatch):  # R-E07
+    former, leave = signal.getsignal(signal.SIGINT), runtime.__exit__
+
+    def struck_leave(self, *wrong):
+        control_c()
+        return leave(self, *wrong)
+
+    monkeypatch.setattr(runtime, "__exit__", struck_leave)
+    runtime.script = (GOOD,)
+    outcome, _ = go()
+    assert (outcome.state, outcome.exit_code, runtime.made.requests[-1]) == ("completed", 0, "closed")
+    assert signal.getsignal(signal.SIGINT) is former
+
+
 def test_a_second_control_c_ends_everything(runtime):  # R-E07
     runtime.script = (control_c, control_c)
     with pytest.raises(KeyboardInterrupt):

@@ -1,7 +1,7 @@
 """Runs an application: prepares it, launches a runtime, follows and steers it (requirements E03, E07, E14)."""
 
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import replace
 from typing import Protocol
 
@@ -102,15 +102,18 @@ def start(settings: RunSettings, site: Site) -> Iterator[Running]:
 
 
 def run(settings: RunSettings, site: Site, watcher: RunWatcher) -> Outcome:
-    """Run an application to its end. Ctrl-C stops it; a second one is a KeyboardInterrupt."""
+    """Run an application to its end. Ctrl-C stops it, and loses no result; a second one is a KeyboardInterrupt."""
     outcome = Outcome(settings.name)
     is_held = settings.is_virtual and settings.script is not None
+    interruption = Interruption()
     try:
-        with _open(settings, site, outcome, is_held) as opened:
+        with ExitStack() as ending:
+            ending.push(interruption)  # entered when the run begins: before that, Ctrl-C has nothing to stop
+            opened = ending.enter_context(_open(settings, site, outcome, is_held))
             if opened is not None:
                 running, script_lines = opened
                 watcher.begins(running.prepared, running.pid)
-                _follow(running, ScriptPlayer(running, script_lines, watcher.steered), watcher)
+                _follow(running, ScriptPlayer(running, script_lines, watcher.steered), watcher, interruption)
                 running.close()
     except (LinkLost, TimeoutError) as lost:
         outcome.result = event.Result(False, reason_of(lost), 0, outcome.actions, 0.0, 0.0, {}, (), "")
@@ -167,15 +170,15 @@ def _prepared(settings: RunSettings, site: Site, outcome: Outcome) -> tuple[Prep
     return prepared, recorded
 
 
-def _follow(running: Running, player: ScriptPlayer, watcher: RunWatcher) -> None:
+def _follow(running: Running, player: ScriptPlayer, watcher: RunWatcher, interruption: Interruption) -> None:
     """Listen, answer, steer, until the result is there."""
     try:
         running.begin()
-        with Interruption() as interruption:
-            while not running.is_over:
-                _turn(running, player, watcher, interruption)
-            while player.go_on():
-                pass
+        interruption.__enter__()  # left where everything is ended
+        while not running.is_over:
+            _turn(running, player, watcher, interruption)
+        while player.go_on():
+            pass
     except (LinkLost, TimeoutError) as lost:
         running.lose(reason_of(lost))
 
