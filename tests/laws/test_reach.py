@@ -32,6 +32,21 @@ def test_targets_beyond_reach_are_named_each_with_its_reason(constants):  # law 
     assert short == "expected 4 joint values, found 1"
 
 
+def test_a_relative_target_is_judged_from_where_the_one_before_it_ends():  # law 26, R-D25
+    up, on = ("relative object", (0.0, 0.0, 0.1, 1.0)), ("relative object", (0.6, 0.0, 0.0, 1.0))
+    box, triangle = ("cartesian object", (*BOX, 1.4)), ("joint object", (*ABOVE_TRIANGLE, 2.3))
+    assert why_not(PUMA, [box, up, up]) == [None, None, None] and why_not(PUMA, [triangle, up]) == [None, None]
+    assert "reach" in why_not(PUMA, [box, up, on])[2]
+    assert "reach" in why_not(PUMA, [triangle, on])[1]
+
+
+def test_where_nobody_knows_where_a_relative_target_begins_nobody_judges_it():  # law 26, R-D25
+    far, unreachable = ("relative object", (2.0, 2.0, 0.0, 1.0)), ("cartesian object", (*BOX[:6], 9.0, 0.0, 0.0, 1.0))
+    assert why_not(PUMA, [far, far]) == [None, None]
+    assert why_not(PUMA, [("cartesian object", (*BOX, 1.4)), ("", []), far]) == [None, None, None]
+    assert why_not(PUMA, [unreachable, far])[1] is None  # what is wrong is told of the first alone
+
+
 def test_a_joint_beyond_its_limit_by_a_hair_is_told_with_numbers_that_differ():  # R-X02
     beyond, at = SCARA["QMAX"][1] + 1e-5, SCARA["QMAX"][1]
     reasons = why_not(SCARA, [("joint object", [0.1, q, 0.2, 0.0]) for q in (beyond, at)])

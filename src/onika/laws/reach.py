@@ -20,10 +20,22 @@ _DIGITS = 17
 
 
 def why_not(constants: Constants, targets: Sequence[tuple[str, Sequence[Any]]]) -> list[str | None]:
-    """For each target (its type in lower case and its values) why it is out of reach; None: it is not, or unknown."""
+    """For each target (its type in lower case and its values) why it is out of reach; None: it is not, or unknown.
+
+    A relative target begins where the one before it ends; where that is of another type, nobody knows where.
+    """
     inverse = _inverse(constants)
     checks = {"joint object": _why_no_posture, "cartesian object": _why_no_pose}
-    return [checks[kind](constants, inverse, values) if kind in checks else None for kind, values in targets]
+    reasons: list[str | None] = []
+    before: Array | None = None
+    for given, numbers in targets:
+        kind, values = given, numbers
+        if given == "relative object" and before is not None:
+            kind, values = "cartesian object", _shifted(before, numbers)
+        reason = checks[kind](constants, inverse, values) if kind in checks else None
+        reasons.append(reason)
+        before = _pose_after(constants, kind, values) if reason is None else None
+    return reasons
 
 
 def poses(constants: Constants, targets: Sequence[Numbers]) -> list[Array]:
@@ -69,6 +81,20 @@ def _are_alike(theirs: Constants, ours: Constants) -> bool:
 
 def _inverse(constants: Constants) -> Inverse:
     return inverse_for(*(constants[name] for name in ("DH", "BASE", "TOOL", "QMIN", "QMAX")))
+
+
+def _shifted(pose: Array, shift: Sequence[Any]) -> list[float]:
+    """The nine numbers of a pose moved along the axes of the world."""
+    nine = nine_of_pose(pose)
+    nine[6:9] += np.asarray(shift[:3], dtype=np.float64)
+    return [float(number) for number in nine]
+
+
+def _pose_after(constants: Constants, kind: str, values: Sequence[Any]) -> Array | None:
+    """Where the tool is behind a target that is reached; None: nobody knows."""
+    if kind == "joint object":
+        return pose_of_nine(poses(constants, [values])[0])
+    return pose_of_nine(values[:9]) if kind == "cartesian object" else None
 
 
 def _why_no_posture(constants: Constants, _: Inverse, values: Sequence[Any]) -> str | None:

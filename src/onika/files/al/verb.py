@@ -15,7 +15,7 @@ HANDS = ("OPEN", "CLOSE")
 ANY = "DO"
 """The verb that fits every action."""
 
-_BY_TYPE = (("joint", "DRIVE"), ("cartesian", "MOVE"), ("path", "MOVE"), ("pause", "PAUSE"))
+_BY_TYPE = (("joint", "DRIVE"), ("cartesian", "MOVE"), ("relative", "MOVE"), ("path", "MOVE"), ("pause", "PAUSE"))
 _BY_NAME = (("open", "OPEN"), ("close", "CLOSE"))
 
 

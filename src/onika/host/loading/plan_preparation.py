@@ -20,6 +20,7 @@ from onika.host.loading.plan_checks import (
 )
 from onika.host.loading.plan_conditions import wrong_conditions
 from onika.host.loading.plan_form import wrong_code, wrong_plan, wrong_tasks
+from onika.host.loading.target_order import in_order
 from onika.host.loading.target_resolution import Resolution, notes_on_resolved, resolve
 from onika.host.loading.world_kinds import driven_kinds
 from onika.model.planned import task_of
@@ -218,8 +219,10 @@ def _values(
             for target in targets
             if target.action in counted and wired_task.name in flow.actions[target.action].tasks
         ]
-        reasons = loading.resolve(code, published, [(t.kind, list(t.values)) for t in users])
-        _reach(number, users, reasons, preparation, wrong)
+        questions, places = in_order(flow, wired_task.name, users)
+        reasons = loading.resolve(code, published, questions)
+        known = reasons if isinstance(reasons, Fault) else [reasons[place] for place in places]
+        _reach(number, users, known, preparation, wrong)
     preparation.faults += wrong.values()
 
 
