@@ -54,7 +54,7 @@ audit: $(VENV)/.installed-dev ## ask the advisory databases about all packages, 
 # Of three files of the safety core every fourth mutant is tried here; `mutants` tries all of every file.
 SAMPLED := src/onika/ring/drive.py src/onika/runtime/transfer/input_guard.py src/onika/host/sessions/leases.py
 
-TWO_AT_A_TIME := $(BIN)/pytest --hypothesis-profile=ci --numprocesses=2 --dist=loadfile --reruns 1 -rR --durations=30 --durations-min=2
+TWO_AT_A_TIME := $(BIN)/pytest --hypothesis-profile=ci --numprocesses=2 --dist=loadfile --reruns 1 -rR --durations=15 --durations-min=2
 
 test: check ## the checks and all tests but the soak
 	@$(MAKE) --no-print-directory tests

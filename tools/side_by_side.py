@@ -21,7 +21,7 @@ from typing import IO, cast
 GIVES_WAY = 10
 """How nice the one behind is: where there is no more than one processor for all, it gets a tenth."""
 
-_LAST_LINES = 25
+_LAST_LINES = 40
 """So many of what failed are shown once more at the end."""
 
 _PIECE = 65536

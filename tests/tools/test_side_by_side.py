@@ -43,7 +43,7 @@ def test_the_last_lines_of_what_failed_come_once_more_at_the_end(capfd, failing)
     _, output = carried_out(capfd, front, "--behind", behind)
     name = ("front", "behind")[failing]
     _, end = output.split("\nfailed: ")
-    assert end.splitlines()[1:] == [f"{name} {k}" for k in range(76, 101)]
+    assert end.splitlines()[1:] == [f"{name} {k}" for k in range(61, 101)]
 
 
 def test_who_is_behind_is_there_at_once_and_gives_way(capfd, tmp_path):

@@ -75,6 +75,7 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.ArrangeIcon: ("move_icon", "dict"),
     act.ArrangeTask: ("move_task", "lexi"),
     act.Teach: ("teach_target", "dict"),
+    act.PointAt: ("point_at_target", "dict"),
     act.FitTargets: ("fit_target", "conf"),
     act.OpenLibrary: ("open_lexi", "lexi"),
     act.CloseLibrary: ("close_lexi", "lexi"),
