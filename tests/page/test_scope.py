@@ -12,6 +12,8 @@ pytestmark = pytest.mark.page
 
 WAVE = '''"""A trigger that goes up and down and never ends, beside a reference that jumps."""
 
+import random
+
 from onika.module import Module, OutVar
 
 
@@ -20,14 +22,19 @@ class Wave(Module):
     COUNT = OutVar("double", "-", "how often it was called")
     WANTED = OutVar("double", "m", "jumps")
     REACHED = OutVar("double", "m", "follows it")
+    SHAKEN = OutVar("double", "m", "noise")
+    LAGGING = OutVar("double", "m", "follows the noise")
 
     def cycle(self):
         self.COUNT = self.COUNT + 1.0
+        self.LAGGING = self.LAGGING + 0.2 * (self.SHAKEN - self.LAGGING)
+        self.SHAKEN = random.Random(self.COUNT).uniform(-1.0, 1.0)
         self.WANTED = 1.0 if self.COUNT % 400 > 200 else 0.0
         self.REACHED = self.REACHED + 0.05 * (self.WANTED - self.REACHED)
 '''
 ROWS = (
-    "MODULE  wave\nDESC  waves\nINCONST  none\nOUTCONST  none\nINVAR  none\nOUTVAR  COUNT WANTED REACHED\n"
+    "MODULE  wave\nDESC  waves\nINCONST  none\nOUTCONST  none\nINVAR  none\n"
+    "OUTVAR  COUNT WANTED REACHED SHAKEN LAGGING\n"
     "TASKTYPE  periodic\nFREQ  200\n"
 )
 
@@ -59,7 +66,7 @@ def scope(program, page):
     page.get_by_role("button", name="Scope", exact=True).click()
     scope = page.get_by_role("dialog", name="Scope", exact=True)
     scope.get_by_role("button", name="Variables").click()
-    for name in ("COUNT", "REACHED", "WANTED"):
+    for name in ("COUNT", "LAGGING", "REACHED", "SHAKEN", "WANTED"):
         page.get_by_role("checkbox", name=name, exact=True).check()
     scope.get_by_text("Window", exact=True).click(force=True)
     yield scope
@@ -81,3 +88,17 @@ def test_every_cycle_of_a_run_is_shown_measured_and_saved(scope, page, tmp_path)
     counts = [int(float(row["COUNT"])) for row in rows if row["COUNT"]]
     assert len(counts) > 20  # of the window that had passed when it was stopped
     assert counts == list(range(counts[0], counts[0] + len(counts)))
+
+
+def test_how_a_measurement_follows_over_frequency_is_shown(scope, page):  # R-C14
+    expect(scope.get_by_role("img", name=re.compile("at every cycle"))).to_be_visible(timeout=20_000)
+    scope.get_by_label("Reference").select_option("SHAKEN")
+    scope.get_by_label("Measured").select_option("LAGGING")
+    scope.get_by_role("button", name="Frequency response", exact=True).click()
+    expect(scope.get_by_role("img", name="Gain over frequency")).to_be_visible(timeout=20_000)
+    expect(scope.get_by_role("img", name="Phase over frequency")).to_be_visible()
+    expect(scope.get_by_text("Phase margin", exact=True)).to_be_visible()
+    scope.get_by_role("button", name="Stop", exact=True).click()
+    with page.expect_download() as download:
+        scope.get_by_role("button", name="Save the frequency response as CSV").click()
+    assert download.value.suggested_filename == "response.csv"

@@ -24,7 +24,7 @@ _EXCITED = 1e-2
 _OVERLAPPING = 4
 """So many stretches lie over each instant; the squares of their windows add up to the same everywhere."""
 _AT_REST = 0.02
-"""So far a measurement may go on in the last twentieth of its time, as a part of its whole way."""
+"""What moves by a smaller part of its whole way is at rest: at the ends, and after a step in the last twentieth."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,8 +117,7 @@ def _of_course(
     window = 0.5 - 0.5 * np.cos(2.0 * np.pi * np.arange(segment) / segment)
     power, answer, cross = np.zeros((3, segment // 2 + 1), dtype=np.complex128)
     hop = segment // _OVERLAPPING
-    # Before and after, both keep their values: so the ends of a sweep weigh as much as its middle.
-    reference, measured = (np.pad(signal, segment - hop, mode="edge") for signal in (reference, measured))
+    reference, measured = _padded(reference, measured, segment - hop)
     begins = range(0, len(reference) - segment + 1, hop)
     for begin in begins:
         x, y = (
@@ -135,6 +134,33 @@ def _of_course(
         coherence = np.abs(cross) ** 2 / (power.real * answer.real)
         gain = cross / power
     return _response(np.fft.rfftfreq(segment, step_s).astype(np.float64), gain, coherence, is_known, len(begins))
+
+
+def _padded(
+    reference: NDArray[np.float64], measured: NDArray[np.float64], width: int
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Both with so many samples before and after, so that the ends of a sweep weigh as much as its middle.
+
+    Where both are at rest they keep their values; else they are given their means, which excite nothing by themselves.
+    """
+    signals = (reference, measured)
+    few = max(len(reference) // 100, 4)
+    begins_at_rest, ends_at_rest = (
+        all(np.ptp(signal[end]) <= _AT_REST * np.ptp(signal) for signal in signals)
+        for end in (slice(few), slice(-few, None))
+    )
+    wider = [
+        np.pad(
+            signal,
+            width,
+            constant_values=(
+                signal[0] if begins_at_rest else np.mean(signal),
+                signal[-1] if ends_at_rest else np.mean(signal),
+            ),
+        )
+        for signal in signals
+    ]
+    return wider[0], wider[1]
 
 
 def _response(
