@@ -19,5 +19,11 @@ export default defineConfig({
     host: '127.0.0.1',
     proxy: { '/ws': { target: program, ws: true, changeOrigin: true, rewriteWsOrigin: true } },
   },
-  test: { include: ['test/**/*.test.ts'], environment: 'node', pool: 'threads', passWithNoTests: true },
+  test: {
+    include: ['test/**/*.test.ts'],
+    environment: 'node',
+    pool: 'threads',
+    passWithNoTests: true,
+    testTimeout: 60_000, // a busy machine is no fault
+  },
 })

@@ -133,6 +133,8 @@ class StruckRuntime:
         self._judge_machine()
         answer = self.ask(WhatIf(fault, self._names.get(subject, subject)))
         if not isinstance(answer, Foreseen):
+            self._fall_quiet()
+            self._judge_machine()
             raise TypeError(str(answer))
         return answer.foresights[0]
 
