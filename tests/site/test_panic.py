@@ -28,12 +28,12 @@ touch boxes
 """
 
 
-@pytest.fixture(params=["--virtual", "--no-fifo"], ids=["virtual", "wall"])
+@pytest.fixture(params=[("--virtual",), ()], ids=["virtual", "wall"])
 def operate(request):
     """Carry out lines in a runtime of their own: the exit code, and what was said; anew where the machine was late."""
 
     def carry_out(lines):
-        words = [*ONIKA, "runtime", request.param]
+        words = [*ONIKA, "runtime", *request.param]
         for _ in range(TRIES):
             ran = subprocess.run(words, input=lines, capture_output=True, text=True, timeout=120, check=False)
             output = ran.stdout + ran.stderr

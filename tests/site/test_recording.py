@@ -25,6 +25,8 @@ from onika.wire import act, event, request, steer
 
 pytestmark = pytest.mark.site
 
+TRIES = 5
+
 SITE = open_site([], {}, None)
 GAUGE = """
 from onika.module import Input, Module, OutVar, finish
@@ -174,23 +176,26 @@ def test_an_answer_is_given_again_by_itself(tmp_path, capsys):  # R-X05, law 25
     assert json.loads(capsys.readouterr().out.splitlines()[-1])["hash"] == original.hash
 
 
-@pytest.mark.parametrize(
-    "options", [pytest.param(("--virtual", "--scale", "4"), marks=pytest.mark.slow), ("--no-fifo",)]
-)
+def killed_in_its_midst(path, options):
+    """When the last action began that was told before the kill; 0 where the machine was late and it ended by itself."""
+    words = [*ONIKA, "run", "assemble", *options, "--record", str(path), "--json"]
+    pid, seen_s = 0, 0.0
+    with subprocess.Popen(words, stdout=subprocess.PIPE, text=True) as program:
+        for line in program.stdout:
+            answer = json.loads(line)
+            pid = answer.get("runtime_pid", pid) or pid
+            if answer["event"] == "began" and answer["at_s"] > 1.5:
+                seen_s = answer["at_s"]
+                os.kill(pid, signal.SIGKILL)
+                break
+        program.communicate()
+    return seen_s
+
+
+@pytest.mark.parametrize("options", [pytest.param(("--virtual", "--scale", "4"), marks=pytest.mark.slow), ()])
 def test_what_was_recorded_before_a_kill_is_there(tmp_path, options):  # R-X05, K03
     path = tmp_path / "run.mcap"
-    program = subprocess.Popen(
-        [*ONIKA, "run", "assemble", *options, "--record", str(path), "--json"], stdout=subprocess.PIPE, text=True
-    )
-    pid, seen_s = 0, 0.0
-    for line in program.stdout:
-        answer = json.loads(line)
-        pid = answer.get("runtime_pid", pid) or pid
-        if answer["event"] == "began" and answer["at_s"] > 1.5:
-            seen_s = answer["at_s"]
-            os.kill(pid, signal.SIGKILL)
-            break
-    program.communicate()
+    seen_s = next(filter(None, (killed_in_its_midst(path, options) for _ in range(TRIES))))
     until = monotonic() + 5.0
     while monotonic() < until and Reader(path).span[1] * 1e-9 < seen_s - 2.0:
         sleep(0.01)  # in wall time another process writes what it has seen yet
