@@ -49,12 +49,12 @@ audit: $(VENV)/.installed-dev ## ask the advisory databases about all packages, 
 # The profile draws the same examples every time, so a change is judged by what it changed, and less than half of those
 # that `soak` draws anew. What starts programs runs apart from what starts browsers, two of a kind at a time share the
 # machine. Both wait for much; what only computes goes on behind them, and gets what they leave of the processors. The
-# first two meet the machine's clock, and so do a few of the rest that start a process: what fails is tried once more, and
-# the summary names it as RERUN. A test that is named there twice is a fault like any other.
+# first two meet the machine's clock, and so do a few of the rest that start a process: what fails is tried twice more, and
+# the summary names it as RERUN. A test that fails three times has a fault.
 # Of three files of the safety core every fourth mutant is tried here; `mutants` tries all of every file.
 SAMPLED := src/onika/ring/drive.py src/onika/runtime/transfer/input_guard.py src/onika/host/sessions/leases.py
 
-TWO_AT_A_TIME := $(BIN)/pytest --hypothesis-profile=ci --numprocesses=2 --dist=loadfile --reruns 1 -rR --durations=15 --durations-min=2
+TWO_AT_A_TIME := $(BIN)/pytest --hypothesis-profile=ci --numprocesses=2 --dist=loadfile --reruns 2 -rR --durations=15 --durations-min=2
 
 test: check ## the checks and all tests but the soak
 	@$(MAKE) --no-print-directory tests

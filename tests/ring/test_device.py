@@ -3,7 +3,7 @@ import dataclasses
 import pytest
 
 from onika.ring.device import DeviceOrder, DeviceSheet, DriveEvent, DriveState, MishapEvent
-from onika.words.reason import Reason
+from onika.words.reason import NOTHING, Reason
 
 
 def test_the_numbers_on_the_bus_are_fixed():
@@ -22,6 +22,11 @@ def test_sheets_and_events_are_values():
     with pytest.raises(dataclasses.FrozenInstanceError):
         sheet.name = "other"  # type: ignore[misc]
     assert DriveEvent("arm", 1, 4, 2, 0, Reason.plain("stop")) == DriveEvent("arm", 1, 4, 2, 0, Reason.plain("stop"))
+
+
+def test_of_a_drive_nothing_is_said_that_its_world_does_not_say():
+    changed = DriveEvent("arm", 1, 4, 2, 0, Reason.plain("stop"))
+    assert (changed.stands, changed.touches) == (NOTHING, ())
 
 
 def test_in_a_mishap_nothing_shines_that_is_not_named():

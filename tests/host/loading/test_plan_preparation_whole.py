@@ -6,7 +6,9 @@ from msgspec.structs import replace
 from kit.plans.plan_builder import PlanBuilder, action
 from kit.worlds.rail_world import YardLoading
 from onika.host.loading import plan_preparation
+from onika.host.loading.plan_checks import at_action
 from onika.host.loading.plan_preparation import Preparation, inspect, prepare
+from onika.host.loading.target_order import RELATIVE
 from onika.host.loading.target_resolution import Resolution
 from onika.wire.plan import Do, Halt, Rest
 from onika.wire.request import TargetValues
@@ -374,6 +376,17 @@ def test_a_target_out_of_reach_is_told_once_and_one_without_a_name_too(shop):  #
     nameless = with_actions(plan, target=None, arguments="0.1 0.2")
     preparation = prepared(nameless, *targets, loading=Loading(resolve=([UNLIKE, None],)))
     assert [fault.reason for fault in preparation.faults] == [Reason.of("host.unreachable", target="", why=UNLIKE)]
+
+
+def test_of_relative_targets_it_is_asked_in_the_order_in_which_the_robot_goes_there(shop):  # law 26, R-D25
+    moves = action("arm", "move", arguments="0.1 0.2"), action("hand", "bell"), action("arm", "move", arguments="1 2")
+    plan = shop.plan(list(moves))
+    relative, first = TargetValues(0, 2, RELATIVE, (2.0,)), TargetValues(0, 0, "joint object", (0.0,))
+    loading = Loading(resolve=([None, UNLIKE],))
+    preparation = prepared(plan, relative, first, loading=loading)
+    assert [targets for _, _, targets in loading.resolved] == [[("joint object", [0.0]), (RELATIVE, [2.0])]]
+    unreachable = Reason.of("host.unreachable", target="there", why=UNLIKE)
+    assert preparation.faults == [at_action(plan, 0, 2, unreachable)] != [at_action(plan, 0, 0, unreachable)]
 
 
 def test_a_robot_that_cannot_judge_its_reach_is_a_fault(shop):  # R-B07
