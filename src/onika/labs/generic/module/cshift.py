@@ -2,11 +2,9 @@
 
 import numpy as np
 
+from onika.laws.arrival import Arrival
 from onika.laws.path import PEAK, quintic
 from onika.module import Input, InVar, Local, Module, OutVar, finish
-
-NEAR = 1e-3  # m, and parts of unit vectors
-STILL = 2e-3  # m/s
 
 
 class Cshift(Module):
@@ -43,8 +41,8 @@ class Cshift(Module):
     def on(self, inputs):
         start = (self.X_REF if self.continues("X_REF") else self.X_MEZ).copy()
         self._from, self._way = start[:3, 3].copy(), np.array(inputs.shift)
-        self._end = start.copy()
-        self._end[:3, 3] += self._way
+        end = start.copy()
+        end[:3, 3] += self._way
         shortest = PEAK * float(np.linalg.norm(self._way)) / self.SPEED
         if inputs.duration < shortest * (1.0 - 1e-9):
             self.warn(
@@ -53,27 +51,17 @@ class Cshift(Module):
                 shortest=shortest,
             )
         self._time, self._duration = 0.0, max(inputs.duration, shortest)
-        self._last = self.X_MEZ.copy()
+        self._arrival = Arrival.of_tool(end, self.X_MEZ, self.SETTLE)
         self.X_REF = start
 
     def cycle(self):
         self._time += self.dt
         share, _ = quintic(self._time, self._duration)
         self.X_REF[:3, 3] = self._from + share * self._way
-        over = self._time - self._duration
-        if over < -2.0 * self.dt:
-            return None  # far from the end nobody asks whether the arm stands still
-        rests = self._rests()
-        if over >= self.SETTLE or (over >= 0.0 and rests):
-            return finish()
-        return None
+        is_over = self._arrival.is_over(self._time - self._duration, self.X_MEZ, self.dt)
+        return finish() if is_over else None
 
     def get(self, name):
         if name == "progress":
             return min(self._time / self._duration, 1.0)
         return super().get(name)
-
-    def _rests(self):
-        moved = np.abs(self.X_MEZ - self._last).max()
-        self._last[:] = self.X_MEZ
-        return moved < STILL * self.dt and np.abs(self.X_MEZ - self._end).max() < NEAR

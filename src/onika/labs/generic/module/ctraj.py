@@ -1,14 +1,10 @@
 """Straight line of the tool."""
 
-import numpy as np
-
+from onika.laws.arrival import Arrival
 from onika.laws.frames import pose_of_nine
 from onika.laws.path import StraightLine, quintic
 from onika.laws.sentence import sentence_of
 from onika.module import AskAgain, Input, InVar, Local, Module, OutVar, finish
-
-NEAR = 1e-3  # m, and parts of unit vectors
-STILL = 2e-3  # m/s
 
 
 class Ctraj(Module):
@@ -45,11 +41,11 @@ class Ctraj(Module):
 
     def on(self, inputs):
         try:
-            self._end = pose_of_nine(inputs.pose)
+            end = pose_of_nine(inputs.pose)
         except ValueError as wrong:
             raise AskAgain(sentence_of(wrong)) from None
         start = (self.X_REF if self.continues("X_REF") else self.X_MEZ).copy()
-        self._line = StraightLine(start, self._end)
+        self._line = StraightLine(start, end)
         shortest = self._line.duration(self.SPEED, self.TURN)
         if inputs.duration < shortest * (1.0 - 1e-9):
             self.warn(
@@ -58,27 +54,17 @@ class Ctraj(Module):
                 shortest=shortest,
             )
         self._time, self._duration = 0.0, max(inputs.duration, shortest)
-        self._last = self.X_MEZ.copy()
+        self._arrival = Arrival.of_tool(end, self.X_MEZ, self.SETTLE)
         self.X_REF = start
 
     def cycle(self):
         self._time += self.dt
         share, _ = quintic(self._time, self._duration)
         self._line.at(share, out=self.X_REF)
-        over = self._time - self._duration
-        if over < -2.0 * self.dt:
-            return None  # far from the end nobody asks whether the arm stands still
-        rests = self._rests()
-        if over >= self.SETTLE or (over >= 0.0 and rests):
-            return finish()
-        return None
+        is_over = self._arrival.is_over(self._time - self._duration, self.X_MEZ, self.dt)
+        return finish() if is_over else None
 
     def get(self, name):
         if name == "progress":
             return min(self._time / self._duration, 1.0)
         return super().get(name)
-
-    def _rests(self):
-        moved = np.abs(self.X_MEZ - self._last).max()
-        self._last[:] = self.X_MEZ
-        return moved < STILL * self.dt and np.abs(self.X_MEZ - self._end).max() < NEAR

@@ -2,11 +2,9 @@
 
 import numpy as np
 
+from onika.laws.arrival import Arrival
 from onika.laws.path import joint_duration, quintic
 from onika.module import InConst, Input, InVar, Local, Module, OutVar, finish
-
-NEAR = 1e-3  # rad
-STILL = 0.01  # rad/s
 
 
 class Jtraj(Module):
@@ -52,8 +50,7 @@ class Jtraj(Module):
     def on(self, inputs):
         self._start = (self.Q_REF if self.continues("Q_REF") else self.Q_MEZ).copy()
         self._way = inputs.endpoint - self._start
-        self._end = inputs.endpoint
-        shortest = joint_duration(self._start, self._end, self.SPEED * self.Qd_MAX)
+        shortest = joint_duration(self._start, inputs.endpoint, self.SPEED * self.Qd_MAX)
         if inputs.duration < shortest * (1.0 - 1e-9):
             self.warn(
                 "{duration:g} s is too short for the joint speeds; the motion takes {shortest:.2f} s",
@@ -61,7 +58,7 @@ class Jtraj(Module):
                 shortest=shortest,
             )
         self._time, self._duration = 0.0, max(inputs.duration, shortest)
-        self._last = self.Q_MEZ.copy()
+        self._arrival = Arrival.of_joints(inputs.endpoint, self.Q_MEZ, self.SETTLE)
         self.Q_REF = self._start
         self.Qd_REF = 0.0
 
@@ -72,20 +69,10 @@ class Jtraj(Module):
         np.multiply(way, share, out=place)
         np.add(place, self._start, out=place)
         np.multiply(way, rate, out=self.Qd_REF)
-        over = self._time - self._duration
-        if over < -2.0 * self.dt:
-            return None  # far from the end nobody asks whether the arm stands still
-        rests = self._rests()
-        if over >= self.SETTLE or (over >= 0.0 and rests):
-            return finish()
-        return None
+        is_over = self._arrival.is_over(self._time - self._duration, self.Q_MEZ, self.dt)
+        return finish() if is_over else None
 
     def get(self, name):
         if name == "progress":
             return min(self._time / self._duration, 1.0)
         return super().get(name)
-
-    def _rests(self):
-        moved = np.abs(self.Q_MEZ - self._last).max()
-        self._last[:] = self.Q_MEZ
-        return moved < STILL * self.dt and np.abs(self.Q_MEZ - self._end).max() < NEAR

@@ -1,12 +1,8 @@
 """Joint path to the target through a point on the way."""
 
-import numpy as np
-
+from onika.laws.arrival import Arrival
 from onika.laws.via import Via
 from onika.module import InConst, Input, InVar, Local, Module, OutVar, finish
-
-NEAR = 1e-3  # rad
-STILL = 0.01  # rad/s
 
 
 class Jvia(Module):
@@ -61,26 +57,18 @@ class Jvia(Module):
                 duration=sum(times),
                 shortest=self._path.duration,
             )
-        self._end, self._time = inputs.endpoint.copy(), 0.0
-        self._last = self.Q_MEZ.copy()
+        self._time = 0.0
+        self._arrival = Arrival.of_joints(inputs.endpoint, self.Q_MEZ, self.SETTLE)
         self.Q_REF = start
         self.Qd_REF = 0.0
 
     def cycle(self):
         self._time += self.dt
         self.Q_REF, self.Qd_REF = self._path.at(self._time)
-        over = self._time - self._path.duration
-        rests = self._rests()
-        if over >= self.SETTLE or (over >= 0.0 and rests):
-            return finish()
-        return None
+        is_over = self._arrival.is_over(self._time - self._path.duration, self.Q_MEZ, self.dt)
+        return finish() if is_over else None
 
     def get(self, name):
         if name == "progress":
             return min(self._time / self._path.duration, 1.0)
         return super().get(name)
-
-    def _rests(self):
-        moved = np.abs(self.Q_MEZ - self._last).max()
-        self._last[:] = self.Q_MEZ
-        return moved < STILL * self.dt and np.abs(self.Q_MEZ - self._end).max() < NEAR

@@ -1,0 +1,53 @@
+"""The end of a motion."""
+
+import numpy as np
+import pytest
+
+from onika.laws.arrival import Arrival
+
+DT = 0.01
+END = np.array([1.0, -2.0])
+
+
+def arrival(settle=0.5):
+    return Arrival.of_joints(END, np.zeros(2), settle)
+
+
+def test_before_its_time_no_motion_is_over_though_it_rests_at_its_end():
+    judged = arrival()
+    assert not any(judged.is_over(late, END, DT) for late in (-1.0, -0.015, -0.01, -0.001))
+    assert judged.is_over(0.0, END, DT)
+
+
+def test_it_is_over_at_the_second_look_at_what_stands_at_the_end():
+    judged = arrival()
+    assert not judged.is_over(0.0, END, DT)  # it was elsewhere a moment ago: it may be passing
+    assert judged.is_over(DT, END, DT)
+
+
+@pytest.mark.parametrize("near", [0.0, 0.0009, -0.0009])
+def test_as_near_as_a_millirad_is_there(near):
+    judged = arrival()
+    judged.is_over(-DT, END + near, DT)
+    assert judged.is_over(0.0, END + near, DT)
+
+
+def test_one_element_that_is_not_there_or_moves_keeps_it_from_being_over():
+    away, moving = arrival(), arrival()
+    there = END + [0.0, 0.0011]
+    assert not any(away.is_over(late, there, DT) for late in (-DT, 0.0, DT, 0.49))
+    for k in range(1, 20):
+        assert not moving.is_over(k * DT, END + [0.0, 2e-4 * (-1) ** k], DT)
+
+
+def test_when_the_time_to_settle_is_over_the_motion_is_over_wherever_it_is():
+    judged = arrival(settle=0.2)
+    assert not judged.is_over(0.19, np.zeros(2), DT)
+    assert judged.is_over(0.2, np.zeros(2), DT)
+
+
+def test_a_tool_rests_where_a_joint_does_not():
+    end = np.eye(4)
+    for make, rests in ((Arrival.of_joints, True), (Arrival.of_tool, False)):
+        judged = make(end, end, 0.5)
+        assert judged.is_over(0.0, end + 5e-5, DT) is rests  # 5 mm/s
