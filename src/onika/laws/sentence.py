@@ -40,3 +40,12 @@ def joint_beyond(joint: int, value: float, unit: str, low: float, high: float) -
         low=low,
         high=high,
     )
+
+
+def no_element(name: str, number: int, count: int) -> LawSentence | None:
+    """Why a parameter that names an element, counted from 0, names none of `count`; None: it names one."""
+    if 0 <= number < count:
+        return None
+    return LawSentence(
+        "laws.element_missing", "{name}: expected 0..{last}, found {found}", name=name, last=count - 1, found=number
+    )

@@ -3,6 +3,7 @@
 import numpy as np
 
 from onika.laws.finite import FiniteValues
+from onika.laws.onset import Onset
 from onika.module import InConst, InVar, Local, Module, OutVar
 
 
@@ -34,12 +35,13 @@ class Delay(Module):
         self._sound.take(self.Z)
         self._most = round(self.LATE / self.dt)
         self._past = np.zeros((self._most + 1, self.NDOF))
+        self._onset = Onset(self.AFTER)
         self._steps, self._late = 0, 0
         self.Z = self._sound.take(self.Y)
 
     def cycle(self):
         self._past[self._steps % len(self._past)] = self._sound.take(self.Y)
-        if self._late < self._most and self._steps > 0 and self._steps * self.dt >= self.AFTER - self.dt / 2.0:
+        if self._onset.has_come(self.dt) and self._late < self._most and self._steps > 0:
             self._late += 1  # nothing comes until what comes is late enough
         self.Z = self._past[(self._steps - self._late) % len(self._past)]
         self._steps += 1

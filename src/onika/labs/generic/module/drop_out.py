@@ -1,6 +1,7 @@
 """A measured vector of which some are lost."""
 
 from onika.laws.finite import FiniteValues
+from onika.laws.onset import Onset
 from onika.module import InConst, InVar, Local, Module, OutVar
 
 
@@ -34,12 +35,11 @@ class DropOut(Module):
     def on(self, inputs):
         self._sound = FiniteValues(self.NDOF)
         self._sound.take(self.Z)
-        self._steps, self._lost = 0, 0
+        self._onset, self._lost = Onset(self.AFTER), 0
         self.Z = self._sound.take(self.Y)
 
     def cycle(self):
-        is_faulty = self._steps * self.dt >= self.AFTER - self.dt / 2.0
-        self._steps += 1
+        is_faulty = self._onset.has_come(self.dt)
         if is_faulty and self._lost == 0 and self.random.random() < self.SHARE:
             self._lost = max(round(self.LASTS / self.dt), 1)
         if self._lost > 0:

@@ -2,6 +2,7 @@
 
 import math
 
+from onika.laws.sentence import no_element
 from onika.laws.waveform import PERIODIC, sweep, wave
 from onika.module import InConst, InVar, Local, Module, ModuleError, OutVar
 
@@ -54,8 +55,8 @@ class Jgenerator(Module):
     def init(self):
         if self.WAVE not in KINDS:
             raise ModuleError("WAVE: expected one of {kinds}, found {found}", kinds=" ".join(KINDS), found=self.WAVE)
-        if self.JOINT >= self.NDOF:
-            raise ModuleError("JOINT: expected 0..{last}, found {found}", last=self.NDOF - 1, found=self.JOINT)
+        if why := no_element("JOINT", self.JOINT, self.NDOF):
+            raise ModuleError(why)
 
     def on(self, inputs):
         start = (self.Q_REF if self.continues("Q_REF") else self.Q_MEZ).copy()

@@ -1,6 +1,7 @@
 """A measured vector that is never written again."""
 
 from onika.laws.finite import FiniteValues
+from onika.laws.onset import Onset
 from onika.module import InConst, InVar, Local, Module, OutVar, off
 
 
@@ -28,12 +29,11 @@ class LostLink(Module):
     def on(self, inputs):
         self._sound = FiniteValues(self.NDOF)
         self._sound.take(self.Z)
-        self._steps = 0
+        self._onset = Onset(self.AFTER)
         self.Z = self._sound.take(self.Y)
 
     def cycle(self):
-        if self._steps * self.dt >= self.AFTER - self.dt / 2.0:
+        if self._onset.has_come(self.dt):
             return off()
-        self._steps += 1
         self.Z = self._sound.take(self.Y)
         return None

@@ -1,6 +1,7 @@
 """A measured vector with noise."""
 
 from onika.laws.finite import FiniteValues
+from onika.laws.onset import Onset
 from onika.module import InConst, InVar, Local, Module, OutVar
 
 
@@ -30,11 +31,10 @@ class Noise(Module):
     def on(self, inputs):
         self._sound = FiniteValues(self.NDOF)
         self._sound.take(self.Z)
-        self._steps = 0
+        self._onset = Onset(self.AFTER)
         self.Z = self._sound.take(self.Y)
 
     def cycle(self):
         self.Z = self._sound.take(self.Y)
-        if self._steps * self.dt >= self.AFTER - self.dt / 2.0:
+        if self._onset.has_come(self.dt):
             self.Z += [self.random.gauss(0.0, self.SIGMA) for _ in range(self.NDOF)]
-        self._steps += 1

@@ -3,6 +3,8 @@
 import math
 
 from onika.laws.finite import FiniteValues
+from onika.laws.onset import Onset
+from onika.laws.sentence import no_element
 from onika.module import InConst, InVar, Local, Module, ModuleError, OutVar
 
 
@@ -35,17 +37,17 @@ class SlowDrift(Module):
     AFTER = Local("double", "s", "when it begins, counted from `on`", default=1.0, low=0.0, high=3600.0)
 
     def init(self):
-        if self.ELEMENT >= self.NDOF:
-            raise ModuleError("ELEMENT: expected 0..{last}, found {found}", last=self.NDOF - 1, found=self.ELEMENT)
+        if why := no_element("ELEMENT", self.ELEMENT, self.NDOF):
+            raise ModuleError(why)
 
     def on(self, inputs):
         self._sound = FiniteValues(self.NDOF)
         self._sound.take(self.Z)
-        self._steps = 0
+        self._onset = Onset(self.AFTER)
         self.Z = self._sound.take(self.Y)
 
     def cycle(self):
         self.Z = self._sound.take(self.Y)
-        drifted = max(self._steps * self.dt - self.AFTER, 0.0) * self.RATE
-        self.Z[self.ELEMENT] += math.copysign(min(abs(drifted), self.MOST), drifted)
-        self._steps += 1
+        if self._onset.has_come(self.dt):
+            drifted = max(self._onset.age, 0.0) * self.RATE
+            self.Z[self.ELEMENT] += math.copysign(min(abs(drifted), self.MOST), drifted)

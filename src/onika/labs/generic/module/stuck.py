@@ -1,6 +1,8 @@
 """A measured vector of which one element stays."""
 
 from onika.laws.finite import FiniteValues
+from onika.laws.onset import Onset
+from onika.laws.sentence import no_element
 from onika.module import InConst, InVar, Local, Module, ModuleError, OutVar
 
 
@@ -29,18 +31,17 @@ class Stuck(Module):
     AFTER = Local("double", "s", "when it begins, counted from `on`", default=1.0, low=0.0, high=3600.0)
 
     def init(self):
-        if self.ELEMENT >= self.NDOF:
-            raise ModuleError("ELEMENT: expected 0..{last}, found {found}", last=self.NDOF - 1, found=self.ELEMENT)
+        if why := no_element("ELEMENT", self.ELEMENT, self.NDOF):
+            raise ModuleError(why)
 
     def on(self, inputs):
         self._sound = FiniteValues(self.NDOF)
         self._sound.take(self.Z)
-        self._steps = 0
+        self._onset = Onset(self.AFTER)
         self.Z = self._sound.take(self.Y)
 
     def cycle(self):
         stays = float(self.Z[self.ELEMENT])
         self.Z = self._sound.take(self.Y)
-        if self._steps * self.dt >= self.AFTER - self.dt / 2.0:
+        if self._onset.has_come(self.dt):
             self.Z[self.ELEMENT] = stays
-        self._steps += 1
