@@ -7,7 +7,7 @@ from onika.model.lifecycle import State
 from onika.store.shipped import shipped
 from onika.testing.bench import Bench
 
-MODULES = shipped() / "generic" / "module"
+MODULES = shipped() / "signals" / "module"
 PALETTE = ["delay", "slow_drift", "drop_out", "lost_link", "noise", "stuck"]
 NAN = float("nan")
 

@@ -7,7 +7,7 @@ from onika.model.lifecycle import State
 from onika.store.shipped import shipped
 from onika.testing.bench import Bench
 
-CODE = shipped() / "generic" / "module" / "following.py"
+CODE = shipped() / "control" / "module" / "following.py"
 ARM = {"NDOF": 2, "Q^_MAX": [1.0, 2.0]}
 
 

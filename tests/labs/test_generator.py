@@ -10,7 +10,7 @@ from onika.model.lifecycle import State
 from onika.store.shipped import shipped
 from onika.testing.bench import Bench
 
-CODE = shipped() / "generic" / "module" / "generator.py"
+CODE = shipped() / "signals" / "module" / "generator.py"
 
 
 def signal(cycles, **local):

@@ -21,7 +21,7 @@ def outsider(tmp_path):
 
 def asked_by(name, outsider):
     """What a task asks in its first cycle, and its bench."""
-    code = shipped() / "generic" / "module" / f"{name}.py"
+    code = shipped() / "signals" / "module" / f"{name}.py"
     bench = Bench(code, frequency=20, constants=CONSTANTS, local={"PARTNER": outsider.address}).init()
     bench["Q_MEZ"] = HOME
     bench.on().cycle()
@@ -56,5 +56,5 @@ def test_the_view_is_given_the_places_of_the_joints_and_the_pose_of_the_tool(out
 
 @pytest.mark.parametrize("name", ["display", "logger", "view3d"])
 def test_they_are_passive(name):  # R-F04, §5.8.3
-    code = shipped() / "generic" / "module" / f"{name}.py"
+    code = shipped() / "signals" / "module" / f"{name}.py"
     assert Bench(code, constants=CONSTANTS, local={"PARTNER": "unix:/x"}).cls.passive

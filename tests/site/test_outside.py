@@ -33,9 +33,9 @@ class Place:
 
     def partner(self, name, **local):
         """The shipped task of this name, with another partner."""
-        folder = shipped() / "generic" / "module"
-        self.lab.module(f"my_{name}", (folder / f"{name}.py").read_text())
-        text = (folder / f"{name}.rmod").read_text().partition("LOCAL")[0]
+        code = next(shipped().glob(f"*/module/{name}.py"))
+        self.lab.module(f"my_{name}", code.read_text())
+        text = code.with_suffix(".rmod").read_text().partition("LOCAL")[0]
         rows = "".join(f"{key}  {words}\n" for key, words in {"PATIENCE": 20, **local}.items())
         self.lab.task(f"my_{name}", text.replace(f" {name}\n", f" my_{name}\n", 1) + "LOCAL\n" + rows)
         return self
