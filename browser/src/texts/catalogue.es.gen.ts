@@ -1796,6 +1796,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "host.writer_not_up": "el proceso que la escribe no está listo en {seconds:g} s",
   "host.wrong_at_end": "todas las acciones están hechas, pero al terminar las tareas: {why}",
   "host.wrong_token": "el token es incorrecto o falta",
+  "laws.element_missing": "{name}: se esperaba 0..{last}; hay {found}",
   "laws.filter_unfit": "se esperaban dt y cutoff mayores que 0; hay {dt} s y {cutoff} Hz",
   "laws.hand_leans": "la mano se inclinaría {lean:.0f} grados; este brazo solo la sostiene vertical, con los dedos hacia abajo",
   "laws.hand_missing": "se esperaba una mano detrás del dispositivo; hay otro dispositivo",
