@@ -34,10 +34,10 @@ def test_as_near_as_a_millirad_is_there(near):
 
 def test_one_element_that_is_not_there_or_moves_keeps_it_from_being_over():
     away, moving = arrival(), arrival()
-    there = END + [0.0, 0.0011]
+    there = END + np.array([0.0, 0.0011])
     assert not any(away.is_over(late, there, DT) for late in (-DT, 0.0, DT, 0.49))
     for k in range(1, 20):
-        assert not moving.is_over(k * DT, END + [0.0, 2e-4 * (-1) ** k], DT)
+        assert not moving.is_over(k * DT, END + np.array([0.0, 2e-4 * (-1) ** k]), DT)
 
 
 def test_when_the_time_to_settle_is_over_the_motion_is_over_wherever_it_is():
