@@ -351,6 +351,7 @@ export interface MakeTarget {
   description?: string;
   base?: string;
   overwrites?: boolean;
+  arm?: string;
 }
 
 /** Add the dictionary of a base directory to those that are open. */
@@ -1190,6 +1191,8 @@ export interface OnikonView {
   path?: string;
   source?: string;
   trouble?: Reason;
+  hardware?: (string)[];
+  arm?: string;
 }
 
 /** The targets that a state variable makes as it is now. */
@@ -1217,6 +1220,7 @@ export interface TaughtView {
   arm?: string;
   device?: string;
   arms?: (string)[];
+  made_for?: string;
   joints?: (number)[];
 }
 

@@ -150,7 +150,7 @@ def test_what_1_3_can_say_is_written_as_1_3_and_the_rest_is_refused_under_it(for
         assert "2.0" not in head
         return
     words = {line.split(" ")[0] for line in body.splitlines()}
-    needed = words & {"TARGET", "DESCIN", "BRANCH", "MARKERIF", "WHILEIF", "GROUP", "DIMENSION"}
+    needed = words & {"TARGET", "DESCIN", "ARM", "BRANCH", "MARKERIF", "WHILEIF", "GROUP", "DIMENSION"}
     if form.name == "configuration":
         needed |= words & {"AS", "SVARALIAS", "LOCAL", "NOLOCAL"}
     rows = [line.split()[-1] for line in body.splitlines() if line.startswith("PICT")]

@@ -183,7 +183,8 @@ def values(kind: IconType) -> st.SearchStrategy[Any]:
 
 def onikons_of(kind: IconType) -> st.SearchStrategy[Onikon]:
     more = more_targets(st.sampled_from(["Joint object", "Any object"])) if kind.needs_target else st.just(())
-    return st.builds(Onikon, names, st.just(kind.name), prose, values(kind), pictures, more, descriptions)
+    arms = st.just("") | names if kind.is_target else st.just("")
+    return st.builds(Onikon, names, st.just(kind.name), prose, values(kind), pictures, more, descriptions, arms)
 
 
 placeable = [kind for kind in TYPES.types if not (kind.is_start or kind.is_end)]

@@ -111,3 +111,23 @@ def test_what_is_wrong_with_a_description_in_another_language_is_named() -> None
     assert keys(text.replace("pt-BR", "es")) == {"files.descin_once"}
     assert keys(text.replace("pt-BR feche", "pt-BR")) == {"files.descin_line"}
     assert keys(text.replace("es cierra", "Spanish cierra")) == {"files.descin_line"}
+
+
+OF_RIGHT_ARM = replace(ONIKON, arm="puma_right")
+
+
+def test_a_target_says_under_version_2_0_for_which_arm_it_was_made() -> None:
+    text = write(OF_RIGHT_ARM)  # R-D08, R-B06, R-B09
+    assert text.startswith("VERSION     2.0\n") and "\nDESC        where it rests\nARM         puma_right\nUI " in text
+    assert read(text, "home", "f", SYNTAX) == (OF_RIGHT_ARM, ())
+    assert write(replace(OF_RIGHT_ARM, arm=""), text) == TEXT
+
+
+def test_what_is_wrong_with_the_arm_of_an_icon_is_named() -> None:
+    def keys(text: str) -> set[str]:
+        return {fault.reason.key for fault in read(text, "hold", "f", MORE)[1]}
+
+    text = write(OF_RIGHT_ARM)  # R-B07
+    assert keys(text.replace("2.0", "1.3", 1)) == {"files.version_for_line"}
+    assert keys(text.replace("puma_right", "two words")) == {"files.arm_line"}
+    assert keys(write(SPOKEN).replace("UI ", "ARM puma\nUI ")) == {"files.arm_of_target"}

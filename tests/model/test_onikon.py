@@ -36,3 +36,8 @@ def test_what_an_icon_says_in_other_languages_stays_in_the_dictionary_when_it_is
     placed = spoken.as_placed()
     assert (placed.words, placed.description) == ((), "close the hand")
     assert placed.as_placed() is placed
+
+
+def test_the_arm_that_a_target_was_made_for_stays_in_the_dictionary_when_it_is_placed():  # R-D08
+    made = Onikon("high", "Joint object", "", ((0.5, -1.0), (3,), ("x",)), blank(), arm="puma_right")
+    assert made.as_placed() == Onikon("high", "Joint object", "", ((0.5, -1.0), (3,), ("x",)), blank())

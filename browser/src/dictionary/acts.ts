@@ -10,12 +10,16 @@ import type { Point } from '../act/refused.svelte'
 import { goTo } from '../act/documents.svelte'
 import { goInto, open, openInPlace } from '../act/opening'
 import { insert as insertHere } from '../workspace/acts'
-import { gapAt, type Gap } from '../onikon/fits'
+import { gapAt, jobBefore, type Gap } from '../onikon/fits'
 
 export const application = () => desk.tree.applications[workspace.app]
 
 /** The gap where the next icon goes. */
 export const gapHere = (): Gap | undefined => gapAt(application(), workspace.place)
+
+/** The tasks with a device of the job to which a target would belong that comes next; none: nobody knows. */
+export const hardwareHere = (): readonly string[] =>
+  desk.tree.onikons[jobBefore(application(), workspace.place)?.name ?? '']?.hardware ?? []
 
 export const isAction = (onikon: Pick<OnikonView, 'role'>): boolean =>
   onikon.role === 'job' || onikon.role === 'application'

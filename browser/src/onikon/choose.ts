@@ -1,6 +1,6 @@
 // Which icons are shown, and in which groups: one dictionary or all, what was searched for, what fits.
 import type { DictionaryView, OnikonView, TypeView } from '../api.gen'
-import { fits, type Gap } from './fits'
+import { fits, isOfAnotherArm, type Gap } from './fits'
 import { wordsOf } from './words'
 
 /** An icon as the search sees it. */
@@ -9,6 +9,8 @@ export interface Entry {
   readonly type: string
   readonly dictionary: string
   readonly left: string
+  /** Of a target: the task of the arm that it was made for; empty: any. */
+  readonly arm: string
   readonly caption: string
   /** What is searched, in small letters. */
   readonly text: string
@@ -30,6 +32,8 @@ export interface Wish {
   readonly wanted: string
   /** The left edge of those that fit, where no others are wanted. */
   readonly left: string | undefined
+  /** The tasks with a device of the job for which targets are wanted; none: those of every arm are. */
+  readonly hardware?: readonly string[]
 }
 
 /** All icons in the order of the syntax's types, of the dictionaries, those that are shipped first, and within these. */
@@ -62,10 +66,10 @@ export function inOrder(
 }
 
 function entryOf(name: string, onikon: OnikonView, language: string): Entry {
-  const { type, dictionary, left } = onikon
+  const { type, dictionary, left, arm = '' } = onikon
   const caption = wordsOf(onikon, name, language)
   const text = [name, type, onikon.description ?? '', ...Object.values(onikon.words ?? {})].join('\n').toLowerCase()
-  return { name, type, dictionary, left, caption, text }
+  return { name, type, dictionary, left, arm, caption, text }
 }
 
 function compared(a: readonly number[], b: readonly number[]): number {
@@ -74,12 +78,13 @@ function compared(a: readonly number[], b: readonly number[]): number {
 }
 
 /** What is wished for, in groups of one type each. */
-export function choose(entries: readonly Entry[], { dictionary, wanted, left }: Wish): Group[] {
+export function choose(entries: readonly Entry[], { dictionary, wanted, left, hardware = [] }: Wish): Group[] {
   const words = wanted.trim().toLowerCase().split(/\s+/).filter(Boolean)
   const isChosen = (entry: Entry): boolean =>
     (words.length > 0 || !dictionary || entry.dictionary === dictionary) &&
     words.every((word) => entry.text.includes(word)) &&
-    (left === undefined || entry.left === left)
+    (left === undefined || entry.left === left) &&
+    !isOfAnotherArm(entry, hardware)
   const groups = new Map<string, Entry[]>()
   for (const entry of entries)
     if (isChosen(entry)) groups.get(entry.type)?.push(entry) ?? groups.set(entry.type, [entry])
@@ -89,6 +94,9 @@ export function choose(entries: readonly Entry[], { dictionary, wanted, left }: 
     left: some[0]!.left,
   }))
 }
+
+/** How many icons groups have. */
+export const countIn = (groups: readonly Group[]): number => groups.reduce((sum, { names }) => sum + names.length, 0)
 
 /** Names and words that begin with what was typed come first. */
 function sorted(some: readonly Entry[], word: string | undefined): readonly Entry[] {

@@ -1,5 +1,5 @@
 // Where the next icon goes, and which icons have the edge for it (Equation 7). The environment judges; this only shows.
-import type { ApplicationView, OnikonView } from '../api.gen'
+import type { ApplicationView, OnikonView, StepView } from '../api.gen'
 import type { Place } from '../state/workspace.svelte'
 
 /** A place between two steps: the edges that what comes there should have, by their keys. */
@@ -36,6 +36,20 @@ export const placeOf = ({ left = '', right = '' }: { left?: string; right?: stri
   wants: [],
   isHole: true,
 })
+
+/** The step of the job to which a target behind a step would belong; undefined: there is none. */
+export function jobBefore(app: ApplicationView | undefined, { flow, after }: Place): StepView | undefined {
+  const steps = app?.flows?.[flow]?.steps ?? []
+  for (let at = steps.indexOf(after); at >= 0; at--) {
+    const step = app?.steps?.[steps[at]!]
+    if (step?.kind !== 'hole' && step?.role !== 'target') return step
+  }
+  return undefined
+}
+
+/** Whether a target was made for another arm than those that a job moves; `hardware` are the job's tasks with a device. */
+export const isOfAnotherArm = ({ arm }: Pick<OnikonView, 'arm'>, hardware: readonly string[]): boolean =>
+  !!arm && hardware.length > 0 && !hardware.includes(arm)
 
 type Edges = Pick<OnikonView, 'left'>
 

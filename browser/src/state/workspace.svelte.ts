@@ -21,6 +21,8 @@ interface Workspace {
   onikon: string
   /** Whether the dictionary shows only what fits at `place`. */
   fitsOnly: boolean
+  /** Whether targets that were made for other arms are offered too. */
+  showsEveryArm: boolean
 }
 
 export const workspace: Workspace = $state({
@@ -30,6 +32,7 @@ export const workspace: Workspace = $state({
   dictionary: kept('dictionary', ''),
   onikon: '',
   fitsOnly: false,
+  showsEveryArm: false,
 })
 
 /** Pick these steps of the application and nothing else. */

@@ -1217,6 +1217,8 @@ export const catalogue: Readonly<Record<string, string>> = {
   "files.always": "siempre",
   "files.any_token": "se esperaban palabras, números, textos entre comillas o comentarios entre llaves; hay {given}",
   "files.application_left_out": "se omite la aplicación",
+  "files.arm_line": "se esperaba el nombre de la tarea del brazo después de ARM; hay {line}",
+  "files.arm_of_target": "no se esperaba ARM, pues {name} no es un objetivo; hay {line}",
   "files.arrangement_left_out": "se conserva el orden habitual",
   "files.base_twice": "se esperaba cada directorio base una vez; {name} está otra vez",
   "files.bears_tag": "`{name}`, que lleva la marca {tag}",

@@ -1,7 +1,7 @@
 // Which icons are shown, and in which groups.
 import { describe, expect, test } from 'vitest'
 import type { DictionaryView, OnikonView, TypeView } from '../../src/api.gen'
-import { choose, fitOf, inOrder, type Wish } from '../../src/onikon/choose'
+import { choose, countIn, fitOf, inOrder, type Wish } from '../../src/onikon/choose'
 
 const type = (order: number, role: TypeView['role']): TypeView => ({ order, role, left: '1', right: '1' })
 const types = { 'Complete job': type(2, 'job'), 'Joint object': type(5, 'target'), 'Joint job': type(6, 'job') }
@@ -65,6 +65,23 @@ describe('the icons shown', () => {
   test('are only those that fit, where that is wanted', () => {
     // R-D03
     expect(shown({ left: '2' })).toEqual([['Joint object', ['halfway', 'home', 'above']]])
+  })
+})
+
+describe('targets that were made for an arm', () => {
+  const made = { ...onikons, right: icon('Joint object', '/boxes', 4, '2', { arm: 'puma_right' }) }
+  const entries = inOrder(made, types, dictionaries, 'en')
+  const wish: Wish = { ...all, left: '2' }
+
+  test('R-D08: are left out behind jobs of another arm, and counted', () => {
+    const offered = choose(entries, { ...wish, hardware: ['puma', 'led_monitor'] })
+    expect(offered.map(({ names }) => names)).toEqual([['halfway', 'home', 'above']])
+    expect(countIn(choose(entries, wish)) - countIn(offered)).toBe(1)
+  })
+
+  test('R-D08: are offered behind jobs of theirs, and where nobody knows the arm', () => {
+    expect(countIn(choose(entries, { ...wish, hardware: ['puma_right'] }))).toBe(4)
+    expect(countIn(choose(entries, { ...wish, hardware: [] }))).toBe(4)
   })
 })
 

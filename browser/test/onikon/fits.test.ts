@@ -1,7 +1,7 @@
 // Where the next icon goes and what has the edge for it: Equation 7 as the page shows it.
 import { describe, expect, test } from 'vitest'
 import type { ApplicationView, StepView } from '../../src/api.gen'
-import { fits, gapAt } from '../../src/onikon/fits'
+import { fits, gapAt, isOfAnotherArm, jobBefore } from '../../src/onikon/fits'
 
 const step = (left: string, right: string, more: Partial<StepView> = {}): StepView => ({ left, right, ...more })
 
@@ -56,4 +56,29 @@ test('edges decide what fits, not names (D22)', () => {
   expect(fits({ left: '2' }, hole)).toBe(true)
   expect(fits({ left: '1' }, hole)).toBe(false)
   expect(fits({ left: '2' }, undefined)).toBe(false)
+})
+
+describe('the job to which a target would belong', () => {
+  const line: ApplicationView = {
+    ...app,
+    steps: { ...app.steps, 1: step('1', '2', { name: 'jmoveC', role: 'job' }), 2: step('2', '2', { role: 'target' }) },
+  }
+
+  test('R-D08: stands before the place, across targets and holes', () => {
+    expect(jobBefore(line, { flow: '0', after: 2 })?.name).toBe('jmoveC')
+    expect(jobBefore(line, { flow: '0', after: 3 })?.name).toBe('jmoveC')
+  })
+
+  test('R-D08: is none at the start, or where no such place is', () => {
+    expect(jobBefore(line, { flow: '0', after: 0 })).toBeUndefined()
+    expect(jobBefore(line, { flow: '7', after: 2 })).toBeUndefined()
+    expect(jobBefore(undefined, { flow: '0', after: 2 })).toBeUndefined()
+  })
+
+  test('R-D08: moves another arm only where both arms are known', () => {
+    expect(isOfAnotherArm({ arm: 'puma' }, ['puma_right'])).toBe(true)
+    expect(isOfAnotherArm({ arm: 'puma' }, ['puma', 'led_monitor'])).toBe(false)
+    expect(isOfAnotherArm({ arm: 'puma' }, [])).toBe(false)
+    expect(isOfAnotherArm({}, ['puma'])).toBe(false)
+  })
 })

@@ -54,3 +54,25 @@ test('words are found in names, words and types', () => {
   expect(names('joint')).toEqual(['jmoveC', 'home', 'via'])
   expect(names('nothing like it')).toEqual([])
 })
+
+describe('targets that were made for another arm', () => {
+  const made = {
+    ...onikons,
+    right: { ...onikon('Joint object', 'target', '1', '0', 'to the right', 2), arm: 'puma_right' },
+  }
+  const all = inOrder(made, types, { '/d': { name: 'd', path: '/d', order: 0, onikons: 6 } }, 'en')
+
+  test('R-D08: are left out, and the last line says how many', () => {
+    const matches = find('', all, made, HOLE as unknown as typeof START, ['puma'])
+    expect(matches.map(({ name }) => name)).not.toContain('right')
+    expect(matches.at(-1)?.leftOut).toBe(1)
+    expect(find('home', all, made, HOLE as unknown as typeof START, ['puma']).map(({ name }) => name)).toEqual(['home'])
+    expect(countFitting(all, HOLE as unknown as typeof START, ['puma'])).toBe(2)
+  })
+
+  test('R-D08: are shown behind jobs of their arm, and where no target fits they stand among the rest', () => {
+    const hole = HOLE as unknown as typeof START
+    expect(find('', all, made, hole, ['puma_right']).map(({ name }) => name)).toContain('right')
+    expect(find('', all, made, START, ['puma']).some(({ leftOut }) => leftOut)).toBe(false)
+  })
+})

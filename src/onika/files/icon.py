@@ -1,7 +1,8 @@
 """The lines that describe an onikon in `.onk` and `.appl` alike: ONIKON, DESC, UI, PICT (dissertation §A.3, §A.4).
 
 Of version 2.0 are the lines TARGET, the types of the further targets of an action in their order, and DESCIN, the
-description in another language behind its code: `DESCIN es abre la mano`; and PICT of 48 or 64 rows and digits.
+description in another language behind its code: `DESCIN es abre la mano`; ARM, the task of the arm that a target was
+made for; and PICT of 48 or 64 rows and digits.
 """
 
 import re
@@ -14,6 +15,7 @@ from onika.model.onikon import Onikon
 from onika.model.picture import SIZE, SIZES
 from onika.model.syntax import DataItem, IconType, Syntax, has_word
 from onika.words import argument
+from onika.words.name import TASK_NAME
 from onika.words.reason import Reason, reason_of
 from onika.words.value import Value, ValueType
 
@@ -22,6 +24,7 @@ SLOTS = (
     KeywordSlot("TARGET", Need.OF_2_0, many=True),
     KeywordSlot("DESC", Need.SINCE_1_3),
     KeywordSlot("DESCIN", Need.OF_2_0, many=True),
+    KeywordSlot("ARM", Need.OF_2_0),
     KeywordSlot("UI", many=True),
     KeywordSlot("PICT", many=True),
 )
@@ -51,7 +54,8 @@ def read_icon(
     description = by_keyword["DESC"][0].text if by_keyword["DESC"] else ""
     more = tuple(_target(target, kind, is_own, syntax, reading) for target in by_keyword["TARGET"])
     words = _words_in(by_keyword["DESCIN"], reading)
-    return Onikon(name, kind.name if is_own else line.text, description, values, picture, more, words)
+    arm = _arm(by_keyword["ARM"][0], kind, reading) if by_keyword["ARM"] else ""
+    return Onikon(name, kind.name if is_own else line.text, description, values, picture, more, words, arm)
 
 
 def write_icon(onikon: Onikon) -> str:
@@ -62,6 +66,7 @@ def write_icon(onikon: Onikon) -> str:
         + "".join(row("TARGET", one_line(kind)) for kind in onikon.more_targets)
         + row("DESC", one_line(onikon.description))
         + "".join(row("DESCIN", language, one_line(text)) for language, text in onikon.words)
+        + (row("ARM", one_line(onikon.arm)) if onikon.arm else "")
         + "".join(row("UI", text) for text in values)
         + "".join(row("PICT", text) for text in onikon.picture.rows)
     )
@@ -95,7 +100,16 @@ def _target(line: FileLine, kind: IconType, is_own: bool, syntax: Syntax, readin
 
 def needs_extension(onikon: Onikon) -> bool:
     """Whether its lines are of version 2.0."""
-    return bool(onikon.more_targets or onikon.words or onikon.picture.is_larger)
+    return bool(onikon.more_targets or onikon.words or onikon.arm or onikon.picture.is_larger)
+
+
+def _arm(line: FileLine, kind: IconType, reading: TextReading) -> str:
+    """The task of the arm that a target was made for."""
+    if not kind.is_target:
+        reading.fault(line.number, Reason.of("files.arm_of_target", name=kind.name, line=str(line)))
+    elif not TASK_NAME.fullmatch(line.rest):
+        reading.fault(line.number, Reason.of("files.arm_line", line=str(line)))
+    return line.rest
 
 
 def _words_in(lines: Sequence[FileLine], reading: TextReading) -> tuple[tuple[str, str], ...]:

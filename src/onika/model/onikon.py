@@ -28,10 +28,12 @@ class Onikon:
     """Of an action: the types of the targets that follow the one its own type names (requirement D13)."""
     words: tuple[tuple[str, str], ...] = ()
     """Its description in other languages, each with the code of its language before it (requirement X11)."""
+    arm: str = ""
+    """Of a target: the task of the arm whose joints its values are; empty: any arm's, or nobody knows (D08)."""
 
     def as_placed(self) -> "Onikon":
-        """This icon as it is placed in an application: what it says in other languages stays in the dictionary."""
-        return replace(self, words=()) if self.words else self
+        """This icon as it is placed in an application: other languages and its arm stay in the dictionary."""
+        return replace(self, words=(), arm="") if self.words or self.arm else self
 
     def argument_line(self, syntax: Syntax) -> str:
         """The values in the order of the definition, as the argument line of a task (reading 40).

@@ -1,5 +1,6 @@
 """A.3, the upper-level icon file, and the lines of an icon that A.4 shares with it, read naively."""
 
+import re
 from typing import Any
 
 from .script import Script, blanks, number, real
@@ -37,6 +38,9 @@ def lines(script: Script, types: Types) -> dict[str, Any]:
         if not all(part and part.isascii() and part.isalnum() for part in code.split("-")) or not small.isalpha():
             raise ValueError("a language in " + other)
         others[code] = text
+    arm = script.new("ARM")
+    if arm is not None and ("object" not in kind.split() or not re.fullmatch("[A-Za-z][A-Za-z0-9_.-]{0,199}", arm)):
+        raise ValueError("an arm in " + arm)
     values: list[Any] = []
     for data, count in items:
         values.append([_value(data, word) for word in _elements(script.take("UI"), data, count)])
@@ -49,6 +53,7 @@ def lines(script: Script, types: Types) -> dict[str, Any]:
         "TARGET": targets,
         "DESC": description,
         "DESCIN": others,
+        "ARM": arm or "",
         "UI": values,
         "PICT": picture(script),
     }

@@ -104,6 +104,7 @@ def _onikon(onikon: Onikon) -> dict[str, Any]:
         "TARGET": [kind.lower() for kind in onikon.more_targets],
         "DESC": onikon.description,
         "DESCIN": dict(onikon.words),
+        "ARM": onikon.arm,
         "UI": values,
         "PICT": list(onikon.picture.rows),
     }

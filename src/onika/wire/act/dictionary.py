@@ -27,6 +27,8 @@ class MakeTarget(Act, frozen=True):
     base: str = ""
     """Empty: the user's own base directory."""
     overwrites: bool = False
+    arm: str = ""
+    """The task of the arm that it is made for, whose joints its values are; empty: any."""
 
 
 class EditOnikon(Act, frozen=True):

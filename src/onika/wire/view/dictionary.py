@@ -78,6 +78,10 @@ class OnikonView(View, frozen=True):
     """The file of the configuration or application behind it."""
     trouble: Reason = NOTHING
     """Why it cannot run: what it stands for is missing, or makes another type of icon now (reading 36)."""
+    hardware: tuple[str, ...] = ()
+    """Of a job: the tasks of its configuration that have a device."""
+    arm: str = ""
+    """Of a target: the task of the arm that it was made for; it is not offered behind jobs of others (D08)."""
 
 
 class TaughtView(View, frozen=True):
@@ -99,6 +103,8 @@ class TaughtView(View, frozen=True):
     """The arm itself, as `WORLD:NAME`."""
     arms: tuple[str, ...] = ()
     """All arms that the application moves."""
+    made_for: str = ""
+    """The arm's task as the application names it, where the values are those of joints, and so of this arm alone."""
     joints: tuple[float, ...] = ()
     """Where a place was pointed at: the joints with which that arm comes to it."""
 

@@ -47,7 +47,7 @@ def test_a_type_that_stands_in_no_flow_is_told(gallery):  # R-D04
 
 def test_what_fits_behind_an_icon_has_its_edge(gallery):
     model = gallery.environment.model
-    names = {candidate.name for candidate in fitting_behind(model, model.syntax.find("Joint job"))}
+    names = {candidate.name for candidate in fitting_behind(model, model.syntax.find("Joint job"), ())}
     assert names == {"there", "here"}
 
 

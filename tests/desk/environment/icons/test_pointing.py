@@ -50,6 +50,7 @@ def test_a_place_becomes_a_pose_that_points_there_and_the_joints_that_reach_it(m
     assert pose[:3] == DOWN and pose[6:] == BETWEEN
     assert (pointed.type, pointed.arm, pointed.device) == ("Cartesian object", "puma", "boxes:arm_left")
     assert pointed.arms == ("puma", "puma_right") and len(pointed.joints) == 6
+    assert pointed.made_for == ""  # a pose is one for any arm
     assert str(pointed.source) == "the place that was clicked, as puma reaches it"
     assert not me.edits()  # nothing lives for it
 
@@ -57,6 +58,7 @@ def test_a_place_becomes_a_pose_that_points_there_and_the_joints_that_reach_it(m
 def test_a_target_of_joints_takes_the_joints_of_the_place(me):  # R-D25
     pointed = me.do(me.wish("Joint object"))
     assert pointed.values == {"endpoint": pointed.joints}
+    assert pointed.made_for == "puma"
 
 
 def test_the_arm_that_is_named_is_asked(me):  # R-D25

@@ -24,6 +24,7 @@ def test_the_arm_of_a_program_is_measured_by_its_driver_alone():  # R-D23
     plan = plan_of("go_home")
     (arm,) = arms_of(plan, jobs_of(plan), JOINTS, MODEL.libraries)
     assert ([task.name for task in arm.tasks], arm.devices) == (["puma"], {"boxes:arm_left"})
+    assert (arm.arm, arm.made_for) == ("puma", "puma")
     assert {code.digest for code in arm.code} == {arm.driver.digest}
 
 
@@ -44,7 +45,8 @@ def test_of_two_arms_the_one_of_the_nearest_job_comes_first():  # R-D23
 
 def test_who_stands_for_an_arm_is_measured_in_its_place():  # R-E09, R-D23
     plan = plan_of("go_home", "puma=scara")
-    assert [arm.arm for arm in arms_of(plan, jobs_of(plan), JOINTS, MODEL.libraries)] == ["scara"]
+    (arm,) = arms_of(plan, jobs_of(plan), JOINTS, MODEL.libraries)
+    assert (arm.arm, arm.made_for) == ("scara", "puma")
 
 
 @pytest.mark.parametrize("wanted", [frozenset(), frozenset({"NOBODYS"})])

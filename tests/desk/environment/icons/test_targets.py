@@ -111,3 +111,14 @@ def test_what_a_new_target_is_put_among_keeps_its_places(cabinet):  # R-D24
     assert arranged() == ("nap", "zebra", "apple")
     cabinet.do(made("nap", values=(("2.5",),), overwrites=True))
     assert arranged() == ("nap", "zebra", "apple")
+
+
+def test_a_target_keeps_the_arm_for_which_it_is_made(cabinet):  # R-D08
+    cabinet.do(made("high", "Joint object", JOINTS, arm="puma_right"))
+    assert cabinet.icon("high").arm == "puma_right"
+    assert "ARM         puma_right" in cabinet.own.onikon_file("high").read_text()
+    cabinet.do(act.EditOnikon("high", "up there"))
+    assert cabinet.icon("high").arm == "puma_right"
+    cabinet.do(made("idle", "Complete NOP", (), arm="puma"))
+    assert cabinet.icon("idle").arm == ""
+    assert set(cabinet.no(made("low", "Joint object", JOINTS, arm="no name")).fields) == {"arm"}

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from onika.desk.environment.icons.arm_fit import hardware_before, is_of_another_arm
 from onika.desk.environment.outcome.on_file import syntax_of
 from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.state.icon_types import role_of
@@ -50,18 +51,23 @@ def misfit(model: Model, opened: OpenApplication, flow: AppFlow, after: int, ste
     before = flow.steps[at] if at >= 0 else None
     shown = Reason.of("desk.a_branch") if isinstance(step, Branch) else a_kind(kind.name)
     reason = Reason.of("desk.step_unfit", step=shown, behind=_place(before), needed=_needed(left, syntax, at))
-    return No(reason, tuple(_ways(model, opened, _Misfit(path, before, step, left, kind))))
+    hardware = hardware_before(model, syntax, flow, at)
+    return No(reason, tuple(_ways(model, opened, _Misfit(path, before, step, left, kind, hardware))))
 
 
 @dataclass(frozen=True, slots=True)
 class _Misfit:
-    """A step that does not fit: the flow's path, the step before it, and the types on both sides."""
+    """A step that does not fit: the flow's path, the step before it, and the types on both sides.
+
+    hardware    the tasks with a device of the job to which a target there would belong
+    """
 
     path: str
     before: Solid | Hole | None
     step: Solid
     left: IconType
     kind: IconType
+    hardware: tuple[str, ...]
 
 
 def _place(before: Solid | Hole | None) -> Reason:
@@ -77,7 +83,7 @@ def _ways(model: Model, opened: OpenApplication, misfit: _Misfit) -> list[Remedy
     """What could be done instead: the last button, which shows all that fit, is always among them."""
     syntax, before, kind = syntax_of(model), misfit.before, misfit.kind
     number = before.number if before else 0
-    fitting = fitting_behind(model, misfit.left)
+    fitting = fitting_behind(model, misfit.left, misfit.hardware)
     remedies = [*_in_its_place(model, opened, before, misfit.step, syntax)]
     remedies += _use(model, opened, misfit, number, _likeliest(fitting, kind, opened, syntax))
     if isinstance(before, Icon) and kind.is_target:
@@ -95,10 +101,11 @@ def _show_fitting(count: int) -> Reason:
     return Reason.of("desk.show_only_fitting")
 
 
-def fitting_behind(model: Model, left: IconType) -> list[Onikon]:
-    """The icons that fit behind one of this type."""
+def fitting_behind(model: Model, left: IconType, hardware: tuple[str, ...]) -> list[Onikon]:
+    """The icons that fit behind one of this type, but for targets of other arms than those of these tasks."""
     syntax = syntax_of(model)
-    kinds = ((onikon, syntax.acting(onikon.type)) for onikon in onikons(model))
+    own = (onikon for onikon in onikons(model) if not is_of_another_arm(onikon, hardware))
+    kinds = ((onikon, syntax.acting(onikon.type)) for onikon in own)
     return [onikon for onikon, kind in kinds if kind and stands_in_flow(kind) and fits(left, kind)]
 
 

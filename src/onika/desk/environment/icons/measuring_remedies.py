@@ -7,7 +7,9 @@ from pathlib import Path
 from onika.desk.environment.icons.measured_variables import MeasuredVariable
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
+from onika.desk.plan.target_inputs import takes
 from onika.model.configuration import Configuration
+from onika.model.syntax import IconType
 from onika.model.task import Task
 from onika.wire import act
 from onika.wire.view import Remedy
@@ -16,12 +18,15 @@ from onika.words.reason import Reason
 _MOST = 3
 
 
-def ways_to_measure(model: Model, measures: Sequence[MeasuredVariable]) -> tuple[Remedy, ...]:
-    """Buttons, likeliest first: turn tasks ON that live, connect what is open, open what could be."""
-    return tuple(islice(_ways(model, frozenset(measure.variable for measure in measures)), _MOST))
+def ways_to_measure(model: Model, measures: Sequence[MeasuredVariable], kind: IconType) -> tuple[Remedy, ...]:
+    """Buttons, likeliest first: turn tasks ON that live, connect what is open, open what could be.
+
+    kind    the type of target: its own jobs come before others that measure it too
+    """
+    return tuple(islice(_ways(model, frozenset(measure.variable for measure in measures), kind), _MOST))
 
 
-def _ways(model: Model, wanted: frozenset[str]) -> Iterator[Remedy]:
+def _ways(model: Model, wanted: frozenset[str], kind: IconType) -> Iterator[Remedy]:
     documents = model.documents.values()
     able = [(document, tasks) for document in documents if (tasks := _writers_in(model, document, wanted))]
     for document, tasks in able:
@@ -32,10 +37,18 @@ def _ways(model: Model, wanted: frozenset[str]) -> Iterator[Remedy]:
         if document.live is None:
             yield Remedy(Reason.of("desk.connect", name=document.name), act.Connect(document.id))
     opened = {str(document.opened.path) for document in documents if document.opened}
-    for path, source in sorted(model.sources.items(), key=_size):
-        is_other = path not in opened
-        if isinstance(source, Configuration) and is_other and _writers(source.tasks(model.libraries.tasks), wanted):
-            yield Remedy(Reason.of("desk.open_file", name=Path(path).stem), act.Open(path))
+    able_files: list[tuple[bool, int, str]] = []
+    for path, source in model.sources.items():
+        placed = source.tasks(model.libraries.tasks) if isinstance(source, Configuration) else {}
+        if path not in opened and _writers(placed, wanted):
+            able_files.append((not _is_job_of(placed, kind, model), len(placed), path))
+    for _, _, path in sorted(able_files):
+        yield Remedy(Reason.of("desk.open_file", name=Path(path).stem), act.Open(path))
+
+
+def _is_job_of(tasks: Mapping[str, Task], kind: IconType, model: Model) -> bool:
+    """Whether one of these tasks takes such a target."""
+    return model.syntax is not None and any(takes(task, kind, model.syntax) for task in tasks.values())
 
 
 def _writers_in(model: Model, document: Document, wanted: frozenset[str]) -> list[Task]:
@@ -68,14 +81,3 @@ def _drives(model: Model, task: Task) -> bool:
 
 def _is_off(document: Document, name: str) -> bool:
     return document.live is not None and document.live.state_of(name) == "OFF"
-
-
-def _names(source: object) -> tuple[str, ...]:
-    if isinstance(source, Configuration):
-        return tuple(placed.task for placed in source.placed)
-    return ()
-
-
-def _size(pair: tuple[str, object]) -> tuple[int, str]:
-    """Configurations of few tasks first."""
-    return len(_names(pair[1])), pair[0]

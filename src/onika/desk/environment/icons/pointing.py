@@ -6,6 +6,8 @@ it reaches. Nothing lives for it, and nothing moves.
 
 from collections.abc import Sequence
 
+from msgspec import structs
+
 from onika.desk.environment.icons.meant_arms import arms_meant
 from onika.desk.environment.icons.measured_variables import measures_of
 from onika.desk.environment.icons.program_arms import MeasuringTasks
@@ -37,7 +39,8 @@ def point(model: Model, command: act.PointAt, outside: Services) -> Procedure:
         return _unjudged(model, item, poses, kind.name)
     arm = next((arm for arm in arms if arm.arm == command.arm), arms[0])
     names = tuple(sorted(each.arm for each in arms))
-    view = TaughtView({}, NOTHING, type=kind.name, arm=arm.arm, device=min(arm.devices), arms=names)
+    made_for = arm.made_for if item.place == "joints" else ""
+    view = TaughtView({}, NOTHING, type=kind.name, arm=arm.arm, device=min(arm.devices), arms=names, made_for=made_for)
     return (yield from _reached(model, arm, item, poses, view))
 
 
@@ -66,9 +69,4 @@ def _reached(model: Model, arm: MeasuringTasks, item: ItemView, poses: tuple[Pos
         return No(Reason.of("desk.place_beyond", arm=arm.arm, why=response.reasons[0]))
     values = {item.name: pose if item.place == "pose" else joints}
     source = Reason.of("desk.place_reached", arm=arm.arm)
-    return Done(
-        model,
-        value=TaughtView(
-            values, source, type=view.type, arm=view.arm, device=view.device, arms=view.arms, joints=joints
-        ),
-    )
+    return Done(model, value=structs.replace(view, values=values, source=source, joints=joints))

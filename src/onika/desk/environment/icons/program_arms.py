@@ -24,11 +24,18 @@ class MeasuringTasks:
     driver: PlannedTask
     others: tuple[PlannedTask, ...]
     code: tuple[Code, ...] = field(repr=False)
+    stands_for: str = ""
+    """The arm's task as the application names it, where the driver stands for it in a redirected flow."""
 
     @property
     def arm(self) -> str:
         """The name of the arm's task."""
         return self.driver.name
+
+    @property
+    def made_for(self) -> str:
+        """The name of the arm's task in the files: a target of this arm keeps it."""
+        return self.stands_for or self.arm
 
     @property
     def tasks(self) -> tuple[PlannedTask, ...]:
@@ -60,6 +67,7 @@ def arms_of(
         return is_hardware(task_of(task), libraries)
 
     arms: dict[str, MeasuringTasks] = {}
+    stood_for = {name: former.name for flow in plan.flows for name, former in flow.replaced}
     for tasks in _crews(plan, jobs):
         measuring = _measuring(tasks, wanted, drives) or _with_library(tasks, wanted, drives, libraries)
         if measuring is None:
@@ -67,7 +75,8 @@ def arms_of(
         driver, others, births = measuring
         digests = {task.digest for task in (driver, *others)}
         code = {code.digest: code for code in (*plan.code, *births) if code.digest in digests}
-        arms.setdefault(driver.name, MeasuringTasks(driver, others, tuple(code.values())))
+        stands_for = stood_for.get(driver.name, "")
+        arms.setdefault(driver.name, MeasuringTasks(driver, others, tuple(code.values()), stands_for))
     return tuple(arms.values())
 
 

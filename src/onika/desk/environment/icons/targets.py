@@ -52,7 +52,9 @@ def make_target(model: Model, command: act.MakeTarget, outside: Services) -> Don
     typed, picture = target_values.checked(items_of(model, kind.name), command.values), painted(command.picture)
     if not isinstance(typed, tuple) or not isinstance(picture, Picture):
         raise TypeError(f"expected what was looked at before, found {typed!r}")
-    onikon = Onikon(command.name, kind.name, " ".join(command.description.split()), typed, picture)
+    arm = command.arm if kind.is_target else ""
+    description = " ".join(command.description.split())
+    onikon = Onikon(command.name, kind.name, description, typed, picture, arm=arm)
     former = home.open_onikon(command.name, model.syntax)[0] if model.syntax and command.overwrites else None
     before = FileText.of(home.onikon_file(command.name))
     saved = home.save_onikon(onikon, former, overwrites=command.overwrites)
@@ -102,8 +104,10 @@ def _kind(model: Model, name: str) -> IconType | No:
 
 def _wrong(model: Model, command: act.MakeTarget) -> dict[str, Reason]:
     """What is wrong with name, values and picture, each by its field."""
-    is_name = TASK_NAME.match(command.name)
-    wrong: dict[str, Reason] = {} if is_name else {"name": Reason.of("desk.icon_name", name=command.name)}
+    names = {"name": command.name} | ({"arm": command.arm} if command.arm else {})
+    wrong = {
+        field: Reason.of("desk.icon_name", name=name) for field, name in names.items() if not TASK_NAME.match(name)
+    }
     typed = target_values.checked(items_of(model, command.type), command.values)
     wrong |= typed if isinstance(typed, dict) else {}
     picture = painted(command.picture)

@@ -13,6 +13,7 @@ from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, Req
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.target_items import items_of
 from onika.desk.plan.icon_names import a_kind, kind_named
 from onika.model.planned import task_of
 from onika.model.syntax import IconType
@@ -34,7 +35,7 @@ def teach(model: Model, command: act.Teach, outside: Services) -> Procedure:
         return No(Reason.of("desk.nothing_measures", kind=a_kind(kind.name)))
     arms = arms_meant(model, command, measures, outside)
     if model.runtime.state != "linked" and not arms:
-        return No(Reason.of("desk.no_robot"), ways_to_measure(model, measures))
+        return No(Reason.of("desk.no_robot"), ways_to_measure(model, measures, kind))
     model, standing = yield Ask(model, live.Survey(), RequiredRuntime() if arms else None)
     if not isinstance(standing, live.Standing):
         return No(refusal(standing))
@@ -43,7 +44,7 @@ def teach(model: Model, command: act.Teach, outside: Services) -> Procedure:
     places = {home.name: writers for home in standing.subsystems if (writers := _writers(home, measures))}
     why = _unmeasured(places, measures, command.subsystem, kind)
     if why:
-        return No(why, ways_to_measure(model, measures))
+        return No(why, ways_to_measure(model, measures, kind))
     subsystem = command.subsystem or _nearest(model, places)
     others = tuple(name for name in places if name != subsystem)
     model, response = yield Ask(model, live.Read(subsystem, tuple(places[subsystem])))
@@ -86,7 +87,7 @@ def _of_arm(
     else:
         model, values = yield from measured(model, standing, arm, variables)
     if isinstance(values, No):
-        turns = (way for way in ways_to_measure(model, measures) if isinstance(way.act, act.Turn))
+        turns = (way for way in ways_to_measure(model, measures, kind) if isinstance(way.act, act.Turn))
         return No(values.reason, values.remedies or tuple(turns))
     source = Reason.of("desk.where_arm_stands", arm=arm.arm)
     names = tuple(sorted(each.arm for each in arms))
@@ -94,8 +95,22 @@ def _of_arm(
         model,
         values,
         measures,
-        TaughtView({}, source, type=kind.name, arm=arm.arm, device=min(arm.devices), arms=names),
+        TaughtView(
+            {},
+            source,
+            type=kind.name,
+            arm=arm.arm,
+            device=min(arm.devices),
+            arms=names,
+            made_for=_made_for(model, kind, arm),
+        ),
     )
+
+
+def _made_for(model: Model, kind: IconType, arm: MeasuringTasks) -> str:
+    """The arm of a target of this type: joints are those of one arm, a pose may be any one's."""
+    is_of_joints = any(item.place == "joints" for item in items_of(model, kind.name))
+    return arm.made_for if is_of_joints else ""
 
 
 def _is_driven(home: live.SubsystemStanding, arm: MeasuringTasks) -> bool:

@@ -12,6 +12,7 @@ from onika.files import appl, conf
 from onika.model.configuration import Configuration
 from onika.model.onikon import Onikon
 from onika.model.rules.iconify import ActionType, job_type
+from onika.model.rules.union import devices
 from onika.model.syntax import Syntax, same_type
 from onika.words.fault import Refusal
 from onika.words.reason import NOTHING, Reason
@@ -62,6 +63,17 @@ class Sources:
             return NOTHING
         key = "run.its_configuration_makes" if is_job else "run.its_application_makes"
         return Reason.of(key, kind=_with_targets(kind), given=_with_targets(onikon))
+
+    def hardware_of(self, job: str) -> tuple[str, ...]:
+        """Those of the first configuration of this name on the search path."""
+        return self.hardware(self._first.get(job + conf.ENDING, ""))
+
+    def hardware(self, path: str) -> tuple[str, ...]:
+        """The tasks with a device of the configuration in this file; none of another file."""
+        source = self._sources.get(path)
+        if not isinstance(source, Configuration):
+            return ()
+        return tuple(name for name, task in source.tasks(self._tasks).items() if any(devices(task)))
 
     def _kind(self, path: str) -> ActionType | tuple[Refusal, ...] | None:
         source = self._sources.get(path)

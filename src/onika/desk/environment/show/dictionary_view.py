@@ -69,4 +69,6 @@ def _view(
         path=str(opened.path),
         source=source,
         trouble=sources.trouble(onikon, source),
+        hardware=sources.hardware(source),
+        arm=onikon.arm,
     )
