@@ -25,6 +25,7 @@ TRIGGERS = {
     "jvia",
     "ctraj",
     "cshift",
+    "cguard",
     "opengrip",
     "closegrip",
     "repeat",
@@ -66,10 +67,11 @@ def test_the_syntax_defines_the_shipped_target_types():  # R-B10, R-D02
     assert targets["Joint object"] == [("endpoint", double, 6), ("duration", double, 1)]
     assert targets["Cartesian object"] == [("pose", double, 9), ("duration", double, 1)]
     assert targets["Relative object"] == [("shift", double, 3), ("duration", double, 1)]
+    assert [name for name, _, _ in targets["Guarded object"]] == ["pose", "duration", "force", "torque"]
     assert set(targets) == {
         *("Joint object", "Cartesian object", "Polynomial path object", "Force object", "Pause object"),
         *("File name object", "Index object", "Picture point object", "Number object", "Level object"),
-        "Relative object",
+        *("Relative object", "Guarded object"),
     }
     for target in targets:
         for action in ("job", "application"):
@@ -79,7 +81,7 @@ def test_the_syntax_defines_the_shipped_target_types():  # R-B10, R-D02
 def test_edges_differ_by_shape_and_by_colour():  # R-X11
     speaking = [edge for edge in SYNTAX.edges if edge.number > 1]
     assert len({edge.vertices for edge in SYNTAX.edges}) == len(SYNTAX.edges)
-    assert len({edge.rgb for edge in speaking}) == len(speaking) == 11
+    assert len({edge.rgb for edge in speaking}) == len(speaking) == 12
     for edge in SYNTAX.edges[1:]:
         assert np.sum(edge.vertices, axis=0).tolist() == [0, 32], "an edge ends below where it began"
 

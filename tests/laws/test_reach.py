@@ -101,3 +101,12 @@ def test_the_elbow_stays_on_its_side_from_target_to_target():
 def test_nine_numbers_that_are_no_pose_are_a_reason():
     (why,) = postures(SCARA, [(0, 0, -1, 0, 0, 1, 0.7, 0, -0.2)])
     assert why == "expected approach and normal square to each other, found a · n = -1"
+
+
+def test_a_guarded_motion_is_judged_as_any_to_a_pose_and_a_relative_one_begins_at_its_end():  # law 26, R-D25
+    above, limits = [0.0, 0.0, -1.0, 0.0, 1.0, 0.0, 0.7, 0.28, -0.125, 3.0], [20.0, 10.0]
+    far = [*above[:6], 3.0, *above[7:]]
+    targets = [("guarded object", [*target, *limits]) for target in (above, far)]
+    reasons = why_not(PUMA, targets)
+    assert reasons[0] is None and "out of reach" in reasons[1]
+    assert why_not(PUMA, [targets[0], ("relative object", [0.0, 0.0, 1.2, 1.0])])[1]

@@ -15,6 +15,8 @@ from onika.laws.inverse import Inverse, inverse_for
 from onika.laws.sentence import LawSentence, sentence_of
 
 Constants = Mapping[str, Any]
+POSES = ("cartesian object", "guarded object")
+"""Types of targets that begin with the nine numbers of a pose."""
 _DIGITS = 17
 """More do not tell two numbers apart."""
 
@@ -25,7 +27,7 @@ def why_not(constants: Constants, targets: Sequence[tuple[str, Sequence[Any]]]) 
     A relative target begins where the one before it ends; where that is of another type, nobody knows where.
     """
     inverse = _inverse(constants)
-    checks = {"joint object": _why_no_posture, "cartesian object": _why_no_pose}
+    checks = {"joint object": _why_no_posture} | dict.fromkeys(POSES, _why_no_pose)
     reasons: list[str | None] = []
     before: Array | None = None
     for given, numbers in targets:
@@ -94,7 +96,7 @@ def _pose_after(constants: Constants, kind: str, values: Sequence[Any]) -> Array
     """Where the tool is behind a target that is reached; None: nobody knows."""
     if kind == "joint object":
         return pose_of_nine(poses(constants, [values])[0])
-    return pose_of_nine(values[:9]) if kind == "cartesian object" else None
+    return pose_of_nine(values[:9]) if kind in POSES else None
 
 
 def _why_no_posture(constants: Constants, _: Inverse, values: Sequence[Any]) -> str | None:

@@ -39,6 +39,25 @@ def test_what_is_understood_late_happened_in_the_action_of_its_time(at_s, index)
     assert mishap.action == (None if index is None else plan.flows[0].actions[index])
 
 
+@pytest.mark.parametrize(
+    ("key", "kind", "is_told"),
+    [
+        ("workcell.touches", "guarded object", False),
+        ("workcell.carried_touches", "guarded object", False),
+        ("workcell.meets", "guarded object", True),
+        ("workcell.touches", "cartesian object", True),
+    ],
+)
+def test_what_a_motion_touches_that_limits_its_force_is_meant(key, kind, is_told):  # R-E16, R-D25
+    forecast = Forecast(plan_of(AT_ONCE, 2), (request.TargetValues(0, 1, kind, (1.0,)),))
+    for began_s, number in ((0.0, 0), (2.0, 1)):
+        forecast.hear(event.Began(0, number, 2, "work", began_s))
+    for at_s in (1.0, 3.0):
+        called = dict.fromkeys(("who", "what", "hand", "other"), "it")
+        forecast.hear(event.Mishap("yard", Reason.of(key, **called), (), at_s, b""))
+    assert [mishap.at_s for mishap in forecast.result.mishaps] == ([1.0, 3.0] if is_told else [1.0])
+
+
 class Scripted:
     """A runtime that answers and tells what a test wants."""
 

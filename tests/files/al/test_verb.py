@@ -6,7 +6,15 @@ from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.model.syntax import IconType, Syntax
 
-MORE = ("Cartesian job", "Polynomial path job", "Relative job", "Pause job", "Force job", "Force application")
+MORE = (
+    "Cartesian job",
+    "Polynomial path job",
+    "Relative job",
+    "Guarded job",
+    "Pause job",
+    "Force job",
+    "Force application",
+)
 SYNTAX = Syntax((*TYPES.types, *(IconType(name, 0, 0) for name in MORE)), ())
 
 
@@ -21,6 +29,7 @@ def named(name: str, kind: str) -> Onikon:
         ("cmoveC", "Cartesian job", "MOVE"),
         ("follow", "Polynomial path job", "MOVE"),
         ("on", "Relative job", "MOVE"),
+        ("until", "Guarded job", "MOVE"),
         ("wait", "Pause job", "PAUSE"),
         ("opengripC", "Complete job", "OPEN"),
         ("Close_it", "Complete job", "CLOSE"),

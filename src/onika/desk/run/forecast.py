@@ -29,6 +29,10 @@ LONGEST_S = 600.0
 PATIENCE_S = 60.0
 """How long that may take."""
 
+GUARDED = "guarded object"
+"""The type of target that says how hard may be pressed: who places one means to touch something (D25)."""
+
+_TOUCHES = ("workcell.touches", "workcell.carried_touches")
 _LOOK_S = 0.05
 
 
@@ -73,6 +77,7 @@ class Forecast:
         self._runtime: LaunchedRuntime | None = None
         self._is_ended = False
         self._began: dict[int, list[tuple[float, int]]] = {}
+        self._guarded = {(target.flow, target.action) for target in targets if target.kind == GUARDED}
         self.result = ForecastResult()
 
     @property
@@ -146,15 +151,20 @@ class Forecast:
         if isinstance(message, event.Began):
             self._began.setdefault(message.flow, []).append((message.at_s, message.index))
         elif isinstance(message, event.Mishap):
-            action = self._action(message.devices, message.at_s)
-            self.result.mishaps.append(
-                ForeseenMishap(message.text, message.at_s, action, message.world, message.poses, message.lit)
-            )
+            spot = self._spot(message.devices, message.at_s)
+            if spot not in self._guarded or message.text.key not in _TOUCHES:
+                action = None if spot is None else self._plan.flows[spot[0]].actions[spot[1]]
+                self.result.mishaps.append(
+                    ForeseenMishap(message.text, message.at_s, action, message.world, message.poses, message.lit)
+                )
         at_s = getattr(message, "at_s", 0.0)
         self.result.lasts_s = max(self.result.lasts_s, at_s)
 
-    def _action(self, devices: tuple[str, ...], at_s: float) -> PlannedAction | None:
-        """The action in which something happened to devices: of the flow that moves them, else of any."""
+    def _spot(self, devices: tuple[str, ...], at_s: float) -> tuple[int, int] | None:
+        """The action in which something happened to devices: of the flow that moves them, else of any.
+
+        It is named by its flow and its number there.
+        """
         own = [
             number
             for number, flow in enumerate(self._plan.flows)
@@ -164,7 +174,7 @@ class Forecast:
         if not present:
             return None
         _, number, index = max(present)
-        return self._plan.flows[number].actions[index]
+        return number, index
 
     def _at(self, number: int, at_s: float) -> list[tuple[float, int, int]]:
         """The action of a flow that had begun last by then: since when, in which flow, and which one."""

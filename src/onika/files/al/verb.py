@@ -15,7 +15,14 @@ HANDS = ("OPEN", "CLOSE")
 ANY = "DO"
 """The verb that fits every action."""
 
-_BY_TYPE = (("joint", "DRIVE"), ("cartesian", "MOVE"), ("relative", "MOVE"), ("path", "MOVE"), ("pause", "PAUSE"))
+_BY_TYPE = (
+    ("joint", "DRIVE"),
+    ("cartesian", "MOVE"),
+    ("relative", "MOVE"),
+    ("guarded", "MOVE"),
+    ("path", "MOVE"),
+    ("pause", "PAUSE"),
+)
 _BY_NAME = (("open", "OPEN"), ("close", "CLOSE"))
 
 
