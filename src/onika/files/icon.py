@@ -54,7 +54,7 @@ def read_icon(
     description = by_keyword["DESC"][0].text if by_keyword["DESC"] else ""
     more = tuple(_target(target, kind, is_own, syntax, reading) for target in by_keyword["TARGET"])
     words = _words_in(by_keyword["DESCIN"], reading)
-    arm = _arm(by_keyword["ARM"][0], kind, reading) if by_keyword["ARM"] else ""
+    arm = _arm(by_keyword["ARM"], kind, reading)
     return Onikon(name, kind.name if is_own else line.text, description, values, picture, more, words, arm)
 
 
@@ -103,8 +103,11 @@ def needs_extension(onikon: Onikon) -> bool:
     return bool(onikon.more_targets or onikon.words or onikon.arm or onikon.picture.is_larger)
 
 
-def _arm(line: FileLine, kind: IconType, reading: TextReading) -> str:
-    """The task of the arm that a target was made for."""
+def _arm(lines: Sequence[FileLine], kind: IconType, reading: TextReading) -> str:
+    """The task of the arm that a target was made for; empty: none is named."""
+    if not lines:
+        return ""
+    line = lines[0]
     if not kind.is_target:
         reading.fault(line.number, Reason.of("files.arm_of_target", name=kind.name, line=str(line)))
     elif not TASK_NAME.fullmatch(line.rest):

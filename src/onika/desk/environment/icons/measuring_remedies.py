@@ -36,14 +36,19 @@ def _ways(model: Model, wanted: frozenset[str], kind: IconType) -> Iterator[Reme
     for document, _ in able:
         if document.live is None:
             yield Remedy(Reason.of("desk.connect", name=document.name), act.Connect(document.id))
-    opened = {str(document.opened.path) for document in documents if document.opened}
+    for path in _files(model, wanted, kind):
+        yield Remedy(Reason.of("desk.open_file", name=Path(path).stem), act.Open(path))
+
+
+def _files(model: Model, wanted: frozenset[str], kind: IconType) -> Iterator[str]:
+    """The configurations that could be opened: jobs of the target first, then those of few tasks."""
+    opened = {str(document.opened.path) for document in model.documents.values() if document.opened}
     able_files: list[tuple[bool, int, str]] = []
     for path, source in model.sources.items():
         placed = source.tasks(model.libraries.tasks) if isinstance(source, Configuration) else {}
         if path not in opened and _writers(placed, wanted):
             able_files.append((not _is_job_of(placed, kind, model), len(placed), path))
-    for _, _, path in sorted(able_files):
-        yield Remedy(Reason.of("desk.open_file", name=Path(path).stem), act.Open(path))
+    yield from (path for _, _, path in sorted(able_files))
 
 
 def _is_job_of(tasks: Mapping[str, Task], kind: IconType, model: Model) -> bool:

@@ -49,12 +49,7 @@ def make_target(model: Model, command: act.MakeTarget, outside: Services) -> Don
     taken = _taken(model, command, home, outside.site)
     if taken:
         return taken
-    typed, picture = target_values.checked(items_of(model, kind.name), command.values), painted(command.picture)
-    if not isinstance(typed, tuple) or not isinstance(picture, Picture):
-        raise TypeError(f"expected what was looked at before, found {typed!r}")
-    arm = command.arm if kind.is_target else ""
-    description = " ".join(command.description.split())
-    onikon = Onikon(command.name, kind.name, description, typed, picture, arm=arm)
+    onikon = _made(model, command, kind)
     former = home.open_onikon(command.name, model.syntax)[0] if model.syntax and command.overwrites else None
     before = FileText.of(home.onikon_file(command.name))
     saved = home.save_onikon(onikon, former, overwrites=command.overwrites)
@@ -67,6 +62,15 @@ def make_target(model: Model, command: act.MakeTarget, outside: Services) -> Don
         now = _placed_last(now, home, command.name, outside.site)
     step = own_step(Reason.of("run.making_target", name=command.name), before, FileText.of(saved.path))
     return Done(now, value=command.name, says=(page.Say("success", text),), own=step)
+
+
+def _made(model: Model, command: act.MakeTarget, kind: IconType) -> Onikon:
+    """The icon, where nothing is wrong with its values and its picture; else raises TypeError."""
+    typed, picture = target_values.checked(items_of(model, kind.name), command.values), painted(command.picture)
+    if not isinstance(typed, tuple) or not isinstance(picture, Picture):
+        raise TypeError(f"expected what was looked at before, found {typed!r}")
+    arm = command.arm if kind.is_target else ""
+    return Onikon(command.name, kind.name, " ".join(command.description.split()), typed, picture, arm=arm)
 
 
 def _placed_last(model: Model, home: BaseDirectory, name: str, site: Site) -> Model:
