@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from onika.laws.arrival import Arrival
 from onika.laws.frames import pose_of_nine
 from onika.laws.path import StraightLine, quintic
 from onika.laws.sentence import sentence_of
@@ -11,8 +12,6 @@ QUIET = 0.05  # s: how long the force is looked at from which pressing is counte
 EASED = 0.5  # share of the limit at which what was met is pressed on no more than that
 TURNS = 0.02
 BACK = 0.2  # share of its pace with which it goes back
-NEAR = 1e-3  # m, and parts of unit vectors
-STILL = 2e-3  # m/s
 
 
 class Cguard(Module):
@@ -59,11 +58,11 @@ class Cguard(Module):
 
     def on(self, inputs):
         try:
-            self._end = pose_of_nine(inputs.pose)
+            end = pose_of_nine(inputs.pose)
         except ValueError as wrong:
             raise AskAgain(sentence_of(wrong)) from None
         start = (self.X_REF if self.continues("X_REF") else self.X_MEZ).copy()
-        self._line = StraightLine(start, self._end)
+        self._line = StraightLine(start, end)
         shortest = self._line.duration(self.SPEED, self.TURN)
         if inputs.duration < shortest * (1.0 - 1e-9):
             self.warn(
@@ -74,7 +73,7 @@ class Cguard(Module):
         self._time, self._duration = 0.0, max(inputs.duration, shortest)
         self._force, self._torque = inputs.force, inputs.torque
         self._at_first, self._looks, self._has_met, self._pace = np.zeros(6), 0, False, 1.0
-        self._last = self.X_MEZ.copy()
+        self._arrival = Arrival.of_tool(end, self.X_MEZ, self.SETTLE)
         self.X_REF = start
 
     def cycle(self):
@@ -85,13 +84,8 @@ class Cguard(Module):
             return self._ease(pressed)
         self._time += self.dt
         self._line.at(quintic(self._time, self._duration)[0], out=self.X_REF)
-        over = self._time - self._duration
-        if over < -2.0 * self.dt:
-            return None  # far from the end nobody asks whether the arm stands still
-        rests = self._rests()
-        if over >= self.SETTLE or (over >= 0.0 and rests):
-            return finish()
-        return None
+        is_over = self._arrival.is_over(self._time - self._duration, self.X_MEZ, self.dt)
+        return finish() if is_over else None
 
     def get(self, name):
         if name == "progress":
@@ -129,8 +123,3 @@ class Cguard(Module):
         self._time = max(self._time + self._pace * self.dt, 0.0)
         self._line.at(quintic(self._time, self._duration)[0], out=self.X_REF)
         return None
-
-    def _rests(self):
-        moved = np.abs(self.X_MEZ - self._last).max()
-        self._last[:] = self.X_MEZ
-        return moved < STILL * self.dt and np.abs(self.X_MEZ - self._end).max() < NEAR
