@@ -24,13 +24,16 @@ class FrameBuffer:
         self._values: dict[str, Any] = {}
         self._figures: dict[str, dict[str, Any]] = {}
         self._poses: dict[str, Any] = {}
+        self._model: Model | None = None
+        self._keys: dict[str, tuple[str, ...]] = {}
 
     def put(self, readings: Mapping[str, bytes], figures: live.Figures | None, model: Model) -> None:
         """What has come."""
         if not readings and figures is None:
             return
-        homes = {**homes_of(model), **homes_within(model)}
-        rows = {} if figures is None else self._tally.add(figures, homes)
+        rows = {} if figures is None else self._tally.add(figures, {**homes_of(model), **homes_within(model)})
+        if model is not self._model:
+            self._model, self._keys = model, {}
         with self._lock:
             self._figures |= rows
             for key, body in readings.items():
@@ -57,7 +60,10 @@ class FrameBuffer:
             self._poses[key.removeprefix(_WORLD)] = {"rows": _rows(taken.rows), "lit": taken.lit}
             return
         self._at_s = taken.now_ns * 1e-9
-        for shown in keys_of(model, key):
+        keys = self._keys.get(key)
+        if keys is None:
+            keys = self._keys[key] = keys_of(model, key)
+        for shown in keys:
             self._values[shown] = taken.value
 
 

@@ -16,6 +16,7 @@ from onika.desk.environment.reconcile import runtime_loss
 from onika.desk.environment.reconcile.loop_watchdog import LoopWatchdog
 from onika.desk.environment.reconcile.multiplexer import Multiplexer
 from onika.desk.environment.reconcile.watches import Watch
+from onika.desk.environment.state.model import Model
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.desk.run.runtime_conversation import RuntimeConversation, in_short
 from onika.link.lost import LinkLost
@@ -62,6 +63,7 @@ class RuntimeThread:
         self._environment: Environment | None = None
         self._vouch = LoopWatchdog(post, self._ring, monotonic)
         self._watching = Watch()
+        self._attended: tuple[Watch, Model] | None = None
         self._frames = FrameBuffer()
 
     # -- from any thread
@@ -174,7 +176,7 @@ class RuntimeThread:
         if multiplexer is None or environment is None:
             return
         try:
-            multiplexer.attend(self._watching.attend(environment.model))
+            self._attend(multiplexer, self._watching, environment.model)
             came = multiplexer.hear()
         except LinkLost as lost:
             self._lose(multiplexer, lost.reason)
@@ -188,6 +190,12 @@ class RuntimeThread:
         if multiplexer.figures is not None:
             loads, cycles_us = multiplexer.figures.loads, multiplexer.figures.cycles_us
             self._post(lambda: environment.become(lambda model: runtime_loss.with_loads(model, loads, cycles_us)))
+
+    def _attend(self, multiplexer: Multiplexer, watch: Watch, model: Model) -> None:
+        """What is listened to follows from these two alone; neither changes in place."""
+        before, self._attended = self._attended, (watch, model)
+        if before is None or before[0] is not watch or before[1] is not model:
+            multiplexer.attend(watch.attend(model))
 
     def _reach(self, reach: RequiredRuntime) -> Reason:
         """Have the runtime there; why it is not, else nothing."""
@@ -208,7 +216,7 @@ class RuntimeThread:
             return reason_of(wrong)
         self._url = reach.url
         self._tokens[reach.url] = token
-        self._multiplexer = Multiplexer(self._runtime, monotonic)
+        self._multiplexer, self._attended = Multiplexer(self._runtime, monotonic), None
         self._frames.clear()
         return NOTHING
 
