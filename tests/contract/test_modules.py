@@ -3,6 +3,7 @@
 import ast
 import re
 import sys
+import tempfile
 from pathlib import Path
 
 import numpy as np
@@ -39,7 +40,12 @@ KNOWN = {
 }
 """Constants of a real robot for whoever reads them; hardware says its own."""
 
-LINES = {"ctraj": "0 0 -1 0 1 0 0.7 0 -0.2 1"}
+LINES = {
+    "ctraj": "0 0 -1 0 1 0 0.7 0 -0.2 1",
+    "open_folder": str(HERE),
+    "copy_files": tempfile.gettempdir(),
+    "list_files": f"{tempfile.gettempdir()}/never_written.csv",
+}
 """Argument lines of modules that random numbers within bounds do not satisfy."""
 
 
