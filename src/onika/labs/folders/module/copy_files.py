@@ -46,7 +46,9 @@ class CopyFiles(Module):
         try:
             target.mkdir(parents=True, exist_ok=True)
         except OSError as wrong:
-            raise AskAgain("expected a folder, found {folder}: {why}", folder=str(target), why=wrong.strerror) from None
+            raise AskAgain(
+                "expected a folder, found {folder}: {why}", folder=str(target), why=wrong.strerror or str(wrong)
+            ) from None
         if target.resolve() == Path(self.FOLDER).resolve():
             raise AskAgain("expected another folder than the one the files are in, found {folder}", folder=str(target))
         self.NEXT_FOLDER, self.NEXT_FILES = self.FOLDER, self.FILES

@@ -34,7 +34,9 @@ class OpenFolder(Module):
             files = sorted(path.name for path in folder.iterdir() if path.is_file() and not path.name.startswith("."))
             written = os.fsencode("".join(f"{name}/" for name in files))
         except OSError as wrong:
-            raise AskAgain("expected a folder, found {folder}: {why}", folder=str(folder), why=wrong.strerror) from None
+            raise AskAgain(
+                "expected a folder, found {folder}: {why}", folder=str(folder), why=wrong.strerror or str(wrong)
+            ) from None
         if len(written) > self.NEXT_FILES.size:
             raise AskAgain("expected fewer files, found {count} in {folder}", count=len(files), folder=str(folder))
         self.NEXT_FOLDER = str(folder)
