@@ -6,8 +6,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from hypothesis import strategies as st
+from tests.files import workcell_models
 
-from onika.files import appl, buttons, conf, onk, picture, preferences, rmod, syntax
+from onika.files import appl, buttons, conf, onk, picture, preferences, rmod, robot, syntax, world
 from onika.files.rmod import RmodText
 from onika.model.application import AppFlow, Application, Branch, Hole, Icon
 from onika.model.button import Button
@@ -267,6 +268,8 @@ class Format:
     read: Callable[[str], tuple[Any, tuple[Fault, ...]]]
     is_extended: bool = False
     """Whether it has lines of version 2.0."""
+    is_ours: bool = False
+    """Whether it has no other lines: it is no format of Appendix A."""
 
 
 def _read_task(text: str) -> tuple[Any, tuple[Fault, ...]]:
@@ -296,4 +299,22 @@ FORMATS = [
     Format("preferences", ".onika", all_preferences, preferences.write, lambda text: preferences.read(text, "p", "f")),
     Format("buttons", ".onika.buttons", all_buttons, buttons.write, lambda text: buttons.read(text, "b", "f")),
     Format("picture", "picture.dta", pictures, picture.write, lambda text: picture.read(text, "p", "f")),
+    Format(
+        "robot",
+        robot.ENDING,
+        workcell_models.robots(),
+        robot.write,
+        lambda text: robot.read(text, "r", "f"),
+        True,
+        True,
+    ),
+    Format(
+        "world",
+        world.ENDING,
+        workcell_models.worlds(),
+        world.write,
+        lambda text: world.read(text, "w", "f"),
+        True,
+        True,
+    ),
 ]

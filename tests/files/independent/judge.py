@@ -11,10 +11,12 @@ from onika.model.onikon import Onikon
 from onika.model.own_lines import OwnLines
 from onika.model.picture import Picture
 from onika.model.preferences import Preferences
+from onika.model.robot import Robot, RobotArm, RobotAxes, RobotDevice
 from onika.model.syntax import Syntax
 from onika.model.task import Task, TaskType
+from onika.model.world import Spot, WorldBlock, WorldLamp, WorldPart, WorldPlace, WorldSwitch, WorldText
 
-from . import application, configuration, icon, installation, parameters
+from . import application, configuration, icon, installation, parameters, workcell
 
 Plain = Any
 
@@ -35,6 +37,8 @@ def naive_readers(syntax: Syntax) -> dict[str, Callable[[str], Plain]]:
         "preferences": lambda text: {**plain_preferences(Preferences()), **installation.preferences(text)},
         "buttons": installation.buttons,
         "picture": installation.picture,
+        "robot": workcell.robot,
+        "world": workcell.world,
     }
 
 
@@ -56,6 +60,10 @@ def plain(model: Any) -> Plain:
             return plain_preferences(model)
         case Picture():
             return list(model.rows)
+        case Robot():
+            return _robot(model)
+        case WorldText():
+            return _world(model)
         case None:
             return None
         case _:
@@ -154,3 +162,43 @@ def plain_preferences(of: Preferences) -> dict[str, Any]:
         "RATE": "period" if of.shows_period else "frequency",
         "STATINFO": list(of.status_columns),
     }
+
+
+def _robot(robot: Robot) -> dict[str, Any]:
+    hand = (robot.hand, robot.on) if robot.hand else None
+    devices = [_device(device) for device in robot.devices]
+    return {"DESC": robot.description, "FILE": robot.file, "HAND": hand, "devices": devices}
+
+
+def _device(device: RobotDevice) -> tuple[str, str, dict[str, Any]]:
+    if isinstance(device, RobotArm):
+        lines: dict[str, Any] = {"TOOL": (device.tool, list(device.offset)), "APPROACH": device.approach}
+        lines |= {"FINGERS": device.fingers, "FROM": device.start, "DRIVE": device.drive, "HOME": list(device.home)}
+        lines |= {"SPEED": list(device.speed), "TORQUE": list(device.torque), "ARMATURE": device.armature}
+        return "ARM", device.name, lines
+    if isinstance(device, RobotAxes):
+        return "AXES", device.name, {"MOVES": list(device.moves), "DRIVE": device.drive}
+    lines = {"MOVES": list(device.moves), "OPEN": list(device.open), "CLOSED": list(device.closed)}
+    return "GRIPPER", device.name, {**lines, "FORCE": list(device.force)}
+
+
+def _world(world: WorldText) -> dict[str, Any]:
+    head = {"DESC": world.description, "STEP": world.step_s, "GRAVITY": world.gravity, "CONTACT": world.contact}
+    return {**head, "FLOOR": world.floor, "blocks": [_block(block) for block in world.blocks]}
+
+
+def _block(block: WorldBlock) -> tuple[str, str, dict[str, Any]]:
+    match block:
+        case WorldPart():
+            return "PART", block.name, {"FILE": block.file, **_spot(block.spot), "FREE": block.free}
+        case WorldPlace():
+            return "PLACE", block.name, {"ROBOTS": list(block.robots), **_spot(block.spot)}
+        case WorldSwitch():
+            return "SWITCH", block.name, {"NEAR": block.near, "PRESSED": block.pressed}
+        case WorldLamp():
+            return "LAMP", block.name, {"WHEN": list(block.when), "SHINES": list(block.shines)}
+    return "BUTTON", block.name, {"STOPS": list(block.stops)}
+
+
+def _spot(spot: Spot) -> dict[str, Any]:
+    return {"AT": list(spot.at), "ON": spot.on}

@@ -1,0 +1,166 @@
+"""The file of a robot, `robot/NAME.robot`: a format of our own (requirement X19)."""
+
+from collections.abc import Sequence
+
+from onika.files.block_words import BlockWords, number_row, text_row
+from onika.files.layout import carry_comments
+from onika.files.line import FileLine, row, show_number, split
+from onika.files.text_reading import KeywordSlot, Need, TextReading
+from onika.files.version import EXTENDED
+from onika.model.robot import AXIS_WORDS, DRIVES, Robot, RobotArm, RobotAxes, RobotDevice, RobotGripper
+from onika.words.fault import Fault
+from onika.words.reason import Reason
+
+ENDING = ".robot"
+
+_HEAD = (
+    KeywordSlot("VERSION"),
+    KeywordSlot("DESC", Need.OPTIONAL),
+    KeywordSlot("FILE"),
+    KeywordSlot("HAND", Need.OPTIONAL),
+    KeywordSlot("ON", Need.OPTIONAL),
+)
+_ARM = (
+    KeywordSlot("ARM"),
+    KeywordSlot("TOOL"),
+    *(
+        KeywordSlot(keyword, Need.OPTIONAL)
+        for keyword in ("APPROACH", "FINGERS", "FROM", "DRIVE", "HOME", "SPEED", "TORQUE", "ARMATURE")
+    ),
+)
+_AXES = (KeywordSlot("AXES"), KeywordSlot("MOVES"), KeywordSlot("DRIVE", Need.OPTIONAL))
+_GRIPPER = (
+    KeywordSlot("GRIPPER"),
+    KeywordSlot("MOVES"),
+    KeywordSlot("OPEN"),
+    KeywordSlot("CLOSED"),
+    KeywordSlot("FORCE", Need.OPTIONAL),
+)
+_SPEED_LEAST = 1e-6
+
+
+def read(text: str, name: str, place_file: str) -> tuple[Robot | None, tuple[Fault, ...]]:
+    """The robot `name` of a text; with any fault it is left out."""
+    reading = TextReading(place_file, Reason.of("files.robot_left_out"))
+    reading.open_versioned(text, extended=True)
+    if reading.is_over:
+        return None, reading.faults
+    head, *blocks = split(reading.lines, {"ARM", "AXES", "GRIPPER"})
+    words = BlockWords(head, _HEAD, reading)
+    if reading.lines and not reading.is_extended:
+        reading.fault(reading.lines[0].number, Reason.of("files.version_of_ours", extended=EXTENDED))
+    hand, on = words.file("HAND"), words.word("ON", Reason.of("files.name_of_site"))
+    if words.has("HAND") != words.has("ON"):
+        words.wrong("HAND" if words.has("HAND") else "ON", Reason.of("files.hand_and_site"))
+    devices = tuple(_device(block, reading) for block in blocks)
+    _check_twice(blocks, reading)
+    _check_moves(blocks, devices, reading)
+    robot = Robot(name, words.file("FILE"), words.text("DESC"), hand, on, devices, words.lines)
+    return (None if reading.broken else robot), reading.faults
+
+
+def write(robot: Robot, former: str = "") -> str:
+    """The text of a robot, with the comments of its former text."""
+    parts = [row("VERSION", EXTENDED), text_row("DESC", robot.description), row("FILE", robot.file)]
+    parts += [row("HAND", robot.hand), row("ON", robot.on)] if robot.hand else []
+    parts += ["\n" + _show(device) for device in robot.devices]
+    return carry_comments(former, "".join([*parts, "\n", row("EOF")]))
+
+
+def _show(device: RobotDevice) -> str:
+    match device:
+        case RobotArm():
+            return _show_arm(device)
+        case RobotAxes():
+            return row("AXES", device.name) + row("MOVES", *device.moves) + _show_drive(device.drive)
+    parts = [row("GRIPPER", device.name), row("MOVES", *device.moves)]
+    parts += [number_row("OPEN", device.open), number_row("CLOSED", device.closed)]
+    return "".join(parts) + (row("FORCE", *device.force) if device.force else "")
+
+
+def _show_arm(arm: RobotArm) -> str:
+    offset = map(show_number, arm.offset) if any(arm.offset) else ()
+    parts = [row("ARM", arm.name), row("TOOL", arm.tool, *offset)]
+    parts += [row("APPROACH", arm.approach)] if arm.approach != "z" else []
+    parts += [row("FINGERS", arm.fingers)] if arm.fingers != "y" else []
+    parts += [row("FROM", arm.start)] if arm.start else []
+    parts += [_show_drive(arm.drive)]
+    for keyword, numbers in (("HOME", arm.home), ("SPEED", arm.speed), ("TORQUE", arm.torque)):
+        parts += [number_row(keyword, numbers)] if numbers else []
+    parts += [] if arm.armature is None else [number_row("ARMATURE", (arm.armature,))]
+    return "".join(parts)
+
+
+def _show_drive(drive: str) -> str:
+    return "" if drive == DRIVES[0] else row("DRIVE", drive)
+
+
+def _device(block: Sequence[FileLine], reading: TextReading) -> RobotDevice:
+    match block[0].keyword:
+        case "ARM":
+            return _arm(BlockWords(block, _ARM, reading))
+        case "AXES":
+            words = BlockWords(block, _AXES, reading)
+            return RobotAxes(words.name("AXES"), _moves(words), words.choice("DRIVE", DRIVES), words.lines)
+    return _gripper(BlockWords(block, _GRIPPER, reading))
+
+
+def _moves(words: BlockWords) -> tuple[str, ...]:
+    return words.words("MOVES", Reason.of("files.names_of_actuators"))
+
+
+def _arm(words: BlockWords) -> RobotArm:
+    tool, offset = words.named_numbers("TOOL", Reason.of("files.tool_words"), 1, (0, 3))
+    approach = words.choice("APPROACH", ("z", *(axis for axis in AXIS_WORDS if axis != "z")))
+    fingers = words.choice("FINGERS", ("y", *(axis for axis in AXIS_WORDS if axis != "y")))
+    if approach[-1] == fingers[-1]:
+        words.wrong("FINGERS" if words.has("FINGERS") else "APPROACH", Reason.of("files.axes_alike", axis=fingers[-1]))
+    highest = Reason.of("files.numbers_above_0")
+    armature = words.number("ARMATURE", Reason.of("files.number_from_0"), 0.0, 0.0) if words.has("ARMATURE") else None
+    return RobotArm(
+        words.name("ARM"),
+        tool[0] if tool else "",
+        offset or (0.0, 0.0, 0.0),
+        approach,
+        fingers,
+        words.word("FROM", Reason.of("files.name_of_body")),
+        words.choice("DRIVE", DRIVES),
+        words.numbers("HOME", Reason.of("files.joint_values"), 0),
+        words.numbers("SPEED", highest, 0, low=_SPEED_LEAST),
+        words.numbers("TORQUE", highest, 0, low=_SPEED_LEAST),
+        armature,
+        words.lines,
+    )
+
+
+def _gripper(words: BlockWords) -> RobotGripper:
+    meaning = Reason.of("files.signal_and_width")
+    opened, closed = words.numbers("OPEN", meaning, 2), words.numbers("CLOSED", meaning, 2)
+    if opened and closed:
+        if opened[0] == closed[0]:
+            words.wrong("CLOSED", Reason.of("files.signals_alike", signal=closed[0]))
+        if opened[1] <= closed[1] or closed[1] < 0:
+            words.wrong("CLOSED", Reason.of("files.widths_reversed", closed=closed[1], open=opened[1]))
+    force = words.words("FORCE", Reason.of("files.names_of_sensors"))
+    return RobotGripper(words.name("GRIPPER"), _moves(words), opened, closed, force, words.lines)
+
+
+def _check_twice(blocks: Sequence[Sequence[FileLine]], reading: TextReading) -> None:
+    """Each name of a device once."""
+    seen: dict[str, int] = {}
+    for block in blocks:
+        first = seen.setdefault(block[0].rest, block[0].number)
+        if first != block[0].number:
+            reading.fault(block[0].number, Reason.of("files.every_name_once", given=str(block[0])))
+
+
+def _check_moves(blocks: Sequence[Sequence[FileLine]], devices: Sequence[RobotDevice], reading: TextReading) -> None:
+    """Each actuator in one device."""
+    homes: dict[str, str] = {}
+    for block, device in zip(blocks, devices, strict=True):
+        for actuator in () if isinstance(device, RobotArm) else device.moves:
+            other = homes.setdefault(actuator, device.name)
+            if other != device.name:
+                number = device.lines.get("MOVES", block[0].number)
+                reason = Reason.of("files.actuator_twice", actuator=actuator, device=device.name, other=other)
+                reading.fault(number, reason)

@@ -1,0 +1,94 @@
+"""A robot as its file says: its model, and which joints and actuators of it make a device (requirement X19).
+
+Names of sites, bodies, actuators and sensors are those of the model. What a line leaves out says the model, or a default.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+Numbers = tuple[float, ...]
+Lines = Mapping[str, int]
+"""Where each keyword of a block stands in its file; 0 for one that is not there."""
+
+DRIVES = ("position", "velocity", "torque")
+"""What a command to an arm, or to axes, is: joint values and speeds, speeds, or torques."""
+
+AXIS_WORDS = ("x", "y", "z", "-x", "-y", "-z")
+"""Directions in the frame of a tool's site or body."""
+
+
+def _no_lines() -> Lines:
+    return {}
+
+
+@dataclass(frozen=True, slots=True)
+class RobotArm:
+    """A chain of joints that moves a tool.
+
+    tool      a site or body below the last joint; `offset` from it in its frame (m)
+    approach  the direction in that frame in which the tool approaches, `fingers` the one along which fingers move
+    start     the body in which the chain begins; empty: the one above its first joint
+    home      joint values (rad; m where one slides); empty: the keyframe `home` of the model, else zero within limits
+    speed     highest joint speeds (rad/s; m/s), `torque` highest torques (N m; N); empty: as the model says
+    armature  inertia of the motors (kg m2; kg), added to each joint; None: as the model says
+    """
+
+    name: str
+    tool: str
+    offset: Numbers = (0.0, 0.0, 0.0)
+    approach: str = "z"
+    fingers: str = "y"
+    start: str = ""
+    drive: str = DRIVES[0]
+    home: Numbers = ()
+    speed: Numbers = ()
+    torque: Numbers = ()
+    armature: float | None = None
+    lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
+
+
+@dataclass(frozen=True, slots=True)
+class RobotAxes:
+    """Servos that are no chain, by their actuators: fingers, legs, lifts."""
+
+    name: str
+    moves: tuple[str, ...]
+    drive: str = DRIVES[0]
+    lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
+
+
+@dataclass(frozen=True, slots=True)
+class RobotGripper:
+    """A gripper by its actuators, which all take one signal.
+
+    open, closed   the signal, and how far apart the fingers then are (m)
+    force          sensors whose mean is the force of a finger (N); empty: that of the actuators
+    """
+
+    name: str
+    moves: tuple[str, ...]
+    open: Numbers
+    closed: Numbers
+    force: tuple[str, ...] = ()
+    lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
+
+
+RobotDevice = RobotArm | RobotAxes | RobotGripper
+
+
+@dataclass(frozen=True, slots=True)
+class Robot:
+    """What a `.robot` file says. `file` is the model, `hand` another one that is attached to it at the site `on`."""
+
+    name: str
+    file: str
+    description: str = ""
+    hand: str = ""
+    on: str = ""
+    devices: tuple[RobotDevice, ...] = ()
+    lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
+
+    @property
+    def models(self) -> tuple[str, ...]:
+        """The files of its models."""
+        return (self.file, self.hand) if self.hand else (self.file,)

@@ -1,0 +1,136 @@
+"""A world as its file says: what stands where, what moves freely, and what of it makes a device (requirement X19)."""
+
+from dataclasses import dataclass, field
+
+from onika.model.robot import Lines, Numbers
+
+UNNAMED = "-"
+"""In place of a name: things keep the names of their file, with nothing before them."""
+
+CONES = ("pyramidal", "elliptic")
+"""Shapes of the cone of friction."""
+
+STEP_S = 0.002
+GRAVITY = 9.81
+
+
+def _no_lines() -> Lines:
+    return {}
+
+
+@dataclass(frozen=True, slots=True)
+class Spot:
+    """Where something stands: x, y, z (m) and a turn about z (degrees), from the world's middle or from a site.
+
+    `on` is a site of another part as `PART.SITE`.
+    """
+
+    at: Numbers = (0.0, 0.0, 0.0, 0.0)
+    on: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class WorldPart:
+    """A thing from a model's file; `free`: it moves, and where things are shaken it is up to so many metres away."""
+
+    name: str
+    file: str
+    spot: Spot = Spot()
+    free: float | None = None
+    lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
+
+
+@dataclass(frozen=True, slots=True)
+class WorldPlace:
+    """A place where one robot stands; the first of `robots` does as long as nobody claims another one."""
+
+    name: str
+    robots: tuple[str, ...]
+    spot: Spot = Spot()
+    lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
+
+
+@dataclass(frozen=True, slots=True)
+class WorldSwitch:
+    """1 while all that it says holds, else 0.
+
+    near     two sites that are at most so many metres apart
+    pressed  a touch sensor that feels more than so many newtons
+    """
+
+    name: str
+    near: tuple[str, str, float] | None = None
+    pressed: tuple[str, float] | None = None
+    lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
+
+
+@dataclass(frozen=True, slots=True)
+class WorldLamp:
+    """A lamp that shines while all these switches are 1; `shines` are the shapes that are then lit."""
+
+    name: str
+    when: tuple[str, ...]
+    shines: tuple[str, ...] = ()
+    lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
+
+
+@dataclass(frozen=True, slots=True)
+class WorldButton:
+    """A panic button that a hand can press; it stops the robots at these places."""
+
+    name: str
+    stops: tuple[str, ...]
+    lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
+
+
+WorldBlock = WorldPart | WorldPlace | WorldSwitch | WorldLamp | WorldButton
+
+
+@dataclass(frozen=True, slots=True)
+class WorldText:
+    """What a `.world` file says.
+
+    step_s    one step of its physics (s)
+    gravity   acceleration of free fall (m/s2)
+    contact   the cone of friction, and how much firmer friction is than contact
+    floor     height of an endless floor (m); None: there is none
+    """
+
+    name: str
+    description: str = ""
+    step_s: float = STEP_S
+    gravity: float = GRAVITY
+    contact: tuple[str, float] = (CONES[0], 1.0)
+    floor: float | None = None
+    blocks: tuple[WorldBlock, ...] = ()
+    lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
+
+    @property
+    def parts(self) -> tuple[WorldPart, ...]:
+        """Its things."""
+        return tuple(block for block in self.blocks if isinstance(block, WorldPart))
+
+    @property
+    def places(self) -> tuple[WorldPlace, ...]:
+        """The places of its robots."""
+        return tuple(block for block in self.blocks if isinstance(block, WorldPlace))
+
+    @property
+    def switches(self) -> tuple[WorldSwitch, ...]:
+        """Its switches."""
+        return tuple(block for block in self.blocks if isinstance(block, WorldSwitch))
+
+    @property
+    def lamps(self) -> tuple[WorldLamp, ...]:
+        """Its lamps."""
+        return tuple(block for block in self.blocks if isinstance(block, WorldLamp))
+
+    @property
+    def buttons(self) -> tuple[WorldButton, ...]:
+        """Its panic buttons."""
+        return tuple(block for block in self.blocks if isinstance(block, WorldButton))
+
+    @property
+    def robots(self) -> tuple[str, ...]:
+        """The robots that stand, or may stand, in it, each once."""
+        return tuple(dict.fromkeys(robot for place in self.places for robot in place.robots))

@@ -1,0 +1,90 @@
+"""Values of the formats of robots and worlds, each field of each drawn."""
+
+import string
+
+from hypothesis import strategies as st
+
+from onika.model.robot import AXIS_WORDS, DRIVES, Robot, RobotArm, RobotAxes, RobotGripper
+from onika.model.world import (
+    CONES,
+    UNNAMED,
+    Spot,
+    WorldButton,
+    WorldLamp,
+    WorldPart,
+    WorldPlace,
+    WorldSwitch,
+    WorldText,
+)
+
+names = st.from_regex(r"[A-Za-z][A-Za-z0-9_-]{0,8}", fullmatch=True)
+words = st.text(string.ascii_letters + string.digits + '#=".-+/:', min_size=1, max_size=8)
+prose = st.text(string.ascii_letters + "é-", max_size=20).map(lambda text: " ".join(text.split()))
+files = st.from_regex(r"[a-z]{1,5}(/[a-z]{1,5})?( [a-z]{1,3})?\.(xml|urdf)", fullmatch=True)
+numbers = st.floats(-1e6, 1e6).map(lambda number: number + 0.0)
+above = st.floats(1e-6, 1e6)
+from_0 = st.floats(0.0, 1e6).map(lambda number: number + 0.0)
+some_words = st.lists(words, min_size=1, max_size=3, unique=True).map(tuple)
+vectors = st.tuples(numbers, numbers, numbers)
+drives = st.sampled_from(DRIVES)
+
+
+def _rows(of: st.SearchStrategy[float]) -> st.SearchStrategy[tuple[float, ...]]:
+    return st.lists(of, max_size=4).map(tuple)
+
+
+@st.composite
+def _arms(draw: st.DrawFn, name: str) -> RobotArm:
+    approach = draw(st.sampled_from(AXIS_WORDS))
+    fingers = draw(st.sampled_from([axis for axis in AXIS_WORDS if axis[-1] != approach[-1]]))
+    offset = draw(st.just((0.0, 0.0, 0.0)) | vectors)
+    start, drive, armature = draw(st.just("") | words), draw(drives), draw(st.none() | from_0)
+    rows = draw(_rows(numbers)), draw(_rows(above)), draw(_rows(above))
+    return RobotArm(name, draw(words), offset, approach, fingers, start, drive, *rows, armature)
+
+
+@st.composite
+def _grippers(draw: st.DrawFn, name: str, moves: tuple[str, ...]) -> RobotGripper:
+    signals = draw(st.tuples(numbers, numbers).filter(lambda pair: pair[0] != pair[1]))
+    closed, opened = draw(st.tuples(from_0, from_0).map(sorted).filter(lambda pair: pair[0] < pair[1]))
+    force = draw(st.just(()) | some_words)
+    return RobotGripper(name, moves, (signals[0], opened), (signals[1], closed), force)
+
+
+@st.composite
+def robots(draw: st.DrawFn) -> Robot:
+    titles = draw(st.lists(names, max_size=3, unique=True))
+    devices = []
+    for number, title in enumerate(titles):
+        moves = tuple(f"{word}{number}" for word in draw(some_words))
+        axes = st.builds(RobotAxes, st.just(title), st.just(moves), drives)
+        devices.append(draw(_arms(title) | axes | _grippers(title, moves)))
+    hand = draw(st.just(("", "")) | st.tuples(files, words))
+    return Robot("r", draw(files), draw(prose), *hand, tuple(devices))
+
+
+@st.composite
+def worlds(draw: st.DrawFn) -> WorldText:
+    titles = draw(st.lists(names, min_size=8, max_size=8, unique=True))
+    parts = [titles[0], draw(st.sampled_from([UNNAMED, titles[1]]))][: draw(st.integers(0, 2))]
+    on = st.just("") | (st.just(f"{parts[0]}.top") if len(parts) > 1 else st.just(""))
+    ats = st.just((0.0,) * 4) | st.tuples(numbers, numbers, numbers, numbers)
+    blocks: list[WorldPart | WorldPlace | WorldSwitch | WorldLamp | WorldButton] = [
+        WorldPart(part, draw(files), Spot(draw(ats), draw(on) if at else ""), draw(st.none() | from_0))
+        for at, part in enumerate(parts)
+    ]
+    robots = st.lists(names, min_size=1, max_size=3, unique=True).map(tuple)
+    places = titles[2 : 2 + draw(st.integers(0, 2))]
+    blocks += [WorldPlace(place, draw(robots), Spot(draw(ats), draw(on))) for place in places]
+    near = st.tuples(words, words, from_0)
+    switches = titles[4 : 4 + draw(st.integers(0, 2))]
+    blocks += [
+        draw(st.builds(WorldSwitch, st.just(switch), near, st.none() | st.tuples(words, from_0))) for switch in switches
+    ]
+    if switches:
+        blocks.append(WorldLamp(titles[6], tuple(switches), draw(st.just(()) | some_words)))
+    if places:
+        blocks.append(WorldButton(titles[7], tuple(places)))
+    contact = draw(st.tuples(st.sampled_from(CONES), st.floats(1e-3, 1e6)))
+    step, gravity, floor = draw(st.floats(1e-4, 0.02)), draw(from_0), draw(st.none() | numbers)
+    return WorldText("w", draw(prose), step, gravity, contact, floor, tuple(blocks))
