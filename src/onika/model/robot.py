@@ -1,6 +1,6 @@
 """A robot as its file says: its model, and which joints and actuators of it make a device (requirement X19).
 
-Names of sites, bodies, actuators and sensors are those of the model. What a line leaves out says the model, or a default.
+Names of sites, bodies, actuators and sensors are those of the model. Where a line is lacking, the model says it.
 """
 
 from collections.abc import Mapping
