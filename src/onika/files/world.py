@@ -176,7 +176,7 @@ def _known(names: Iterable[str], there: set[str], number: int, reading: TextRead
 
 def _check_attachments(world: WorldText, reading: TextReading) -> None:
     """What stands on a part, on which part it stands in the end: on one that is there, and never on itself."""
-    standing = (*world.parts, *world.places)
+    standing: tuple[WorldPart | WorldPlace, ...] = (*world.parts, *world.places)
     carriers: Mapping[str, str] = {
         block.name: block.spot.on.partition(".")[0] for block in world.parts if block.spot.on
     }

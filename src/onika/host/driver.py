@@ -8,6 +8,7 @@ from onika.host.recording.recorder import RecordedDriver
 from onika.host.subsystems.subsystem_registry import Tables
 from onika.host.units.unit_listener import UnitListener
 from onika.ring.drive import DriveMode
+from onika.wire.world_source import WorldSource
 from onika.words.reason import Reason
 
 
@@ -30,6 +31,15 @@ class Driver(Tables, InspectedDriver, RecordedDriver, Protocol):
 
     def expect(self, worlds: Iterable[str]) -> None:
         """These worlds will be opened; nothing waits for what is prepared for that."""
+        ...
+
+    def offer(self, worlds: Iterable[WorldSource]) -> None:
+        """These worlds are files; they are opened when a device of them is granted."""
+        ...
+
+    @property
+    def opened(self) -> Mapping[str, str]:
+        """The worlds that are open, each with what names the files that it was made of."""
         ...
 
     def listen(self, listener: UnitListener) -> None:

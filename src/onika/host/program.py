@@ -1,6 +1,6 @@
 """The runtime program: takes what sessions ask to where it is answered, and lets what runs go on."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from time import monotonic_ns
 
@@ -44,6 +44,8 @@ from onika.ring.segment import SharedMemoryRefused
 from onika.wire import holding, live, request, steer
 from onika.wire.foresight import WhatIf
 from onika.wire.samples import Sample
+from onika.wire.world_source import WorldSource
+from onika.words.fault import NOT_RUN, Fault, Place
 from onika.words.reason import Reason, reason_of
 
 
@@ -256,6 +258,7 @@ class RuntimeProgram:
         match message:
             case request.Prepare():
                 prepared = prepare(message.plan, message.targets, self._loading)
+                prepared.faults += self._offered(message.plan.worlds)
                 self.applications.take(session, prepared)
                 self._descriptions.keep(session, message)
                 resolved, worlds = tuple(prepared.resolved), prepared.worlds
@@ -285,6 +288,14 @@ class RuntimeProgram:
                 return request.Done()
         return self._by_hand(session, message)
 
+    def _offered(self, worlds: Iterable[WorldSource]) -> list[Fault]:
+        """Keep the files of worlds; one that is open and was made of others is told: it stays as it is."""
+        opened = self._driver.opened
+        others = [files for files in worlds if opened.get(files.world, files.digest) not in ("", files.digest)]
+        self._driver.offer(files for files in worlds if files not in others)
+        reasons = (Reason.of("host.world_of_other_files", world=files.world) for files in others)
+        return [Fault(Place(files.world), reason, NOT_RUN) for files, reason in zip(others, reasons, strict=True)]
+
     def _described(self, message: live.Describe | live.ListWorlds | live.Solve) -> request.Response:
         """What the code of modules or worlds says of itself."""
         if isinstance(message, live.Describe):
@@ -296,6 +307,8 @@ class RuntimeProgram:
     def _by_hand(self, session: str, message: request.Request) -> request.Response:
         match message:
             case live.Change():
+                if faults := self._offered(message.worlds):
+                    return refused(faults, [])
                 return self.authority.takes(session, message.subsystem, self._editor.change(message))
             case live.Reinit() | live.Swap() | live.Clear() | live.Write() | live.Close():
                 return self._edit(message)

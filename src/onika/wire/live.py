@@ -8,6 +8,7 @@ from onika.ring.displacement import Displacement
 from onika.wire.event import Asked
 from onika.wire.plan import Code, PlannedTask
 from onika.wire.sheet import ModuleSheet
+from onika.wire.world_source import WorldSource
 from onika.words.reason import NOTHING, Reason
 
 
@@ -34,6 +35,8 @@ class Change(Struct, frozen=True, tag=True):
     """Tasks and their new rates in hertz."""
     holds: bool = False
     """Whether all that is ON here may go OFF for a moment where a newcomer finds no gap between cycles otherwise."""
+    worlds: tuple[WorldSource, ...] = ()
+    """The files of the worlds in which newcomers have devices, of those that are files."""
 
 
 class Clear(Struct, frozen=True, tag=True):

@@ -4,6 +4,8 @@ from typing import Annotated
 
 from msgspec import Meta, Struct
 
+from onika.wire.world_source import WorldSource
+
 Index = Annotated[int, Meta(ge=-1, le=2**31 - 1)]
 """The number of an action, a flow, an instruction or a line, from 0; -1 where none of them is meant."""
 
@@ -152,9 +154,11 @@ class PlannedFlow(Struct, frozen=True):
     """The worlds that its tasks' files name, each with the one that is driven: another one where it is redirected."""
 
 
-class Plan(Struct, frozen=True):
+class Plan(Struct, frozen=True, omit_defaults=True):
     """Everything a runtime needs to run an application."""
 
     application: str
     flows: tuple[PlannedFlow, ...]
     code: tuple[Code, ...]
+    worlds: tuple[WorldSource, ...] = ()
+    """The files of the worlds in which its tasks have devices, of those that are files."""

@@ -156,7 +156,7 @@ class BoxesWorld(DrivenWorld):
         arms = self._arms.acting
         acting: list[DeviceUnit] = [unit for side in SIDES for unit in (arms[side], self._hands[side])] + [self._lamp]
         for button in self._buttons.values():
-            button.unit = arms[button.unit.side]
+            button.units = tuple(arms[unit.side] for unit in button.units)
         self._bind_units(acting, [unit for unit in acting if unit.side in ("", *self._sides)])
 
     def _begin(self) -> None:

@@ -142,7 +142,9 @@ class DrivenWorld:
                 Reason.of("workcell.part", name=other.name, takes=other.takes) for other in self._buttons.values()
             )
             raise ValueError(Reason.of("workcell.no_such_part", parts=parts, part=part))
-        self._feed(button.unit, button.put(value))
+        drive_input = button.put(value)
+        for unit in button.units:
+            self._feed(unit, drive_input)
 
     def take_events(self) -> list[DriveEvent]:
         """The changes of drives since the last call, oldest first."""
@@ -182,8 +184,8 @@ class DrivenWorld:
 
     def _press_again(self) -> None:
         for button in self._buttons.values():
-            if button.is_pressed:
-                self._feed(button.unit, DriveInput.PRESS)
+            for unit in button.units if button.is_pressed else ():
+                self._feed(unit, DriveInput.PRESS)
 
     def _listen(self, now: int) -> None:
         for unit in self._acting:

@@ -8,13 +8,13 @@ PRESSED, LET_GO = 1.0, 0.0
 
 
 class PanicButton:
-    """A button that stays as it was put. `name` is what it is called in its world, `unit` whose drive it stops."""
+    """A button that stays as it was put. `name` is what it is called in its world, `units` whose drives it stops."""
 
     takes = Reason.of("workcell.button_takes")
 
-    def __init__(self, unit: DeviceUnit) -> None:
-        self.name = f"panic_{unit.side}"
-        self.unit = unit
+    def __init__(self, *units: DeviceUnit, name: str = "") -> None:
+        self.name = name or f"panic_{units[0].side}"
+        self.units = units
         self.is_pressed = False
 
     def put(self, value: float) -> DriveInput:

@@ -10,8 +10,9 @@ _FEELING, _NUMB = 0, int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
 class Plant:
     """One model and its data. Arrays handed out are views that live as long as the plant."""
 
-    def __init__(self, text: str) -> None:
-        self.model = mujoco.MjModel.from_xml_string(text)
+    def __init__(self, source: str | mujoco.MjModel) -> None:
+        """Of a document in MJCF, or of a model that is compiled already."""
+        self.model = mujoco.MjModel.from_xml_string(source) if isinstance(source, str) else source
         self.data = mujoco.MjData(self.model)
         self._option = self.model.opt
 

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import mujoco
+import numpy as np
 
 from onika.workcell.plant import Plant
 
@@ -12,8 +13,8 @@ from onika.workcell.plant import Plant
 class Shape3d:
     """One shape on a body: its kind, half sizes and place in the body's frame (m), quaternion (w, x, y, z), colour.
 
-    Half sizes: box x y z; sphere r; cylinder and capsule r, half length along z; ellipsoid the three radii; plane x y
-    (0 is endless). Bodies are numbered as the rows of poses; body 0 is the world.
+    Half sizes: box (and the box around a mesh) x y z; sphere r; cylinder and capsule r, half length along z; ellipsoid
+    the three radii; plane x y (0 is endless). Bodies are numbered as the rows of poses; body 0 is the world.
     """
 
     name: str
@@ -51,19 +52,28 @@ def shapes(plant: Plant) -> list[Shape3d]:
 
 
 def _shape(model: Any, k: int) -> Shape3d:
-    paint = model.material(int(model.geom_matid[k]))
-    body = int(model.geom_bodyid[k])
+    body, material = int(model.geom_bodyid[k]), int(model.geom_matid[k])
+    rgba = model.geom_rgba[k] if material < 0 else model.mat_rgba[material]
     return Shape3d(
         model.geom(k).name,
         body,
-        mujoco.mjtGeom(int(model.geom_type[k])).name.removeprefix("mjGEOM_").lower(),
-        tuple(model.geom_size[k].tolist()),
-        tuple(model.geom_pos[k].tolist()),
-        tuple(model.geom_quat[k].tolist()),
-        tuple(paint.rgba.tolist()),
-        paint.name,
+        *_form(model, k),
+        tuple(rgba.tolist()),
+        model.material(material).name if material >= 0 else "",
         _hinge(model, body) if k == model.body_geomadr[body] else None,
     )
+
+
+def _form(model: Any, k: int) -> tuple[str, tuple[float, ...], tuple[float, ...], tuple[float, ...]]:
+    """Kind, half sizes, place and quaternion; a mesh is the box around it."""
+    kind = mujoco.mjtGeom(int(model.geom_type[k]))
+    size, place = model.geom_size[k], model.geom_pos[k]
+    if kind is mujoco.mjtGeom.mjGEOM_MESH:
+        turn, middle = np.zeros(9), model.geom_aabb[k][:3]
+        mujoco.mju_quat2Mat(turn, model.geom_quat[k])
+        kind, size, place = mujoco.mjtGeom.mjGEOM_BOX, model.geom_aabb[k][3:], place + turn.reshape(3, 3) @ middle
+    name = kind.name.removeprefix("mjGEOM_").lower()
+    return name, tuple(size.tolist()), tuple(place.tolist()), tuple(model.geom_quat[k].tolist())
 
 
 def _hinge(model: Any, body: int) -> Hinge3d | None:

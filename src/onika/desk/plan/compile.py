@@ -12,14 +12,20 @@ from onika.model.rules.redirection import redirected
 from onika.model.rules.worlds import relocated, worlds_of
 from onika.model.syntax import Syntax
 from onika.model.task import Task
+from onika.store.opened_text import Faults
 from onika.store.program import ApplicationProgram
 from onika.wire.plan import Code, Plan, PlannedAction, PlannedFlow, PlannedTask
 from onika.wire.request import TargetValues
+from onika.wire.world_source import WorldSource
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
 from onika.words.value import Value
 
 UNKNOWN = "unknown"
+
+
+def _no_files(_world: str) -> tuple[WorldSource | None, Faults]:
+    return None, ()
 
 
 class Compiler:
@@ -28,6 +34,7 @@ class Compiler:
     places      the `.rmod` files of the tasks
     file_of     the file of a nested application
     redirects   the tasks that stand for others
+    worlds      the files of a world, where it is made of some, and what is wrong with them
     """
 
     def __init__(
@@ -38,7 +45,9 @@ class Compiler:
         places: Mapping[str, str],
         file_of: Callable[[str], str] = lambda name: f"{name}.appl",
         redirects: Sequence[Redirect] = (),
+        worlds: Callable[[str], tuple[WorldSource | None, Faults]] = _no_files,
     ) -> None:
+        self._worlds = worlds
         self._program = program
         self._syntax = syntax
         self._place = place
@@ -64,7 +73,16 @@ class Compiler:
             for name in users
             if name in self._wanted
         ]
-        return Plan(self._program.application.name, flows, code)
+        return Plan(self._program.application.name, flows, code, self._files_of_worlds(flows))
+
+    def _files_of_worlds(self, flows: Sequence[PlannedFlow]) -> tuple[WorldSource, ...]:
+        """Of the worlds that are driven."""
+        gathered = []
+        for world in sorted({driven.partition("@")[0] for flow in flows for _, driven in flow.worlds}):
+            files, faults = self._worlds(world)
+            self.faults += faults
+            gathered += [files] if files is not None else []
+        return tuple(gathered)
 
     def _code(self) -> tuple[Code, ...]:
         objections = []

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 
 from onika.desk.plan import claimed_devices, loop_counters, redirection
@@ -14,6 +15,7 @@ from onika.model.syntax import Syntax
 from onika.store.opened_text import Faults
 from onika.store.program import ApplicationProgram, gather, home_of, joined, load
 from onika.store.site import Site
+from onika.store.world_source import gather_world
 from onika.wire.plan import Plan
 from onika.wire.request import FaultText, TargetValues
 from onika.words.fault import Fault, Place, parted
@@ -107,7 +109,7 @@ def _judged(
     def file_of(name: str) -> str:
         return str(home.application_file(name) or name)
 
-    compiler = Compiler(program, syntax, place, places, file_of, sound)
+    compiler = Compiler(program, syntax, place, places, file_of, sound, partial(gather_world, site=home))
     plan = compiler.plan()
     found_later = (*compiler.faults, *redirection.faults(redirects, plan, program))
     met = (*meetings.findings(plan), *claimed_devices.faults(plan), *loop_counters.faults(program, syntax, place.file))

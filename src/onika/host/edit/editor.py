@@ -10,7 +10,7 @@ from msgspec import structs
 from onika.host.edit import edit_objections, failed_writers, hand_writing, tight_units, transactions
 from onika.host.loading.module_questions import ModuleQuestions
 from onika.host.loading.plan_checks import absent_devices, conflicts, cycles, shapeless, shared_devices
-from onika.host.loading.plan_form import wrong_code, wrong_tasks
+from onika.host.loading.plan_form import wrong_code, wrong_tasks, wrong_worlds
 from onika.host.loading.plan_preparation import unknown_parameters
 from onika.host.subsystems.live_subsystem import LiveSubsystem, Transaction
 from onika.host.subsystems.load_forecast import ComingTask
@@ -40,9 +40,11 @@ class LiveEditor:
 
     def change(self, order: asked.Change) -> request.Response:
         """Check a change whole; accepted, it begins after those before it."""
-        malformed = wrong_code(order.code) + wrong_tasks(order.spawn, [code.digest for code in order.code])
+        malformed = wrong_code(order.code) + wrong_worlds(order.worlds)
+        malformed += wrong_tasks(order.spawn, [code.digest for code in order.code])
         if malformed:
             return refused([edit_objections.of_change(fault) for fault in malformed], [])
+        self._loading.offer(order.worlds)
         self._loading.expect(order.code)
         sheets, faults = self._sheets(order.code)
         new, wrong, notes = edit_objections.wired(order.spawn, sheets)

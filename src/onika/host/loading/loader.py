@@ -23,6 +23,7 @@ from onika.host.loading.loader_messages import (
     AskPostures,
     AskReach,
     AskSheet,
+    AskWorldFaults,
     Constants,
     Devices,
     Kind,
@@ -32,7 +33,9 @@ from onika.host.loading.loader_messages import (
     Question,
     Reach,
     Sheet,
+    TakeWorld,
     UnusableModule,
+    WorldFaults,
 )
 from onika.host.loading.module_facts import ModuleFacts
 from onika.host.units.child_process import start
@@ -41,9 +44,12 @@ from onika.host.units.output_pipe import open_output_pipes
 from onika.host.units.outside_guard import stay_inside
 from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.rtpu import preload
+from onika.host.units.world_sources import packed, unpacked
 from onika.link.launcher import die_with_parent
+from onika.ring.segment import Segment
 from onika.wire.plan import Code
 from onika.wire.request import FaultText
+from onika.wire.world_source import WorldSource
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
 
@@ -54,7 +60,7 @@ LONGEST = 1 << 17
 """Bytes of an answer: a module with a thousand ports needs less, and every system can send as much in one piece."""
 
 encode = msgpack.Encoder().encode
-decode_question = msgpack.Decoder(Question).decode
+decode_question = msgpack.Decoder(Question | TakeWorld).decode
 decode_answer = msgpack.Decoder(Answer).decode
 
 
@@ -63,6 +69,7 @@ class Loader:
 
     def __init__(self, *, stays_inside: bool = False) -> None:
         self._arguments = ("--stays-inside",) if stays_inside else ()
+        self._worlds: dict[str, Segment] = {}
         self._post, self._process = self._start()
 
     def close(self) -> None:
@@ -75,6 +82,9 @@ class Loader:
         ours, theirs = ProcessSocket.pair()
         return ours, start("onika.host.loading.loader", theirs, self._arguments, own_group=True)
 
+    def _tell(self, world: str) -> None:
+        self._post.send(encode(TakeWorld(world)), (self._worlds[world].fd,))
+
     @property
     def post(self) -> ProcessSocket:
         """To wait for in `select`."""
@@ -84,6 +94,11 @@ class Loader:
     def is_lost(self) -> bool:
         """Whether the process has died of a question."""
         return self._post.is_closed
+
+    def offer(self, files: WorldSource) -> None:
+        """From now on this world is made of these files."""
+        self._worlds[files.world] = packed(files)
+        self._tell(files.world)
 
     def send(self, question: Question) -> None:
         """Ask; the answer comes in its time."""
@@ -101,6 +116,8 @@ class Loader:
         reason = Reason.of("host.loader_died") if self.is_lost else silent
         self.close()
         self._post, self._process = self._start()
+        for world in self._worlds:
+            self._tell(world)
         instead = Reason.of("host.module_not_used", module=code.module)
         return UnusableModule(FaultText(code.path, 0, reason, instead))
 
@@ -125,6 +142,8 @@ def _fact(question: Question, facts: ModuleFacts) -> tuple[Any, Callable[[Any], 
             return facts.sheet(question.code), lambda sheet: Sheet(sheet, facts.cost_ns(question.code))
         case AskConstants():
             return facts.constants(question.code, question.local), Constants
+        case AskWorldFaults():
+            return facts.world_faults(question.world), _world_faults
         case AskDevices():
             return facts.devices(question.world), Devices
         case AskKind():
@@ -154,9 +173,15 @@ def _packed(question: Question, facts: ModuleFacts) -> bytes:
 
 def _asked_about(question: Question) -> tuple[str, str]:
     """The file that a question is about, and its name."""
-    if isinstance(question, AskDevices | AskCompany | AskKind):
+    if isinstance(question, AskDevices | AskCompany | AskKind | AskWorldFaults):
         return question.world, question.world
     return question.code.path, question.code.module
+
+
+def _world_faults(faults: tuple[Fault, ...]) -> WorldFaults:
+    return WorldFaults(
+        tuple(FaultText(fault.place.file, fault.place.line, fault.reason, fault.instead) for fault in faults)
+    )
 
 
 def _wrong(fault: Fault) -> UnusableModule:
@@ -183,7 +208,11 @@ def main(words: list[str]) -> None:
         post.flush()
         received = post.receive()
         if received is not None:
-            post.send(_packed(decode_question(received[0]), loading))
+            question = decode_question(received[0])
+            if isinstance(question, TakeWorld):
+                loading.offer([unpacked(received[1][0])])
+            else:
+                post.send(_packed(question, loading))
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@ request and carries it out anew when the answer is there, so that a slow module 
 """
 
 from collections import OrderedDict, deque
+from collections.abc import Iterable
 from time import monotonic_ns
 from typing import Any
 
@@ -20,6 +21,7 @@ from onika.host.loading.loader_messages import (
     AskPostures,
     AskReach,
     AskSheet,
+    AskWorldFaults,
     Constants,
     Devices,
     Kind,
@@ -30,11 +32,14 @@ from onika.host.loading.loader_messages import (
     Question,
     Reach,
     Sheet,
+    WorldFaults,
 )
 from onika.host.units.process_socket import ProcessSocket
+from onika.host.units.world_sources import WorldSources
 from onika.wire.plan import Code
 from onika.wire.sheet import ModuleSheet
-from onika.words.fault import Fault
+from onika.wire.world_source import WorldSource
+from onika.words.fault import Fault, Place
 from onika.words.reason import NOTHING, Reason
 
 _KEPT = 2000
@@ -53,6 +58,9 @@ class LoaderClient:
         self._answers: OrderedDict[bytes, Answer] = OrderedDict()
         self._open: deque[tuple[bytes, Question, Code]] = deque()
         self._since_ns = 0
+        self._sources = WorldSources()
+        self._is_outdated = False
+        """Whether the question under way was asked before something else was offered."""
 
     @property
     def post(self) -> ProcessSocket:
@@ -133,6 +141,24 @@ class LoaderClient:
             return answer.reasons
         return fault_of(answer)
 
+    def offer(self, worlds: Iterable[WorldSource]) -> None:
+        """These worlds are files; what was said of others of their names is forgotten."""
+        new = self._sources.take(worlds)
+        for files in new:
+            self._loader.offer(files)
+        if new:
+            self._answers.clear()
+            self._is_outdated = bool(self._open)
+
+    def world_faults(self, world: str) -> tuple[Fault, ...]:
+        """All that is wrong with the files of a world; nothing where it is made of none."""
+        if self._sources.find(world) is None:
+            return ()
+        answer = self._ask(AskWorldFaults(world), Code("", world, world, ""))
+        if not isinstance(answer, WorldFaults):
+            return (fault_of(answer),)
+        return tuple(Fault(Place(text.file, text.line), text.reason, text.instead) for text in answer.faults)
+
     def expect(self, codes: tuple[Code, ...]) -> None:
         """These modules will be asked about: begin with all of them."""
         for code in codes:
@@ -147,6 +173,10 @@ class LoaderClient:
         if answer is None and (self._loader.is_lost or monotonic_ns() - self._since_ns > PATIENCE_S * 1e9):
             answer = self._loader.give_up(code)
         if answer is None:
+            return False
+        if self._is_outdated:
+            self._is_outdated = False
+            self._begin()
             return False
         self._answers[key] = answer
         while len(self._answers) > _KEPT:

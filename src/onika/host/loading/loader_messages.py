@@ -65,6 +65,18 @@ class AskCompany(Struct, frozen=True, tag=True):
     is_of_flow: bool = False
 
 
+class TakeWorld(Struct, frozen=True, tag=True):
+    """From now on a world is made of the files that come with this datagram; there is no answer."""
+
+    world: str
+
+
+class AskWorldFaults(Struct, frozen=True, tag=True):
+    """Ask for all that is wrong with the files of a world."""
+
+    world: str
+
+
 class AskDevices(Struct, frozen=True, tag=True):
     """Ask for the devices of a world."""
 
@@ -120,6 +132,12 @@ class Devices(Struct, frozen=True, tag=True):
     names: tuple[str, ...]
 
 
+class WorldFaults(Struct, frozen=True, tag=True):
+    """The answer to AskWorldFaults."""
+
+    faults: tuple[FaultText, ...]
+
+
 class Kind(Struct, frozen=True, tag=True):
     """The answer to AskKind."""
 
@@ -132,5 +150,7 @@ class UnusableModule(Struct, frozen=True, tag=True):
     fault: FaultText
 
 
-Question = AskSheet | AskConstants | AskReach | AskDevices | AskPoses | AskPostures | AskFit | AskCompany | AskKind
-Answer = Sheet | Constants | Reach | Devices | KnownPoses | Postures | Objections | Kind | UnusableModule
+OfModules = AskSheet | AskConstants | AskReach | AskPoses | AskPostures | AskFit
+OfWorlds = AskDevices | AskCompany | AskKind | AskWorldFaults
+Question = OfModules | OfWorlds
+Answer = Sheet | Constants | Reach | Devices | KnownPoses | Postures | Objections | Kind | WorldFaults | UnusableModule

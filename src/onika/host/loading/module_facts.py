@@ -1,13 +1,14 @@
 """What is learnt of module code by executing it: sheets, constants, reach. Called in the loader's process only."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import AbstractContextManager, nullcontext
 from time import perf_counter_ns
 from typing import Any
 
 import numpy as np
 
-from onika.host.units.world_registry import is_simulated, open_world
+from onika.host.units.world_registry import is_of_files, is_simulated, open_world, world_faults
+from onika.host.units.world_sources import WorldSources
 from onika.runtime.bus import World
 from onika.runtime.modules.binding import locals_of
 from onika.runtime.modules.code import line_in, load, sayable, traceback_text
@@ -15,6 +16,7 @@ from onika.runtime.modules.module import Module
 from onika.runtime.modules.sheet import sheet_of
 from onika.wire.plan import Code
 from onika.wire.sheet import ModuleSheet
+from onika.wire.world_source import WorldSource
 from onika.words.fault import Fault, Place
 from onika.words.module_sentence import of_sentence
 from onika.words.reason import NOTHING, Reason, as_reason, reason_of
@@ -29,6 +31,7 @@ class ModuleFacts:
 
     def __init__(self, watch: Callable[[], AbstractContextManager[None]] = nullcontext) -> None:
         self._worlds: dict[str, World] = {}
+        self._sources = WorldSources()
         self._watch = watch
 
     def sheet(self, code: Code) -> ModuleSheet | Fault:
@@ -66,6 +69,21 @@ class ModuleFacts:
         except Exception as wrong:
             return self._fault(code, Reason.of("host.constants_failed", why=traceback_text(wrong)), wrong)
 
+    def offer(self, worlds: Iterable[WorldSource]) -> None:
+        """These worlds are files."""
+        for files in self._sources.take(worlds):
+            self._worlds.pop(files.world, None)
+
+    def world_faults(self, world: str) -> tuple[Fault, ...]:
+        """All that is wrong with the files of a world; nothing where it is made of none."""
+        files = self._sources.find(world)
+        if files is None or not is_of_files(world, files):
+            return ()
+        try:
+            return world_faults(files)
+        except Exception as wrong:
+            return (Fault(Place(world), reason_of(wrong), Reason.of("host.no_device_used")),)
+
     def devices(self, world: str) -> tuple[str, ...] | Fault:
         """The devices of a world."""
         try:
@@ -76,7 +94,7 @@ class ModuleFacts:
     def is_simulated(self, world: str) -> bool | Fault:
         """Whether a world is simulated; it is not opened for that."""
         try:
-            return is_simulated(world)
+            return is_simulated(world, self._sources.find(world))
         except Exception as wrong:
             return Fault(Place(world), reason_of(wrong), Reason.of("host.no_device_used"))
 
@@ -160,7 +178,7 @@ class ModuleFacts:
     def _world(self, name: str) -> World:
         """A world that is only looked at: nothing is claimed in it, and it never passes any time."""
         if name not in self._worlds:
-            self._worlds[name] = open_world(name)
+            self._worlds[name] = open_world(name, files=self._sources.find(name))
         return self._worlds[name]
 
     def _fault(self, code: Code, reason: Reason, wrong: Exception) -> Fault:

@@ -1,9 +1,11 @@
 """What is asked of module code before it lives: the questions, whoever answers them."""
 
+from collections.abc import Iterable
 from typing import Any, Protocol
 
 from onika.wire.plan import Code
 from onika.wire.sheet import ModuleSheet
+from onika.wire.world_source import WorldSource
 from onika.words.fault import Fault
 from onika.words.reason import Reason
 
@@ -25,6 +27,14 @@ class ModuleQuestions(Protocol):
 
     def constants(self, code: Code, local: tuple[tuple[str, tuple[str, ...]], ...]) -> dict[str, Any] | Fault:
         """A robot module's constants from its LOCAL lines; empty for any other."""
+        ...
+
+    def offer(self, worlds: Iterable[WorldSource]) -> None:
+        """These worlds are files."""
+        ...
+
+    def world_faults(self, world: str) -> tuple[Fault, ...]:
+        """All that is wrong with the files of a world, and left out for that; nothing where it is made of none."""
         ...
 
     def devices(self, world: str) -> tuple[str, ...] | Fault:

@@ -13,6 +13,7 @@ from onika.engine.program import FlowProgram
 from onika.model.task import TaskType
 from onika.wire.plan import Code, Fork, Join, Meet, Plan, PlannedAction, PlannedFlow, PlannedTask, Rest
 from onika.wire.request import TargetValues
+from onika.wire.world_source import WorldSource, digest_of
 from onika.words.fault import NOT_RUN, Fault, Place
 from onika.words.name import SVAR_NAME, TASK_NAME
 from onika.words.reason import NOTHING, Argument, Reason, reason_of
@@ -37,7 +38,7 @@ def wrong_plan(plan: Plan, targets: Sequence[TargetValues]) -> list[Fault]:
         Reason.of("host.subsystem_twice", name=shown(name)) for name in sorted({*names}) if names.count(name) > 1
     ]
     faults = [Fault(place, reason, NOT_RUN) for reason in reasons]
-    faults += wrong_code(plan.code)
+    faults += wrong_code(plan.code) + wrong_worlds(plan.worlds)
     digests = {code.digest for code in plan.code}
     for number, flow in enumerate(plan.flows):
         replaced = [task for _, task in flow.replaced]
@@ -63,6 +64,17 @@ def wrong_code(codes: Iterable[Code]) -> list[Fault]:
         if sha256(code.source.encode("utf-8", "surrogatepass")).hexdigest() != code.digest:
             reasons.append(Reason.of("host.digest_wrong", module=shown(code.module)))
         faults += [Fault(Place(shown(code.path)), reason, NOT_RUN) for reason in reasons]
+    return faults
+
+
+def wrong_worlds(worlds: Iterable[WorldSource]) -> list[Fault]:
+    """Worlds of files without a name of one, or whose digest is not that of their files."""
+    faults = []
+    for files in worlds:
+        reasons = [*_name(files.world, "world")]
+        if digest_of(files.files) != files.digest:
+            reasons.append(Reason.of("host.digest_of_world_wrong", world=shown(files.world)))
+        faults += [Fault(Place(shown(files.world)), reason, NOT_RUN) for reason in reasons]
     return faults
 
 

@@ -57,6 +57,7 @@ def prepare(plan: Plan, targets: Sequence[TargetValues], loading: ModuleQuestion
     preparation = Preparation(plan, {code.digest: code for code in plan.code}, wrong_plan(plan, targets))
     if preparation.faults:
         return preparation  # nothing else of it is believed
+    loading.offer(plan.worlds)
     loading.expect(plan.code)
     used = {task.digest for flow in plan.flows for task in flow.tasks}
     sheets = _sheets([code for code in plan.code if code.digest in used], loading, preparation.faults)
@@ -73,11 +74,20 @@ def prepare(plan: Plan, targets: Sequence[TargetValues], loading: ModuleQuestion
     if [len(wired) for wired in preparation.flows] == [len(flow.tasks) for flow in plan.flows]:
         preparation.faults += wrong_conditions(plan.flows, preparation.flows, preparation.constants)
     everyone = [wired_task for flow in preparation.flows for wired_task in flow]
-    preparation.faults += absent_devices(everyone, loading) + unfit_together(everyone, loading)
+    _worlds(plan, everyone, loading, preparation)
+    preparation.faults += unfit_together(everyone, loading)
     preparation.worlds = driven_kinds(everyone, loading)
     preparation.faults = sorted(set(preparation.faults))
     preparation.notes = list(dict.fromkeys(preparation.notes))
     return preparation
+
+
+def _worlds(plan: Plan, everyone: Sequence[WiredTask], loading: ModuleQuestions, preparation: Preparation) -> None:
+    """Devices that are nowhere; and what is wrong with the files of worlds, which is a fault where it has taken one."""
+    absent = absent_devices(everyone, loading)
+    found = [fault for files in plan.worlds for fault in loading.world_faults(files.world)]
+    preparation.faults += absent + (found if absent else [])
+    preparation.notes += [] if absent else [fault.sentence for fault in found]
 
 
 def _flow(

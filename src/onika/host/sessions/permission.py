@@ -71,7 +71,8 @@ def brings_code(message: request.Request) -> bool:
         case live.Solve():
             return True
         case live.Change():
-            return bool(message.code) or any(_leads_outside(task.local) for task in message.spawn)
+            brings = bool(message.code) or bool(message.worlds)
+            return brings or any(_leads_outside(task.local) for task in message.spawn)
         case live.Swap():
             return True
         case live.Reinit():

@@ -18,19 +18,21 @@ from onika.host.units.realtime_scheduling import become_real_time
 from onika.host.units.rtpu import preload
 from onika.host.units.served_worlds import ServedWorlds
 from onika.host.units.world_registry import open_world
+from onika.host.units.world_sources import unpacked
 from onika.link.launcher import die_with_parent
 from onika.ring.device import DriveEvent
 from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.runtime.command import DeviceGrant
+from onika.wire.world_source import WorldSource
 from onika.words.reason import NOTHING, Reason, reason_of
 
 _LONGEST_SLEEP_S = 0.02
 
 
 class OpenWorld(Struct, frozen=True, tag=True):
-    """Open a world; the memory of its bus comes with this datagram."""
+    """Open a world; the memory of its bus comes with this datagram, and its files where it is made of some."""
 
     world: str
 
@@ -279,7 +281,8 @@ class DeviceServer:
         try:
             match order:
                 case OpenWorld():
-                    return self._open(order.world, Segment.attach(descriptors[0]))
+                    files = unpacked(descriptors[1]) if len(descriptors) > 1 else None
+                    return self._open(order.world, Segment.attach(descriptors[0]), files)
                 case ClaimDevice():
                     return Granted(self._worlds.grant(order.device, order.epoch))
                 case TouchPart():
@@ -291,11 +294,11 @@ class DeviceServer:
         except ValueError as wrong:
             return Denied(reason_of(wrong))
 
-    def _open(self, world: str, segment: Segment) -> WorldOpened:
+    def _open(self, world: str, segment: Segment, files: WorldSource | None) -> WorldOpened:
         """To open a world may take long; nothing moves in it yet."""
         self._heartbeat.is_slow(True)
         try:
-            return WorldOpened(world, self._worlds.open(world, segment, self._now()))
+            return WorldOpened(world, self._worlds.open(world, segment, self._now(), files))
         finally:
             self._heartbeat.beat()
             self._heartbeat.is_slow(False)

@@ -10,6 +10,7 @@ from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.runtime.bus import Bus, Poses, World
 from onika.runtime.command import DeviceGrant
+from onika.wire.world_source import WorldSource
 from onika.words.reason import Reason
 
 _MOST_BEHIND_NS = 50_000_000
@@ -17,9 +18,9 @@ _MOST_BEHIND_NS = 50_000_000
 
 
 class ServedWorlds:
-    """Every world that is open. Times are in ns of the runtime; `worlds` opens one by its name."""
+    """Every world that is open. Times are in ns of the runtime; `worlds` opens one by its name, or of files."""
 
-    def __init__(self, worlds: Callable[[str], World]) -> None:
+    def __init__(self, worlds: Callable[..., World]) -> None:
         self._worlds = worlds
         self._buses: dict[str, Bus] = {}
         self._behind: dict[str, int] = {}
@@ -30,9 +31,9 @@ class ServedWorlds:
         """The worlds that are open."""
         return tuple(self._buses)
 
-    def open(self, name: str, segment: Segment, now: int) -> bool:
+    def open(self, name: str, segment: Segment, now: int, files: WorldSource | None = None) -> bool:
         """Open a world; after a stop it is stopped too. Whether it is simulated; raises ValueError with the reason."""
-        world = self._worlds(name)
+        world = self._worlds(name) if files is None else self._worlds(name, files=files)
         if self._is_stopped:
             world.stop()
         self._buses[name] = Bus(name, world, segment)

@@ -19,6 +19,7 @@ from onika.runtime import command, news
 from onika.runtime.bus import Poses, World
 from onika.runtime.execution.executive import Executive
 from onika.wire import event
+from onika.wire.world_source import WorldSource
 from onika.words.reason import NOTHING, Reason
 
 _LONGEST_STEP_NS = 1_000_000_000
@@ -40,7 +41,7 @@ class VirtualDriver:
         self,
         rtpus: Sequence[str],
         tell: Callable[[event.Event], None],
-        worlds: Callable[[str], World] = open_world,
+        worlds: Callable[..., World] = open_world,
         watch: Callable[[str], None] = lambda _task: None,
         scale: float | None = None,
         *,
@@ -116,6 +117,15 @@ class VirtualDriver:
     def ask_modes(self, answer: Callable[[Mapping[str, DriveMode]], None]) -> None:
         """How every drive stands; answered at once."""
         answer(self._buses.modes())
+
+    def offer(self, worlds: Iterable[WorldSource]) -> None:
+        """These worlds are files; they are opened when a device of them is granted."""
+        self._buses.sources.take(worlds)
+
+    @property
+    def opened(self) -> Mapping[str, str]:
+        """The worlds that are open, each with what names the files that it was made of."""
+        return self._buses.opened
 
     def touch(self, world: str, part: str, value: float) -> None:
         """Touch a part of an open world; raises ValueError with the reason why not."""

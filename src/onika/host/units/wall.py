@@ -14,6 +14,7 @@ from onika.host.units.unit_listener import UnitListener
 from onika.host.units.unit_loss import dead_writers
 from onika.host.units.unit_processes import UnitProcesses
 from onika.host.units.world_registry import refuse_unknown, refuse_unoffered, split
+from onika.host.units.world_sources import WorldSources, packed
 from onika.ring.device import DriveState
 from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveMode
@@ -21,6 +22,7 @@ from onika.ring.segment import Segment, SharedMemoryRefused
 from onika.runtime import command, news
 from onika.runtime.bus import SEGMENT_SIZE, Poses
 from onika.wire import event
+from onika.wire.world_source import WorldSource
 from onika.words.reason import Reason, reason_of
 
 _PATIENCE_S = 15.0
@@ -45,7 +47,8 @@ class WallDriver:
         self.options: tuple[str, ...] = ()
         self._supervisor = Supervisor(self._zero, with_fifo)
         self._segments: list[Segment] = []
-        self._opened: set[str] = set()
+        self._opened: dict[str, str] = {}
+        self._sources = WorldSources()
         self._simulated: set[str] = set()
         self._shown: set[str] = set()
         self._poses: dict[str, Poses] = {}
@@ -114,6 +117,15 @@ class WallDriver:
     def add_unit(self, name: str, answer: Callable[[Reason], None]) -> None:
         """Launch a processing unit; answered with nothing when it is up, else with the reason. Nothing waits for it."""
         self._units.add(name, self.now, answer)
+
+    def offer(self, worlds: Iterable[WorldSource]) -> None:
+        """These worlds are files; they are opened when a device of them is granted."""
+        self._sources.take(worlds)
+
+    @property
+    def opened(self) -> Mapping[str, str]:
+        """The worlds that are open, each with what names the files that it was made of."""
+        return self._opened
 
     def expect(self, worlds: Iterable[str]) -> None:
         """These worlds will be opened; nothing waits for what is prepared for that."""
@@ -314,19 +326,21 @@ class WallDriver:
             self._listener.lost(unit, reason, self.now)
 
     def _open(self, world: str) -> None:
-        refuse_unoffered(world)
+        files = self._sources.find(world)
+        refuse_unoffered(world, files)
         try:
             segment = Segment.create(f"bus-{world}", SEGMENT_SIZE)
+            handed = [packed(files)] if files is not None else []
         except SharedMemoryRefused as refused:
             raise ValueError(reason_of(refused)) from None
         self._segments.append(segment)
         server = self._devices.of(world)
         self._await(lambda: server.is_up, Reason.of("host.the_processes_to_start"))
-        self._devices.send(world, device_server.OpenWorld(world), (segment.fd,))
+        self._devices.send(world, device_server.OpenWorld(world), (segment.fd, *(memory.fd for memory in handed)))
         answer = self._answer(world, _PATIENCE_S)
         if isinstance(answer, device_server.Denied):
             raise ValueError(answer.reason)
-        self._opened.add(world)
+        self._opened[world] = self._sources.digest(world)
         if isinstance(answer, device_server.WorldOpened) and answer.is_simulated:
             self._simulated.add(world)
         self._units.share(f"bus:{world}", segment)

@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from onika.host.units.world_registry import refuse_unknown, split
+from onika.host.units.world_sources import WorldSources
 from onika.ring.device import DriveState, MishapEvent
 from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveMode
@@ -20,7 +21,7 @@ class Buses:
     def __init__(
         self,
         views: dict[str, memoryview],
-        worlds: Callable[[str], World],
+        worlds: Callable[..., World],
         tell: Callable[[event.Drive], None],
         tell_mishap: Callable[[event.Mishap, int], None] | None = None,
     ) -> None:
@@ -28,6 +29,9 @@ class Buses:
         self._open = worlds
         self._tell = tell
         self._tell_mishap = tell_mishap
+        self.sources = WorldSources()
+        self.opened: dict[str, str] = {}
+        """The worlds that are open, each with what names the files that it was made of."""
         self._buses: dict[str, Bus] = {}
         self._claims: dict[str, int] = {}
         self._epoch = 0
@@ -131,7 +135,9 @@ class Buses:
         if world not in self._buses:
             segment = Segment.create(f"bus-{world}", SEGMENT_SIZE)
             self._views[f"bus:{world}"] = segment.view
-            bus = Bus(world, self._open(world), segment)
+            files = self.sources.find(world)
+            bus = Bus(world, self._open(world) if files is None else self._open(world, files=files), segment)
+            self.opened[world] = self.sources.digest(world)
             bus.step(now)
             if self._is_stopped:
                 bus.world.stop()

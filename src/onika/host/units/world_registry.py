@@ -1,23 +1,32 @@
-"""Worlds by name: whatever package offers one under the entry point `onika.worlds`; Onika itself knows none."""
+"""Worlds by name: what packages offer under the entry point `onika.worlds`, then worlds of files (decision 49)."""
 
 from collections.abc import Collection
-from importlib.metadata import entry_points
+from importlib.metadata import EntryPoint, entry_points
 from typing import Any, cast
 
 from onika.runtime.bus import World
+from onika.wire.world_source import WorldSource
+from onika.words.fault import Fault
 from onika.words.reason import Reason
 
 GROUP = "onika.worlds"
 _MEMBERS = (*World.__annotations__, *(name for name in vars(World) if not name.startswith("_")))
 """What a world has to have: the attributes and methods of `World`."""
+_OF_FILES = EntryPoint("files", "onika.workcell.composed.file_world:FileWorld", GROUP)
+"""What makes a world of files; it is there without being installed."""
+_JUDGE = EntryPoint("judge", "onika.workcell.composed.file_world:judged", GROUP)
 
 
-def open_world(name: str, shake: int | None = None) -> World:
+def open_world(name: str, shake: int | None = None, files: WorldSource | None = None) -> World:
     """A new world; raises ValueError with the known names where there is none called so, or with what it lacks.
+
+    A package that offers a world of this name comes before `files`.
 
     Of a simulated one, `boxes@NAME` is a copy of its own, in which nothing touches what is in `boxes`. `shake` is a
     seed: its things then stand a little elsewhere, where the world knows how (a method `shaken`).
     """
+    if is_of_files(name, files):
+        return cast(World, _OF_FILES.load()(files, shake))
     kind = _kind(name)
     if _is_copy(name) and not _is_simulated(kind):
         raise ValueError(Reason.of("host.no_copy_of_real", world=name.partition("@")[0]))
@@ -29,12 +38,22 @@ def open_world(name: str, shake: int | None = None) -> World:
     return cast(World, world)
 
 
-def is_simulated(name: str) -> bool:
+def is_of_files(name: str, files: WorldSource | None) -> bool:
+    """Whether a world is made of files that are there, and no package offers it."""
+    return files is not None and _plain(name) == files.world and files.world not in offered_worlds()
+
+
+def world_faults(files: WorldSource) -> tuple[Fault, ...]:
+    """All that is wrong with the files of a world, and left out for that."""
+    return cast(tuple[Fault, ...], _JUDGE.load()(files))
+
+
+def is_simulated(name: str, files: WorldSource | None = None) -> bool:
     """Whether a world only computes what it shows; one that does not say so counts as real.
 
     It is not opened for that. Raises ValueError where there is none called so.
     """
-    return _is_simulated(_kind(name))
+    return is_of_files(name, files) or _is_simulated(_kind(name))
 
 
 def offered_worlds() -> tuple[str, ...]:
@@ -47,10 +66,10 @@ def module_of(name: str) -> str:
     return next((entry.module for entry in entry_points(group=GROUP, name=_plain(name))), "")
 
 
-def refuse_unoffered(name: str) -> None:
+def refuse_unoffered(name: str, files: WorldSource | None = None) -> None:
     """Raises ValueError with the known names where no world is called so; no code of worlds is executed for that."""
     offered = offered_worlds()
-    if _plain(name) not in offered:
+    if _plain(name) not in offered and not is_of_files(name, files):
         raise ValueError(
             Reason.of("host.no_such_world", worlds=offered or Reason.of("host.none_installed"), world=name)
         )

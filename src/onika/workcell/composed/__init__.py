@@ -1,0 +1,1 @@
+"""Worlds that are files: read, composed with MuJoCo, and driven (requirement X19)."""

@@ -1,0 +1,135 @@
+"""A world composed: parts and robots attached to one document, with the physics that its file says."""
+
+import math
+from collections.abc import Iterator, Mapping
+
+import mujoco
+
+from onika.model.world import CONES, UNNAMED, Spot, WorldPart, WorldPlace
+from onika.words.fault import Fault, Place
+from onika.words.reason import Reason, reason_of
+from onika.workcell.composed.robot_model import RobotModel, compiled, robot_model, robot_spec
+from onika.workcell.composed.sources import Sources
+
+FREE_JOINT = "free"
+"""The joint of a part that moves, behind the part's name."""
+
+Offsets = Mapping[str, tuple[float, float]]
+"""How far parts stand from their spots, on x and y (m)."""
+
+
+def prefix_of(name: str) -> str:
+    """What stands before the names of a part's, or a robot's, model."""
+    return "" if name == UNNAMED else f"{name}."
+
+
+class Composition:
+    """The world of some files, with all `faults` of them; raises ValueError where nothing can be made."""
+
+    def __init__(self, sources: Sources) -> None:
+        self.sources = sources
+        self.faults: list[Fault] = [*sources.faults]
+        if sources.world is None:
+            reason = self.faults[0].sentence if self.faults else Reason.of("workcell.no_world")
+            raise ValueError(reason)
+        self.world = sources.world
+        self.robots: dict[str, RobotModel] = {}
+        for name in self.world.robots:
+            self._robot(name)
+        self.places = tuple(place for place in self.world.places if self._is_used(place))
+        self.standing = {place.name: self.at(place)[0] for place in self.places}
+
+    def at(self, place: WorldPlace) -> tuple[str, ...]:
+        """The robots of a place that can be used."""
+        return tuple(robot for robot in place.robots if robot in self.robots)
+
+    def compile(self, standing: Mapping[str, str], offsets: Offsets, *, is_drawn: bool) -> mujoco.MjModel:
+        """The model with these robots at their places; raises ValueError with the reason why there is none."""
+        spec = mujoco.MjSpec()
+        spec.modelname = self.world.name
+        self._set_physics(spec)
+        spec.compiler.discardvisual = not is_drawn
+        for part in self._in_order():
+            self._attach_part(spec, part, offsets.get(part.name, (0.0, 0.0)))
+        for place in self.places:
+            self._attach_robot(spec, place, self.robots[standing[place.name]])
+        return compiled(spec)
+
+    def _robot(self, name: str) -> None:
+        robot = self.sources.robots.get(name)
+        if robot is not None:
+            model = robot_model(self.sources, robot, self.faults)
+            self.robots |= {name: model} if model else {}
+        elif self.sources.files.find(f"robot/{name}.robot") is None:
+            for place in self.world.places:
+                if name in place.robots:
+                    where = Place(self.sources.place.file, place.lines.get("ROBOTS", 0))
+                    reason = Reason.of("workcell.robot_missing", name=name)
+                    self.faults.append(Fault(where, reason, Reason.of("files.robot_left_out")))
+
+    def _is_used(self, place: WorldPlace) -> bool:
+        if self.at(place):
+            return True
+        where = Place(self.sources.place.file, place.lines.get("PLACE", 0))
+        reason = Reason.of("workcell.place_empty", place=place.name)
+        self.faults.append(Fault(where, reason, Reason.of("workcell.place_left_out")))
+        return False
+
+    def _set_physics(self, spec: mujoco.MjSpec) -> None:
+        option, (cone, ratio) = spec.option, self.world.contact
+        option.timestep, option.gravity = self.world.step_s, (0.0, 0.0, -self.world.gravity)
+        option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
+        option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC if cone == CONES[1] else mujoco.mjtCone.mjCONE_PYRAMIDAL
+        option.impratio, option.iterations = ratio, 50
+        option.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_SENSOR)  # they are asked when someone wants to know
+        spec.compiler.autolimits, spec.compiler.degree = True, False
+        if self.world.floor is not None:
+            plane, height = mujoco.mjtGeom.mjGEOM_PLANE, self.world.floor
+            spec.worldbody.add_geom(name="floor", type=plane, size=(0.0, 0.0, 0.05), pos=(0.0, 0.0, height))
+
+    def _in_order(self) -> Iterator[WorldPart]:
+        """Parts, each behind the one on which it stands."""
+        waiting, there = list(self.world.parts), set[str]()
+        while waiting:
+            part = next(part for part in waiting if not part.spot.on or part.spot.on.partition(".")[0] in there)
+            waiting.remove(part)
+            there.add(part.name)
+            yield part
+
+    def _attach_part(self, spec: mujoco.MjSpec, part: WorldPart, offset: tuple[float, float]) -> None:
+        child = self.sources.model(f"world/{part.file}")
+        if part.free is not None:
+            body = child.worldbody.first_body()
+            if body is None:
+                raise ValueError(Reason.of("workcell.part_without_body", part=part.name))
+            if not len(body.joints):
+                body.add_freejoint(name=FREE_JOINT)
+        self._attach(spec, child, part.spot, part.name, offset)
+
+    def _attach_robot(self, spec: mujoco.MjSpec, place: WorldPlace, robot: RobotModel) -> None:
+        child = robot_spec(self.sources, robot.robot)
+        for first, other in robot.excluded:
+            child.add_exclude(bodyname1=first, bodyname2=other)
+        self._attach(spec, child, place.spot, place.name, (0.0, 0.0))
+
+    def _attach(
+        self, spec: mujoco.MjSpec, child: mujoco.MjSpec, spot: Spot, name: str, offset: tuple[float, float]
+    ) -> None:
+        prefix = prefix_of(name)
+        if not spot.on:
+            x, y, z, turn = spot.at
+            half = math.radians(turn) / 2.0
+            quaternion = (math.cos(half), 0.0, 0.0, math.sin(half))
+            frame = spec.worldbody.add_frame(pos=(x + offset[0], y + offset[1], z), quat=quaternion)
+            spec.attach(child, frame=frame, prefix=prefix)
+            return
+        site = next((site for site in spec.sites if site.name == spot.on), None)
+        if site is None:
+            there = tuple(site.name for site in spec.sites)[:20] or Reason.of("workcell.none")
+            raise ValueError(Reason.of("workcell.no_such_name", there=there, name=spot.on))
+        spec.attach(child, site=site, prefix=prefix)
+
+
+def why_not(wrong: ValueError, sources: Sources) -> Fault:
+    """What keeps a whole world from being made, as a fault of its file."""
+    return Fault(sources.place, reason_of(wrong), Reason.of("files.world_left_out"))

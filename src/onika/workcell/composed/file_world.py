@@ -1,0 +1,278 @@
+"""A world that is files: what its `.world` file says, composed, stepped, and driven by name (requirement X19).
+
+It is offered to a runtime under no name of its own: whoever plans with it sends its files (decision 49).
+"""
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import mujoco
+import numpy as np
+from mujoco import mj_step
+
+from onika.laws.frames import Array
+from onika.model.world import WorldPart, WorldSwitch
+from onika.ring.displacement import Displacement
+from onika.ring.drive import DriveInput
+from onika.wire.world_source import WorldSource
+from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
+from onika.workcell.composed import chain
+from onika.workcell.composed.composition import FREE_JOINT, Composition, prefix_of, why_not
+from onika.workcell.composed.device_names import device_name
+from onika.workcell.composed.finger_unit import FingerUnit
+from onika.workcell.composed.joint_unit import JointUnit, KinematicJointUnit
+from onika.workcell.composed.sources import Sources
+from onika.workcell.composed.stands import RobotUnit, Stands
+from onika.workcell.composed.still import still
+from onika.workcell.composed.switch_lamp import SwitchLamp
+from onika.workcell.driven_world import DrivenWorld
+from onika.workcell.panic_button import PanicButton
+from onika.workcell.plant import Plant
+from onika.workcell.scene import Shape3d, shapes
+from onika.workcell.snapshot import WorldSnapshot, encode
+from onika.workcell.unit import DeviceUnit
+
+_NEAR_M = 0.004  # how far a part may be from its place and still stand there
+_POSTURE = 0.02  # how far a joint may be from home (rad; m where it slides)
+
+
+class FileWorld(DrivenWorld):
+    """The world of these files; raises ValueError with the first reason where there is none.
+
+    `seed` moves each part that may stand a little elsewhere by up to what its file says, on x and y.
+    """
+
+    def __init__(self, files: WorldSource, seed: int | None = None) -> None:
+        self._composition = Composition(Sources(files))
+        world = self._composition.world
+        self.step_ns = round(world.step_s * 1e9)
+        self._offsets = _offsets(world.parts, seed)
+        self._plant = Plant(self._compile(self._composition.standing, is_drawn=False))
+        robots = {place.name: self._composition.at(place) for place in self._composition.places}
+        self._stands = Stands(robots, [*self._robot_units()])
+        self._lamps = [*self._usable_lamps()]
+        buttons = [*self._panic_buttons()]
+        super().__init__([*self._stands.units, *self._lamps], buttons)
+        self._running: list[JointUnit] = []
+        self._bind()
+        for unit in self._present:
+            unit.restart()
+        self._start: Array = self._plant.data.qpos.copy()
+        self._begin()
+
+    @property
+    def faults(self) -> tuple[Fault, ...]:
+        """All that is wrong with its files, and left out for that."""
+        return tuple(dict.fromkeys(self._composition.faults))
+
+    def objections(self, devices: Sequence[str]) -> tuple[Reason, ...]:
+        """Why these devices cannot be used together; none: they can."""
+        return tuple(self._stands.objections(devices))
+
+    def reset(self) -> None:
+        """Everything back to its start, at rest; all drives hold. Time, claims and pressed buttons go on."""
+        for unit in self._acting:
+            self._feed(unit, DriveInput.RESET)
+        self._press_again()
+        mujoco.mj_resetData(self._plant.model, self._plant.data)
+        for unit in self._present:
+            unit.restart()
+        self._sense_ns = self.now_ns
+        self._begin()
+
+    def places(self) -> tuple[Reason, ...]:
+        """What stands where at the start."""
+        return tuple(
+            Reason.of("workcell.part_place", part=part.name, x_cm=100 * at[0], y_cm=100 * at[1], z_cm=100 * at[2])
+            for part, at in self._free_parts(self._start)
+        )
+
+    def displaced(self) -> tuple[Displacement, ...]:
+        """What does not stand there now: parts first, then robots, which may be anywhere."""
+        return (*self._displaced_parts(), *self._displaced_robots())
+
+    def standing(self) -> tuple[Reason, ...]:
+        """In sentences what is worth knowing of how everything stands."""
+        return tuple(
+            Reason.of(
+                "workcell.named_lamp_lit" if lamp.flags.all() else "workcell.named_lamp_dark", lamp=lamp.lamp.name
+            )
+            for lamp in self._lamps
+        )
+
+    def scene(self) -> list[Shape3d]:
+        """What there is to draw; changes when another robot stands at a place."""
+        return shapes(Plant(self._compile(self._stands.acting, is_drawn=True)))
+
+    @property
+    def lit(self) -> tuple[str, ...]:
+        """The shapes that shine."""
+        return tuple(shape for lamp in self._lamps for shape in lamp.shining)
+
+    def snapshot(self) -> bytes:
+        """This instant for `onika.workcell.picture`."""
+        drawn = Plant(self._compile(self._stands.acting, is_drawn=True))
+        return encode(WorldSnapshot(still(drawn, self.poses(), self.lit), (), self.now_ns * 1e-9, False))
+
+    def _compile(self, standing: Any, *, is_drawn: bool) -> mujoco.MjModel:
+        return self._composition.compile(standing, self._offsets, is_drawn=is_drawn)
+
+    def _robot_units(self) -> Iterator[RobotUnit]:
+        """The devices of all robots that may stand at some place."""
+        step_s = self._composition.world.step_s
+        for place in self._composition.places:
+            prefix = prefix_of(place.name)
+            there = [self._composition.robots[name].robot for name in self._composition.at(place)]
+            for name in self._composition.at(place):
+                robot = self._composition.robots[name]
+                model = self._plant.model
+                if self._composition.standing[place.name] != name:
+                    model = self._compile({**self._composition.standing, place.name: name}, is_drawn=False)
+                called = {
+                    device.name: device_name(device, robot.robot, there, place.name) for device in robot.robot.devices
+                }
+                for facts in robot.joints:
+                    base = _base(model, prefix + facts.start) if facts.start else ()
+                    for kind in (JointUnit, KinematicJointUnit):
+                        yield kind(called[facts.name], facts, name, place.name, prefix, step_s, base)
+                for fingers in robot.grippers:
+                    yield FingerUnit(called[fingers.gripper.name], fingers, name, place.name, prefix, step_s)
+
+    def _usable_lamps(self) -> Iterator[SwitchLamp]:
+        """The lamps whose switches have all that they name."""
+        world = self._composition.world
+        switches = {switch.name: switch for switch in world.switches if self._is_usable(switch)}
+        for lamp in world.lamps:
+            lacking = [name for name in lamp.when if name not in switches]
+            if lacking:
+                reason = Reason.of("workcell.switch_left_out", name=lacking[0])
+                self._tell(lamp.lines.get("WHEN", 0), reason, lamp.name)
+            else:
+                yield SwitchLamp(lamp, switches)
+
+    def _is_usable(self, switch: WorldSwitch) -> bool:
+        model = self._plant.model
+        sites = switch.near[:2] if switch.near else ()
+        named = [("NEAR", mujoco.mjtObj.mjOBJ_SITE, site) for site in sites]
+        named += [("PRESSED", mujoco.mjtObj.mjOBJ_SENSOR, switch.pressed[0])] if switch.pressed else []
+        lacking = [(keyword, name) for keyword, kind, name in named if mujoco.mj_name2id(model, kind, name) < 0]
+        for keyword, name in lacking:
+            kinds = "site" if keyword == "NEAR" else "sensor"
+            count = model.nsite if keyword == "NEAR" else model.nsensor
+            there = tuple(getattr(model, kinds)(k).name for k in range(count))[:20] or Reason.of("workcell.none")
+            reason = Reason.of("workcell.no_such_name", there=there, name=name)
+            self._tell(switch.lines.get(keyword, 0), reason, switch.name)
+        return not lacking
+
+    def _tell(self, line: int, reason: Reason, name: str) -> None:
+        place = Place(self._composition.sources.place.file, line)
+        self._composition.faults.append(Fault(place, reason, Reason.of("workcell.device_left_out", name=name)))
+
+    def _panic_buttons(self) -> Iterator[PanicButton]:
+        for button in self._composition.world.buttons:
+            units = [unit for unit in self._stands.units if unit.side in button.stops and isinstance(unit, JointUnit)]
+            if units:
+                yield PanicButton(*units, name=button.name)
+
+    def _admit(self, unit: DeviceUnit) -> None:
+        """Another robot may come to a place, or the world may lose its forces, or get them back."""
+        if not isinstance(unit, JointUnit | FingerUnit):
+            return
+        before, was_present = self._stands.mode, set(self._present)
+        acting = dict(self._stands.acting)
+        if not self._stands.admit(unit):
+            return
+        former = self._plant
+        if acting != self._stands.acting:
+            self._plant = Plant(self._compile(self._stands.acting, is_drawn=False))
+        self._bind()
+        for newcomer in self._present:
+            if newcomer not in was_present and before == self._stands.mode:
+                newcomer.restart()
+        if former is not self._plant:
+            self._plant.take(former)
+        for newcomer in self._present:
+            if newcomer not in was_present and isinstance(newcomer, JointUnit):
+                newcomer.rest()
+        self._press_again()
+        self._begin()
+
+    def _bind(self) -> None:
+        present = self._stands.present()
+        self._bind_units([*self._stands.units, *self._lamps], [*present, *self._lamps])
+
+    def _begin(self) -> None:
+        """Go on from the plant's present positions: with physics, or without forces."""
+        self._plant.settle()
+        self._feel = self._plant.sense
+        self._running = self._runners()
+        self._advance = self._move if self._stands.mode else self._step
+        if self._stands.mode:
+            self._plant.data.qvel[:] = 0.0
+        self._publish()
+
+    def _step(self, model: Any, data: Any) -> None:
+        for unit in self._running:
+            unit.run_on()
+        mj_step(model, data)
+
+    def _move(self, model: Any, data: Any) -> None:
+        """Without forces only joints move that are told to; everything else stays."""
+        for unit in self._present:
+            if isinstance(unit, KinematicJointUnit):
+                unit.move()
+        mujoco.mj_kinematics(model, data)
+
+    def _feed(self, unit: DeviceUnit, drive_input: DriveInput) -> None:
+        super()._feed(unit, drive_input)
+        self._running = self._runners()
+
+    def _runners(self) -> list[JointUnit]:
+        return [unit for unit in self._present if isinstance(unit, JointUnit) and unit.runs_on]
+
+    def _free_parts(self, qpos: Array) -> Iterator[tuple[WorldPart, Array]]:
+        """The parts that move, each with where it is."""
+        for part in self._composition.world.parts:
+            joint = mujoco.mj_name2id(self._plant.model, mujoco.mjtObj.mjOBJ_JOINT, prefix_of(part.name) + FREE_JOINT)
+            if part.free is not None and joint >= 0:
+                first = int(self._plant.model.jnt_qposadr[joint])
+                yield part, qpos[first : first + 7]
+
+    def _displaced_parts(self) -> Iterator[Displacement]:
+        started = {part.name: at for part, at in self._free_parts(self._plant.model.qpos0)}
+        for part, at in self._free_parts(self._plant.data.qpos):
+            away = float(np.linalg.norm(at[:3] - started[part.name][:3]))
+            if away > _NEAR_M:
+                yield Displacement(Reason.of("workcell.part_away", part=part.name, cm=100 * away))
+
+    def _displaced_robots(self) -> Iterator[Displacement]:
+        for unit in self._present:
+            if isinstance(unit, JointUnit) and np.abs(unit.posture - unit.facts.home).max() > _POSTURE:
+                arm = Reason.of("workcell.named_robot", name=unit.sheet.name)
+                yield Displacement(Reason.of("workcell.arm_away", arm=arm), is_harmless=True)
+
+
+def judged(files: WorldSource) -> tuple[Fault, ...]:
+    """All that is wrong with the files of a world, and what is left out for that."""
+    sources = Sources(files)
+    try:
+        return FileWorld(files).faults
+    except ValueError as wrong:
+        others = tuple(sources.faults)
+        return others or (why_not(wrong, sources),)
+
+
+def _offsets(parts: Sequence[WorldPart], seed: int | None) -> dict[str, tuple[float, float]]:
+    """How far parts stand from their spots that never stand twice alike."""
+    if seed is None:
+        return {}
+    random = np.random.default_rng(seed)
+    drawn = {part.name: random.uniform(-1.0, 1.0, 2) * (part.free or 0.0) for part in parts}
+    return {name: (float(offset[0]), float(offset[1])) for name, offset in drawn.items()}
+
+
+def _base(model: Any, body: str) -> tuple[float, ...]:
+    """Where a body is in the world, double[4,4] in a row."""
+    data = chain.at_zero(model, ())
+    return tuple(chain.body_pose(data, int(model.body(body).id)).ravel().tolist())

@@ -1,0 +1,78 @@
+"""A gripper of a robot from a file as a device: how far open, and how hard, comes; opening, speed and force go."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from onika.laws.frames import Array
+from onika.ring.device import DeviceSheet
+from onika.workcell.composed.gripper_facts import GripperFacts
+from onika.workcell.plant import Plant
+from onika.workcell.unit import DeviceUnit
+
+_FASTEST_M_S = 0.2  # where there are no forces
+
+
+class FingerUnit(DeviceUnit):
+    """A gripper at a place of a world. Holding, it keeps its last command: what it holds stays held.
+
+    A command is the opening (m) and the force of the fingers (N); a force of 0 or less is as much as there is.
+    """
+
+    def __init__(self, name: str, facts: GripperFacts, robot: str, place: str, prefix: str, step_s: float) -> None:
+        self.facts, self.robot, self._prefix, self._step_s = facts, robot, prefix, step_s
+        state, command = ("time", "drive", "opening", "speed", "force"), ("opening", "force")
+        super().__init__(DeviceSheet(name, state, command, dict(facts.constants)), place)
+        self._goal = (facts.gripper.closed[1], 0.0)
+        self.state[2] = facts.gripper.closed[1]
+        self._data: Any = None
+
+    def bind(self, plant: Plant) -> None:
+        """Find its actuators and sensors in a new plant."""
+        model, gripper = plant.model, self.facts.gripper
+        self._model, self._data = model, plant.data
+        self._motors = np.array([int(model.actuator(self._prefix + name).id) for name in gripper.moves])
+        sensors = [model.sensor(self._prefix + name) for name in gripper.force]
+        self._felt = np.array([int(sensor.adr[0]) for sensor in sensors], dtype=int)
+        self._signal()
+
+    def follow(self, values: Sequence[float] | Array) -> bool:
+        """Go as far apart, and press as hard, as told."""
+        opening, force = (float(value) for value in values)
+        if not np.isfinite((opening, force)).all():
+            return False
+        self._goal = opening, force
+        self._signal()
+        return True
+
+    def restart(self) -> None:
+        """Closed, with all its force."""
+        self._goal = (self.facts.gripper.closed[1], 0.0)
+        self._signal()
+
+    def refresh(self, time: float) -> None:
+        """Opening (m), its speed (m/s) and, where no sensor feels it, the force of the actuators (N)."""
+        state, leverage = self.state, self.facts.leverage
+        first = self._motors[0]
+        state[0] = time
+        state[2] = self.facts.gripper.closed[1] + (self._data.actuator_length[first] - self.facts.lengths[0]) / leverage
+        state[3] = self._data.actuator_velocity[first] / leverage
+        if not len(self._felt):
+            state[4] = abs(float(self._data.actuator_force[self._motors].sum()) * leverage)
+
+    def sense(self) -> None:
+        """The mean force that its sensors feel (N)."""
+        if len(self._felt):
+            self.state[4] = float(self._data.sensordata[self._felt].mean())
+
+    def _signal(self) -> None:
+        gripper = self.facts.gripper
+        (open_signal, open_m), (closed_signal, closed_m) = gripper.open, gripper.closed
+        opening, force = self._goal
+        share = min(max((opening - closed_m) / (open_m - closed_m), 0.0), 1.0)
+        self._data.ctrl[self._motors] = closed_signal + share * (open_signal - closed_signal)
+        most = min(force, self.facts.force) if force > 0.0 else self.facts.force
+        highest = most / (abs(self.facts.leverage) * len(self._motors))
+        self._model.actuator_forcelimited[self._motors] = 1
+        self._model.actuator_forcerange[self._motors] = (-highest, highest)

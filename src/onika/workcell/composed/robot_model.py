@@ -1,0 +1,160 @@
+"""A robot compiled by itself: the constants of its devices, the same wherever it will stand."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+from xml.etree import ElementTree
+
+import mujoco
+import numpy as np
+
+from onika.model.robot import Robot, RobotArm, RobotAxes, RobotDevice, RobotGripper
+from onika.words.fault import Fault
+from onika.words.reason import Reason, reason_of
+from onika.workcell.composed.gripper_facts import GripperFacts, gripper_facts
+from onika.workcell.composed.joint_facts import JointFacts, Objection, arm_facts, axes_facts, shared
+from onika.workcell.composed.sources import Sources, first_line
+
+HAND = "hand."
+"""Before the names of what belongs to a hand that is attached."""
+
+_DEEP_M = 0.001  # how far shapes reach into each other that a document forgot to keep apart
+_URDF = ".urdf"
+
+
+@dataclass(frozen=True, slots=True)
+class RobotModel:
+    """A robot's file, and what is known of its devices; what cannot be used is lacking, with a fault.
+
+    excluded   pairs of bodies that reach into each other at home, as their shapes are drawn and not meant to meet
+    """
+
+    robot: Robot
+    joints: tuple[JointFacts, ...]
+    grippers: tuple[GripperFacts, ...]
+    excluded: tuple[tuple[str, str], ...]
+
+
+def robot_spec(sources: Sources, robot: Robot) -> mujoco.MjSpec:
+    """The document of a robot with its hand, ready to be attached; raises ValueError with the reason why not."""
+    spec = sources.model(f"robot/{robot.file}")
+    if robot.hand:
+        site = next((site for site in spec.sites if site.name == robot.on), None)
+        if site is None:
+            there = tuple(site.name for site in spec.sites)[:20] or Reason.of("workcell.none")
+            raise ValueError(Reason.of("workcell.no_such_name", there=there, name=robot.on))
+        spec.attach(sources.model(f"robot/{robot.hand}"), site=site, prefix=HAND)
+    _name(spec)
+    _refuse_reversed(spec)
+    for body in spec.bodies[1:]:
+        body.gravcomp = 1.0  # there when it is compiled, so that a drive may bear the weight; a motor takes it back
+    if not len(spec.actuators):
+        _add_motors(spec)
+    armature = [device.armature for device in robot.devices if isinstance(device, RobotArm) and device.armature]
+    for joint in _moving(spec):
+        joint.armature += armature[0] if armature else 0.0
+    return spec
+
+
+def robot_model(sources: Sources, robot: Robot, faults: list[Fault]) -> RobotModel | None:
+    """Compile a robot by itself; None, with a fault, where nothing of it can be used."""
+    try:
+        model = compiled(robot_spec(sources, robot))
+    except ValueError as wrong:
+        place = sources.robot_place(robot.name, robot.lines.get("FILE", 0))
+        faults.append(Fault(place, reason_of(wrong), Reason.of("files.robot_left_out")))
+        return None
+    speeds = _speeds(sources, robot)
+    joints: list[JointFacts] = []
+    grippers: list[GripperFacts] = []
+    for device in robot.devices:
+        facts = _facts(model, device, robot.name, speeds)
+        if isinstance(facts, JointFacts):
+            facts = shared(joints, facts) or facts
+        match facts:
+            case Objection():
+                place = sources.robot_place(robot.name, device.lines.get(facts.keyword, min(device.lines.values())))
+                instead = Reason.of("workcell.device_left_out", name=device.name)
+                faults.append(Fault(place, facts.reason, instead))
+            case JointFacts():
+                joints.append(facts)
+            case GripperFacts():
+                grippers.append(facts)
+    return RobotModel(robot, tuple(joints), tuple(grippers), tuple(_touching(model, robot, joints)))
+
+
+def compiled(spec: mujoco.MjSpec) -> Any:
+    """The model of a document; raises ValueError with what MuJoCo says of it."""
+    try:
+        return spec.compile()
+    except (ValueError, RuntimeError) as wrong:
+        raise ValueError(Reason.of("workcell.model_unsound", why=first_line(wrong))) from None
+
+
+def _facts(
+    model: Any, device: RobotDevice, robot: str, speeds: dict[str, float]
+) -> JointFacts | GripperFacts | Objection:
+    match device:
+        case RobotArm():
+            return arm_facts(model, device, robot, speeds)
+        case RobotAxes():
+            return axes_facts(model, device, robot, speeds)
+        case RobotGripper():
+            return gripper_facts(model, device, robot)
+
+
+def _name(spec: mujoco.MjSpec) -> None:
+    """Whatever moves or is moved has a name of its own."""
+    for number, joint in enumerate(spec.joints):
+        joint.name = joint.name or f"joint.{number}"
+    for number, body in enumerate(spec.bodies[1:], start=1):
+        body.name = body.name or f"body.{number}"
+    for number, actuator in enumerate(spec.actuators):
+        actuator.name = actuator.name or f"actuator.{number}"
+
+
+def _add_motors(spec: mujoco.MjSpec) -> None:
+    """A motor at each joint that nothing else drives."""
+    driven = {equality.name1 for equality in spec.equalities if equality.type == mujoco.mjtEq.mjEQ_JOINT}
+    for joint in _moving(spec):
+        if joint.name not in driven:
+            actuator = spec.add_actuator(name=joint.name, target=joint.name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
+            actuator.gainprm[0] = 1.0
+
+
+def _moving(spec: mujoco.MjSpec) -> Iterator[Any]:
+    kinds = (mujoco.mjtJoint.mjJNT_HINGE, mujoco.mjtJoint.mjJNT_SLIDE)
+    return (joint for joint in spec.joints if joint.type in kinds)
+
+
+def _speeds(sources: Sources, robot: Robot) -> dict[str, float]:
+    """The highest speed of each joint as a URDF says it; MuJoCo drops them."""
+    file = sources.files.find(f"robot/{robot.file}")
+    if file is None or not robot.file.endswith(_URDF):
+        return {}
+    root = ElementTree.fromstring(file.content)  # noqa: S314 - MuJoCo has read it before
+    limits = {joint.get("name", ""): joint.find("limit") for joint in root.iter("joint")}
+    given = {name: limit.get("velocity") for name, limit in limits.items() if limit is not None}
+    return {name: float(speed) for name, speed in given.items() if speed and float(speed) > 0.0}
+
+
+def _touching(model: Any, robot: Robot, joints: list[JointFacts]) -> Iterator[tuple[str, str]]:
+    """Bodies that reach into each other at home: of a URDF any two, else a link and what bears it."""
+    data = mujoco.MjData(model)
+    for facts in joints:
+        for name, value in zip(facts.joints, facts.home, strict=True):
+            data.joint(name).qpos[0] = value
+    mujoco.mj_forward(model, data)
+    pairs = set()
+    for contact in np.flatnonzero(data.contact.dist < -_DEEP_M).tolist():
+        first, other = sorted(int(model.geom_bodyid[geom]) for geom in data.contact.geom[contact])
+        if first and (robot.file.endswith(_URDF) or int(model.body_parentid[other]) == first):
+            pairs.add((model.body(first).name, model.body(other).name))
+    yield from sorted(pairs)
+
+
+def _refuse_reversed(spec: mujoco.MjSpec) -> None:
+    for joint in _moving(spec):
+        low, high = (float(end) for end in joint.range)
+        if low > high:
+            raise ValueError(Reason.of("workcell.limit_reversed", joint=joint.name, low=low, high=high))

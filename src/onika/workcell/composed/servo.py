@@ -1,0 +1,78 @@
+"""A servo within the step of physics: any actuator of a joint becomes one, without tuning.
+
+kp = w2 M, but firm against dry friction; kv is critical; the wanted speed is fed ahead, so that no lag is left. M is
+the inertia that the joint feels at home. The weight of the links is borne by the drive.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import mujoco
+import numpy as np
+
+from onika.laws.frames import Array
+
+FREQUENCY = 100.0
+"""Natural frequency (rad/s)."""
+
+_FIRM = 500.0  # how much stiffer than dry friction is strong (1/rad): it then leaves 2 mrad at most
+
+
+@dataclass(frozen=True, slots=True)
+class Gains:
+    """Stiffness, damping, and what a wanted speed adds to the wanted position, of each joint."""
+
+    kp: Array
+    kv: Array
+    lead: Array
+
+
+def gains(inertia: Array, damping: Array, friction: Array, frequency: float = FREQUENCY) -> Gains:
+    """Of joints with these inertias (kg m2; kg), viscous damping and dry friction."""
+    kp: Array = np.maximum(frequency**2 * inertia, _FIRM * friction)
+    kv: Array = 2.0 * np.sqrt(kp * np.maximum(inertia, kp / frequency**2))
+    lead: Array = (kv + damping) / kp
+    return Gains(kp, kv, lead)
+
+
+def felt_inertia(model: Any, data: Any, dofs: Array) -> Array:
+    """The diagonal of the mass matrix at these degrees of freedom, where the data stands."""
+    mujoco.mj_forward(model, data)
+    unit, row = np.zeros(model.nv), np.zeros(model.nv)
+    felt = np.zeros(len(dofs))
+    for k, dof in enumerate(dofs):
+        unit[:] = 0.0
+        unit[dof] = 1.0
+        mujoco.mj_mulM(model, data, row, unit)
+        felt[k] = row[dof]
+    return felt
+
+
+def make_servo(model: Any, actuators: Array, given: Gains) -> None:
+    """Let these actuators follow positions."""
+    _clear(model, actuators)
+    model.actuator_gainprm[actuators, 0] = given.kp
+    model.actuator_biastype[actuators] = int(mujoco.mjtBias.mjBIAS_AFFINE)
+    model.actuator_biasprm[actuators, 1] = -given.kp
+    model.actuator_biasprm[actuators, 2] = -given.kv
+
+
+def make_motor(model: Any, actuators: Array) -> None:
+    """Let these actuators pull with the torque that they are told."""
+    _clear(model, actuators)
+    model.actuator_gainprm[actuators, 0] = 1.0
+
+
+def limit(model: Any, actuators: Array, highest: Array) -> None:
+    """The highest force of these actuators; they act on their joints without a gear."""
+    model.actuator_forcelimited[actuators] = 1
+    model.actuator_forcerange[actuators] = np.stack((-highest, highest), axis=1)
+    model.actuator_gear[actuators] = (1.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+def _clear(model: Any, actuators: Array) -> None:
+    model.actuator_gaintype[actuators] = int(mujoco.mjtGain.mjGAIN_FIXED)
+    model.actuator_biastype[actuators] = int(mujoco.mjtBias.mjBIAS_NONE)
+    model.actuator_gainprm[actuators] = 0.0
+    model.actuator_biasprm[actuators] = 0.0
+    model.actuator_ctrllimited[actuators] = 0

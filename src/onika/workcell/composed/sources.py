@@ -1,0 +1,99 @@
+"""The files of a world, read: what its texts say, and each model as a document of its own that can be attached."""
+
+import re
+from pathlib import PurePath
+
+import mujoco
+
+from onika.files import robot as robot_file, world as world_file
+from onika.files.text import decode
+from onika.model.robot import Robot
+from onika.model.world import WorldText
+from onika.wire.world_source import WorldFile, WorldSource
+from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
+
+MISSING = "missing"
+"""What a model calls a file that it needs and that is not there."""
+
+_REFERENCE = re.compile(rb"""\bfile\w*\s*=\s*["']([^"']*)["']""")
+_MODELS = (".xml", ".mjcf", ".urdf")
+
+
+class Sources:
+    """What is said by the files of one world; `faults` are those of its texts."""
+
+    def __init__(self, files: WorldSource) -> None:
+        self.files = files
+        self.faults: list[Fault] = []
+        self.world: WorldText | None = None
+        self.robots: dict[str, Robot] = {}
+        self._needed = {file.name: file.content for file in files.files if "/" not in file.name}
+        self._read()
+
+    @property
+    def place(self) -> Place:
+        """The file of the world."""
+        return self.place_of(f"world/{self.files.world}{world_file.ENDING}")
+
+    def place_of(self, name: str, line: int = 0) -> Place:
+        """Where a file was read; its name where it was not."""
+        file = self.files.find(name)
+        return Place(file.path if file else name, line)
+
+    def robot_place(self, robot: str, line: int = 0) -> Place:
+        """The file of a robot."""
+        return self.place_of(f"robot/{robot}{robot_file.ENDING}", line)
+
+    def model(self, name: str) -> mujoco.MjSpec:
+        """A model by its name, read anew; raises ValueError with the reason why not."""
+        file = self.files.find(name)
+        if file is None:
+            raise ValueError(Reason.of("workcell.model_missing", name=name))
+        self._refuse_strangers(file)
+        try:
+            text, needed = file.content.decode(), self._needed
+            spec = mujoco.MjSpec.from_string(text, include=needed, assets=needed)
+        except (ValueError, RuntimeError) as wrong:
+            raise ValueError(Reason.of("workcell.model_unreadable", path=file.path, why=first_line(wrong))) from None
+        _drop_missing(spec)
+        return spec
+
+    def _read(self) -> None:
+        for file in self.files.files:
+            path = PurePath(file.name)
+            if path.suffix not in (robot_file.ENDING, world_file.ENDING):
+                continue
+            text, faults = decode(file.content, file.path)
+            self.faults += faults
+            if text is None:
+                continue
+            if path.suffix == world_file.ENDING:
+                self.world, faults = world_file.read(text, path.stem, file.path)
+            else:
+                robot, faults = robot_file.read(text, path.stem, file.path)
+                self.robots |= {path.stem: robot} if robot else {}
+            self.faults += faults
+
+    def _refuse_strangers(self, file: WorldFile) -> None:
+        """A model reads nothing of this machine, only what came with it."""
+        for content in (file.content, *(self._needed[name] for name in self._needed if name.endswith(_MODELS))):
+            for reference in _REFERENCE.findall(content):
+                name = reference.decode("utf-8", "replace")
+                if name and name not in self._needed and not name.startswith(MISSING):
+                    raise ValueError(Reason.of("workcell.model_reference", path=file.path, name=name))
+
+
+def first_line(wrong: Exception) -> Reason:
+    """What MuJoCo says of a model, on one line."""
+    return Reason.plain(" ".join(str(wrong).split())[:300])
+
+
+def _drop_missing(spec: mujoco.MjSpec) -> None:
+    """Meshes that are not there, with the shapes made of them."""
+    gone = [mesh for mesh in spec.meshes if mesh.file.startswith(MISSING)]
+    names = {mesh.name for mesh in gone}
+    for geom in [geom for geom in spec.geoms if geom.meshname in names]:
+        spec.delete(geom)
+    for mesh in gone:
+        spec.delete(mesh)
