@@ -3,7 +3,7 @@
 import pytest
 
 from onika.files.world import read, write
-from onika.model.world import Spot, WorldPart, WorldPlace
+from onika.model.world import PartBlock, PlaceBlock, Spot
 
 CUBES = """VERSION     2.0
 DESC        an arm at a table
@@ -41,10 +41,10 @@ def test_a_world_is_what_stands_where():  # R-X19
     world, faults = read(CUBES, "cubes", "f")
     assert faults == ()
     assert world.parts == (
-        WorldPart("table", "table.xml", Spot((0.55, 0.0, 0.2, 90.0))),
-        WorldPart("cube", "cube.xml", Spot(on="table.top"), 0.001),
+        PartBlock("table", "table.xml", Spot((0.55, 0.0, 0.2, 90.0))),
+        PartBlock("cube", "cube.xml", Spot(on="table.top"), 0.001),
     )
-    assert world.places == (WorldPlace("left", ("panda", "scara")),)
+    assert world.places == (PlaceBlock("left", ("panda", "scara")),)
     assert (world.switches[0].near, world.lamps[0].when) == (("cube.foot", "table.patch", 0.006), ("contact",))
     assert (world.buttons[0].stops, world.robots, world.floor) == (("left",), ("panda", "scara"), 0.0)
 

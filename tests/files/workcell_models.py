@@ -4,16 +4,16 @@ import string
 
 from hypothesis import strategies as st
 
-from onika.model.robot import AXIS_WORDS, DRIVES, Robot, RobotArm, RobotAxes, RobotGripper
+from onika.model.robot import AXIS_WORDS, DRIVES, RobotArm, RobotAxes, RobotGripper, RobotText
 from onika.model.world import (
     CONES,
     UNNAMED,
+    ButtonBlock,
+    LampBlock,
+    PartBlock,
+    PlaceBlock,
     Spot,
-    WorldButton,
-    WorldLamp,
-    WorldPart,
-    WorldPlace,
-    WorldSwitch,
+    SwitchBlock,
     WorldText,
 )
 
@@ -52,7 +52,7 @@ def _grippers(draw: st.DrawFn, name: str, moves: tuple[str, ...]) -> RobotGrippe
 
 
 @st.composite
-def robots(draw: st.DrawFn) -> Robot:
+def robots(draw: st.DrawFn) -> RobotText:
     titles = draw(st.lists(names, max_size=3, unique=True))
     devices = []
     for number, title in enumerate(titles):
@@ -60,7 +60,7 @@ def robots(draw: st.DrawFn) -> Robot:
         axes = st.builds(RobotAxes, st.just(title), st.just(moves), drives)
         devices.append(draw(_arms(title) | axes | _grippers(title, moves)))
     hand = draw(st.just(("", "")) | st.tuples(files, words))
-    return Robot("r", draw(files), draw(prose), *hand, tuple(devices))
+    return RobotText("r", draw(files), draw(prose), *hand, tuple(devices))
 
 
 @st.composite
@@ -69,22 +69,22 @@ def worlds(draw: st.DrawFn) -> WorldText:
     parts = [titles[0], draw(st.sampled_from([UNNAMED, titles[1]]))][: draw(st.integers(0, 2))]
     on = st.just("") | (st.just(f"{parts[0]}.top") if len(parts) > 1 else st.just(""))
     ats = st.just((0.0,) * 4) | st.tuples(numbers, numbers, numbers, numbers)
-    blocks: list[WorldPart | WorldPlace | WorldSwitch | WorldLamp | WorldButton] = [
-        WorldPart(part, draw(files), Spot(draw(ats), draw(on) if at else ""), draw(st.none() | from_0))
+    blocks: list[PartBlock | PlaceBlock | SwitchBlock | LampBlock | ButtonBlock] = [
+        PartBlock(part, draw(files), Spot(draw(ats), draw(on) if at else ""), draw(st.none() | from_0))
         for at, part in enumerate(parts)
     ]
     robots = st.lists(names, min_size=1, max_size=3, unique=True).map(tuple)
     places = titles[2 : 2 + draw(st.integers(0, 2))]
-    blocks += [WorldPlace(place, draw(robots), Spot(draw(ats), draw(on))) for place in places]
+    blocks += [PlaceBlock(place, draw(robots), Spot(draw(ats), draw(on))) for place in places]
     near = st.tuples(words, words, from_0)
     switches = titles[4 : 4 + draw(st.integers(0, 2))]
     blocks += [
-        draw(st.builds(WorldSwitch, st.just(switch), near, st.none() | st.tuples(words, from_0))) for switch in switches
+        draw(st.builds(SwitchBlock, st.just(switch), near, st.none() | st.tuples(words, from_0))) for switch in switches
     ]
     if switches:
-        blocks.append(WorldLamp(titles[6], tuple(switches), draw(st.just(()) | some_words)))
+        blocks.append(LampBlock(titles[6], tuple(switches), draw(st.just(()) | some_words)))
     if places:
-        blocks.append(WorldButton(titles[7], tuple(places)))
+        blocks.append(ButtonBlock(titles[7], tuple(places)))
     contact = draw(st.tuples(st.sampled_from(CONES), st.floats(1e-3, 1e6)))
     step, gravity, floor = draw(st.floats(1e-4, 0.02)), draw(from_0), draw(st.none() | numbers)
     return WorldText("w", draw(prose), step, gravity, contact, floor, tuple(blocks))

@@ -7,7 +7,7 @@ from onika.files.layout import carry_comments
 from onika.files.line import FileLine, row, show_number, split
 from onika.files.text_reading import KeywordSlot, Need, TextReading
 from onika.files.version import EXTENDED
-from onika.model.robot import AXIS_WORDS, DRIVES, Robot, RobotArm, RobotAxes, RobotDevice, RobotGripper
+from onika.model.robot import AXIS_WORDS, DRIVES, RobotArm, RobotAxes, RobotDevice, RobotGripper, RobotText
 from onika.words.fault import Fault
 from onika.words.reason import Reason
 
@@ -39,7 +39,7 @@ _GRIPPER = (
 _SPEED_LEAST = 1e-6
 
 
-def read(text: str, name: str, place_file: str) -> tuple[Robot | None, tuple[Fault, ...]]:
+def read(text: str, name: str, place_file: str) -> tuple[RobotText | None, tuple[Fault, ...]]:
     """The robot `name` of a text; with any fault it is left out."""
     reading = TextReading(place_file, Reason.of("files.robot_left_out"))
     reading.open_versioned(text, extended=True)
@@ -55,11 +55,11 @@ def read(text: str, name: str, place_file: str) -> tuple[Robot | None, tuple[Fau
     devices = tuple(_device(block, reading) for block in blocks)
     _check_twice(blocks, reading)
     _check_moves(blocks, devices, reading)
-    robot = Robot(name, words.file("FILE"), words.text("DESC"), hand, on, devices, words.lines)
+    robot = RobotText(name, words.file("FILE"), words.text("DESC"), hand, on, devices, words.lines)
     return (None if reading.broken else robot), reading.faults
 
 
-def write(robot: Robot, former: str = "") -> str:
+def write(robot: RobotText, former: str = "") -> str:
     """The text of a robot, with the comments of its former text."""
     parts = [row("VERSION", EXTENDED), text_row("DESC", robot.description), row("FILE", robot.file)]
     parts += [row("HAND", robot.hand), row("ON", robot.on)] if robot.hand else []

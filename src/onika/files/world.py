@@ -12,13 +12,13 @@ from onika.model.world import (
     GRAVITY,
     STEP_S,
     UNNAMED,
+    Block,
+    ButtonBlock,
+    LampBlock,
+    PartBlock,
+    PlaceBlock,
     Spot,
-    WorldBlock,
-    WorldButton,
-    WorldLamp,
-    WorldPart,
-    WorldPlace,
-    WorldSwitch,
+    SwitchBlock,
     WorldText,
 )
 from onika.words.fault import Fault
@@ -79,18 +79,18 @@ def write(world: WorldText, former: str = "") -> str:
     return carry_comments(former, "".join([*parts, "\n", row("EOF")]))
 
 
-def _show(block: WorldBlock) -> str:
+def _show(block: Block) -> str:
     match block:
-        case WorldPart():
+        case PartBlock():
             free = "" if block.free is None else row("FREE", *([show_number(block.free)] if block.free else []))
             return row("PART", block.name) + row("FILE", block.file) + _show_spot(block.spot) + free
-        case WorldPlace():
+        case PlaceBlock():
             return row("PLACE", block.name) + row("ROBOTS", *block.robots) + _show_spot(block.spot)
-        case WorldSwitch():
+        case SwitchBlock():
             near = row("NEAR", *block.near[:2], show_number(block.near[2])) if block.near else ""
             pressed = row("PRESSED", block.pressed[0], show_number(block.pressed[1])) if block.pressed else ""
             return row("SWITCH", block.name) + near + pressed
-        case WorldLamp():
+        case LampBlock():
             shines = row("SHINES", *block.shines) if block.shines else ""
             return row("LAMP", block.name) + row("WHEN", *block.when) + shines
     return row("BUTTON", block.name) + row("STOPS", *block.stops)
@@ -108,7 +108,7 @@ def _contact(words: BlockWords) -> tuple[str, float]:
     return (names[0], numbers[0]) if names else (CONES[0], 1.0)
 
 
-def _block(words: BlockWords, keyword: str) -> WorldBlock:
+def _block(words: BlockWords, keyword: str) -> Block:
     match keyword:
         case "PART":
             return _part(words)
@@ -117,22 +117,22 @@ def _block(words: BlockWords, keyword: str) -> WorldBlock:
             for robot in robots:
                 if not TASK_NAME.match(robot):
                     words.wrong("ROBOTS", Reason.of("files.no_name_of_robot", found=repr(robot)))
-            return WorldPlace(words.name("PLACE", UNNAMED), robots, _spot(words), words.lines)
+            return PlaceBlock(words.name("PLACE", UNNAMED), robots, _spot(words), words.lines)
         case "SWITCH":
             return _switch(words)
         case "LAMP":
             shines = words.words("SHINES", Reason.of("files.names_of_shapes"))
             when = words.words("WHEN", Reason.of("files.names_of_switches"))
-            return WorldLamp(words.name("LAMP"), when, shines, words.lines)
-    return WorldButton(words.name("BUTTON"), words.words("STOPS", Reason.of("files.names_of_places")), words.lines)
+            return LampBlock(words.name("LAMP"), when, shines, words.lines)
+    return ButtonBlock(words.name("BUTTON"), words.words("STOPS", Reason.of("files.names_of_places")), words.lines)
 
 
-def _part(words: BlockWords) -> WorldPart:
+def _part(words: BlockWords) -> PartBlock:
     free = None
     if words.has("FREE"):
         _, shake = words.named_numbers("FREE", Reason.of("files.nothing_or_metres"), 0, (0, 1), 0.0)
         free = shake[0] if shake else 0.0
-    return WorldPart(words.name("PART", UNNAMED), words.file("FILE"), _spot(words), free, words.lines)
+    return PartBlock(words.name("PART", UNNAMED), words.file("FILE"), _spot(words), free, words.lines)
 
 
 def _spot(words: BlockWords) -> Spot:
@@ -140,13 +140,13 @@ def _spot(words: BlockWords) -> Spot:
     return Spot(at, words.word("ON", Reason.of("files.site_of_part")))
 
 
-def _switch(words: BlockWords) -> WorldSwitch:
+def _switch(words: BlockWords) -> SwitchBlock:
     sites, apart = words.named_numbers("NEAR", Reason.of("files.sites_and_distance"), 2, (1,), 0.0)
     sensor, force = words.named_numbers("PRESSED", Reason.of("files.sensor_and_force"), 1, (1,), 0.0)
     if not (words.has("NEAR") or words.has("PRESSED")):
         words.wrong("SWITCH", Reason.of("files.switch_without_contact"))
     near = (sites[0], sites[1], apart[0]) if sites else None
-    return WorldSwitch(words.name("SWITCH"), near, (sensor[0], force[0]) if sensor else None, words.lines)
+    return SwitchBlock(words.name("SWITCH"), near, (sensor[0], force[0]) if sensor else None, words.lines)
 
 
 def _check_twice(world: WorldText, reading: TextReading) -> None:
@@ -176,7 +176,7 @@ def _known(names: Iterable[str], there: set[str], number: int, reading: TextRead
 
 def _check_attachments(world: WorldText, reading: TextReading) -> None:
     """What stands on a part, on which part it stands in the end: on one that is there, and never on itself."""
-    standing: tuple[WorldPart | WorldPlace, ...] = (*world.parts, *world.places)
+    standing: tuple[PartBlock | PlaceBlock, ...] = (*world.parts, *world.places)
     carriers: Mapping[str, str] = {
         block.name: block.spot.on.partition(".")[0] for block in world.parts if block.spot.on
     }
@@ -188,7 +188,7 @@ def _check_attachments(world: WorldText, reading: TextReading) -> None:
         if not site or carrier not in parts:
             there = tuple(sorted(parts - {UNNAMED, block.name})) or Reason.of("files.nothing")
             reading.fault(block.lines["ON"], Reason.of("files.no_such_part", parts=there, on=block.spot.on))
-        elif isinstance(block, WorldPart) and _leads_back(block.name, carriers):
+        elif isinstance(block, PartBlock) and _leads_back(block.name, carriers):
             reading.fault(block.lines["ON"], Reason.of("files.stands_on_itself", part=block.name))
 
 

@@ -77,7 +77,7 @@ RobotDevice = RobotArm | RobotAxes | RobotGripper
 
 
 @dataclass(frozen=True, slots=True)
-class Robot:
+class RobotText:
     """What a `.robot` file says. `file` is the model, `hand` another one that is attached to it at the site `on`."""
 
     name: str

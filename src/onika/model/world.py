@@ -30,7 +30,7 @@ class Spot:
 
 
 @dataclass(frozen=True, slots=True)
-class WorldPart:
+class PartBlock:
     """A thing from a model's file; `free`: it moves, and where things are shaken it is up to so many metres away."""
 
     name: str
@@ -41,7 +41,7 @@ class WorldPart:
 
 
 @dataclass(frozen=True, slots=True)
-class WorldPlace:
+class PlaceBlock:
     """A place where one robot stands; the first of `robots` does as long as nobody claims another one."""
 
     name: str
@@ -51,7 +51,7 @@ class WorldPlace:
 
 
 @dataclass(frozen=True, slots=True)
-class WorldSwitch:
+class SwitchBlock:
     """1 while all that it says holds, else 0.
 
     near     two sites that are at most so many metres apart
@@ -65,7 +65,7 @@ class WorldSwitch:
 
 
 @dataclass(frozen=True, slots=True)
-class WorldLamp:
+class LampBlock:
     """A lamp that shines while all these switches are 1; `shines` are the shapes that are then lit."""
 
     name: str
@@ -75,7 +75,7 @@ class WorldLamp:
 
 
 @dataclass(frozen=True, slots=True)
-class WorldButton:
+class ButtonBlock:
     """A panic button that a hand can press; it stops the robots at these places."""
 
     name: str
@@ -83,7 +83,7 @@ class WorldButton:
     lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
 
 
-WorldBlock = WorldPart | WorldPlace | WorldSwitch | WorldLamp | WorldButton
+Block = PartBlock | PlaceBlock | SwitchBlock | LampBlock | ButtonBlock
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,33 +102,33 @@ class WorldText:
     gravity: float = GRAVITY
     contact: tuple[str, float] = (CONES[0], 1.0)
     floor: float | None = None
-    blocks: tuple[WorldBlock, ...] = ()
+    blocks: tuple[Block, ...] = ()
     lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
 
     @property
-    def parts(self) -> tuple[WorldPart, ...]:
+    def parts(self) -> tuple[PartBlock, ...]:
         """Its things."""
-        return tuple(block for block in self.blocks if isinstance(block, WorldPart))
+        return tuple(block for block in self.blocks if isinstance(block, PartBlock))
 
     @property
-    def places(self) -> tuple[WorldPlace, ...]:
+    def places(self) -> tuple[PlaceBlock, ...]:
         """The places of its robots."""
-        return tuple(block for block in self.blocks if isinstance(block, WorldPlace))
+        return tuple(block for block in self.blocks if isinstance(block, PlaceBlock))
 
     @property
-    def switches(self) -> tuple[WorldSwitch, ...]:
+    def switches(self) -> tuple[SwitchBlock, ...]:
         """Its switches."""
-        return tuple(block for block in self.blocks if isinstance(block, WorldSwitch))
+        return tuple(block for block in self.blocks if isinstance(block, SwitchBlock))
 
     @property
-    def lamps(self) -> tuple[WorldLamp, ...]:
+    def lamps(self) -> tuple[LampBlock, ...]:
         """Its lamps."""
-        return tuple(block for block in self.blocks if isinstance(block, WorldLamp))
+        return tuple(block for block in self.blocks if isinstance(block, LampBlock))
 
     @property
-    def buttons(self) -> tuple[WorldButton, ...]:
+    def buttons(self) -> tuple[ButtonBlock, ...]:
         """Its panic buttons."""
-        return tuple(block for block in self.blocks if isinstance(block, WorldButton))
+        return tuple(block for block in self.blocks if isinstance(block, ButtonBlock))
 
     @property
     def robots(self) -> tuple[str, ...]:

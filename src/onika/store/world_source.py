@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from onika.files import robot as robot_file, text, world as world_file
-from onika.model.robot import Robot
+from onika.model.robot import RobotText
 from onika.model.world import WorldText
 from onika.store.model_file import Needed, self_contained
 from onika.store.opened_text import Faults
@@ -90,7 +90,7 @@ class _Gathering:
         return content
 
 
-def _models(robot: Robot | None) -> Iterator[tuple[str, int]]:
+def _models(robot: RobotText | None) -> Iterator[tuple[str, int]]:
     """The models of a robot, each with its line."""
     if robot is not None:
         yield robot.file, robot.lines.get("FILE", 0)

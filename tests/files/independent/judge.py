@@ -11,10 +11,10 @@ from onika.model.onikon import Onikon
 from onika.model.own_lines import OwnLines
 from onika.model.picture import Picture
 from onika.model.preferences import Preferences
-from onika.model.robot import Robot, RobotArm, RobotAxes, RobotDevice
+from onika.model.robot import RobotArm, RobotAxes, RobotDevice, RobotText
 from onika.model.syntax import Syntax
 from onika.model.task import Task, TaskType
-from onika.model.world import Spot, WorldBlock, WorldLamp, WorldPart, WorldPlace, WorldSwitch, WorldText
+from onika.model.world import Block, LampBlock, PartBlock, PlaceBlock, Spot, SwitchBlock, WorldText
 
 from . import application, configuration, icon, installation, parameters, workcell
 
@@ -60,7 +60,7 @@ def plain(model: Any) -> Plain:
             return plain_preferences(model)
         case Picture():
             return list(model.rows)
-        case Robot():
+        case RobotText():
             return _robot(model)
         case WorldText():
             return _world(model)
@@ -164,7 +164,7 @@ def plain_preferences(of: Preferences) -> dict[str, Any]:
     }
 
 
-def _robot(robot: Robot) -> dict[str, Any]:
+def _robot(robot: RobotText) -> dict[str, Any]:
     hand = (robot.hand, robot.on) if robot.hand else None
     devices = [_device(device) for device in robot.devices]
     return {"DESC": robot.description, "FILE": robot.file, "HAND": hand, "devices": devices}
@@ -187,15 +187,15 @@ def _world(world: WorldText) -> dict[str, Any]:
     return {**head, "FLOOR": world.floor, "blocks": [_block(block) for block in world.blocks]}
 
 
-def _block(block: WorldBlock) -> tuple[str, str, dict[str, Any]]:
+def _block(block: Block) -> tuple[str, str, dict[str, Any]]:
     match block:
-        case WorldPart():
+        case PartBlock():
             return "PART", block.name, {"FILE": block.file, **_spot(block.spot), "FREE": block.free}
-        case WorldPlace():
+        case PlaceBlock():
             return "PLACE", block.name, {"ROBOTS": list(block.robots), **_spot(block.spot)}
-        case WorldSwitch():
+        case SwitchBlock():
             return "SWITCH", block.name, {"NEAR": block.near, "PRESSED": block.pressed}
-        case WorldLamp():
+        case LampBlock():
             return "LAMP", block.name, {"WHEN": list(block.when), "SHINES": list(block.shines)}
     return "BUTTON", block.name, {"STOPS": list(block.stops)}
 

@@ -14,16 +14,16 @@ ARM = """<mujoco model="elbow">
         <geom type="capsule" size="0.03" fromto="0 0 0 0.3 0 0" mass="2"/>
         <body name="lower" pos="0.3 0 0">
           <joint name="bend" axis="0 1 0" range="-2 2" armature="0.02"/>
-          <geom type="capsule" size="0.025" fromto="0 0 0 0.25 0 0" mass="1"/>
+          <geom type="capsule" size="0.025" fromto="0 0 0 0.18 0 0" mass="1"/>
           <body name="quill" pos="0.25 0 0">
             <joint name="lift" type="slide" axis="0 0 1" range="-0.1 0.1" armature="0.1"/>
             <geom type="box" size="0.02 0.02 0.02" mass="0.3"/>
-            <site name="tip" pos="0 0 -0.05" euler="3.14159265358979 0 0"/>
-            <body name="finger1" pos="0.0 0.01 -0.04">
+            <site name="tip" pos="0 0 -0.1" euler="3.14159265358979 0 0"/>
+            <body name="finger1" pos="0.0 0.01 -0.08">
               <joint name="finger1" type="slide" axis="0 1 0" range="0 0.03" damping="5"/>
               <geom type="box" size="0.01 0.002 0.02" mass="0.02"/>
             </body>
-            <body name="finger2" pos="0.0 -0.01 -0.04">
+            <body name="finger2" pos="0.0 -0.01 -0.08">
               <joint name="finger2" type="slide" axis="0 -1 0" range="0 0.03" damping="5"/>
               <geom type="box" size="0.01 0.002 0.02" mass="0.02"/>
             </body>

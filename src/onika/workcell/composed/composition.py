@@ -5,11 +5,11 @@ from collections.abc import Iterator, Mapping
 
 import mujoco
 
-from onika.model.world import CONES, UNNAMED, Spot, WorldPart, WorldPlace
+from onika.model.world import CONES, UNNAMED, PartBlock, PlaceBlock, Spot
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
 from onika.workcell.composed.robot_model import RobotModel, compiled, robot_model, robot_spec
-from onika.workcell.composed.sources import Sources
+from onika.workcell.composed.sources import SourceTexts
 
 FREE_JOINT = "free"
 """The joint of a part that moves, behind the part's name."""
@@ -26,7 +26,7 @@ def prefix_of(name: str) -> str:
 class Composition:
     """The world of some files, with all `faults` of them; raises ValueError where nothing can be made."""
 
-    def __init__(self, sources: Sources) -> None:
+    def __init__(self, sources: SourceTexts) -> None:
         self.sources = sources
         self.faults: list[Fault] = [*sources.faults]
         if sources.world is None:
@@ -39,7 +39,7 @@ class Composition:
         self.places = tuple(place for place in self.world.places if self._is_used(place))
         self.standing = {place.name: self.at(place)[0] for place in self.places}
 
-    def at(self, place: WorldPlace) -> tuple[str, ...]:
+    def at(self, place: PlaceBlock) -> tuple[str, ...]:
         """The robots of a place that can be used."""
         return tuple(robot for robot in place.robots if robot in self.robots)
 
@@ -67,7 +67,7 @@ class Composition:
                     reason = Reason.of("workcell.robot_missing", name=name)
                     self.faults.append(Fault(where, reason, Reason.of("files.robot_left_out")))
 
-    def _is_used(self, place: WorldPlace) -> bool:
+    def _is_used(self, place: PlaceBlock) -> bool:
         if self.at(place):
             return True
         where = Place(self.sources.place.file, place.lines.get("PLACE", 0))
@@ -87,7 +87,7 @@ class Composition:
             plane, height = mujoco.mjtGeom.mjGEOM_PLANE, self.world.floor
             spec.worldbody.add_geom(name="floor", type=plane, size=(0.0, 0.0, 0.05), pos=(0.0, 0.0, height))
 
-    def _in_order(self) -> Iterator[WorldPart]:
+    def _in_order(self) -> Iterator[PartBlock]:
         """Parts, each behind the one on which it stands."""
         waiting, there = list(self.world.parts), set[str]()
         while waiting:
@@ -96,7 +96,7 @@ class Composition:
             there.add(part.name)
             yield part
 
-    def _attach_part(self, spec: mujoco.MjSpec, part: WorldPart, offset: tuple[float, float]) -> None:
+    def _attach_part(self, spec: mujoco.MjSpec, part: PartBlock, offset: tuple[float, float]) -> None:
         child = self.sources.model(f"world/{part.file}")
         if part.free is not None:
             body = child.worldbody.first_body()
@@ -106,7 +106,7 @@ class Composition:
                 body.add_freejoint(name=FREE_JOINT)
         self._attach(spec, child, part.spot, part.name, offset)
 
-    def _attach_robot(self, spec: mujoco.MjSpec, place: WorldPlace, robot: RobotModel) -> None:
+    def _attach_robot(self, spec: mujoco.MjSpec, place: PlaceBlock, robot: RobotModel) -> None:
         child = robot_spec(self.sources, robot.robot)
         for first, other in robot.excluded:
             child.add_exclude(bodyname1=first, bodyname2=other)
@@ -130,6 +130,6 @@ class Composition:
         spec.attach(child, site=site, prefix=prefix)
 
 
-def why_not(wrong: ValueError, sources: Sources) -> Fault:
+def why_not(wrong: ValueError, sources: SourceTexts) -> Fault:
     """What keeps a whole world from being made, as a fault of its file."""
     return Fault(sources.place, reason_of(wrong), Reason.of("files.world_left_out"))

@@ -2,11 +2,11 @@
 
 from collections.abc import Sequence
 
-from onika.model.robot import Robot, RobotArm, RobotDevice
+from onika.model.robot import RobotArm, RobotDevice, RobotText
 from onika.model.world import UNNAMED
 
 
-def device_name(device: RobotDevice, robot: Robot, others: Sequence[Robot], place: str) -> str:
+def device_name(device: RobotDevice, robot: RobotText, others: Sequence[RobotText], place: str) -> str:
     """The name of a robot's device at a place where these other robots may stand too; `-` adds nothing.
 
     The only arm of a robot has the robot's name. Where another robot has a device of the same word, or the robot
@@ -22,5 +22,5 @@ def device_name(device: RobotDevice, robot: Robot, others: Sequence[Robot], plac
     return word if place == UNNAMED else f"{word}_{place}"
 
 
-def _words(robot: Robot) -> list[str]:
+def _words(robot: RobotText) -> list[str]:
     return [device.name for device in robot.devices]

@@ -11,7 +11,7 @@ import numpy as np
 from mujoco import mj_step
 
 from onika.laws.frames import Array
-from onika.model.world import WorldPart, WorldSwitch
+from onika.model.world import PartBlock, SwitchBlock
 from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveInput
 from onika.wire.world_source import WorldSource
@@ -22,7 +22,7 @@ from onika.workcell.composed.composition import FREE_JOINT, Composition, prefix_
 from onika.workcell.composed.device_names import device_name
 from onika.workcell.composed.finger_unit import FingerUnit
 from onika.workcell.composed.joint_unit import JointUnit, KinematicJointUnit
-from onika.workcell.composed.sources import Sources
+from onika.workcell.composed.sources import SourceTexts
 from onika.workcell.composed.stands import RobotUnit, Stands
 from onika.workcell.composed.still import still
 from onika.workcell.composed.switch_lamp import SwitchLamp
@@ -44,7 +44,7 @@ class FileWorld(DrivenWorld):
     """
 
     def __init__(self, files: WorldSource, seed: int | None = None) -> None:
-        self._composition = Composition(Sources(files))
+        self._composition = Composition(SourceTexts(files))
         world = self._composition.world
         self.step_ns = round(world.step_s * 1e9)
         self._offsets = _offsets(world.parts, seed)
@@ -151,7 +151,7 @@ class FileWorld(DrivenWorld):
             else:
                 yield SwitchLamp(lamp, switches)
 
-    def _is_usable(self, switch: WorldSwitch) -> bool:
+    def _is_usable(self, switch: SwitchBlock) -> bool:
         model = self._plant.model
         sites = switch.near[:2] if switch.near else ()
         named = [("NEAR", mujoco.mjtObj.mjOBJ_SITE, site) for site in sites]
@@ -231,7 +231,7 @@ class FileWorld(DrivenWorld):
     def _runners(self) -> list[JointUnit]:
         return [unit for unit in self._present if isinstance(unit, JointUnit) and unit.runs_on]
 
-    def _free_parts(self, qpos: Array) -> Iterator[tuple[WorldPart, Array]]:
+    def _free_parts(self, qpos: Array) -> Iterator[tuple[PartBlock, Array]]:
         """The parts that move, each with where it is."""
         for part in self._composition.world.parts:
             joint = mujoco.mj_name2id(self._plant.model, mujoco.mjtObj.mjOBJ_JOINT, prefix_of(part.name) + FREE_JOINT)
@@ -255,7 +255,7 @@ class FileWorld(DrivenWorld):
 
 def judged(files: WorldSource) -> tuple[Fault, ...]:
     """All that is wrong with the files of a world, and what is left out for that."""
-    sources = Sources(files)
+    sources = SourceTexts(files)
     try:
         return FileWorld(files).faults
     except ValueError as wrong:
@@ -263,7 +263,7 @@ def judged(files: WorldSource) -> tuple[Fault, ...]:
         return others or (why_not(wrong, sources),)
 
 
-def _offsets(parts: Sequence[WorldPart], seed: int | None) -> dict[str, tuple[float, float]]:
+def _offsets(parts: Sequence[PartBlock], seed: int | None) -> dict[str, tuple[float, float]]:
     """How far parts stand from their spots that never stand twice alike."""
     if seed is None:
         return {}

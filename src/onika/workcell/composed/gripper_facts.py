@@ -12,7 +12,7 @@ import numpy as np
 
 from onika.model.robot import Numbers, RobotGripper
 from onika.words.reason import Reason
-from onika.workcell.composed.joint_facts import Objection
+from onika.workcell.composed.joint_facts import Unfit
 
 _STRONG_N = 100.0
 """What fingers press with at most where nobody says it."""
@@ -34,21 +34,21 @@ class GripperFacts:
     constants: Mapping[str, Numbers | str]
 
 
-def gripper_facts(model: Any, gripper: RobotGripper, robot: str) -> GripperFacts | Objection:
+def gripper_facts(model: Any, gripper: RobotGripper, robot: str) -> GripperFacts | Unfit:
     """A gripper of a compiled robot."""
     actuators = [mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_ACTUATOR, name) for name in gripper.moves]
     if min(actuators) < 0:
         there = tuple(model.actuator(k).name for k in range(model.nu)) or Reason.of("workcell.none")
         lacking = gripper.moves[actuators.index(-1)]
-        return Objection("MOVES", Reason.of("workcell.no_such_name", there=there, name=lacking))
+        return Unfit("MOVES", Reason.of("workcell.no_such_name", there=there, name=lacking))
     for sensor in gripper.force:
         if mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_SENSOR, sensor) < 0:
             there = tuple(model.sensor(k).name for k in range(model.nsensor)) or Reason.of("workcell.none")
-            return Objection("FORCE", Reason.of("workcell.no_such_name", there=there, name=sensor))
+            return Unfit("FORCE", Reason.of("workcell.no_such_name", there=there, name=sensor))
     first = actuators[0]
     closed, opened = (_length(model, first, signal[0]) for signal in (gripper.closed, gripper.open))
     if closed == opened:
-        return Objection("OPEN", Reason.of("workcell.gripper_still", name=gripper.name))
+        return Unfit("OPEN", Reason.of("workcell.gripper_still", name=gripper.name))
     leverage = (opened - closed) / (gripper.open[1] - gripper.closed[1])
     force = _strength(model, actuators, gripper) * abs(leverage)
     sheet: dict[str, Numbers | str] = {

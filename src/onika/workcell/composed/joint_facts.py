@@ -26,7 +26,7 @@ _MOST_NAMES = 20
 
 
 @dataclass(frozen=True, slots=True)
-class Objection:
+class Unfit:
     """Why a device cannot be made, and the line of its block that says so."""
 
     keyword: str
@@ -52,10 +52,10 @@ class JointFacts:
     constants: Mapping[str, Numbers | str]
 
 
-def arm_facts(model: Any, arm: RobotArm, robot: str, speeds: Mapping[str, float]) -> JointFacts | Objection:
+def arm_facts(model: Any, arm: RobotArm, robot: str, speeds: Mapping[str, float]) -> JointFacts | Unfit:
     """An arm: the chain of joints from its base to its tool."""
     tool = _tool(model, arm)
-    if isinstance(tool, Objection):
+    if isinstance(tool, Unfit):
         return tool
     body, pose_of = tool
     start = _body(model, arm.start)
@@ -64,9 +64,9 @@ def arm_facts(model: Any, arm: RobotArm, robot: str, speeds: Mapping[str, float]
     try:
         joints = chain.joints_between(model, start, body)
     except ValueError as wrong:
-        return Objection("TOOL", Reason.of("workcell.joint_unfit", joint=str(wrong)))
+        return Unfit("TOOL", Reason.of("workcell.joint_unfit", joint=str(wrong)))
     if not joints:
-        return Objection("TOOL", Reason.of("workcell.no_joints", tool=arm.tool))
+        return Unfit("TOOL", Reason.of("workcell.no_joints", tool=arm.tool))
     if start is None:
         start = int(model.body_parentid[model.jnt_bodyid[joints[0]]])
     facts = chain.chain(model, joints, start)
@@ -76,7 +76,7 @@ def arm_facts(model: Any, arm: RobotArm, robot: str, speeds: Mapping[str, float]
     return _facts(model, arm, robot, joints, model.body(start).name, constants, speeds)
 
 
-def axes_facts(model: Any, axes: RobotAxes, robot: str, speeds: Mapping[str, float]) -> JointFacts | Objection:
+def axes_facts(model: Any, axes: RobotAxes, robot: str, speeds: Mapping[str, float]) -> JointFacts | Unfit:
     """Servos that are no chain: the joints of their actuators."""
     joints = []
     for name in axes.moves:
@@ -84,18 +84,18 @@ def axes_facts(model: Any, axes: RobotAxes, robot: str, speeds: Mapping[str, flo
         if actuator < 0:
             return _absent(model, "MOVES", "actuator", model.nu, name)
         if int(model.actuator_trntype[actuator]) != int(mujoco.mjtTrn.mjTRN_JOINT):
-            return Objection("MOVES", Reason.of("workcell.no_joint_moved", actuator=name))
+            return Unfit("MOVES", Reason.of("workcell.no_joint_moved", actuator=name))
         joints.append(int(model.actuator_trnid[actuator, 0]))
     return _facts(model, axes, robot, joints, "", {}, speeds)
 
 
-def shared(facts: Sequence[JointFacts], device: JointFacts) -> Objection | None:
+def shared(facts: Sequence[JointFacts], device: JointFacts) -> Unfit | None:
     """Why a device has a joint that one before it has already."""
     for other in facts:
         both = [joint for joint in device.joints if joint in other.joints]
         if both:
             keyword = "TOOL" if device.start else "MOVES"
-            return Objection(
+            return Unfit(
                 keyword,
                 Reason.of("workcell.joint_twice", joint=both[0], other=other.name, device=device.name),
             )
@@ -110,22 +110,22 @@ def _facts(
     start: str,
     constants: Mapping[str, Array],
     speeds: Mapping[str, float],
-) -> JointFacts | Objection:
+) -> JointFacts | Unfit:
     names = tuple(model.joint(joint).name for joint in joints)
     actuators = _actuators(model, joints)
-    if isinstance(actuators, Objection):
+    if isinstance(actuators, Unfit):
         return actuators
     count = len(joints)
     said = {"HOME": _of(device, "home"), "SPEED": _of(device, "speed"), "TORQUE": _of(device, "torque")}
     for keyword, numbers in said.items():
         if numbers and len(numbers) != count:
-            return Objection(keyword, Reason.of("workcell.joint_count", count=count, found=len(numbers)))
+            return Unfit(keyword, Reason.of("workcell.joint_count", count=count, found=len(numbers)))
     slides = [int(model.jnt_type[joint]) == int(mujoco.mjtJoint.mjJNT_SLIDE) for joint in joints]
     lowest, highest = _limits(model, joints, slides)
     home = np.array(said["HOME"]) if said["HOME"] else _home(model, joints, lowest, highest)
     if not np.all((lowest <= home) & (home <= highest)):
         wrong = int(np.flatnonzero((home < lowest) | (home > highest))[0])
-        return Objection("HOME", Reason.of("workcell.home_outside", joint=names[wrong], value=float(home[wrong])))
+        return Unfit("HOME", Reason.of("workcell.home_outside", joint=names[wrong], value=float(home[wrong])))
     usual = [speeds.get(name, _SPEED[slide]) for name, slide in zip(names, slides, strict=True)]
     speed = np.array(said["SPEED"] or usual)
     torque = np.array(
@@ -143,7 +143,7 @@ def _of(device: RobotArm | RobotAxes, name: str) -> Numbers:
     return tuple(getattr(device, name)) if isinstance(device, RobotArm) else ()
 
 
-def _tool(model: Any, arm: RobotArm) -> tuple[int, Callable[[Any], Array]] | Objection:
+def _tool(model: Any, arm: RobotArm) -> tuple[int, Callable[[Any], Array]] | Unfit:
     """The body that bears the tool, and where its site or body is."""
     site = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_SITE, arm.tool)
     if site >= 0:
@@ -173,7 +173,7 @@ def _axis(word: str) -> Array:
     return -axis if word[0] == "-" else axis
 
 
-def _actuators(model: Any, joints: Sequence[int]) -> tuple[int, ...] | Objection:
+def _actuators(model: Any, joints: Sequence[int]) -> tuple[int, ...] | Unfit:
     """The actuator of each joint."""
     of_joint: dict[int, int] = {}
     for actuator in range(model.nu):
@@ -181,7 +181,7 @@ def _actuators(model: Any, joints: Sequence[int]) -> tuple[int, ...] | Objection
             of_joint.setdefault(int(model.actuator_trnid[actuator, 0]), actuator)
     lacking = [model.joint(joint).name for joint in joints if joint not in of_joint]
     if lacking:
-        return Objection("TOOL", Reason.of("workcell.no_actuator", joint=lacking[0]))
+        return Unfit("TOOL", Reason.of("workcell.no_actuator", joint=lacking[0]))
     return tuple(of_joint[joint] for joint in joints)
 
 
@@ -228,7 +228,7 @@ def _gains(model: Any, joints: Sequence[int], home: Array) -> Gains:
     return gains(felt_inertia(model, data, dofs), damping, friction)
 
 
-def _absent(model: Any, keyword: str, kind: str, count: int, name: str) -> Objection:
+def _absent(model: Any, keyword: str, kind: str, count: int, name: str) -> Unfit:
     names = [getattr(model, kind)(k).name for k in range(count)]
     there = tuple(name for name in names if name)[:_MOST_NAMES] or Reason.of("workcell.none")
-    return Objection(keyword, Reason.of("workcell.no_such_name", there=there, name=name))
+    return Unfit(keyword, Reason.of("workcell.no_such_name", there=there, name=name))

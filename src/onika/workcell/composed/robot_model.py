@@ -8,12 +8,12 @@ from xml.etree import ElementTree
 import mujoco
 import numpy as np
 
-from onika.model.robot import Robot, RobotArm, RobotAxes, RobotDevice, RobotGripper
+from onika.model.robot import RobotArm, RobotAxes, RobotDevice, RobotGripper, RobotText
 from onika.words.fault import Fault
 from onika.words.reason import Reason, reason_of
 from onika.workcell.composed.gripper_facts import GripperFacts, gripper_facts
-from onika.workcell.composed.joint_facts import JointFacts, Objection, arm_facts, axes_facts, shared
-from onika.workcell.composed.sources import Sources, first_line
+from onika.workcell.composed.joint_facts import JointFacts, Unfit, arm_facts, axes_facts, shared
+from onika.workcell.composed.sources import SourceTexts, first_line
 
 HAND = "hand."
 """Before the names of what belongs to a hand that is attached."""
@@ -29,13 +29,13 @@ class RobotModel:
     excluded   pairs of bodies that reach into each other at home, as their shapes are drawn and not meant to meet
     """
 
-    robot: Robot
+    robot: RobotText
     joints: tuple[JointFacts, ...]
     grippers: tuple[GripperFacts, ...]
     excluded: tuple[tuple[str, str], ...]
 
 
-def robot_spec(sources: Sources, robot: Robot) -> mujoco.MjSpec:
+def robot_spec(sources: SourceTexts, robot: RobotText) -> mujoco.MjSpec:
     """The document of a robot with its hand, ready to be attached; raises ValueError with the reason why not."""
     spec = sources.model(f"robot/{robot.file}")
     if robot.hand:
@@ -56,7 +56,7 @@ def robot_spec(sources: Sources, robot: Robot) -> mujoco.MjSpec:
     return spec
 
 
-def robot_model(sources: Sources, robot: Robot, faults: list[Fault]) -> RobotModel | None:
+def robot_model(sources: SourceTexts, robot: RobotText, faults: list[Fault]) -> RobotModel | None:
     """Compile a robot by itself; None, with a fault, where nothing of it can be used."""
     try:
         model = compiled(robot_spec(sources, robot))
@@ -72,7 +72,7 @@ def robot_model(sources: Sources, robot: Robot, faults: list[Fault]) -> RobotMod
         if isinstance(facts, JointFacts):
             facts = shared(joints, facts) or facts
         match facts:
-            case Objection():
+            case Unfit():
                 place = sources.robot_place(robot.name, device.lines.get(facts.keyword, min(device.lines.values())))
                 instead = Reason.of("workcell.device_left_out", name=device.name)
                 faults.append(Fault(place, facts.reason, instead))
@@ -91,9 +91,7 @@ def compiled(spec: mujoco.MjSpec) -> Any:
         raise ValueError(Reason.of("workcell.model_unsound", why=first_line(wrong))) from None
 
 
-def _facts(
-    model: Any, device: RobotDevice, robot: str, speeds: dict[str, float]
-) -> JointFacts | GripperFacts | Objection:
+def _facts(model: Any, device: RobotDevice, robot: str, speeds: dict[str, float]) -> JointFacts | GripperFacts | Unfit:
     match device:
         case RobotArm():
             return arm_facts(model, device, robot, speeds)
@@ -127,7 +125,7 @@ def _moving(spec: mujoco.MjSpec) -> Iterator[Any]:
     return (joint for joint in spec.joints if joint.type in kinds)
 
 
-def _speeds(sources: Sources, robot: Robot) -> dict[str, float]:
+def _speeds(sources: SourceTexts, robot: RobotText) -> dict[str, float]:
     """The highest speed of each joint as a URDF says it; MuJoCo drops them."""
     file = sources.files.find(f"robot/{robot.file}")
     if file is None or not robot.file.endswith(_URDF):
@@ -138,7 +136,7 @@ def _speeds(sources: Sources, robot: Robot) -> dict[str, float]:
     return {name: float(speed) for name, speed in given.items() if speed and float(speed) > 0.0}
 
 
-def _touching(model: Any, robot: Robot, joints: list[JointFacts]) -> Iterator[tuple[str, str]]:
+def _touching(model: Any, robot: RobotText, joints: list[JointFacts]) -> Iterator[tuple[str, str]]:
     """Bodies that reach into each other at home: of a URDF any two, else a link and what bears it."""
     data = mujoco.MjData(model)
     for facts in joints:

@@ -7,7 +7,7 @@ import mujoco
 
 from onika.files import robot as robot_file, world as world_file
 from onika.files.text import decode
-from onika.model.robot import Robot
+from onika.model.robot import RobotText
 from onika.model.world import WorldText
 from onika.wire.world_source import WorldFile, WorldSource
 from onika.words.fault import Fault, Place
@@ -20,14 +20,14 @@ _REFERENCE = re.compile(rb"""\bfile\w*\s*=\s*["']([^"']*)["']""")
 _MODELS = (".xml", ".mjcf", ".urdf")
 
 
-class Sources:
+class SourceTexts:
     """What is said by the files of one world; `faults` are those of its texts."""
 
     def __init__(self, files: WorldSource) -> None:
         self.files = files
         self.faults: list[Fault] = []
         self.world: WorldText | None = None
-        self.robots: dict[str, Robot] = {}
+        self.robots: dict[str, RobotText] = {}
         self._needed = {file.name: file.content for file in files.files if "/" not in file.name}
         self._read()
 

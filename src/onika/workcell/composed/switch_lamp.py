@@ -3,7 +3,7 @@
 import math
 from collections.abc import Mapping, Sequence
 
-from onika.model.world import WorldLamp, WorldSwitch
+from onika.model.world import LampBlock, SwitchBlock
 from onika.ring.device import DeviceSheet, DriveState
 from onika.workcell.plant import Plant
 from onika.workcell.unit import DeviceUnit
@@ -12,7 +12,7 @@ from onika.workcell.unit import DeviceUnit
 class SwitchLamp(DeviceUnit):
     """A lamp, which takes no commands. Its switches are judged every 20 ms."""
 
-    def __init__(self, lamp: WorldLamp, switches: Mapping[str, WorldSwitch]) -> None:
+    def __init__(self, lamp: LampBlock, switches: Mapping[str, SwitchBlock]) -> None:
         super().__init__(DeviceSheet(lamp.name, ("time", "drive", *lamp.when), (), {"WHEN": " ".join(lamp.when)}))
         self.lamp = lamp
         self._switches = tuple(switches[name] for name in lamp.when)
@@ -37,7 +37,7 @@ class SwitchLamp(DeviceUnit):
         """Dark."""
         self.flags[:] = 0.0
 
-    def _is_closed(self, switch: WorldSwitch) -> bool:
+    def _is_closed(self, switch: SwitchBlock) -> bool:
         data = self._plant.data
         if switch.pressed is not None and data.sensor(switch.pressed[0]).data[0] <= switch.pressed[1]:
             return False

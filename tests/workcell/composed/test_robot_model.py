@@ -1,0 +1,68 @@
+"""A robot compiled by itself."""
+
+import pytest
+
+from kit.worlds.file_cells import ARM, CELL, changed, files_of
+from onika.workcell.composed.robot_model import robot_model, robot_spec
+from onika.workcell.composed.sources import SourceTexts
+
+URDF = """<robot name="two">
+<link name="base"><collision><geometry><box size="0.1 0.1 0.1"/></geometry></collision></link>
+<link name="arm"><inertial><mass value="1"/><inertia ixx="0.1" iyy="0.1" izz="0.1" ixy="0" ixz="0" iyz="0"/></inertial>
+<collision><geometry><box size="0.1 0.1 0.1"/></geometry></collision></link>
+<joint name="hinge" type="revolute"><parent link="base"/><child link="arm"/><axis xyz="0 0 1"/>
+<limit lower="-1" upper="1" effort="5" velocity="1.25"/></joint></robot>"""
+
+
+def facts_of(files, name="elbow"):
+    faults = []
+    texts = SourceTexts(files)
+    return robot_model(texts, texts.robots[name], faults), faults
+
+
+def test_devices_that_can_be_used_are_known_and_the_others_told():  # R-X19
+    robot, faults = facts_of(changed("robot/elbow.robot", "MOVES squeeze", "MOVES hold"))
+    assert [facts.name for facts in robot.joints] == ["arm"]
+    assert robot.grippers == ()
+    assert [(str(fault.place), str(fault.instead)) for fault in faults] == [
+        ("/lab/robot/elbow.robot:8", "gripper is left out")
+    ]
+
+
+def test_a_description_without_actuators_gets_a_motor_at_each_joint():  # R-X19
+    text = "VERSION 2.0\nFILE two.urdf\nARM arm\nTOOL arm\nEOF\n"
+    robot, faults = facts_of(files_of({**CELL, "robot/elbow.robot": text, "robot/two.urdf": URDF}))
+    assert faults == []
+    (arm,) = robot.joints
+    assert (arm.joints, arm.speed.tolist(), arm.torque.tolist()) == (("hinge",), [1.25], [5.0])
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "why"),
+    [
+        ('range="-3 3"', 'range="3 -3"', "workcell.limit_reversed"),
+        ('joint="bend"', 'joint="knee"', "workcell.model_unsound"),
+        ("</worldbody>", "", "workcell.model_unreadable"),
+    ],
+)
+def test_a_model_that_cannot_be_compiled_leaves_its_robot_out(old, new, why):  # R-B07, R-X19
+    robot, (fault,) = facts_of(changed("robot/elbow.xml", old, new))
+    assert robot is None
+    assert (fault.reason.key, fault.place.line) == (why, 2)
+
+
+def test_a_hand_is_attached_at_its_site():  # R-X19
+    hand = '<mujoco><worldbody><body><geom name="palm" size="0.01"/></body></worldbody></mujoco>'
+    text = "VERSION 2.0\nFILE elbow.xml\nHAND palm.xml\nON tip\nARM arm\nTOOL tip\nEOF\n"
+    files = files_of({**CELL, "robot/elbow.robot": text, "robot/palm.xml": hand})
+    texts = SourceTexts(files)
+    assert robot_spec(texts, texts.robots["elbow"]).compile().geom("hand.palm").id > 0
+    astray = text.replace("ON tip", "ON top")
+    lost, (fault,) = facts_of(files_of({**CELL, "robot/elbow.robot": astray, "robot/palm.xml": hand}))
+    assert lost is None
+    assert fault.reason.key == "workcell.no_such_name"
+
+
+def test_a_link_and_what_bears_it_do_not_hinder_each_other():
+    robot, _ = facts_of(files_of({**CELL, "robot/elbow.xml": ARM}))
+    assert ("foot", "upper") in robot.excluded
