@@ -47,7 +47,7 @@ def test_the_claim_decides_who_stands_there_and_the_rest_goes_on(world):  # R-X1
         world.claim("elbow_left", 3)
 
 
-def test_equal_runs_have_equal_fingerprints_and_shaken_ones_others():  # R-F05, R-X19
+def test_equal_runs_have_equal_fingerprints_and_shaken_ones_others():  # R-X19
     prints = []
     for seed in (None, None, 7):
         world = FileWorld(files_of(), seed)
