@@ -1,6 +1,6 @@
 """What is known of the joints of an arm, or of axes, from the compiled model of their robot and from its file."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -115,11 +115,10 @@ def _facts(
     actuators = _actuators(model, joints)
     if isinstance(actuators, Unfit):
         return actuators
-    count = len(joints)
     said = {"HOME": _of(device, "home"), "SPEED": _of(device, "speed"), "TORQUE": _of(device, "torque")}
-    for keyword, numbers in said.items():
-        if numbers and len(numbers) != count:
-            return Unfit(keyword, Reason.of("workcell.joint_count", count=count, found=len(numbers)))
+    unfit = next(_miscounted(said, len(joints)), None)
+    if unfit is not None:
+        return unfit
     slides = [int(model.jnt_type[joint]) == int(mujoco.mjtJoint.mjJNT_SLIDE) for joint in joints]
     lowest, highest = _limits(model, joints, slides)
     home = np.array(said["HOME"]) if said["HOME"] else _home(model, joints, lowest, highest)
@@ -133,10 +132,17 @@ def _facts(
     )
     published = {**constants, "QMIN": lowest, "QMAX": highest, "Q^_MAX": speed, "TAUMAX": torque, "HOME": home}
     sheet: dict[str, Numbers | str] = {name: tuple(value.ravel().tolist()) for name, value in published.items()}
-    sheet |= {"ROBOT": robot, "NDOF": (float(count),), "DRIVE": device.drive}
+    sheet |= {"ROBOT": robot, "NDOF": (float(len(joints)),), "DRIVE": device.drive}
     own = tuple(model.actuator(at).name for at in actuators)
     given = _gains(model, joints, home)
     return JointFacts(device.name, device.drive, names, own, start, home, lowest, highest, speed, torque, given, sheet)
+
+
+def _miscounted(said: Mapping[str, Numbers], count: int) -> Iterator[Unfit]:
+    """Lines that have other than a number for each joint."""
+    for keyword, numbers in said.items():
+        if numbers and len(numbers) != count:
+            yield Unfit(keyword, Reason.of("workcell.joint_count", count=count, found=len(numbers)))
 
 
 def _of(device: RobotArm | RobotAxes, name: str) -> Numbers:
