@@ -89,3 +89,9 @@ def test_the_speed_at_which_force_is_felt_lengthens_a_motion_with_a_warning():  
 def test_no_pose_asks_again():  # law 25
     bench = Floor(-1.0).bench.on("0 0 -1 0 0 1 0.7 0.28 -0.2 1 30 10")
     assert bench.state is State.ASKING
+
+
+def test_a_hand_that_is_blocked_without_being_felt_is_an_error():  # R-X06
+    bench = Floor(-1.0).bench.on(f"{DOWN} 10 30 10").cycle(2800)
+    assert bench.state is State.ERROR
+    assert "the hand did not come to its target" in bench.why

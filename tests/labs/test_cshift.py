@@ -75,3 +75,9 @@ def test_it_says_how_far_it_is():
 
 def test_further_than_any_arm_reaches_is_asked_for_again():  # R-A10
     assert cshift().on("0 0 9 1").state is State.ASKING
+
+
+def test_a_hand_that_is_blocked_is_an_error():  # R-X06
+    bench = cshift(SETTLE=0.3).on(UP).cycle(1000)
+    assert bench.state is State.ERROR
+    assert "the hand did not come to its target: it stands 10.0 cm away" in bench.why

@@ -72,9 +72,14 @@ def test_nine_numbers_that_are_no_pose_are_asked_for_again():  # R-A10
     assert bench.answer(line(GRASP, 1.4)).state is State.ON
 
 
-def test_it_waits_for_the_tool_but_not_for_ever():
-    bench = ctraj(SETTLE=0.3).on(line(GRASP, 1.4)).cycle(10_000)
-    assert bench.finished is not None
+@pytest.mark.parametrize(("short_by", "is_blocked"), [(0.019, False), (0.021, True)])
+def test_it_waits_for_the_tool_but_not_for_ever_and_one_that_is_blocked_is_an_error(short_by, is_blocked):  # R-X06
+    bench = ctraj(SETTLE=0.3).on(line(GRASP, 1.4))
+    bench["X_MEZ"] = pose_of_nine([*GRASP[:8], GRASP[8] + short_by])
+    bench.cycle(10_000)
+    assert (bench.finished is None) == is_blocked
+    assert bench.state is (State.ERROR if is_blocked else State.OFF)
+    assert not is_blocked or "the hand did not come to its target: it stands 2.1 cm away" in bench.why
     assert bench.now == pytest.approx(1.7, abs=0.01)
 
 

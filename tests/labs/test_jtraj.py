@@ -106,11 +106,16 @@ def test_it_waits_until_the_arm_stands_at_the_target():
     assert bench.cycle().state is State.OFF
 
 
-def test_it_waits_no_longer_than_it_was_told_to():
+@pytest.mark.parametrize(("short_by", "is_blocked"), [(0.049, False), (0.051, True)])
+def test_it_waits_no_longer_than_it_was_told_to_and_an_arm_that_is_blocked_is_an_error(short_by, is_blocked):  # R-X06
     bench = jtraj(SETTLE=0.2)
     bench["Q_MEZ"] = HOME
-    bench.on(line(TARGET, 3)).cycle(10_000)
-    assert bench.finished is not None
+    bench.on(line(TARGET, 3))
+    bench["Q_MEZ"] = TARGET - np.array([0.0, 0.0, short_by, 0.0, 0.0, 0.0])
+    bench.cycle(10_000)
+    assert (bench.finished is None) == is_blocked
+    assert bench.state is (State.ERROR if is_blocked else State.OFF)
+    assert not is_blocked or "the arm did not come to its target: joint 3 is 0.05 rad" in bench.why
     assert bench.now == pytest.approx(3.2, abs=0.01)
 
 

@@ -52,12 +52,14 @@ def test_it_ends_when_the_time_is_over_and_the_arm_stands_there():  # R-E03
     assert bench.cycles == pytest.approx(3.5 * 250, abs=2)
 
 
-def test_an_arm_that_does_not_arrive_is_given_some_time_and_no_more():
+@pytest.mark.parametrize(("short_by", "state"), [(0.04, State.OFF), (0.06, State.ERROR)])
+def test_an_arm_that_does_not_arrive_is_given_some_time_and_no_more(short_by, state):  # R-X06
     bench = jvia().on(line())
+    bench["Q_MEZ"] = END - np.array([short_by, 0.0, 0.0, 0.0, 0.0, 0.0])
     bench.cycle(round(3.5 * 250 + 0.4 * 250))
     assert bench.state is State.ON
     bench.cycle(50)
-    assert bench.state is State.OFF
+    assert bench.state is state
 
 
 def test_times_that_are_too_short_are_warned_of_and_take_longer():

@@ -51,3 +51,16 @@ def test_a_tool_rests_where_a_joint_does_not():
     for make, rests in ((Arrival.of_joints, True), (Arrival.of_tool, False)):
         judged = make(end, end, 0.5)
         assert judged.is_over(0.0, end + 5e-5, DT) is rests  # 5 mm/s
+
+
+def test_who_stands_too_far_from_the_end_is_told():  # R-X06
+    judged = arrival()
+    assert judged.joint_short(np.add(END, [0.0, 0.05]), 0.06) is None
+    short = judged.joint_short(END - [0.01, 0.07], 0.06)
+    assert short.startswith("the arm did not come to its target: joint 2 is 0.07 rad")
+    pose = np.eye(4)
+    judged = Arrival.of_tool(pose, pose, 0.5)
+    moved = pose.copy()
+    moved[:3, 3] = 0.03, 0.0, 0.04
+    assert judged.tool_short(moved, 0.051) is None
+    assert judged.tool_short(moved, 0.049) == "the hand did not come to its target: it stands 5.0 cm away from there"

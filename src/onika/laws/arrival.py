@@ -5,6 +5,7 @@ from typing import Self
 import numpy as np
 
 from onika.laws.frames import Array
+from onika.laws.sentence import LawSentence
 
 
 class Arrival:
@@ -35,6 +36,30 @@ class Arrival:
             return False  # far from the end nobody asks whether the arm stands still
         rests = self._rests(measured, dt)
         return late >= self._settle or (late >= 0.0 and rests)
+
+    def joint_short(self, measured: Array, most: float) -> LawSentence | None:
+        """Which joint double[n] stands more than `most` rad (m where it slides) from its end; None: none does."""
+        away = np.abs(measured - self._end)
+        joint = int(away.argmax())
+        if away[joint] <= most:
+            return None
+        return LawSentence(
+            "laws.joint_short",
+            "the arm did not come to its target: joint {joint} is {away:.2f} rad (m where it slides) away from there",
+            joint=joint + 1,
+            away=float(away[joint]),
+        )
+
+    def tool_short(self, measured: Array, most: float) -> LawSentence | None:
+        """How far a tool double[4,4] stands from its end, if that is more than `most` m; None: it is not."""
+        away = float(np.linalg.norm(measured[:3, 3] - self._end[:3, 3]))
+        if away <= most:
+            return None
+        return LawSentence(
+            "laws.tool_short",
+            "the hand did not come to its target: it stands {away:.1f} cm away from there",
+            away=away * 100.0,
+        )
 
     def _rests(self, measured: Array, dt: float) -> bool:
         moved = np.abs(measured - self._last).max()

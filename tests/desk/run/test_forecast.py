@@ -145,7 +145,7 @@ def test_a_hand_that_was_not_opened_is_foreseen_to_touch_the_box():  # R-E16
     closed = replace(whole, flows=(replace(flow, steps=flow.steps[1:5]),))  # without the one that opens it
     prepared = prepare(closed, Place("closed"), site, syntax)
     result = Forecast(prepared.plan, prepared.targets).carry_out()
-    assert not result.cause
+    assert "the hand did not come to its target" in str(result.cause)
     assert [str(mishap.text) for mishap in result.mishaps] == ["the hand touches the box with the triangle"]
     (mishap,) = result.mishaps
     assert mishap.action.name == prepared.plan.flows[0].actions[1].name

@@ -6,7 +6,7 @@ from onika.laws.arrival import Arrival
 from onika.laws.frames import pose_of_nine
 from onika.laws.path import StraightLine, quintic
 from onika.laws.sentence import sentence_of
-from onika.module import AskAgain, Input, InVar, Local, Module, OutVar, finish
+from onika.module import AskAgain, Input, InVar, Local, Module, ModuleError, OutVar, finish
 
 QUIET = 0.05  # s: how long the force is looked at from which pressing is counted
 EASED = 0.5  # share of the limit at which what was met is pressed on no more than that
@@ -28,6 +28,7 @@ class Cguard(Module):
     Local    SPEED           double       m/s    peak speed of the tool
              TURN            double       rad/s  peak speed of its turning
              SETTLE          double       s      how long the arm may take to come to rest
+             AWAY            double       m      how far from its target the tool may come to rest
     Input    pose            double[9]    -      approach, normal, position (m) in the world
              duration        double       s      0.1..600
              force           double       N      10..200
@@ -36,6 +37,7 @@ class Cguard(Module):
              the target, or SETTLE later
     Errors   no pose           approach or normal no unit vector, or not square: asks again, stays OFF
              too fast          duration too short for SPEED and TURN: warns and takes as long as it needs
+             blocked           the tool is further than AWAY from its target when its time is over: ERROR
              something is met  warns: where, and how hard it pressed
     Get/Set  progress 0..1 / -
     Source   dissertation §4.4.2.1; Craig, Introduction to Robotics, §7.4
@@ -50,6 +52,7 @@ class Cguard(Module):
     SPEED = Local("double", "m/s", "peak speed of the tool", default=0.02, low=1e-3)
     TURN = Local("double", "rad/s", "peak speed of its turning", default=0.2, low=1e-3)
     SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5, low=0.0)
+    AWAY = Local("double", "m", "how far from its target the tool may come to rest", default=0.02, low=1e-3)
 
     pose = Input("double[9]", "-", "approach, normal, position (m) in the world")
     duration = Input("double", "s", "how long it takes", low=0.1, high=600.0)
@@ -85,7 +88,11 @@ class Cguard(Module):
         self._time += self.dt
         self._line.at(quintic(self._time, self._duration)[0], out=self.X_REF)
         is_over = self._arrival.is_over(self._time - self._duration, self.X_MEZ, self.dt)
-        return finish() if is_over else None
+        if not is_over:
+            return None
+        if why := self._arrival.tool_short(self.X_MEZ, self.AWAY):
+            raise ModuleError(why)
+        return finish()
 
     def get(self, name):
         if name == "progress":

@@ -4,7 +4,7 @@ import numpy as np
 
 from onika.laws.arrival import Arrival
 from onika.laws.path import PEAK, quintic
-from onika.module import Input, InVar, Local, Module, OutVar, finish
+from onika.module import Input, InVar, Local, Module, ModuleError, OutVar, finish
 
 
 class Cshift(Module):
@@ -17,10 +17,12 @@ class Cshift(Module):
              OUTVAR   X_REF  double[4,4]  -    reference pose; preloaded at `on`, it is the start
     Local    SPEED           double       m/s  peak speed of the tool
              SETTLE          double       s    how long the arm may take to come to rest
+             AWAY            double       m    how far from its target the tool may come to rest
     Input    shift           double[3]    m    -2..2
              duration        double       s    0.1..600
     Finish   flow 0, loop FALSE, when t >= T and the tool stands at the target, or SETTLE later
     Errors   too fast        duration too short for SPEED: warns and takes as long as it needs
+             blocked         the tool is further than AWAY from its target when its time is over: ERROR
     Get/Set  progress 0..1 / -
     Source   dissertation §4.2.1, §4.4.3; Craig, Introduction to Robotics, §7.4
     """
@@ -32,6 +34,7 @@ class Cshift(Module):
 
     SPEED = Local("double", "m/s", "peak speed of the tool", default=0.3, low=1e-3)
     SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5, low=0.0)
+    AWAY = Local("double", "m", "how far from its target the tool may come to rest", default=0.02, low=1e-3)
 
     shift = Input(
         "double[3]", "m", "how far from where it is, along the axes of the world: x, y, z", low=-2.0, high=2.0
@@ -59,7 +62,11 @@ class Cshift(Module):
         share, _ = quintic(self._time, self._duration)
         self.X_REF[:3, 3] = self._from + share * self._way
         is_over = self._arrival.is_over(self._time - self._duration, self.X_MEZ, self.dt)
-        return finish() if is_over else None
+        if not is_over:
+            return None
+        if why := self._arrival.tool_short(self.X_MEZ, self.AWAY):
+            raise ModuleError(why)
+        return finish()
 
     def get(self, name):
         if name == "progress":

@@ -84,19 +84,20 @@ class Invkin(Module):
         joint = int(np.abs(offset).argmax())
         if abs(offset[joint]) > self.STEP:
             raise ModuleError(
-                "expected a first pose within {step:g} rad, "
-                "found joint {joint} {away:.3f} rad away from where it stands",
-                step=self.STEP,
+                "the arm does not stand where the motion begins: joint {joint} is {away:.3f} rad away, "
+                "{step:g} rad are allowed",
                 joint=joint + 1,
                 away=abs(offset[joint]),
+                step=self.STEP,
             )
         return offset
 
     def _too_fast(self, speed):
         joint = int((np.abs(speed) / self.Qd_MAX).argmax())
         raise ModuleError(
-            "expected joint {joint} within {limit:.2f} rad/s, found {speed:.2f} rad/s",
+            "the motion is too fast for the arm: joint {joint} would turn at {speed:.2f} rad/s, "
+            "and can turn at {limit:.2f} rad/s",
             joint=joint + 1,
-            limit=self.Qd_MAX[joint],
             speed=abs(speed[joint]),
+            limit=self.Qd_MAX[joint],
         )

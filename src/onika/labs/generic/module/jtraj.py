@@ -4,7 +4,7 @@ import numpy as np
 
 from onika.laws.arrival import Arrival
 from onika.laws.path import joint_duration, quintic
-from onika.module import InConst, Input, InVar, Local, Module, OutVar, finish
+from onika.module import InConst, Input, InVar, Local, Module, ModuleError, OutVar, finish
 
 
 class Jtraj(Module):
@@ -22,11 +22,13 @@ class Jtraj(Module):
              OUTVAR   Q^_REF  double[NDOF]  rad/s  reference speed
     Local    SPEED            double        -      share of Q^_MAX that a motion may peak at
              SETTLE           double        s      how long the arm may take to come to rest
+             AWAY             double        rad    how far from its target a joint may come to rest
     Input    endpoint         double[NDOF]  rad    QMIN..QMAX
              duration         double        s      0.1..600
     Finish   flow 0, loop FALSE, when t >= T and the arm stands at the target, or SETTLE later
     Errors   out of reach      endpoint beyond QMIN..QMAX: asks again, stays OFF
              too fast          duration too short for SPEED: warns and takes as long as it needs
+             blocked           a joint is further than AWAY from its target when its time is over: ERROR
     Get/Set  progress 0..1 / -
     Source   dissertation §4.2.1, Table 9; Craig, Introduction to Robotics, §7.3
     """
@@ -43,6 +45,7 @@ class Jtraj(Module):
 
     SPEED = Local("double", "-", "share of Q^_MAX that a motion may peak at", default=0.6, low=0.01, high=1.0)
     SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5, low=0.0)
+    AWAY = Local("double", "rad", "how far from its target a joint may come to rest", default=0.05, low=1e-3)
 
     endpoint = Input("double[NDOF]", "rad", "where to go", low="QMIN", high="QMAX")
     duration = Input("double", "s", "how long it takes", low=0.1, high=600.0)
@@ -70,7 +73,11 @@ class Jtraj(Module):
         np.add(place, self._start, out=place)
         np.multiply(way, rate, out=self.Qd_REF)
         is_over = self._arrival.is_over(self._time - self._duration, self.Q_MEZ, self.dt)
-        return finish() if is_over else None
+        if not is_over:
+            return None
+        if why := self._arrival.joint_short(self.Q_MEZ, self.AWAY):
+            raise ModuleError(why)
+        return finish()
 
     def get(self, name):
         if name == "progress":

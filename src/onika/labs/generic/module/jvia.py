@@ -2,7 +2,7 @@
 
 from onika.laws.arrival import Arrival
 from onika.laws.via import Via
-from onika.module import InConst, Input, InVar, Local, Module, OutVar, finish
+from onika.module import InConst, Input, InVar, Local, Module, ModuleError, OutVar, finish
 
 
 class Jvia(Module):
@@ -18,6 +18,7 @@ class Jvia(Module):
              OUTVAR   Q^_REF  double[NDOF]  rad/s  reference speed
     Local    SPEED            double        -      share of Q^_MAX that a motion may peak at
              SETTLE           double        s      how long the arm may take to come to rest
+             AWAY             double        rad    how far from its target a joint may come to rest
     Input    via              double[NDOF]  rad    QMIN..QMAX
              first            double        s      0.1..600
              endpoint         double[NDOF]  rad    QMIN..QMAX
@@ -25,6 +26,7 @@ class Jvia(Module):
     Finish   flow 0, loop FALSE, when the time is over and the arm stands at the target, or SETTLE later
     Errors   out of reach      via or endpoint beyond QMIN..QMAX: asks again, stays OFF
              too fast          times too short for SPEED: warns and takes as long as it needs
+             blocked           a joint is further than AWAY from its target when its time is over: ERROR
     Get/Set  progress 0..1 / -
     Source   dissertation §4.2.1, §7; Craig, Introduction to Robotics, §7.3
     """
@@ -41,6 +43,7 @@ class Jvia(Module):
 
     SPEED = Local("double", "-", "share of Q^_MAX that a motion may peak at", default=0.6, low=0.01, high=1.0)
     SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5, low=0.0)
+    AWAY = Local("double", "rad", "how far from its target a joint may come to rest", default=0.05, low=1e-3)
 
     via = Input("double[NDOF]", "rad", "where to pass", low="QMIN", high="QMAX")
     first = Input("double", "s", "how long it takes to there", low=0.1, high=600.0)
@@ -66,7 +69,11 @@ class Jvia(Module):
         self._time += self.dt
         self.Q_REF, self.Qd_REF = self._path.at(self._time)
         is_over = self._arrival.is_over(self._time - self._path.duration, self.Q_MEZ, self.dt)
-        return finish() if is_over else None
+        if not is_over:
+            return None
+        if why := self._arrival.joint_short(self.Q_MEZ, self.AWAY):
+            raise ModuleError(why)
+        return finish()
 
     def get(self, name):
         if name == "progress":
