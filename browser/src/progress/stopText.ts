@@ -19,6 +19,8 @@ const KINDS = [
 ]
 /** An input of what moves an arm that would jump. */
 const SUDDEN = 'runtime.would_step'
+/** What is cleared, by its tasks, and an action that is repeated. */
+const REPEATS = 'host.and_repeats'
 const TITLES: Record<string, TextKey> = {
   clear: 'stopped.clear',
   next: 'stopped.next',
@@ -95,10 +97,20 @@ function told(run: RunView, stop: StopView): Choice[] {
     return {
       verb,
       title: isOther ? t('stopped.ofFlow', { what: title, flow: nameOf(run, subsystem) }) : title,
-      meaning: withStop(capital(say(meaning))),
+      meaning: withStop(capital(plainMeaning(stop, verb, meaning) ?? say(meaning))),
       act,
     }
   })
+}
+
+/** What to try again means where tasks are left to the details; undefined: as whoever knows the run says it. */
+function plainMeaning(stop: StopView, verb: string, meaning: Reason): string | undefined {
+  if (verb !== 'clear' || !accountOf(stop).isPlain) return undefined
+  const repeats = every(meaning).find(({ key }) => key === REPEATS)
+  const action = repeats?.args?.action
+  return typeof action === 'string' || typeof action === 'object'
+    ? t('stopped.repeats', { action: typeof action === 'string' ? action : say(action as Reason) })
+    : undefined
 }
 
 /** With the mark at which a sentence ends. */

@@ -175,6 +175,7 @@ export const enPerform = {
   'stopped.nothing': 'The run is over. Nothing is left to choose.',
   'stopped.tooSudden':
     'The arm would have to jump: it does not stand where this step needs it, or the motion is too fast.',
+  'stopped.repeats': 'Repeats {action} with the same target',
   'stopped.anew': 'Put the workcell back and run again',
   'stopped.anewWords': 'Ends this run, takes everything to where it stood at first, and begins anew.',
   'stopped.clear': 'Try again',

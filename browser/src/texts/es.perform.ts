@@ -177,6 +177,7 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
   'stopped.nothing': 'La ejecución ha terminado. No queda nada que elegir.',
   'stopped.tooSudden':
     'El brazo tendría que saltar: no está donde este paso lo necesita, o el movimiento es demasiado rápido.',
+  'stopped.repeats': 'Repite {action} con el mismo objetivo',
   'stopped.anew': 'Devolver la célula a su estado inicial y ejecutar de nuevo',
   'stopped.anewWords': 'Termina esta ejecución, lleva todo adonde estaba al principio y empieza de nuevo.',
   'stopped.clear': 'Intentarlo otra vez',

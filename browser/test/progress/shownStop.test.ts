@@ -130,6 +130,17 @@ describe('its choices', () => {
     look.language = 'en'
   })
 
+  it('name no task where tasks are left to the details', () => {
+    const clears = { key: 'host.clears', text: 'clears invkin', args: { tasks: ['invkin'] } }
+    const text = 'clears invkin and repeats “down” with the same target'
+    const choices = [
+      { verb: 'clear', meaning: { key: 'host.and_repeats', text, args: { what: clears, action: '“down”' } } },
+    ]
+    const blocked = stop({ choices, touches: [plain('the hand touches the table')] })
+    expect(choicesOf(run({}), blocked)[0]!.meaning).toBe('Repeats “down” with the same target.')
+    expect(choicesOf(run({}), stop({ choices }))[0]!.meaning).toContain('Clears invkin and repeats')
+  })
+
   it('of a word that is not known stand as they are', () => {
     const choices = [{ verb: 'pray', meaning: plain('helps sometimes!') }]
     expect(choicesOf(run({}), stop({ choices }))[0]).toMatchObject({ title: 'pray', meaning: 'Helps sometimes!' })

@@ -148,8 +148,13 @@ def test_boxes_in_a_wrong_order_leave_the_lamp_dark(capsys, tmp_path, boxes):  #
     assert lamp_of(capsys, tmp_path, assembly(*boxes)) == 0
 
 
-def test_a_forgotten_open_at_the_beginning_leaves_the_lamp_dark(capsys, tmp_path):  # R-K01
-    assert lamp_of(capsys, tmp_path, without(RIGHT, 0)) == 0
+def test_a_forgotten_open_at_the_beginning_leaves_the_lamp_dark_and_the_arm_stands_on_the_box(capsys, tmp_path):
+    # R-K01, R-X06
+    path = Laboratory(tmp_path).application("hand_made", list(icons(without(RIGHT, 0))))
+    result = result_of(capsys, str(path), "--virtual", "--expect", "LAMP == 1")
+    assert (result["exit"], result["state"], result["actions_done"]) == (1, "aborted", 1)
+    assert not result["values"].get("LAMP")
+    assert "the hand did not come to its target" in result["cause"]["text"]
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,7 @@
 import pytest
 
 from kit.desk.run_fixture import RunFixture
-from kit.labs.laboratory import job
+from kit.labs.laboratory import job, joints
 from onika.wire import event
 from onika.words.reason import NOTHING, Reason
 
@@ -147,3 +147,15 @@ def test_a_standstill_and_an_end_name_the_last_seconds_before_them(play):  # R-X
     assert play.view.stops["flow0"].black_box == "/box/of-this.mcap"
     play.tell(event.Result(False, Reason.plain("broken"), 0, 1, 2.0, 2.0, {}, (), "", black_box="/box/end.mcap"))
     assert play.view.black_box == "/box/end.mcap"
+
+
+def test_what_the_task_of_an_action_warns_of_is_told_of_the_action_and_of_others_of_the_task(play):  # R-E14
+    rows = "DESC x\nINCONST none\nOUTCONST none\nINVAR none\nOUTVAR none\nTASKTYPE periodic\nFREQ 10"
+    play.files.module("d", '"""The code of d."""\n')
+    play.files.task("d", f"MODULE d\n{rows}\nONIKA\nOBJECT Joint job")
+    play.files.configuration("dC", "b 100", "d 100")
+    play.run(play.open([job("dC", "Joint job"), joints("there", *range(6))]))
+    play.began(0)
+    for task in ("d", "b"):
+        play.tell(event.Warned("flow0", task, Reason.plain("too fast"), 1.0))
+    assert [str(note) for note in play.view.notes] == ["a job a target: too fast", "b: too fast"]

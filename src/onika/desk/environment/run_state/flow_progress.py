@@ -65,12 +65,25 @@ def _after_news_of_flow(run: Run, message: event.Event) -> Run:
 
 
 def _warned(run: Run, message: event.Warned) -> Run:
-    """A warning, with the task that it is of; a question that nobody answered is shown as a question anyway."""
+    """A warning, with the task that it is of; a question that nobody answered is shown as a question anyway.
+
+    What ends an action speaks for it: it is named by what its user has placed.
+    """
     if message.task:
-        return run.noted(Reason.of("run.what_why", what=message.task, why=message.text))
+        what = _called_by_user(run, message.subsystem, message.task) or message.task
+        return run.noted(Reason.of("run.what_why", what=what, why=message.text))
     if is_question(message.text):
         return run
     return run.noted(message.text)
+
+
+def _called_by_user(run: Run, subsystem: str, task: str) -> str:
+    """The action that goes on there, where it has a target and this is the task that it is told; else nothing."""
+    flow = run.number_of(subsystem)
+    index = run.view.flows[subsystem].index
+    action = None if flow is None else run.action(flow, index)
+    is_told = action is not None and action.target is not None and action.tasks[-1:] == (task,)
+    return run.called(subsystem, index) if is_told else ""
 
 
 def over(run: Run, result: event.Result) -> Run:
