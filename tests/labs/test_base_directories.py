@@ -5,10 +5,10 @@ import pytest
 
 from onika.files import syntax as syntax_file
 from onika.laws import puma560
-from onika.laws.arm import SerialArm
 from onika.laws.frames import pose_of_nine
-from onika.laws.inverse import inverse_for
+from onika.laws.inverse import serial_inverse
 from onika.laws.path import PEAK, joint_duration
+from onika.laws.textbook import serial_arm
 from onika.model.application import Icon, actions, every_flow
 from onika.model.port import PortKind
 from onika.model.rules.jigsaw import misfits
@@ -237,7 +237,7 @@ def test_what_the_language_has_is_shown_by_a_shipped_application():  # R-D09, R-
 
 def seconds_of(job, targets, arm, q):
     """For each target of a move from `q`: the time it gives, the time it needs, and the joints at its end."""
-    inverse = inverse_for(puma560.DH, arm.base, puma560.TOOL, puma560.QMIN, puma560.QMAX)
+    inverse = serial_inverse(puma560.DH, arm.base, puma560.TOOL, puma560.QMIN, puma560.QMAX)
     for target in targets:
         values, (duration,) = target.onikon.values
         if "Joint" in job.onikon.type:
@@ -259,7 +259,7 @@ def test_no_motion_of_an_application_needs_more_time_than_its_target_gives(name)
                 break  # it leaves the arm elsewhere
             if job.onikon.name.startswith(MOVES):
                 side = "right" if "right" in job.onikon.name else "left"
-                arm = SerialArm(puma560.DH, base=base(side), tool=puma560.TOOL)
+                arm = serial_arm(puma560.DH, base=base(side), tool=puma560.TOOL)
                 for given, needed, end in seconds_of(job, targets, arm, q):
                     assert given >= needed, (job.onikon.name, targets)
                     q = end
@@ -269,7 +269,7 @@ def test_the_arms_of_two_arms_keep_to_their_own_halves():  # R-K02
     flows = read("application", "two_arms", SYNTAX).flows
     assert read("application", "two_arms", SYNTAX).is_parallel
     assert len(flows) == 2
-    left = SerialArm(puma560.DH, tool=puma560.TOOL)
+    left = serial_arm(puma560.DH, tool=puma560.TOOL)
     for flow in flows:
         for k in range(101):
             aside = np.array(flow.steps[1].onikon.values[0])

@@ -6,24 +6,17 @@ from hypothesis import given, settings, strategies as st
 
 from kit.examples import examples
 from onika.laws import puma560
-from onika.laws.arm import SerialArm
 from onika.laws.frames import pose_of_nine
+from onika.laws.robot import published
+from onika.laws.textbook import serial_arm
 from onika.model.lifecycle import State
 from onika.store.shipped import shipped
 from onika.testing.bench import Bench
 
 GENERIC = shipped() / "generic" / "module"
-CONSTANTS = {
-    "NDOF": 6,
-    "DH": puma560.DH,
-    "BASE": np.eye(4),
-    "TOOL": puma560.TOOL,
-    "QMIN": puma560.QMIN,
-    "QMAX": puma560.QMAX,
-    "Q^_MAX": puma560.QDMAX,
-}
+CONSTANTS = published(puma560, 0.0, 0.0, 0.0, 0.0)
 ABOVE = np.array([0.1814, -0.6254, 2.7006, 0.0, 1.0664, 1.7522])
-ARM = SerialArm(puma560.DH, tool=puma560.TOOL)
+ARM = serial_arm(puma560.DH, tool=puma560.TOOL)
 
 
 def invkin(posture, reference=None, **local):

@@ -4,12 +4,13 @@ import numpy as np
 import pytest
 
 from onika.laws import puma560
-from onika.laws.arm import SerialArm
+from onika.laws.robot import published
+from onika.laws.textbook import serial_arm
 from onika.store.shipped import shipped
 from onika.testing.bench import Bench
 from onika.testing.fake_partner import FakePartner
 
-CONSTANTS = {"NDOF": 6, "DH": puma560.DH, "BASE": np.eye(4), "TOOL": puma560.TOOL}
+CONSTANTS = published(puma560, 0.0, 0.0, 0.0, 0.0)
 HOME = np.array(puma560.HOME)
 
 
@@ -47,7 +48,7 @@ def test_the_logger_is_given_a_row_of_positions_and_references(outsider):  # R-F
 
 def test_the_view_is_given_the_places_of_the_joints_and_the_pose_of_the_tool(outsider):  # R-F04
     question, _ = asked_by("view3d", outsider)
-    pose = SerialArm(puma560.DH, tool=puma560.TOOL).forward(HOME)
+    pose = serial_arm(puma560.DH, tool=puma560.TOOL).forward(HOME)
     assert (question["ask"], np.shape(question["points"])) == ("pose", (8, 3))
     assert np.array(question["tool"]) == pytest.approx(pose)
     assert question["points"][-1] == pytest.approx(list(pose[:3, 3]))

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from onika.laws import puma560
+from onika.laws.textbook import screws_of
 from onika.model.lifecycle import State
 from onika.ring.device import DeviceOrder, DriveState
 from onika.store.shipped import shipped
@@ -29,14 +30,16 @@ def puma(device, base="0 0 0 0", **local):
 @pytest.fixture
 def constants():
     cls = puma(arm()).cls
-    return cls, cls.constants(SimpleNamespace(ROBOT="puma560", BASE=[0.0, 0.0, 0.0, 0.0]))
+    return cls, cls.constants(SimpleNamespace(ROBOT="puma560", BASE=[0.0, 0.0, 0.0, 0.0]), {})
 
 
 def test_it_publishes_everything_that_is_known_of_the_robot():
     bench = puma(arm())
     assert bench.state is State.OFF
     assert (bench["NDOF"], bench["ROBOT"]) == (6, "puma560")
-    assert bench["DH"] == pytest.approx(puma560.DH)
+    assert bench["SCREW"] == pytest.approx(screws_of(puma560.DH))
+    assert bench["PARENT"].tolist() == [-1, 0, 1, 2, 3, 4]
+    assert bench["HOME"] == pytest.approx(puma560.HOME)
     assert bench["Q^_MAX"] == pytest.approx(puma560.QDMAX)
     assert bench["BASE"] == pytest.approx(np.eye(4))
 

@@ -7,6 +7,7 @@ import pytest
 
 from onika.laws import adept_one, puma560, reach
 from onika.laws.robot import published
+from onika.laws.textbook import screws_of
 from onika.model.lifecycle import State
 from onika.ring.device import DeviceOrder, DriveState
 from onika.store.shipped import shipped
@@ -32,14 +33,14 @@ def scara(device, **local):
 @pytest.fixture
 def constants():
     cls = scara(arm()).cls
-    return cls, cls.constants(SimpleNamespace(ROBOT="adept_one", BASE=[0.0, 0.0, 0.0, 0.0]))
+    return cls, cls.constants(SimpleNamespace(ROBOT="adept_one", BASE=[0.0, 0.0, 0.0, 0.0]), {})
 
 
 def test_it_publishes_everything_that_is_known_of_the_robot():  # R-K03, law 20
     bench = scara(arm())
     assert bench.state is State.OFF, bench.why
     assert (bench["NDOF"], bench["ROBOT"]) == (4, "adept_one")
-    assert bench["DH"] == pytest.approx(adept_one.DH)
+    assert bench["SCREW"] == pytest.approx(screws_of(adept_one.DH))
     assert bench["Q^_MAX"] == pytest.approx(adept_one.QDMAX)
 
 

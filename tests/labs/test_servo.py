@@ -4,13 +4,14 @@ import numpy as np
 import pytest
 
 from onika.laws import puma560
-from onika.laws.arm import SerialArm
+from onika.laws.robot import published
+from onika.laws.textbook import serial_arm
 from onika.store.shipped import shipped
 from onika.testing.bench import Bench
 
 GENERIC = shipped() / "generic" / "module"
 GAINS = {"NDOF": 6, "KP": puma560.KP, "KD": puma560.KD}
-MODEL = {"NDOF": 6, "DH": puma560.DH, "DYN": puma560.DYN, "LOAD": puma560.LOAD, "BASE": np.eye(4)}
+MODEL = published(puma560, 0.0, 0.0, 0.0, 0.0)
 STRETCHED = np.array([0.0, 0.0, np.pi / 2, 0.0, 0.0, 0.0])
 
 
@@ -45,7 +46,7 @@ def test_the_servo_only_brakes_until_a_reference_is_in_force():  # law 3: nothin
 
 
 def test_the_model_holds_the_arm_against_gravity_and_friction():
-    arm = SerialArm(puma560.DH, puma560.DYN, puma560.LOAD)
+    arm = serial_arm(puma560.DH, puma560.DYN, puma560.LOAD)
     bench = Bench(GENERIC / "gravcomp.py", frequency=250, constants=MODEL).init()
     bench["Q_MEZ"] = STRETCHED
     assert bench.on()["TAU_G"] == pytest.approx(arm.bias(STRETCHED, np.zeros(6)))

@@ -40,7 +40,7 @@ def test_it_gives_all_that_the_arm_with_forces_gives(robot, physical, name):  # 
     assert (without.outconst, without.outvar) == (with_forces.outconst, with_forces.outvar)
     assert without.invar == ("Q_REF",)
     classes = [bench_of(robot, module, device_of(module)).cls for module in (physical, name)]
-    puma, other = (cls.constants(SimpleNamespace(ROBOT=robot, BASE=[0.0] * 4)) for cls in classes)
+    puma, other = (cls.constants(SimpleNamespace(ROBOT=robot, BASE=[0.0] * 4), {}) for cls in classes)
     assert all(np.array_equal(puma[key], other[key]) for key in puma)
     for attribute, declared in classes[0].declared_ports.items():
         port = declared.port(attribute)

@@ -2,10 +2,10 @@ import numpy as np
 import pytest
 
 from onika.laws import adept_one, puma560
-from onika.laws.arm import SerialArm
 from onika.laws.chain import kinds_of
+from onika.laws.textbook import serial_arm
 
-ARM = SerialArm(adept_one.DH, adept_one.DYN, adept_one.LOAD, tool=adept_one.TOOL)
+ARM = serial_arm(adept_one.DH, adept_one.DYN, adept_one.LOAD, tool=adept_one.TOOL)
 
 
 def test_it_turns_turns_slides_and_turns():  # R-K03

@@ -3,15 +3,15 @@ import math
 import numpy as np
 
 from onika.laws import puma560
-from onika.laws.arm import SerialArm
 from onika.laws.damped import DampedInverse
+from onika.laws.textbook import serial_arm
 
 # shoulder, elbow, quill, roll: four joints, approach always straight down
 DH = np.array([[0.425, 0.0, 0.3, 0.0], [0.375, math.pi, 0.0, 0.0], [0.0, 0.0, 0.24, 0.0], [0.0, 0.0, 0.0, 0.0]])
 KIND = np.array([0.0, 0.0, 1.0, 0.0])
 LOW, HIGH = np.array([-2.4, -2.4, 0.0, -4.0]), np.array([2.4, 2.4, 0.295, 4.0])
-SCARA = SerialArm(DH, kind=KIND)
-INVERSE = DampedInverse(DH, np.eye(4), np.eye(4), LOW, HIGH, KIND)
+SCARA = serial_arm(DH, kind=KIND)
+INVERSE = DampedInverse(SCARA, LOW, HIGH)
 
 
 def test_an_arm_of_four_joints_reaches_what_its_joints_allow():  # R-K03, R-E09
@@ -42,8 +42,8 @@ def test_a_place_too_far_says_how_far():
 
 
 def test_the_way_is_found_from_a_posture_that_leads_nowhere():
-    inverse = DampedInverse(puma560.DH, np.eye(4), puma560.TOOL, puma560.QMIN, puma560.QMAX, np.zeros(6))
-    arm = SerialArm(puma560.DH, tool=puma560.TOOL)
+    arm = serial_arm(puma560.DH, tool=puma560.TOOL)
+    inverse = DampedInverse(arm, puma560.QMIN, puma560.QMAX)
     pose = arm.forward([0.1814, -0.6254, 2.7006, 0.0, 1.0664, 1.7522])
     solution = inverse.nearest(pose, [0.0, 0.5, 0.0, -1.5, -1.0, -3.0])
     assert not isinstance(solution, str)

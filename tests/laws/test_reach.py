@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from onika.laws import adept_one, puma560
-from onika.laws.arm import SerialArm
+from onika.laws.arm import ArmModel
 from onika.laws.frames import nine_of_pose
 from onika.laws.reach import poses, postures, transfer, why_not
 from onika.laws.robot import published
@@ -15,7 +15,7 @@ BOX = (0.0, 0.0, -1.0, 0.0, 1.0, 0.0, 0.7, 0.28, -0.3346)
 
 
 def pose_of(constants, q):
-    return SerialArm(constants["DH"], base=constants["BASE"], tool=constants["TOOL"]).forward(q)
+    return ArmModel(constants["SCREW"], base=constants["BASE"], tool=constants["TOOL"]).forward(q)
 
 
 @pytest.mark.parametrize("constants", [SCARA, PLAIN], ids=["arrays", "lists"])

@@ -9,8 +9,8 @@ from onika.laws.robot import published, unlike
 def test_everything_that_is_known_is_published_in_shapes_that_agree(robot):  # law 20
     constants = published(robot, 0.0, 0.0, 0.0, 0.0)
     n = constants["NDOF"]
-    shapes = {"DH": (n, 4), "DYN": (n, 9), "LOAD": (4,), "BASE": (4, 4), "TOOL": (4, 4)}
-    for name in ("QMIN", "QMAX", "Q^_MAX", "TAUMAX", "KP", "KD"):
+    shapes = {"SCREW": (n, 6), "LINK": (n, 13), "PARENT": (n,), "LOAD": (4,), "BASE": (4, 4), "TOOL": (4, 4)}
+    for name in ("QMIN", "QMAX", "Q^_MAX", "TAUMAX", "KP", "KD", "HOME"):
         shapes[name] = (n,)
     assert {name: np.shape(constants[name]) for name in shapes} == shapes
     assert set(constants) == {*shapes, "NDOF", "ROBOT"}

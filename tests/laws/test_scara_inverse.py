@@ -5,13 +5,12 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from kit.examples import examples
-from onika.laws import adept_one, puma560
-from onika.laws.arm import SerialArm
-from onika.laws.chain import kinds_of
+from onika.laws import adept_one
 from onika.laws.damped import DampedInverse
 from onika.laws.frames import pose_of_nine, rotation_about, rotation_of_rpy
-from onika.laws.inverse import inverse_for
-from onika.laws.scara_inverse import LEAN, ScaraInverse, is_scara_family
+from onika.laws.inverse import serial_inverse
+from onika.laws.scara_inverse import LEAN, ScaraInverse
+from onika.laws.textbook import serial_arm
 
 TILTED = np.eye(4)
 TILTED[:3, :3], TILTED[:3, 3] = rotation_of_rpy(0.3, -0.2, 1.1), (0.4, -0.1, 0.2)
@@ -31,7 +30,7 @@ def table(*, down=math.pi, offsets=(0.0, 0.0, 0.0, 0.0)):
 
 
 def inverse(dh=adept_one.DH, base=None, tool=adept_one.TOOL):
-    solver = inverse_for(dh, base, tool, adept_one.QMIN, adept_one.QMAX)
+    solver = serial_inverse(dh, base, tool, adept_one.QMIN, adept_one.QMAX)
     assert isinstance(solver, ScaraInverse)
     return solver
 
@@ -49,18 +48,18 @@ def down(x, y, z):
     tool=st.sampled_from([adept_one.TOOL, CROOKED]),
 )
 def test_forward_of_the_inverse_is_the_pose_it_came_from(q, near, dh, base, tool):  # R-K03
-    pose = SerialArm(dh, base=base, tool=tool).forward(q)
+    pose = serial_arm(dh, base=base, tool=tool).forward(q)
     law = inverse(dh, base, tool)
     for guess in (q, near):
         solution = law.nearest(pose, guess)
         assert not isinstance(solution, str), solution
         assert (solution >= adept_one.QMIN).all()
         assert (solution <= adept_one.QMAX).all()
-        assert np.allclose(SerialArm(dh, base=base, tool=tool).forward(solution), pose, atol=1e-7)
+        assert np.allclose(serial_arm(dh, base=base, tool=tool).forward(solution), pose, atol=1e-7)
 
 
 def test_the_solution_from_nearby_is_the_one_nearby():
-    rng, arm, law = np.random.default_rng(3), SerialArm(adept_one.DH, tool=adept_one.TOOL), inverse()
+    rng, arm, law = np.random.default_rng(3), serial_arm(adept_one.DH, tool=adept_one.TOOL), inverse()
     for _ in range(300):
         q = rng.uniform(0.9 * adept_one.QMIN, 0.9 * adept_one.QMAX)
         q[1] = math.copysign(max(abs(q[1]), 0.2), q[1])
@@ -69,8 +68,7 @@ def test_the_solution_from_nearby_is_the_one_nearby():
 
 
 def test_least_squares_gives_the_same_answer():
-    frames = (np.eye(4), adept_one.TOOL, adept_one.QMIN, adept_one.QMAX)
-    other = DampedInverse(adept_one.DH, *frames, kinds_of(adept_one.DH))
+    other = DampedInverse(serial_arm(adept_one.DH, tool=adept_one.TOOL), adept_one.QMIN, adept_one.QMAX)
     near = np.array([0.1, 0.7, 0.1, -0.8])
     pose = down(0.7, 0.28, -0.2)
     assert np.allclose(other.nearest(pose, near), inverse().nearest(pose, near), atol=1e-6)
@@ -102,23 +100,10 @@ def test_a_slight_lean_is_lost_and_the_point_between_the_fingers_kept():
     pose = down(0.6, 0.1, -0.2)
     pose[:3, :3] = rotation_about(1.0, 0.0, 0.0, 0.9 * LEAN) @ pose[:3, :3]
     solution = inverse().nearest(pose, adept_one.HOME)
-    reached = SerialArm(adept_one.DH, tool=adept_one.TOOL).forward(solution)
+    reached = serial_arm(adept_one.DH, tool=adept_one.TOOL).forward(solution)
     assert reached[:3, 3] == pytest.approx(pose[:3, 3], abs=1e-9)
     assert reached[:3, 2] == pytest.approx([0.0, 0.0, -1.0])
 
 
 def test_a_pose_that_is_no_number_is_out_of_reach():
     assert isinstance(inverse().nearest(np.full((4, 4), np.nan), adept_one.HOME), str)
-
-
-@pytest.mark.parametrize(("row", "column", "value"), [(0, 1, 0.1), (2, 0, 0.01), (0, 0, 0.0), (3, 1, math.pi)])
-def test_what_is_bent_otherwise_is_not_of_the_family(row, column, value):
-    dh = adept_one.DH.copy()
-    dh[row, column] = value
-    assert not is_scara_family(dh, kinds_of(dh))
-
-
-def test_only_four_joints_with_the_third_one_sliding_are_of_the_family():
-    assert is_scara_family(adept_one.DH, kinds_of(adept_one.DH))
-    assert not is_scara_family(adept_one.DH, np.zeros(4))
-    assert not is_scara_family(puma560.DH, np.zeros(6))

@@ -13,8 +13,8 @@ from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.runtime_launch import RuntimeLauncher
 from onika.desk.environment.runtime_thread import RuntimeThread
 from onika.laws import puma560
-from onika.laws.arm import SerialArm
 from onika.laws.frames import pose_of_nine
+from onika.laws.textbook import serial_arm
 from onika.store.site import open_site
 from onika.wire import act
 
@@ -97,6 +97,6 @@ def test_the_arm_of_the_open_program_is_measured_without_a_run_and_nothing_is_le
     assert (taught.arm, taught.arms, str(taught.source)) == ("puma", ("puma",), "where puma stands now")
     joints = taught.values["endpoint"]
     pose = pose_of_nine(list(bench.do(act.Teach("Cartesian object", doc=doc, after=job)).values["pose"]))
-    arm = SerialArm(puma560.DH, base=np.eye(4), tool=puma560.TOOL)
+    arm = serial_arm(puma560.DH, base=np.eye(4), tool=puma560.TOOL)
     assert np.allclose(arm.forward(np.array(joints)), pose, atol=1e-3)
     assert bench.environment.model.measuring is None and "measuring" not in bench.environment.tree.runtime.subsystems

@@ -2,7 +2,7 @@ import mujoco
 import numpy as np
 import pytest
 
-from onika.laws.arm import SerialArm
+from onika.laws.textbook import serial_arm
 from onika.workcell.arm import arm
 from onika.workcell.gripper import GripperPart
 from onika.workcell.layout import KINDS, base
@@ -21,7 +21,7 @@ def _world(kind, side="left", drawn=False):
 @every_kind
 def test_the_worlds_arm_stands_where_the_laws_say(kind):  # R-K01, R-K03
     robot = kind.robot
-    law, random = SerialArm(robot.DH, base=base("right"), tool=robot.TOOL), np.random.default_rng(1)
+    law, random = serial_arm(robot.DH, base=base("right"), tool=robot.TOOL), np.random.default_rng(1)
     for drawn in (False, True):
         model, data = _world(kind, "right", drawn)
         hand = model.body("hand.hand").id
@@ -36,7 +36,7 @@ def test_the_worlds_arm_stands_where_the_laws_say(kind):  # R-K01, R-K03
 def test_gravity_model_and_world_agree_but_for_the_hands_own_inertia(kind):
     model, data = _world(kind)
     robot = kind.robot
-    law = SerialArm(robot.DH, robot.DYN, robot.LOAD)
+    law = serial_arm(robot.DH, robot.DYN, robot.LOAD)
     q = data.qpos[: robot.NDOF] = 0.7 * robot.QMIN + 0.3 * robot.QMAX
     mujoco.mj_fwdPosition(model, data)
     mujoco.mj_fwdVelocity(model, data)

@@ -5,8 +5,8 @@ import pytest
 
 from kit.worlds.assembler import DT, Assembler
 from onika.laws import adept_one, puma560
-from onika.laws.arm import SerialArm
 from onika.laws.filter import Derivative
+from onika.laws.textbook import serial_arm
 from onika.ring.device import DeviceOrder, DriveState
 from onika.workcell.boxes import BoxesWorld
 
@@ -25,7 +25,7 @@ def claimed(*names, epoch=1):
 
 def scara_at(world, q):
     """Drive the SCARA there with gravity and servo alone, for one second; gives where it stands."""
-    law = SerialArm(adept_one.DH, adept_one.DYN, adept_one.LOAD)
+    law = serial_arm(adept_one.DH, adept_one.DYN, adept_one.LOAD)
     state = world.state("scara_left")
     derivative = Derivative(4, DT, 60.0)
     derivative.reset(state[2:])

@@ -4,7 +4,7 @@ import pytest
 
 from onika.laws import puma560
 from onika.laws.frames import pose_of_nine, rotation_about
-from onika.laws.inverse import inverse_for
+from onika.laws.inverse import serial_inverse
 from onika.workcell.box import SIZE_M
 from onika.workcell.grasp import Grasp
 from onika.workcell.gripper import CLOSED_M, FORCE_N, TRAVEL_M
@@ -26,7 +26,7 @@ class Hand:
         self.grasp = Grasp(self.plant, "gripper_left", self.pile)
         self.arm = self.plant.data.qpos[self.plant.joints([f"arm_left.joint{k}" for k in range(1, 7)])[0]]
         self.fingers = self.plant.data.qpos[self.plant.joints([f"gripper_left.finger{k}" for k in (1, 2)])[0]]
-        self.inverse = inverse_for(puma560.DH, None, puma560.TOOL, puma560.QMIN, puma560.QMAX)
+        self.inverse = serial_inverse(puma560.DH, None, puma560.TOOL, puma560.QMIN, puma560.QMAX)
         self.fingers[:] = TRAVEL_M
 
     def at(self, x, y, z, turn=0.0):

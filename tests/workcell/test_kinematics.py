@@ -2,9 +2,9 @@ import numpy as np
 import pytest
 
 from onika.laws import puma560
-from onika.laws.arm import SerialArm
 from onika.laws.frames import pose_of_nine
-from onika.laws.inverse import inverse_for
+from onika.laws.inverse import serial_inverse
+from onika.laws.textbook import serial_arm
 from onika.workcell.box import SIGNS, SIZE_M
 from onika.workcell.circuit import Circuit
 from onika.workcell.kinematic_unit import KinematicUnit
@@ -27,7 +27,7 @@ def _world(sides=("left",)):
 
 def _go(plant, kinematics, arm, place, signal):
     """Bring the hand to a place, then open or close it."""
-    inverse = inverse_for(puma560.DH, base(arm.side), puma560.TOOL, puma560.QMIN, puma560.QMAX)
+    inverse = serial_inverse(puma560.DH, base(arm.side), puma560.TOOL, puma560.QMIN, puma560.QMAX)
     arm.follow(inverse.nearest(pose_of_nine([0.0, 0.0, -1.0, 0.0, 1.0, 0.0, *place]), NEAR))
     for _ in range(1500):
         kinematics.step(plant.model, plant.data)
@@ -88,7 +88,7 @@ def test_poses_are_those_of_the_joints_after_the_step():
     kinematics = make()
     arm.follow(puma560.HOME + 0.001)
     kinematics.step(plant.model, plant.data)
-    tip = SerialArm(puma560.DH, tool=puma560.TOOL).forward(arm._q)[:3, 3]
+    tip = serial_arm(puma560.DH, tool=puma560.TOOL).forward(arm._q)[:3, 3]
     hand = plant.body("gripper_left.hand")
     reached = plant.data.xpos[hand] + plant.data.xmat[hand].reshape(3, 3) @ puma560.TOOL[:3, 3]
     assert np.allclose(reached, tip, atol=1e-12)

@@ -3,7 +3,7 @@ import pytest
 
 from onika.laws import puma560
 from onika.laws.frames import pose_of_nine
-from onika.laws.inverse import inverse_for
+from onika.laws.inverse import serial_inverse
 from onika.workcell.box import SIGNS, SIZE_M
 from onika.workcell.layout import LAYOUT_M, SIDES, base, boxes, text
 from onika.workcell.plant import Plant
@@ -14,7 +14,7 @@ CENTRES = [TOP_M + SIZE_M[2] * (k + 0.5) for k in range(4)]
 
 @pytest.mark.parametrize("side", SIDES)
 def test_both_arms_reach_every_box_and_every_place_in_the_stack_and_above(side):  # R-K02
-    inverse = inverse_for(puma560.DH, base(side), puma560.TOOL, puma560.QMIN, puma560.QMAX)
+    inverse = serial_inverse(puma560.DH, base(side), puma560.TOOL, puma560.QMIN, puma560.QMAX)
     places = [(*LAYOUT_M[sign], z) for sign in SIGNS for z in (CENTRES[0], -0.125)]
     places += [(*LAYOUT_M["waves"], z + 0.0008) for z in CENTRES]
     for place in places:

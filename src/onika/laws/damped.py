@@ -1,12 +1,16 @@
-"""Inverse kinematics of any serial arm by damped least squares within joint limits.
+"""Inverse kinematics of any arm by damped least squares within joint limits.
 
 dq = (J^T J + lambda^2 I)^-1 J^T e, e = (p* - p, log(R* R^T)) (Wampler 1986; Nakamura & Hanafusa 1986), lambda as
-large as the error. An arm with fewer than six joints reaches the poses that its joints allow, and no others.
+large as the error. A joint that stands at a limit and would be pushed beyond it is left out of a step. An arm with
+fewer than six joints reaches the poses that its joints allow, and no others; one with more keeps its posture: of all
+steps the shortest is taken.
 """
+
+import math
 
 import numpy as np
 
-from onika.laws.arm import SerialArm
+from onika.laws.arm import ArmModel
 from onika.laws.frames import Array, Numbers, rotation_log
 from onika.laws.sentence import LawSentence
 
@@ -14,19 +18,23 @@ _TOLERANCE = 1e-8  # m and rad together
 _ITERATIONS = 60
 _STARTS = 12
 _LONGEST_STEP = 0.5  # rad or m
+_WIDE = 1e3  # rad or m: a limit beyond it is none
+_FREE = {False: math.pi, True: 1.0}  # rad, m: between which postures a joint without limits is started, either way
 
 
 class DampedInverse:
-    """The inverse of one arm, with its base, tool, limits (double[n]) and kinds of joints."""
+    """The inverse of one arm within limits double[n]."""
 
-    def __init__(self, dh: Array, base: Array, tool: Array, qmin: Array, qmax: Array, kind: Array) -> None:
-        self._arm = SerialArm(dh, base=base, tool=tool, kind=kind)
+    def __init__(self, arm: ArmModel, qmin: Array, qmax: Array) -> None:
+        self._arm = arm
         self._low, self._high = qmin, qmax
+        free = np.array([_FREE[bool(slide)] for slide in arm.slides])
+        low, high = np.where(qmin < -_WIDE, -free, qmin), np.where(qmax > _WIDE, free, qmax)
         # the same starts every time: equal questions have equal answers
-        share = np.random.default_rng(1).uniform(0.15, 0.85, (_STARTS, self._arm.n))
+        share = np.random.default_rng(1).uniform(0.15, 0.85, (_STARTS, arm.n))
         share[0] = 0.5
-        self._starts = qmin + share * (qmax - qmin)
-        self._pose, self._jacobian = np.eye(4), np.empty((6, self._arm.n))
+        self._starts = low + share * (high - low)
+        self._pose, self._jacobian = np.eye(4), np.empty((6, arm.n))
 
     def nearest(self, pose: Array, q_near: Numbers) -> Array | LawSentence:
         """A solution within limits, from `q_near` if the way leads there, else the nearest one found; or the reason."""
@@ -56,14 +64,23 @@ class DampedInverse:
             size = _size(error)
             if size <= _TOLERANCE:
                 break
-            jacobian = self._arm.jacobian(q, self._jacobian)
-            normal = jacobian.T @ jacobian
-            normal.flat[:: self._arm.n + 1] += min(size * size, 1e-2) + 1e-14
-            step = np.linalg.solve(normal, jacobian.T @ error)
+            step = self._step(q, error, min(size * size, 1e-2) + 1e-14)
             step *= min(1.0, _LONGEST_STEP / max(float(np.abs(step).max()), 1e-12))
             q = np.clip(q + step, self._low, self._high)
             error = self._error(pose, q)
         return q, error
+
+    def _step(self, q: Array, error: Array, damping: float) -> Array:
+        """The damped step of the joints that no limit stops."""
+        jacobian = self._arm.jacobian(q, self._jacobian)
+        downhill = jacobian.T @ error
+        free = ((q > self._low) | (downhill > 0.0)) & ((q < self._high) | (downhill < 0.0))
+        step = np.zeros(self._arm.n)
+        columns = jacobian[:, free]
+        normal = columns.T @ columns
+        normal.flat[:: columns.shape[1] + 1] += damping
+        step[free] = np.linalg.solve(normal, downhill[free])
+        return step
 
     def _error(self, pose: Array, q: Array) -> Array:
         here = self._arm.forward(q, self._pose)

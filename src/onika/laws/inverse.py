@@ -1,15 +1,20 @@
-"""Inverse kinematics of any arm: the closed form where its table allows one, damped least squares otherwise."""
+"""Inverse kinematics of any arm: the closed form where its joints allow one, damped least squares otherwise."""
 
 from typing import Protocol
 
 import numpy as np
 
-from onika.laws.chain import kinds_of
+from onika.laws.arm import ArmModel
 from onika.laws.damped import DampedInverse
-from onika.laws.frames import Array, Numbers, as_array
-from onika.laws.puma_inverse import PumaInverse, is_puma_family
-from onika.laws.scara_inverse import ScaraInverse, is_scara_family
+from onika.laws.family_table import FamilyTable
+from onika.laws.frames import Array, Numbers, as_array, inverse_pose
+from onika.laws.puma_family import puma_table
+from onika.laws.puma_inverse import PumaInverse
+from onika.laws.scara_family import scara_table
+from onika.laws.scara_inverse import ScaraInverse
+from onika.laws.screws import Parents, parents_of_chain
 from onika.laws.sentence import LawSentence
+from onika.laws.textbook import serial_arm
 
 
 class Inverse(Protocol):
@@ -24,19 +29,39 @@ class Inverse(Protocol):
 
 
 def inverse_for(
+    screw: Numbers,
+    base: Numbers | None,
+    tool: Numbers | None,
+    qmin: Numbers,
+    qmax: Numbers,
+    parent: Numbers | Parents | None = None,
+) -> Inverse:
+    """The inverse of an arm given by constants (as in `ArmModel`); `qmin`, `qmax` double[n], infinite: no limit."""
+    return inverse_of(ArmModel(screw, parent=parent, base=base, tool=tool), qmin, qmax)
+
+
+def inverse_of(arm: ArmModel, qmin: Numbers, qmax: Numbers) -> Inverse:
+    """The inverse of an arm; `qmin`, `qmax` double[n], infinite: no limit."""
+    low, high = as_array(qmin, (arm.n,)), as_array(qmax, (arm.n,))
+    if not np.array_equal(arm.parent, parents_of_chain(arm.n)):
+        return DampedInverse(arm, low, high)
+    for table_of, law in ((puma_table, PumaInverse), (scara_table, ScaraInverse)):
+        table = table_of(arm.screw)
+        if table is not None:
+            return law(table.dh, arm.base @ table.first, _tool(table, arm.tool), low, high)
+    return DampedInverse(arm, low, high)
+
+
+def serial_inverse(
     dh: Numbers, base: Numbers | None, tool: Numbers | None, qmin: Numbers, qmax: Numbers, kind: Numbers | None = None
 ) -> Inverse:
-    """The inverse of an arm given by constants (units and kinds as in `Arm`); `qmin`, `qmax` double[n]."""
-    n = np.size(dh) // 4
-    table = as_array(dh, (n, 4))
-    kinds = as_array(kinds_of(table) if kind is None else kind, (n,))
-    lows, highs = as_array(qmin, (n,)), as_array(qmax, (n,))
-    frames = (
-        as_array(np.eye(4) if base is None else base, (4, 4)),
-        as_array(np.eye(4) if tool is None else tool, (4, 4)),
-    )
-    if is_puma_family(table, kinds):
-        return PumaInverse(table, *frames, lows, highs)
-    if is_scara_family(table, kinds):
-        return ScaraInverse(table, *frames, lows, highs)
-    return DampedInverse(table, *frames, lows, highs, kinds)
+    """The inverse of the arm of a textbook's table (`onika.laws.textbook`); `tool` in its last frame."""
+    return inverse_of(serial_arm(dh, base=base, tool=tool, kind=kind), qmin, qmax)
+
+
+def _tool(table: FamilyTable, tool: Array) -> Array:
+    """The tool in the last frame of a table; an unturned one to the last digit, as its closed form is quicker then."""
+    pose = inverse_pose(table.last) @ tool
+    if np.allclose(pose[:3, :3], np.eye(3), rtol=0.0, atol=1e-15):
+        pose[:3, :3] = np.eye(3)
+    return pose

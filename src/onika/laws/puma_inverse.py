@@ -1,9 +1,10 @@
 """Closed-form inverse kinematics of the PUMA family: shoulder offset, two long links, spherical wrist.
 
 The family's standard Denavit-Hartenberg table has alpha = (-90, 0, 90, -90, 90, 0) degrees, a = (0, a2, a3, 0, 0, 0)
-and d = (d1, d2, d3, d4, 0, d6), theta offsets as they like. Eight branches: shoulder, elbow, wrist (Fu, Gonzalez &
-Lee, Robotics, §2.3.2, solved here by the wrist's distance). Singular cases: the wrist on the axis of joint 1's offset
-cylinder and the stretched arm merge two branches; with axes 4 and 6 in line, joint 4 stays where it was.
+and d = (d1, d2, d3, d4, 0, d6), theta offsets as they like; `onika.laws.puma_family` finds it behind screws. Eight
+branches: shoulder, elbow, wrist (Fu, Gonzalez & Lee, Robotics, §2.3.2, solved here by the wrist's distance). Singular
+cases: the wrist on the axis of joint 1's offset cylinder and the stretched arm merge two branches; with axes 4 and 6 in
+line, joint 4 stays where it was.
 """
 
 import math
@@ -14,21 +15,11 @@ import numpy as np
 from onika.laws.frames import Array, Numbers, inverse_pose
 from onika.laws.sentence import LawSentence, joint_beyond
 
-_ALPHAS = np.array([-math.pi / 2, 0.0, math.pi / 2, -math.pi / 2, math.pi / 2, 0.0])
 _TURN = 2.0 * math.pi
 _ROUNDING = 1e-9  # m, rad and shares: how far beyond a border still counts as on it
 _IN_LINE = 1e-8  # sine of joint 5 below which axes 4 and 6 are one
 
 _Flat = tuple[float, ...]
-
-
-def is_puma_family(dh: Array, kind: Array) -> bool:
-    """Whether the closed form fits this table."""
-    if dh.shape != (6, 4) or kind.any():
-        return False
-    a, alpha, d = dh[:, 0], dh[:, 1], dh[:, 2]
-    zeros = (a[0], a[3], a[4], a[5], d[4])
-    return bool(np.allclose(alpha, _ALPHAS, rtol=0.0, atol=1e-12)) and not any(zeros) and a[1] > 0.0 and d[3] > 0.0
 
 
 class PumaInverse:

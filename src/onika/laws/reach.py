@@ -1,6 +1,7 @@
 """Reachability: what an arm given by its constants can reach, and another arm's joint targets as its own (law 26).
 
-Constants are those that a hardware task publishes (NDOF, DH, BASE, TOOL, QMIN, QMAX), as arrays or as plain lists.
+Constants are those that a hardware task publishes (NDOF, SCREW, PARENT, BASE, TOOL, QMIN, QMAX, HOME), as arrays or as
+plain lists.
 """
 
 from collections.abc import Mapping, Sequence
@@ -8,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from onika.laws.arm import SerialArm
-from onika.laws.chain import kinds_of
-from onika.laws.frames import Array, Numbers, as_array, nine_of_pose, pose_of_nine
-from onika.laws.inverse import Inverse, inverse_for
+from onika.laws.arm import ArmModel
+from onika.laws.frames import Array, Numbers, nine_of_pose, pose_of_nine
+from onika.laws.inverse import Inverse, inverse_of
+from onika.laws.screws import screws, slides
 from onika.laws.sentence import LawSentence, sentence_of
 
 Constants = Mapping[str, Any]
@@ -19,6 +20,7 @@ POSES = ("cartesian object", "guarded object")
 """Types of targets that begin with the nine numbers of a pose."""
 _DIGITS = 17
 """More do not tell two numbers apart."""
+_KINEMATICS = ("SCREW", "PARENT", "BASE", "TOOL", "QMIN", "QMAX")
 
 
 def why_not(constants: Constants, targets: Sequence[tuple[str, Sequence[Any]]]) -> list[str | None]:
@@ -43,17 +45,17 @@ def why_not(constants: Constants, targets: Sequence[tuple[str, Sequence[Any]]]) 
 def poses(constants: Constants, targets: Sequence[Numbers]) -> list[Array]:
     """The Cartesian targets double[9] that joint targets are, whose first NDOF values count (rad, m)."""
     n = constants["NDOF"]
-    arm = SerialArm(constants["DH"], base=constants["BASE"], tool=constants["TOOL"])
+    arm = _arm(constants)
     return [nine_of_pose(arm.forward(target[:n])) for target in targets]
 
 
 def postures(constants: Constants, poses: Sequence[Numbers], near: Numbers | None = None) -> list[Array | str]:
     """For each Cartesian target the joint values double[NDOF] nearest to those before it, or why there are none.
 
-    The first is the one nearest to `near`, where nothing is said to the middle of all limits.
+    The first is the one nearest to `near`, where nothing is said to HOME.
     """
     inverse = _inverse(constants)
-    here = 0.5 * (np.asarray(constants["QMIN"]) + np.asarray(constants["QMAX"])) if near is None else np.asarray(near)
+    here = np.asarray(constants["HOME"] if near is None else near)
     results: list[Array | str] = []
     for pose in poses:
         try:
@@ -78,11 +80,16 @@ def transfer(
 
 
 def _are_alike(theirs: Constants, ours: Constants) -> bool:
-    return all(np.array_equal(theirs[name], ours[name]) for name in ("DH", "BASE", "TOOL", "QMIN", "QMAX"))
+    return all(np.array_equal(theirs[name], ours[name]) for name in _KINEMATICS)
+
+
+def _arm(constants: Constants) -> ArmModel:
+    screw, parent, base, tool = (constants[name] for name in ("SCREW", "PARENT", "BASE", "TOOL"))
+    return ArmModel(screw, parent=parent, base=base, tool=tool)
 
 
 def _inverse(constants: Constants) -> Inverse:
-    return inverse_for(*(constants[name] for name in ("DH", "BASE", "TOOL", "QMIN", "QMAX")))
+    return inverse_of(_arm(constants), constants["QMIN"], constants["QMAX"])
 
 
 def _shifted(pose: Array, shift: Sequence[Any]) -> list[float]:
@@ -103,10 +110,10 @@ def _why_no_posture(constants: Constants, _: Inverse, values: Sequence[Any]) -> 
     n = constants["NDOF"]
     if len(values) < n:
         return LawSentence("laws.joint_values", "expected {n} joint values, found {count}", n=int(n), count=len(values))
-    slides = kinds_of(as_array(constants["DH"], (n, 4)))
+    is_slide = slides(screws(constants["SCREW"]))
     for k, (q, low, high) in enumerate(zip(values, constants["QMIN"], constants["QMAX"], strict=False), 1):
         if not low <= q <= high:
-            unit, digits = ("m", 3) if slides[k - 1] else ("rad", 2)
+            unit, digits = ("m", 3) if is_slide[k - 1] else ("rad", 2)
             limit = low if q < low else high
             while digits < _DIGITS and f"{q:.{digits}f}" == f"{limit:.{digits}f}":
                 digits += 1  # a little beyond is beyond, and nobody would believe equal numbers
@@ -123,7 +130,7 @@ def _why_no_posture(constants: Constants, _: Inverse, values: Sequence[Any]) -> 
 
 def _why_no_pose(constants: Constants, inverse: Inverse, values: Sequence[Any]) -> str | None:
     try:
-        posture = inverse.nearest(pose_of_nine(values[:9]), [0.0] * constants["NDOF"])
+        posture = inverse.nearest(pose_of_nine(values[:9]), constants["HOME"])
     except ValueError as wrong:
         return sentence_of(wrong)
     return posture if isinstance(posture, str) else None

@@ -7,11 +7,16 @@ from typing import Any, Protocol
 import numpy as np
 
 from onika.laws.frames import Array, rotation_of_rpy
+from onika.laws.screws import parents_of_chain
 from onika.laws.sentence import LawSentence
+from onika.laws.textbook import links_of, load_of, screws_of, tool_of
 
 
 class Robot(Protocol):
-    """A module of constants such as `onika.laws.puma560`; shapes and units are those of the OUTCONSTs."""
+    """A module of constants such as `onika.laws.puma560`: a table, masses, load and tool as textbooks have them.
+
+    All else has the shape and unit of the OUTCONST of its name.
+    """
 
     ROBOT: str
     NDOF: int
@@ -28,7 +33,7 @@ class Robot(Protocol):
     HOME: Array
 
 
-_PUBLISHED = ("NDOF", "DH", "DYN", "LOAD", "QMIN", "QMAX", "TAUMAX", "KP", "KD", "TOOL", "ROBOT")
+_PUBLISHED = ("NDOF", "QMIN", "QMAX", "TAUMAX", "KP", "KD", "HOME", "ROBOT")
 
 
 def published(robot: Robot, x: float, y: float, z: float, degrees: float) -> dict[str, Any]:
@@ -36,7 +41,16 @@ def published(robot: Robot, x: float, y: float, z: float, degrees: float) -> dic
     base = np.eye(4)
     base[:3, :3] = rotation_of_rpy(0.0, 0.0, math.radians(degrees))
     base[:3, 3] = x, y, z
-    return {"BASE": base, "Q^_MAX": robot.QDMAX} | {name: getattr(robot, name) for name in _PUBLISHED}
+    dh = robot.DH
+    return {
+        "SCREW": screws_of(dh),
+        "LINK": links_of(dh, robot.DYN),
+        "PARENT": parents_of_chain(robot.NDOF),
+        "LOAD": load_of(dh, robot.LOAD),
+        "TOOL": tool_of(dh, robot.TOOL),
+        "BASE": base,
+        "Q^_MAX": robot.QDMAX,
+    } | {name: getattr(robot, name) for name in _PUBLISHED}
 
 
 def unlike(name: str, constants: Mapping[str, Any], local_values: Mapping[str, Any]) -> LawSentence | None:

@@ -1,7 +1,8 @@
 """Inverse kinematics of the SCARA family in closed form: two parallel turning joints, a quill along them, its roll.
 
 The law of cosines gives joint 2 up to its sign (elbow left or right), height gives joint 3, the yaw joint 4 (Craig,
-Introduction to Robotics, §4.4). The hand stays upright; a wanted pose may lean by LEAN and loses that lean.
+Introduction to Robotics, §4.4). The hand stays upright; a wanted pose may lean by LEAN and loses that lean. Its table
+is found behind screws by `onika.laws.scara_family`.
 """
 
 import math
@@ -16,18 +17,7 @@ LEAN = 0.05
 
 _TURN = 2.0 * math.pi
 _ROUNDING = 1e-9  # m, rad and shares: how far beyond a border still counts as on it
-_KINDS = (0.0, 0.0, 1.0, 0.0)
 _QUILL = 2  # the joint that slides
-
-
-def is_scara_family(dh: Array, kind: Array) -> bool:
-    """Whether the closed form fits this table."""
-    if dh.shape != (4, 4) or not np.array_equal(kind, _KINDS):
-        return False
-    alphas = (math.sin(dh[0, 1]), math.sin(dh[1, 1]), math.sin(dh[2, 1]), math.sin(dh[3, 1]))
-    upright = math.cos(dh[0, 1]) > 0.0 and math.cos(dh[2, 1]) > 0.0 and math.cos(dh[3, 1]) > 0.0
-    straight = upright and max(map(abs, alphas)) < 1e-12
-    return straight and dh[0, 0] > 0.0 and dh[1, 0] > 0.0 and not dh[2:, 0].any()
 
 
 class ScaraInverse:

@@ -31,7 +31,7 @@ def faults_of(name, *redirects):
             ("expected a task of go_home (diff, gravcomp, jtraj, led_monitor, pd, puma, torque_sum), found scara"),
         ),
         (("0:scara=puma",), "a task of flow 0 (diff"),
-        (("puma=gripper",), "`gripper` does not write BASE, DH, DYN"),
+        (("puma=gripper",), "`gripper` does not write BASE, HOME, KD"),
     ],
 )
 def test_a_wish_that_cannot_be_is_told_with_what_could(redirects, expected):  # R-E09

@@ -149,7 +149,7 @@ PLANTED: dict[str, tuple[MakeProgram, tuple[str, ...], Collection[str]]] = {
         (),
         tuple(
             f"the constant {name}"
-            for name in ("NDOF", "DH", "DYN", "LOAD", "BASE", "QMIN", "QMAX", "Q^_MAX", "KP", "KD")
+            for name in ("NDOF", "SCREW", "LINK", "PARENT", "LOAD", "BASE", "QMIN", "QMAX", "Q^_MAX", "KP", "KD")
         ),
     ),
     "no trigger": (lacking("jmoveC", "jtraj", "Complete job"), (), ["a trigger that ends job lameC"]),

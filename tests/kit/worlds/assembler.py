@@ -12,11 +12,11 @@ from typing import Any
 import numpy as np
 
 from onika.laws import puma560
-from onika.laws.arm import SerialArm
 from onika.laws.filter import Derivative
 from onika.laws.frames import Array, pose_of_nine
-from onika.laws.inverse import inverse_for
+from onika.laws.inverse import serial_inverse
 from onika.laws.path import StraightLine, joint_duration, quintic
+from onika.laws.textbook import serial_arm
 from onika.ring.device import DeviceOrder
 from onika.workcell.boxes import BoxesWorld
 from onika.workcell.layout import LAYOUT_M
@@ -37,8 +37,8 @@ class Assembler:
         sheet = world.claim(self.arm, epoch)
         world.claim(self.hand, epoch)
         base = np.reshape(sheet.identity["BASE"], (4, 4))
-        self._law = SerialArm(puma560.DH, puma560.DYN, puma560.LOAD, base, puma560.TOOL)
-        self._inverse = inverse_for(puma560.DH, base, puma560.TOOL, puma560.QMIN, puma560.QMAX)
+        self._law = serial_arm(puma560.DH, puma560.DYN, puma560.LOAD, base, puma560.TOOL)
+        self._inverse = serial_inverse(puma560.DH, base, puma560.TOOL, puma560.QMIN, puma560.QMAX)
         self.q = world.state(self.arm)[2:]
         self.reference, self.speed = self.q.copy(), np.zeros(6)
         self._derivative = Derivative(6, DT, 60.0)

@@ -13,23 +13,25 @@ class ArmKin(Module):
     Of a joint that slides the numbers are metres wherever units speak of angles.
 
     Kind     hardware, periodic, 100..1000 Hz
-    Ports    OUTCONST NDOF     int             -          number of joints
-             OUTCONST DH       double[NDOF,4]  -          a m, alpha rad, d m, theta offset rad, a turn more: slides
-             OUTCONST DYN      double[NDOF,9]  -          mass, centre, inertia, armature, friction of each link (SI)
-             OUTCONST LOAD     double[4]       -          the hand: mass kg, centre m in the last frame
-             OUTCONST QMIN     double[NDOF]    rad        lower joint limits
-             OUTCONST QMAX     double[NDOF]    rad        upper joint limits
-             OUTCONST Q^_MAX   double[NDOF]    rad/s      highest joint speeds
-             OUTCONST TAUMAX   double[NDOF]    N m        highest joint torques
-             OUTCONST KP       double[NDOF]    N m/rad    stiffness of the joint servo
-             OUTCONST KD       double[NDOF]    N m s/rad  damping of the joint servo
-             OUTCONST BASE     double[4,4]     -          frame 0 in the world
-             OUTCONST TOOL     double[4,4]     -          point between the fingers in the last frame
-             OUTCONST ROBOT    string          -          kind of robot
-             INVAR    Q_REF    double[NDOF]    rad        reference position; followed within QMIN..QMAX and Q^_MAX
-             OUTVAR   Q_MEZ    double[NDOF]    rad        measured position
-    Local    ROBOT             string          -          whose constants: puma560 or adept_one
-             BASE              double[4]       m, deg     x, y, z and turn about z of frame 0 in the world
+    Ports    OUTCONST NDOF     int              -          number of joints
+             OUTCONST SCREW    double[NDOF,6]   -          axis and moment of each joint, at q = 0 in frame 0
+             OUTCONST LINK     double[NDOF,13]  -          mass, centre, inertia, armature, friction of each link (SI)
+             OUTCONST PARENT   int[NDOF]        -          the joint that bears each joint; -1: the base
+             OUTCONST LOAD     double[4]        -          the hand: mass kg, centre m, at q = 0 in frame 0
+             OUTCONST QMIN     double[NDOF]     rad        lower joint limits
+             OUTCONST QMAX     double[NDOF]     rad        upper joint limits
+             OUTCONST Q^_MAX   double[NDOF]     rad/s      highest joint speeds
+             OUTCONST TAUMAX   double[NDOF]     N m        highest joint torques
+             OUTCONST KP       double[NDOF]     N m/rad    stiffness of the joint servo
+             OUTCONST KD       double[NDOF]     N m s/rad  damping of the joint servo
+             OUTCONST BASE     double[4,4]      -          frame 0 in the world
+             OUTCONST TOOL     double[4,4]      -          point between the fingers, at q = 0 in frame 0
+             OUTCONST HOME     double[NDOF]     rad        where it begins, and goes back to
+             OUTCONST ROBOT    string           -          kind of robot
+             INVAR    Q_REF    double[NDOF]     rad        reference position; followed within QMIN..QMAX and Q^_MAX
+             OUTVAR   Q_MEZ    double[NDOF]     rad        measured position
+    Local    ROBOT             string           -          whose constants: puma560 or adept_one
+             BASE              double[4]        m, deg     x, y, z and turn about z of frame 0 in the world
     Errors   another robot     the device is another one, with forces, or elsewhere than BASE says: stays uninitialised
              tripped           the drive has tripped: ERROR; clear brings the drive back to hold
              panic button      it is pressed: ERROR; clear is refused until it is let go
@@ -39,9 +41,10 @@ class ArmKin(Module):
     hardware = True
 
     NDOF = OutConst("int", "-", "number of joints")
-    DH = OutConst("double[NDOF,4]", "-", "a m, alpha rad, d m, theta offset rad, a turn more: slides")
-    DYN = OutConst("double[NDOF,9]", "-", "mass, centre, inertia, armature, friction of each link (SI)")
-    LOAD = OutConst("double[4]", "-", "the hand: mass kg, centre m in the last frame")
+    SCREW = OutConst("double[NDOF,6]", "-", "axis and moment of each joint, at q = 0 in frame 0")
+    LINK = OutConst("double[NDOF,13]", "-", "mass, centre, inertia, armature, friction of each link (SI)")
+    PARENT = OutConst("int[NDOF]", "-", "the joint that bears each joint; -1: the base")
+    LOAD = OutConst("double[4]", "-", "the hand: mass kg, centre m, at q = 0 in frame 0")
     QMIN = OutConst("double[NDOF]", "rad", "lower joint limits")
     QMAX = OutConst("double[NDOF]", "rad", "upper joint limits")
     Qd_MAX = OutConst("double[NDOF]", "rad/s", "highest joint speeds", name="Q^_MAX")
@@ -49,7 +52,8 @@ class ArmKin(Module):
     KP = OutConst("double[NDOF]", "N m/rad", "stiffness of the joint servo")
     KD = OutConst("double[NDOF]", "N m s/rad", "damping of the joint servo")
     BASE_POSE = OutConst("double[4,4]", "-", "frame 0 in the world", name="BASE")
-    TOOL = OutConst("double[4,4]", "-", "point between the fingers in the last frame")
+    TOOL = OutConst("double[4,4]", "-", "point between the fingers, at q = 0 in frame 0")
+    HOME = OutConst("double[NDOF]", "rad", "where it begins, and goes back to")
     ROBOT_KIND = OutConst("string", "-", "kind of robot", name="ROBOT")
     Q_REF = InVar(
         "double[NDOF]",
@@ -63,7 +67,7 @@ class ArmKin(Module):
     BASE = Local("double[4]", "m, deg", "x, y, z and turn about z of frame 0 in the world")
 
     @classmethod
-    def constants(cls, local):
+    def constants(cls, local, identity):
         """Everything that is known of the robot, by the names of its OUTCONSTs."""
         return published(robot_of(local.ROBOT), *local.BASE)
 
@@ -80,7 +84,7 @@ class ArmKin(Module):
     @classmethod
     def postures(cls, constants, poses):
         """The joint targets that Cartesian targets are, each nearest to the one before, or why there are none."""
-        return reach.postures(constants, poses, robot_of(constants["ROBOT"]).HOME)
+        return reach.postures(constants, poses)
 
     @classmethod
     def fits(cls, constants, local_values):

@@ -14,9 +14,10 @@ class Invkin(Module):
 
     Kind     general, periodic, 50..1000 Hz
     Ports    INCONST  NDOF    int             -      number of joints
-             INCONST  DH      double[NDOF,4]  -      a m, alpha rad, d m, theta offset rad
+             INCONST  SCREW   double[NDOF,6]  -      axis and moment of each joint, at q = 0 in frame 0
+             INCONST  PARENT  int[NDOF]       -      the joint that bears each joint; -1: the base
              INCONST  BASE    double[4,4]     -      frame 0 in the world
-             INCONST  TOOL    double[4,4]     -      tool in the last frame
+             INCONST  TOOL    double[4,4]     -      the tool at q = 0 in frame 0
              INCONST  QMIN    double[NDOF]    rad    lower joint limits
              INCONST  QMAX    double[NDOF]    rad    upper joint limits
              INCONST  Q^_MAX  double[NDOF]    rad/s  highest joint speeds
@@ -34,9 +35,10 @@ class Invkin(Module):
     """
 
     NDOF = InConst("int", "-", "number of joints")
-    DH = InConst("double[NDOF,4]", "-", "a m, alpha rad, d m, theta offset rad")
+    SCREW = InConst("double[NDOF,6]", "-", "axis and moment of each joint, at q = 0 in frame 0")
+    PARENT = InConst("int[NDOF]", "-", "the joint that bears each joint; -1: the base")
     BASE = InConst("double[4,4]", "-", "frame 0 in the world")
-    TOOL = InConst("double[4,4]", "-", "tool in the last frame")
+    TOOL = InConst("double[4,4]", "-", "the tool at q = 0 in frame 0")
     QMIN = InConst("double[NDOF]", "rad", "lower joint limits")
     QMAX = InConst("double[NDOF]", "rad", "upper joint limits")
     Qd_MAX = InConst("double[NDOF]", "rad/s", "highest joint speeds", name="Q^_MAX")
@@ -49,7 +51,7 @@ class Invkin(Module):
     STEP = Local("double", "rad", "how large it may be", default=0.1, low=1e-6)
 
     def init(self):
-        self._inverse = inverse_for(self.DH, self.BASE, self.TOOL, self.QMIN, self.QMAX)
+        self._inverse = inverse_for(self.SCREW, self.BASE, self.TOOL, self.QMIN, self.QMAX, self.PARENT)
 
     def on(self, inputs):
         # a pose from before the last hold is not followed: it is waited for until it changes

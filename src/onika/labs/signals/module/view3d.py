@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from onika.laws.chain import kinds_of
-from onika.laws.frames import dh_transform
+from onika.laws.arm import ArmModel
 from onika.module import InConst, InVar, Local, Module, Partner
 
 
@@ -11,24 +10,26 @@ class View3d(Module):
     """Has an outside 3-D view show where the arm is: the places of its joints and the pose of its tool.
 
     Kind     passive, synchronous, 1..60 Hz
-    Ports    INCONST  NDOF   int             -    number of joints
-             INCONST  DH     double[NDOF,4]  -    a m, alpha rad, d m, theta offset rad
-             INCONST  BASE   double[4,4]     -    frame 0 in the world
-             INCONST  TOOL   double[4,4]     -    tool in the last frame
-             INVAR    Q_MEZ  double[NDOF]    rad  measured position
-    Local    PARTNER         line            -    where the view listens: unix:PATH or tcp:HOST:PORT
-             STARTS          line            -    what starts the view, if the task is to do that
-             PATIENCE        double          s    how long the view may take to answer
+    Ports    INCONST  NDOF    int             -    number of joints
+             INCONST  SCREW   double[NDOF,6]  -    axis and moment of each joint, at q = 0 in frame 0
+             INCONST  PARENT  int[NDOF]       -    the joint that bears each joint; -1: the base
+             INCONST  BASE    double[4,4]     -    frame 0 in the world
+             INCONST  TOOL    double[4,4]     -    the tool at q = 0 in frame 0
+             INVAR    Q_MEZ   double[NDOF]    rad  measured position
+    Local    PARTNER          line            -    where the view listens: unix:PATH or tcp:HOST:PORT
+             STARTS           line            -    what starts the view, if the task is to do that
+             PATIENCE         double          s    how long the view may take to answer
     Errors   no answer       warns and goes off
-    Source   dissertation §5.8.3; Fu, Gonzalez & Lee, Robotics, §2.2
+    Source   dissertation §5.8.3; Lynch & Park, Modern Robotics, §4.1
     """
 
     passive = True
 
     NDOF = InConst("int", "-", "number of joints")
-    DH = InConst("double[NDOF,4]", "-", "a m, alpha rad, d m, theta offset rad")
+    SCREW = InConst("double[NDOF,6]", "-", "axis and moment of each joint, at q = 0 in frame 0")
+    PARENT = InConst("int[NDOF]", "-", "the joint that bears each joint; -1: the base")
     BASE = InConst("double[4,4]", "-", "frame 0 in the world")
-    TOOL = InConst("double[4,4]", "-", "tool in the last frame")
+    TOOL = InConst("double[4,4]", "-", "the tool at q = 0 in frame 0")
     Q_MEZ = InVar("double[NDOF]", "rad", "measured position")
 
     PARTNER = Local("line", "-", "where the view listens: unix:PATH or tcp:HOST:PORT", default="")
@@ -37,12 +38,9 @@ class View3d(Module):
 
     def init(self):
         self.partner = Partner(self.PARTNER, self.STARTS, self.PATIENCE)
-        self._slides = kinds_of(self.DH)
+        self._arm = ArmModel(self.SCREW, parent=self.PARENT, base=self.BASE, tool=self.TOOL)
 
     def cycle(self):
-        frames = [self.BASE]
-        for (a, alpha, d, theta), slides, q in zip(self.DH, self._slides, self.Q_MEZ, strict=True):
-            frames.append(frames[-1] @ dh_transform(a, alpha, d + q * slides, theta + q * (1.0 - slides)))
-        tool = frames[-1] @ self.TOOL
-        points = np.array([frame[:3, 3] for frame in [*frames, tool]])
+        tool = self._arm.forward(self.Q_MEZ)
+        points = np.array([self.BASE[:3, 3], *self._arm.joint_places(self.Q_MEZ), tool[:3, 3]])
         self.partner.ask("pose", t=self.now, points=points, tool=tool)
