@@ -67,7 +67,9 @@ class Bench:
         if device is not None:
             views[SEGMENT] = device.view
         self._executive = Executive(_HOME, views)
-        self._constants = {**self.cls.constants(locals_of(self.cls, dict(self._local))), **(constants or {})}
+        identity = {} if device is None else device.sheet.identity
+        stated = self.cls.constants(locals_of(self.cls, dict(self._local)), identity)
+        self._constants = {**stated, **(constants or {})}
         self._ports = self._lay_ports(self.cls)
 
     # Variables

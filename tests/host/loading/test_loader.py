@@ -16,7 +16,7 @@ from onika.module import Module
 
 class Good(Module):
     @classmethod
-    def constants(cls, local):
+    def constants(cls, local, identity):
         return {"N": 3}
 
     @classmethod

@@ -20,7 +20,7 @@ class Robot(Module):
     REACH = Local("double", "m", "how far")
 
     @classmethod
-    def constants(cls, local):
+    def constants(cls, local, identity):
         return {"N": np.int64(2), "QMAX": np.array([local.REACH, local.REACH]), "MORE": (np.float64(1.0), [2])}
 
     @classmethod

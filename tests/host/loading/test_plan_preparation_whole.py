@@ -26,7 +26,7 @@ class Arm(Module):
     Q_MEZ = OutVar("double[N]", "m", "where it is")
 
     @classmethod
-    def constants(cls, local):
+    def constants(cls, local, identity):
         return {"N": 2, "QMAX": [1.0, 1.0]}
 """
 HAND = """

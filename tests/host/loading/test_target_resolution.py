@@ -20,7 +20,7 @@ class Robot(Module):
     JOINTS = Local("int", "-", "how many", default=1)
 
     @classmethod
-    def constants(cls, local):
+    def constants(cls, local, identity):
         return {"NDOF": local.JOINTS, "SCALE": local.SCALE}
 
     @classmethod

@@ -15,7 +15,7 @@ class Mass(Module):
     X = OutVar("double[SIDES]", "m,m/s", "where it is, how fast")
 
     @classmethod
-    def constants(cls, local):
+    def constants(cls, local, identity):
         return {"SIDES": 2}
 
     @classmethod

@@ -92,7 +92,7 @@ def test_a_module_is_general_and_no_hardware_unless_it_says_so():  # R-A08, law 
 
 
 def test_a_robot_says_nothing_of_itself_and_reaches_everything_unless_it_knows_better():  # law 26
-    assert Module.constants(SimpleNamespace()) == {}
+    assert Module.constants(SimpleNamespace(), {}) == {}
     assert Module.resolve({}, [("joint object", [1.0]), ("force object", [2.0])]) == [None, None]
 
 
@@ -119,7 +119,7 @@ class One(Module):
     WIDE = Local("double", "m", "how wide", default=0.5)
 
     @classmethod
-    def constants(cls, local):
+    def constants(cls, local, identity):
         return {"NDOF": 2, "SIZE^": 2 * local.WIDE}
 
     def init(self):

@@ -80,7 +80,7 @@ class LoaderClient:
         return answer.cost_ns if isinstance(answer, Sheet) else 0
 
     def constants(self, code: Code, local: Lines) -> dict[str, Any] | Fault:
-        """A robot module's constants from its LOCAL lines."""
+        """A robot module's constants from its LOCAL lines and its device."""
         answer = self._ask(AskConstants(code, local), code)
         if isinstance(answer, Constants):
             return answer.values

@@ -59,12 +59,15 @@ class ModuleFacts:
         """Answers are made at once, nothing is prepared."""
 
     def constants(self, code: Code, local: Lines) -> dict[str, Any] | Fault:
-        """A robot module's constants from its LOCAL lines, as plain lists and numbers."""
+        """A robot module's constants from its LOCAL lines and its device, as plain lists and numbers."""
         cls = self._load(code)
         if isinstance(cls, Fault):
             return cls
         try:
-            constants = cls.constants(locals_of(cls, dict(local)))
+            lines = dict(local)
+            devices = lines.get("DEVICE", ())
+            identity = self._identity(devices[0]) if devices else None
+            constants = cls.constants(locals_of(cls, lines), identity or {})
             return {name: _plain(value) for name, value in constants.items()}
         except Exception as wrong:
             return self._fault(code, Reason.of("host.constants_failed", why=traceback_text(wrong)), wrong)

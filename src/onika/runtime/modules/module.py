@@ -1,7 +1,7 @@
 """The module: a plain class with typed port declarations and a fixed set of entry points (dissertation §3.2.1)."""
 
 import random
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -12,6 +12,9 @@ from onika.runtime.device import Device
 from onika.runtime.error import ModuleError
 from onika.words.module_sentence import Sentence, of_sentence
 from onika.words.reason import Reason
+
+Identity = Mapping[str, tuple[float, ...] | str]
+"""What a device says of itself."""
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -109,7 +112,8 @@ class Module:
 
     def state_constants(self) -> dict[str, Any]:
         """In `init` of a robot module: its OUTCONSTs take what `constants` says of them; all that it says."""
-        constants = self.constants(SimpleNamespace(**{name: getattr(self, name) for name in self.declared_locals}))
+        local = SimpleNamespace(**{name: getattr(self, name) for name in self.declared_locals})
+        constants = self.constants(local, getattr(self.device, "identity", {}))
         for attribute, declared in self.declared_ports.items():
             if declared.kind is PortKind.OUTCONST:
                 setattr(self, attribute, constants[declared.name or attribute])
@@ -183,8 +187,12 @@ class Module:
         return None
 
     @classmethod
-    def constants(cls, local: SimpleNamespace) -> dict[str, Any]:
-        """Of a robot module: its OUTCONSTs from its parameters alone, so that reach is known before a run (law 26)."""
+    def constants(cls, local: SimpleNamespace, identity: Identity) -> dict[str, Any]:
+        """Of a robot module: its OUTCONSTs from its parameters and from what its device says of itself.
+
+        Asked before anything lives, so that reach is known before a run (law 26, decision 5). `identity` is empty where
+        there is no such device.
+        """
         return {}
 
     @classmethod
