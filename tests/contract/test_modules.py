@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from kit.worlds.mjcf_arms import ARMS
 from onika.files import rmod
 from onika.laws import puma560
 from onika.laws.robot import published
@@ -58,8 +59,26 @@ def device_of(task):
     named = next((line.words[0] for line in task.local if line.key == "DEVICE"), None)
     if named is None:
         return None
+    if named in CELL:
+        state, command, identity = CELL[named](task.name)
+        return BenchDevice(state, command, identity)
     sheet = next(device for device in BoxesWorld().devices() if f"boxes:{device.name}" == named)
     return BenchDevice(sheet.state[2:], sheet.command, sheet.identity)
+
+
+def arm_of_cell(task):
+    """An arm of seven joints that takes what a task sends."""
+    drive = {"arm_tau": "torque", "arm_vel": "velocity"}.get(task, "position")
+    numbers = 14 if drive == "position" else 7
+    return [f"s{k}" for k in range(21)], [f"c{k}" for k in range(numbers)], ARMS["seven"].identity(drive)
+
+
+CELL = {
+    "cell:arm": arm_of_cell,
+    "cell:axes": arm_of_cell,
+    "cell:gripper": lambda task: (["opening", "speed", "force"], ["opening", "force"], {}),
+}
+"""Devices that shipped tasks name for somebody's world: what they publish, what they take, what they say."""
 
 
 def bench_of(path, code=None):
@@ -122,7 +141,7 @@ def rows_of(doc, section):
 
 @pytest.fixture(params=MODULES, ids=name)
 def module_class(request):
-    return Bench(request.param, constants=KNOWN, local={"ROBOT": "puma560", "BASE": "0 0 0 0"}).cls
+    return bench_of(next(path for path in TASKS if code_of(path) == request.param))[0].cls
 
 
 def test_the_ports_of_the_docstring_are_those_of_the_class(module_class):

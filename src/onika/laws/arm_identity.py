@@ -64,8 +64,11 @@ def driven_otherwise(identity: Identity, drive: str) -> LawSentence | None:
 def _need(identity: Identity, names: tuple[str, ...]) -> None:
     missing = [name for name in names if name not in identity]
     if missing:
-        sentence = "expected the arm behind the device to say its {names}"
-        raise ValueError(LawSentence("laws.arm_lacks", sentence, names=" ".join(missing)))
+        raise ValueError(
+            LawSentence(
+                "laws.arm_lacks", "expected the arm behind the device to say its {names}", names=" ".join(missing)
+            )
+        )
 
 
 def _no_arm(identity: Identity) -> LawSentence:

@@ -42,6 +42,15 @@ def why_not(constants: Constants, targets: Sequence[tuple[str, Sequence[Any]]]) 
     return reasons
 
 
+def beyond_limits(constants: Constants, targets: Sequence[tuple[str, Sequence[Any]]]) -> list[str | None]:
+    """For each target of axes that are no arm why it lies beyond a limit; None: it does not, or is of another type."""
+    is_joint = [kind == "joint object" for kind, _ in targets]
+    return [
+        _why_beyond(constants, values, [False] * constants["NDOF"]) if joint else None
+        for joint, (_, values) in zip(is_joint, targets, strict=True)
+    ]
+
+
 def poses(constants: Constants, targets: Sequence[Numbers]) -> list[Array]:
     """The Cartesian targets double[9] that joint targets are, whose first NDOF values count (rad, m)."""
     n = constants["NDOF"]
@@ -107,10 +116,14 @@ def _pose_after(constants: Constants, kind: str, values: Sequence[Any]) -> Array
 
 
 def _why_no_posture(constants: Constants, _: Inverse, values: Sequence[Any]) -> str | None:
+    return _why_beyond(constants, values, slides(screws(constants["SCREW"])).tolist())
+
+
+def _why_beyond(constants: Constants, values: Sequence[Any], is_slide: Sequence[bool]) -> str | None:
+    """Which of the joint values lies beyond a limit; None: none does."""
     n = constants["NDOF"]
     if len(values) < n:
         return LawSentence("laws.joint_values", "expected {n} joint values, found {count}", n=int(n), count=len(values))
-    is_slide = slides(screws(constants["SCREW"]))
     for k, (q, low, high) in enumerate(zip(values, constants["QMIN"], constants["QMAX"], strict=False), 1):
         if not low <= q <= high:
             unit, digits = ("m", 3) if is_slide[k - 1] else ("rad", 2)

@@ -1,6 +1,7 @@
 """An arm without forces."""
 
 from onika.laws import reach
+from onika.laws.arm_identity import arm_constants
 from onika.laws.robot import published, unlike
 from onika.laws.robots import robot_of
 from onika.module import InVar, Local, Module, ModuleError, OutConst, OutVar
@@ -30,7 +31,7 @@ class ArmKin(Module):
              OUTCONST ROBOT    string           -          kind of robot
              INVAR    Q_REF    double[NDOF]     rad        reference position; followed within QMIN..QMAX and Q^_MAX
              OUTVAR   Q_MEZ    double[NDOF]     rad        measured position
-    Local    ROBOT             string           -          whose constants: puma560 or adept_one
+    Local    ROBOT             string           -          whose constants: puma560, adept_one; left out: the device's
              BASE              double[4]        m, deg     x, y, z and turn about z of frame 0 in the world
     Errors   another robot     the device is another one, with forces, or elsewhere than BASE says: stays uninitialised
              tripped           the drive has tripped: ERROR; clear brings the drive back to hold
@@ -63,12 +64,18 @@ class ArmKin(Module):
     )
     Q_MEZ = OutVar("double[NDOF]", "rad", "measured position")
 
-    ROBOT = Local("string", "-", "whose constants: puma560 or adept_one")
-    BASE = Local("double[4]", "m, deg", "x, y, z and turn about z of frame 0 in the world")
+    ROBOT = Local("string", "-", "whose constants: puma560, adept_one; left out: the device's", default="")
+    BASE = Local(
+        "double[4]", "m, deg", "x, y, z and turn about z of frame 0 in the world", default=(0.0, 0.0, 0.0, 0.0)
+    )
 
     @classmethod
     def constants(cls, local, identity):
-        """Everything that is known of the robot, by the names of its OUTCONSTs."""
+        """Everything that is known of the robot, by the names of its OUTCONSTs; as its device says it, if it does."""
+        if "SCREW" in identity:
+            constants = arm_constants(identity)
+            nothing = [0.0] * constants["NDOF"]
+            return constants | {"KP": nothing, "KD": nothing}
         return published(robot_of(local.ROBOT), *local.BASE)
 
     @classmethod
@@ -89,6 +96,8 @@ class ArmKin(Module):
     @classmethod
     def fits(cls, constants, local_values):
         """Why the device that says this of itself is another robot, or stands elsewhere."""
+        if "SCREW" in local_values:
+            return None
         return unlike(f"{constants['ROBOT']}_kin", constants, local_values)
 
     def init(self):
