@@ -22,7 +22,7 @@ import typescript
 import unit_table
 from onika.desk.plan.compile import UNKNOWN, planned_task
 from onika.engine import flow
-from onika.host.units.world_registry import open_world, split
+from onika.host.units.world_registry import offered_worlds, open_world, split
 from onika.link import state
 from onika.model import lifecycle
 from onika.model.application import Application, actions
@@ -223,9 +223,9 @@ def _jobs_of(application: Application, syntax: Syntax) -> Iterator[str]:
 
 
 def _devices(tasks: list[_Shipped]) -> str:
-    worlds = sorted({split(one.wired.device)[0] for one in tasks if one.wired.device})
+    worlds = {split(one.wired.device)[0] for one in tasks if one.wired.device}
     rows = []
-    for world in worlds:
+    for world in sorted(worlds.intersection(offered_worlds())):
         for sheet in open_world(world).devices():
             name = f"{world}:{sheet.name}"
             users = _code(one.task.name for one in tasks if one.wired.device == name)

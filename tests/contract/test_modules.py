@@ -59,9 +59,8 @@ def device_of(task):
     named = next((line.words[0] for line in task.local if line.key == "DEVICE"), None)
     if named is None:
         return None
-    if named in CELL:
-        state, command, identity = CELL[named](task.name)
-        return BenchDevice(state, command, identity)
+    if task.module in CELL:
+        return CELL[task.module](task.module)
     sheet = next(device for device in BoxesWorld().devices() if f"boxes:{device.name}" == named)
     return BenchDevice(sheet.state[2:], sheet.command, sheet.identity)
 
@@ -70,15 +69,13 @@ def arm_of_cell(task):
     """An arm of seven joints that takes what a task sends."""
     drive = {"arm_tau": "torque", "arm_vel": "velocity"}.get(task, "position")
     numbers = 14 if drive == "position" else 7
-    return [f"s{k}" for k in range(21)], [f"c{k}" for k in range(numbers)], ARMS["seven"].identity(drive)
+    return BenchDevice([f"s{k}" for k in range(21)], [f"c{k}" for k in range(numbers)], ARMS["seven"].identity(drive))
 
 
-CELL = {
-    "cell:arm": arm_of_cell,
-    "cell:axes": arm_of_cell,
-    "cell:gripper": lambda task: (["opening", "speed", "force"], ["opening", "force"], {}),
+CELL = dict.fromkeys(("arm_pos", "arm_tau", "arm_vel", "axes"), arm_of_cell) | {
+    "grip": lambda _: BenchDevice(["opening", "speed", "force"], ["opening", "force"])
 }
-"""Devices that shipped tasks name for somebody's world: what they publish, what they take, what they say."""
+"""Stand-ins for modules that serve any device: the world that their tasks name is whose copies them."""
 
 
 def bench_of(path, code=None):

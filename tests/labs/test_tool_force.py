@@ -4,14 +4,15 @@ import numpy as np
 import pytest
 
 from onika.laws import puma560
-from onika.laws.arm import SerialArm
+from onika.laws.robot import published
+from onika.laws.textbook import serial_arm
 from onika.store.shipped import shipped
 from onika.testing.bench import Bench
 
 CODE = shipped() / "generic" / "module" / "tool_force.py"
-CONSTANTS = {"NDOF": 6, "DH": puma560.DH, "BASE": np.eye(4), "TOOL": puma560.TOOL}
+CONSTANTS = published(puma560, 0.0, 0.0, 0.0, 0.0)
 WORKING = np.array([0.18, -0.63, 2.70, 0.0, 1.07, 1.75])
-ARM = SerialArm(puma560.DH, base=np.eye(4), tool=puma560.TOOL)
+ARM = serial_arm(puma560.DH, base=np.eye(4), tool=puma560.TOOL)
 
 
 @pytest.mark.parametrize("force", [(0, 0, 20, 0, 0, 0), (10, -5, 0, 0, 0, 0), (0, 0, 0, 1, 2, 0.5)])

@@ -1,8 +1,12 @@
 import math
 
 import numpy as np
+import pytest
 
+from kit.examples import examples
+from kit.worlds.mjcf_arms import ARMS
 from onika.laws import puma560
+from onika.laws.arm import ArmModel
 from onika.laws.damped import DampedInverse
 from onika.laws.textbook import serial_arm
 
@@ -63,3 +67,33 @@ def test_a_joint_is_never_taken_beyond_its_limits():
     reason = INVERSE.nearest(SCARA.forward([0.3, 0.4, 0.40, 0.2]), np.zeros(4))
     assert isinstance(reason, str)
     assert "0.105 m" in reason  # the quill ends at 0.295 m
+
+
+@pytest.mark.parametrize("name", sorted(ARMS))
+def test_poses_of_any_arm_are_reached_and_those_beyond_are_not(name):  # R-X19, R-E09
+    arm = ARMS[name]
+    constants, random = arm.constants, np.random.default_rng(11)
+    names = ("SCREW", "LINK", "PARENT")
+    law = ArmModel(*(constants[key] for key in names), None, constants["BASE"], constants["TOOL"])
+    inverse = DampedInverse(law, constants["QMIN"], constants["QMAX"])
+    for q in random.uniform(constants["QMIN"], constants["QMAX"], (examples(15), arm.n)):
+        pose = arm.pose(q)
+        solution = inverse.nearest(pose, constants["HOME"])
+        assert not isinstance(solution, str), solution
+        assert np.abs(arm.pose(solution) - pose).max() < 1e-7
+        assert ((solution >= constants["QMIN"]) & (solution <= constants["QMAX"])).all()
+        pose[2, 3] += 3.0
+        assert isinstance(inverse.nearest(pose, constants["HOME"]), str)
+
+
+def test_who_looks_nearby_alone_finds_no_posture_far_away():
+    arm = ARMS["six"]
+    screw, base, tool, low, high = (arm.constants[key] for key in ("SCREW", "BASE", "TOOL", "QMIN", "QMAX"))
+    law = ArmModel(screw, base=base, tool=tool)
+    near, anywhere = DampedInverse(law, low, high, starts=0), DampedInverse(law, low, high)
+    missed = 0
+    for q in np.random.default_rng(3).uniform(low, high, (10, 6)):
+        assert np.allclose(near.nearest(arm.pose(q), np.clip(q + 0.02, low, high)), q, atol=1e-5)
+        missed += isinstance(near.nearest(arm.pose(q), arm.constants["HOME"]), str)
+        assert not isinstance(anywhere.nearest(arm.pose(q), arm.constants["HOME"]), str)
+    assert missed > 0

@@ -60,7 +60,8 @@ def test_every_shipped_file_is_on_the_page_of_the_laboratory():
 def test_a_port_stands_on_the_page_by_its_name_in_the_table():
     page = generate.laboratory()
     assert "| OUTVAR | `Q^_MEZ` (`Y^` in the code) | double[NDOF] | rad/s |" in page
-    assert "| `Q^_MEZ` | double[NDOF] | rad/s | `diff` | `gravcomp` `pd` |" in page
+    row = next(line for line in page.splitlines() if line.startswith("| `Q^_MEZ` | double[NDOF] | rad/s | "))
+    assert all(f" `{task}` " in row for task in ("diff", "gravcomp", "pd"))
 
 
 def test_a_device_and_a_target_stand_on_the_page_with_their_fields():

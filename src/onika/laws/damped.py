@@ -16,23 +16,26 @@ from onika.laws.sentence import LawSentence
 
 _TOLERANCE = 1e-8  # m and rad together
 _ITERATIONS = 60
-_STARTS = 12
+_LOOK, _LESS = 10, 0.7  # after so many steps the error has to be less than this share, else a way leads nowhere
+STARTS = 60
+"""From how many other postures a solution is looked for where the way from the near one leads nowhere."""
+_ENOUGH = 4  # solutions from other postures, of which the nearest is taken
 _LONGEST_STEP = 0.5  # rad or m
 _WIDE = 1e3  # rad or m: a limit beyond it is none
 _FREE = {False: math.pi, True: 1.0}  # rad, m: between which postures a joint without limits is started, either way
 
 
 class DampedInverse:
-    """The inverse of one arm within limits double[n]."""
+    """The inverse of one arm within limits double[n]; `starts` 0: what is not near is out of reach."""
 
-    def __init__(self, arm: ArmModel, qmin: Array, qmax: Array) -> None:
+    def __init__(self, arm: ArmModel, qmin: Array, qmax: Array, starts: int = STARTS) -> None:
         self._arm = arm
         self._low, self._high = qmin, qmax
         free = np.array([_FREE[bool(slide)] for slide in arm.slides])
         low, high = np.where(qmin < -_WIDE, -free, qmin), np.where(qmax > _WIDE, free, qmax)
         # the same starts every time: equal questions have equal answers
-        share = np.random.default_rng(1).uniform(0.15, 0.85, (_STARTS, arm.n))
-        share[0] = 0.5
+        share = np.random.default_rng(1).uniform(0.1, 0.9, (starts, arm.n))
+        share[:1] = 0.5
         self._starts = low + share * (high - low)
         self._pose, self._jacobian = np.eye(4), np.empty((6, arm.n))
 
@@ -44,11 +47,16 @@ class DampedInverse:
         q, error = self._descend(pose, near)
         if _size(error) <= _TOLERANCE:
             return q
-        solutions = [(q, error), *(self._descend(pose, start) for start in self._starts)]
-        solved = [q for q, error in solutions if _size(error) <= _TOLERANCE]
+        solved = []
+        for start in self._starts:
+            q, other = self._descend(pose, start)
+            if _size(other) <= _TOLERANCE:
+                solved.append(q)
+            error = min(error, other, key=_size)
+            if len(solved) == _ENOUGH:
+                break
         if solved:
             return min(solved, key=lambda q: float((q - near) @ (q - near)))
-        _, error = min(solutions, key=lambda pair: _size(pair[1]))
         metres, radians = float(np.linalg.norm(error[:3])), float(np.linalg.norm(error[3:]))
         return LawSentence(
             "laws.posture_away",
@@ -60,10 +68,15 @@ class DampedInverse:
     def _descend(self, pose: Array, start: Array) -> tuple[Array, Array]:
         q = start.copy()
         error = self._error(pose, q)
-        for _ in range(_ITERATIONS):
+        before = math.inf
+        for count in range(_ITERATIONS):
             size = _size(error)
             if size <= _TOLERANCE:
                 break
+            if count % _LOOK == 0:
+                if size > _LESS * before:
+                    break
+                before = size
             step = self._step(q, error, min(size * size, 1e-2) + 1e-14)
             step *= min(1.0, _LONGEST_STEP / max(float(np.abs(step).max()), 1e-12))
             q = np.clip(q + step, self._low, self._high)

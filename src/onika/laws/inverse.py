@@ -5,7 +5,7 @@ from typing import Protocol
 import numpy as np
 
 from onika.laws.arm import ArmModel
-from onika.laws.damped import DampedInverse
+from onika.laws.damped import STARTS, DampedInverse
 from onika.laws.family_table import FamilyTable
 from onika.laws.frames import Array, Numbers, as_array, inverse_pose
 from onika.laws.puma_family import puma_table
@@ -35,21 +35,25 @@ def inverse_for(
     qmin: Numbers,
     qmax: Numbers,
     parent: Numbers | Parents | None = None,
+    starts: int = STARTS,
 ) -> Inverse:
-    """The inverse of an arm given by constants (as in `ArmModel`); `qmin`, `qmax` double[n], infinite: no limit."""
-    return inverse_of(ArmModel(screw, parent=parent, base=base, tool=tool), qmin, qmax)
+    """The inverse of an arm given by constants (as in `ArmModel`); `qmin`, `qmax` double[n], infinite: no limit.
+
+    `starts`: how hard a solution far from the last one is looked for where there is no closed form; 0: not at all.
+    """
+    return inverse_of(ArmModel(screw, parent=parent, base=base, tool=tool), qmin, qmax, starts)
 
 
-def inverse_of(arm: ArmModel, qmin: Numbers, qmax: Numbers) -> Inverse:
-    """The inverse of an arm; `qmin`, `qmax` double[n], infinite: no limit."""
+def inverse_of(arm: ArmModel, qmin: Numbers, qmax: Numbers, starts: int = STARTS) -> Inverse:
+    """The inverse of an arm; `qmin`, `qmax` double[n], infinite: no limit; `starts` as above."""
     low, high = as_array(qmin, (arm.n,)), as_array(qmax, (arm.n,))
     if not np.array_equal(arm.parent, parents_of_chain(arm.n)):
-        return DampedInverse(arm, low, high)
+        return DampedInverse(arm, low, high, starts)
     for table_of, law in ((puma_table, PumaInverse), (scara_table, ScaraInverse)):
         table = table_of(arm.screw)
         if table is not None:
             return law(table.dh, arm.base @ table.first, _tool(table, arm.tool), low, high)
-    return DampedInverse(arm, low, high)
+    return DampedInverse(arm, low, high, starts)
 
 
 def serial_inverse(

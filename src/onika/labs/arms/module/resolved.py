@@ -7,7 +7,7 @@ from onika.laws.resolved_rate import ResolvedRate
 from onika.module import InConst, InVar, Local, Module, OutVar
 
 
-class Resolved(Module):
+class ResolvedMotion(Module):
     """Joint references for a wanted speed of the tool: resolved motion rate control of any arm.
 
     Near singular postures it is slower than wanted, at limits it stops what would pass them, and where a joint would be

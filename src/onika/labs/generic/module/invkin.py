@@ -51,7 +51,8 @@ class Invkin(Module):
     STEP = Local("double", "rad", "how large it may be", default=0.1, low=1e-6)
 
     def init(self):
-        self._inverse = inverse_for(self.SCREW, self.BASE, self.TOOL, self.QMIN, self.QMAX, self.PARENT)
+        # postures far from the last one are not looked for: a cycle has no time for that, and the arm could not jump
+        self._inverse = inverse_for(self.SCREW, self.BASE, self.TOOL, self.QMIN, self.QMAX, self.PARENT, starts=0)
 
     def on(self, inputs):
         # a pose from before the last hold is not followed: it is waited for until it changes

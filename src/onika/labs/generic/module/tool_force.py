@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from onika.laws.arm import SerialArm
+from onika.laws.arm import ArmModel
 from onika.module import InConst, InVar, Module, OutVar
 
 SOFT = 0.05  # m: what a lever shorter than that would say of a force is not believed
@@ -19,9 +19,10 @@ class ToolForce(Module):
 
     Kind     general, periodic, 20..1000 Hz
     Ports    INCONST  NDOF    int             -      number of joints
-             INCONST  DH      double[NDOF,4]  -      a m, alpha rad, d m, theta offset rad
+             INCONST  SCREW   double[NDOF,6]  -      axis and moment of each joint, at q = 0 in frame 0
+             INCONST  PARENT  int[NDOF]       -      the joint that bears each joint; -1: the base
              INCONST  BASE    double[4,4]     -      frame 0 in the world
-             INCONST  TOOL    double[4,4]     -      tool in the last frame
+             INCONST  TOOL    double[4,4]     -      the tool at q = 0 in frame 0
              INVAR    Q_MEZ   double[NDOF]    rad    measured position
              INVAR    TAU_PD  double[NDOF]    N m    torque of the servo
              OUTVAR   F_MEZ   double[6]       N,N m  force on the tool and torque about it, along the axes of the world
@@ -29,15 +30,16 @@ class ToolForce(Module):
     """
 
     NDOF = InConst("int", "-", "number of joints")
-    DH = InConst("double[NDOF,4]", "-", "a m, alpha rad, d m, theta offset rad")
+    SCREW = InConst("double[NDOF,6]", "-", "axis and moment of each joint, at q = 0 in frame 0")
+    PARENT = InConst("int[NDOF]", "-", "the joint that bears each joint; -1: the base")
     BASE = InConst("double[4,4]", "-", "frame 0 in the world")
-    TOOL = InConst("double[4,4]", "-", "tool in the last frame")
+    TOOL = InConst("double[4,4]", "-", "the tool at q = 0 in frame 0")
     Q_MEZ = InVar("double[NDOF]", "rad", "measured position")
     TAU_PD = InVar("double[NDOF]", "N m", "torque of the servo")
     F_MEZ = OutVar("double[6]", "N,N m", "force on the tool and torque about it, along the axes of the world")
 
     def init(self):
-        self._arm = SerialArm(self.DH, base=self.BASE, tool=self.TOOL)
+        self._arm = ArmModel(self.SCREW, parent=self.PARENT, base=self.BASE, tool=self.TOOL)
         self._jacobian = np.zeros((6, self.NDOF))
         self._soft = SOFT**2 * np.eye(6)
         self.cycle()  # the model of the arm is built with its first use: here, not when the task comes on
