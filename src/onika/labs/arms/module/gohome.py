@@ -1,12 +1,8 @@
 """Joint path home."""
 
-import numpy as np
-
+from onika.laws.arrival import Arrival
 from onika.laws.path import joint_duration, quintic
 from onika.module import InConst, InVar, Local, Module, OutVar, finish
-
-NEAR = 1e-3  # rad
-STILL = 0.01  # rad/s
 
 
 class Gohome(Module):
@@ -43,7 +39,7 @@ class Gohome(Module):
         self._way = self.HOME - self._start
         self._duration = max(joint_duration(self._start, self.HOME, self.SPEED * self.Qd_MAX), self.dt)
         self._time = 0.0
-        self._last = self.Q_MEZ.copy()
+        self._arrival = Arrival.of_joints(self.HOME, self.Q_MEZ, self.SETTLE)
         self.Q_REF = self._start
         self.Qd_REF = 0.0
 
@@ -52,9 +48,7 @@ class Gohome(Module):
         share, rate = quintic(self._time, self._duration)
         self.Q_REF = self._start + share * self._way
         self.Qd_REF = rate * self._way
-        over = self._time - self._duration
-        rests = self._rests()
-        if over >= self.SETTLE or (over >= 0.0 and rests):
+        if self._arrival.is_over(self._time - self._duration, self.Q_MEZ, self.dt):
             return finish()
         return None
 
@@ -62,8 +56,3 @@ class Gohome(Module):
         if name == "progress":
             return min(self._time / self._duration, 1.0)
         return super().get(name)
-
-    def _rests(self):
-        moved = np.abs(self.Q_MEZ - self._last).max()
-        self._last[:] = self.Q_MEZ
-        return moved < STILL * self.dt and np.abs(self.Q_MEZ - self.HOME).max() < NEAR
