@@ -31,6 +31,7 @@ KNOWN = published(puma560, 0.0, 0.0, 0.0, 0.0)
 
 LINES = {
     "ctraj": "0 0 -1 0 1 0 0.7 0 -0.2 1",
+    "cguard": "0 0 -1 0 1 0 0.7 0 -0.2 1 20 5",
     "open_folder": str(HERE),
     "copy_files": tempfile.gettempdir(),
     "list_files": f"{tempfile.gettempdir()}/never_written.csv",

@@ -29,10 +29,10 @@ class Cell:
         for device in (ARM, HAND):
             self.world.claim(device, 1)
         self._begin_above()
-        self.fwdkin = self._task("fwdkin", 250, "NDOF DH BASE TOOL")
-        self.invkin = self._task("invkin", 250, "NDOF DH BASE TOOL QMIN QMAX Q^_MAX")
-        self.gravcomp = self._task("gravcomp", 250, "NDOF DH DYN LOAD BASE")
-        self.tool_force = self._task("tool_force", 250, "NDOF DH BASE TOOL")
+        self.fwdkin = self._task("fwdkin", 250, "NDOF SCREW PARENT BASE TOOL")
+        self.invkin = self._task("invkin", 250, "NDOF SCREW PARENT BASE TOOL QMIN QMAX Q^_MAX")
+        self.gravcomp = self._task("gravcomp", 250, "NDOF SCREW LINK PARENT LOAD BASE")
+        self.tool_force = self._task("tool_force", 250, "NDOF SCREW PARENT BASE TOOL")
         self.cguard = self._task("cguard", 250, "")
         self.diff, self.pd = self._task("diff", 500, "NDOF"), self._task("pd", 500, "NDOF KP KD")
         self.pressed, self.felt, self.heights = [], [], []
