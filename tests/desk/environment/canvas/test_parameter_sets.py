@@ -73,6 +73,14 @@ def test_a_set_keeps_what_is_tuned_of_all_tasks_beside_the_configuration(sitting
     assert "DEVICE" not in file(sitting).read_text()
 
 
+def test_a_switch_leaves_tasks_alone_in_which_nothing_differs_also_defaults(sitting, doc):  # R-X10
+    sitting.do(act.KeepSet(doc, "as found"))  # keeps DAMP as its default, which stands in no line
+    sitting.do(act.Local("path", (("SPEED", ("0.2",)),), doc))
+    sitting.do(act.SwitchSet(doc, "as found"))
+    assert local(sitting, doc) == {"DEVICE": ("w:arm",), "STIFF": ("1",)}
+    assert local(sitting, doc, "path")["SPEED"] == ("0.5",)
+
+
 def test_a_set_is_switched_as_one_step_which_undo_takes_back(sitting, doc):  # R-X10
     tune(sitting, doc, "0.5", "0.7")
     sitting.do(act.Local("path", (("SPEED", ("0.2",)),), doc))

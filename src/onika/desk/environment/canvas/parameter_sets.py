@@ -88,7 +88,7 @@ def switch_set(model: Model, document: Document, command: act.SwitchSet, outside
         return _no_set(document, command.name)
     tasks = model.libraries_of(document).tasks
     here = [name for name in wanted.tasks if document.content.placed(name) and name in tasks]
-    lines = {name: merged(tasks[name].local, wanted.of_task(name)) for name in here}
+    lines = {name: merged(tasks[name].local, _differing(model, tasks[name], wanted)) for name in here}
     wrong = dict(_faults(model, document, lines))
     if wrong:
         reason = Reason.of("desk.set_refused", name=command.name, reasons=tuple(wrong.values()))
@@ -147,6 +147,12 @@ def _lines(task: Task, sheet: ModuleSheet | None) -> Iterator[LocalLine]:
     for key, words in declared.items():
         if key not in _FIXED and words:
             yield LocalLine(key, words)
+
+
+def _differing(model: Model, task: Task, wanted: ParameterSet) -> dict[str, tuple[str, ...]]:
+    """What a set changes of a task: a default that is in force needs no line, nor is a task exchanged for it."""
+    present = {line.key: line.words for line in _lines(task, model.libraries.sheets.get(task.module))}
+    return {key: words for key, words in wanted.of_task(task.name).items() if present.get(key) != words}
 
 
 def _faults(model: Model, document: Document, lines: dict[str, Lines]) -> Iterator[tuple[str, Reason]]:
