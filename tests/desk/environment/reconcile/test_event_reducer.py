@@ -99,6 +99,7 @@ def test_the_last_seconds_of_a_configuration_are_shown_at_it_and_a_line_leads_th
     assert duet.environment.tree.documents[doc].black_box == "/state/black-boxes/a-1.1.mcap"
     assert (duet.says[-1].doc, duet.says[-1].where) == (doc, ShowRecording("/state/black-boxes/a-1.1.mcap"))
     assert "/state/black-boxes/a-1.1.mcap" in str(duet.says[-1].text)
+    assert duet.says[-1].at_s == 0.0  # the time of day is put in where it is sent: 3.0 is the runtime's own clock
 
 
 def test_the_last_seconds_of_what_nobody_here_has_open_have_a_line_and_those_of_a_run_have_none(duet, doc):  # R-X05

@@ -54,8 +54,8 @@ def _kept(model: Model, message: event.LastSecondsKept) -> Done:
     reason, where = Reason.of("run.last_seconds_kept", path=message.path), ShowRecording(message.path)
     document = _home(model, message.subsystem)
     if document is None or document.live is None:
-        return Done(model, says=(page.Say("info", reason, "", where, message.at_s),))
-    line = page.Say("info", reason, document.id, where, message.at_s)
+        return Done(model, says=(page.Say("info", reason, where=where),))
+    line = page.Say("info", reason, document.id, where)
     subsystem_facts = replace(document.live, black_box=message.path)
     return Done(model.with_document(replace(document, live=subsystem_facts)), says=(line,))
 
