@@ -5,6 +5,7 @@ from typing import Any
 
 from onika.desk.environment.outcome.on_file import is_running
 from onika.desk.environment.outcome.staleness import stale
+from onika.desk.environment.outcome.supply import supply
 from onika.desk.environment.outcome.trouble import problems
 from onika.desk.environment.reconcile.watched_runs import is_on
 from onika.desk.environment.show.application_view import ApplicationProjector
@@ -155,7 +156,13 @@ class Projector:
             (document.content.configuration, living, pending, libraries, runtime.outdated, runtime.address),
             lambda: stale(document, libraries, runtime),
         )
-        troubles = self._once(f"troubles {document.id}", (troubles, behind), lambda: troubles | behind)
+        lacking = self._once(
+            f"supply {document.id}",
+            (document.content.configuration, living, pending, libraries.tasks),
+            lambda: supply(document, libraries),
+        )
+        parts = (troubles, lacking, behind)
+        troubles = self._once(f"troubles {document.id}", parts, lambda: parts[0] | parts[1] | parts[2])
         late = self._once(
             f"load {document.id}",
             (document, libraries.tasks, self._loads(model), model.runtime.units),
