@@ -74,7 +74,7 @@ export class BodeChart {
           filter: (_, all) => all,
           values: (_, all) => all.map((at) => (isNamed(at) ? `${minus(at)} Hz` : '')),
         },
-        { ...axis, size: 44, gap: 5, space: 24, grid, values: (_, all) => all.map((v) => `${minus(v)} ${this.unit}`) },
+        { ...axis, size: 62, gap: 5, space: 24, grid, values: (_, all) => all.map((v) => `${minus(v)} ${this.unit}`) },
       ],
       series: [
         {},

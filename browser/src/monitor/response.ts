@@ -6,7 +6,7 @@ export interface Course {
   y: ArrayLike<number>
 }
 
-/** Measures of a step: times in s, parts of the step; NaN where there is none. */
+/** Measures of the first step of a reference that jumps: times in s, parts of the step; NaN of any other reference. */
 export interface Response {
   /** From 10 % to 90 % of the way. */
   rise_s: number
@@ -47,35 +47,49 @@ export function response(reference: Course, measured: Course): Response {
   const rest = errors.slice(Math.floor(errors.length * (1 - REST)))
   const whole = { ...none, steadyError: mean(rest), rms: Math.sqrt(mean(errors.map((error) => error * error))) }
   const at = wanted.findIndex((value, k) => k > begin && value !== wanted[begin])
-  return at < 0 ? whole : { ...whole, ...step(t, y, at, wanted[wanted.length - 1]!) }
+  return at < 0 || !isStepping(wanted, begin, at)
+    ? whole
+    : { ...whole, ...step(t, y, at, end(wanted, at), wanted[at]!) }
 }
 
-/** Of the step that is wanted from this sample on. */
+/** Whether a reference only jumps to and fro between two values, the first of them being left at `at`. */
+function isStepping(wanted: Float64Array, begin: number, at: number): boolean {
+  return wanted.every((value, k) => k < begin || value === wanted[begin] || value === wanted[at])
+}
+
+/** Where the value ends that a reference takes at `at`. */
+function end(wanted: Float64Array, at: number): number {
+  const next = wanted.findIndex((value, k) => k > at && value !== wanted[at])
+  return next < 0 ? wanted.length : next
+}
+
+/** Of the step that is wanted from the sample `at` on, up to `until`. */
 function step(
   t: ArrayLike<number>,
   y: ArrayLike<number>,
   at: number,
+  until: number,
   target: number,
 ): Pick<Response, 'rise_s' | 'overshoot' | 'settling_s'> {
   const from = y[at]!
   const size = target - from
   if (size === 0) return { rise_s: NaN, overshoot: NaN, settling_s: NaN }
   const way = (k: number): number => (y[k]! - from) / size
-  const from_s = reached(t, way, at, FROM)
-  const to_s = reached(t, way, at, TO)
+  const from_s = reached(t, way, at, until, FROM)
+  const to_s = reached(t, way, at, until, TO)
   let most = 0
   let last = at - 1
-  for (let k = at; k < t.length; k += 1) {
+  for (let k = at; k < until; k += 1) {
     most = Math.max(most, way(k) - 1)
     if (Math.abs(way(k) - 1) > BAND) last = k
   }
-  const settling_s = last + 1 < t.length ? t[last + 1]! - t[at]! : NaN
+  const settling_s = last + 1 < until ? t[last + 1]! - t[at]! : NaN
   return { rise_s: to_s - from_s, overshoot: most, settling_s }
 }
 
 /** When a part of the way was reached first, between two samples where it lies between them. */
-function reached(t: ArrayLike<number>, way: (k: number) => number, at: number, part: number): number {
-  for (let k = at + 1; k < t.length; k += 1) {
+function reached(t: ArrayLike<number>, way: (k: number) => number, at: number, until: number, part: number): number {
+  for (let k = at + 1; k < until; k += 1) {
     if (way(k) < part) continue
     const before = way(k - 1)
     return before >= part ? t[k - 1]! : t[k - 1]! + ((part - before) / (way(k) - before)) * (t[k]! - t[k - 1]!)

@@ -57,6 +57,24 @@ describe('how a measurement follows its reference', () => {
     expect(response({ t: [9], y: [1] }, { t: [1, 2], y: [0, 0] }).rms).toBeNaN()
   })
 
+  it('measures the first step alone of a reference that jumps to and fro', () => {
+    const t = Array.from({ length: 400 }, (_, k) => k / 100)
+    const reference = { t, y: t.map((at) => (at >= 0.5 && at < 2 ? 1 : at >= 3 ? 1 : 0)) }
+    const follows = t.map((at) => (at < 0.5 ? 0 : at < 2 ? 1 - Math.exp(-(at - 0.5) / 0.1) : Math.exp(-(at - 2) / 0.1)))
+    const measures = response(reference, { t, y: follows })
+    expect(measures.rise_s).toBeCloseTo(0.22, 1)
+    expect(measures.settling_s).toBeCloseTo(0.39, 1)
+    expect(measures.overshoot).toBe(0)
+  })
+
+  it('knows no rise, overshoot or settling of a reference that is no step', () => {
+    const t = Array.from({ length: 400 }, (_, k) => k / 100)
+    const sine = { t, y: t.map((at) => Math.sin(at)) }
+    const measures = response(sine, { t, y: t.map((at) => 0.9 * Math.sin(at - 0.05)) })
+    expect([measures.rise_s, measures.overshoot, measures.settling_s]).toEqual([NaN, NaN, NaN])
+    expect(measures.rms).toBeGreaterThan(0)
+  })
+
   it('takes a reference of another rate as the value in force', () => {
     expect([...held({ t: [1, 3], y: [10, 30] }, [0, 1, 2, 3, 4])]).toEqual([NaN, 10, 10, 30, 30])
   })
