@@ -26,7 +26,7 @@ function byName<Line extends Labelled>(lines: readonly Line[]): [Line, Line] | u
   return undefined
 }
 
-/** Half way between the lowest and the highest value, to three digits; 0 where there is none. */
+/** Half way between the lowest and the highest value, to a hundredth of their distance; 0 where there is none. */
 export function middle({ y }: Course): number {
   let low = Infinity
   let high = -Infinity
@@ -35,5 +35,8 @@ export function middle({ y }: Course): number {
     high = Math.max(high, y[k]!)
   }
   const half = (low + high) / 2
-  return Number.isFinite(half) ? Number(half.toPrecision(3)) : 0
+  if (!Number.isFinite(half)) return 0
+  if (low === high) return half
+  const grain = 10 ** Math.floor(Math.log10((high - low) / 100))
+  return Number((Math.round(half / grain) * grain).toPrecision(12))
 }

@@ -14,7 +14,7 @@ export interface Response {
   overshoot: number
   /** From the step until it stays within 2 % of the step about the target. */
   settling_s: number
-  /** Reference less measurement, over the last tenth of the time. */
+  /** Reference less measurement, over the last tenth of the time, of a reference that jumps of its first step. */
   steadyError: number
   /** Root of the mean square of reference less measurement. */
   rms: number
@@ -44,13 +44,15 @@ export function response(reference: Course, measured: Course): Response {
   const none = { rise_s: NaN, overshoot: NaN, settling_s: NaN, steadyError: NaN, rms: NaN }
   if (begin < 0) return none
   const errors = Array.from({ length: t.length - begin }, (_, k) => wanted[begin + k]! - y[begin + k]!)
-  const rest = errors.slice(Math.floor(errors.length * (1 - REST)))
-  const whole = { ...none, steadyError: mean(rest), rms: Math.sqrt(mean(errors.map((error) => error * error))) }
+  const rms = Math.sqrt(mean(errors.map((error) => error * error)))
   const at = wanted.findIndex((value, k) => k > begin && value !== wanted[begin])
-  return at < 0 || !isStepping(wanted, begin, at)
-    ? whole
-    : { ...whole, ...step(t, y, at, end(wanted, at), wanted[at]!) }
+  if (at < 0 || !isStepping(wanted, begin, at)) return { ...none, steadyError: mean(lastOf(errors)), rms }
+  const until = end(wanted, at)
+  const steadyError = mean(lastOf(errors.slice(at - begin, until - begin)))
+  return { ...step(t, y, at, until, wanted[at]!), steadyError, rms }
 }
+
+const lastOf = (errors: readonly number[]): number[] => errors.slice(Math.floor(errors.length * (1 - REST)))
 
 /** Whether a reference only jumps to and fro between two values, the first of them being left at `at`. */
 function isStepping(wanted: Float64Array, begin: number, at: number): boolean {

@@ -23,6 +23,8 @@ describe('reference and measurement of a scope', () => {
 
   it('cross a trigger that begins half way between their ends', () => {
     expect(middle({ t: [0, 1, 2], y: [-0.0977, -0.0577, -0.08] })).toBe(-0.0777)
+    expect(middle({ t: [0, 1], y: [-0.02, 0.02 + 1e-16] })).toBeCloseTo(0, 12)
+    expect(middle({ t: [0, 1], y: [3.5, 3.5] })).toBe(3.5)
     expect(middle({ t: [], y: [] })).toBe(0)
   })
 })

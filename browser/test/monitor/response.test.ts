@@ -65,6 +65,7 @@ describe('how a measurement follows its reference', () => {
     expect(measures.rise_s).toBeCloseTo(0.22, 1)
     expect(measures.settling_s).toBeCloseTo(0.39, 1)
     expect(measures.overshoot).toBe(0)
+    expect(measures.steadyError).toBeCloseTo(0, 5) // and not of the step after it
   })
 
   it('knows no rise, overshoot or settling of a reference that is no step', () => {
