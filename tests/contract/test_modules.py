@@ -25,7 +25,7 @@ HERE = Path(__file__).parent
 """Beside the shipped ones, a module that is made of a function."""
 TASKS = [*sorted(LABS.glob("*/module/*.rmod")), *HERE.glob("*/module/*.rmod")]
 MODULES = [*sorted(LABS.glob("*/module/*.py")), *HERE.glob("*/module/*.py")]
-ALLOWED = sys.stdlib_module_names | {"numpy"}
+ALLOWED = sys.stdlib_module_names | {"numpy", "onnxruntime"}
 KNOWN = published(puma560, 0.0, 0.0, 0.0, 0.0)
 """Constants of a real robot for whoever reads them; hardware says its own."""
 

@@ -77,3 +77,19 @@ def test_a_drift_of_a_second_encoder_reaches_its_error(capsys, tmp_path):  # R-X
     drift = placed("slow_drift", 500, *AT_THE_WATCH, "LOCAL       RATE 0.5", "LOCAL       AFTER 0.4")
     watch = placed("following", 250, "SVARALIAS   Q_MEZ = Q_SEEN")
     assert_stopped(moved(capsys, tmp_path, "", drift, watch), "joint 1 is measured 0.1")
+
+
+@pytest.mark.parametrize(
+    ("fault", "conclusion"),
+    [("delay", "wild"), ("noise", "wild"), ("stuck", "sensor_silent"), ("lost_link", "sensor_silent")],
+)
+def test_an_expert_system_says_which_fault_it_is(capsys, tmp_path, fault, conclusion):  # R-K09, R-X14
+    lines = dict.fromkeys((f"LOCAL       {CAUSES[fault][0]}", "LOCAL       AFTER 0.4"))
+    result = moved(capsys, tmp_path, AT_THE_ARM, placed(fault, 500, *lines), placed("diagnosis", 250))
+    assert result["state"] == "aborted"
+    assert f"{conclusion}, because" in result["cause"]["text"]
+
+
+def test_an_arm_without_a_fault_is_found_well_by_the_expert_system(capsys, tmp_path):  # R-K09
+    result = moved(capsys, tmp_path, "", placed("diagnosis", 250))
+    assert (result["state"], result["notes"]) == ("completed", [])
