@@ -164,8 +164,11 @@ def _pose(turn: Any, place: Any) -> Array:
     return pose
 
 
+SEVEN = _document(_nested(_SEVEN))
+"""An arm of seven joints, without motors."""
+
 ARMS = {
-    "seven": mjcf_arm(_document(_nested(_SEVEN))),
+    "seven": mjcf_arm(SEVEN),
     "six": mjcf_arm(_document(_nested(_SIX, "0.1 -0.07 0.05"))),
     "five": mjcf_arm(_document(_nested(_FIVE))),
     "gantry": mjcf_arm(_document(_nested(_GANTRY))),
