@@ -13,7 +13,7 @@ from onika.laws.frames import Array, Numbers, as_array, quaternion_of_rotation
 from onika.laws.screws import Parents, parents, places, screws, slides
 from onika.laws.sentence import LawSentence
 
-_SMALL_KG, _SMALL_KG_M2 = 1e-9, 1e-12  # a moving body needs some mass: what a link without one is given
+_SMALL_KG, _SMALL_KG_M2 = 1e-13, 1e-14  # a moving body needs some mass: what a link without one is given
 _ROUNDING = 1e-6  # as a share: how far the largest moment of inertia may be above the other two by rounding
 
 

@@ -113,7 +113,9 @@ def arm_of_model(model: Any, base: str = "base", tool: str = "tool") -> MjcfArm:
         axis, place = into[:3, :3] @ data.xaxis[k], (into @ [*data.xanchor[k], 1.0])[:3]
         is_slide = model.jnt_type[k] == mujoco.mjtJoint.mjJNT_SLIDE
         screw[k] = [0.0, 0.0, 0.0, *axis] if is_slide else [*axis, *np.cross(place, axis)]
-        parent[k] = _moved_by(model, int(model.body_parentid[model.jnt_bodyid[k]]))
+        body = int(model.jnt_bodyid[k])
+        is_first = int(model.body_jntadr[body]) == k
+        parent[k] = _moved_by(model, int(model.body_parentid[body])) if is_first else k - 1
     limited = np.asarray(model.jnt_limited, dtype=bool)
     low, high = np.where(limited, model.jnt_range[:, 0], -np.inf), np.where(limited, model.jnt_range[:, 1], np.inf)
     return MjcfArm(
