@@ -14,9 +14,11 @@ interface Pointing {
   take: ((place: PointedPlace) => void) | undefined
   /** The place that counts, for the view to mark it. */
   mark: PointedPlace | undefined
+  /** Where in the window the workcell is clicked: what asks for a place leaves it free. */
+  room: DOMRect | undefined
 }
 
-export const pointing: Pointing = $state({ take: undefined, mark: undefined })
+export const pointing: Pointing = $state({ take: undefined, mark: undefined, room: undefined })
 
 /** So far in front of a place, in m; negative: behind its surface. */
 export function before({ position: [x, y, z], normal: [a, b, c] }: PointedPlace, away: number): Vector {
