@@ -265,7 +265,7 @@ class RuntimeProgram:
                 self._driver.expect(worlds)
                 return replace(refused(prepared.faults, prepared.notes), resolved=resolved, worlds=worlds)
             case request.Inspect():
-                return refused(*inspect(message.tasks, message.code, self._loading))
+                return refused(*inspect(message.tasks, message.code, self._loading, message.worlds))
             case live.Describe() | live.ListWorlds() | live.Solve():
                 return self._described(message)
             case request.Begin():

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from onika.files import robot as robot_file, text, world as world_file
 from onika.model.robot import RobotText
-from onika.model.world import WorldText
+from onika.model.world import UNNAMED, PlaceBlock, WorldText
 from onika.store.model_file import Needed, self_contained
 from onika.store.opened_text import Faults
 from onika.store.site import Site
@@ -38,6 +38,19 @@ def gather_world(name: str, site: Site) -> tuple[WorldSource | None, Faults]:
     return WorldSource(world.name, digest_of(files), files), tuple(gathering.faults)
 
 
+def gather_robot(name: str, site: Site) -> tuple[WorldSource | None, Faults]:
+    """A world in which nothing is but this robot, to be looked at; None where there is no such robot."""
+    path = _first(name, site, ROBOT_FOLDER, robot_file.ENDING)
+    if path is None:
+        return None, ()
+    gathering = _Gathering(site)
+    gathering.robot(name)
+    text_of_world = world_file.write(WorldText(name, blocks=(PlaceBlock(UNNAMED, (name,)),)))
+    alone = WorldFile(f"{WORLD_FOLDER}/{name}{world_file.ENDING}", str(path), text_of_world.encode())
+    files = (alone, *gathering.files.values(), *gathering.needed.values())
+    return WorldSource(name, digest_of(files), files), tuple(gathering.faults)
+
+
 class _Gathering:
     """Reads each file once."""
 
@@ -48,6 +61,7 @@ class _Gathering:
         self.faults: list[Fault] = []
 
     def world(self, path: Path) -> WorldText | None:
+        """The text of a world, its parts and its robots."""
         content = self._text(path, f"{WORLD_FOLDER}/{path.name}")
         world, faults = world_file.read(content, path.stem, str(path)) if content is not None else (None, ())
         self.faults += faults
@@ -57,10 +71,11 @@ class _Gathering:
             place = Place(str(path), part.lines.get("FILE", 0))
             self._model(path.parent, WORLD_FOLDER, part.file, place, Reason.of("files.world_left_out"))
         for name in world.robots:
-            self._robot(name)
+            self.robot(name)
         return world
 
-    def _robot(self, name: str) -> None:
+    def robot(self, name: str) -> None:
+        """The text of a robot and its models; nothing where there is none."""
         path = _first(name, self._site, ROBOT_FOLDER, robot_file.ENDING)
         if path is None:
             return  # told of the place where it should stand

@@ -9,6 +9,7 @@ from onika.wire.live import LiveRequest, LiveResponse
 from onika.wire.plan import Code, Index, Plan, PlannedTask
 from onika.wire.samples import Sample, Sampled
 from onika.wire.steer import Positions, SteerRequest
+from onika.wire.world_source import WorldSource
 from onika.words.reason import NOTHING, Reason
 
 
@@ -59,6 +60,8 @@ class Inspect(Struct, frozen=True, tag=True):
 
     tasks: tuple[PlannedTask, ...]
     code: tuple[Code, ...]
+    worlds: tuple[WorldSource, ...] = ()
+    """Worlds that are files, to be compiled too."""
 
 
 class Recorded(Struct, frozen=True):

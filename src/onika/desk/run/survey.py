@@ -8,9 +8,10 @@ from pathlib import Path
 
 from onika.desk.plan.compile import UNKNOWN, no_code, planned_task, rtpus_of
 from onika.desk.plan.preparation import PreparedRun, prepare_run
+from onika.desk.plan.world_survey import world_sources
 from onika.desk.run.configuration_survey import judged, need_modules, surveyed
 from onika.desk.run.launched_runtime import LaunchedRuntime
-from onika.files import appl, buttons, conf, onk, picture, preferences, rmod, syntax, text
+from onika.files import appl, buttons, conf, onk, picture, preferences, rmod, robot, syntax, text, world
 from onika.model.rules.warning import self_fed
 from onika.model.syntax import Syntax
 from onika.store import module_catalogue
@@ -23,12 +24,17 @@ from onika.words.fault import Fault, Place, parted
 from onika.words.reason import Reason
 from onika.words.system_error import system_reason
 
-_FOLDERS = ("module", "conf", "dict", "appl", "prefs")
+_FOLDERS = ("module", "conf", "dict", "appl", "prefs", "world", "robot")
 
 Reader = Callable[[str, str, str], tuple[object, Iterable[Fault]]]
 """Reads what a file holds by its content, its name and its place; the faults come second."""
 
-_READERS: Mapping[str, Reader] = {conf.ENDING: conf.read, picture.ENDING: picture.read}
+_READERS: Mapping[str, Reader] = {
+    conf.ENDING: conf.read,
+    picture.ENDING: picture.read,
+    robot.ENDING: robot.read,
+    world.ENDING: world.read,
+}
 """By the endings of files."""
 
 _READERS_BY_NAME: Mapping[str, Reader] = {
@@ -124,6 +130,7 @@ def _files(path: Path) -> list[Path]:
 
 def _is_ours(file: Path) -> bool:
     endings = (rmod.ENDING, conf.ENDING, onk.ENDING, appl.ENDING, ".dta", ".py", *module_catalogue.ENDINGS)
+    endings += (robot.ENDING, world.ENDING)
     own = (preferences.NAME, buttons.NAME, f".{syntax.NAME}")
     return (file.name.endswith(endings) and not file.name.startswith(".")) or file.name in own
 
@@ -163,12 +170,14 @@ def _judge(files: list[Path], site: Site, note: Note) -> list[Fault]:
     modules = {file.stem: file for file in _with_ending(files, ".py")}
     planned, code = _tasks(_with_ending(files, rmod.ENDING), modules, site, faults)
     applications = [file for file in _with_ending(files, appl.ENDING) if not _is_part(file, site)]
-    if not (planned or code or applications or need_modules(configurations)):
+    worlds, world_faults = world_sources(files, site)
+    faults += world_faults
+    if not (planned or code or applications or worlds or need_modules(configurations)):
         return faults + judged(configurations, site, _of_none)
     prepared = [prepare_run(str(file), site) for file in applications]
     with LaunchedRuntime(_units(prepared), is_virtual=True) as runtime:
         faults += judged(configurations, site, partial(_described, runtime))
-        faults += _asked(runtime, request.Inspect(tuple(planned), tuple(code)), note)
+        faults += _asked(runtime, request.Inspect(tuple(planned), tuple(code), worlds), note)
         for run in prepared:
             faults += _judged(runtime, run, note)
     return faults

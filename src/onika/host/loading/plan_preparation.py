@@ -19,7 +19,7 @@ from onika.host.loading.plan_checks import (
     wrong_rates,
 )
 from onika.host.loading.plan_conditions import wrong_conditions
-from onika.host.loading.plan_form import wrong_code, wrong_plan, wrong_tasks
+from onika.host.loading.plan_form import wrong_code, wrong_plan, wrong_tasks, wrong_worlds
 from onika.host.loading.target_order import in_order
 from onika.host.loading.target_resolution import Resolution, notes_on_resolved, resolve
 from onika.host.loading.world_kinds import driven_kinds
@@ -30,6 +30,7 @@ from onika.runtime.wiring import WiredTask, disagreements, missing_constants, wi
 from onika.wire.plan import Code, Plan, PlannedFlow, PlannedTask
 from onika.wire.request import Resolved, TargetValues
 from onika.wire.sheet import ModuleSheet
+from onika.wire.world_source import WorldSource
 from onika.words.fault import NOT_RUN, Fault, Place
 from onika.words.reason import Reason, reason_of
 
@@ -112,13 +113,15 @@ def _flow(
 
 
 def inspect(
-    tasks: Sequence[PlannedTask], code: Sequence[Code], loading: ModuleQuestions
+    tasks: Sequence[PlannedTask], code: Sequence[Code], loading: ModuleQuestions, worlds: Sequence[WorldSource] = ()
 ) -> tuple[list[Fault], list[Reason]]:
-    """Check tasks against their modules, each by itself: faults, and what is only worth knowing."""
-    faults = wrong_code(code) + wrong_tasks(tasks, [one.digest for one in code])
+    """Check tasks against their modules, each by itself, and worlds of files: faults, and what is worth knowing."""
+    faults = wrong_code(code) + wrong_tasks(tasks, [one.digest for one in code]) + wrong_worlds(worlds)
     notes: list[Reason] = []
     if faults:
         return sorted(set(faults)), notes
+    loading.offer(worlds)
+    faults += [fault for source in worlds for fault in loading.world_faults(source.world)]
     sheets = _sheets(code, loading, faults)
     for task in tasks:
         if task.digest in sheets:

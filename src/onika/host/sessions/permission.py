@@ -66,7 +66,9 @@ def brings_code(message: request.Request) -> bool:
     match message:
         case request.Prepare():
             return bool(message.plan.code)
-        case request.Inspect() | live.Describe():
+        case request.Inspect():
+            return bool(message.code) or bool(message.worlds)
+        case live.Describe():
             return bool(message.code)
         case live.Solve():
             return True
