@@ -1,6 +1,6 @@
 """The files of a world, gathered from the search path: its text, its robots, their models and what these need."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from onika.files import robot as robot_file, text, world as world_file
@@ -9,12 +9,14 @@ from onika.model.world import UNNAMED, PlaceBlock, WorldText
 from onika.store.model_file import Needed, self_contained
 from onika.store.opened_text import Faults
 from onika.store.site import Site
+from onika.wire.plan import PlannedTask
 from onika.wire.world_source import WorldFile, WorldSource, digest_of
 from onika.words.fault import Fault, Place
 from onika.words.name import TASK_NAME
 from onika.words.reason import Reason
 
 WORLD_FOLDER, ROBOT_FOLDER = "world", "robot"
+_DEVICE = "DEVICE"
 
 
 def world_path(name: str, site: Site) -> Path | None:
@@ -36,6 +38,15 @@ def gather_world(name: str, site: Site) -> tuple[WorldSource | None, Faults]:
         return None, tuple(gathering.faults)
     files = (*gathering.files.values(), *gathering.needed.values())
     return WorldSource(world.name, digest_of(files), files), tuple(gathering.faults)
+
+
+def sources_of(tasks: Iterable[PlannedTask], site: Site) -> tuple[tuple[WorldSource, ...], Faults]:
+    """The files of the worlds in which tasks have devices, of those that are files, and what is wrong with them."""
+    devices = (words[0] for task in tasks for key, words in task.local if key == _DEVICE and words)
+    worlds = sorted({device.partition(":")[0].partition("@")[0] for device in devices})
+    gathered = [gather_world(world, site) for world in worlds]
+    sources = tuple(source for source, _ in gathered if source is not None)
+    return sources, tuple(fault for _, faults in gathered for fault in faults)
 
 
 def gather_robot(name: str, site: Site) -> tuple[WorldSource | None, Faults]:

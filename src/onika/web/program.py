@@ -26,6 +26,7 @@ from onika.desk.environment.runs.forecaster import Forecaster
 from onika.desk.environment.runs.readiness import ReadinessJudge
 from onika.desk.environment.runtime_thread import RuntimeThread
 from onika.desk.environment.state.model import Model
+from onika.desk.environment.world_channel import WorldChannel
 from onika.store.site import Site
 from onika.web.app import application
 from onika.web.hub import Hub
@@ -101,7 +102,7 @@ class EnvironmentProgram:
         runtime_thread = RuntimeThread(launching, post)
         disk = DiskWatch(self._site)  # before the files are read: what is written meanwhile is seen at the first look
         model, says = initial_model.opened(self._site, self._state, self._settings())
-        environment = Environment(model, HANDLERS, surroundings, runtime_thread)
+        environment = Environment(model, HANDLERS, surroundings, WorldChannel(runtime_thread, self._site))
         hub = Hub(environment, runtime_thread)
         hub.remember(says)
         login = Login(addresses(listening), lambda key: on_ready(_address(listening, key)))

@@ -14,8 +14,10 @@ from onika.model.configuration import Configuration, Placed
 from onika.model.syntax import IconType, Syntax
 from onika.model.task import Task
 from onika.store.site import Site
+from onika.store.world_source import sources_of
 from onika.wire.plan import Code, PlannedTask
 from onika.wire.sheet import PortSheet
+from onika.wire.world_source import WorldSource
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
 
@@ -51,6 +53,10 @@ class SiteLibrary:
         if record is None:
             return None, faults or self._none(Reason.of("desk.a_task"), name, self.tasks)
         return record.task, faults
+
+    def worlds(self, tasks: Iterable[PlannedTask]) -> tuple[tuple[WorldSource, ...], Faults]:
+        """The files of the worlds in which tasks have devices, of those that are files."""
+        return sources_of(tasks, self._site)
 
     def configuration(self, name: str) -> tuple[Configuration | None, Faults]:
         """A configuration by its name."""

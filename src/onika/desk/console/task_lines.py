@@ -50,7 +50,11 @@ def spawn(session: ConsoleSession, words: Words) -> Faults:
         if task is not None and source is not None:
             planned.append(altered(task, wish.name, wish.frequency))
             code[source.digest] = source
-    return faults or session.order(live.Change(subsystem, spawn=tuple(planned), code=tuple(code.values())))
+    worlds, wrong = SiteLibrary(session.site, session.place).worlds(planned)
+    faults += wrong
+    return faults or session.order(
+        live.Change(subsystem, spawn=tuple(planned), code=tuple(code.values()), worlds=worlds)
+    )
 
 
 def on(session: ConsoleSession, words: Words) -> Faults:

@@ -14,6 +14,8 @@ from onika.workcell.composed.sources import SourceTexts
 FREE_JOINT = "free"
 """The joint of a part that moves, behind the part's name."""
 
+_PAPER = (0.96, 0.945, 0.912, 1.0)  # the colour of floors
+
 Offsets = Mapping[str, tuple[float, float]]
 """How far parts stand from their spots, on x and y (m)."""
 
@@ -85,7 +87,8 @@ class Composition:
         spec.compiler.autolimits, spec.compiler.degree = True, False
         if self.world.floor is not None:
             plane, height = mujoco.mjtGeom.mjGEOM_PLANE, self.world.floor
-            spec.worldbody.add_geom(name="floor", type=plane, size=(0.0, 0.0, 0.05), pos=(0.0, 0.0, height))
+            place, size = (0.0, 0.0, height), (0.0, 0.0, 0.05)
+            spec.worldbody.add_geom(name="floor", type=plane, size=size, pos=place, rgba=_PAPER)
 
     def _in_order(self) -> Iterator[PartBlock]:
         """Parts, each behind the one on which it stands."""

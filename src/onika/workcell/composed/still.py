@@ -12,6 +12,10 @@ _LIGHT = (
     '<light pos="-0.4 -1.9 2.6" dir="0.38 0.95 -1.20" directional="true" diffuse="0.52 0.51 0.49"/>'
     '<light pos="2.8 -1.0 1.8" dir="-0.9 0.35 -0.6" directional="true" castshadow="false" diffuse="0.2 0.21 0.24"/>'
 )
+_SKY = (
+    '<asset><texture type="skybox" builtin="gradient" rgb1="0.965 0.955 0.932" rgb2="0.972 0.963 0.942" '
+    'width="64" height="384"/></asset>'
+)
 _SHINING = "1 0.95 0.7 1"
 _TOWARDS = np.array((-0.55, -0.75, 0.38))
 """From the middle of a world to the eye."""
@@ -26,7 +30,7 @@ def still(drawn: Plant, poses: npt.NDArray[np.float32], lit: tuple[str, ...]) ->
         if number
     ]
     return (
-        f"<mujoco>{LOOK}<worldbody>{_LIGHT}{_camera(poses.astype(float))}{_geoms(rows, 0, lit)}"
+        f"<mujoco>{LOOK}{_SKY}<worldbody>{_LIGHT}{_camera(poses.astype(float))}{_geoms(rows, 0, lit)}"
         f"{''.join(bodies)}</worldbody></mujoco>"
     )
 
