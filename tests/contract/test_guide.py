@@ -70,6 +70,7 @@ def test_what_a_page_says_works(page, tmp_path, monkeypatch):
     names = {"__name__": page.stem}
     for block in blocks(page):
         if block.file:
+            (tmp_path / block.file).parent.mkdir(exist_ok=True)
             (tmp_path / block.file).write_text(block.text)
         elif block.language == "python":
             # the line numbers of the page, so that a failure names the line to mend

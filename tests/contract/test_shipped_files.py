@@ -4,17 +4,19 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-from onika.files import appl, conf, onk, picture, rmod, syntax
+from onika.files import appl, conf, onk, picture, rmod, robot, syntax, world
 from onika.model.syntax import Syntax
 from onika.store.shipped import shipped, shipped_directories
 from onika.store.site import open_site
 from onika.words.fault import Fault
 
+FOLDERS = ("module", "conf", "dict", "appl", "robot", "world")
+
 
 def shipped_files() -> list[Path]:
-    folders = [base / folder for base in shipped_directories() for folder in ("module", "conf", "dict", "appl")]
+    folders = [base / folder for base in shipped_directories() for folder in FOLDERS]
     paths = [path for folder in (*folders, shipped() / "prefs") for path in sorted(folder.glob("*"))]
-    return [path for path in paths if path.suffix in (".rmod", ".conf", ".onk", ".appl", ".dta")]
+    return [path for path in paths if path.suffix in (".rmod", ".conf", ".onk", ".appl", ".dta", ".robot", ".world")]
 
 
 def reader(path: Path, types: Syntax) -> Callable[[str], tuple[Any, tuple[Fault, ...]]]:
@@ -27,13 +29,23 @@ def reader(path: Path, types: Syntax) -> Callable[[str], tuple[Any, tuple[Fault,
         ".onk": lambda text: onk.read(text, name, path.name, types),
         ".appl": lambda text: appl.read(text, name, path.name, types),
         ".dta": lambda text: picture.read(text, name, path.name),
+        ".robot": lambda text: robot.read(text, name, path.name),
+        ".world": lambda text: world.read(text, name, path.name),
     }[path.suffix]
 
 
 def writer(path: Path) -> Callable[[Any], str]:
     if path.name.endswith(syntax.NAME):
         return syntax.write
-    formats = {".rmod": rmod, ".conf": conf, ".onk": onk, ".appl": appl, ".dta": picture}
+    formats = {
+        ".rmod": rmod,
+        ".conf": conf,
+        ".onk": onk,
+        ".appl": appl,
+        ".dta": picture,
+        ".robot": robot,
+        ".world": world,
+    }
     return formats[path.suffix].write  # type: ignore[attr-defined]
 
 

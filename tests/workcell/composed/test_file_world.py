@@ -106,3 +106,14 @@ def test_a_world_without_fault_says_nothing():
     assert judged(files_of()) == ()
     (fault,) = judged(changed("world/cube.xml", "<body", "<bodi"))
     assert fault.place.file == "/lab/world/cell.world"
+
+
+def test_frame_0_of_a_chain_that_nothing_bears_is_its_place():  # R-X19
+    rail = '<mujoco><worldbody><body name="car"><joint name="x" type="slide" axis="1 0 0" range="-1 1"/>'
+    rail += '<geom size="0.1"/></body></worldbody></mujoco>'
+    robot = "VERSION 2.0\nFILE rail.xml\nARM arm\nTOOL car\nEOF\n"
+    world = FileWorld(files_of({**CELL, "robot/stiff.robot": robot, "robot/rail.xml": rail}))
+    sheet = next(sheet for sheet in world.devices() if sheet.name == "stiff_left")
+    assert sheet.identity["BASE"] == tuple(np.eye(4).ravel())
+    world.claim("stiff_left", 1)
+    assert world.state("stiff_left")[2] == 0.0

@@ -22,6 +22,7 @@ from onika.workcell.composed.composition import FREE_JOINT, Composition, prefix_
 from onika.workcell.composed.device_names import device_name
 from onika.workcell.composed.finger_unit import FingerUnit
 from onika.workcell.composed.joint_unit import JointUnit, KinematicJointUnit
+from onika.workcell.composed.robot_model import ORIGIN
 from onika.workcell.composed.sources import SourceTexts
 from onika.workcell.composed.stands import RobotUnit, Stands
 from onika.workcell.composed.still import still
@@ -33,6 +34,7 @@ from onika.workcell.scene import Shape3d, shapes
 from onika.workcell.snapshot import WorldSnapshot, encode
 from onika.workcell.unit import DeviceUnit
 
+_WORLD = "world"  # the body in which the bodies of every document stand
 _NEAR_M = 0.004  # how far a part may be from its place and still stand there
 _POSTURE = 0.02  # how far a joint may be from home (rad; m where it slides)
 
@@ -133,7 +135,7 @@ class FileWorld(DrivenWorld):
                     device.name: device_name(device, robot.robot, there, place.name) for device in robot.robot.devices
                 }
                 for facts in robot.joints:
-                    base = _base(model, prefix + facts.start) if facts.start else ()
+                    base = _base(model, prefix, facts.start) if facts.start else ()
                     for kind in (JointUnit, KinematicJointUnit):
                         yield kind(called[facts.name], facts, name, place.name, prefix, step_s, base)
                 for fingers in robot.grippers:
@@ -272,7 +274,11 @@ def _offsets(parts: Sequence[PartBlock], seed: int | None) -> dict[str, tuple[fl
     return {name: (float(offset[0]), float(offset[1])) for name, offset in drawn.items()}
 
 
-def _base(model: Any, body: str) -> tuple[float, ...]:
-    """Where a body is in the world, double[4,4] in a row."""
+def _base(model: Any, prefix: str, start: str) -> tuple[float, ...]:
+    """Where frame 0 is in the world, double[4,4] in a row: a body of the robot, or its place."""
     data = chain.at_zero(model, ())
-    return tuple(chain.body_pose(data, int(model.body(body).id)).ravel().tolist())
+    if start == _WORLD:
+        pose = chain.site_pose(data, int(model.site(prefix + ORIGIN).id))
+    else:
+        pose = chain.body_pose(data, int(model.body(prefix + start).id))
+    return tuple(pose.ravel().tolist())

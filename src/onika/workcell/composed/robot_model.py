@@ -18,6 +18,9 @@ from onika.workcell.composed.sources import SourceTexts, first_line
 HAND = "hand."
 """Before the names of what belongs to a hand that is attached."""
 
+ORIGIN = "robot.origin"
+"""A site of every robot: the middle of its document, which is frame 0 where nothing bears the first joint."""
+
 _DEEP_M = 0.001  # how far shapes reach into each other that a document forgot to keep apart
 _URDF = ".urdf"
 
@@ -45,6 +48,7 @@ def robot_spec(sources: SourceTexts, robot: RobotText) -> mujoco.MjSpec:
             raise ValueError(Reason.of("workcell.no_such_name", there=there, name=robot.on))
         spec.attach(sources.model(f"robot/{robot.hand}"), site=site, prefix=HAND)
     _name(spec)
+    spec.worldbody.add_site(name=ORIGIN)
     _refuse_reversed(spec)
     for body in spec.bodies[1:]:
         body.gravcomp = 1.0  # there when it is compiled, so that a drive may bear the weight; a motor takes it back

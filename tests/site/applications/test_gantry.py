@@ -1,0 +1,55 @@
+"""A laboratory that is files: a gantry over a bench (requirement X19)."""
+
+import json
+from shutil import copytree
+
+import pytest
+
+from onika.cli import main
+from onika.desk.plan.preparation import prepare_run
+from onika.store.shipped import shipped
+from onika.store.site import open_site
+from onika.store.world_source import gather_world
+
+pytestmark = pytest.mark.site
+
+LAB = shipped() / "gantry"
+
+
+def run(capsys, *words):
+    code = main(["run", *words, "--json"])
+    return code, json.loads(capsys.readouterr().out.splitlines()[-1])
+
+
+def test_its_tour_ends_where_it_began_and_is_the_same_each_time(capsys):  # R-X19
+    home = ("--expect", "Q_MEZ[0] < 0.001", "--expect", "Q_MEZ[2] < 0.001")
+    results = [run(capsys, "gantry_tour", "--virtual", *home) for _ in range(2)]
+    assert [(code, result["state"]) for code, result in results] == [(0, "completed")] * 2
+    assert results[0][1]["hash"] == results[1][1]["hash"]
+
+
+def test_its_plan_brings_the_files_of_its_world():  # R-X19
+    plan = prepare_run("gantry_tour", open_site([], {}, None)).plan
+    (bench,) = plan.worlds
+    assert bench == gather_world("bench", open_site([], {}, None))[0]
+    names = {file.name for file in bench.files}
+    assert {"world/bench.world", "robot/gantry.robot", "robot/gantry.xml"} <= names
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new", "line"),
+    [
+        ("world/bench.world", "FLOOR       0", "FLOOR       low", 4),
+        ("robot/gantry.robot", "TOOL        tip", "TOOL        top", 6),
+        ("robot/gantry.robot", "FILE        gantry.xml", "FILE        crane.xml", 3),
+        ("robot/gantry.robot", "EOF", "", 15),
+    ],
+)
+def test_a_broken_world_is_told_with_its_line_before_anything_moves(tmp_path, capsys, file, old, new, line):  # R-X19
+    copytree(LAB, tmp_path, dirs_exist_ok=True)
+    broken = tmp_path / file
+    broken.write_text(broken.read_text().replace(old, new))
+    assert main(["run", str(tmp_path / "appl" / "gantry_tour.appl"), "--virtual"]) != 0
+    told = "".join(capsys.readouterr())
+    assert f"{broken}:{line}: expected" in told
+    assert "1/4" not in told
