@@ -37,3 +37,8 @@ export function linesWith(task: TaskView, parameter: ParameterView, words: reado
 /** Whether it is as its module has it where no line says otherwise. */
 export const isDefault = (parameter: ParameterView): boolean =>
   !parameter.default?.length || parameter.default.join(' ') === (parameter.words ?? []).join(' ')
+
+/** A word that is only read, not filed: a number that another unit made long has six digits. */
+export function readWord(word: string): string {
+  return word.length > 8 && Number.isFinite(Number(word)) ? String(Number(Number(word).toPrecision(6))) : word
+}

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest'
 import type { ParameterView, TaskView } from '../../src/api.gen'
-import { isDefault, linesWith, rowsOf } from '../../src/task/parameters'
+import { isDefault, linesWith, readWord, rowsOf } from '../../src/task/parameters'
 
 const parameter = (more: Partial<ParameterView>): ParameterView => ({
   name: 'STIFF',
@@ -58,4 +58,13 @@ it('a parameter is at its default where it has none, or its words are those', ()
     isDefault(parameter({ default: ['1'] })),
     isDefault(parameter({ default: ['2'] })),
   ]).toEqual([true, true, false])
+})
+
+it('a default that another unit made long is read in six digits, and other words as they are', () => {
+  expect(['2.86478897565', '1.0', 'a_long_word', '0.12345'].map(readWord)).toEqual([
+    '2.86479',
+    '1.0',
+    'a_long_word',
+    '0.12345',
+  ])
 })
