@@ -20,7 +20,7 @@ class Squeeze(Module):
              MOST                double     s        how long it takes at most
              PRESSED             double     N        what presses less is not held
     Input    opening             double     m        0..1
-             force               double     N        0..10000
+             force               double     N        0.1..10000
     Finish   flow 1, loop TRUE where it holds something, else flow 0, loop FALSE; at a standstill or after MOST
     Source   dissertation §4.4.7.2, §6.2
     """
@@ -36,7 +36,7 @@ class Squeeze(Module):
     PRESSED = Local("double", "N", "what presses less is not held", default=1.0, low=0.0)
 
     opening = Input("double", "m", "how far it is to be open", low=0.0, high=1.0)
-    force = Input("double", "N", "how hard it may press", low=0.0, high=10000.0)
+    force = Input("double", "N", "how hard it may press", low=0.1, high=10000.0)
 
     def on(self, inputs):
         self._time = 0.5 * self.dt  # sums of periods are not exact: half a period decides safely
