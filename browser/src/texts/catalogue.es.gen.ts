@@ -2948,6 +2948,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "workcell.the_right_hand": "la mano derecha",
   "workcell.the_table": "la mesa",
   "workcell.touches": "{who} toca {what}",
+  "workcell.unstable": "la física del mundo se volvió inestable y empezó de nuevo: su paso puede ser largo para lo que es ligero o rígido",
   "workcell.values": "se esperaban {count} valores para {device:quoted}; hay {found}",
   "workcell.writer_died": "se esperaba un escritor vivo; la época {epoch} murió",
   "workcell.writer_gone": "murió quien lo mandaba",

@@ -117,3 +117,11 @@ def test_frame_0_of_a_chain_that_nothing_bears_is_its_place():  # R-X19
     assert sheet.identity["BASE"] == tuple(np.eye(4).ravel())
     world.claim("stiff_left", 1)
     assert world.state("stiff_left")[2] == 0.0
+
+
+def test_physics_that_becomes_unstable_is_told_and_leaves_no_file_behind(world, tmp_path, monkeypatch):  # R-X19
+    monkeypatch.chdir(tmp_path)
+    world._plant.data.qvel[0] = 1e30
+    world.step(10_000_000)
+    assert "became unstable" in str(world.standing()[0])
+    assert list(tmp_path.iterdir()) == []

@@ -35,6 +35,7 @@ from onika.workcell.snapshot import WorldSnapshot, encode
 from onika.workcell.unit import DeviceUnit
 
 _WORLD = "world"  # the body in which the bodies of every document stand
+_UNSTABLE = (mujoco.mjtWarning.mjWARN_BADQPOS, mujoco.mjtWarning.mjWARN_BADQVEL, mujoco.mjtWarning.mjWARN_BADQACC)
 _NEAR_M = 0.004  # how far a part may be from its place and still stand there
 _POSTURE = 0.02  # how far a joint may be from home (rad; m where it slides)
 
@@ -46,6 +47,7 @@ class FileWorld(DrivenWorld):
     """
 
     def __init__(self, files: WorldSource, seed: int | None = None) -> None:
+        mujoco.set_mju_user_warning(_unlogged)  # else it writes into the folder of whoever runs it
         self._composition = Composition(SourceTexts(files))
         world = self._composition.world
         self.step_ns = round(world.step_s * 1e9)
@@ -96,12 +98,10 @@ class FileWorld(DrivenWorld):
 
     def standing(self) -> tuple[Reason, ...]:
         """In sentences what is worth knowing of how everything stands."""
-        return tuple(
-            Reason.of(
-                "workcell.named_lamp_lit" if lamp.flags.all() else "workcell.named_lamp_dark", lamp=lamp.lamp.name
-            )
-            for lamp in self._lamps
-        )
+        unstable = [Reason.of("workcell.unstable")] if self._is_unstable else []
+        lit = [Reason.of("workcell.named_lamp_lit", lamp=lamp.lamp.name) for lamp in self._lamps if lamp.flags.all()]
+        dark = (lamp.lamp.name for lamp in self._lamps if not lamp.flags.all())
+        return (*unstable, *lit, *(Reason.of("workcell.named_lamp_dark", lamp=name) for name in dark))
 
     def scene(self) -> list[Shape3d]:
         """What there is to draw; changes when another robot stands at a place."""
@@ -214,6 +214,11 @@ class FileWorld(DrivenWorld):
             self._plant.data.qvel[:] = 0.0
         self._publish()
 
+    @property
+    def _is_unstable(self) -> bool:
+        """Whether physics had to begin anew, as something moved beyond all bounds."""
+        return any(self._plant.data.warning[int(kind)].number for kind in _UNSTABLE)
+
     def _step(self, model: Any, data: Any) -> None:
         for unit in self._running:
             unit.run_on()
@@ -263,6 +268,10 @@ def judged(files: WorldSource) -> tuple[Fault, ...]:
     except ValueError as wrong:
         others = tuple(sources.faults)
         return others or (why_not(wrong, sources),)
+
+
+def _unlogged(_text: str) -> None:
+    """What MuJoCo warns of counts in its data, and is told with how a world stands."""
 
 
 def _offsets(parts: Sequence[PartBlock], seed: int | None) -> dict[str, tuple[float, float]]:
