@@ -29,14 +29,27 @@ ALLOWED = sys.stdlib_module_names | {"numpy", "onnxruntime"}
 KNOWN = published(puma560, 0.0, 0.0, 0.0, 0.0)
 """Constants of a real robot for whoever reads them; hardware says its own."""
 
+POSE = "0 0 -1 0 1 0 0.7"
 LINES = {
-    "ctraj": "0 0 -1 0 1 0 0.7 0 -0.2 1",
+    "ctraj": f"{POSE} 0 -0.2 1",
+    "carc": f"{POSE} 0 -0.2 1 {POSE} 0.2 0.1 1",
+    "jdrive": "1 0.5 1",
+    "jpath": " ".join(["0"] * 36 + ["1"]),
+    "jpoly": "1 0 0 0 0 0 1",
+    "jplay": str(HERE / "taught.csv"),
+    "teach": "path.csv",
     "cguard": "0 0 -1 0 1 0 0.7 0 -0.2 1 20 5",
     "open_folder": str(HERE),
     "copy_files": tempfile.gettempdir(),
     "list_files": f"{tempfile.gettempdir()}/never_written.csv",
 }
 """Argument lines of modules that random numbers within bounds do not satisfy."""
+
+
+@pytest.fixture(autouse=True)
+def _folder(tmp_path, monkeypatch):
+    """What a module writes, it writes there."""
+    monkeypatch.chdir(tmp_path)
 
 
 def name(path):
