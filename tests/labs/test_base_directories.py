@@ -21,6 +21,8 @@ SITE = open_site((), {}, None)
 SYNTAX = SITE.syntax()[0]
 SPEED = 0.6 * puma560.QDMAX  # LOCAL SPEED of jtraj
 TRIGGERS = {
+    *("carc", "jdrive", "jjog", "jog", "jpath", "jplay", "jpoly", "jramp", "jruckig", "teach", "track"),
+    *("choose", "counter", "sorter", "when"),
     "jtraj",
     "jvia",
     "ctraj",
@@ -72,10 +74,12 @@ def test_the_syntax_defines_the_shipped_target_types():  # R-B10, R-D02
     assert targets["Cartesian object"] == [("pose", double, 9), ("duration", double, 1)]
     assert targets["Relative object"] == [("shift", double, 3), ("duration", double, 1)]
     assert [name for name, _, _ in targets["Guarded object"]] == ["pose", "duration", "force", "torque"]
+    whole = ValueType.INT
+    assert targets["Single joint object"] == [("joint", whole, 1), ("angle", double, 1), ("duration", double, 1)]
     assert set(targets) == {
         *("Joint object", "Cartesian object", "Polynomial path object", "Force object", "Pause object"),
         *("File name object", "Index object", "Picture point object", "Number object", "Level object"),
-        *("Relative object", "Guarded object"),
+        *("Relative object", "Guarded object", "Single joint object", "Single polynomial object"),
         *("Folder object", "Choice object"),
     }
     for target in targets:
@@ -86,7 +90,7 @@ def test_the_syntax_defines_the_shipped_target_types():  # R-B10, R-D02
 def test_edges_differ_by_shape_and_by_colour():  # R-X11
     speaking = [edge for edge in SYNTAX.edges if edge.number > 1]
     assert len({edge.vertices for edge in SYNTAX.edges}) == len(SYNTAX.edges)
-    assert len({edge.rgb for edge in speaking}) == len(speaking) == 14
+    assert len({edge.rgb for edge in speaking}) == len(speaking) == 16
     for edge in SYNTAX.edges[1:]:
         assert np.sum(edge.vertices, axis=0).tolist() == [0, 32], "an edge ends below where it began"
 

@@ -6,7 +6,7 @@ from hypothesis import given, settings, strategies as st
 
 from kit.examples import examples
 from onika.laws.frames import rotation_log, rotation_of_rpy
-from onika.laws.path import PEAK, StraightLine, joint_duration, quintic
+from onika.laws.path import PEAK, StraightLine, joint_duration, quintic, ramped
 
 angles = st.floats(-3.0, 3.0)
 
@@ -71,3 +71,14 @@ def test_the_slower_of_way_and_turn_decides_the_duration():
     line = StraightLine(_pose(0, 0, 0, 0, 0, 0), _pose(0.3, 0, 0, 0, 0, 1.0))
     assert line.duration(0.3, 10.0) == pytest.approx(PEAK * 1.0)
     assert line.duration(3.0, 0.5) == pytest.approx(PEAK * 2.0)
+
+
+@pytest.mark.parametrize("ramp", [0.05, 0.25, 0.5])
+def test_a_ramped_motion_rises_stays_and_falls_and_is_the_sum_of_its_speeds(ramp):
+    times = np.linspace(0.0, 2.0, 4001)
+    places, rates = (np.array(part) for part in zip(*(ramped(t, 2.0, ramp) for t in times), strict=True))
+    assert (places[0], places[-1], rates[0], rates[-1]) == (0.0, 1.0, 0.0, 0.0)
+    assert rates.max() == pytest.approx(0.5 / (1.0 - ramp))
+    assert np.gradient(places, times)[2:-2] == pytest.approx(rates[2:-2], abs=0.01)
+    assert np.abs(np.diff(rates)).max() <= 0.5 / (1.0 - ramp) / ramp / 2.0 * 1.01 * times[1]
+    assert ramped(0.0, 0.0, ramp) == (1.0, 0.0)

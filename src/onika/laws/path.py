@@ -24,6 +24,25 @@ def quintic(t: float, duration: float) -> tuple[float, float]:
     return x * x * x * (10.0 + x * (6.0 * x - 15.0)), 30.0 * x * x * rest * rest / duration
 
 
+def ramped(t: float, duration: float, ramp: float) -> tuple[float, float]:
+    """Value s and speed ds/dt (1/s) of a trapezoid of speed, t / duration held within 0..1.
+
+    `ramp`, above 0 and 1/2 at most, is the share of the time in which the speed rises evenly, and that in which it
+    falls; its peak is 1 / (1 - ramp) of the mean (Craig, Introduction to Robotics, §7.3). Duration 0 is done at once.
+    """
+    if t >= duration:
+        return 1.0, 0.0
+    if t <= 0.0:
+        return 0.0, 0.0
+    x, top = t / duration, 1.0 / (1.0 - ramp)
+    if x < ramp:
+        return 0.5 * top * x * x / ramp, top * x / (ramp * duration)
+    if x > 1.0 - ramp:
+        rest = 1.0 - x
+        return 1.0 - 0.5 * top * rest * rest / ramp, top * rest / (ramp * duration)
+    return top * (x - 0.5 * ramp), top / duration
+
+
 def joint_duration(start: Numbers, end: Numbers, speed: Numbers) -> float:
     """Seconds of a fifth-order motion whose joints peak at `speed` (rad/s, m/s) at most; the slowest joint decides."""
     rows = (row.tolist() if isinstance(row, np.ndarray) else row for row in (start, end, speed))

@@ -1,0 +1,80 @@
+"""A path of polynomials."""
+
+from onika.laws.arrival import Arrival
+from onika.laws.joined_path import JoinedPath
+from onika.laws.polynomial import PolynomialPath
+from onika.laws.sentence import sentence_of
+from onika.module import AskAgain, InConst, Input, InVar, Local, Module, OutVar, finish
+
+
+class Jpath(Module):
+    """Each joint follows a polynomial of fifth degree of the share of time; the arm first goes to where they begin.
+
+    q(t) = c0 + c1 s + c2 s^2 + c3 s^3 + c4 s^4 + c5 s^5,  s = t / T
+
+    Kind     trigger, periodic, 20..1000 Hz
+    Ports    INCONST  NDOF    int             -      number of joints
+             INCONST  QMIN    double[NDOF]    rad    lower joint limits
+             INCONST  QMAX    double[NDOF]    rad    upper joint limits
+             INCONST  Q^_MAX  double[NDOF]    rad/s  highest joint speeds
+             INVAR    Q_MEZ   double[NDOF]    rad    measured position; the start where no reference is in force
+             OUTVAR   Q_REF   double[NDOF]    rad    reference position; preloaded at `on`, it is the start
+             OUTVAR   Q^_REF  double[NDOF]    rad/s  reference speed
+    Local    SPEED            double          -      share of Q^_MAX that a motion may peak at
+             SETTLE           double          s      how long the arm may take to come to rest
+    Input    coefficients     double[NDOF,6]  rad    of each joint six, from that of the power 0 on
+             duration         double          s      0.1..600
+    Finish   flow 0, loop FALSE, when t >= T and the arm stands at its end, or SETTLE later
+    Errors   no rest       it does not begin and end at rest: asks again, stays OFF
+             out of reach  it leaves QMIN..QMAX: asks again, stays OFF
+             too fast      duration too short for SPEED: warns and takes as long as it needs
+    Get/Set  progress 0..1 / -
+    Source   dissertation §4.4; Craig, Introduction to Robotics, §7.3
+    """
+
+    trigger = True
+
+    NDOF = InConst("int", "-", "number of joints")
+    QMIN = InConst("double[NDOF]", "rad", "lower joint limits")
+    QMAX = InConst("double[NDOF]", "rad", "upper joint limits")
+    Qd_MAX = InConst("double[NDOF]", "rad/s", "highest joint speeds", name="Q^_MAX")
+    Q_MEZ = InVar("double[NDOF]", "rad", "measured position; the start where no reference is in force")
+    Q_REF = OutVar("double[NDOF]", "rad", "reference position; preloaded at `on`, it is the start")
+    Qd_REF = OutVar("double[NDOF]", "rad/s", "reference speed", name="Q^_REF")
+
+    SPEED = Local("double", "-", "share of Q^_MAX that a motion may peak at", default=0.6, low=0.01, high=1.0)
+    SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5, low=0.0)
+
+    coefficients = Input("double[NDOF,6]", "rad", "of each joint six, from that of the power 0 on")
+    duration = Input("double", "s", "how long it takes from where it begins", low=0.1, high=600.0)
+
+    def on(self, inputs):
+        start = (self.Q_REF if self.continues("Q_REF") else self.Q_MEZ).copy()
+        speed, coefficients = self.SPEED * self.Qd_MAX, inputs.coefficients.reshape(self.NDOF, 6)
+        try:
+            path = PolynomialPath(coefficients, inputs.duration, speed)
+            path.check_range(self.QMIN, self.QMAX)
+        except ValueError as wrong:
+            raise AskAgain(sentence_of(wrong)) from None
+        if (shortest := path.duration) > inputs.duration * (1.0 + 1e-9):
+            self.warn(
+                "{duration:g} s is too short for the joint speeds; the motion takes {shortest:.2f} s",
+                duration=inputs.duration,
+                shortest=shortest,
+            )
+        self._path = JoinedPath(start, path, speed)
+        self._time = 0.0
+        self._arrival = Arrival.of_joints(self._path.end, self.Q_MEZ, self.SETTLE)
+        self.Q_REF = start
+        self.Qd_REF = 0.0
+
+    def cycle(self):
+        self._time += self.dt
+        self.Q_REF, self.Qd_REF = self._path.at(self._time)
+        is_over = self._arrival.is_over(self._time - self._path.duration, self.Q_MEZ, self.dt)
+        return finish() if is_over else None
+
+    def get(self, name):
+        if name == "progress":
+            return min(self._time / self._path.duration, 1.0)
+        return super().get(name)

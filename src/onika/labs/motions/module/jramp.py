@@ -1,0 +1,78 @@
+"""Joint path with a trapezoid of speed."""
+
+import numpy as np
+
+from onika.laws.arrival import Arrival
+from onika.laws.path import ramped
+from onika.module import InConst, Input, InVar, Local, Module, OutVar, finish
+
+
+class Jramp(Module):
+    """Joint path whose speed rises evenly, stays and falls evenly; all joints end together.
+
+    Slower at its peak than a path of fifth order of the same duration, but its acceleration steps.
+
+    Kind     trigger, periodic, 20..1000 Hz
+    Ports    INCONST  NDOF    int           -      number of joints
+             INCONST  QMIN    double[NDOF]  rad    lower joint limits
+             INCONST  QMAX    double[NDOF]  rad    upper joint limits
+             INCONST  Q^_MAX  double[NDOF]  rad/s  highest joint speeds
+             INVAR    Q_MEZ   double[NDOF]  rad    measured position; the start where no reference is in force
+             OUTVAR   Q_REF   double[NDOF]  rad    reference position; preloaded at `on`, it is the start
+             OUTVAR   Q^_REF  double[NDOF]  rad/s  reference speed
+    Local    RAMP             double        -      share of the time in which speed rises, and falls
+             SPEED            double        -      share of Q^_MAX that a motion may peak at
+             SETTLE           double        s      how long the arm may take to come to rest
+    Input    endpoint         double[NDOF]  rad    QMIN..QMAX
+             duration         double        s      0.1..600
+    Finish   flow 0, loop FALSE, when t >= T and the arm stands at the target, or SETTLE later
+    Errors   out of reach  endpoint beyond QMIN..QMAX: asks again, stays OFF
+             too fast      duration too short for SPEED: warns and takes as long as it needs
+    Get/Set  progress 0..1 / -
+    Source   dissertation §4.2.1; Craig, Introduction to Robotics, §7.3
+    """
+
+    trigger = True
+
+    NDOF = InConst("int", "-", "number of joints")
+    QMIN = InConst("double[NDOF]", "rad", "lower joint limits")
+    QMAX = InConst("double[NDOF]", "rad", "upper joint limits")
+    Qd_MAX = InConst("double[NDOF]", "rad/s", "highest joint speeds", name="Q^_MAX")
+    Q_MEZ = InVar("double[NDOF]", "rad", "measured position; the start where no reference is in force")
+    Q_REF = OutVar("double[NDOF]", "rad", "reference position; preloaded at `on`, it is the start")
+    Qd_REF = OutVar("double[NDOF]", "rad/s", "reference speed", name="Q^_REF")
+
+    RAMP = Local("double", "-", "share of the time in which speed rises, and falls", default=0.25, low=0.01, high=0.5)
+    SPEED = Local("double", "-", "share of Q^_MAX that a motion may peak at", default=0.6, low=0.01, high=1.0)
+    SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5, low=0.0)
+
+    endpoint = Input("double[NDOF]", "rad", "where to go", low="QMIN", high="QMAX")
+    duration = Input("double", "s", "how long it takes", low=0.1, high=600.0)
+
+    def on(self, inputs):
+        self._start = (self.Q_REF if self.continues("Q_REF") else self.Q_MEZ).copy()
+        self._way = inputs.endpoint - self._start
+        shortest = float(np.max(np.abs(self._way) / self.Qd_MAX)) / (self.SPEED * (1.0 - self.RAMP))
+        if inputs.duration < shortest * (1.0 - 1e-9):
+            self.warn(
+                "{duration:g} s is too short for the joint speeds; the motion takes {shortest:.2f} s",
+                duration=inputs.duration,
+                shortest=shortest,
+            )
+        self._time, self._duration = 0.0, max(inputs.duration, shortest)
+        self._arrival = Arrival.of_joints(inputs.endpoint, self.Q_MEZ, self.SETTLE)
+        self.Q_REF = self._start
+        self.Qd_REF = 0.0
+
+    def cycle(self):
+        self._time += self.dt
+        share, rate = ramped(self._time, self._duration, self.RAMP)
+        self.Q_REF = self._start + share * self._way
+        self.Qd_REF = rate * self._way
+        is_over = self._arrival.is_over(self._time - self._duration, self.Q_MEZ, self.dt)
+        return finish() if is_over else None
+
+    def get(self, name):
+        if name == "progress":
+            return min(self._time / self._duration, 1.0)
+        return super().get(name)
