@@ -21,7 +21,7 @@ SITE = open_site((), {}, None)
 SYNTAX = SITE.syntax()[0]
 SPEED = 0.6 * puma560.QDMAX  # LOCAL SPEED of jtraj
 TRIGGERS = {
-    *("carc", "jdrive", "jjog", "jog", "jpath", "jplay", "jpoly", "jramp", "jruckig", "teach", "track"),
+    *("carc", "button", "jdrive", "jjog", "jpath", "jplay", "jpoly", "jramp", "jruckig", "teach", "track"),
     *("choose", "counter", "sorter", "when"),
     "jtraj",
     "jvia",

@@ -203,11 +203,11 @@ def test_what_is_taught_until_the_button_is_pressed_can_be_played(tmp_path):  # 
     teacher = Bench(MODULES / "teach.py", frequency=50, constants=CONSTANTS).init()
     teacher["Q_MEZ"] = HOME
     teacher.on(str(path))
-    for k in range(1, 101):
-        teacher["Q_MEZ"] = HOME + 0.2 * np.sin(np.pi * k / 200) ** 2
-        teacher["BUTTONS"] = int(k == 100)
+    for k in range(1, 126):
+        teacher["Q_MEZ"] = HOME + 0.2 * np.sin(np.pi * min(k, 100) / 200) ** 2
+        teacher["BUTTONS"] = int(k > 100)
         teacher.cycle()
-    assert (teacher.state, teacher.finished.flow, teacher.get("rows")) == (State.OFF, 0, 101)
+    assert (teacher.state, teacher.finished.flow, teacher.get("rows")) == (State.OFF, 0, 126)
     played, _ = follow(bench_of("jplay").on(str(path)))
     assert played[125 * 2] == pytest.approx(HOME + 0.1, abs=1e-3)
     assert played[-1] == pytest.approx(HOME + 0.2, abs=1e-6)
@@ -221,7 +221,8 @@ def test_teaching_ends_after_a_while_by_itself(tmp_path):
 
 def test_a_path_that_cannot_be_written_is_an_error(tmp_path):
     teacher = Bench(MODULES / "teach.py", frequency=50, constants=CONSTANTS).init()
-    teacher["BUTTONS"] = 1
     teacher.on(str(tmp_path / "nowhere" / "led.csv")).cycle()
+    teacher["BUTTONS"] = 1
+    teacher.cycle(25)
     assert (teacher.state, teacher.finished) == (State.ERROR, None)
     assert "cannot be written: No such file or directory" in teacher.why

@@ -19,22 +19,22 @@ NAN = float("nan")
 
 def bench_of(name, hz=100, **local):
     bench = Bench(MODULES / f"{name}.py", frequency=hz, constants=LIMITS, local=local).init()
-    if name == "jog":
+    if name == "lead":
         bench["X_MEZ"] = START
     elif name in ("jjog", "mirror"):
         bench["Q_MEZ"] = HOME
     return bench
 
 
-def test_strokes_come_one_behind_the_other_and_then_the_button():  # R-K07
-    bench = bench_of("strokes", STROKES="2:0.5:0.05 -:0:0.02 0:-1:0.03").on()
-    rows = [(bench.cycle()["V_RAW"].copy(), bench["BUTTONS"]) for _ in range(12)]
+def test_strokes_come_one_behind_the_other_then_the_button_and_they_begin_anew():  # R-K07
+    bench = bench_of("strokes", STROKES="2:0.5:0.05 -:0:0.02 0:-1:0.03", PRESS=0.02).on()
+    rows = [(bench.cycle()["V_RAW"].copy(), bench["BUTTONS"]) for _ in range(14)]
     axes = [(row[2], row[0]) for row, _ in rows]
-    assert axes == [(0.5, 0.0)] * 5 + [(0.0, 0.0)] * 2 + [(0.0, -1.0)] * 3 + [(0.0, 0.0)] * 2
-    assert [button for _, button in rows] == [0] * 10 + [1] * 2
+    assert axes == [(0.5, 0.0)] * 5 + [(0.0, 0.0)] * 2 + [(0.0, -1.0)] * 3 + [(0.0, 0.0)] * 2 + [(0.5, 0.0)] * 2
+    assert [button for _, button in rows] == [0] * 10 + [1] * 2 + [0] * 2
 
 
-@pytest.mark.parametrize("word", ["6:0.5:1", "0:1.5:1", "0:0.5", "0:0.5:0", "x:0.5:1", "0:nan:1", "-1:0.5:1"])
+@pytest.mark.parametrize("word", ["6:0.5:1", "0:1.5:1", "0:0.5", "0:0.5:0", "x:0.5:1", "0:nan:1", "-1:0.5:1", "-2:0:1"])
 def test_a_word_that_is_no_stroke_is_refused(word):
     bench = bench_of("strokes", STROKES=f"0:1:1 {word}")
     assert bench.state is State.ERROR
@@ -97,7 +97,7 @@ def test_a_frame_that_is_none_is_refused():
 
 def jogged(twist, cycles=200, follows=True, **local):
     """Where a tool is led, cycle by cycle."""
-    bench = bench_of("jog", **local).on()
+    bench = bench_of("lead", **local).on()
     path = [bench["X_REF"].copy()]
     for _ in range(cycles):
         bench["V_REF"] = twist
@@ -129,17 +129,26 @@ def test_a_tool_stays_within_its_box_and_near_an_arm_that_does_not_follow():  # 
     assert bench.cycle(20)["X_REF"][0, 3] > stuck[-1][0, 3]
 
 
-def test_the_button_brings_the_tool_to_rest_and_ends_it():  # R-K07
+def test_the_button_brings_the_tool_to_rest():  # R-K07
     bench, _ = jogged([0.1, 0, 0, 0, 0, 0], RISE=0.5)
     assert bench.get("speed") == pytest.approx(0.1)
     bench["BUTTONS"] = 1
     places = [bench["X_REF"][0, 3]]
-    while bench.state is State.ON:
+    for _ in range(40):
         bench["X_MEZ"] = bench["X_REF"]
         places.append(bench.cycle()["X_REF"][0, 3])
-    assert len(places) == pytest.approx(21, abs=1)
+    assert np.ptp(places[21:]) == pytest.approx(0.0, abs=1e-9)
     assert np.abs(np.diff(places, 2)).max() * 1e4 <= 0.5 + 1e-6
-    assert bench.finished.flow == 0
+    assert bench.get("speed") == 0.0
+
+
+def test_a_button_ends_a_job_once_it_has_been_pressed_for_a_while():  # R-K07
+    bench = bench_of("button", SETTLE=0.05).on()
+    for pressed in [0, 1, 1, 1, 1, 0, 1, 1, 1, 1, 1]:
+        assert bench.state is State.ON
+        bench["BUTTONS"] = pressed
+        bench.cycle()
+    assert (bench.state, bench.finished.flow) == (State.OFF, 0)
 
 
 def test_a_speed_that_is_no_number_leads_nowhere():
@@ -191,6 +200,18 @@ def test_the_button_brings_the_joint_to_rest_and_ends_it():
     bench.cycle(1000)
     assert bench.finished.flow == 0
     assert bench["Q_REF"][0] - places[-1][0] == pytest.approx(0.2 * puma560.QDMAX[0] * 0.15, rel=0.1)
+
+
+@pytest.mark.parametrize(("name", "line"), [("button", ""), ("jjog", "1"), ("teach", "path.csv")])
+def test_a_button_that_is_pressed_already_ends_nothing_before_it_was_let_go(name, line, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    bench = bench_of(name)
+    bench["BUTTONS"] = 1
+    assert bench.on(line).cycle(200).state is State.ON
+    for pressed in (0, 1):
+        bench["BUTTONS"] = pressed
+        bench.cycle(60)
+    assert bench.finished is not None
 
 
 def test_a_joint_that_the_arm_has_not_is_asked_for_again():  # R-A10

@@ -6,8 +6,8 @@ import re
 import pytest
 
 from kit.labs.laboratory import Laboratory, job, joints
+from kit.labs.varied_job import placed, varied
 from onika.cli import main
-from onika.store.shipped import shipped
 
 pytestmark = pytest.mark.site
 
@@ -24,26 +24,10 @@ CAUSES = {  # a late servo shakes the arm: whether it is too far or too fast fir
 }
 
 
-def placed(task, frequency, *lines):
-    rows = [
-        f"RMODFILE    {task}",
-        "COORDS      9 9",
-        "INLEFT      yes",
-        f"FREQ        {frequency}",
-        "RTPU        unknown",
-    ]
-    return "\n".join([*rows, *lines]) + "\n"
-
-
 def moved(capsys, path, writer, *dropped_in):
     """The result of a move by the tasks of the shipped job, of which one has this line more, and these tasks."""
-    text = (shipped() / "puma" / "conf" / "jmoveC.conf").read_text()
-    blocks = [f"{block}\n" for block in text[: text.index("LOCUS")].split("\n\n")[1:-1]]
-    assert blocks[0].startswith("RMODFILE    puma\n")
-    body = "\n".join(["VERSION     2.0\n", blocks[0] + writer, *dropped_in, *blocks[1:], "EOF\n"])
     lab = Laboratory(path)
-    (path / "conf").mkdir()
-    (path / "conf" / "tryC.conf").write_text(body)
+    varied(lab, "tryC", "jmoveC", dropped_in, {"puma": writer})
     goal = joints("aside", 0.7, -1.1, 1.2, 0.2, 0.3, 0.4, duration=2.0)
     program = lab.application("try_it", [job("tryC", "Joint job"), goal])
     code = main(["run", str(program), "--virtual", "--json"])

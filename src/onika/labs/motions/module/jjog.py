@@ -3,6 +3,7 @@
 import numpy as np
 
 from onika.laws.limited_rate import LimitedRate
+from onika.laws.new_press import NewPress
 from onika.module import InConst, Input, InVar, Local, Module, OutVar, finish
 
 STILL = 1e-4  # rad/s
@@ -11,7 +12,8 @@ STILL = 1e-4  # rad/s
 class Jjog(Module):
     """Moves one joint at the speed that the first axis of a pad says, until a button is pressed.
 
-    It slows down before a limit so that it comes to rest there. An axis that is NaN or infinite counts as let go.
+    It slows down before a limit so that it comes to rest there. An axis that is NaN or infinite counts as let go, and
+    a button that is pressed already at `on` once it was.
 
     Kind     trigger, periodic, 20..1000 Hz
     Ports    INCONST  NDOF     int           -      number of joints
@@ -49,6 +51,7 @@ class Jjog(Module):
 
     def on(self, inputs):
         self._joint = joint = int(inputs.index) - 1
+        self._press = NewPress(bool(self.BUTTONS))
         self._fastest = self.SPEED * float(self.Qd_MAX[joint])
         self._rise = self._fastest / self.RISE
         self._limited = LimitedRate(np.zeros(1), self._rise)
@@ -56,7 +59,8 @@ class Jjog(Module):
         self.Qd_REF = 0.0
 
     def cycle(self):
-        push = float(self.V_RAW[0]) if np.isfinite(self.V_RAW[0]) and not self.BUTTONS else 0.0
+        is_pressed = self._press.is_there(bool(self.BUTTONS))
+        push = float(self.V_RAW[0]) if np.isfinite(self.V_RAW[0]) and not is_pressed else 0.0
         wanted = self._fastest * min(max(push, -1.0), 1.0)
         self._limited.follow(np.array([self._bounded(wanted)]), self.dt)
         joint, speed = self._joint, float(self._limited.value[0])
@@ -64,7 +68,7 @@ class Jjog(Module):
         place = min(max(self.Q_REF[joint] + self.dt * speed, low), high)
         self.Qd_REF[joint] = (place - self.Q_REF[joint]) / self.dt
         self.Q_REF[joint] = place
-        return finish() if self.BUTTONS and abs(speed) < STILL else None
+        return finish() if is_pressed and abs(speed) < STILL else None
 
     def _bounded(self, wanted):
         """The wanted speed, as fast as the joint can still be stopped before its limit."""

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
+from onika.laws.new_press import NewPress
 from onika.laws.taught_path import path_text
 from onika.module import InConst, Input, InVar, Local, Module, ModuleError, finish
 
@@ -12,15 +13,17 @@ from onika.module import InConst, Input, InVar, Local, Module, ModuleError, fini
 class Teach(Module):
     """Writes down where the arm is while somebody leads it, until a button is pressed; `jplay` plays it.
 
-    Times count from `on`. The file is written whole when it ends, or not at all.
+    Times count from `on`. The file is written whole when it ends, or not at all. A button that is pressed already at
+    `on` counts once it was let go.
 
     Kind     trigger, periodic, 5..1000 Hz
     Ports    INCONST  NDOF     int           -    number of joints
              INVAR    Q_MEZ    double[NDOF]  rad  measured position
              INVAR    BUTTONS  int           -    not 0: it ends here
-    Local    MOST              double        s    how long it takes at most
+    Local    SETTLE            double        s    how long it has to be pressed: what is led comes to rest
+             MOST              double        s    how long it takes at most
     Input    file              string        -    file that the path is written to
-    Finish   flow 0, loop FALSE, when BUTTONS is not 0, or after MOST
+    Finish   flow 0, loop FALSE, when BUTTONS has not been 0 for SETTLE, or after MOST
     Errors   no place  the file cannot be written: ERROR
     Get/Set  rows, how many are kept / -
     Source   dissertation §4.4, §6.2.2.3
@@ -32,19 +35,24 @@ class Teach(Module):
     Q_MEZ = InVar("double[NDOF]", "rad", "measured position")
     BUTTONS = InVar("int", "-", "not 0: it ends here")
 
+    SETTLE = Local("double", "s", "how long it has to be pressed: what is led comes to rest", default=0.5, low=0.0)
     MOST = Local("double", "s", "how long it takes at most", default=600.0, low=0.1, high=86_400.0)
 
     file = Input("string", "-", "file that the path is written to")
 
     def on(self, inputs):
         self._file, self._time = inputs.file, 0.0
+        self._press, self._pressed = NewPress(bool(self.BUTTONS)), 0.0
         self._times, self._rows = [0.0], [self.Q_MEZ.copy()]
 
     def cycle(self):
         self._time += self.dt
         self._times.append(self._time)
         self._rows.append(self.Q_MEZ.copy())
-        if not self.BUTTONS and self._time < self.MOST - self.dt / 2.0:
+        is_pressed = self._press.is_there(bool(self.BUTTONS))
+        self._pressed = self._pressed + self.dt if is_pressed else 0.0
+        rests = self._pressed > max(self.SETTLE - self.dt / 2.0, 0.0)
+        if not rests and self._time < self.MOST - self.dt / 2.0:
             return None
         self._write()
         return finish()

@@ -12,16 +12,16 @@ NEAR = 0.005  # m
 class Track(Module):
     """Brings the tool to a pose that moves, and stays with it for a while.
 
-    What the tool is away from the pose at first fades as the fifth-order law does; from then on it is where the pose
-    is, beside it by OFFSET.
+    Its share of the way to the pose grows from 0 to 1 as the fifth-order law does, so that it begins at rest; from then
+    on it is where the pose is, beside it by OFFSET.
 
     Kind     trigger, periodic, 20..1000 Hz
     Ports    INVAR   X_PART  double[4,4]  -      the pose that moves, in the world
              INVAR   X_MEZ   double[4,4]  -      measured pose; the start where no reference is in force
              OUTVAR  X_REF   double[4,4]  -      reference pose; preloaded at `on`, it is the start
     Local    OFFSET          double[3]    m      where the tool is beside the pose, along the axes of the world
-             SPEED           double       m/s    peak speed at which it comes nearer
-             TURN            double       rad/s  peak speed of its turning
+             SPEED           double       m/s    about the peak speed at which it comes nearer
+             TURN            double       rad/s  about the peak speed of its turning
              MOST            double       m/s    how fast the pose may move
     Input    duration        double       s      0..86400
     Finish   flow 1, loop FALSE, when it has been with it for duration; flow 0 where the tool is not within 5 mm then
@@ -39,8 +39,8 @@ class Track(Module):
     OFFSET = Local(
         "double[3]", "m", "where the tool is beside the pose, along the axes of the world", default=(0.0, 0.0, 0.0)
     )
-    SPEED = Local("double", "m/s", "peak speed at which it comes nearer", default=0.2, low=1e-3)
-    TURN = Local("double", "rad/s", "peak speed of its turning", default=1.0, low=1e-3)
+    SPEED = Local("double", "m/s", "about the peak speed at which it comes nearer", default=0.2, low=1e-3)
+    TURN = Local("double", "rad/s", "about the peak speed of its turning", default=1.0, low=1e-3)
     MOST = Local("double", "m/s", "how fast the pose may move", default=0.5, low=1e-3)
 
     duration = Input("double", "s", "how long it stays with it", low=0.0, high=86_400.0)
@@ -48,9 +48,8 @@ class Track(Module):
     def on(self, inputs):
         start = (self.X_REF if self.continues("X_REF") else self.X_MEZ).copy()
         self._last = self.X_PART[:3, 3].copy()
-        self._away = start[:3, 3] - self._goal()
-        self._turned = rotation_log(self.X_PART[:3, :3].T @ start[:3, :3])
-        way, turn = float(np.linalg.norm(self._away)), float(np.linalg.norm(self._turned))
+        self._start = start
+        way, turn = float(np.linalg.norm(self._goal() - start[:3, 3])), float(np.linalg.norm(self._turn()))
         self._lead = PEAK * max(way / self.SPEED, turn / self.TURN)
         self._time, self._whole = 0.5 * self.dt, self._lead + inputs.duration  # half a period decides safely
         self.X_REF = start
@@ -60,9 +59,10 @@ class Track(Module):
         self._time += self.dt
         share, _ = quintic(self._time, self._lead)
         self.X_REF = self.X_PART
-        self.X_REF[:3, 3] = self._goal() + (1.0 - share) * self._away
+        self.X_REF[:3, 3] = self._goal()
         if share < 1.0:
-            self.X_REF[:3, :3] = self.X_PART[:3, :3] @ rotation_exp((1.0 - share) * self._turned)
+            self.X_REF[:3, 3] = self._start[:3, 3] + share * (self._goal() - self._start[:3, 3])
+            self.X_REF[:3, :3] = self._start[:3, :3] @ rotation_exp(share * self._turn())
         if self._time < self._whole:
             return None
         return finish(flow=int(self._distance() <= NEAR))
@@ -72,6 +72,10 @@ class Track(Module):
 
     def _goal(self):
         return self.X_PART[:3, 3] + self.OFFSET
+
+    def _turn(self):
+        """The turn from how the tool pointed at first to how the pose does."""
+        return rotation_log(self._start[:3, :3].T @ self.X_PART[:3, :3])
 
     def _distance(self):
         return float(np.linalg.norm(self.X_MEZ[:3, 3] - self._goal()))

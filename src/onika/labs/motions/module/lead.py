@@ -4,20 +4,18 @@ import numpy as np
 
 from onika.laws.frames import rotation_exp
 from onika.laws.limited_rate import LimitedRate
-from onika.module import InVar, Local, Module, OutVar, finish
-
-STILL = 1e-4  # m/s, rad/s
+from onika.module import InVar, Local, Module, OutVar
 
 
-class Jog(Module):
-    """Moves the tool at a wanted speed until a button is pressed; what it comes to can then be taught.
+class Lead(Module):
+    """Moves the tool at a wanted speed, and brings it to rest when a button is pressed.
 
     Speed rises and falls no faster than RISE and TURNRISE. The reference stays within the box LOW..HIGH of the world
     and within LEASH of the tool: an arm that does not follow is waited for. A speed that is no number is 0.
 
-    Kind     trigger, periodic, 20..1000 Hz
+    Kind     general, periodic, 20..1000 Hz
     Ports    INVAR   V_REF    double[6]    m/s,rad/s  wanted speed, along the axes of the world
-             INVAR   BUTTONS  int          -          not 0: it comes to rest and ends
+             INVAR   BUTTONS  int          -          not 0: it comes to rest
              INVAR   X_MEZ    double[4,4]  -          measured pose; the start where no reference is in force
              OUTVAR  X_REF    double[4,4]  -          reference pose; preloaded at `on`, it is the start
     Local    RISE             double       m/s^2      how fast the speed may change
@@ -25,15 +23,12 @@ class Jog(Module):
              LEASH            double       m          how far the reference may be from the tool
              LOW              double[3]    m          lower corner of the box, in the world
              HIGH             double[3]    m          upper corner of the box, in the world
-    Finish   flow 0, loop FALSE, when BUTTONS is not 0 and the tool was brought to rest
     Get/Set  speed, in m/s, of the reference / -
     Source   dissertation §6.2.2.3
     """
 
-    trigger = True
-
     V_REF = InVar("double[6]", "m/s,rad/s", "wanted speed, along the axes of the world")
-    BUTTONS = InVar("int", "-", "not 0: it comes to rest and ends")
+    BUTTONS = InVar("int", "-", "not 0: it comes to rest")
     X_MEZ = InVar("double[4,4]", "-", "measured pose; the start where no reference is in force")
     X_REF = OutVar("double[4,4]", "-", "reference pose; preloaded at `on`, it is the start")
 
@@ -56,7 +51,6 @@ class Jog(Module):
         if self._away(there) <= max(self.LEASH, self._away(here)):
             self.X_REF[:3, 3] = there
         self.X_REF[:3, :3] = rotation_exp(self.dt * speed[3:]) @ self.X_REF[:3, :3]
-        return finish() if self.BUTTONS and np.abs(speed).max() < STILL else None
 
     def get(self, name):
         return float(np.linalg.norm(self._limited.value[:3])) if name == "speed" else super().get(name)
