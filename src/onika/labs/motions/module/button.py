@@ -4,7 +4,7 @@ from onika.laws.new_press import NewPress
 from onika.module import InVar, Local, Module, finish
 
 
-class Button(Module):
+class ButtonWait(Module):
     """Ends a job when somebody presses a button, as where the tool was led to its place.
 
     A button that is pressed already at `on` counts once it was let go.

@@ -7,7 +7,7 @@ from onika.module import InConst, InVar, Local, Module, ModuleError, OutVar
 FRAMES = ("tool", "base", "world")
 
 
-class Frame(Module):
+class TwistFrame(Module):
     """Turns a wanted speed, meant along the axes of the tool or of the arm's base, into one along those of the world.
 
     Kind     general, periodic, 20..1000 Hz

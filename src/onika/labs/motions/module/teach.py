@@ -10,7 +10,7 @@ from onika.laws.taught_path import path_text
 from onika.module import InConst, Input, InVar, Local, Module, ModuleError, finish
 
 
-class Teach(Module):
+class PathTeaching(Module):
     """Writes down where the arm is while somebody leads it, until a button is pressed; `jplay` plays it.
 
     Times count from `on`. The file is written whole when it ends, or not at all. A button that is pressed already at

@@ -3,7 +3,7 @@
 from onika.module import Input, Module, finish
 
 
-class Choose(Module):
+class FlowChoice(Module):
     """Takes the flow that its target names: a switch in a program that is set by exchanging an icon.
 
     Kind     trigger, periodic, 1..1000 Hz

@@ -7,7 +7,7 @@ from onika.laws.sentence import no_element
 from onika.module import InConst, InVar, Local, Module, ModuleError, OutVar
 
 
-class Figures(Module):
+class SignalFigures(Module):
     """What one joint position did in the last SPAN seconds: least, greatest, mean, root of the mean square, 99 %.
 
     99 % of its values were not above the last figure. Before SPAN has passed, the figures are of what there was.
