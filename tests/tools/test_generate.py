@@ -67,7 +67,10 @@ def test_a_port_stands_on_the_page_by_its_name_in_the_table():
 def test_a_device_and_a_target_stand_on_the_page_with_their_fields():
     page = generate.laboratory()
     assert "| `boxes:gripper_left` | `opening` `speed` `force` | `signal` | `gripper` |" in page
-    assert "| Joint object | `endpoint` | double[NDOF] | rad | `calibration` `jtraj` `jvia` `planner` |" in page
+    assert (
+        "| Joint object | `endpoint` | double[NDOF] | rad | `calibration` `jtraj` `jvia` `planner` `jramp` `jruckig` |"
+        in page
+    )
 
 
 def test_bounds_of_an_input_are_told_by_number_or_by_the_constant_that_holds_them():

@@ -32,7 +32,7 @@ def test_a_task_without_code_names_its_file(library, tmp_path):
 def test_what_is_not_there_is_told_with_what_is_near_it(library):
     _, (fault,) = library.configuration("jmovC")
     assert str(fault.reason) == (
-        "expected a configuration on the search path (near it: jmoveC, cmoveC, jmove_viaC), found 'jmovC'"
+        "expected a configuration on the search path (near it: jmoveC, cmoveC, jogC), found 'jmovC'"
     )
     _, (fault,) = library.task("qqq")
     assert fault.reason.key == "desk.not_on_search_path"
