@@ -32,6 +32,7 @@ KNOWN = published(puma560, 0.0, 0.0, 0.0, 0.0)
 POSE = "0 0 -1 0 1 0 0.7"
 LINES = {
     "ctraj": f"{POSE} 0 -0.2 1",
+    "cguard": f"{POSE} 0 -0.2 1 20 5",
     "carc": f"{POSE} 0 -0.2 1 {POSE} 0.2 0.1 1",
     "jdrive": "1 0.5 1",
     "jpath": " ".join(["0"] * 36 + ["1"]),

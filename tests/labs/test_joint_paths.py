@@ -104,11 +104,14 @@ def test_a_reference_in_force_is_where_it_starts_and_a_stale_one_is_not(name):  
 
 
 @pytest.mark.parametrize("name", LINES)
-def test_it_waits_for_the_arm_but_not_for_ever(name):
+@pytest.mark.parametrize(("short_by", "is_blocked"), [(0.049, False), (0.051, True)])
+def test_it_waits_for_the_arm_but_not_for_ever_and_one_that_is_blocked_is_an_error(name, short_by, is_blocked):  # R-X06
     bench = bench_of(name, SETTLE=0.2).on(LINES[name])
-    bench["Q_MEZ"] = HOME + 1.0
+    bench["Q_MEZ"] = ENDS[name] + short_by * np.eye(6)[2]
     bench.cycle(10_000)
     assert bench.now == pytest.approx(2.2, abs=0.01)
+    assert (bench.finished is None, bench.state is State.ERROR) == (is_blocked, is_blocked)
+    assert not is_blocked or "the arm did not come to its target: joint 3 is 0.05 rad" in bench.why
 
 
 @pytest.mark.parametrize("name", LINES)
@@ -172,6 +175,14 @@ def test_a_taught_path_is_played_from_where_the_arm_is(taught):  # R-B10
     assert played[250] == pytest.approx(HOME + np.array([0.3, 0, -0.2, 0, 0, 0.1]), abs=1e-3)
     assert (np.abs(speeds) <= 0.6 * MAX + 1e-9).all()
     assert bench.finished is not None
+
+
+def test_an_arm_that_is_blocked_on_a_taught_path_is_an_error(taught):  # R-X06
+    bench = bench_of("jplay").on(str(taught))
+    bench["Q_MEZ"] = HOME + 0.2
+    bench.cycle(10_000)
+    assert (bench.state, bench.finished) == (State.ERROR, None)
+    assert "the arm did not come to its target" in bench.why
 
 
 def test_a_path_that_was_taught_too_fast_is_played_more_slowly_with_a_warning(taught):

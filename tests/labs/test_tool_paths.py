@@ -69,10 +69,13 @@ def test_what_is_no_arc_is_asked_for_again(line, why):  # R-A10
     assert why in str(bench.asked.reason)
 
 
-def test_an_arc_waits_for_the_tool_but_not_for_ever_and_says_how_far_it_is():
+@pytest.mark.parametrize(("short_by", "is_blocked"), [(0.019, False), (0.021, True)])
+def test_an_arc_waits_for_the_tool_but_not_for_ever_and_one_that_is_blocked_is_an_error(short_by, is_blocked):  # R-X06
     bench = bench_of("carc", SETTLE=0.2).on(ARC).cycle(250)
     assert bench.get("progress") == pytest.approx(0.5)
+    bench["X_MEZ"] = pose_of_nine([0, 0, -1, 0, 1, 0, 0.7, 0.1, -0.1 + short_by])
     assert bench.cycle(10_000).now == pytest.approx(2.2, abs=0.01)
+    assert (bench.finished is None, bench.state is State.ERROR) == (is_blocked, is_blocked)
 
 
 def test_a_pose_goes_round_its_middle_once_in_its_time():  # R-K08

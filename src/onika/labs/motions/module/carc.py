@@ -5,7 +5,7 @@ from onika.laws.arrival import Arrival
 from onika.laws.frames import pose_of_nine
 from onika.laws.path import quintic
 from onika.laws.sentence import sentence_of
-from onika.module import AskAgain, Input, InVar, Local, Module, OutVar, finish
+from onika.module import AskAgain, Input, InVar, Local, Module, ModuleError, OutVar, finish
 
 
 class Carc(Module):
@@ -20,6 +20,7 @@ class Carc(Module):
     Local    SPEED          double       m/s    peak speed of the tool
              TURN           double       rad/s  peak speed of its turning
              SETTLE         double       s      how long the arm may take to come to rest
+             AWAY           double       m      how far from its target the tool may come to rest
     Input    via            double[9]    -      where to pass: approach, normal, position (m) in the world
              first          double       s      0.1..600
              pose           double[9]    -      approach, normal, position (m) in the world
@@ -28,6 +29,7 @@ class Carc(Module):
     Errors   no pose   a pose whose vectors are no unit vectors, or not square: asks again, stays OFF
              no arc    the three places lie on a line, the first not between: asks again, stays OFF
              too fast  durations too short for SPEED and TURN: warns and takes as long as it needs
+             blocked   the tool is further than AWAY from its target when its time is over: ERROR
     Get/Set  progress 0..1 / -
     Source   dissertation §4.2.1; Craig, Introduction to Robotics, §7.4
     """
@@ -40,6 +42,7 @@ class Carc(Module):
     SPEED = Local("double", "m/s", "peak speed of the tool", default=0.3, low=1e-3)
     TURN = Local("double", "rad/s", "peak speed of its turning", default=1.5, low=1e-3)
     SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5, low=0.0)
+    AWAY = Local("double", "m", "how far from its target the tool may come to rest", default=0.02, low=1e-3)
 
     via = Input("double[9]", "-", "where to pass: approach, normal, position (m) in the world")
     first = Input("double", "s", "how long it takes to about there", low=0.1, high=600.0)
@@ -69,7 +72,11 @@ class Carc(Module):
         share, _ = quintic(self._time, self._duration)
         self._arc.at(share, out=self.X_REF)
         is_over = self._arrival.is_over(self._time - self._duration, self.X_MEZ, self.dt)
-        return finish() if is_over else None
+        if not is_over:
+            return None
+        if why := self._arrival.tool_short(self.X_MEZ, self.AWAY):
+            raise ModuleError(why)
+        return finish()
 
     def get(self, name):
         if name == "progress":

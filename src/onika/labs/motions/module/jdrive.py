@@ -3,7 +3,7 @@
 from onika.laws.arrival import Arrival
 from onika.laws.path import PEAK, quintic
 from onika.laws.sentence import joint_beyond
-from onika.module import AskAgain, InConst, Input, InVar, Local, Module, OutVar, finish
+from onika.module import AskAgain, InConst, Input, InVar, Local, Module, ModuleError, OutVar, finish
 
 
 class Jdrive(Module):
@@ -19,12 +19,14 @@ class Jdrive(Module):
              OUTVAR   Q^_REF  double[NDOF]  rad/s  reference speed
     Local    SPEED            double        -      share of Q^_MAX that a motion may peak at
              SETTLE           double        s      how long the arm may take to come to rest
+             AWAY             double        rad    how far from its target a joint may come to rest
     Input    joint            int           -      1..NDOF
              angle            double        rad    -1000..1000
              duration         double        s      0.1..600
     Finish   flow 0, loop FALSE, when t >= T and the arm stands at the target, or SETTLE later
     Errors   out of reach  angle beyond QMIN..QMAX of the joint: asks again, stays OFF
              too fast      duration too short for SPEED: warns and takes as long as it needs
+             blocked       a joint is further than AWAY from its target when its time is over: ERROR
     Get/Set  progress 0..1 / -
     Source   dissertation §4.4; Craig, Introduction to Robotics, §7.3
     """
@@ -41,6 +43,7 @@ class Jdrive(Module):
 
     SPEED = Local("double", "-", "share of Q^_MAX that a motion may peak at", default=0.6, low=0.01, high=1.0)
     SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5, low=0.0)
+    AWAY = Local("double", "rad", "how far from its target a joint may come to rest", default=0.05, low=1e-3)
 
     joint = Input("int", "-", "which joint, counted from 1", low=1, high="NDOF")
     angle = Input("double", "rad", "where the joint is to go", low=-1e3, high=1e3)
@@ -74,7 +77,11 @@ class Jdrive(Module):
         self.Q_REF[self._joint] = self._from + share * self._way
         self.Qd_REF[self._joint] = rate * self._way
         is_over = self._arrival.is_over(self._time - self._duration, self.Q_MEZ, self.dt)
-        return finish() if is_over else None
+        if not is_over:
+            return None
+        if why := self._arrival.joint_short(self.Q_MEZ, self.AWAY):
+            raise ModuleError(why)
+        return finish()
 
     def get(self, name):
         if name == "progress":

@@ -4,7 +4,7 @@ from onika.laws.arrival import Arrival
 from onika.laws.joined_path import JoinedPath
 from onika.laws.polynomial import PolynomialPath
 from onika.laws.sentence import sentence_of
-from onika.module import AskAgain, InConst, Input, InVar, Local, Module, OutVar, finish
+from onika.module import AskAgain, InConst, Input, InVar, Local, Module, ModuleError, OutVar, finish
 
 
 class Jpath(Module):
@@ -22,12 +22,14 @@ class Jpath(Module):
              OUTVAR   Q^_REF  double[NDOF]    rad/s  reference speed
     Local    SPEED            double          -      share of Q^_MAX that a motion may peak at
              SETTLE           double          s      how long the arm may take to come to rest
+             AWAY             double          rad    how far from its target a joint may come to rest
     Input    coefficients     double[NDOF,6]  rad    of each joint six, from that of the power 0 on
              duration         double          s      0.1..600
     Finish   flow 0, loop FALSE, when t >= T and the arm stands at its end, or SETTLE later
     Errors   no rest       it does not begin and end at rest: asks again, stays OFF
              out of reach  it leaves QMIN..QMAX: asks again, stays OFF
              too fast      duration too short for SPEED: warns and takes as long as it needs
+             blocked       a joint is further than AWAY from its target when its time is over: ERROR
     Get/Set  progress 0..1 / -
     Source   dissertation §4.4; Craig, Introduction to Robotics, §7.3
     """
@@ -44,6 +46,7 @@ class Jpath(Module):
 
     SPEED = Local("double", "-", "share of Q^_MAX that a motion may peak at", default=0.6, low=0.01, high=1.0)
     SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5, low=0.0)
+    AWAY = Local("double", "rad", "how far from its target a joint may come to rest", default=0.05, low=1e-3)
 
     coefficients = Input("double[NDOF,6]", "rad", "of each joint six, from that of the power 0 on")
     duration = Input("double", "s", "how long it takes from where it begins", low=0.1, high=600.0)
@@ -72,7 +75,11 @@ class Jpath(Module):
         self._time += self.dt
         self.Q_REF, self.Qd_REF = self._path.at(self._time)
         is_over = self._arrival.is_over(self._time - self._path.duration, self.Q_MEZ, self.dt)
-        return finish() if is_over else None
+        if not is_over:
+            return None
+        if why := self._arrival.joint_short(self.Q_MEZ, self.AWAY):
+            raise ModuleError(why)
+        return finish()
 
     def get(self, name):
         if name == "progress":

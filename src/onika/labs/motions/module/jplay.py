@@ -6,7 +6,7 @@ from onika.laws.arrival import Arrival
 from onika.laws.joined_path import JoinedPath
 from onika.laws.sentence import sentence_of
 from onika.laws.taught_path import TaughtPath, path_of_text
-from onika.module import AskAgain, InConst, Input, InVar, Local, Module, OutVar, finish
+from onika.module import AskAgain, InConst, Input, InVar, Local, Module, ModuleError, OutVar, finish
 
 
 class Jplay(Module):
@@ -24,11 +24,13 @@ class Jplay(Module):
              OUTVAR   Q^_REF  double[NDOF]  rad/s  reference speed
     Local    SPEED            double        -      share of Q^_MAX that a motion may peak at
              SETTLE           double        s      how long the arm may take to come to rest
+             AWAY             double        rad    how far from its target a joint may come to rest
     Input    file             string        -      file of the path, as `teach` writes it
     Finish   flow 0, loop FALSE, when the time is over and the arm stands at the end of the path, or SETTLE later
     Errors   no path       the file is not there, or not of this arm: asks again, stays OFF
              out of reach  a row is beyond QMIN..QMAX: asks again, stays OFF
              too fast      taught faster than SPEED: warns and takes as long as it needs
+             blocked       a joint is further than AWAY from its target when its time is over: ERROR
     Get/Set  progress 0..1, of the whole time / -
     Source   dissertation §4.4
     """
@@ -45,6 +47,7 @@ class Jplay(Module):
 
     SPEED = Local("double", "-", "share of Q^_MAX that a motion may peak at", default=0.6, low=0.01, high=1.0)
     SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5, low=0.0)
+    AWAY = Local("double", "rad", "how far from its target a joint may come to rest", default=0.05, low=1e-3)
 
     file = Input("string", "-", "file of the path, as `teach` writes it")
 
@@ -71,7 +74,11 @@ class Jplay(Module):
         self._time += self.dt
         self.Q_REF, self.Qd_REF = self._path.at(self._time)
         is_over = self._arrival.is_over(self._time - self._path.duration, self.Q_MEZ, self.dt)
-        return finish() if is_over else None
+        if not is_over:
+            return None
+        if why := self._arrival.joint_short(self.Q_MEZ, self.AWAY):
+            raise ModuleError(why)
+        return finish()
 
     def get(self, name):
         if name == "progress":

@@ -4,7 +4,7 @@ import numpy as np
 
 from onika.laws.arrival import Arrival
 from onika.laws.path import ramped
-from onika.module import InConst, Input, InVar, Local, Module, OutVar, finish
+from onika.module import InConst, Input, InVar, Local, Module, ModuleError, OutVar, finish
 
 
 class Jramp(Module):
@@ -23,11 +23,13 @@ class Jramp(Module):
     Local    RAMP             double        -      share of the time in which speed rises, and falls
              SPEED            double        -      share of Q^_MAX that a motion may peak at
              SETTLE           double        s      how long the arm may take to come to rest
+             AWAY             double        rad    how far from its target a joint may come to rest
     Input    endpoint         double[NDOF]  rad    QMIN..QMAX
              duration         double        s      0.1..600
     Finish   flow 0, loop FALSE, when t >= T and the arm stands at the target, or SETTLE later
     Errors   out of reach  endpoint beyond QMIN..QMAX: asks again, stays OFF
              too fast      duration too short for SPEED: warns and takes as long as it needs
+             blocked       a joint is further than AWAY from its target when its time is over: ERROR
     Get/Set  progress 0..1 / -
     Source   dissertation §4.2.1; Craig, Introduction to Robotics, §7.3
     """
@@ -45,6 +47,7 @@ class Jramp(Module):
     RAMP = Local("double", "-", "share of the time in which speed rises, and falls", default=0.25, low=0.01, high=0.5)
     SPEED = Local("double", "-", "share of Q^_MAX that a motion may peak at", default=0.6, low=0.01, high=1.0)
     SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5, low=0.0)
+    AWAY = Local("double", "rad", "how far from its target a joint may come to rest", default=0.05, low=1e-3)
 
     endpoint = Input("double[NDOF]", "rad", "where to go", low="QMIN", high="QMAX")
     duration = Input("double", "s", "how long it takes", low=0.1, high=600.0)
@@ -70,7 +73,11 @@ class Jramp(Module):
         self.Q_REF = self._start + share * self._way
         self.Qd_REF = rate * self._way
         is_over = self._arrival.is_over(self._time - self._duration, self.Q_MEZ, self.dt)
-        return finish() if is_over else None
+        if not is_over:
+            return None
+        if why := self._arrival.joint_short(self.Q_MEZ, self.AWAY):
+            raise ModuleError(why)
+        return finish()
 
     def get(self, name):
         if name == "progress":

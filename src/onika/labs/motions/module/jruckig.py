@@ -2,7 +2,7 @@
 
 from onika.laws.arrival import Arrival
 from onika.laws.jerk_limited import JerkLimited
-from onika.module import InConst, Input, InVar, Local, Module, OutVar, finish
+from onika.module import InConst, Input, InVar, Local, Module, ModuleError, OutVar, finish
 
 
 class Jruckig(Module):
@@ -21,11 +21,13 @@ class Jruckig(Module):
              RISE              double        s        how long it takes to the peak speed at full acceleration
              EASE              double        s        how long it takes to full acceleration
              SETTLE            double        s        how long the arm may take to come to rest
+             AWAY              double        rad      how far from its target a joint may come to rest
     Input    endpoint          double[NDOF]  rad      QMIN..QMAX
              duration          double        s        0.1..600
     Finish   flow 0, loop FALSE, when t >= T and the arm stands at the target, or SETTLE later
     Errors   out of reach  endpoint beyond QMIN..QMAX: asks again, stays OFF
              too fast      duration too short for the limits: warns and takes as long as it needs
+             blocked       a joint is further than AWAY from its target when its time is over: ERROR
     Get/Set  progress 0..1 / -
     Source   Berscheid & Kröger, Jerk-limited Real-time Trajectory Generation, 2021
     """
@@ -45,6 +47,7 @@ class Jruckig(Module):
     RISE = Local("double", "s", "how long it takes to the peak speed at full acceleration", default=0.3, low=0.01)
     EASE = Local("double", "s", "how long it takes to full acceleration", default=0.1, low=0.001)
     SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5, low=0.0)
+    AWAY = Local("double", "rad", "how far from its target a joint may come to rest", default=0.05, low=1e-3)
 
     endpoint = Input("double[NDOF]", "rad", "where to go", low="QMIN", high="QMAX")
     duration = Input("double", "s", "how long it takes", low=0.1, high=600.0)
@@ -69,7 +72,11 @@ class Jruckig(Module):
         self._time += self.dt
         self.Q_REF, self.Qd_REF, self.Qdd_REF = self._course.at(self._time)
         is_over = self._arrival.is_over(self._time - self._course.duration, self.Q_MEZ, self.dt)
-        return finish() if is_over else None
+        if not is_over:
+            return None
+        if why := self._arrival.joint_short(self.Q_MEZ, self.AWAY):
+            raise ModuleError(why)
+        return finish()
 
     def get(self, name):
         if name == "progress":
