@@ -39,7 +39,6 @@ LINES = {
     "jpoly": "1 0 0 0 0 0 1",
     "jplay": str(HERE / "taught.csv"),
     "teach": "path.csv",
-    "cguard": "0 0 -1 0 1 0 0.7 0 -0.2 1 20 5",
     "open_folder": str(HERE),
     "copy_files": tempfile.gettempdir(),
     "list_files": f"{tempfile.gettempdir()}/never_written.csv",
