@@ -1,6 +1,6 @@
 """A wait for a button."""
 
-from onika.laws.new_press import NewPress
+from onika.laws.signals.new_press import NewPress
 from onika.module import InVar, Local, Module, finish
 
 

@@ -1,9 +1,9 @@
 """An arc of the tool."""
 
-from onika.laws.arc import Arc
 from onika.laws.arrival import Arrival
 from onika.laws.frames import pose_of_nine
 from onika.laws.path import quintic
+from onika.laws.paths.arc import Arc
 from onika.laws.sentence import sentence_of
 from onika.module import AskAgain, Input, InVar, Local, Module, ModuleError, OutVar, finish
 

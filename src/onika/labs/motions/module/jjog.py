@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from onika.laws.limited_rate import LimitedRate
-from onika.laws.new_press import NewPress
+from onika.laws.signals.limited_rate import LimitedRate
+from onika.laws.signals.new_press import NewPress
 from onika.module import InConst, Input, InVar, Local, Module, OutVar, finish
 
 STILL = 1e-4  # rad/s

@@ -1,8 +1,8 @@
 """A path of polynomials."""
 
 from onika.laws.arrival import Arrival
-from onika.laws.joined_path import JoinedPath
-from onika.laws.polynomial import PolynomialPath
+from onika.laws.paths.joined_path import JoinedPath
+from onika.laws.paths.polynomial import PolynomialPath
 from onika.laws.sentence import sentence_of
 from onika.module import AskAgain, InConst, Input, InVar, Local, Module, ModuleError, OutVar, finish
 

@@ -3,9 +3,9 @@
 from pathlib import Path
 
 from onika.laws.arrival import Arrival
-from onika.laws.joined_path import JoinedPath
+from onika.laws.paths.joined_path import JoinedPath
+from onika.laws.paths.taught_path import TaughtPath, path_of_text
 from onika.laws.sentence import sentence_of
-from onika.laws.taught_path import TaughtPath, path_of_text
 from onika.module import AskAgain, InConst, Input, InVar, Local, Module, ModuleError, OutVar, finish
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from onika.laws.arrival import Arrival
-from onika.laws.polynomial import PolynomialPath
+from onika.laws.paths.polynomial import PolynomialPath
 from onika.laws.sentence import sentence_of
 from onika.module import AskAgain, InConst, Input, InVar, Local, Module, ModuleError, OutVar, finish
 

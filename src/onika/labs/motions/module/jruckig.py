@@ -1,7 +1,7 @@
 """Joint path of limited jerk."""
 
 from onika.laws.arrival import Arrival
-from onika.laws.jerk_limited import JerkLimited
+from onika.laws.paths.jerk_limited import JerkLimited
 from onika.module import InConst, Input, InVar, Local, Module, ModuleError, OutVar, finish
 
 

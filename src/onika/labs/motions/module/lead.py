@@ -3,7 +3,7 @@
 import numpy as np
 
 from onika.laws.frames import rotation_exp
-from onika.laws.limited_rate import LimitedRate
+from onika.laws.signals.limited_rate import LimitedRate
 from onika.module import InVar, Local, Module, OutVar
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from onika.laws.finite import FiniteValues
-from onika.laws.limited_rate import LimitedRate
+from onika.laws.signals.limited_rate import LimitedRate
 from onika.module import InConst, InVar, Local, Module, OutVar
 
 

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import numpy as np
 
-from onika.laws.new_press import NewPress
-from onika.laws.taught_path import path_text
+from onika.laws.paths.taught_path import path_text
+from onika.laws.signals.new_press import NewPress
 from onika.module import InConst, Input, InVar, Local, Module, ModuleError, finish
 
 

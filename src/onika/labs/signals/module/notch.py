@@ -1,8 +1,8 @@
 """A notch filter."""
 
 from onika.laws.finite import FiniteValues
-from onika.laws.second_order import SecondOrder
 from onika.laws.sentence import sentence_of
+from onika.laws.signals.second_order import SecondOrder
 from onika.module import InConst, InVar, Local, Module, ModuleError, OutVar
 
 

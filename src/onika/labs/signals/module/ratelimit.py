@@ -1,6 +1,6 @@
 """A limit of speed."""
 
-from onika.laws.limited_rate import LimitedRate
+from onika.laws.signals.limited_rate import LimitedRate
 from onika.module import InConst, InVar, Local, Module, OutVar
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from onika.laws.taught_path import TaughtPath, path_of_text, path_text
+from onika.laws.paths.taught_path import TaughtPath, path_of_text, path_text
 
 FAST = np.full(2, 1e6)
 rows = st.lists(st.tuples(st.floats(-3, 3), st.floats(-3, 3)), min_size=2, max_size=20).map(np.array)

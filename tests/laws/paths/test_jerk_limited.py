@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from onika.laws.jerk_limited import JerkLimited
+from onika.laws.paths.jerk_limited import JerkLimited
 
 START, END = np.array([0.0, 1.0, 0.5]), np.array([1.0, 0.6, 0.5])
 SPEED, ACCELERATION, JERK = np.array([1.0, 2.0, 1.0]), np.full(3, 3.0), np.full(3, 20.0)

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from onika.laws.joined_path import JoinedPath
-from onika.laws.polynomial import PolynomialPath
+from onika.laws.paths.joined_path import JoinedPath
+from onika.laws.paths.polynomial import PolynomialPath
 
 SPEED = np.array([1.0, 1.0])
 PATH = PolynomialPath(np.array([[0.5, 0.0, 0.0, 10.0, -15.0, 6.0], [0.0] * 6]), 2.0, SPEED)

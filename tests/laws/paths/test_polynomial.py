@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from onika.laws.polynomial import PolynomialPath
+from onika.laws.paths.polynomial import PolynomialPath
 
 QUINTIC = [[1.0, 0.0, 0.0, 10.0, -15.0, 6.0], [0.5, 0.0, 0.0, 0.0, 0.0, 0.0]]
 FAST = np.full(2, 100.0)

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings, strategies as st
 
-from onika.laws.arc import Arc
 from onika.laws.frames import pose_of_nine
+from onika.laws.paths.arc import Arc
 
 DOWN = [0, 0, -1, 0, 1, 0]
 places = st.tuples(*[st.floats(-0.5, 0.5)] * 3).map(np.array)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from onika.laws.second_order import SecondOrder
+from onika.laws.signals.second_order import SecondOrder
 
 DT = 1 / 500
 

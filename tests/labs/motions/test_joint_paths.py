@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from onika.laws import puma560
-from onika.laws.taught_path import path_text
+from onika.laws.paths.taught_path import path_text
 from onika.model.lifecycle import State
 from onika.store.shipped import shipped
 from onika.testing.bench import Bench

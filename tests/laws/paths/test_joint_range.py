@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from onika.laws.joint_range import check_range
+from onika.laws.paths.joint_range import check_range
 
 PLACES = np.array([[0.0, -1.0], [0.5, 0.0], [0.2, 1.0]])
 

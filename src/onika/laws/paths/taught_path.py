@@ -3,7 +3,7 @@
 import numpy as np
 
 from onika.laws.frames import Array, Numbers
-from onika.laws.joint_range import check_range
+from onika.laws.paths.joint_range import check_range
 from onika.laws.sentence import LawSentence
 
 _LOOKS = np.linspace(0.0, 0.8, 5)

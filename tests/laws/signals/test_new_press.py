@@ -2,7 +2,7 @@
 
 import pytest
 
-from onika.laws.new_press import NewPress
+from onika.laws.signals.new_press import NewPress
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
-from onika.laws.limited_rate import LimitedRate
+from onika.laws.signals.limited_rate import LimitedRate
 
 DT = 0.01
 
