@@ -44,7 +44,7 @@ def calls_of(source, maker="Reason.of"):
 def law_sentences():
     """What the control laws say, who know no catalogue: key, English and names of arguments of each sentence."""
     for path, source in sources():
-        for call in calls_of(source, "LawSentence") if path.parent.name == "laws" else ():
+        for call in calls_of(source, "LawSentence") if "laws" in path.parts else ():
             key, text = (ast.literal_eval(argument) for argument in call.args)
             yield key, text, {keyword.arg for keyword in call.keywords}
 

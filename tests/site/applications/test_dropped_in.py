@@ -66,7 +66,8 @@ def test_a_servo_with_an_integral_stands_in_for_the_one_without(capsys, tmp_path
 
 def test_a_fence_stops_a_wish_at_its_margin(capsys, tmp_path):  # R-K05
     fence = placed("fence", 250, "LOCAL       MARGIN 1.0")
-    varied(Laboratory(tmp_path), "tryC", "jmoveC", [fence], WISHED)
+    lines = {"jtraj": WISHED["jtraj"] + "LOCAL       AWAY 9\n"}  # it is not to mind that the fence keeps it away
+    varied(Laboratory(tmp_path), "tryC", "jmoveC", [fence], lines)
     icons = [job("tryC", "Joint job"), joints("far", 2.5, *GOAL[1:], duration=4.0)]
     assert ran(capsys, tmp_path, icons, "Q_MEZ[0]")["Q_MEZ"][0] == pytest.approx(2.79253 - 1.0, abs=5e-3)
 
@@ -84,7 +85,8 @@ def test_what_a_joint_did_is_written_down_as_rows_and_figures(capsys, tmp_path):
 
 @pytest.mark.parametrize(("down", "hit"), [("0 0 0.05", 0), ("0 0 -0.25", 1)])
 def test_what_the_hand_meets_is_told_and_free_motion_is_not(capsys, tmp_path, down, hit):  # R-K05
-    varied(Laboratory(tmp_path), "tryC", "cshiftC", [placed("collide", 250)])
+    blocked = {"cshift": "LOCAL       AWAY 1\n"}  # else that ends the run before anybody reads HIT
+    varied(Laboratory(tmp_path), "tryC", "cshiftC", [placed("collide", 250)], blocked)
     icons = [
         *(job("jmoveC", "Joint job"), joints("above", *ABOVE, duration=3.0)),
         *(job("tryC", "Relative job"), target("by", "Relative object", down, "3.0")),
