@@ -19,10 +19,7 @@ def sitting(sit):
         ("kill puma p", ["pd", "puma"]),
         ("spawn jt", ["jtraj"]),
         ("spawn jtraj on rt", ["rt0", "rt1"]),
-        (
-            "config jm",
-            ["jmoveC", "jmove_gantryC", "jmove_rampC", "jmove_rightC", "jmove_scaraC", "jmove_smoothC", "jmove_viaC"],
-        ),
+        ("config jmove_r", ["jmove_rampC", "jmove_rightC"]),
         ("on pd @hom", ["@home"]),
         ("run go", ["go_home"]),
         ("read Q_", ["Q_MEZ", "Q_REF"]),

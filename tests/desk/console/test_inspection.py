@@ -53,7 +53,16 @@ def test_the_living_tasks_are_listed_by_subsystem(sit):  # R-A06
 def test_the_library_says_what_there_is_to_use(sit):
     sitting = sit()
     output = sitting.does("library j[gmtv]*")
-    jobs = ["jmoveC", "jmove_gantryC", "jmove_rampC", "jmove_rightC", "jmove_scaraC", "jmove_smoothC", "jmove_viaC"]
+    jobs = [
+        "jmoveC",
+        "jmove_gantryC",
+        "jmove_learntC",
+        "jmove_rampC",
+        "jmove_rightC",
+        "jmove_scaraC",
+        "jmove_smoothC",
+        "jmove_viaC",
+    ]
     assert [line.split()[0] for line in output] == ["name", "jgenerator", "jtraj", "jvia", *jobs]
     assert "joint path of fifth order" in output[2]
     assert sitting.does("library nothing") == ["nothing is called so"]
