@@ -1,9 +1,10 @@
 import mujoco
 import numpy as np
+import pytest
 
 from onika.workcell.layout import boxes, text
 from onika.workcell.plant import Plant
-from onika.workcell.scene import shapes
+from onika.workcell.scene import looked_at, shapes
 
 DRAWN = Plant(text(boxes(0, 0.0), ("left",), drawn=True))
 SHAPES = shapes(DRAWN)
@@ -54,3 +55,23 @@ def hung(carrier, hinge, angle):
 def test_what_lies_free_hangs_on_nothing():
     free = {shape.hinge for shape in SHAPES if shape.paint == "blue"}
     assert free == {None}
+
+
+def test_of_a_body_that_is_drawn_what_only_touches_is_left_out():  # R-X19
+    plant = Plant(
+        '<mujoco><worldbody><body name="a"><joint name="j"/><geom name="touch" size="1" group="3"/>'
+        '<geom name="seen" size="1" group="2" rgba="1 0 0 1"/></body>'
+        '<body name="b"><geom name="only" size="1" group="3"/></body></worldbody></mujoco>'
+    )
+    seen, only = looked_at(plant)
+    assert (seen.name, seen.hinge.joint, seen.rgba, only.name) == ("seen", "j", (1.0, 0.0, 0.0, 1.0), "only")
+    assert [shape.name for shape in shapes(plant)] == ["touch", "seen", "only"]
+
+
+def test_a_mesh_is_the_box_around_it():  # R-X19
+    corners = " ".join(f"{x} {y} {z}" for x in (0, 2) for y in (0, 4) for z in (0, 6))
+    mesh = f'<asset><mesh name="m" vertex="{corners}"/></asset>'
+    (box,) = shapes(Plant(f'<mujoco>{mesh}<worldbody><geom type="mesh" mesh="m"/></worldbody></mujoco>'))
+    assert box.kind == "box"
+    assert sorted(box.size) == pytest.approx([1.0, 2.0, 3.0], abs=1e-4)
+    assert box.position == pytest.approx((1.0, 2.0, 3.0), abs=1e-4)

@@ -1,5 +1,6 @@
 """A scene: the shapes of a world as plain data, sent once to whoever draws it; poses follow for each picture."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -7,6 +8,8 @@ import mujoco
 import numpy as np
 
 from onika.workcell.plant import Plant
+
+_TOUCHING = 3  # the first group of shapes that are not seen
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,10 +51,28 @@ class Hinge3d:
 
 def shapes(plant: Plant) -> list[Shape3d]:
     """All shapes of a drawn world, in MuJoCo's order."""
-    return [_shape(plant.model, k) for k in range(plant.model.ngeom)]
+    return _shapes(plant.model, range(plant.model.ngeom))
 
 
-def _shape(model: Any, k: int) -> Shape3d:
+def looked_at(plant: Plant) -> list[Shape3d]:
+    """The shapes of a world that are there to be seen: of a body that has such, those that only touch are left out.
+
+    In models of others, shapes of groups 0 to 2 are seen, and those above only touch.
+    """
+    model = plant.model
+    is_seen = np.ravel(model.geom_group) < _TOUCHING
+    has_seen = {int(body) for body in model.geom_bodyid[is_seen]}
+    return _shapes(model, [k for k in range(model.ngeom) if is_seen[k] or int(model.geom_bodyid[k]) not in has_seen])
+
+
+def _shapes(model: Any, numbers: Sequence[int]) -> list[Shape3d]:
+    firsts: dict[int, int] = {}
+    for k in numbers:
+        firsts.setdefault(int(model.geom_bodyid[k]), k)
+    return [_shape(model, k, is_first=firsts[int(model.geom_bodyid[k])] == k) for k in numbers]
+
+
+def _shape(model: Any, k: int, *, is_first: bool) -> Shape3d:
     body, material = int(model.geom_bodyid[k]), int(model.geom_matid[k])
     rgba = model.geom_rgba[k] if material < 0 else model.mat_rgba[material]
     return Shape3d(
@@ -60,7 +81,7 @@ def _shape(model: Any, k: int) -> Shape3d:
         *_form(model, k),
         tuple(rgba.tolist()),
         model.material(material).name if material >= 0 else "",
-        _hinge(model, body) if k == model.body_geomadr[body] else None,
+        _hinge(model, body) if is_first else None,
     )
 
 
@@ -68,7 +89,7 @@ def _form(model: Any, k: int) -> tuple[str, tuple[float, ...], tuple[float, ...]
     """Kind, half sizes, place and quaternion; a mesh is the box around it."""
     kind = mujoco.mjtGeom(int(model.geom_type[k]))
     size, place = model.geom_size[k], model.geom_pos[k]
-    if kind is mujoco.mjtGeom.mjGEOM_MESH:
+    if kind == mujoco.mjtGeom.mjGEOM_MESH:
         turn, middle = np.zeros(9), model.geom_aabb[k][:3]
         mujoco.mju_quat2Mat(turn, model.geom_quat[k])
         kind, size, place = mujoco.mjtGeom.mjGEOM_BOX, model.geom_aabb[k][3:], place + turn.reshape(3, 3) @ middle

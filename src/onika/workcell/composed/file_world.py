@@ -30,7 +30,7 @@ from onika.workcell.composed.switch_lamp import SwitchLamp
 from onika.workcell.driven_world import DrivenWorld
 from onika.workcell.panic_button import PanicButton
 from onika.workcell.plant import Plant
-from onika.workcell.scene import Shape3d, shapes
+from onika.workcell.scene import Shape3d, looked_at
 from onika.workcell.snapshot import WorldSnapshot, encode
 from onika.workcell.unit import DeviceUnit
 
@@ -105,7 +105,7 @@ class FileWorld(DrivenWorld):
 
     def scene(self) -> list[Shape3d]:
         """What there is to draw; changes when another robot stands at a place."""
-        return shapes(Plant(self._compile(self._stands.acting, is_drawn=True)))
+        return looked_at(Plant(self._compile(self._stands.acting, is_drawn=True)))
 
     @property
     def lit(self) -> tuple[str, ...]:

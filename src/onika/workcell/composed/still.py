@@ -5,7 +5,7 @@ import numpy.typing as npt
 
 from onika.laws.chain import text_of
 from onika.workcell.plant import Plant
-from onika.workcell.scene import Shape3d, shapes
+from onika.workcell.scene import Shape3d, looked_at
 from onika.workcell.view import CAMERA, LOOK
 
 _LIGHT = (
@@ -23,7 +23,7 @@ _TOWARDS = np.array((-0.55, -0.75, 0.38))
 
 def still(drawn: Plant, poses: npt.NDArray[np.float32], lit: tuple[str, ...]) -> str:
     """The document in MJCF; `poses` float32[bodies,7] as `World.poses` has them."""
-    rows = shapes(drawn)
+    rows = looked_at(drawn)
     bodies = [
         f'<body pos="{text_of(pose[:3])}" quat="{text_of(pose[3:])}">{_geoms(rows, number, lit)}</body>'
         for number, pose in enumerate(poses.astype(float))
