@@ -75,3 +75,10 @@ def test_a_mesh_is_the_box_around_it():  # R-X19
     assert box.kind == "box"
     assert sorted(box.size) == pytest.approx([1.0, 2.0, 3.0], abs=1e-4)
     assert box.position == pytest.approx((1.0, 2.0, 3.0), abs=1e-4)
+
+
+def test_a_joint_says_whether_it_slides():  # R-D23
+    joints = '<joint name="{0}" type="{0}"/><geom size="1"/>'
+    bodies = "".join(f"<body>{joints.format(kind)}</body>" for kind in ("slide", "hinge"))
+    slide, hinge = shapes(Plant(f"<mujoco><worldbody>{bodies}</worldbody></mujoco>"))
+    assert (slide.hinge.slides, hinge.hinge.slides) == (True, False)

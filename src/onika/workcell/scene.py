@@ -111,7 +111,7 @@ def _hinge(model: Any, body: int) -> Hinge3d | None:
         carrier,
         *place,
         model.joint(first).name,
-        kind is mujoco.mjtJoint.mjJNT_SLIDE,
+        kind == mujoco.mjtJoint.mjJNT_SLIDE,
         tuple(model.jnt_axis[first].tolist()),
         tuple(model.jnt_pos[first].tolist()),
     )
