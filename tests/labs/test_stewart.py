@@ -41,7 +41,7 @@ def test_the_plate_is_where_its_legs_were_sent():  # R-K05
     for k in range(1, 1000):
         lengths["X_REF"] = pose_at(0.002 * k)
         place["Q_MEZ"] = after = lengths.cycle()["Q_REF"]
-        assert np.abs(place.cycle()["X_MEZ"] - pose_at(0.002 * k)).max() < 1e-9
+        assert np.abs(place.cycle()["PLATE_MEZ"] - pose_at(0.002 * k)).max() < 1e-9
         assert lengths["Q^_REF"] == pytest.approx((after - before) * 500, abs=1e-9)
         before = after
 
@@ -69,4 +69,4 @@ def test_legs_that_no_pose_has_are_an_error_that_clear_mends():
     assert place.state is State.ERROR and "no pose near the last one has these leg lengths" in place.why
     place["Q_MEZ"] = bench_of("stewart_inv").task.module._platform.lengths(pose_at(0.0)) - 0.35
     assert place.clear().on().cycle().state is State.ON
-    assert place["X_MEZ"] == pytest.approx(pose_at(0.0), abs=1e-9)
+    assert place["PLATE_MEZ"] == pytest.approx(pose_at(0.0), abs=1e-9)
