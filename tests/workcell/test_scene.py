@@ -25,7 +25,7 @@ def test_boxes_are_blue_with_white_signs_and_the_lamp_has_its_name():
     assert [shape.kind for shape in SHAPES if shape.name == "lamp"] == ["ellipsoid"]
 
 
-def test_hinges_say_where_the_bodies_of_an_arm_come_for_given_angles():  # R-D23
+def test_hinges_say_where_the_bodies_of_an_arm_come_for_given_angles():  # R-D25
     plant = Plant(text(boxes(0, 0.0), ("left",), drawn=True))
     angles = [0.3, -1.2, 0.7, 0.5, -0.4, 1.1]
     where, _ = plant.joints([f"arm_left.joint{k}" for k in range(1, 7)])
@@ -77,7 +77,7 @@ def test_a_mesh_is_the_box_around_it():  # R-X19
     assert box.position == pytest.approx((1.0, 2.0, 3.0), abs=1e-4)
 
 
-def test_a_joint_says_whether_it_slides():  # R-D23
+def test_a_joint_says_whether_it_slides():  # R-D25
     joints = '<joint name="{0}" type="{0}"/><geom size="1"/>'
     bodies = "".join(f"<body>{joints.format(kind)}</body>" for kind in ("slide", "hinge"))
     slide, hinge = shapes(Plant(f"<mujoco><worldbody>{bodies}</worldbody></mujoco>"))
