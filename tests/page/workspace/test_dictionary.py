@@ -276,3 +276,27 @@ def test_a_new_application_of_several_flows(me):  # R-D04
     panel.get_by_label("How many flows").fill("3")
     panel.get_by_role("button", name="Begin").click()
     expect(me.workspace).to_contain_text("3 flows")
+
+
+def test_targets_of_another_arm_are_not_offered_and_a_line_shows_them(me):  # R-D08, R-D03
+    me.icon("jmove_rightC").dblclick()
+    me.has_steps(2)
+    me.dictionary.get_by_role("button", name="Fits here").click()
+    expect(me.icon("box1_ajr")).to_be_visible()
+    expect(me.icon("home")).to_be_visible()
+    expect(me.icon("box1_aj")).to_have_count(0)
+    expect(me.dictionary).to_contain_text("4 of other arms are not shown")
+    me.dictionary.get_by_role("button", name="Show them").click()
+    expect(me.icon("box1_aj")).to_be_visible()
+    expect(me.icon("box1_aj")).to_have_attribute("aria-label", re.compile("for puma$|for puma,"))
+    expect(me.dictionary.get_by_role("button", name="Show them")).to_have_count(0)
+
+    me.step(1).click()
+    me.page.keyboard.press("/")
+    quick = me.panel("Find an icon and insert it")
+    expect(quick.get_by_role("option").filter(has_text="4 of other arms are not shown")).to_have_count(1)
+    me.page.keyboard.press("ArrowUp")
+    me.page.keyboard.press("Enter")
+    expect(quick.get_by_role("option").filter(has_text="are not shown")).to_have_count(0)
+    me.page.keyboard.press("Escape")
+    me.dictionary.get_by_role("button", name="Fits here").click()
