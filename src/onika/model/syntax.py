@@ -14,6 +14,9 @@ COMPLETE_NOP = "Complete NOP"
 SPECIAL_TYPES = (START, END, COMPLETE_JOB, COMPLETE_APPLICATION, COMPLETE_NOP)
 """The types with a meaning of their own, which every syntax defines."""
 
+GUARDED = "guarded object"
+"""The type of target that says how hard may be pressed: who places one means to touch something (D25)."""
+
 
 @dataclass(frozen=True, slots=True)
 class DataItem:

@@ -18,6 +18,7 @@ from onika.desk.run.runtime_conversation import in_short
 from onika.link.lost import LinkLost
 from onika.model.planned import task_of
 from onika.model.rules.agreement import device_of
+from onika.model.syntax import GUARDED
 from onika.wire import event, live, request
 from onika.wire.plan import Plan, PlannedAction
 from onika.wire.request import TargetValues
@@ -28,9 +29,6 @@ LONGEST_S = 600.0
 
 PATIENCE_S = 60.0
 """How long that may take."""
-
-GUARDED = "guarded object"
-"""The type of target that says how hard may be pressed: who places one means to touch something (D25)."""
 
 _TOUCHES = ("workcell.touches", "workcell.carried_touches")
 _LOOK_S = 0.05
