@@ -60,3 +60,11 @@ def test_jobs_are_looked_for_from_a_place_backwards_first():
     names = [step.onikon.name for step in application.flows[0].steps if isinstance(step, Icon)]
     assert list(jobs_near(application, "0", 0)) == list(dict.fromkeys(names))
     assert jobs_near(application, "7", 0) == jobs_near(application, "0", 0)
+
+
+def test_a_task_of_a_library_that_means_something_else_by_what_it_reads_makes_no_pose_of_an_arm():  # R-D23
+    plan = plan_of("go_home")
+    names = [name for name, task in MODEL.libraries.tasks.items() if task.given_while_running & POSE]
+    (arm,) = arms_of(plan, jobs_of(plan), POSE, MODEL.libraries)
+    assert len(names) > 1  # others give a pose too, and not of joints
+    assert [task.name for task in arm.others] == ["fwdkin"]

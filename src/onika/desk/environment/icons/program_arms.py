@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from onika.desk.environment.icons.alteration import flow_at
 from onika.desk.environment.reconcile.task_plan import SpawnPlan, birth, is_hardware
 from onika.desk.environment.state.open_libraries import OpenLibraries
+from onika.desk.environment.state.target_items import ports_of
 from onika.model.application import Application, Icon
 from onika.model.configuration import Placed
 from onika.model.flow_path import flows_by_path
@@ -126,12 +127,26 @@ def _acts(task: Task, libraries: OpenLibraries) -> bool:
     return is_trigger or is_hardware(task, libraries)
 
 
+def _agrees(task: Task, tasks: Sequence[PlannedTask], libraries: OpenLibraries) -> bool:
+    """Whether a task has the same shapes and units for the variables that it shares with others."""
+    mine = _shapes(task, libraries)
+    return all(
+        mine.get(name, shape) == shape for other in tasks for name, shape in _shapes(task_of(other), libraries).items()
+    )
+
+
+def _shapes(task: Task, libraries: OpenLibraries) -> dict[str, tuple[str, str]]:
+    """Shape and unit of each of its variables, as far as its module is known."""
+    names = dict(task.aliases)
+    return {names.get(port.name, port.name): (port.shape, port.unit) for port in ports_of(libraries, task)}
+
+
 def _with_library(
     tasks: Sequence[PlannedTask], wanted: frozenset[str], drives: IsHardware, libraries: OpenLibraries
 ) -> _Measuring | None:
     """The same with one more task of the libraries, that makes the wanted variable of what the driver gives."""
     for name, task in libraries.tasks.items():
-        if not task.given_while_running & wanted or _acts(task, libraries):
+        if not task.given_while_running & wanted or _acts(task, libraries) or not _agrees(task, tasks, libraries):
             continue
         born = birth(Placed(name), libraries, ())
         if not isinstance(born, SpawnPlan):
