@@ -1084,6 +1084,8 @@ export interface ForecastView {
   cause?: Reason;
   mishaps?: number;
   standing?: (Reason)[];
+  worlds?: (string)[];
+  unwatched?: (string)[];
 }
 
 /** A task that stands for another one in a flow, by its subsystem, or in all of them; or a world, with its colon. */

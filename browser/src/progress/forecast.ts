@@ -14,8 +14,17 @@ export function forecastLines(forecast: ForecastView | undefined, isAsAssumed: b
   if (forecast.state === 'going') return [{ look: 'dim', text: t('forecast.going') }]
   const lines: ForecastLine[] = [{ look: 'plain', text: outlook(forecast) }]
   if (forecast.mishaps) lines.push({ look: 'mishaps', text: t('forecast.mishaps', { n: forecast.mishaps }) })
-  else if (forecast.state === 'whole') lines.push({ look: 'dim', text: t('forecast.clear') })
+  else if (forecast.state === 'whole') lines.push(...touches(forecast))
+  if (!forecast.worlds?.length && forecast.state === 'whole') return lines
   return [...lines, { look: 'dim', text: t(isAsAssumed ? 'forecast.asAssumed' : 'forecast.otherwise') }]
+}
+
+/** That nothing is touched, as far as the worlds say so; nothing of a program without a workcell. */
+function touches({ worlds = [], unwatched = [] }: ForecastView): ForecastLine[] {
+  const lines: ForecastLine[] = []
+  if (worlds.length > unwatched.length) lines.push({ look: 'dim', text: t('forecast.clear') })
+  if (unwatched.length) lines.push({ look: 'dim', text: t('forecast.unwatched', { worlds: unwatched.join(', ') }) })
+  return lines
 }
 
 /** How long it takes and how everything stands then, or why that is not known. */

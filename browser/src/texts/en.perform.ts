@@ -38,6 +38,7 @@ export const enPerform = {
   'forecast.asAssumed': 'The workcell stands as this assumes.',
   'forecast.otherwise': 'The workcell does not stand as this assumes: it was foreseen from the start.',
   'forecast.clear': 'Nothing touches what it should not.',
+  'forecast.unwatched': 'What is touched in {worlds} is not foreseen.',
 
   'perform.beginning': 'Beginning',
   'perform.running': 'Running',

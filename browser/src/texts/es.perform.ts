@@ -40,6 +40,7 @@ export const esPerform: Record<keyof typeof enPerform, string> = {
   'forecast.asAssumed': 'La célula está como esto supone.',
   'forecast.otherwise': 'La célula no está como esto supone: se previó desde el principio.',
   'forecast.clear': 'Nada toca lo que no debe.',
+  'forecast.unwatched': 'Lo que se toca en {worlds} no se prevé.',
 
   'perform.beginning': 'Empezando',
   'perform.running': 'En marcha',

@@ -13,7 +13,12 @@ test('without a forecast nothing is said, and while it is made only that', () =>
 })
 
 test('a whole one says how long it takes and how everything stands then', () => {
-  const forecast = { state: 'whole', lasts_s: 41.2345, standing: [plain('the lamp is lit'), plain('the hand is open')] }
+  const forecast = {
+    state: 'whole',
+    lasts_s: 41.2345,
+    worlds: ['boxes'],
+    standing: [plain('the lamp is lit'), plain('the hand is open')],
+  }
   expect(texts(forecast as never, true)).toEqual([
     'It will take 41.2 s; then: the lamp is lit, the hand is open.',
     'Nothing touches what it should not.',
@@ -23,7 +28,7 @@ test('a whole one says how long it takes and how everything stands then', () => 
 })
 
 test('what goes wrong takes the place of what is clear', () => {
-  const lines = forecastLines({ state: 'whole', lasts_s: 3, mishaps: 2 }, true)
+  const lines = forecastLines({ state: 'whole', lasts_s: 3, mishaps: 2, worlds: ['boxes'] }, true)
   expect(lines.map(({ look }) => look)).toEqual(['plain', 'mishaps', 'dim'])
   expect(lines[1]!.text).toBe('On the way 2 things go wrong; their icons are marked.')
 })
@@ -36,4 +41,19 @@ test('one that does not reach the end says why, and promises nothing of what com
 })
 
 test('where the workcell stands otherwise, that is said', () =>
-  expect(texts({ state: 'whole', lasts_s: 3 }, false).at(-1)).toContain('does not stand as this assumes'))
+  expect(texts({ state: 'whole', lasts_s: 3, worlds: ['boxes'] }, false).at(-1)).toContain(
+    'does not stand as this assumes',
+  ))
+
+test('of a workcell that does not say what is touched in it nothing is promised', () => {
+  expect(texts({ state: 'whole', lasts_s: 3, worlds: ['bench'], unwatched: ['bench'] }, true)).toEqual([
+    'It will take 3 s.',
+    'What is touched in bench is not foreseen.',
+    'The workcell stands as this assumes.',
+  ])
+  const both = texts({ state: 'whole', lasts_s: 3, worlds: ['boxes', 'bench'], unwatched: ['bench'] }, true)
+  expect(both.slice(1, 3)).toEqual(['Nothing touches what it should not.', 'What is touched in bench is not foreseen.'])
+})
+
+test('of a program without a workcell only its time is foreseen', () =>
+  expect(texts({ state: 'whole', lasts_s: 0.9 }, true)).toEqual(['It will take 0.9 s.']))

@@ -85,3 +85,7 @@ class Driver(Tables, InspectedDriver, RecordedDriver, Protocol):
     def standings(self) -> dict[str, tuple[Reason, ...]]:
         """What the worlds say in sentences of how they stand, as far as they say so."""
         ...
+
+    def watched(self) -> dict[str, bool]:
+        """Of each open world whether what happens in it that no program means is told."""
+        ...

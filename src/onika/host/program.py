@@ -282,7 +282,7 @@ class RuntimeProgram:
             case steer.Onward():
                 return self.subsystems.hold.onward(session, message)
             case request.Snapshot():
-                return request.Worlds(self._driver.snapshots(), self._driver.standings())
+                return request.Worlds(self._driver.snapshots(), self._driver.standings(), self._driver.watched())
             case request.Quit():
                 self.is_over = True
                 return request.Done()

@@ -156,6 +156,8 @@ class Worlds(Struct, frozen=True, tag=True):
     snapshots: dict[str, bytes]
     standings: dict[str, tuple[Reason, ...]] = {}
     """What a world says in sentences of how it stands, where it says so."""
+    watched: dict[str, bool] = {}
+    """In a forecast: of each open world whether it says what happens there that no program means."""
 
 
 _RunRequest = Prepare | Inspect | Begin | Reply | Abort | Stop | Snapshot | Quit

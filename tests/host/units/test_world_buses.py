@@ -272,6 +272,7 @@ def test_mishaps_are_watched_from_the_opening_where_somebody_wants_them_and_the_
     buses.grant("yard:m0", 0)
     assert yard.is_watched
     assert buses.grant("plain:m0", 0).epoch == 2, "a world that knows of no mishaps is opened all the same"
+    assert buses.watched() == {"yard": True, "plain": False}
 
 
 def test_each_mishap_is_told_once_after_a_step_with_its_world_devices_and_time():  # R-E16
@@ -304,6 +305,7 @@ def test_where_nobody_wants_mishaps_none_is_watched_or_taken(messages):  # R-E16
     buses.grant("yard:m0", 0)
     buses.step(20 * MS)
     assert (yard.is_watched, yard.mishaps, messages) == (False, [FALL], [])
+    assert buses.watched() == {"yard": False}
 
 
 def test_how_worlds_stand_is_told_of_those_that_know_how():  # R-E16

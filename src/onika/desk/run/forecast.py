@@ -54,6 +54,7 @@ class ForecastResult:
     """What came of it: how long the program lasts, what happens, how everything stands at its end.
 
     cause   why it is not foreseen to its end; nothing: it is
+    watched  of each world of the program whether it says what happens there that is not meant
     scenes  what the worlds consist of in which something happens
     """
 
@@ -61,6 +62,7 @@ class ForecastResult:
     cause: Reason = NOTHING
     mishaps: list[ForeseenMishap] = field(default_factory=list)
     standing: tuple[Reason, ...] = ()
+    watched: dict[str, bool] = field(default_factory=dict)
     scenes: dict[str, dict[str, Any]] = field(default_factory=dict)
 
 
@@ -122,6 +124,7 @@ class Forecast:
         worlds = runtime.ask(request.Snapshot())
         if isinstance(worlds, request.Worlds):
             self.result.standing = tuple(said for standing in worlds.standings.values() for said in standing)
+            self.result.watched = worlds.watched
         for world in dict.fromkeys(mishap.world for mishap in self.result.mishaps):
             scenery = runtime.ask(live.Scene(world))
             if isinstance(scenery, live.Scenery):

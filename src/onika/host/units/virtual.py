@@ -260,6 +260,10 @@ class VirtualDriver:
         """What the worlds say of how they stand."""
         return self._buses.standings()
 
+    def watched(self) -> dict[str, bool]:
+        """Of each open world whether what happens in it that no program means is told."""
+        return self._buses.watched()
+
     # Inner
 
     def _keep_pace(self, realtime_factor: RealtimeFactor, listener: UnitListener) -> bool:

@@ -261,6 +261,10 @@ class WallDriver:
         """What the worlds say of how they stand."""
         return {world: sentences for taken in self._taken() for world, sentences in taken.standings.items()}
 
+    def watched(self) -> dict[str, bool]:
+        """What happens that no program means is told in forecasts only: of each open world False."""
+        return dict.fromkeys(self.worlds, False)
+
     def close(self) -> None:
         """End every process."""
         self._supervisor.end()

@@ -32,6 +32,7 @@ class Buses:
         self.sources = WorldSources()
         self.opened: dict[str, str] = {}
         """The worlds that are open, each with what names the files that it was made of."""
+        self._watched: set[str] = set()
         self._buses: dict[str, Bus] = {}
         self._claims: dict[str, int] = {}
         self._epoch = 0
@@ -91,6 +92,10 @@ class Buses:
         said = {name: bus.standing() for name, bus in self._buses.items()}
         return {name: sentences for name, sentences in said.items() if sentences}
 
+    def watched(self) -> dict[str, bool]:
+        """Of each whether what happens in it that no program means is told."""
+        return {name: name in self._watched for name in self._buses}
+
     def touch(self, world: str, part: str, value: float) -> None:
         """Touch a part of an open world; raises ValueError with the reason why not."""
         refuse_unknown(world, self._buses)
@@ -141,8 +146,10 @@ class Buses:
             bus.step(now)
             if self._is_stopped:
                 bus.world.stop()
-            if self._tell_mishap is not None and hasattr(bus.world, "watch_mishaps"):
-                bus.world.watch_mishaps()
+            watch = getattr(bus.world, "watch_mishaps", None)
+            if self._tell_mishap is not None and watch is not None:
+                watch()
+                self._watched.add(world)
             self._buses[world] = bus
         return self._buses[world]
 

@@ -88,6 +88,10 @@ class ForecastView(View, frozen=True):
     """How much happens that it does not mean; that is told among its faults."""
     standing: tuple[Reason, ...] = ()
     """How everything stands at its end."""
+    worlds: tuple[str, ...] = ()
+    """In which worlds that is."""
+    unwatched: tuple[str, ...] = ()
+    """Those of them that do not say what happens in them that no program means."""
 
 
 class ApplicationView(View, frozen=True):

@@ -15,6 +15,10 @@ from onika.wire.view import FaultView
 from onika.words.reason import Reason
 
 
+WATCHED = {"yard": True, "field": False}
+"""Of each world whether it says what happens in it that is not meant."""
+
+
 class Work:
     """A worker that does what it is asked when a test wants it, and keeps what it tells."""
 
@@ -89,7 +93,9 @@ def desk(tmp_path, monkeypatch):
     plan = Plan("test", (), ())
     monkeypatch.setattr(room, "Forecast", Foreseen)
     monkeypatch.setattr(room, "ready", lambda *_given, **_named: PreparedRun("test", None, plan, (), ()))
-    monkeypatch.setattr(Foreseen, "result", ForecastResult(3.5, standing=(Reason.plain("all is well"),)))
+    monkeypatch.setattr(
+        Foreseen, "result", ForecastResult(3.5, standing=(Reason.plain("all is well"),), watched=WATCHED)
+    )
     monkeypatch.setattr(Foreseen, "during", staticmethod(lambda: None))
     return Desk(tmp_path)
 
@@ -102,6 +108,7 @@ def test_what_rests_and_could_run_is_foreseen_once(desk):  # R-E16
     desk.work.carry_out()
     forecast = desk.shown.forecast
     assert (forecast.state, forecast.lasts_s, list(map(str, forecast.standing))) == ("whole", 3.5, ["all is well"])
+    assert (forecast.worlds, forecast.unwatched) == (("yard", "field"), ("field",))
     desk.look()
     assert desk.work.asked == []
 

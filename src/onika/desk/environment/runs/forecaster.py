@@ -151,6 +151,7 @@ def _foretelling(opened: OpenApplication, result: ForecastResult) -> Foretelling
         cause=result.cause,
         mishaps=tuple(map(_at_step, result.mishaps)),
         standing=result.standing,
+        watched=result.watched,
         scenes=result.scenes,
     )
 

@@ -6,6 +6,7 @@ What has not changed is the same object again, so that a change of one icon is s
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from typing import Literal
 
 from msgspec import structs
 
@@ -121,7 +122,9 @@ def _forecast(opened: OpenApplication) -> ForecastView:
         return ForecastView()
     if of.is_going:
         return ForecastView("going")
-    return ForecastView("part" if of.cause else "whole", of.lasts_s, of.cause, len(of.mishaps), of.standing)
+    unwatched = tuple(world for world, is_watched in of.watched.items() if not is_watched)
+    state: Literal["part", "whole"] = "part" if of.cause else "whole"
+    return ForecastView(state, of.lasts_s, of.cause, len(of.mishaps), of.standing, tuple(of.watched), unwatched)
 
 
 def _foreseen(of: Foretelling | None) -> Iterable[FaultView]:

@@ -57,6 +57,7 @@ class Foretelling:
 
     cause       why it is not foreseen to its end; nothing: it is, or is not yet
     standing    how everything stands at the end, in sentences
+    watched     of each world whether it says what happens there that is not meant
     scenes      what the worlds consist of in which something happens
     """
 
@@ -67,6 +68,7 @@ class Foretelling:
     cause: Reason = NOTHING
     mishaps: tuple[MishapAtStep, ...] = ()
     standing: tuple[Reason, ...] = ()
+    watched: Mapping[str, bool] = field(default_factory=dict)
     scenes: Mapping[str, dict[str, Any]] = field(default_factory=dict)
 
 
