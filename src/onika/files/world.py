@@ -150,10 +150,10 @@ def _switch(words: BlockWords) -> SwitchBlock:
 
 
 def _check_twice(world: WorldText, reading: TextReading) -> None:
-    """Each name once, among all blocks; `-` as often as there are parts and places without a name of their own."""
+    """Each name once, among all blocks that have one; `-` as often as there are parts and places without any."""
     seen: set[str] = set()
     for block in world.blocks:
-        if block.name in seen and block.name != UNNAMED:
+        if block.name and block.name in seen and block.name != UNNAMED:
             reading.fault(min(block.lines.values()), Reason.of("files.name_twice", name=block.name))
         seen.add(block.name)
 

@@ -14,7 +14,6 @@ from onika.wire.plan import Plan, PlannedAction
 from onika.wire.view import FaultView
 from onika.words.reason import Reason
 
-
 WATCHED = {"yard": True, "field": False}
 """Of each world whether it says what happens in it that is not meant."""
 
