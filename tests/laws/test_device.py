@@ -9,5 +9,6 @@ def test_a_hand_is_told_from_other_devices():  # R-X02
 
 def test_the_lamp_is_told_from_other_devices():  # R-X02
     assert no_lamp({"BOXES": "plus"}) is None
+    assert no_lamp({"WHEN": "on_pad"}) is None
     assert no_lamp({"ROBOT": "puma560"}) == "expected the lamp behind the device, found puma560"
     assert no_lamp({}) == "expected the lamp behind the device, found none"

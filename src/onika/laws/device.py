@@ -17,8 +17,8 @@ def no_hand(local_values: Mapping[str, Any]) -> LawSentence | None:
 
 
 def no_lamp(local_values: Mapping[str, Any]) -> LawSentence | None:
-    """Why it is not the lamp of the box assembly: a robot, or nothing that is known."""
-    if "BOXES" in local_values:
+    """Why it is no lamp with a circuit: a robot, or nothing that is known."""
+    if "BOXES" in local_values or "WHEN" in local_values:
         return None
     robot = str(local_values.get("ROBOT", ""))
     if not robot:

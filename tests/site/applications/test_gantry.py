@@ -28,6 +28,20 @@ def test_its_tour_ends_where_it_began_and_is_the_same_each_time(capsys):  # R-X1
     assert results[0][1]["hash"] == results[1][1]["hash"]
 
 
+def test_the_block_is_put_on_its_pad_and_the_lamp_is_lit(capsys):  # R-X19, R-K05
+    code, result = run(capsys, "gantry_lamp", "--virtual", "--expect", "LAMP == 1")
+    assert (code, result["state"], result["notes"]) == (0, "completed", [])
+
+
+def test_where_the_gripper_is_not_opened_the_lamp_stays_dark(tmp_path, capsys):  # R-X19
+    copytree(LAB, tmp_path, dirs_exist_ok=True)
+    program = tmp_path / "appl" / "gantry_lamp.appl"
+    whole = program.read_text()
+    program.write_text(whole.replace("UI          0.09", "UI          0.03"))
+    code, _ = run(capsys, str(program), "--virtual", "--expect", "LAMP == 0")
+    assert code == 0
+
+
 def test_its_plan_brings_the_files_of_its_world():  # R-X19
     plan = prepare_run("gantry_tour", open_site([], {}, None)).plan
     (bench,) = plan.worlds
@@ -52,4 +66,4 @@ def test_a_broken_world_is_told_with_its_line_before_anything_moves(tmp_path, ca
     assert main(["run", str(tmp_path / "appl" / "gantry_tour.appl"), "--virtual"]) != 0
     told = "".join(capsys.readouterr())
     assert f"{broken}:{line}: expected" in told
-    assert "1/4" not in told
+    assert "1/3" not in told
