@@ -1,11 +1,13 @@
-"""`onika new module`: make a module, its `.rmod` and its test from a template."""
+"""`onika new module`, `onika new robot`: a module from a template, or of a model all that runs a robot."""
 
 import argparse
 import sys
 from pathlib import Path
 
 from onika.cli.language import say
+from onika.cli.search_path import site_here
 from onika.desk.plan.module_template import create_module
+from onika.desk.plan.robot_files import create_robot
 from onika.words.reason import Reason, reason_of
 
 
@@ -16,21 +18,38 @@ def purpose() -> Reason:
 
 def describe(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
-    parser.add_argument("kind", choices=["module"], help=say(Reason.of("cli.new_kind")))
+    parser.add_argument("kind", choices=["module", "robot"], help=say(Reason.of("cli.new_kind")))
     parser.add_argument("name", metavar="NAME", help=say(Reason.of("cli.new_name")))
     parser.add_argument(
         "--in", dest="base", type=Path, default=Path(), metavar="DIR", help=say(Reason.of("cli.new_in"))
+    )
+    parser.add_argument(
+        "--name", dest="called", default="", metavar="NAME", help=say(Reason.of("cli.new_robot_name"))
     )
 
 
 def carry_out(given: argparse.Namespace) -> int:
     """Make it."""
     try:
-        paths = create_module(given.name, given.base)
+        return _robot(given) if given.kind == "robot" else _module(given)
     except (ValueError, OSError) as wrong:
         print(say(reason_of(wrong)), file=sys.stderr)
         return 1
+
+
+def _module(given: argparse.Namespace) -> int:
+    paths = create_module(given.name, given.base)
     for path in paths:
         print(path)
     print(say(Reason.of("cli.new_next", base=str(given.base), test=str(paths[-1]))))
+    return 0
+
+
+def _robot(given: argparse.Namespace) -> int:
+    made = create_robot(Path(given.name), given.base, site_here([]), given.called, say)
+    for path in made.paths:
+        print(path)
+    for note in made.notes:
+        print(say(Reason.of("cli.note", text=note)))
+    print(say(Reason.of("cli.new_robot_next", base=str(given.base), tour=made.tour)))
     return 0

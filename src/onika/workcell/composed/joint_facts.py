@@ -19,7 +19,7 @@ _SPEED = {False: 2.0, True: 0.5}
 _WIDE = {False: 2.0 * np.pi, True: 10.0}
 """How far a joint without limits goes either way (rad; m)."""
 
-_STRONG = 1000.0
+STRONGEST = 1000.0
 """The highest torque where nobody says one (N m; N)."""
 
 _MOST_NAMES = 20
@@ -220,7 +220,7 @@ def _torque(model: Any, actuator: int, joint: int) -> float:
     if is_motor and model.actuator_ctrllimited[actuator]:
         strength = abs(float(model.actuator_gainprm[actuator, 0]))
         return gear * strength * float(np.abs(model.actuator_ctrlrange[actuator]).max())
-    return _STRONG
+    return STRONGEST
 
 
 def _gains(model: Any, joints: Sequence[int], home: Array) -> Gains:

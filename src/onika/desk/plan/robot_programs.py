@@ -1,0 +1,149 @@
+"""The programs of a new robot: its tasks, jobs, targets, a small application and a test (requirement X19)."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from onika.files import appl, conf, kept, onk, rmod
+from onika.files.line import show_number
+from onika.files.rmod import RmodText
+from onika.model.application import AppFlow, Application, Icon
+from onika.model.configuration import Configuration, Placed
+from onika.model.initials import drawn
+from onika.model.kept import Demand, KeptAction, KeptFlow, KeptRun
+from onika.model.onikon import Onikon
+from onika.model.task import LocalLine, Task
+from onika.wire.robot_draft import RobotDraft
+from onika.words.reason import Reason, in_language
+
+PLACE = "stand"
+"""The place of the robot in its world."""
+
+ARM = "arm"
+"""What a draft calls an arm."""
+
+_CONSTANTS = "NDOF SCREW LINK PARENT LOAD QMIN QMAX Q^_MAX TAUMAX BASE TOOL HOME ROBOT"
+_LINE_S = 3.0
+_GRIP_S = 1.5
+_WITHIN_S = 2.0
+_CLOSE = 0.02  # how exactly joints stand at their target in the test (rad; m)
+
+Texts = Iterator[tuple[str, str]]
+
+
+@dataclass(frozen=True, slots=True)
+class RobotPrograms:
+    """The programs of the robot `name`, all made of its draft."""
+
+    name: str
+    draft: RobotDraft
+
+    @property
+    def tour(self) -> str:
+        """The name of the application."""
+        return f"{self.name}_tour"
+
+    def texts(self) -> Texts:
+        """The files, by their paths in a base directory."""
+        for task in self._tasks():
+            yield f"module/{task.name}.rmod", rmod.write(RmodText(task, ""), task)
+        for configuration in self._configurations():
+            yield f"conf/{configuration.name}.conf", conf.write(configuration)
+        icons = {icon.name: icon for icon in (*self._steps(), *self._jobs(), *self._targets())}
+        for icon in icons.values():
+            yield f"dict/{icon.name}.onk", onk.write(icon)
+        steps = tuple(Icon(icon.as_placed()) for icon in self._steps())
+        yield f"appl/{self.tour}.appl", appl.write(Application(self.tour, False, (AppFlow(steps),)))
+        yield f"tests/{self.tour}.test", kept.write(self._test())
+
+    def _tasks(self) -> Iterator[Task]:
+        yield Task(
+            self.name, "arm_pos", self._said("desk.robot_task"), outconst=tuple(_CONSTANTS.split()),
+            invar=("Q_REF", "Q^_REF"), outvar=("Q_MEZ", "Q^_MEZ", "TAU_MEZ"), frequency=500.0,
+            local=(LocalLine("DEVICE", (self._device(self.name),)),),
+        )  # fmt: skip
+        if not self.draft.opening:
+            return
+        yield Task(
+            f"{self.name}_hand", "grip", self._said("desk.robot_hand"),
+            invar=("OPEN_REF", "FORCE_REF"), outvar=("GRIP_MEZ",), frequency=250.0,
+            local=(LocalLine("DEVICE", (self._device("gripper"),)),),
+        )  # fmt: skip
+        yield Task(
+            f"{self.name}_fingers", "fingers", self._said("desk.robot_grip"),
+            invar=("GRIP_MEZ",), outvar=("OPEN_REF", "FORCE_REF"), frequency=50.0, object_type="Level job",
+            local=(LocalLine("FORCE", (show_number(self.draft.opening[2]),)),),
+        )  # fmt: skip
+
+    def _configurations(self) -> Iterator[Configuration]:
+        arm = Placed(self.name, 420, 80, frequency=500.0)
+        yield Configuration(f"jmove_{self.name}C", (arm, Placed("jtraj", 120, 80, frequency=250.0)))
+        if self.draft.line:
+            far = Placed(self.name, 720, 80, frequency=500.0)
+            others = (
+                Placed("invkin", 420, 80, frequency=250.0),
+                Placed("fwdkin", 420, 300, in_left=False, frequency=250.0),
+                Placed("ctraj", 120, 80, frequency=250.0),
+            )
+            yield Configuration(f"cmove_{self.name}C", (far, *others))
+        if self.draft.opening:
+            hand = Placed(f"{self.name}_hand", 420, 80, frequency=250.0)
+            yield Configuration(f"grip_{self.name}C", (hand, Placed(f"{self.name}_fingers", 120, 80, frequency=50.0)))
+
+    def _jobs(self) -> Iterator[Onikon]:
+        yield self._icon(f"jmove_{self.name}C", "Joint job", "desk.robot_jmove")
+        if self.draft.line:
+            yield self._icon(f"cmove_{self.name}C", "Cartesian job", "desk.robot_cmove")
+        if self.draft.opening:
+            yield self._icon(f"grip_{self.name}C", "Level job", "desk.robot_grip")
+
+    def _targets(self) -> Iterator[Onikon]:
+        draft, seconds = self.draft, (self.draft.seconds,)
+        yield self._icon(f"{self.name}_home", "Joint object", "desk.robot_home", (draft.home, seconds))
+        yield self._icon(f"{self.name}_away", "Joint object", "desk.robot_away", (draft.away, seconds))
+        if draft.line:
+            yield self._icon(f"{self.name}_line", "Cartesian object", "desk.robot_line", (draft.line, (_LINE_S,)))
+        if draft.opening:
+            yield self._icon(f"{self.name}_open", "Level object", "desk.robot_opened", ((draft.opening[0],),))
+            yield self._icon(f"{self.name}_closed", "Level object", "desk.robot_closed", ((draft.opening[1],),))
+
+    def _steps(self) -> Iterator[Onikon]:
+        """The application: open the hand, beside home, a straight line, close the hand, home."""
+        icons = {icon.name: icon for icon in (*self._jobs(), *self._targets())}
+        name = self.name
+        order = [f"grip_{name}C", f"{name}_open", f"jmove_{name}C", f"{name}_away", f"cmove_{name}C", f"{name}_line",
+                 f"grip_{name}C", f"{name}_closed", f"jmove_{name}C", f"{name}_home"]  # fmt: skip
+        yield from (icons[step] for step in order if step in icons)
+
+    def _test(self) -> KeptRun:
+        """What is demanded of the application: where the joints are in the end."""
+        robots = [(self.name, self._device(self.name))]
+        robots += [(f"{self.name}_hand", self._device("gripper"))] if self.draft.opening else []
+        demand = Demand("Q_MEZ", self.draft.home, "rad", _CLOSE)
+        flow = KeptFlow("flow0", tuple(robots), tuple(self._actions()), (demand,))
+        return KeptRun(self.tour, "", (flow,))
+
+    def _actions(self) -> Iterator[KeptAction]:
+        steps = [*self._steps()]
+        for job, target in zip(steps[::2], steps[1::2], strict=True):
+            is_grip = job.type == "Level job"
+            yield KeptAction(f"{job.name} {target.name}", _GRIP_S if is_grip else _seconds(target), _WITHIN_S)
+
+    def _icon(self, name: str, kind: str, key: str, values: tuple[tuple[float, ...], ...] = ()) -> Onikon:
+        reason = self._reason(key)
+        words = (("es", in_language(reason, "es")),)
+        arm = self.name if kind == "Joint object" else ""
+        return Onikon(name, kind, reason.text, values, drawn(name), words=words, arm=arm)
+
+    def _said(self, key: str) -> str:
+        return self._reason(key).text
+
+    def _reason(self, key: str) -> Reason:
+        return Reason.of(key, name=self.name)
+
+    def _device(self, word: str) -> str:
+        return f"{self.name}:{word}_{PLACE}"
+
+
+def _seconds(target: Onikon) -> float:
+    """How long the way to a target takes, its last value."""
+    return float(target.values[-1][0])

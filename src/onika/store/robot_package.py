@@ -1,0 +1,100 @@
+"""The model of a robot with all files that it needs, as it comes into a base directory (requirement X19)."""
+
+import os
+from collections.abc import Iterable, Mapping, Set
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from onika.store.model_file import Needed, self_contained
+from onika.store.urdf_repair import repaired
+from onika.wire.world_source import WorldFile, WorldSource, digest_of
+from onika.words.reason import Reason
+
+ROBOTS = "robot"
+_URDF = ".urdf"
+
+
+@dataclass(frozen=True, slots=True)
+class RobotPackage:
+    """A model on its way into a base directory.
+
+    file       the model, from the folder `robot` on
+    contents   files to be written, by their paths in the base directory
+    source     the same as something that is sent, without a world and a description
+    origins    where the files that it needs were read, by their names in `source`
+    notes      what was repaired, or is lacking
+    """
+
+    file: str
+    contents: Mapping[str, bytes]
+    source: WorldSource
+    origins: Mapping[str, Path]
+    notes: tuple[Reason, ...]
+
+
+def package(path: Path, name: str, base: Path, dropped: Set[Path] = frozenset()) -> RobotPackage:
+    """The model at a path for the robot `name` in a base directory; raises ValueError with the reason why not.
+
+    A model in MJCF that lies in the base directory stays there; a URDF is repaired, without the meshes `dropped`.
+    """
+    if path.suffix.lower() == _URDF:
+        return _urdf(path, name, dropped)
+    content, needed, faults = self_contained(path)
+    if content is None:
+        raise ValueError(faults[0].reason)
+    notes = tuple(fault.sentence for fault in faults)
+    robots = (base / ROBOTS).resolve()
+    if path.resolve().is_relative_to(robots):
+        file = path.resolve().relative_to(robots).as_posix()
+        return _packaged(name, file, {}, (path, content), needed, notes)
+    where = {Path(os.path.normpath(one.path)): one.path.read_bytes() for one in needed}
+    where[path.resolve()] = path.read_bytes()
+    root = _root(where)
+    contents = {f"{ROBOTS}/{name}/{file.relative_to(root).as_posix()}": data for file, data in where.items()}
+    file = f"{name}/{path.resolve().relative_to(root).as_posix()}"
+    return _packaged(name, file, contents, (path, content), needed, notes)
+
+
+def _urdf(path: Path, name: str, dropped: Set[Path]) -> RobotPackage:
+    repair = repaired(path, dropped)
+    root = _root(repair.meshes.values())
+    places = {file: f"{name}/{file.relative_to(root).as_posix()}" for file in repair.meshes.values()}
+    text = repair.text({given: places[file] for given, file in repair.meshes.items()})
+    contents = {f"{ROBOTS}/{place}": file.read_bytes() for file, place in places.items()}
+    contents[f"{ROBOTS}/{name}{_URDF}"] = text
+    with TemporaryDirectory() as folder:
+        for place, data in contents.items():
+            staged = Path(folder, place)
+            staged.parent.mkdir(parents=True, exist_ok=True)
+            staged.write_bytes(data)
+        content, needed, faults = self_contained(Path(folder, ROBOTS, name + _URDF))
+    if content is None:
+        raise ValueError(faults[0].reason)
+    made = _packaged(name, name + _URDF, contents, (path, content), needed, repair.notes)
+    by_place = {Path(place).name: file for file, place in places.items()}
+    origins = {one.name: by_place.get(one.path.name, one.path) for one in needed}
+    return RobotPackage(made.file, made.contents, made.source, origins, made.notes)
+
+
+def _packaged(
+    name: str,
+    file: str,
+    contents: Mapping[str, bytes],
+    model: tuple[Path, bytes],
+    needed: tuple[Needed, ...],
+    notes: tuple[Reason, ...],
+) -> RobotPackage:
+    path, content = model
+    files = (
+        WorldFile(f"{ROBOTS}/{file}", str(path), content),
+        *(WorldFile(one.name, str(one.path), one.content) for one in needed),
+    )
+    origins = {one.name: one.path for one in needed}
+    return RobotPackage(file, contents, WorldSource(name, digest_of(files), files), origins, notes)
+
+
+def _root(files: Iterable[Path]) -> Path:
+    """The folder in which, at some depth, all files lie."""
+    folders = [str(file.parent) for file in files]
+    return Path(os.path.commonpath(folders)) if folders else Path("/")

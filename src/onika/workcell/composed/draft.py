@@ -1,0 +1,236 @@
+"""The first draft of a robot's description: `python -m onika.workcell.composed.draft NAME FILE < files > draft`.
+
+The input is a `WorldSource` with the model and what it needs, the output a `RobotDraft`, both in msgpack. It is a
+program of its own, so that whoever writes descriptions needs no physics. Exit 0: there is an answer; 2: wrong words.
+"""
+
+import sys
+from collections.abc import Iterator
+from typing import Any
+
+import mujoco
+import numpy as np
+from msgspec import msgpack
+
+from onika.files import robot as robot_file
+from onika.laws.frames import Array
+from onika.model.robot import RobotArm, RobotAxes, RobotDevice, RobotGripper, RobotText
+from onika.wire.robot_draft import RobotDraft
+from onika.wire.world_source import WorldSource
+from onika.words.fault import Fault
+from onika.words.reason import Reason, reason_of
+from onika.workcell.composed.draft_chain import DraftChain, DraftTool, draft_chain, draft_tool
+from onika.workcell.composed.draft_gripper import DraftHand, draft_hand
+from onika.workcell.composed.draft_motion import (
+    LEAST_JOINTS,
+    beside_home,
+    lowest_point,
+    seconds_between,
+    straight_line,
+)
+from onika.workcell.composed.gripper_facts import GripperFacts
+from onika.workcell.composed.joint_facts import STRONGEST, JointFacts
+from onika.workcell.composed.robot_model import RobotModel, compiled, robot_model, robot_spec
+from onika.workcell.composed.sources import SourceTexts
+
+Comment = tuple[str, str, Reason]
+
+_SPARE_M = 0.02  # so much below the lowest shape is the floor where it has to be lower than 0
+_TOUCH_M = 0.001
+_URDF = ".urdf"
+
+
+def main(words: list[str]) -> int:
+    """Read the files, write the draft; gives the exit code."""
+    if len(words) != 2:
+        print("usage: python -m onika.workcell.composed.draft NAME FILE < files > draft", file=sys.stderr)
+        return 2
+    mujoco.set_mju_user_warning(lambda _text: None)
+    files = msgpack.decode(sys.stdin.buffer.read(), type=WorldSource)
+    sys.stdout.buffer.write(msgpack.encode(draft(files, *words)))
+    return 0
+
+
+def draft(files: WorldSource, name: str, file: str) -> RobotDraft:
+    """The draft of the robot `name` with the model `file`; with a refusal where there can be none."""
+    sources = SourceTexts(files)
+    bare = RobotText(name, file)
+    try:
+        model = compiled(robot_spec(sources, bare))
+    except ValueError as wrong:
+        return RobotDraft(refusal=reason_of(wrong), unusable=tuple(_unusable(files)))
+    chain = draft_chain(model)
+    if chain is None:
+        return RobotDraft(refusal=Reason.of("workcell.draft_no_joints"))
+    home = _home(model, chain)
+    hand = draft_hand(model, chain, home)
+    tool = draft_tool(model, _data(model, chain, home), chain, hand.fingers)
+    robot = RobotText(name, file, name, devices=tuple(_devices(model, chain, tool, hand)))
+    faults: list[Fault] = []
+    known = robot_model(sources, robot, faults)
+    arm = next((facts for facts in known.joints if facts.start), None) if known else None
+    if known is None or arm is None:
+        return RobotDraft(refusal=faults[0].reason)
+    return _complete(model, known, arm, (chain, tool, hand), faults, sources)
+
+
+def _complete(
+    model: Any,
+    known: RobotModel,
+    arm: JointFacts,
+    guesses: tuple[DraftChain, DraftTool, DraftHand],
+    faults: list[Fault],
+    sources: SourceTexts,
+) -> RobotDraft:
+    """The draft with what is known of the devices that can be used."""
+    chain, _, hand = guesses
+    usable = {facts.name for facts in known.joints} | {facts.gripper.name for facts in known.grippers}
+    devices = tuple(_filled(device, arm) for device in known.robot.devices if device.name in usable)
+    robot = RobotText(known.robot.name, known.robot.file, known.robot.description, devices=devices)
+    away = beside_home(model, arm, known.excluded)
+    lowest = lowest_point(model, arm, (arm.home, away))
+    floor = 0.0 if lowest > -_TOUCH_M else float(np.floor(100.0 * (lowest - _SPARE_M)) / 100.0)
+    line = straight_line(arm, away)
+    urdf_speeds = known.robot.file.endswith(_URDF)
+    gripper = known.grippers[0] if known.grippers else None
+    notes = [*chain.notes, *(Reason.of("workcell.draft_fault", reason=fault.reason) for fault in faults)]
+    notes += _missing(model, chain, arm, sources, known.robot.file)
+    notes += [Reason.of("workcell.draft_still")] if np.array_equal(away, arm.home) else []
+    notes += [Reason.of("workcell.draft_no_line")] if len(arm.joints) >= LEAST_JOINTS and not line else []
+    notes += [Reason.of("workcell.draft_floor", floor=floor)] if floor else []
+    notes += [Reason.of("workcell.draft_no_gripper")] if gripper is None else []
+    notes += [hand.origin] if isinstance(hand.device, RobotAxes) else []
+    return RobotDraft(
+        text=robot_file.write(robot),
+        comments=tuple(_comments(model, robot, arm, guesses, is_urdf=urdf_speeds)),
+        notes=tuple(notes),
+        floor=floor,
+        home=tuple(arm.home.tolist()),
+        away=tuple(away.tolist()),
+        seconds=seconds_between(arm, away),
+        line=line,
+        opening=_opening(gripper) if gripper else (),
+    )
+
+
+def _opening(gripper: GripperFacts) -> tuple[float, ...]:
+    force = float(np.clip(0.5 * gripper.force, 0.1, 100.0))
+    return gripper.gripper.open[1], gripper.gripper.closed[1], round(force, 2)
+
+
+def _devices(model: Any, chain: DraftChain, tool: DraftTool, hand: DraftHand) -> Iterator[RobotDevice]:
+    lines = {"ARM": 1}
+    yield RobotArm("arm", tool.name, tool.offset, tool.approach, tool.fingers, chain.start, lines=lines)
+    if hand.device is not None:
+        yield _lined(hand.device)
+    taken = set(hand.device.moves) if isinstance(hand.device, RobotAxes | RobotGripper) else set()
+    joint = int(mujoco.mjtTrn.mjTRN_JOINT)
+    others = [
+        model.actuator(k).name
+        for k in range(model.nu)
+        if int(model.actuator_trntype[k]) == joint
+        and int(model.actuator_trnid[k, 0]) not in chain.joints
+        and int(model.jnt_bodyid[int(model.actuator_trnid[k, 0])]) not in hand.fingers
+        and model.actuator(k).name not in taken
+    ]
+    if others:
+        yield RobotAxes("others", tuple(others[:64]), lines={"AXES": 1})
+
+
+def _lined(device: RobotDevice) -> RobotDevice:
+    """A device with a line, as that of a file has one."""
+    if isinstance(device, RobotGripper):
+        return RobotGripper(device.name, device.moves, device.open, device.closed, device.force, {"GRIPPER": 1})
+    return RobotAxes(device.name, device.moves, lines={"AXES": 1}) if isinstance(device, RobotAxes) else device
+
+
+def _filled(device: RobotDevice, arm: JointFacts) -> RobotDevice:
+    """An arm with all that was found out of it."""
+    if not isinstance(device, RobotArm):
+        return device
+    home, speed, torque = (tuple(map(float, values)) for values in (arm.home, arm.speed, arm.torque))
+    return RobotArm(
+        device.name, device.tool, device.offset, device.approach, device.fingers, device.start,
+        home=home, speed=speed, torque=torque,
+    )  # fmt: skip
+
+
+def _comments(
+    model: Any,
+    robot: RobotText,
+    arm: JointFacts,
+    guesses: tuple[DraftChain, DraftTool, DraftHand],
+    *,
+    is_urdf: bool,
+) -> Iterator[Comment]:
+    chain, tool, hand = guesses
+    yield "ARM", "ARM", Reason.of("workcell.draft_arm", count=len(arm.joints), joints=arm.joints)
+    yield "ARM", "TOOL", tool.origin
+    yield "ARM", "APPROACH", Reason.of("workcell.draft_axes")
+    yield "ARM", "FROM", Reason.of("workcell.draft_from")
+    has_key = any(model.key(k).name == "home" for k in range(model.nkey))
+    yield "ARM", "HOME", Reason.of("workcell.draft_home_key" if has_key else "workcell.draft_home_zero")
+    yield "ARM", "SPEED", Reason.of("workcell.draft_speed_urdf" if is_urdf else "workcell.draft_speed")
+    is_known = bool(np.all(arm.torque < STRONGEST))
+    yield "ARM", "TORQUE", Reason.of("workcell.draft_torque" if is_known else "workcell.draft_torque_none")
+    if isinstance(hand.device, RobotGripper):
+        yield "GRIPPER", "OPEN", hand.origin
+    if any(device.name == "others" for device in robot.devices):
+        yield "AXES", "AXES", Reason.of("workcell.draft_others")
+
+
+def _missing(model: Any, chain: DraftChain, arm: JointFacts, sources: SourceTexts, file: str) -> Iterator[Reason]:
+    """What an arm needs and its model does not say."""
+    endless = tuple(model.joint(k).name for k in chain.joints if not model.jnt_limited[k])
+    if endless:
+        yield Reason.of("workcell.draft_endless", joints=endless)
+    weak = tuple(name for name, torque in zip(arm.joints, arm.torque, strict=True) if torque >= STRONGEST)
+    if weak:
+        yield Reason.of("workcell.draft_strong", joints=weak, most=STRONGEST)
+    light = tuple(
+        model.body(body).name for body in dict.fromkeys(int(model.jnt_bodyid[k]) for k in chain.joints)
+        if float(np.ravel(model.body_subtreemass[body])[0]) < 1e-4
+    )  # fmt: skip
+    if light:
+        yield Reason.of("workcell.draft_massless", bodies=light)
+    if not len(sources.model(f"robot/{file}").actuators):
+        yield Reason.of("workcell.draft_motors")
+    coupled = int(np.sum(model.eq_type == int(mujoco.mjtEq.mjEQ_JOINT))) if model.neq else 0
+    if coupled:
+        yield Reason.of("workcell.draft_coupled", count=coupled)
+
+
+def _home(model: Any, chain: DraftChain) -> Array:
+    at = [int(model.jnt_qposadr[joint]) for joint in chain.joints]
+    keys = [k for k in range(model.nkey) if model.key(k).name == "home"]
+    home: Array = np.array(model.key_qpos[keys[0]][at]) if keys else np.zeros(len(at))
+    for k, joint in enumerate(chain.joints):
+        if model.jnt_limited[joint]:
+            home[k] = np.clip(home[k], *model.jnt_range[joint])
+    return home
+
+
+def _data(model: Any, chain: DraftChain, home: Array) -> Any:
+    data = mujoco.MjData(model)
+    data.qpos[[int(model.jnt_qposadr[joint]) for joint in chain.joints]] = home
+    mujoco.mj_forward(model, data)
+    return data
+
+
+def _unusable(files: WorldSource) -> Iterator[str]:
+    """The meshes of a model that MuJoCo does not take, each tried alone."""
+    for file in files.files:
+        if file.name.rpartition(".")[2] not in ("stl", "obj", "msh", "dae"):
+            continue
+        spec = mujoco.MjSpec()
+        spec.add_mesh(name="mesh", file=file.name)
+        spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname="mesh")
+        spec.assets = {file.name: file.content}
+        try:
+            spec.compile()
+        except (ValueError, RuntimeError):
+            yield file.name
+
+
+if __name__ == "__main__":
+    raise SystemExit(main(sys.argv[1:]))

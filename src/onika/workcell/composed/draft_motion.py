@@ -1,0 +1,109 @@
+"""A little motion with which a new robot can be tried: beside home, free of itself, and a straight line from there."""
+
+from collections.abc import Iterator, Sequence
+from itertools import product
+from typing import Any
+
+import mujoco
+import numpy as np
+
+from onika.laws import reach
+from onika.laws.arm_identity import arm_constants
+from onika.laws.frames import Array
+from onika.workcell.composed.joint_facts import JointFacts
+
+LEAST_JOINTS = 6
+"""An arm of fewer joints goes no straight line to any pose."""
+
+_TURNS = (0.3, 0.2, 0.1)
+_DEEP_M = 0.001
+_LINES_M = (0.06, 0.03)
+_POINTS = 12
+_JUMP = 0.2  # between two points of a straight line a joint turns no further (rad)
+_SHORTEST_S = 2.0
+
+
+def beside_home(model: Any, facts: JointFacts, excluded: Sequence[tuple[str, str]]) -> Array:
+    """Joint values a little beside home, where the robot does not reach into itself; home where there are none."""
+    apart = {frozenset(pair) for pair in excluded}
+    for turn, sign in product(_TURNS, (1.0, -1.0)):
+        slides = facts.highest - facts.lowest < turn * 4.0
+        step = np.where(slides, (facts.highest - facts.lowest) / 4.0, turn)
+        inward = np.where(facts.home + sign * step <= facts.highest, sign, -sign)
+        away: Array = np.round(np.clip(facts.home + inward * step, facts.lowest, facts.highest), 4)
+        away = np.clip(away, facts.lowest, facts.highest)
+        between = (facts.home + part * (away - facts.home) for part in (0.25, 0.5, 0.75, 1.0))
+        if not any(_meets(model, facts, values, apart) for values in between):
+            return away
+    return facts.home
+
+
+def seconds_between(facts: JointFacts, away: Array) -> float:
+    """How long a joint path of fifth order between home and there takes without haste."""
+    return max(_SHORTEST_S, float(np.ceil(4.0 * np.max(np.abs(away - facts.home) / facts.speed))))
+
+
+def straight_line(facts: JointFacts, away: Array) -> tuple[float, ...]:
+    """The nine numbers of a pose to which the tool goes straight from there; empty: none was found."""
+    if len(facts.joints) < LEAST_JOINTS:
+        return ()
+    constants = arm_constants({**facts.constants, "BASE": tuple(np.eye(4).ravel().tolist())})
+    nine = reach.poses(constants, [away.tolist()])[0]
+    for length, way in product(_LINES_M, _ways()):
+        points = [_shifted(nine, way, length * k / _POINTS) for k in range(_POINTS + 1)]
+        if _is_followed(reach.postures(constants, points, away.tolist()), away):
+            return tuple(np.round(points[-1], 6).tolist())
+    return ()
+
+
+def lowest_point(model: Any, facts: JointFacts, postures: Sequence[Array]) -> float:
+    """The height of the lowest shape of a robot that stands at 0, in any of some postures (m)."""
+    lowest = 0.0
+    for values in postures:
+        data = _at(model, facts, values)
+        for geom in range(model.ngeom):
+            turn = np.abs(data.geom_xmat[geom].reshape(3, 3))
+            centre, half = model.geom_aabb[geom, :3], model.geom_aabb[geom, 3:]
+            middle = data.geom_xpos[geom, 2] + float(data.geom_xmat[geom].reshape(3, 3)[2] @ centre)
+            is_plane = int(model.geom_type[geom]) == int(mujoco.mjtGeom.mjGEOM_PLANE)
+            lowest = min(lowest, lowest if is_plane else float(middle - turn[2] @ half))
+    return lowest
+
+
+def _ways() -> Iterator[Array]:
+    for axis, sign in product((2, 0, 1), (1.0, -1.0)):
+        way = np.zeros(3)
+        way[axis] = sign
+        yield way
+
+
+def _shifted(nine: Array, way: Array, length: float) -> Array:
+    moved: Array = np.array(nine)
+    moved[6:9] += length * way
+    return moved
+
+
+def _is_followed(postures: Sequence[Array | str], start: Array) -> bool:
+    before = start
+    for posture in postures:
+        if isinstance(posture, str) or np.abs(posture - before).max() > _JUMP:
+            return False
+        before = posture
+    return True
+
+
+def _meets(model: Any, facts: JointFacts, values: Array, apart: set[frozenset[str]]) -> bool:
+    data = _at(model, facts, values)
+    for contact in np.flatnonzero(data.contact.dist < -_DEEP_M).tolist():
+        bodies = [int(model.geom_bodyid[geom]) for geom in data.contact.geom[contact]]
+        if frozenset(model.body(body).name for body in bodies) not in apart:
+            return True
+    return False
+
+
+def _at(model: Any, facts: JointFacts, values: Array) -> Any:
+    data = mujoco.MjData(model)
+    for name, value in zip(facts.joints, values, strict=True):
+        data.joint(name).qpos[0] = value
+    mujoco.mj_forward(model, data)
+    return data
