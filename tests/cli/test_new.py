@@ -1,5 +1,7 @@
 import pytest
 
+from kit.worlds.file_cells import ARM
+from kit.worlds.robot_models import FAULTS, FAULTY, PLAIN, STATUE
 from onika.cli import main
 
 
@@ -34,5 +36,26 @@ def test_a_place_that_cannot_be_written_to_is_told(tmp_path, capsys):
 
 def test_only_what_there_is_a_template_for_can_be_made(capsys):
     with pytest.raises(SystemExit):
-        main(["new", "robot", "gain"])
+        main(["new", "planet", "gain"])
     assert "module" in capsys.readouterr().err
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("file", "text"), [("elbow.xml", ARM), ("plain.xml", PLAIN), ("six.urdf", FAULTY)])
+def test_of_a_model_a_robot_is_made_that_is_checked_and_runs_at_once(tmp_path, capsys, file, text):  # R-X19
+    (tmp_path / file).write_text(text)
+    mine, name = tmp_path / "mine", file.partition(".")[0]
+    assert main(["new", "robot", str(tmp_path / file), "--in", str(mine)]) == 0
+    out = capsys.readouterr().out
+    assert f"{mine}/robot/{name}.robot" in out
+    assert all(f"note: {fault}" in out for fault in (FAULTS if text == FAULTY else ()))
+    assert main(["check", str(mine)]) == 0
+    assert main(["run", f"{name}_tour", "--local", str(mine), "--virtual"]) == 0
+    assert main(["test", str(mine)]) == 0
+
+
+def test_a_model_of_which_no_robot_can_be_made_is_refused_with_the_reason(tmp_path, capsys):  # R-X19
+    (tmp_path / "stone.xml").write_text(STATUE)
+    assert main(["new", "robot", str(tmp_path / "stone.xml"), "--in", str(tmp_path / "mine")]) == 1
+    assert "nothing to move" in capsys.readouterr().err
+    assert not (tmp_path / "mine").exists()

@@ -74,3 +74,17 @@ def test_fingers_that_never_rest_end_it_too():
 def test_an_opening_that_is_none_is_asked_for_again():
     bench = Bench(MODULES / "squeeze.py", frequency=50).init()
     assert bench.on("-1 5").state is State.ASKING
+
+
+def test_fingers_go_to_the_opening_of_their_target_and_stop_when_they_stand_still():  # R-X19
+    bench = Bench(MODULES / "fingers.py", frequency=50, local={"FORCE": "7"}).init()
+    bench["GRIP_MEZ"] = (0.0, 0.0, 0.0)
+    bench.on("0.05")
+    assert (bench["OPEN_REF"], bench["FORCE_REF"]) == (0.05, 7.0)
+    bench["GRIP_MEZ"] = (0.02, 0.1, 0.0)
+    for _ in range(20):
+        bench.cycle()
+    assert bench.finished is None
+    bench["GRIP_MEZ"] = (0.05, 0.0, 0.0)
+    bench.cycle()
+    assert bench.finished is not None

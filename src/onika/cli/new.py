@@ -23,9 +23,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--in", dest="base", type=Path, default=Path(), metavar="DIR", help=say(Reason.of("cli.new_in"))
     )
-    parser.add_argument(
-        "--name", dest="called", default="", metavar="NAME", help=say(Reason.of("cli.new_robot_name"))
-    )
+    parser.add_argument("--name", dest="called", default="", metavar="NAME", help=say(Reason.of("cli.new_robot_name")))
 
 
 def carry_out(given: argparse.Namespace) -> int:

@@ -25,7 +25,7 @@ def possible_inertia(inertia: Element) -> bool:
     possible = np.maximum(moments, max(_LEAST, _SHARE * float(np.abs(moments).max())))
     lacking = float(possible[2] - possible[0] - possible[1])
     possible = possible + max(lacking, 0.0)
-    is_changed = float(np.abs(possible - moments).max()) > _ROUND * max(1.0, float(np.abs(moments).max()))
+    is_changed = float(np.abs(possible - moments).max()) > _ROUND * float(np.abs(moments).max())
     sound = axes @ np.diag(possible) @ axes.T if is_changed else given
     for key, row, column in _KEYS:
         inertia.set(key, repr(float(sound[row, column])))

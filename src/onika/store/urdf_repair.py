@@ -44,7 +44,8 @@ class UrdfRepair:
         """The document with other names for its meshes."""
         for mesh in self.root.iter("mesh"):
             mesh.set("filename", names[mesh.get("filename", "")])
-        return ElementTree.tostring(self.root, encoding="utf-8", xml_declaration=True) + b"\n"
+        text: str = ElementTree.tostring(self.root, encoding="unicode")
+        return f'<?xml version="1.0"?>\n{text}\n'.encode()
 
 
 def repaired(path: Path, dropped: Set[Path] = frozenset()) -> UrdfRepair:
@@ -114,12 +115,13 @@ def _repair_numbers(element: Element, where: str) -> Iterator[Reason]:
     for key in [key for key in element.attrib if key != "joint"]:
         given = element.attrib[key].strip()
         numbers = _NUMBER.findall(given)
-        if len(numbers) == 1:
-            element.set(key, numbers[0])
-        else:
+        if len(numbers) != 1:
             del element.attrib[key]
-        if len(numbers) != 1 or numbers[0] != given:
             yield Reason.of("store.urdf_number", where=where, key=key)
+            continue
+        element.set(key, numbers[0])
+        if numbers[0] != given:
+            yield Reason.of("store.urdf_number_read", where=where, key=key, given=given, number=numbers[0])
 
 
 def _repair_rows(named: Element) -> Iterator[Reason]:

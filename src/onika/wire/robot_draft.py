@@ -23,7 +23,7 @@ class RobotDraft(Struct, frozen=True):
     seconds: float = 0.0
     """How long the way from one to the other takes."""
     line: tuple[float, ...] = ()
-    """A pose as a Cartesian target has it, in a straight line from `away`; empty: there is none, or the arm is small."""
+    """A pose as a Cartesian target has it, in a straight line from `away`; empty: there is none, or few joints."""
     opening: tuple[float, ...] = ()
     """The widths of a gripper, open and closed (m), and a force (N); empty: there is none."""
     refusal: Reason = NOTHING

@@ -43,7 +43,7 @@ _URDF = ".urdf"
 def main(words: list[str]) -> int:
     """Read the files, write the draft; gives the exit code."""
     if len(words) != 2:
-        print("usage: python -m onika.workcell.composed.draft NAME FILE < files > draft", file=sys.stderr)
+        sys.stderr.write("usage: python -m onika.workcell.composed.draft NAME FILE < files > draft\n")
         return 2
     mujoco.set_mju_user_warning(lambda _text: None)
     files = msgpack.decode(sys.stdin.buffer.read(), type=WorldSource)
@@ -163,7 +163,7 @@ def _comments(
     *,
     is_urdf: bool,
 ) -> Iterator[Comment]:
-    chain, tool, hand = guesses
+    _, tool, hand = guesses
     yield "ARM", "ARM", Reason.of("workcell.draft_arm", count=len(arm.joints), joints=arm.joints)
     yield "ARM", "TOOL", tool.origin
     yield "ARM", "APPROACH", Reason.of("workcell.draft_axes")

@@ -1,4 +1,4 @@
-"""Which joints of a model make its arm, and where the tool is: guessed from its tree and its names (requirement X19)."""
+"""Which joints of a model make its arm, and where the tool is: guessed from tree and names (requirement X19)."""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -13,6 +13,7 @@ from onika.words.reason import Reason
 
 _FINGER = re.compile(r"grip|finger|jaw|knuckle|thumb", re.IGNORECASE)
 _TOOL = re.compile(r"tool|tcp|pinch|grasp|grip|attach|flange|ee\b|_ee|end.?eff|tip|hook", re.IGNORECASE)
+_POINT = re.compile(r"tcp|pinch|grasp|ee\b|_ee|end.?eff|tip", re.IGNORECASE)
 _MOVING = (int(mujoco.mjtJoint.mjJNT_HINGE), int(mujoco.mjtJoint.mjJNT_SLIDE))
 _FAR_M = 0.02  # a tool nearer to the last joint than this says nothing of a direction
 
@@ -73,7 +74,12 @@ def draft_tool(model: Any, data: Any, chain: DraftChain, fingers: Sequence[int])
         frame, at, name = data.xmat[body], data.xpos[body], model.body(body).name
         origin = Reason.of("workcell.draft_tool_body")
         offset = np.zeros(3)
-        if fingers:
+        points = [part for part in named if _POINT.search(model.body(part).name)]
+        if points:
+            body = points[0]
+            frame, at, name = data.xmat[body], data.xpos[body], model.body(body).name
+            origin = Reason.of("workcell.draft_tool_named")
+        elif fingers:
             between = np.mean([data.xipos[finger] for finger in fingers], axis=0)
             offset = np.round(frame.reshape(3, 3).T @ (between - at), 4)
             at, origin = between, Reason.of("workcell.draft_tool_between")

@@ -1,0 +1,49 @@
+import pytest
+
+from kit.worlds.robot_models import FAULTS, FAULTY
+from onika.store.urdf_repair import repaired
+
+SOUND = """<robot name="r"><link name="a"><visual><geometry><mesh filename="package://r/m/a.stl"/></geometry></visual>
+</link></robot>"""
+
+
+def written(folder, text, name="robot.urdf"):
+    path = folder / "urdf" / name
+    path.parent.mkdir(exist_ok=True)
+    path.write_text(text)
+    return path
+
+
+def test_every_planted_fault_is_repaired_and_told(tmp_path):  # R-X19
+    repair = repaired(written(tmp_path, FAULTY))
+    assert [note.text for note in repair.notes] == list(FAULTS)
+
+
+def test_a_mesh_of_a_package_is_looked_for_in_the_folders_above(tmp_path):  # R-X19
+    mesh = tmp_path / "m" / "a.stl"
+    mesh.parent.mkdir()
+    mesh.write_bytes(b"")
+    repair = repaired(written(tmp_path, SOUND))
+    assert (repair.notes, repair.meshes) == ((), {"package://r/m/a.stl": mesh.resolve()})
+    assert b'filename="r/a.stl"' in repair.text({"package://r/m/a.stl": "r/a.stl"})
+
+
+def test_a_mesh_that_cannot_be_used_is_dropped_with_its_shape(tmp_path):  # R-X19
+    mesh = tmp_path / "m" / "a.stl"
+    mesh.parent.mkdir()
+    mesh.write_bytes(b"")
+    repair = repaired(written(tmp_path, SOUND), {mesh.resolve()})
+    assert ([note.key for note in repair.notes], repair.meshes) == (["store.urdf_unusable"], {})
+    assert b"<visual>" not in repair.text({})
+
+
+def test_prefixes_and_odd_bytes_are_struck_out(tmp_path):  # R-X19
+    prefixed = repaired(written(tmp_path, '<robot name="r"><x:y/><link name="a"/></robot>'))
+    odd = repaired(written(tmp_path, '<robot name="r & co"><link name="a\x01"/></robot>'))
+    assert [note.key for note in (*prefixed.notes, *odd.notes)] == ["store.urdf_prefixes", "store.urdf_characters"]
+
+
+@pytest.mark.parametrize("text", ["hello", "", "<html/>", '<!DOCTYPE r [<!ENTITY a "b">]><robot name="&a;"/>'])
+def test_what_is_no_robot_is_refused(tmp_path, text):  # R-X19
+    with pytest.raises(ValueError, match=r"."):
+        repaired(written(tmp_path, text))

@@ -1,0 +1,45 @@
+import mujoco
+import numpy as np
+
+from kit.worlds.file_cells import ARM, files_of
+from onika.workcell.composed.draft_motion import beside_home, lowest_point, seconds_between, straight_line
+from onika.workcell.composed.robot_model import robot_model
+from onika.workcell.composed.sources import SourceTexts
+
+MODEL = mujoco.MjModel.from_xml_string(ARM)
+
+
+def elbow():
+    sources = SourceTexts(files_of())
+    return robot_model(sources, sources.robots["elbow"], [])
+
+
+def facts():
+    return elbow().joints[0]
+
+
+def test_beside_home_is_another_posture_within_the_limits():  # R-X19
+    arm = facts()
+    away = beside_home(MODEL, arm, elbow().excluded)
+    assert np.all((arm.lowest <= away) & (away <= arm.highest))
+    assert np.all(np.abs(away - arm.home) > 0.04)
+    assert seconds_between(arm, away) == 2.0
+
+
+def test_a_posture_in_which_the_robot_meets_itself_is_not_taken():  # R-X19
+    wall = '<geom name="wall" type="sphere" size="1" pos="0 0 0.5"/><body name="foot">'
+    model = mujoco.MjModel.from_xml_string(ARM.replace('<body name="foot">', wall))
+    arm = facts()
+    assert np.array_equal(beside_home(model, arm, elbow().excluded), arm.home)
+
+
+def test_an_arm_of_few_joints_goes_no_straight_line():  # R-X19
+    arm = facts()
+    assert straight_line(arm, arm.home) == ()
+
+
+def test_a_robot_that_reaches_below_its_foot_is_measured():  # R-X19
+    arm = facts()
+    assert lowest_point(MODEL, arm, (arm.home,)) > -1e-6
+    deep = mujoco.MjModel.from_xml_string(ARM.replace('<body name="foot">', '<body name="foot" pos="0 0 -0.5">'))
+    assert lowest_point(deep, arm, (arm.home,)) < -0.49
