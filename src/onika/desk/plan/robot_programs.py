@@ -22,6 +22,7 @@ ARM = "arm"
 """What a draft calls an arm."""
 
 _CONSTANTS = "NDOF SCREW LINK PARENT LOAD QMIN QMAX Q^_MAX TAUMAX BASE TOOL HOME ROBOT"
+_JOINT, _CARTESIAN, _LEVEL = "Joint", "Cartesian", "Level"  # types of the syntax
 _LINE_S = 3.0
 _GRIP_S = 1.5
 _WITHIN_S = 2.0
@@ -70,7 +71,7 @@ class RobotPrograms:
         )  # fmt: skip
         yield Task(
             f"{self.name}_fingers", "fingers", self._said("desk.robot_grip"),
-            invar=("GRIP_MEZ",), outvar=("OPEN_REF", "FORCE_REF"), frequency=50.0, object_type="Level job",
+            invar=("GRIP_MEZ",), outvar=("OPEN_REF", "FORCE_REF"), frequency=50.0, object_type=f"{_LEVEL} job",
             local=(LocalLine("FORCE", (show_number(self.draft.opening[2]),)),),
         )  # fmt: skip
 
@@ -90,21 +91,21 @@ class RobotPrograms:
             yield Configuration(f"grip_{self.name}C", (hand, Placed(f"{self.name}_fingers", 120, 80, frequency=50.0)))
 
     def _jobs(self) -> Iterator[Onikon]:
-        yield self._icon(f"jmove_{self.name}C", "Joint job", "desk.robot_jmove")
+        yield self._icon(f"jmove_{self.name}C", f"{_JOINT} job", "desk.robot_jmove")
         if self.draft.line:
-            yield self._icon(f"cmove_{self.name}C", "Cartesian job", "desk.robot_cmove")
+            yield self._icon(f"cmove_{self.name}C", f"{_CARTESIAN} job", "desk.robot_cmove")
         if self.draft.opening:
-            yield self._icon(f"grip_{self.name}C", "Level job", "desk.robot_grip")
+            yield self._icon(f"grip_{self.name}C", f"{_LEVEL} job", "desk.robot_grip")
 
     def _targets(self) -> Iterator[Onikon]:
         draft, seconds = self.draft, (self.draft.seconds,)
-        yield self._icon(f"{self.name}_home", "Joint object", "desk.robot_home", (draft.home, seconds))
-        yield self._icon(f"{self.name}_away", "Joint object", "desk.robot_away", (draft.away, seconds))
+        yield self._icon(f"{self.name}_home", f"{_JOINT} object", "desk.robot_home", (draft.home, seconds))
+        yield self._icon(f"{self.name}_away", f"{_JOINT} object", "desk.robot_away", (draft.away, seconds))
         if draft.line:
-            yield self._icon(f"{self.name}_line", "Cartesian object", "desk.robot_line", (draft.line, (_LINE_S,)))
+            yield self._icon(f"{self.name}_line", f"{_CARTESIAN} object", "desk.robot_line", (draft.line, (_LINE_S,)))
         if draft.opening:
-            yield self._icon(f"{self.name}_open", "Level object", "desk.robot_opened", ((draft.opening[0],),))
-            yield self._icon(f"{self.name}_closed", "Level object", "desk.robot_closed", ((draft.opening[1],),))
+            yield self._icon(f"{self.name}_open", f"{_LEVEL} object", "desk.robot_opened", ((draft.opening[0],),))
+            yield self._icon(f"{self.name}_closed", f"{_LEVEL} object", "desk.robot_closed", ((draft.opening[1],),))
 
     def _steps(self) -> Iterator[Onikon]:
         """The application: open the hand, beside home, a straight line, close the hand, home."""
@@ -125,13 +126,13 @@ class RobotPrograms:
     def _actions(self) -> Iterator[KeptAction]:
         steps = [*self._steps()]
         for job, target in zip(steps[::2], steps[1::2], strict=True):
-            is_grip = job.type == "Level job"
+            is_grip = job.type == f"{_LEVEL} job"
             yield KeptAction(f"{job.name} {target.name}", _GRIP_S if is_grip else _seconds(target), _WITHIN_S)
 
     def _icon(self, name: str, kind: str, key: str, values: tuple[tuple[float, ...], ...] = ()) -> Onikon:
         reason = self._reason(key)
         words = (("es", in_language(reason, "es")),)
-        arm = self.name if kind == "Joint object" else ""
+        arm = self.name if kind == f"{_JOINT} object" else ""
         return Onikon(name, kind, reason.text, values, drawn(name), words=words, arm=arm)
 
     def _said(self, key: str) -> str:

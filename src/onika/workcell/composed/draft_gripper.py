@@ -36,23 +36,31 @@ def draft_hand(model: Any, chain: DraftChain, home: Array) -> DraftHand:
     bodies = below(model, chain.last)
     fingers = tuple(body for body in bodies if body != chain.last and model.body_jntnum[body])
     actuators = [k for k in range(model.nu) if _is_at(model, k, fingers, chain)]
-    names = tuple(model.actuator(k).name for k in actuators)
     if not actuators:
         return DraftHand(None, fingers, Reason.plain(""))
     if len(actuators) > _MOST:
-        served = [k for k in actuators if int(model.actuator_trntype[k]) == _JOINT]
-        names = tuple(model.actuator(k).name for k in served)
-        device = RobotAxes("fingers", names) if names else None
-        return DraftHand(device, fingers, Reason.of("workcell.draft_hand", count=len(actuators)))
+        return DraftHand(_servos(model, actuators), fingers, Reason.of("workcell.draft_hand", count=len(actuators)))
     ends = _signals(model, actuators[0])
     widths = [_width(model, chain, home, actuators, signal, fingers) for signal in ends]
-    origin = Reason.of("workcell.draft_width_tried")
-    if widths[0] is None or widths[1] is None or abs(widths[0] - widths[1]) < _LEAST_M:
-        widths, origin = [0.0, _WIDTH_M], Reason.of("workcell.draft_width_guessed")
-    pairs = sorted(zip([float(width or 0.0) for width in widths], ends, strict=True))
-    (closed, closing), (opened, opening) = pairs
-    gripper = RobotGripper("gripper", names, (opening, round(opened, 4)), (closing, round(closed, 4)))
+    gripper, origin = _gripper(tuple(model.actuator(k).name for k in actuators), ends, widths)
     return DraftHand(gripper, fingers, origin)
+
+
+def _servos(model: Any, actuators: Sequence[int]) -> RobotAxes | None:
+    """Those of some actuators that move a joint."""
+    names = tuple(model.actuator(k).name for k in actuators if int(model.actuator_trntype[k]) == _JOINT)
+    return RobotAxes("fingers", names) if names else None
+
+
+def _gripper(
+    names: tuple[str, ...], ends: tuple[float, float], tried: Sequence[float | None]
+) -> tuple[RobotGripper, Reason]:
+    """The gripper of these actuators, with what was seen of its fingers at the ends of their signal."""
+    widths, origin = [width for width in tried if width is not None], Reason.of("workcell.draft_width_tried")
+    if len(widths) < len(ends) or abs(widths[0] - widths[1]) < _LEAST_M:
+        widths, origin = [0.0, _WIDTH_M], Reason.of("workcell.draft_width_guessed")
+    (closed, closing), (opened, opening) = sorted(zip(widths, ends, strict=True))
+    return RobotGripper("gripper", names, (opening, round(opened, 4)), (closing, round(closed, 4))), origin
 
 
 def _is_at(model: Any, actuator: int, fingers: Sequence[int], chain: DraftChain) -> bool:
