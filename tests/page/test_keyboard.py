@@ -51,7 +51,7 @@ def test_a_configuration_is_built_switched_on_answered_and_saved_by_keys_alone(p
     me.state("aim", "ON")
     keys.press("Control+s")
     panel = page.get_by_role("dialog", name=re.compile("^Save Untitled"))
-    expect(panel.get_by_label("Name")).to_be_focused()
+    expect(panel.get_by_label("Name", exact=True)).to_be_focused()
     keys.type("keyedC")
     keys.press("Tab")
     keys.type(str(lab.path)[:5])

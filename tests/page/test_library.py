@@ -77,7 +77,7 @@ def test_every_library_of_the_search_path_is_a_tab_with_its_tasks(me, lab):  # R
 
 def test_a_task_is_found_by_name_in_all_libraries_and_selected(me):  # R-C03
     me.page.keyboard.press("Control+f")
-    me.page.keyboard.type("torque")
+    me.page.keyboard.type("torque_s")
     me.page.keyboard.press("Enter")
     expect(me.icon("torque_sum")).to_be_focused()
     expect(me.sheet.get_by_role("heading", name="torque_sum")).to_be_visible()

@@ -38,10 +38,12 @@ def test_a_locus_becomes_a_target_of_the_kinds_that_take_it_and_undo_takes_it_ba
     me.canvas.get_by_role("button", name=re.compile("^locus WAVE")).click(button="right")
     page.get_by_role("menuitem", name="Make a target of it…").click()
     panel = page.get_by_role("dialog", name="New target")
-    expect(panel.get_by_role("radio", name="Joint target")).to_have_count(0)  # one number is no vector of joints
+    expect(panel.get_by_role("radio", name="Joint target", exact=True)).to_have_count(
+        0
+    )  # one number is no vector of joints
     expect(panel).to_contain_text(re.compile("Read from WAVE, as it is now in"))
     expect(panel.get_by_role("radio", name="Pause target")).to_have_count(0)  # metres are no seconds
-    panel.get_by_text("Level target").click()
+    panel.get_by_text("Level target", exact=True).click()
     panel.get_by_label("Name", exact=True).fill("as_high")
     expect(panel.get_by_label(re.compile("^level"))).not_to_have_value("")
     panel.get_by_role("button", name="Save", exact=True).click()

@@ -1,5 +1,6 @@
 """Chapter 6 at the page: a beginner builds the warm-up and the whole assembly from pictures, and the lamp lights."""
 
+import re
 import subprocess
 import sys
 
@@ -82,7 +83,7 @@ class Beginner:
 
     def runs(self):
         """Run it, to its end."""
-        self.page.get_by_role("button", name="Run ").first.click()
+        self.page.get_by_role("button", name=re.compile("^Run ")).click()
         runs_to_its_end(self.page)
 
     def saves(self, name):

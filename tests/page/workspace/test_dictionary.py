@@ -131,7 +131,7 @@ def test_an_open_dialog_keeps_every_key(me):  # R-G04
     keys.press("Tab")  # the button that has come is no stop
     expect(panel.get_by_label("Words")).to_be_focused()
     panel.get_by_role("button", name=re.compile("my-place")).click()
-    expect(panel.get_by_label("Name")).to_be_focused()
+    expect(panel.get_by_label("Name", exact=True)).to_be_focused()
     panel.get_by_role("button", name="Cancel").focus()
     for key in ("Delete", "Control+z", "x", "m", "/"):
         keys.press(key)
@@ -199,10 +199,10 @@ def test_a_target_is_made_taught_in_words_and_edited(me, program):  # R-D08, R-D
     page = me.page
     page.keyboard.press("Alt+t")
     panel = me.panel("New target")
-    expect(panel.get_by_role("radio", name="Joint target")).to_be_checked()
+    expect(panel.get_by_role("radio", name="Joint target", exact=True)).to_be_checked()
     panel.get_by_role("button", name="Save", exact=True).click()
     expect(panel).to_contain_text("A name is needed")
-    panel.get_by_label("Name").fill("shelf")
+    panel.get_by_label("Name", exact=True).fill("shelf")
     panel.get_by_label("Words").fill("to the shelf")
     for k, word in enumerate(("10°", "-0.7", "2.7", "0", "1", "1.7")):
         panel.get_by_label(f"endpoint [{k}], rad").fill(word)
@@ -231,13 +231,13 @@ def test_a_target_is_made_taught_in_words_and_edited(me, program):  # R-D08, R-D
 
 def test_what_is_begun_of_a_target_is_kept_until_it_is_cancelled(me):  # R-D21
     me.page.keyboard.press("Alt+t")
-    me.panel("New target").get_by_label("Name").fill("half_done")
+    me.panel("New target").get_by_label("Name", exact=True).fill("half_done")
     me.page.keyboard.press("Escape")
     me.page.locator("body").press("Alt+t")
-    expect(me.panel("New target").get_by_label("Name")).to_have_value("half_done")
+    expect(me.panel("New target").get_by_label("Name", exact=True)).to_have_value("half_done")
     me.panel("New target").get_by_role("button", name="Cancel").click()
     me.page.locator("body").press("Alt+t")
-    expect(me.panel("New target").get_by_label("Name")).to_have_value("")
+    expect(me.panel("New target").get_by_label("Name", exact=True)).to_have_value("")
 
 
 def test_present_values_are_asked_of_the_robot_or_it_is_said_what_is_missing(me):  # R-D13
