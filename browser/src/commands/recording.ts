@@ -6,6 +6,7 @@ import { openDialog } from '../state/dialogs.svelte'
 import { workspace } from '../state/workspace.svelte'
 import { options } from '../state/options.svelte'
 import { openRecording } from '../recording/acts'
+import { isHandHeld, isRecorded, recordByHand } from '../scene/recordByHand'
 import { isReviewing } from '../recording/review.svelte'
 import { t } from '../texts/index.svelte'
 
@@ -23,6 +24,15 @@ command({
   title: () => (options.records ? `${t('recording.record')} ✓` : t('recording.record')),
   keys: ['Alt+R'],
   run: turn,
+})
+command({
+  id: 'configuration.record',
+  group: 'run',
+  level: 'tasks',
+  title: () => t(isRecorded() ? 'recording.endByHand' : 'recording.byHand'),
+  keys: ['Alt+R'],
+  when: () => isHandHeld() && !isReviewing(),
+  run: () => void recordByHand(),
 })
 command({
   id: 'application.look',

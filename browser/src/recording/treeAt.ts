@@ -70,7 +70,7 @@ export function treeAt(then: () => Then): (live: FullTree) => FullTree {
     over(view, (name, value) => {
       if (name === 'connection') return homeOf(doc) ? 'live' : 'none'
       if (name === 'subsystem') return homeOf(doc)
-      if (name === 'application') return ''
+      if (name === 'application' || name === 'recording') return ''
       if (name === 'tasks' && value)
         return each(value as Record<string, PlacedView>, (task, its) => placed(task, doc, its))
       if (name === 'loci' && value) return each(value as Record<string, LocusView>, (dot) => locus(dot, doc))

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Protocol
 
 from onika.host.inspection import InspectedDriver
-from onika.host.recording.recorder import RecordedDriver
+from onika.host.recording.recorded_worlds import RecordedDriver
 from onika.host.subsystems.subsystem_registry import Tables
 from onika.host.units.unit_listener import UnitListener
 from onika.ring.drive import DriveMode

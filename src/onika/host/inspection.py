@@ -194,7 +194,9 @@ class Inspection:
             _task(member, desired.is_on(task), desired.rate(task), by_hand.reason(task), claims.get(task, ""))
             for task, member in members.items()
         )
-        return live.SubsystemStanding(name, by_hand.holder, "", tasks, by_hand.executor.questions)
+        return live.SubsystemStanding(
+            name, by_hand.holder, "", tasks, by_hand.executor.questions, recording=by_hand.recording
+        )
 
 
 def _task(member: Member, is_wanted_on: bool, rate: float | None, reason: Reason, claims: str) -> live.TaskStanding:

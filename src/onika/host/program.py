@@ -21,6 +21,7 @@ from onika.host.loading.world_kinds import world_list
 from onika.host.recording.black_box import BlackBox
 from onika.host.recording.black_box_holder import BlackBoxHolder
 from onika.host.recording.hand_held import HandHeld
+from onika.host.recording.hand_recordings import HandRecordings
 from onika.host.recording.recorder import Recorder
 from onika.host.recording.run_description import RunDescriptions
 from onika.host.recording.sampling import Sampling
@@ -77,6 +78,8 @@ class RuntimeProgram:
         self._world_files = WorldFiles()
         self._descriptions = RunDescriptions(self.subsystems, driver)
         self._recorder = Recorder(self.subsystems, driver, server, self._descriptions)
+        self._hand_recordings = HandRecordings(self.subsystems, driver, self._descriptions, server.tell)
+        server.overhear(self._hand_recordings.hear)
         self._unit_starts = UnitStarts(self.subsystems, driver)
         self.motion = Motion(self.subsystems, driver, server.tell)
         self._world_reset = WorldReset(self.subsystems, driver)
@@ -97,7 +100,8 @@ class RuntimeProgram:
         """What to wait for besides the request server and the driver: the loader, and who writes recordings."""
         loader = [self._loading.post] if isinstance(self._loading, LoaderClient) else []
         black_box = self._black_box.readers() if self._black_box is not None else ()
-        return [*loader, *self._recorder.readers(), *black_box, *self.network.readers()]
+        recordings = (*self._recorder.readers(), *self._hand_recordings.readers())
+        return [*loader, *recordings, *black_box, *self.network.readers()]
 
     def keep_last_seconds(
         self, folder: Path, holder: BlackBoxHolder, make_holder: Callable[[], BlackBoxHolder]
@@ -113,6 +117,7 @@ class RuntimeProgram:
     def close(self) -> None:
         """The runtime ends: what is still to be written of its runs is written."""
         self.network.finish()
+        self._hand_recordings.finish()
         if self._black_box is not None and self._hand_held is not None:
             self._hand_held.finish()
             self._black_box.finish()
@@ -149,6 +154,7 @@ class RuntimeProgram:
         if not self.subsystems.repeat.is_on(self._driver.now):
             self.subsystems.hold.say(self._driver.now)
         self._recorder.serve()
+        self._hand_recordings.serve()
         if self._black_box is not None and self._hand_held is not None:
             self._hand_held.serve()
             self._black_box.serve()
@@ -210,6 +216,7 @@ class RuntimeProgram:
     def _note_command(self, session: str, message: request.Request) -> None:
         """What was carried out is recorded."""
         self._recorder.command(session, message)
+        self._hand_recordings.command(session, message)
         if self._black_box is not None:
             self._black_box.command(session, message)
 
@@ -227,6 +234,8 @@ class RuntimeProgram:
                 self.network.close(answer)
             case live.AddUnit():
                 self._unit_starts.add(call.asked, answer)
+            case live.Record():
+                self._hand_recordings.ask(call.asked, answer)
             case live.Advance():
                 self._advance(call.asked.seconds, answer)
             case WhatIf():

@@ -11,6 +11,7 @@ from onika.record import topics
 from onika.record.black_box_span import SEEN_WITHIN_S, BlackBoxSpan
 from onika.record.mismatch import mismatches
 from onika.record.reader import Reader
+from onika.record.run import is_by_hand
 from onika.record.series import Series
 from onika.record.tolerance import Tolerance
 from onika.words.reason import Reason
@@ -56,13 +57,22 @@ def first_difference(
     """The earliest; None: none that goes beyond the tolerance, or it is not wanted any more.
 
     Where one of them was cut short, what the other one says beyond its end is no difference; nor is what a black box
-    does not hold.
+    does not hold. Of subsystems that were held by hand, whatever they are called, the variables that both have are
+    compared, as long as both last: their tasks are meant to differ.
     """
     first, last, tolerance = _compared(reader, other, tolerance)
     ours, theirs = Series.all_of(reader), Series.all_of(other)
-    differences = [
-        each for each in (*_events(reader, other, tolerance, first), *_unlike(ours, theirs)) if each.at_ns <= last
-    ]
+    if are_by_hand(reader, other):
+        theirs = _alike(ours, theirs)
+        ours = {name: series for name, series in ours.items() if name in theirs}
+        if not ours:
+            return _nothing_alike(reader, other)
+        differences = list(_unlike(ours, theirs))
+        last = min(last, reader.span[1], other.span[1])
+    else:
+        differences = [
+            each for each in (*_events(reader, other, tolerance, first), *_unlike(ours, theirs)) if each.at_ns <= last
+        ]
     both = [name for name in ours if name in theirs and str(ours[name].shape) == str(theirs[name].shape)]
     # Of the last instant of one that was cut short not all may be there.
     until = min([last, 1 + max(reader.span[1], other.span[1]), *(each.at_ns for each in differences)])
@@ -75,6 +85,24 @@ def first_difference(
             differences += some
             break
     return min(differences, key=lambda each: (each.at_ns, str(each.what)), default=None)
+
+
+def are_by_hand(reader: Reader, other: Reader) -> bool:
+    """Whether both are of a subsystem that was held by hand."""
+    return is_by_hand(reader.notes) and is_by_hand(other.notes)
+
+
+def _alike(ours: dict[str, Series], theirs: dict[str, Series]) -> dict[str, Series]:
+    """Theirs that are called as one of ours is, by our addresses: each has one subsystem, whatever its name."""
+    by_name = {series.name: series for series in theirs.values()}
+    return {address: by_name[series.name] for address, series in ours.items() if series.name in by_name}
+
+
+def _nothing_alike(reader: Reader, other: Reader) -> Difference:
+    """No variable of the one is in the other."""
+    first, second = (tuple(series.name for series in Series.all_of(each).values()) for each in (reader, other))
+    what = Reason.of("record.the_variables")
+    return Difference(0, what, Reason.of("record.are", names=first), Reason.of("record.are", names=second))
 
 
 def both_hold(reader: Reader, other: Reader) -> tuple[int, int]:

@@ -2,6 +2,7 @@
 
 import hashlib
 import re
+from collections.abc import Mapping
 from typing import Any
 
 import msgspec
@@ -108,6 +109,11 @@ class RunRecord(Struct, frozen=True):
         )
 
 
+def is_by_hand(notes: Mapping[str, Mapping[str, str]]) -> bool:
+    """Whether the notes of a recording say that it is of a subsystem that was held by hand."""
+    return notes.get(NOTE, {}).get(_BY_HAND) == "yes"
+
+
 def ending(result: Result) -> dict[str, str]:
     """How it ended, as it is noted at the end of its recording."""
     return {
@@ -117,6 +123,11 @@ def ending(result: Result) -> dict[str, str]:
         "seconds": f"{result.runtime_s:.9g}",
         "outside": " ".join(result.outside),
     }
+
+
+def closing(cause: Reason, seconds: float) -> dict[str, str]:
+    """How the recording of a subsystem that was held by hand ended; it has no end of its own that could go badly."""
+    return {"completed": "yes", "cause": str(cause), "hash": "", "seconds": f"{seconds:.9g}", "outside": ""}
 
 
 def standing(cause: Reason) -> dict[str, str]:

@@ -303,6 +303,20 @@ class LastSecondsKept(Struct, frozen=True, tag=True):
     """As in `Began`."""
 
 
+class Recording(Struct, frozen=True, tag=True):
+    """A subsystem that is held by hand is recorded from now on, or no more (X05)."""
+
+    subsystem: str
+    at_s: float
+    path: str
+    """The file on the runtime's machine."""
+    is_on: bool
+    cause: Reason = NOTHING
+    """Why it has ended, where nobody asked for that."""
+    lasted_s: float = 0.0
+    """How much of the time of the subsystem is in it, where it has ended."""
+
+
 class Result(Struct, frozen=True, tag=True):
     """The end of a run: always the last event."""
 
@@ -346,6 +360,7 @@ Event = (
     | Stepped
     | Explained
     | LastSecondsKept
+    | Recording
     | Result
     | Edited
     | Signalled

@@ -195,6 +195,18 @@ class AddUnit(Struct, frozen=True, tag=True):
     name: str
 
 
+class Record(Struct, frozen=True, tag=True):
+    """Record a subsystem that is held by hand into a file of this machine, or end that (X05).
+
+    Replied by Done as soon as the file is begun, or finished, or by Refused; `Recording` tells everybody. Only the
+    program that launched the runtime may ask it.
+    """
+
+    subsystem: str
+    path: str = ""
+    """Empty: its recording ends."""
+
+
 class ListWorlds(Struct, frozen=True, tag=True):
     """Ask which worlds are installed, and which of them are simulated; replied by WorldList."""
 
@@ -227,6 +239,7 @@ LiveRequest = (
     | Touch
     | PutBack
     | AddUnit
+    | Record
     | ListWorlds
     | Reset
     | Advance
@@ -294,6 +307,8 @@ class SubsystemStanding(Struct, frozen=True):
     """What its tasks wait to be told, for whoever comes later or takes it over."""
     on_loss: str = ""
     """Of an application: what becomes of it where its holder is lost, as it was begun (`stop`, `finish`, `run`)."""
+    recording: str = ""
+    """The file on the runtime's machine into which it is being recorded by hand; empty: it is not."""
 
 
 class RtpuStanding(Struct, frozen=True):

@@ -32,8 +32,8 @@ def lines(message: event.Event, say: Callable[[Reason], str] = str) -> Iterator[
             yield _process(message)
         case event.Held() | event.Offered():
             yield _held(message)
-        case event.LastSecondsKept():
-            yield _timed(message.at_s, Reason.of("console.last_seconds", path=message.path)), Tone.NOTE
+        case event.LastSecondsKept() | event.Recording():
+            yield _recording(message)
         case event.Stopped():
             yield _stopped(message)
         case event.Result():
@@ -47,6 +47,18 @@ def _process(message: event.Lost | event.UnitUp) -> Line:
     if isinstance(message, event.Lost):
         return _timed(message.at_s, Reason.of("console.lost", name=message.name, cause=message.cause)), Tone.FAULT
     return _timed(message.at_s, Reason.of("console.unit_up", name=message.name)), Tone.NOTE
+
+
+def _recording(message: event.LastSecondsKept | event.Recording) -> Line:
+    """Last seconds are kept; or a subsystem is recorded from now on, or no more."""
+    if isinstance(message, event.LastSecondsKept):
+        return _timed(message.at_s, Reason.of("console.last_seconds", path=message.path)), Tone.NOTE
+    subsystem, path = message.subsystem, message.path
+    if message.is_on:
+        return _timed(message.at_s, Reason.of("console.recording_began", subsystem=subsystem, path=path)), Tone.NOTE
+    because = _because(message.cause)
+    ended = Reason.of("console.recording_ended", path=path, seconds=message.lasted_s, because=because)
+    return _timed(message.at_s, ended), Tone.FAULT if message.cause else Tone.NOTE
 
 
 def _step(message: event.Began | event.TaskState | event.Signalled | event.Drive) -> Line:

@@ -113,6 +113,7 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.Stop: ("stop", "main"),
     act.Reset: ("reset", "main"),
     act.AddUnit: ("add_unit", "main"),
+    act.RecordByHand: ("record_conf", "conf"),
     act.FindRoom: ("find_room", "conf"),
     act.Take: ("take", "conf"),
     act.Release: ("release", "conf"),

@@ -56,6 +56,7 @@ from onika.desk.environment.review import (
 )
 from onika.desk.environment.runs import (
     begin,
+    configuration_recording,
     forecaster,
     foresight,
     kept_test,
@@ -145,6 +146,7 @@ HANDLERS: Mapping[type, Handler] = {
     act.Stop: control_authority.stop,
     act.Reset: control_authority.reset,
     act.AddUnit: control_authority.add_unit,
+    act.RecordByHand: configuration_recording.record,
     act.FindRoom: tight_change.find_room,
     act.Take: control_authority.take,
     act.Release: control_authority.release,

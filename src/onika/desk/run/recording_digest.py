@@ -71,6 +71,13 @@ def _troubles(review: Review) -> Iterator[Reason]:
             yield Reason.of("desk.digest_lost", at=at_s, name=message.name, cause=message.cause)
 
 
+def _ended_by_hand(cause: str) -> Reason:
+    """A recording by hand ends as somebody wishes, unless it says why."""
+    if cause:
+        return Reason.of("desk.digest_hand_ended_why", cause=cause)
+    return Reason.of("desk.digest_hand_ended")
+
+
 def _ending(review: Review) -> Iterator[Reason]:
     """How it ended, and what is not in the file."""
     ending = review.ending
@@ -78,7 +85,9 @@ def _ending(review: Review) -> Iterator[Reason]:
         yield Reason.of("desk.digest_cut")
     elif ending:
         how = Reason.of("desk.digest_completed")
-        if ending.get("completed") != "yes":
+        if review.run.is_by_hand and review.black_box is None:
+            how = _ended_by_hand(ending.get("cause", ""))
+        elif ending.get("completed") != "yes":
             stood = review.black_box is not None and review.black_box.goes_on
             key = "desk.digest_stood" if stood else "desk.digest_aborted"
             if review.run.is_by_hand:

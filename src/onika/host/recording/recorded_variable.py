@@ -37,7 +37,12 @@ def place_of(entry: TableEntry, units: Mapping[str, str]) -> VariablePlace:
 class VariableRecorder:
     """`words[0]` counts what was written."""
 
-    def __init__(self, subsystem: str, variable: VariablePlace, memory: memoryview, writer: Writer) -> None:
+    def __init__(
+        self, subsystem: str, variable: VariablePlace, memory: memoryview, writer: Writer, *, is_late: bool = False
+    ) -> None:
+        """Where it is looked at late, of what was written before only the newest value is taken."""
+        self.subsystem = subsystem
+        self.name = variable.name
         shape = Shape.parse(variable.shape)
         ring = Ring(memory, variable.offset, shape.size)
         about = {"subsystem": subsystem, "name": variable.name, "type": variable.shape, "unit": variable.unit}
@@ -47,7 +52,7 @@ class VariableRecorder:
         self._encoded = value.encoder(shape)
         self._is_long = shape.size > _LONG
         self._since = ring.since
-        self._seen = 0
+        self._seen = max(ring.count - 1, 0) if is_late else 0
         self._last = b""
         self._times: list[int] = []
         self._values: list[bytes] = []

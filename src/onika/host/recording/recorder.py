@@ -4,73 +4,32 @@ It looks at nothing that is not there anyway. In wall time another process looks
 told goes by, and the poses of worlds as the device server says them.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from time import monotonic_ns
-from typing import Protocol
 
 from onika.host.loading.loader_client import NotYet
 from onika.host.loading.plan_preparation import Preparation
 from onika.host.recording.recorded_variable import places_of
+from onika.host.recording.recorded_worlds import RecordedDriver, RecordedWorlds
 from onika.host.recording.recording_place import InProcessWriter, RecordingWriter, WriterProcess, complaints, not_whole
-from onika.host.recording.recording_sink import AddMessage, AddScene, AddVariables, BeginRecording, FinishRecording
+from onika.host.recording.recording_sink import AddMessage, AddVariables, BeginRecording, FinishRecording
 from onika.host.recording.run_description import RunDescriptions
 from onika.host.run.application_run import ApplicationRun, variable_units
 from onika.host.sessions.request_server import RequestServer
 from onika.host.subsystems.subsystem_registry import Subsystems
-from onika.host.units.driver_clock import DriverClock
-from onika.host.units.pose_stream import WorldPoses
 from onika.host.units.process_socket import ProcessSocket
 from onika.record import topics
 from onika.record.run import ending
-from onika.runtime.bus import Poses
 from onika.wire import event, request
 from onika.words.reason import NOTHING, Reason
 from onika.words.system_error import system_reason_with_place
 
-_POSED_EVERY_NS = 33_000_000
 _LOOKS = 4
 """Periods of the fastest task between two looks; an entry keeps sixty-three values, so that looks may come late."""
 _UNTOLD = (event.LastSecondsKept, event.Result, event.Stood)
 _FASTEST_NS, _SLOWEST_NS = 2_000_000, 20_000_000
 END_NS = 5_000_000_000
 """How long the end of a run waits at most for its recording to be finished."""
-
-
-class RecordedDriver(DriverClock, Protocol):
-    """The driver, as far as it is recorded."""
-
-    options: tuple[str, ...]
-    """What the runtime was started with beside, which changes what happens."""
-
-    @property
-    def with_fifo(self) -> bool:
-        """Whether processes ask for real-time scheduling."""
-        ...
-
-    @property
-    def worlds(self) -> tuple[str, ...]:
-        """The worlds that are open."""
-        ...
-
-    def scene(self, world: str) -> dict[str, object] | None:
-        """What an open world consists of."""
-        ...
-
-    def poses(self, world: str) -> Poses | None:
-        """The newest poses of an open world."""
-        ...
-
-    def pose_to(self, world: str, inlet: int) -> None:
-        """Have whoever steps an open world say its poses at this socket, where that is another process."""
-        ...
-
-    def each_instant(self, look: Callable[[], None]) -> None:
-        """In virtual time: call this one too at the end of every instant."""
-        ...
-
-    def leave_instants(self, look: Callable[[], None]) -> None:
-        """Call it no more."""
-        ...
 
 
 class Recorder:
@@ -93,7 +52,7 @@ class Recorder:
         self._names: tuple[str, ...] = ()
         self._units: dict[str, dict[str, str]] = {}
         self._met: dict[str, int] = {}
-        self._shown: dict[str, int] = {}
+        self._worlds = RecordedWorlds(self._seen)
         self._end_at = 0
         self._complaint = NOTHING
 
@@ -245,8 +204,7 @@ class Recorder:
             if table is not None and len(table.entries) != self._met.get(name, 0):
                 self._meet(writer, name)
         writer.look(now)
-        for world in self._seen.worlds:
-            self._show(writer, world, now)
+        self._worlds.show(writer, now)
 
     def _meet(self, writer: RecordingWriter, name: str) -> None:
         table, known = self._subsystems.tables[name], self._met.get(name, 0)
@@ -255,34 +213,15 @@ class Recorder:
         is_needed = not known or self._seen.is_virtual
         writer.take(AddVariables(name, variables), table.segment if is_needed else None)
 
-    def _show(self, writer: RecordingWriter, world: str, now: int) -> None:
-        if world not in self._shown:
-            scene = self._seen.scene(world)
-            if scene is None:
-                return
-            writer.take(AddScene(world, _shapes(scene)))
-            self._shown[world] = now
-            if writer.inlet is not None:
-                self._seen.pose_to(world, writer.inlet)
-        if writer.inlet is None and now >= self._shown[world]:
-            self._shown[world] = now + _POSED_EVERY_NS
-            poses = self._seen.poses(world)
-            if poses is not None:
-                writer.take(WorldPoses(world, now, poses[1], poses[2]))
-
-
-def _shapes(scene: Mapping[str, object]) -> tuple[dict[str, object], ...]:
-    shapes = scene.get("shapes")
-    if isinstance(shapes, list | tuple):
-        return tuple(shapes)
-    return ()
-
 
 def _every_ns(prepared: Preparation) -> int:
-    """How often the tables are looked at, in wall time."""
+    """How often the tables of a run are looked at, in wall time."""
     rates = [task.frequency for flow in prepared.plan.flows for task in flow.tasks if task.frequency]
-    fastest = max(
-        [*rates, *(hz for flow in prepared.plan.flows for action in flow.actions for _, hz in action.rates)],
-        default=50.0,
+    return look_period_ns(
+        [*rates, *(hz for flow in prepared.plan.flows for action in flow.actions for _, hz in action.rates)]
     )
-    return min(max(round(_LOOKS * 1e9 / fastest), _FASTEST_NS), _SLOWEST_NS)
+
+
+def look_period_ns(rates: Iterable[float]) -> int:
+    """How often tables are looked at beside tasks of these rates in hertz, in wall time."""
+    return min(max(round(_LOOKS * 1e9 / max(rates, default=50.0)), _FASTEST_NS), _SLOWEST_NS)

@@ -4,11 +4,12 @@ import os
 import socket
 import subprocess
 from collections.abc import Sequence
+from contextlib import suppress
 from time import monotonic_ns
 from typing import Protocol
 
 from onika.host.recording import recording_process
-from onika.host.recording.recording_sink import AddMessage, Order, RecordingSink, encode
+from onika.host.recording.recording_sink import AddMessage, DescribeRecording, Order, RecordingSink, encode
 from onika.host.units.child_process import start
 from onika.host.units.process_socket import ProcessSocket
 from onika.process.guard import is_stopped
@@ -63,6 +64,10 @@ class RecordingWriter(Protocol):
         """Write this down; never waits for anything in wall time."""
         ...
 
+    def describe(self, run: RunRecord) -> None:
+        """What is recorded consists of something else now; raises OSError where there is no memory to say it."""
+        ...
+
     def look(self, now: int) -> None:
         """Write down what variables have changed, where that is not done by itself."""
         ...
@@ -85,10 +90,15 @@ class InProcessWriter:
 
     def __init__(self, path: str, run: RunRecord) -> None:
         self._stream = open(path, "wb", buffering=_BUFFER)  # noqa: SIM115, PTH123 - it stays open for the run
-        writer = Writer(self._stream)
-        run.write(writer)
-        self._sink = RecordingSink(self._stream, writer)
-        self._sink.flush()
+        try:
+            writer = Writer(self._stream)
+            run.write(writer)
+            self._sink = RecordingSink(self._stream, writer)
+            self._sink.flush()
+        except OSError:
+            with suppress(OSError):
+                self._stream.close()
+            raise
         self._flush_at = 0
         self.reason: Reason = NOTHING
         self.untold = 0
@@ -111,6 +121,14 @@ class InProcessWriter:
         if not self.reason:
             try:
                 self._sink.take(order, None if segment is None else segment.view)
+            except OSError as wrong:
+                self.reason = system_reason(wrong)
+
+    def describe(self, run: RunRecord) -> None:
+        """What is recorded consists of something else now."""
+        if not self.reason:
+            try:
+                self._sink.describe(run)
             except OSError as wrong:
                 self.reason = system_reason(wrong)
 
@@ -165,6 +183,7 @@ class WriterProcess:
         self._since = monotonic_ns()
         self._look_at = self._stopped_ns = 0
         self._is_done = False
+        self._memories: list[Segment] = []
         self.is_up = False
         self.reason: Reason = NOTHING
         self.missed = 0
@@ -190,12 +209,29 @@ class WriterProcess:
         body = encode(order)
         self._post.send(body, () if segment is None else (segment.fd,))
 
+    def describe(self, run: RunRecord) -> None:
+        """Send the description over as memory, which stays until the other end has it."""
+        if self.reason:
+            return
+        body = recording_process.encode_run(run)
+        memory = Segment.create("recorded-run", len(body))
+        memory.view[:] = body
+        self._post.send(encode(DescribeRecording()), (memory.fd,))
+        self._memories.append(memory)
+        self._give_back()
+
+    def _give_back(self) -> None:
+        """Memory that the other end has needs nobody here any more."""
+        while self._memories and (self._post.is_closed or not self._post.is_waiting):
+            self._memories.pop().close()
+
     def look(self, now: int) -> None:
         """It looks by itself."""
 
     def serve(self) -> None:
         """Hear whether it is up, and what became of it."""
         self._post.flush()
+        self._give_back()
         while not self._post.is_closed and (received := self._post.receive()) is not None:
             word = recording_process.decode_word(received[0])
             if isinstance(word, recording_process.RecordingBegun):
@@ -235,6 +271,7 @@ class WriterProcess:
         """Let go of it: without the post it writes what it has seen and ends."""
         self._post.close()
         self._inlet.close()
+        self._give_back()
         try:
             self._process.wait(_ENDED_NS / 1e9)
         except subprocess.TimeoutExpired:

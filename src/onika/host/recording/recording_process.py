@@ -18,6 +18,7 @@ from msgspec.structs import replace
 from onika.host.recording.recording_sink import (
     AddVariables,
     BeginRecording,
+    DescribeRecording,
     FinishRecording,
     Order,
     RecordingSink,
@@ -105,6 +106,11 @@ def _follow(post: ProcessSocket, inlet: ProcessSocket, sink: RecordingSink, ever
 
 def _carry_out(order: Order, descriptors: Sequence[int], sink: RecordingSink, memories: dict[str, memoryview]) -> None:
     """Hand an order to the sink, with the memory of its subsystem where it is about variables."""
+    if isinstance(order, DescribeRecording):
+        described = Segment.attach(descriptors[0])
+        sink.describe(_decode_run(bytes(described.view)))
+        described.close()
+        return
     if not isinstance(order, AddVariables):
         sink.take(order)
         return

@@ -6,6 +6,9 @@ neither a slow disk nor compression stands between two jobs.
 
 import os
 import stat
+from collections.abc import Collection
+from itertools import compress
+from operator import not_
 from typing import Any, BinaryIO
 
 from msgspec import Struct, msgpack
@@ -13,7 +16,7 @@ from msgspec import Struct, msgpack
 from onika.host.recording.recorded_variable import VariablePlace, VariableRecorder
 from onika.host.units.pose_stream import WorldPoses
 from onika.record import foxglove, topics
-from onika.record.run import END
+from onika.record.run import END, RunRecord
 from onika.record.writer import Writer
 from onika.words.reason import Reason
 
@@ -32,6 +35,14 @@ class AddVariables(Struct, frozen=True, tag=True):
 
     subsystem: str
     variables: tuple[VariablePlace, ...]
+    gone: tuple[str, ...] = ()
+    """Those of before that are no more: something else may lie there now."""
+    is_late: bool = False
+    """Whether they were written before the recording began; of that only what they are now belongs to it."""
+
+
+class DescribeRecording(Struct, frozen=True, tag=True):
+    """What is recorded consists of something else now; the description comes beside."""
 
 
 class AddMessage(Struct, frozen=True, tag=True):
@@ -56,7 +67,7 @@ class FinishRecording(Struct, frozen=True, tag=True):
     untold: int = 0
 
 
-Order = BeginRecording | AddVariables | AddMessage | AddScene | WorldPoses | FinishRecording
+Order = BeginRecording | AddVariables | DescribeRecording | AddMessage | AddScene | WorldPoses | FinishRecording
 encode = msgpack.Encoder().encode
 decode = msgpack.Decoder(Order).decode
 
@@ -72,6 +83,7 @@ class RecordingSink:
         self._looked_at = -1
         self._turn = 0
         self._written = 0
+        self._missed_of_gone = 0
         self._shapes: dict[str, tuple[dict[str, Any], ...]] = {}
         self._lit: dict[str, tuple[str, ...]] = {}
         self._flush_at = FLUSHED_EVERY_NS
@@ -83,8 +95,10 @@ class RecordingSink:
         """Write it down; variables need the memory in which they lie."""
         match order:
             case AddVariables() if memory is not None:
+                self._leave(order.subsystem, order.gone)
                 some = [
-                    VariableRecorder(order.subsystem, variable, memory, self._writer) for variable in order.variables
+                    VariableRecorder(order.subsystem, variable, memory, self._writer, is_late=order.is_late)
+                    for variable in order.variables
                 ]
                 self._watched += some
                 self._counts += [0] * len(some)
@@ -101,6 +115,10 @@ class RecordingSink:
                 self._pose(order)
             case FinishRecording():
                 self._finish(order)
+
+    def describe(self, run: RunRecord) -> None:
+        """From now on this is what is recorded; what was said of it before counts no more."""
+        run.write(self._writer)
 
     def look(self, now: int) -> None:
         """Write down what has changed in the variables since the last call."""
@@ -121,7 +139,7 @@ class RecordingSink:
     @property
     def missed(self) -> int:
         """Values that were written over before anybody looked."""
-        return sum(watched.missed for watched in self._watched)
+        return self._missed_of_gone + sum(watched.missed for watched in self._watched)
 
     def flush(self) -> None:
         """Let everything out."""
@@ -129,6 +147,17 @@ class RecordingSink:
         self._settle()
         self._writer.flush()
         self._out()
+
+    def _leave(self, subsystem: str, names: Collection[str]) -> None:
+        """These variables are not looked at any more; what was taken of them is written down."""
+        if not names:
+            return
+        kept = [not (watched.subsystem == subsystem and watched.name in names) for watched in self._watched]
+        for watched in compress(self._watched, map(not_, kept)):
+            watched.settle()
+            self._missed_of_gone += watched.missed
+        self._counts = list(compress(self._counts, kept))
+        self._watched = list(compress(self._watched, kept))
 
     def _settle(self) -> None:
         for watched in self._watched:

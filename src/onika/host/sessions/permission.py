@@ -51,9 +51,14 @@ def refusal(caller: Caller, message: request.Request, accepts_code: bool) -> Rea
         return Reason.of("host.role_wanted", least=least.word, what=what, user=caller.user, role=caller.role.word)
     if brings_code(message) and not caller.is_near and not accepts_code:
         return Reason.of("host.code_from_afar", address=caller.address)
-    if isinstance(message, request.Begin) and message.record and caller != PARENT:
+    if _writes_recording(message) and caller != PARENT:
         return Reason.of("host.recording_of_launcher", user=caller.user)
     return NOTHING
+
+
+def _writes_recording(message: request.Request) -> bool:
+    """Whether a file is to be written at a place that the caller names."""
+    return isinstance(message, live.Record) or (isinstance(message, request.Begin) and bool(message.record))
 
 
 def changes_nothing(message: request.Request) -> bool:

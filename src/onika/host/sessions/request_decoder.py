@@ -43,6 +43,8 @@ def _wrong(message: request.Request) -> Reason:
             return _wrong_begin(message)
         case live.Take() | live.Change():
             return wrong_name(message.subsystem, "subsystem")
+        case live.Record():
+            return _wrong_record(message)
         case live.Attend():
             return _wrong_attend(message)
         case Sample() if any(len(name) > _LONGEST_NAME for name in message.variables):
@@ -69,6 +71,12 @@ def _wrong_begin(begin: request.Begin) -> Reason:
         return Reason.of("host.text_form", what="record", most=_LONGEST_NAME)
     reasons = (_wrong_recorded(recorded) for recorded in begin.repeat)
     return _within("settle_s", begin.settle_s) or next((reason for reason in reasons if reason), NOTHING)
+
+
+def _wrong_record(record: live.Record) -> Reason:
+    if len(record.path) > _LONGEST_NAME or "\0" in record.path:
+        return Reason.of("host.text_form", what="path", most=_LONGEST_NAME)
+    return wrong_name(record.subsystem, "subsystem")
 
 
 def _wrong_listen(listen: holding.Listen) -> Reason:

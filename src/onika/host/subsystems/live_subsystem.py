@@ -49,6 +49,8 @@ class LiveSubsystem:
         self.name = name
         self.table = table
         self.holder = ""
+        self.recording = ""
+        """The file into which it is being recorded; empty: it is not."""
         self.desired = DesiredState()
         self.outcomes = Outcomes()
         self.reshaping = Reshaping(table)

@@ -153,6 +153,7 @@ from onika.wire.act.running import (
     KeepAlive as KeepAlive,
     LetGo as LetGo,
     LogReadings as LogReadings,
+    RecordByHand as RecordByHand,
     Reinit as Reinit,
     Renew as Renew,
     Reset as Reset,
@@ -239,6 +240,7 @@ AnyAct = (
     | Stop
     | Reset
     | AddUnit
+    | RecordByHand
     | Take
     | Release
     | Hand

@@ -152,6 +152,13 @@ class AddUnit(Act, frozen=True):
     name: str
 
 
+class RecordByHand(Act, frozen=True):
+    """Record a configuration that lives into a file from now on, or end that; the value is the file (X05)."""
+
+    doc: str
+    is_on: bool = True
+
+
 class FindRoom(Act, frozen=True):
     """Do once more what found no gap between the cycles of a unit last, and was taken back (law 21)."""
 

@@ -105,6 +105,8 @@ class DocumentView(View, frozen=True):
     """Whether that application is over: it is a plain configuration again."""
     black_box: str = ""
     """The file on the runtime's machine in which the last seconds stand before something went wrong; empty: none."""
+    recording: str = ""
+    """The file on the runtime's machine into which it is being recorded; empty: it is not."""
     taken_by: str = ""
     """The application that has taken over what lived here, and after which it is put back; empty: none."""
     holder: str = ""

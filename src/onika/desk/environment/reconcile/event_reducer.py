@@ -29,6 +29,8 @@ def after_event(model: Model, message: event.Event, at_s: float = 0.0) -> Done:
             return _edited(model, message)
         case event.LastSecondsKept() if not message.run:
             return _kept(model, message)
+        case event.Recording():
+            return _recorded(model, message)
         case event.Result() if not is_going(model):  # of a run that is not of this environment
             return Done(model, orders=(presence.ask_what(),))
         case event.Held() | event.Offered() | event.Company() | event.Moved():
@@ -58,6 +60,23 @@ def _kept(model: Model, message: event.LastSecondsKept) -> Done:
     line = page.Say("info", reason, document.id, where)
     subsystem_facts = replace(document.live, black_box=message.path)
     return Done(model.with_document(replace(document, live=subsystem_facts)), says=(line,))
+
+
+def _recorded(model: Model, message: event.Recording) -> Done:
+    """A configuration is recorded from now on, or no more: a line leads to what was."""
+    document = _home(model, message.subsystem)
+    if document is not None and document.live is not None:
+        facts = replace(document.live, recording=message.path if message.is_on else "")
+        model = model.with_document(replace(document, live=facts))
+    if message.is_on:
+        return Done(model)
+    name, doc = (document.name, document.id) if document is not None else (message.subsystem, "")
+    reason = Reason.of("run.hand_recorded", name=name, seconds=message.lasted_s, path=message.path)
+    where = ShowRecording(message.path)
+    if not message.cause:
+        return Done(model, says=(page.Say("info", reason, doc, where),))
+    reason = Reason.of("run.what_why", what=reason, why=message.cause)
+    return Done(model, says=(page.Say("warning", reason, doc, where),))
 
 
 def _of_holder(model: Model, message: event.Held | event.Offered | event.Company | event.Moved, at_s: float) -> Done:

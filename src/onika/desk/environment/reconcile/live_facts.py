@@ -31,7 +31,8 @@ def with_standing(subsystem_facts: SubsystemFacts, standing: live.Standing) -> S
         tasks = {name: task for name, task in subsystem_facts.tasks.items() if task.state == "SPAWNING"} | {
             name: task for name, task in tasks.items() if subsystem_facts.state_of(name) != "SPAWNING"
         }
-    return replace(subsystem_facts, tasks=tasks, holder=home.holder if home else "")
+    holder, recording = (home.holder, home.recording) if home else ("", "")
+    return replace(subsystem_facts, tasks=tasks, holder=holder, recording=recording)
 
 
 def settled(document: Document) -> Document:

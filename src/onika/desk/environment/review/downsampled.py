@@ -3,6 +3,8 @@
 All its values are read once, aside; then any stretch of it is answered at once.
 """
 
+from msgspec import structs
+
 from onika.desk.environment.outcome.outcome import Done, No, Procedure, Work
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.review.opening import NOT_HERE
@@ -26,6 +28,8 @@ def course(model: Model, command: act.Course, outside: Services) -> Procedure:
     subject = looked_at(model, of_other=command.of_other)
     if isinstance(subject, No):
         return subject
+    if command.of_other and model.review_session is not None:
+        command = structs.replace(command, variable=model.review_session.address_in_other(command.variable))
     aside, series = outside.reading, subject.review.series.get(command.variable)
     if aside is None:
         return NOT_HERE

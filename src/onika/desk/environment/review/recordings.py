@@ -21,7 +21,8 @@ def recordings(model: Model, _asked: act.Recordings, outside: Services) -> Proce
     if outside.state is None or outside.reading is None:
         return NOT_HERE
     folder, boxes = recordings_folder(outside.state), black_boxes_in(outside.state)
-    made = {run.view.recording for run in model.going}
+    by_hand = {document.live.recording for document in model.documents.values() if document.live is not None}
+    made = {run.view.recording for run in model.going} | by_hand
     model, files = yield Work(model, outside.reading, lambda: _newest_first(folder, boxes, made))
     return Done(model, value=RecordingsView(str(folder), files))
 

@@ -31,7 +31,7 @@ def place(model: Model, command: act.Run, name: str, outside: Services) -> Path 
     if outside.state is None:
         return without(Reason.of("run.record_no_folder"), command)
     path = recording_path(outside.state, name, outside.calendar())
-    wrong = _unwritable(path.parent)
+    wrong = unwritable(path.parent)
     return without(wrong, command) if wrong else path
 
 
@@ -41,7 +41,7 @@ def without(why: Argument, command: act.Run) -> No:
     return No(Reason.of("run.record_not", why=why), (remedy,))
 
 
-def _unwritable(folder: Path) -> Reason:
+def unwritable(folder: Path) -> Reason:
     """Why nothing can be written there; nothing: it can."""
     try:
         make_own(folder)

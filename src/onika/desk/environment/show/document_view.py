@@ -217,6 +217,7 @@ def _with_subsystem(view: DocumentView, live: SubsystemFacts | None) -> Document
         holder=live.holder,
         is_held_here=live.is_held_here,
         black_box=live.black_box,
+        recording=live.recording,
     )
     if live.offer is None:
         return held

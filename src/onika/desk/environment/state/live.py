@@ -119,6 +119,8 @@ class SubsystemFacts:
     """What its holder would hand over."""
     black_box: str = ""
     """The file in which the last seconds stand before something went wrong here last."""
+    recording: str = ""
+    """The file on the runtime's machine into which it is being recorded; empty: it is not."""
     me: str = ""
     """The name by which the runtime knows this environment; empty: it was not told yet."""
     base: RequestedState | None = None
