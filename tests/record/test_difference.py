@@ -2,7 +2,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
 from kit.examples import examples
-from kit.record.recording_builder import RecordingBuilder
+from kit.record.recording_builder import RecordingBuilder, run
 from onika.record.difference import first_difference
 from onika.record.reader import Reader
 from onika.record.tolerance import WALL, Tolerance
@@ -26,6 +26,26 @@ def difference(tmp_path, tolerance=None, **other):
 
 def test_equal_runs_do_not_differ(tmp_path):  # R-X05
     assert difference(tmp_path) is None
+
+
+def by_hand(tmp_path, name, home, *variables):
+    """A recording of a subsystem that was held by hand."""
+    made = RecordingBuilder(tmp_path / f"{name}.mcap", run(is_by_hand=True))
+    made.tell(0.0, event.TaskState(home, name, "ON", 0.0), home)
+    for variable, course in variables:
+        made.variable(variable, "double", *course, unit="rad", home=home)
+    return made.end(completed="yes")
+
+
+def test_two_controllers_by_hand_are_compared_in_the_variables_that_both_have(tmp_path):  # R-X05
+    first = by_hand(tmp_path, "pd", "left", ("Q", ((0.0, 0.0), (1.0, 1.0), (2.0, 2.0))), ("GAIN", ((0.0, 5.0),)))
+    same = by_hand(tmp_path, "pid", "right", ("Q", ((0.0, 0.0), (1.0, 1.0), (2.0, 2.0), (3.0, 9.0))))
+    assert first_difference(first, same, Tolerance()) is None
+    other = by_hand(tmp_path, "slow", "right", ("Q", ((0.0, 0.0), (1.0, 1.5), (2.0, 2.0))))
+    found = first_difference(first, other, Tolerance())
+    assert (found.at_ns, found.variable, str(found.what)) == (1_000_000_000, "left/Q", "left/Q")
+    strange = by_hand(tmp_path, "strange", "right", ("P", ((0.0, 0.0),)))
+    assert first_difference(first, strange, Tolerance()).what.key == "record.the_variables"
 
 
 def test_how_many_actions_are_to_come_is_no_difference_of_the_one_that_begins(tmp_path):  # R-X05

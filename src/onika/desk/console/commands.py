@@ -186,7 +186,7 @@ LOOKS = (
     ),
     Command(
         "record",
-        "record [SUBSYSTEM] FILE  |  record [SUBSYSTEM] off",
+        "record [SUBSYSTEM] FILE|off",
         Reason.of("console.does_record"),
         recording_lines.record,
         ("subsystem", "file"),

@@ -16,9 +16,17 @@ def record(session: ConsoleSession, words: Words) -> Faults:
     if place == OFF:
         return _asked(session, live.Record(subsystem))
     path = Path(place).expanduser().absolute()
-    if path.exists():
+    if _is_there(path):
         return session.no(Reason.of("console.recording_exists", path=str(path)))
     return _asked(session, live.Record(subsystem, str(path)))
+
+
+def _is_there(path: Path) -> bool:
+    """Whether a file has this name; what is no name the runtime refuses."""
+    try:
+        return path.exists()
+    except (OSError, ValueError):
+        return False
 
 
 def _asked(session: ConsoleSession, message: live.Record) -> Faults:
