@@ -407,7 +407,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "console.more_on": "Lo que le falta, lo pregunta. `@home` son los valores del objetivo home.",
   "console.more_open": "Solo puede su propietario. Sin lugar escucha en 127.0.0.1:7994, para programas de esta máquina.\nSe dice una vez un token, con el ROLE de quien venga con él (viewer si no se dice), hasta `close`.\nEn otra parte necesita TLS y usuarios: cert=FILE key=FILE users=FILE.",
   "console.more_quit": "`quit runtime` termina también un runtime que iniciaron otros.",
-  "console.more_record": "Cada valor que escriben sus tareas, sus estados y todos los eventos, como MCAP, hasta `record off`\no hasta que no viva nada más allí. `onika recording` lo lee. Solo en la consola que arrancó el runtime.",
+  "console.more_record": "Cada valor que escriben sus tareas, sus estados y todos los eventos, como MCAP, hasta `record off` o\nhasta que no viva nada más allí. `onika recording` lo lee. Solo en la consola que arrancó el runtime.",
   "console.more_reinit": "Quien necesita sus constantes se inicializa de nuevo después.",
   "console.more_rtpus": "`rtpus add NAME` añade una unidad de proceso; si se perdió una de ese nombre, se inicia de nuevo, vacía:\nsus tareas no vuelven hasta que alguien las cree.",
   "console.more_run": "En un guion la línea siguiente espera a su final, o a una pregunta, que puede responder.\nEntonces `wait run` espera al final.\n`puma=scara` la redirige a otra tarea en todos los flujos, `0:puma=scara` en uno,\n`0:boxes:=boxes@copy:` a otro mundo; su archivo no cambia.",
