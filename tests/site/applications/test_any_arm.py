@@ -169,6 +169,5 @@ def test_a_gripper_that_is_nothing_but_files_opens_and_closes_as_far_as_is_wante
         "OUTVAR      GRIP_MEZ\nTASKTYPE    periodic\nFREQ        250\n\nLOCAL\nDEVICE      cell:elbow_gripper_left",
     )
     lab.configuration("handC", "hand 250", "squeeze 50")
-    lab.application("grasp", [job("handC")])
-    answers = ("--answer", f"squeeze.opening={opening}", "--answer", "squeeze.force=15")
-    assert run(lab, "grasp", *answers, "--expect", f"GRIP_MEZ[0] >= {low}", "--expect", f"GRIP_MEZ[0] <= {high}") == 0
+    lab.application("grasp", [job("handC", "Gripper job"), target("so_far", "Gripper object", opening, "15.0")])
+    assert run(lab, "grasp", "--expect", f"GRIP_MEZ[0] >= {low}", "--expect", f"GRIP_MEZ[0] <= {high}") == 0

@@ -21,9 +21,18 @@ PARTS = {"visit"}
 ENDLESS = {"wave_on"}
 ENOUGH_S = 60.0
 """What is foreseen of one that never ends; all others are shorter."""
+AT_ONCE = {"assemble", "gantry_lamp", "touch_down", "tour_hand", "two_arms", "visit_boxes", "wave_on"} | WITHOUT_WORLD
+"""Each of these differs from the others; those wait for the long tests."""
 
 
-@pytest.mark.parametrize("name", [name for name in NAMES if name not in PARTS])
+def shipped_programs():
+    """Their names, most of them marked as slow."""
+    for name in NAMES:
+        if name not in PARTS:
+            yield pytest.param(name, marks=() if name in AT_ONCE else pytest.mark.slow)
+
+
+@pytest.mark.parametrize("name", list(shipped_programs()))
 def test_of_a_shipped_program_nothing_is_told_that_is_meant(name, monkeypatch):  # R-E16
     monkeypatch.setattr(room, "LONGEST_S", ENOUGH_S)
     prepared = prepare_run(name, SITE)
