@@ -13,6 +13,9 @@ SIDE_BY_SIDE := $(BIN)/python tools/side_by_side.py
 # would compile anew all it loads.
 unexport PYTHONDONTWRITEBYTECODE
 
+# Matrices here are small: threads of the linear algebra would only wait for each other.
+export OPENBLAS_NUM_THREADS := 1
+
 .DEFAULT_GOAL := help
 .PHONY: help demo assemble page test tests check audit mutants fuzz soak bench bench-peers clean
 
@@ -46,7 +49,7 @@ check: $(VENV)/.installed-dev page ## style, types, floors, tests for every file
 audit: $(VENV)/.installed-dev ## ask the advisory databases about all packages, where a network allows
 	$(BIN)/python tools/audit.py --venv $(AUDIT)
 
-# The profile draws the same examples every time, so a change is judged by what it changed, and less than half of those
+# The profile draws the same examples every time, so a change is judged by what it changed, and a quarter of those
 # that `soak` draws anew. What starts programs runs apart from what starts browsers, two of a kind at a time share the
 # machine. Both wait for much; what only computes goes on behind them, and gets what they leave of the processors. The
 # first two meet the machine's clock, and so do a few of the rest that start a process: what fails is tried twice more, and

@@ -135,6 +135,7 @@ def _parts(value: Any) -> list[Any]:
     return [value, *(part for item in inner for part in _parts(item))]
 
 
+@pytest.mark.slow
 def test_the_strategies_vary_every_field_of_every_value() -> None:
     seen: dict[tuple[type, str], set[str]] = {}  # R-B08
 

@@ -256,6 +256,8 @@ class Explorer:
 
 QUICK = sorted(PROGRAMS.keys() - {"a loop with a meeting", "a branch", "three flows"})
 SMALL = sorted({*QUICK} - {"one beside a flow"})
+LONG = {"a breakpoint", "a nested parallel application", "one in a loop", "two flows that meet"}
+"""What takes longest to explore waits for the long tests."""
 SPAWNED = ["two flows that meet", "one in a loop"]
 
 
@@ -274,7 +276,9 @@ def test_whatever_the_user_does_once_every_run_can_be_completed_and_ended(name):
     assert Explorer(PROGRAMS[name], Budget(user=1)).explore().states
 
 
-@pytest.mark.parametrize("name", SMALL)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.slow) if name in LONG else name for name in SMALL]
+)
 def test_whatever_goes_wrong_once_every_run_can_be_ended(name):  # R-E08, R-E10
     assert Explorer(PROGRAMS[name], Budget(faults=1)).explore().states
 

@@ -170,6 +170,7 @@ def test_several_targets_are_told_apart_by_their_types():  # R-D13
     assert targets(line) == [("there",), ("long",)]
 
 
+@pytest.mark.slow
 def test_a_program_that_grows_without_measure_is_given_up():
     flows = [application("a0", [job("x"), job("y")])]
     for depth in range(1, 40):

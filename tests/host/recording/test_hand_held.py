@@ -174,6 +174,7 @@ def test_the_second_time_has_a_file_of_its_own(by_hand):  # R-X05
     assert by_hand.files == sorted(kept.path for kept in by_hand.kept)
 
 
+@pytest.mark.slow
 def test_who_tries_again_and_again_fills_no_folder(by_hand):  # R-X05
     for _ in range(MOST_INCIDENTS + 2):
         by_hand.sicken()
