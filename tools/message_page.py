@@ -9,7 +9,7 @@ from typing import get_args
 
 import msgspec
 
-from onika.wire import event, holding, live, plan, reading, request
+from onika.wire import event, holding, live, plan, reading, request, runtime_standing
 
 _HEAD = """\
 # Messages
@@ -27,7 +27,7 @@ def page() -> str:
     by_hand = {*get_args(live.LiveRequest), *get_args(holding.HoldingRequest)}
     asked = [one for one in get_args(request.Request) if one not in by_hand]
     answered = get_args(request.Response)
-    parts = [one for module in (plan, request, live, holding, event) for one in _structs(module)]
+    parts = [one for module in (plan, request, live, runtime_standing, holding, event) for one in _structs(module)]
     told = {*get_args(request.Request), *answered, *get_args(event.Event), *get_args(reading.Reading)}
     return "\n".join(
         (

@@ -14,6 +14,7 @@ from kit.worlds.rail_world import rail_tasks
 from onika.host.sessions.request_decoder import decode
 from onika.wire import event, holding, live, request
 from onika.wire.plan import Again, Choose, Do, Fork, Halt, Join, Jump, Meet, Plan, Rest, Unless
+from onika.wire.runtime_standing import Standing
 
 _SLICE_NS = 400_000
 _SESSION = 60
@@ -90,7 +91,7 @@ class _Crowd:
     def check(self) -> None:
         """The runtime still answers, and no number that is none came to its drive."""
         self.client.server.gone.append("session 0")
-        assert isinstance(self.client.ask(live.Survey(), "the last"), live.Standing)
+        assert isinstance(self.client.ask(live.Survey(), "the last"), Standing)
         causes = [told.cause for told in self.client.server.events if isinstance(told, event.Drive)]
         assert all("no number" not in str(cause) for cause in causes)
 

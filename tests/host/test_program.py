@@ -9,6 +9,7 @@ from kit.worlds.rail_world import YardLoading, rail_tasks
 from onika.host.loading.loader_client import NotYet
 from onika.wire import event, live, request
 from onika.wire.plan import Again, Do, Halt
+from onika.wire.runtime_standing import Standing
 from onika.words.reason import Reason
 
 SECOND = 1_000_000_000
@@ -217,4 +218,4 @@ def test_a_long_way_without_anything_to_do_is_gone_in_parts_and_others_are_heard
     desk.send(live.Advance(3600.0))
     desk.program.advance(0)
     assert at_ns < desk.program._driver.now < at_ns + 10 * SECOND
-    assert isinstance(desk.ask(live.Survey(), "somebody"), live.Standing)
+    assert isinstance(desk.ask(live.Survey(), "somebody"), Standing)

@@ -18,6 +18,7 @@ from onika.link.address import Address
 from onika.link.websocket_opening import WebSocketOpening
 from onika.wire import event, live, request
 from onika.wire.plan import Plan
+from onika.wire.runtime_standing import Standing
 from onika.words.reason import Reason
 
 pytestmark = pytest.mark.site
@@ -179,7 +180,7 @@ def owner_asks(site, seed, count):
                 owner.ask(request.Begin(on_loss="run"))
         anybody.ask(min(count, 1000))
     with site.connect() as owner:
-        assert isinstance(owner.ask(live.Survey()), live.Standing)
+        assert isinstance(owner.ask(live.Survey()), Standing)
     assert "Traceback" not in site.close()
 
 

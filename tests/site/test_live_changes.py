@@ -11,6 +11,7 @@ from kit.plans.plan_builder import PlanBuilder
 from kit.runtime.live_edits import COUNTER, SOURCE, USER
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.wire import event, live, request
+from onika.wire.runtime_standing import Standing
 
 pytestmark = pytest.mark.site
 
@@ -119,7 +120,7 @@ class Bench:
 
     def standing(self):
         answer = self.runtime.ask(live.Survey())
-        assert isinstance(answer, live.Standing), answer
+        assert isinstance(answer, Standing), answer
         return answer
 
     def states(self, subsystem="s0"):

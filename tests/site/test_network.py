@@ -24,6 +24,7 @@ from onika.link.lost import LinkLost, LossCause
 from onika.link.websocket_opening import WebSocketOpening
 from onika.wire import event, live, request, steer
 from onika.wire.packet import VERSION, Hello, RequestPacket, encode
+from onika.wire.runtime_standing import Standing
 from onika.words.reason import Reason
 
 pytestmark = pytest.mark.site
@@ -154,7 +155,7 @@ def test_an_honest_login_is_quick_beside_three_hundred_idle_connections(reachabl
     try:
         began = monotonic()
         with there.connect() as runtime:
-            assert isinstance(runtime.ask(live.Survey()), live.Standing)
+            assert isinstance(runtime.ask(live.Survey()), Standing)
         took = monotonic() - began
     finally:
         for idler in idle:
@@ -287,7 +288,7 @@ def test_over_tls_a_user_is_known_by_his_token_and_has_his_role(reachable, tmp_p
     assert there.url.startswith("wss://0.0.0.0:"), there.said
     url = f"wss://127.0.0.1:{there.port}"
     with connect(url, token, cert) as runtime:
-        assert isinstance(runtime.ask(live.Survey()), live.Standing)
+        assert isinstance(runtime.ask(live.Survey()), Standing)
         assert "ann, who is viewer" in str(runtime.ask(request.Abort(Reason.plain("no"))).reason)
         assert not isinstance(runtime.ask(request.Stop(Reason.plain("everybody may"))), request.Refused)
     with pytest.raises(LinkLost) as untrusted, connect(url, token):

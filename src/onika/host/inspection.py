@@ -16,6 +16,7 @@ from onika.runtime.integrity import Accessor, check
 from onika.runtime.subsystem import Member
 from onika.runtime.table import plain
 from onika.wire import live, reading, request
+from onika.wire.runtime_standing import RtpuStanding, Standing, SubsystemStanding, TaskStanding
 from onika.words.reason import NOTHING, Reason
 
 _FASTEST_HZ = 60.0
@@ -164,18 +165,18 @@ class Inspection:
         found = check(table, [_accessor(member) for member in self._subsystems.members(subsystem).values()])
         return live.Findings(tuple(finding.reason for finding in found))
 
-    def _standing(self, is_stopped: bool) -> live.Standing:
+    def _standing(self, is_stopped: bool) -> Standing:
         names = [*self._subsystems.live, *(name for run in self._subsystems.runs for name in run.names)]
         subsystems = tuple(self._subsystem(name) for name in sorted(set(names)))
         lost, loads = self._subsystems.lost_units, self._subsystems.status_poll.loads
-        rtpus = tuple(live.RtpuStanding(name, name in lost, loads.get(name, 0.0)) for name in self._subsystems.units)
+        rtpus = tuple(RtpuStanding(name, name in lost, loads.get(name, 0.0)) for name in self._subsystems.units)
         seen = self._seen
         now_s, addresses = seen.now * 1e-9, self._server.addresses
         displaced = {} if self._subsystems.runs else seen.displaced()
         facts = seen.is_virtual, is_stopped, now_s, addresses, seen.simulated, displaced
-        return live.Standing(subsystems, rtpus, seen.worlds, *facts)
+        return Standing(subsystems, rtpus, seen.worlds, *facts)
 
-    def _subsystem(self, name: str) -> live.SubsystemStanding:
+    def _subsystem(self, name: str) -> SubsystemStanding:
         run = self._subsystems.run_in(name)
         by_hand = self._subsystems.live.get(name)
         members = self._subsystems.members(name)
@@ -186,23 +187,23 @@ class Inspection:
                 for task, member in members.items()
             )
             asks, on_loss = run.runner.questions(name), run.on_loss
-            return live.SubsystemStanding(name, run.session, run.application, tasks, asks, on_loss)
+            return SubsystemStanding(name, run.session, run.application, tasks, asks, on_loss)
         if by_hand is None:
-            return live.SubsystemStanding(name, "", "", ())
+            return SubsystemStanding(name, "", "", ())
         desired, claims = by_hand.desired, by_hand.executor.spawner.claims
         tasks = tuple(
             _task(member, desired.is_on(task), desired.rate(task), by_hand.reason(task), claims.get(task, ""))
             for task, member in members.items()
         )
-        return live.SubsystemStanding(
+        return SubsystemStanding(
             name, by_hand.holder, "", tasks, by_hand.executor.questions, recording=by_hand.recording
         )
 
 
-def _task(member: Member, is_wanted_on: bool, rate: float | None, reason: Reason, claims: str) -> live.TaskStanding:
+def _task(member: Member, is_wanted_on: bool, rate: float | None, reason: Reason, claims: str) -> TaskStanding:
     task = member.wired.task
     frequency = task.frequency if rate is None else rate
-    return live.TaskStanding(task, member.state.value, is_wanted_on, member.rtpu, frequency, reason, claims)
+    return TaskStanding(task, member.state.value, is_wanted_on, member.rtpu, frequency, reason, claims)
 
 
 def _accessor(member: Member) -> Accessor:

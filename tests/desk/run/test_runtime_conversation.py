@@ -6,6 +6,7 @@ from kit.plans.bell_plan import bell
 from onika.desk.run.launched_runtime import LaunchedRuntime
 from onika.desk.run.runtime_conversation import NumberedResponse, in_short
 from onika.wire import event, live, request
+from onika.wire.runtime_standing import Standing
 from onika.words.reason import NOTHING, Reason
 
 
@@ -30,7 +31,7 @@ def test_what_is_sent_is_not_waited_for_and_answered_under_its_number():
             assert runtime.readers() and runtime.due_s() is not None and runtime.writers() == []
             messages += runtime.messages(1.0)
         replies = {message.number: message.response for message in messages if isinstance(message, NumberedResponse)}
-    assert isinstance(replies[numbers[0]], live.Standing)
+    assert isinstance(replies[numbers[0]], Standing)
     assert replies[numbers[1]] == request.Done()
     assert str(replies[numbers[2]].reason) == "no world moon is open"
 

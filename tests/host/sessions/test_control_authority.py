@@ -4,6 +4,7 @@ from kit.runtime.live_edits import live_edits_with_tasks
 from kit.runtime.sessions import leave, there
 from kit.worlds.rail_world import rail_tasks
 from onika.wire import event, holding, live, request, steer
+from onika.wire.runtime_standing import Standing
 from onika.words.reason import Reason
 
 
@@ -209,7 +210,7 @@ def test_who_only_watches_changes_nothing_and_may_stop(hand):  # R-X12, law 27
         steer.Resume("s0"),
     ):
         assert "only watches" in str(hand.asker.ask(wish, "two").reason)
-    assert isinstance(hand.asker.ask(live.Survey(), "two"), live.Standing)
+    assert isinstance(hand.asker.ask(live.Survey(), "two"), Standing)
     assert hand.asker.ask(request.Stop(Reason.plain("enough")), "two") == request.Done()
 
 

@@ -20,6 +20,7 @@ from onika.ring.displacement import Displacement
 from onika.wire import event, holding, live, request, steer
 from onika.wire.foresight import Foreseen, Foresight, WhatIf
 from onika.wire.plan import PlannedTask
+from onika.wire.runtime_standing import RtpuStanding, Standing, SubsystemStanding, TaskStanding
 from onika.wire.samples import Sample, Sampled
 from onika.words.reason import NOTHING, Reason
 
@@ -190,9 +191,9 @@ class LiveRuntime:
             case live.Check():
                 return live.Findings(tuple(map(Reason.plain, self.findings.get(message.subsystem, ()))))
 
-    def _survey(self) -> live.Standing:
+    def _survey(self) -> Standing:
         subsystems = tuple(
-            live.SubsystemStanding(
+            SubsystemStanding(
                 home,
                 self._holders.get(home, ""),
                 self._applications.get(home, ""),
@@ -200,17 +201,17 @@ class LiveRuntime:
             )
             for home, lives in self.lives.items()
         )
-        subsystems += tuple(live.SubsystemStanding(position.subsystem, "", "played", ()) for position in self.positions)
-        rtpus = tuple(live.RtpuStanding(name, False, 0.25) for name in self._rtpus)
+        subsystems += tuple(SubsystemStanding(position.subsystem, "", "played", ()) for position in self.positions)
+        rtpus = tuple(RtpuStanding(name, False, 0.25) for name in self._rtpus)
         worlds = tuple(self.worlds)
         simulated = tuple(world for world in worlds if self.worlds[world])
         stands = self._is_virtual, self.is_stopped, self.now_s
-        return live.Standing(subsystems, rtpus, worlds, *stands, self.addresses, simulated, self.displaced)
+        return Standing(subsystems, rtpus, worlds, *stands, self.addresses, simulated, self.displaced)
 
-    def _task(self, life: _Life) -> live.TaskStanding:
+    def _task(self, life: _Life) -> TaskStanding:
         claims = next((words[0] for key, words in life.task.local if key == "DEVICE"), "")
         is_on = life.state is State.ON
-        return live.TaskStanding(life.task, life.state.value, is_on, life.rtpu, life.frequency, claims=claims)
+        return TaskStanding(life.task, life.state.value, is_on, life.rtpu, life.frequency, claims=claims)
 
     def _figure(self, home: str, life: _Life) -> live.TaskFigure:
         hz = life.frequency or 0.0

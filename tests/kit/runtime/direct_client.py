@@ -11,6 +11,7 @@ from onika.host.sessions.request_server import SessionRequest
 from onika.host.units.virtual import VirtualDriver
 from onika.link.caller import Role
 from onika.wire import event, holding, live, reading, request
+from onika.wire.runtime_standing import Standing
 
 SECOND = 1_000_000_000
 
@@ -148,7 +149,7 @@ class DirectClient:
     def states(self, subsystem: str = "s0") -> dict[str, str]:
         """The tasks of a subsystem and their states."""
         standing = self.ask(live.Survey())
-        if not isinstance(standing, live.Standing):
+        if not isinstance(standing, Standing):
             raise TypeError(str(standing))
         subsystems = [
             standing_subsystem for standing_subsystem in standing.subsystems if standing_subsystem.name == subsystem

@@ -14,6 +14,7 @@ from onika.runtime.execution.running_task import RunningTask
 from onika.wire import event, live
 from onika.wire.plan import Code, PlannedTask
 from onika.wire.request import Response
+from onika.wire.runtime_standing import Standing, TaskStanding
 from onika.words.reason import Reason
 
 SOURCE = """
@@ -285,10 +286,10 @@ class LiveEdits:
         """The tasks of subsystem `s0` and their states."""
         return self.asker.states()
 
-    def standing(self, subsystem: str = "s0") -> dict[str, live.TaskStanding]:
+    def standing(self, subsystem: str = "s0") -> dict[str, TaskStanding]:
         """The tasks of a subsystem as they stand."""
         answer = self.asker.ask(live.Survey())
-        if not isinstance(answer, live.Standing):
+        if not isinstance(answer, Standing):
             raise TypeError(str(answer))
         return {
             task.task.name: task

@@ -2,6 +2,7 @@ import pytest
 
 from kit.runtime.direct_client import DirectClient, OpenGate
 from onika.wire import event, live, request
+from onika.wire.runtime_standing import Standing
 from onika.words.reason import Reason
 
 
@@ -16,7 +17,7 @@ def test_who_asks_gets_the_answer_that_belongs_to_it():
     asker = DirectClient()
     first, second = asker.send(live.Advance(1.0)), asker.send(live.Survey())
     assert first not in asker.server.replies
-    assert isinstance(asker.server.replies[second], live.Standing)
+    assert isinstance(asker.server.replies[second], Standing)
 
 
 def test_the_outcome_of_a_request_is_its_reason_or_nothing():

@@ -17,6 +17,7 @@ from onika.desk.run.world_text import drive_lines
 from onika.model.planned import task_of
 from onika.model.rules.worlds import worlds_of
 from onika.wire import live, request
+from onika.wire.runtime_standing import Standing, SubsystemStanding
 from onika.words.name import TASK_NAME
 from onika.words.reason import Reason
 
@@ -58,7 +59,7 @@ def status(session: ConsoleSession, words: Words) -> Faults:
     return ()
 
 
-def _drives(standing: live.Standing) -> Iterator[Reason]:
+def _drives(standing: Standing) -> Iterator[Reason]:
     """Which subsystem drives which world."""
     worlds = {
         subsystem.name: worlds_of(task_of(task.task) for task in subsystem.tasks if task.state != "KILLED")
@@ -115,7 +116,7 @@ def subsystems(session: ConsoleSession, words: Words) -> Faults:
     return ()
 
 
-def _subsystem_row(subsystem: live.SubsystemStanding, chosen: str) -> tuple[Cell, ...]:
+def _subsystem_row(subsystem: SubsystemStanding, chosen: str) -> tuple[Cell, ...]:
     mark = "*" if subsystem.name == chosen else ""
     holder = subsystem.holder or Reason.of("console.nobody")
     moved = subsystem.application or Reason.of("console.by_hand")

@@ -14,6 +14,7 @@ from onika.store.site import Site
 from onika.wire import event, live, request
 from onika.wire.figures import VariableSteps
 from onika.wire.lack_of_room import without_gap
+from onika.wire.runtime_standing import Standing, TaskStanding
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
 
@@ -96,7 +97,7 @@ class ConsoleSession:
         """What is looked at whenever the runtime is listened to: variables watched, files followed."""
         self._in_tick = False
         self._edits: dict[tuple[str, int], event.Edited] = {}
-        self._standing: live.Standing | None = None
+        self._standing: Standing | None = None
         self._applied: frozenset[str] = frozenset()
 
     def begin(self) -> Faults:
@@ -150,22 +151,22 @@ class ConsoleSession:
                 return self._with_ways(message, faults)
         return ()
 
-    def standing(self) -> live.Standing:
+    def standing(self) -> Standing:
         """What there is, asked anew after every change; raises ValueError where the runtime cannot say it."""
         if self._standing is None:
             answer = self.ask(live.Survey())
-            if not isinstance(answer, live.Standing):
+            if not isinstance(answer, Standing):
                 raise ValueError(Reason.of("console.no_standing", given=str(answer)))
             self._standing = answer
             self._applied = frozenset(subsystem.name for subsystem in answer.subsystems if subsystem.application)
         return self._standing
 
-    def look_again(self) -> live.Standing:
+    def look_again(self) -> Standing:
         """What there is now, the time too."""
         self._standing = None
         return self.standing()
 
-    def tasks(self, subsystem: str = "") -> dict[str, live.TaskStanding]:
+    def tasks(self, subsystem: str = "") -> dict[str, TaskStanding]:
         """The living tasks of a subsystem (the chosen one), by name."""
         for standing in self.standing().subsystems:
             if standing.name == (subsystem or self.subsystem):

@@ -12,6 +12,7 @@ from onika.model.configuration import Configuration
 from onika.model.planned import task_of
 from onika.wire import live
 from onika.wire.plan import Code, PlannedTask
+from onika.wire.runtime_standing import TaskStanding
 from onika.words.reason import Reason
 
 Words = tuple[str, ...]
@@ -119,12 +120,12 @@ def switch(session: ConsoleSession, words: Words) -> Faults:
     return _reconfigured(session, words, lambda others: live.Change(session.subsystem, off=_moving(others)))
 
 
-def _moving(tasks: Mapping[str, live.TaskStanding]) -> Words:
+def _moving(tasks: Mapping[str, TaskStanding]) -> Words:
     return tuple(name for name, task in tasks.items() if task.state in ("ON", "ASKING"))
 
 
 def _reconfigured(
-    session: ConsoleSession, words: Words, leave: Callable[[Mapping[str, live.TaskStanding]], live.Change]
+    session: ConsoleSession, words: Words, leave: Callable[[Mapping[str, TaskStanding]], live.Change]
 ) -> Faults:
     """The tasks of a configuration are ON; `leave` says what becomes of the others that live."""
     library = SiteLibrary(session.site, session.place)
@@ -154,7 +155,7 @@ def _reconfigured(
     return tuple(dict.fromkeys((*faults, *wrong))) or session.order(change)
 
 
-def _as_placed(library: SiteLibrary, configuration: Configuration, living: Mapping[str, live.TaskStanding]) -> set[str]:
+def _as_placed(library: SiteLibrary, configuration: Configuration, living: Mapping[str, TaskStanding]) -> set[str]:
     """The tasks that live as a configuration has them: with its aliases and parameters."""
     same = set()
     for placed in configuration.placed:
@@ -194,7 +195,7 @@ def _useless(
     return session.no(Reason.of("console.nobody_takes", line=line, name=configuration.name))
 
 
-def _rates(configuration: Configuration, living: Mapping[str, live.TaskStanding]) -> Iterator[tuple[str, float]]:
+def _rates(configuration: Configuration, living: Mapping[str, TaskStanding]) -> Iterator[tuple[str, float]]:
     """The rates that a configuration gives to tasks that live already and keep time."""
     for placed in configuration.placed:
         if placed.frequency and placed.task in living and living[placed.task].frequency is not None:

@@ -28,6 +28,7 @@ from onika.model.redirect import Redirect
 from onika.store.site import Site
 from onika.wire import event, live, request
 from onika.wire.plan import Plan
+from onika.wire.runtime_standing import Standing
 from onika.wire.steer import Position
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
@@ -252,7 +253,7 @@ def _runtime(settings: RunSettings, plan: Plan, recorded: RecordedRun | None) ->
 
 def _is_virtual(runtime: RuntimeConversation) -> bool:
     answer = runtime.ask(live.Survey())
-    return isinstance(answer, live.Standing) and answer.is_virtual
+    return isinstance(answer, Standing) and answer.is_virtual
 
 
 def _prepare(prepared: PreparedRun, plan: Plan, runtime: RuntimeConversation, outcome: Outcome) -> None:

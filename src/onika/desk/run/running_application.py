@@ -29,6 +29,7 @@ from onika.desk.run.steering import Act, Expectation, PositionQuery, SteeringOrd
 from onika.link.lost import LinkLost
 from onika.wire import event, live, request, steer
 from onika.wire.plan import Plan
+from onika.wire.runtime_standing import Standing
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
@@ -114,7 +115,7 @@ class Running:
         if self._recorded is None:
             return False
         answer = self._runtime.ask(live.Survey())
-        return isinstance(answer, live.Standing) and self._recorded.is_before(answer.now_s)
+        return isinstance(answer, Standing) and self._recorded.is_before(answer.now_s)
 
     def who(self) -> tuple[steer.Position, ...]:
         """Where every flow is, and who waits for whom (X03); none where the runtime does not say."""

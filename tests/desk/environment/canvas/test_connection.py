@@ -7,6 +7,7 @@ from onika.desk.environment.reconcile.joining import connected
 from onika.desk.environment.reconcile.runtime_loss import lost
 from onika.model.task import Task
 from onika.wire import act, live, request
+from onika.wire.runtime_standing import Standing, SubsystemStanding
 from onika.wire.view import ShowConnect
 from onika.words.reason import Reason
 
@@ -124,8 +125,8 @@ def test_where_there_is_no_runtime_the_session_goes_on_unconnected(duet):  # R-C
 
 
 def test_an_application_that_runs_is_not_disturbed(duet):  # reading 30
-    home = live.SubsystemStanding("main", "anna#2", "assemble", ())
-    duet.rebuffs = {live.Survey: live.Standing((home,), (), (), True, False, 0.0)}
+    home = SubsystemStanding("main", "anna#2", "assemble", ())
+    duet.rebuffs = {live.Survey: Standing((home,), (), (), True, False, 0.0)}
     doc = duet.new("a")
     assert str(duet.do(act.Connect(doc, subsystem="main"))) == "it shows main of assemble"
     assert duet.document(doc).live is None and {type(message) for message in duet.carried_out} == {live.Survey}

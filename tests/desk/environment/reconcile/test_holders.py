@@ -1,12 +1,13 @@
 from onika.desk.environment.reconcile import holders
-from onika.wire import event, live, steer
+from onika.wire import event, steer
+from onika.wire.runtime_standing import Standing, SubsystemStanding
 from onika.wire.view import HoldView, RuntimeView
 from onika.words.reason import NOTHING, Reason
 
 
 def standing(*subsystems):
-    homes = tuple(live.SubsystemStanding(name, holder, application, ()) for name, holder, application in subsystems)
-    return live.Standing(homes, (), (), False, False, 0.0)
+    homes = tuple(SubsystemStanding(name, holder, application, ()) for name, holder, application in subsystems)
+    return Standing(homes, (), (), False, False, 0.0)
 
 
 def test_what_was_told_of_a_holder_counts_as_long_as_he_holds_it():  # R-X12
@@ -75,8 +76,8 @@ def test_what_a_task_of_an_application_asks_is_known_until_it_asks_no_more():  #
 
 
 def test_whoever_comes_later_is_told_what_is_asked_and_what_a_loss_means():  # R-X12
-    home = live.SubsystemStanding("flow0", "ann#1", "play", (), (ASKED,), "finish")
-    there = live.Standing((home,), (), (), False, False, 0.0)
+    home = SubsystemStanding("flow0", "ann#1", "play", (), (ASKED,), "finish")
+    there = Standing((home,), (), (), False, False, 0.0)
     holds = holders.surveyed({}, there)
     assert (list(holds["flow0"].asks), holds["flow0"].on_loss) == (["servo"], "finish")
     again = holders.surveyed(holds, there)

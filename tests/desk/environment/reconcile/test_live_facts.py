@@ -8,18 +8,19 @@ from onika.desk.environment.state.live import Pending, SubsystemFacts, TaskFacts
 from onika.desk.plan.compile import planned_task
 from onika.model.configuration import Configuration
 from onika.model.task import Task
-from onika.wire import event, live
+from onika.wire import event
+from onika.wire.runtime_standing import Standing, SubsystemStanding, TaskStanding
 from onika.words.reason import Reason
 
 
 def standing(*tasks, holder="me"):
-    home = live.SubsystemStanding("main", holder, "", tasks)
-    return live.Standing((home,), (), (), True, False, 0.0)
+    home = SubsystemStanding("main", holder, "", tasks)
+    return Standing((home,), (), (), True, False, 0.0)
 
 
 def task(name, state, reason=""):
     planned = planned_task(Task(name, name, frequency=10.0), "unknown", "0", f"{name}.rmod")
-    return live.TaskStanding(planned, state, False, "rt1", 20.0, reason)
+    return TaskStanding(planned, state, False, "rt1", 20.0, reason)
 
 
 def document(wanted, **states):
@@ -63,8 +64,8 @@ def test_the_facts_are_taken_over_and_a_question_is_kept_as_long_as_it_is_asked(
 
 def test_a_question_that_was_asked_before_is_known_to_whoever_connects():  # R-X12, R-C13
     question = event.Asked("main", "a", Reason.plain("too far"), (), 0.0)
-    home = live.SubsystemStanding("main", "me", "", (task("a", "ASKING", "asks for x"),), (question,))
-    now = with_standing(SubsystemFacts("main", "live"), live.Standing((home,), (), (), True, False, 0.0))
+    home = SubsystemStanding("main", "me", "", (task("a", "ASKING", "asks for x"),), (question,))
+    now = with_standing(SubsystemFacts("main", "live"), Standing((home,), (), (), True, False, 0.0))
     assert (now.tasks["a"].question, str(now.tasks["a"].note)) == (question, "")
 
 

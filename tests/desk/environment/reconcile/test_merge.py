@@ -5,6 +5,7 @@ from onika.desk.environment.reconcile.merge import runtime_view, seen, task_of
 from onika.desk.plan.compile import planned_task
 from onika.model.task import LocalLine, Task
 from onika.wire import act, live, request, view
+from onika.wire.runtime_standing import RtpuStanding, Standing, SubsystemStanding
 from onika.words.reason import NOTHING, Reason
 
 TASKS = (
@@ -25,11 +26,11 @@ def test_a_living_task_is_what_its_file_said():
 
 
 def test_the_runtime_is_shown_as_it_stands():
-    homes = (live.SubsystemStanding("left", "anna#2", "", ()), live.SubsystemStanding("right", "", "assemble", ()))
-    units = (live.RtpuStanding("rt0", False, 0.123), live.RtpuStanding("rt1", True, 0.0))
+    homes = (SubsystemStanding("left", "anna#2", "", ()), SubsystemStanding("right", "", "assemble", ()))
+    units = (RtpuStanding("rt0", False, 0.123), RtpuStanding("rt1", True, 0.0))
     shown = runtime_view(
         view.RuntimeView(address="ws://x", stop_text=Reason.plain("why"), world_kinds={"sea": "real", "boxes": "real"}),
-        live.Standing(homes, units, ("boxes", "cell"), True, True, 1.0, simulated=("boxes",)),
+        Standing(homes, units, ("boxes", "cell"), True, True, 1.0, simulated=("boxes",)),
     )
     assert shown == view.RuntimeView(
         "linked", "ws://x", NOTHING, True, True, Reason.plain("why"),

@@ -19,6 +19,7 @@ from onika.desk.environment.state.live import SubsystemFacts, WatchedRun
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_file import DocumentKind
 from onika.wire import act, live, request, view
+from onika.wire.runtime_standing import Standing
 from onika.wire.view import Remedy, ShowConnect
 from onika.words.name import TASK_NAME
 from onika.words.reason import NOTHING, Reason
@@ -99,7 +100,7 @@ def _joined(model: Model, doc: str, wish: str, reach: RequiredRuntime) -> Steps[
     document = model.documents.get(doc)
     if document is None:
         return model, closed(DocumentKind.CONFIGURATION)
-    if not isinstance(standing, live.Standing):
+    if not isinstance(standing, Standing):
         return model, refusal(standing)
     model = replace(model, runtime=runtime_view(model.runtime, standing))
     name = wish or _subsystem(model, document, standing)
@@ -115,7 +116,7 @@ def _joined(model: Model, doc: str, wish: str, reach: RequiredRuntime) -> Steps[
     document = model.documents.get(doc)
     if document is None or document.live is None:
         return model, closed(DocumentKind.CONFIGURATION)
-    if not isinstance(standing, live.Standing):
+    if not isinstance(standing, Standing):
         return model, refusal(standing)
     holders = [subsystem.holder for subsystem in standing.subsystems if subsystem.name == document.live.subsystem]
     done = connected(model, doc, standing, holders[0] if is_held and holders else "")
@@ -140,7 +141,7 @@ def _as_before(
     return model
 
 
-def _subsystem(model: Model, document: Document, standing: live.Standing) -> str:
+def _subsystem(model: Model, document: Document, standing: Standing) -> str:
     """Of its own name, else the only one whose tasks are held by hand, else a new one."""
     used = {other.live.subsystem for other in model.documents.values() if other.live and other.id != document.id}
     free = [subsystem for subsystem in standing.subsystems if subsystem.name not in used and not subsystem.application]

@@ -10,6 +10,7 @@ from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.reconcile.presence import ask_flows
 from onika.desk.environment.state.model import Model
 from onika.wire import act, holding, live, request
+from onika.wire.runtime_standing import Standing
 from onika.wire.view import Remedy
 from onika.words.reason import Reason
 
@@ -87,7 +88,7 @@ def _changed(model: Model, wish: live.Take | live.Release, name: str) -> Procedu
     if not isinstance(response, request.Done):
         return No(refusal(response))
     model, standing = yield Ask(model, live.Survey(), orders=(ask_flows(),))
-    if not isinstance(standing, live.Standing):
+    if not isinstance(standing, Standing):
         return Done(model)
     model = replace(model, runtime=runtime_view(model.runtime, standing))
     document = held_subsystems.home(model, name)

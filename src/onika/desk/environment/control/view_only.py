@@ -14,6 +14,7 @@ from onika.desk.environment.reconcile.presence import ask_company, ask_flows
 from onika.desk.environment.reconcile.runtime_loss import lost
 from onika.desk.environment.state.model import Model
 from onika.wire import act, holding, live, request
+from onika.wire.runtime_standing import Standing
 from onika.wire.view import Remedy
 from onika.words.reason import Reason
 
@@ -57,7 +58,7 @@ def watch_no_more(model: Model, _asked: act.WatchNoMore, _outside: Services) -> 
         again = Remedy(Reason.of("run.start_runtime_anew"), act.StartAnew())
         return No(Reason.of("run.promise_ends_anew"), (again,))
     model, response = yield Ask(model, live.Survey(), RequiredRuntime(model.runtime.address, is_anew=True))
-    if not isinstance(response, live.Standing):
+    if not isinstance(response, Standing):
         why = refusal(response)
         done = lost(model, why)
         yield InterimModel(done.model, says=done.says, orders=done.orders, news=done.news)

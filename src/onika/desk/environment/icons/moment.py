@@ -15,6 +15,7 @@ from onika.desk.environment.state.measuring import MeasuringSubsystem
 from onika.desk.environment.state.model import Model
 from onika.wire import act, live
 from onika.wire.plan import PlannedTask
+from onika.wire.runtime_standing import Standing
 from onika.wire.view import Remedy
 from onika.words.reason import Reason
 
@@ -23,7 +24,7 @@ _NAME = "measuring"
 Outcome = tuple[Model, live.Values | No]
 
 
-def measured(model: Model, standing: live.Standing, arm: MeasuringTasks, variables: Sequence[str]) -> Steps[Outcome]:
+def measured(model: Model, standing: Standing, arm: MeasuringTasks, variables: Sequence[str]) -> Steps[Outcome]:
     """What the tasks of an arm measure, in a subsystem of their own that is gone afterwards, whatever happens."""
     if model.measuring is not None:
         return model, No(Reason.of("desk.measured_already"))
@@ -41,7 +42,7 @@ def measured(model: Model, standing: live.Standing, arm: MeasuringTasks, variabl
         values = _hindered(model, wrong)
     model, _ = yield from _changed(model, live.Close(name))
     model, standing_after = yield Ask(replace(model, measuring=None), live.Survey())
-    if isinstance(standing_after, live.Standing):  # a world is open now, and the subsystem is no more
+    if isinstance(standing_after, Standing):  # a world is open now, and the subsystem is no more
         model = replace(model, runtime=runtime_view(model.runtime, standing_after))
     return model, values
 

@@ -18,6 +18,7 @@ from onika.desk.plan.icon_names import a_kind, kind_named
 from onika.model.planned import task_of
 from onika.model.syntax import IconType
 from onika.wire import act, live
+from onika.wire.runtime_standing import Standing, SubsystemStanding
 from onika.wire.view import TaughtView
 from onika.words.reason import NOTHING, Reason
 
@@ -37,7 +38,7 @@ def teach(model: Model, command: act.Teach, outside: Services) -> Procedure:
     if model.runtime.state != "linked" and not arms:
         return No(Reason.of("desk.no_robot"), ways_to_measure(model, measures, kind))
     model, standing = yield Ask(model, live.Survey(), RequiredRuntime() if arms else None)
-    if not isinstance(standing, live.Standing):
+    if not isinstance(standing, Standing):
         return No(refusal(standing))
     if arms and not command.subsystem:
         return (yield from _of_arm(model, standing, kind, measures, arms))
@@ -72,7 +73,7 @@ def _kind(model: Model, command: act.Teach) -> IconType | No:
 
 def _of_arm(
     model: Model,
-    standing: live.Standing,
+    standing: Standing,
     kind: IconType,
     measures: Sequence[MeasuredVariable],
     arms: Sequence[MeasuringTasks],
@@ -113,7 +114,7 @@ def _made_for(model: Model, kind: IconType, arm: MeasuringTasks) -> str:
     return arm.made_for if is_of_joints else ""
 
 
-def _is_driven(home: live.SubsystemStanding, arm: MeasuringTasks) -> bool:
+def _is_driven(home: SubsystemStanding, arm: MeasuringTasks) -> bool:
     """Whether a task that is ON there drives the arm."""
     return any(task.state == "ON" and task.claims in arm.devices for task in home.tasks)
 
@@ -156,7 +157,7 @@ def _sources(measures: Sequence[MeasuredVariable], response: live.Values, writer
     return Reason.of("desk.measured_sources", sources=sources)
 
 
-def _writers(subsystem: live.SubsystemStanding, measures: Sequence[MeasuredVariable]) -> dict[str, str]:
+def _writers(subsystem: SubsystemStanding, measures: Sequence[MeasuredVariable]) -> dict[str, str]:
     """What tasks that are ON write of what is wanted: else it is old, or never was."""
     wanted = {measure.variable for measure in measures}
     writers: dict[str, str] = {}

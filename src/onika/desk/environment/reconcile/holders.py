@@ -5,14 +5,15 @@ from collections.abc import Iterable, Mapping
 from msgspec import structs
 
 from onika.desk.environment.run_state.question import ask_view
-from onika.wire import event, live, steer
+from onika.wire import event, steer
+from onika.wire.runtime_standing import Standing
 from onika.wire.view import AskView, HoldView, RuntimeView
 
 OFFER_S = 60.0
 """How long a runtime lets an offer stand."""
 
 
-def surveyed(former: Mapping[str, HoldView], standing: live.Standing) -> dict[str, HoldView]:
+def surveyed(former: Mapping[str, HoldView], standing: Standing) -> dict[str, HoldView]:
     """As it stands; what was told of a holder who is the same one still counts."""
     holds = {}
     for subsystem in standing.subsystems:

@@ -15,14 +15,15 @@ from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.history import UndoStep
 from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.model import Model
-from onika.wire import live, page
+from onika.wire import page
+from onika.wire.runtime_standing import Standing
 from onika.wire.view import ShowTask
 from onika.words.reason import Reason
 
 _MAIN = "main"
 
 
-def connected(model: Model, doc: str, standing: live.Standing, me: str = "", on: Set[str] = frozenset()) -> Done:
+def connected(model: Model, doc: str, standing: Standing, me: str = "", on: Set[str] = frozenset()) -> Done:
     """A document that is to be connected, merged with what there is.
 
     me      the name by which the runtime knows this environment; empty: it may not change the subsystem

@@ -6,11 +6,12 @@ from dataclasses import replace
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import RequestedState, SubsystemFacts, TaskFacts
-from onika.wire import event, live
+from onika.wire import event
+from onika.wire.runtime_standing import Standing, TaskStanding
 from onika.words.reason import NOTHING
 
 
-def alive(standing: live.Standing, subsystem: str) -> Mapping[str, live.TaskStanding]:
+def alive(standing: Standing, subsystem: str) -> Mapping[str, TaskStanding]:
     """The living tasks of a subsystem, by name."""
     home = next((candidate for candidate in standing.subsystems if candidate.name == subsystem), None)
     if home:
@@ -18,7 +19,7 @@ def alive(standing: live.Standing, subsystem: str) -> Mapping[str, live.TaskStan
     return {}
 
 
-def with_standing(subsystem_facts: SubsystemFacts, standing: live.Standing) -> SubsystemFacts:
+def with_standing(subsystem_facts: SubsystemFacts, standing: Standing) -> SubsystemFacts:
     """With the facts of a subsystem; what is about to be born is still so."""
     there = alive(standing, subsystem_facts.subsystem)
     home = next((subsystem for subsystem in standing.subsystems if subsystem.name == subsystem_facts.subsystem), None)
@@ -57,7 +58,7 @@ def true_to_facts(content: Content, subsystem_facts: SubsystemFacts, sent: Conte
     return replace(content, wanted=wanted)
 
 
-def _facts(standing: live.TaskStanding, former: TaskFacts | None, question: event.Asked | None) -> TaskFacts:
+def _facts(standing: TaskStanding, former: TaskFacts | None, question: event.Asked | None) -> TaskFacts:
     former_facts = former or TaskFacts("")
     question = question or former_facts.question
     is_asking = standing.state == "ASKING"

@@ -21,6 +21,7 @@ from onika.model.planned import task_of
 from onika.model.rules import loci
 from onika.model.rules.merge import Merge, merge
 from onika.wire import live, page, request, view
+from onika.wire.runtime_standing import Standing, TaskStanding
 from onika.words.reason import NOTHING, Reason
 
 _GAP = 40
@@ -38,7 +39,7 @@ class Merged:
     says: tuple[page.Say, ...]
 
 
-def merged(model: Model, document: Document, subsystem_facts: SubsystemFacts, standing: live.Standing) -> Merged:
+def merged(model: Model, document: Document, subsystem_facts: SubsystemFacts, standing: Standing) -> Merged:
     """Equation (1) with (4): what runs wins, what runs and is not placed comes onto the canvas, the rest is spawned."""
     there = alive(standing, subsystem_facts.subsystem)
     content = document.content
@@ -67,7 +68,7 @@ def look_again(doc: str) -> Order:
 
 def seen(model: Model, response: request.Response, doc: str) -> Done:
     """What there is now: facts of tasks, and tasks that somebody else has brought to life."""
-    if not isinstance(response, live.Standing):
+    if not isinstance(response, Standing):
         return Done(model)
     model = replace(model, runtime=runtime_view(model.runtime, response))
     document = model.documents.get(doc)
@@ -81,7 +82,7 @@ def seen(model: Model, response: request.Response, doc: str) -> Done:
     return Done(model.with_document(document))
 
 
-def runtime_view(former: view.RuntimeView, standing: live.Standing) -> view.RuntimeView:
+def runtime_view(former: view.RuntimeView, standing: Standing) -> view.RuntimeView:
     """The runtime as it stands."""
     return view.RuntimeView(
         state="linked",
@@ -105,7 +106,7 @@ def runtime_view(former: view.RuntimeView, standing: live.Standing) -> view.Runt
     )
 
 
-def _elsewhere(standing: live.Standing, *, is_harmless: bool) -> dict[str, tuple[Reason, ...]]:
+def _elsewhere(standing: Standing, *, is_harmless: bool) -> dict[str, tuple[Reason, ...]]:
     """In words what is elsewhere in each world, as far as that does harm, or none."""
     worlds = {
         world: tuple(displacement.text for displacement in displaced if displacement.is_harmless is is_harmless)
@@ -122,7 +123,7 @@ def with_loci(model: Model, document: Document) -> Model:
     return model.with_document(document.having(replace(document.content, configuration=placed)))
 
 
-def _placed(standing: live.TaskStanding, libraries: OpenLibraries) -> Placed:
+def _placed(standing: TaskStanding, libraries: OpenLibraries) -> Placed:
     """A task that lives, as it would be placed: what it has otherwise than its file is of the configuration."""
     planned = standing.task
     changed = standing.frequency is not None and standing.frequency != planned.frequency
@@ -163,9 +164,7 @@ def _width(boxes: Mapping[str, object], name: str) -> int:
     return getattr(boxes.get(name), "width", 136)
 
 
-def _with_strangers(
-    model: Model, document: Document, subsystem_facts: SubsystemFacts, standing: live.Standing
-) -> Content:
+def _with_strangers(model: Model, document: Document, subsystem_facts: SubsystemFacts, standing: Standing) -> Content:
     """With tasks that somebody else has brought to life, and without the wish for those that live no more."""
     content, there = document.content, alive(standing, subsystem_facts.subsystem)
     here = set(content.union)

@@ -13,6 +13,7 @@ from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.state.live import Offer
 from onika.desk.environment.state.model import Model
 from onika.wire import act, event, holding, live, page, request, steer, view
+from onika.wire.runtime_standing import Standing
 from onika.words.reason import Reason
 
 
@@ -21,7 +22,7 @@ def look_around(model: Model, _asked: act.Company, _outside: Services) -> Proced
     if model.runtime.state != "linked":
         return No(Reason.of("run.nobody_else"))
     model, response = yield Ask(model, live.Survey(), orders=(ask_flows(), ask_company()))
-    if isinstance(response, live.Standing):
+    if isinstance(response, Standing):
         return surveyed(model, response)
     return No(refusal(response))
 
@@ -75,7 +76,7 @@ def you(model: Model) -> str:
 
 def surveyed(model: Model, response: request.Response) -> Done:
     """What there is now."""
-    if not isinstance(response, live.Standing):
+    if not isinstance(response, Standing):
         return Done(model)
     return Done(replace(model, runtime=runtime_view(model.runtime, response)))
 

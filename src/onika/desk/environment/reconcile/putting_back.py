@@ -17,6 +17,7 @@ from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import SubsystemFacts, TakenOver
 from onika.desk.environment.state.model import Model
 from onika.wire import event, live, page, request
+from onika.wire.runtime_standing import Standing
 from onika.words.reason import NOTHING, Reason
 
 
@@ -97,7 +98,7 @@ def _seen(model: Model, response: request.Response, doc: str, is_held: bool) -> 
     model = model.with_document(replace(document, taken=None))
     if document.live is not None or document.watched is not None:
         return Done(model)
-    if not isinstance(response, live.Standing):
+    if not isinstance(response, Standing):
         return Done(model, says=(_not_put_back(document, Reason.of("run.runtime_gone_with_it")),))
     hindrance = _hindrance(model, taken.subsystem, response)
     if hindrance:
@@ -108,7 +109,7 @@ def _seen(model: Model, response: request.Response, doc: str, is_held: bool) -> 
     return replace(done, says=(*done.says, _put_back(done.model.documents[doc], taken)))
 
 
-def _hindrance(model: Model, subsystem: str, standing: live.Standing) -> Reason:
+def _hindrance(model: Model, subsystem: str, standing: Standing) -> Reason:
     """Why its subsystem is not its own any more."""
     application = application_in(standing, subsystem)
     if application:

@@ -14,6 +14,7 @@ from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.state.model import Model
 from onika.desk.run.runtime_conversation import black_box_in
 from onika.wire import event, live, page, request, steer
+from onika.wire.runtime_standing import Standing
 from onika.wire.view import ShowStep
 from onika.words.reason import Reason
 
@@ -163,6 +164,6 @@ def _at(run: Run, positions: steer.Positions) -> Run:
 
 
 def _surveyed(model: Model, response: request.Response) -> Done:
-    if not isinstance(response, live.Standing):
+    if not isinstance(response, Standing):
         return Done(model)
     return Done(replace(model, runtime=runtime_view(model.runtime, response)))

@@ -4,12 +4,13 @@ from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import WatchedRun
 from onika.desk.environment.state.model import Model
-from onika.wire import act, live
+from onika.wire import act
+from onika.wire.runtime_standing import Standing
 from onika.wire.view import HoldView, Remedy
 from onika.words.reason import Reason
 
 
-def application_in(standing: live.Standing, subsystem: str) -> str:
+def application_in(standing: Standing, subsystem: str) -> str:
     """What runs in a subsystem; empty: it is held by hand, or is not there."""
     return next((home.application for home in standing.subsystems if home.name == subsystem), "")
 

@@ -37,6 +37,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.run.recorded_run import RecordedRun, RecordingSource, recorded_run
 from onika.desk.run.runtime_conversation import in_short
 from onika.wire import act, live, page, request, view
+from onika.wire.runtime_standing import Standing
 from onika.wire.view import Remedy
 from onika.words.reason import NOTHING, Reason
 
@@ -133,7 +134,7 @@ def _repeated(model: Model, run: Run, recorded: RecordedRun) -> Steps[tuple[Mode
     )
     reach = RequiredRuntime(is_anew=True, simulator=Simulator(recorded.run.rtpus, recorded.run.options))
     model, standing = yield Ask(after, live.Survey(), reach, says=says, news=given_up(model, after))
-    if not isinstance(standing, live.Standing):
+    if not isinstance(standing, Standing):
         why = refusal(standing)
         return flow_placement.lost(model, why), No(Reason.of("run.no_simulator", why=in_short(why)))
     model = replace(model, runtime=runtime_view(model.runtime, standing))

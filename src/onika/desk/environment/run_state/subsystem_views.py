@@ -5,8 +5,9 @@ from typing import cast
 
 from msgspec import structs
 
-from onika.wire import event, live
+from onika.wire import event
 from onika.wire.plan import PlannedTask
+from onika.wire.runtime_standing import Standing, SubsystemStanding, TaskStanding
 from onika.wire.view import LivingTaskView, RuntimeView, SharedVariableView, State, SubsystemView
 from onika.words.name import resolve
 from onika.words.reason import NOTHING
@@ -16,7 +17,7 @@ _FAILED = "ERROR"
 _BORN = "OFF"
 
 
-def surveyed(former: Mapping[str, SubsystemView], standing: live.Standing) -> dict[str, SubsystemView]:
+def surveyed(former: Mapping[str, SubsystemView], standing: Standing) -> dict[str, SubsystemView]:
     """As it stands; why a task has failed was told before, and still counts."""
     return {
         subsystem.name: _surveyed(former.get(subsystem.name), subsystem)
@@ -58,14 +59,14 @@ def planned(application: str, tasks: Iterable[PlannedTask]) -> SubsystemView:
     return SubsystemView(application, views, _variables(planned_tasks))
 
 
-def _surveyed(former: SubsystemView | None, subsystem: live.SubsystemStanding) -> SubsystemView:
+def _surveyed(former: SubsystemView | None, subsystem: SubsystemStanding) -> SubsystemView:
     before = former.tasks if former is not None else {}
     living = [task for task in subsystem.tasks if task.state != _KILLED]
     views = {task.task.name: _living(task, before.get(task.task.name)) for task in living}
     return SubsystemView(subsystem.application, views, _variables(tuple(task.task for task in living)))
 
 
-def _living(standing: live.TaskStanding, former: LivingTaskView | None) -> LivingTaskView:
+def _living(standing: TaskStanding, former: LivingTaskView | None) -> LivingTaskView:
     note = standing.reason
     if not note and former is not None and standing.state == _FAILED:
         note = former.note

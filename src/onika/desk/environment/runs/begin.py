@@ -50,6 +50,7 @@ from onika.store.site import Site
 from onika.wire import act, live, page, request, steer
 from onika.wire.plan import Plan
 from onika.wire.request import TargetValues
+from onika.wire.runtime_standing import Standing
 from onika.wire.view import Remedy
 from onika.words.reason import Reason
 
@@ -248,7 +249,7 @@ def _begun(model: Model, start: _Start) -> Steps[tuple[Model, No | None]]:
     model = model.making_room()
     model = replace(model, run=_new(model, start), runtime=state)
     model, standing = yield Ask(model, live.Survey(), RequiredRuntime(url))
-    if not isinstance(standing, live.Standing):
+    if not isinstance(standing, Standing):
         why = refusal(standing)
         return flow_placement.lost(model, why), No(Reason.of("run.no_runtime", why=in_short(why)))
     model = replace(model, runtime=runtime_view(model.runtime, standing))
@@ -275,7 +276,7 @@ def _begun(model: Model, start: _Start) -> Steps[tuple[Model, No | None]]:
     return model, None if isinstance(response, request.Done) else _unbegun(start, refusal(response))
 
 
-def _placed(model: Model, standing: live.Standing, start: _Start) -> tuple[_Start, tuple[str, ...]] | No:
+def _placed(model: Model, standing: Standing, start: _Start) -> tuple[_Start, tuple[str, ...]] | No:
     """The run in subsystems that nobody else has, and those that are to end first."""
     if _is_given_up(model):
         return _given_up(start)

@@ -8,13 +8,14 @@ from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.state.model import Model
 from onika.model.planned import task_of
 from onika.model.rules.union import devices
-from onika.wire import act, live
+from onika.wire import act
 from onika.wire.plan import Plan
+from onika.wire.runtime_standing import Standing
 from onika.wire.view import Remedy
 from onika.words.reason import Reason
 
 
-def refused(model: Model, standing: live.Standing, plan: Plan, name: str) -> No | None:
+def refused(model: Model, standing: Standing, plan: Plan, name: str) -> No | None:
     """Why an application cannot run beside what runs: every device that it needs and another has for itself alone."""
     wanted = {device for flow in plan.flows for task in flow.tasks for device in devices(task_of(task))}
     taken = [(home.application, task.claims) for home in standing.subsystems if home.application for task in home.tasks]

@@ -20,6 +20,7 @@ from onika.desk.run.runtime_conversation import in_short
 from onika.model.task import Task
 from onika.wire import act, live
 from onika.wire.plan import Code
+from onika.wire.runtime_standing import Standing
 from onika.wire.sheet import ModuleSheet
 from onika.wire.view import LoadedView
 from onika.words.reason import Reason
@@ -47,7 +48,7 @@ def _loaded(model: Model, task: Task, code: Code) -> Procedure:
     state = model.runtime if model.runtime.state == "linked" else flow_placement.starting(model.runtime)
     reach = RequiredRuntime(model.runtime.address)
     model, standing = yield Ask(replace(model, runtime=state), live.Survey(), reach)
-    if not isinstance(standing, live.Standing):
+    if not isinstance(standing, Standing):
         why = refusal(standing)
         yield InterimModel(flow_placement.lost(model, why))
         return No(Reason.of("run.no_runtime", why=in_short(why)))

@@ -8,8 +8,8 @@ from onika.desk.environment.state.model import Model
 from onika.model.planned import task_of
 from onika.model.rules.union import devices
 from onika.model.task import Task
-from onika.wire import live
 from onika.wire.plan import Plan, PlannedTask
+from onika.wire.runtime_standing import Standing, SubsystemStanding
 from onika.words.reason import Reason
 
 
@@ -53,7 +53,7 @@ class _Wanted:
         return is_same or not self.devices.isdisjoint(_devices([task]))
 
 
-def obstacles(model: Model, standing: live.Standing, plan: Plan) -> tuple[Obstacle, ...]:
+def obstacles(model: Model, standing: Standing, plan: Plan) -> tuple[Obstacle, ...]:
     """All that lives in the way of a plan, by subsystem; what does not share anything with it lives on."""
     wanted = _Wanted.by(plan)
     documents = {document.live.subsystem: document.name for document in model.documents.values() if document.live}
@@ -78,7 +78,7 @@ def documents_in_the_way(model: Model, plan: Plan) -> tuple[Document, ...]:
     return tuple(in_the_way)
 
 
-def _living(subsystem: live.SubsystemStanding) -> tuple[PlannedTask, ...]:
+def _living(subsystem: SubsystemStanding) -> tuple[PlannedTask, ...]:
     """The living tasks of a subsystem; those of an application are not looked at."""
     if subsystem.application:
         return ()

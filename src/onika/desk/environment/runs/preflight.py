@@ -22,6 +22,7 @@ from onika.desk.run.runtime_conversation import in_short
 from onika.wire import act, live, request
 from onika.wire.plan import Plan
 from onika.wire.request import TargetValues
+from onika.wire.runtime_standing import Standing
 from onika.wire.view import FaultView
 from onika.words.reason import Reason
 
@@ -57,7 +58,7 @@ def _checked(
     url = model.runtime.address
     state = model.runtime if model.runtime.state == "linked" else flow_placement.starting(model.runtime)
     model, standing = yield Ask(replace(model, runtime=state), live.Survey(), RequiredRuntime(url))
-    if not isinstance(standing, live.Standing):
+    if not isinstance(standing, Standing):
         why = refusal(standing)
         yield InterimModel(flow_placement.lost(model, why))
         return No(Reason.of("run.no_runtime", why=in_short(why)))

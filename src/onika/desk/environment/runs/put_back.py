@@ -13,6 +13,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.plan.flow_worlds import worlds_by_flow
 from onika.wire import act, live, page, request
 from onika.wire.plan import Plan
+from onika.wire.runtime_standing import Standing
 from onika.wire.view import Remedy
 from onika.words.reason import Reason
 
@@ -28,7 +29,7 @@ def put_back(model: Model, _asked: act.PutBack, outside: Services) -> Procedure:
     if not isinstance(response, live.WorldsPutBack):
         return _refused(model, response)
     model, standing = yield Ask(model, live.Survey())
-    if isinstance(standing, live.Standing):
+    if isinstance(standing, Standing):
         model = replace(model, runtime=runtime_view(model.runtime, standing))
     by_hand = tuple(response.by_hand.values())
     if by_hand and not response.worlds:

@@ -24,6 +24,7 @@ from onika.model.redirect import Redirect
 from onika.model.rules.union import devices
 from onika.store.library import open_libraries
 from onika.wire import act, live
+from onika.wire.runtime_standing import Standing
 from onika.wire.view import CandidateView, SeatsView, SeatView, WorldSeatView
 from onika.words.reason import Reason, reason_of
 
@@ -86,7 +87,7 @@ def find_worlds(model: Model, _asked: act.FindWorlds, _outside: Services) -> Pro
     url = model.runtime.address
     state = model.runtime if model.runtime.state == "linked" else flow_placement.starting(model.runtime)
     model, standing = yield Ask(replace(model, runtime=state), live.Survey(), RequiredRuntime(url))
-    if not isinstance(standing, live.Standing):
+    if not isinstance(standing, Standing):
         why = refusal(standing)
         yield InterimModel(flow_placement.lost(model, why))
         return No(Reason.of("run.no_runtime", why=in_short(why)))

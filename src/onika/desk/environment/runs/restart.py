@@ -15,6 +15,7 @@ from onika.desk.environment.state.live import SubsystemFacts
 from onika.desk.environment.state.model import Model
 from onika.desk.run.runtime_conversation import in_short
 from onika.wire import act, live, page
+from onika.wire.runtime_standing import Standing
 from onika.wire.view import Remedy
 from onika.words.reason import Reason
 
@@ -31,7 +32,7 @@ def start_anew(model: Model, command: act.StartAnew, _outside: Services) -> Proc
         return No(Reason.of("run.runtime_ends", names=ends), (sure,))
     after = _at_its_end(model)
     model, response = yield Ask(after, live.Survey(), RequiredRuntime(is_anew=True), says=tuple(_says(model)))
-    if not isinstance(response, live.Standing):
+    if not isinstance(response, Standing):
         why = refusal(response)
         yield InterimModel(flow_placement.lost(model, why))
         return No(Reason.of("run.no_runtime", why=in_short(why)))
