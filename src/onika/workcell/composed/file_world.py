@@ -17,14 +17,11 @@ from onika.ring.drive import DriveInput
 from onika.wire.world_source import WorldSource
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
-from onika.workcell.composed import chain
 from onika.workcell.composed.composition import FREE_JOINT, Composition, prefix_of, why_not
-from onika.workcell.composed.device_names import device_name
-from onika.workcell.composed.finger_unit import FingerUnit
-from onika.workcell.composed.joint_unit import JointUnit, KinematicJointUnit
-from onika.workcell.composed.robot_model import ORIGIN
+from onika.workcell.composed.robot_unit import RobotUnit
+from onika.workcell.composed.robot_units import robot_units
 from onika.workcell.composed.sources import SourceTexts
-from onika.workcell.composed.stands import RobotUnit, Stands
+from onika.workcell.composed.stands import Stands
 from onika.workcell.composed.still import still
 from onika.workcell.composed.switch_lamp import SwitchLamp
 from onika.workcell.driven_world import DrivenWorld
@@ -34,10 +31,8 @@ from onika.workcell.scene import Shape3d, looked_at
 from onika.workcell.snapshot import WorldSnapshot, encode
 from onika.workcell.unit import DeviceUnit
 
-_WORLD = "world"  # the body in which the bodies of every document stand
 _UNSTABLE = (mujoco.mjtWarning.mjWARN_BADQPOS, mujoco.mjtWarning.mjWARN_BADQVEL, mujoco.mjtWarning.mjWARN_BADQACC)
 _NEAR_M = 0.004  # how far a part may be from its place and still stand there
-_POSTURE = 0.02  # how far a joint may be from home (rad; m where it slides)
 
 
 class FileWorld(DrivenWorld):
@@ -54,11 +49,11 @@ class FileWorld(DrivenWorld):
         self._offsets = _offsets(world.parts, seed)
         self._plant = Plant(self._compile(self._composition.standing, is_drawn=False))
         robots = {place.name: self._composition.at(place) for place in self._composition.places}
-        self._stands = Stands(robots, [*self._robot_units()])
+        self._stands = Stands(robots, [*robot_units(self._composition, self._model_with)])
         self._lamps = [*self._usable_lamps()]
         buttons = [*self._panic_buttons()]
         super().__init__([*self._stands.units, *self._lamps], buttons)
-        self._running: list[JointUnit] = []
+        self._running: list[RobotUnit] = []
         self._bind()
         for unit in self._present:
             unit.restart()
@@ -120,26 +115,12 @@ class FileWorld(DrivenWorld):
     def _compile(self, standing: Any, *, is_drawn: bool) -> mujoco.MjModel:
         return self._composition.compile(standing, self._offsets, is_drawn=is_drawn)
 
-    def _robot_units(self) -> Iterator[RobotUnit]:
-        """The devices of all robots that may stand at some place."""
-        step_s = self._composition.world.step_s
-        for place in self._composition.places:
-            prefix = prefix_of(place.name)
-            there = [self._composition.robots[name].robot for name in self._composition.at(place)]
-            for name in self._composition.at(place):
-                robot = self._composition.robots[name]
-                model = self._plant.model
-                if self._composition.standing[place.name] != name:
-                    model = self._compile({**self._composition.standing, place.name: name}, is_drawn=False)
-                called = {
-                    device.name: device_name(device, robot.robot, there, place.name) for device in robot.robot.devices
-                }
-                for facts in robot.joints:
-                    base = _base(model, prefix, facts.start) if facts.start else ()
-                    for kind in (JointUnit, KinematicJointUnit):
-                        yield kind(called[facts.name], facts, name, place.name, prefix, step_s, base)
-                for fingers in robot.grippers:
-                    yield FingerUnit(called[fingers.gripper.name], fingers, name, place.name, prefix, step_s)
+    def _model_with(self, place: str, robot: str) -> mujoco.MjModel:
+        """The world's model with this robot at a place, the others as they stand first."""
+        standing = self._composition.standing
+        if standing[place] == robot:
+            return self._plant.model
+        return self._compile({**standing, place: robot}, is_drawn=False)
 
     def _usable_lamps(self) -> Iterator[SwitchLamp]:
         """The lamps whose switches have all that they name."""
@@ -173,13 +154,13 @@ class FileWorld(DrivenWorld):
 
     def _panic_buttons(self) -> Iterator[PanicButton]:
         for button in self._composition.world.buttons:
-            units = [unit for unit in self._stands.units if unit.side in button.stops and isinstance(unit, JointUnit)]
+            units = [unit for unit in self._stands.units if unit.side in button.stops and unit.is_stopped]
             if units:
                 yield PanicButton(*units, name=button.name)
 
     def _admit(self, unit: DeviceUnit) -> None:
         """Another robot may come to a place, or the world may lose its forces, or get them back."""
-        if not isinstance(unit, JointUnit | FingerUnit):
+        if not isinstance(unit, RobotUnit):
             return
         before, was_present = self._stands.mode, set(self._present)
         acting = dict(self._stands.acting)
@@ -195,14 +176,14 @@ class FileWorld(DrivenWorld):
         if former is not self._plant:
             self._plant.take(former)
         for newcomer in self._present:
-            if newcomer not in was_present and isinstance(newcomer, JointUnit):
+            if newcomer not in was_present and isinstance(newcomer, RobotUnit):
                 newcomer.rest()
         self._press_again()
         self._begin()
 
     def _bind(self) -> None:
-        present = self._stands.present()
-        self._bind_units([*self._stands.units, *self._lamps], [*present, *self._lamps])
+        self._robots = self._stands.present()
+        self._bind_units([*self._stands.units, *self._lamps], [*self._robots, *self._lamps])
 
     def _begin(self) -> None:
         """Go on from the plant's present positions: with physics, or without forces."""
@@ -226,17 +207,16 @@ class FileWorld(DrivenWorld):
 
     def _move(self, model: Any, data: Any) -> None:
         """Without forces only joints move that are told to; everything else stays."""
-        for unit in self._present:
-            if isinstance(unit, KinematicJointUnit):
-                unit.move()
+        for unit in self._robots:
+            unit.move()
         mujoco.mj_kinematics(model, data)
 
     def _feed(self, unit: DeviceUnit, drive_input: DriveInput) -> None:
         super()._feed(unit, drive_input)
         self._running = self._runners()
 
-    def _runners(self) -> list[JointUnit]:
-        return [unit for unit in self._present if isinstance(unit, JointUnit) and unit.runs_on]
+    def _runners(self) -> list[RobotUnit]:
+        return [unit for unit in self._present if isinstance(unit, RobotUnit) and unit.runs_on]
 
     def _free_parts(self, qpos: Array) -> Iterator[tuple[PartBlock, Array]]:
         """The parts that move, each with where it is."""
@@ -255,7 +235,7 @@ class FileWorld(DrivenWorld):
 
     def _displaced_robots(self) -> Iterator[Displacement]:
         for unit in self._present:
-            if isinstance(unit, JointUnit) and np.abs(unit.posture - unit.facts.home).max() > _POSTURE:
+            if isinstance(unit, RobotUnit) and unit.is_away:
                 arm = Reason.of("workcell.named_robot", name=unit.sheet.name)
                 yield Displacement(Reason.of("workcell.arm_away", arm=arm), is_harmless=True)
 
@@ -281,13 +261,3 @@ def _offsets(parts: Sequence[PartBlock], seed: int | None) -> dict[str, tuple[fl
     random = np.random.default_rng(seed)
     drawn = {part.name: random.uniform(-1.0, 1.0, 2) * (part.free or 0.0) for part in parts}
     return {name: (float(offset[0]), float(offset[1])) for name, offset in drawn.items()}
-
-
-def _base(model: Any, prefix: str, start: str) -> tuple[float, ...]:
-    """Where frame 0 is in the world, double[4,4] in a row: a body of the robot, or its place."""
-    data = chain.at_zero(model, ())
-    if start == _WORLD:
-        pose = chain.site_pose(data, int(model.site(prefix + ORIGIN).id))
-    else:
-        pose = chain.body_pose(data, int(model.body(prefix + start).id))
-    return tuple(pose.ravel().tolist())

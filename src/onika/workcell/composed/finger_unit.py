@@ -1,29 +1,32 @@
 """A gripper of a robot from a file as a device: how far open, and how hard, comes; opening, speed and force go."""
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
 from onika.laws.frames import Array
 from onika.ring.device import DeviceSheet
 from onika.workcell.composed.gripper_facts import GripperFacts
+from onika.workcell.composed.robot_unit import EITHER, RobotUnit
 from onika.workcell.plant import Plant
-from onika.workcell.unit import DeviceUnit
 
 _FASTEST_M_S = 0.2  # where there are no forces
 
 
-class FingerUnit(DeviceUnit):
+class FingerUnit(RobotUnit):
     """A gripper at a place of a world. Holding, it keeps its last command: what it holds stays held.
 
     A command is the opening (m) and the force of the fingers (N); a force of 0 or less is as much as there is.
     """
 
+    mode: ClassVar[str] = EITHER
+    is_stopped: ClassVar[bool] = False
+
     def __init__(self, name: str, facts: GripperFacts, robot: str, place: str, prefix: str, step_s: float) -> None:
-        self.facts, self.robot, self._prefix, self._step_s = facts, robot, prefix, step_s
+        self.facts = facts
         state, command = ("time", "drive", "opening", "speed", "force"), ("opening", "force")
-        super().__init__(DeviceSheet(name, state, command, dict(facts.constants)), place)
+        super().__init__(DeviceSheet(name, state, command, dict(facts.constants)), robot, place, prefix, step_s)
         self._goal = (facts.gripper.closed[1], 0.0)
         self.state[2] = facts.gripper.closed[1]
         self._data: Any = None

@@ -17,29 +17,29 @@ from onika.model.robot import Numbers
 from onika.ring.device import DeviceSheet
 from onika.ring.drive import DriveMode
 from onika.workcell.composed.joint_facts import JointFacts
+from onika.workcell.composed.robot_unit import FORCELESS, RobotUnit
 from onika.workcell.composed.servo import limit, make_motor, make_servo
 from onika.workcell.plant import Plant
-from onika.workcell.unit import DeviceUnit
 
 _COMMANDS = {"position": ("q", "v"), "velocity": ("v",), "torque": ("tau",)}
 """What a command consists of, for each joint."""
 
 
-class JointUnit(DeviceUnit):
-    """A device of joints by its name at a place; `prefix` stands there before the names of its robot's model."""
+_POSTURE = 0.02  # how far a joint may be from home (rad; m where it slides)
 
-    mode: ClassVar[str] = ""
-    """What stands behind its name, where it moves without forces."""
+
+class JointUnit(RobotUnit):
+    """A device of joints by its name at a place; `prefix` stands there before the names of its robot's model."""
 
     def __init__(
         self, name: str, facts: JointFacts, robot: str, place: str, prefix: str, step_s: float, base: Numbers
     ) -> None:
-        self.facts, self.robot, self._prefix, self._step_s = facts, robot, prefix, step_s
+        self.facts = facts
         joints = range(1, len(facts.joints) + 1)
         identity = dict(facts.constants) | ({"BASE": base} if facts.start else {})
         state = ("time", "drive", *(f"{what}{k}" for what in self._published() for k in joints))
         command = tuple(f"{what}{k}" for what in self._commanded() for k in joints)
-        super().__init__(DeviceSheet(name + self.mode, state, command, identity), place)
+        super().__init__(DeviceSheet(name + self.mode, state, command, identity), robot, place, prefix, step_s)
         self._count = len(facts.joints)
         self._goal: Array = facts.home.copy()
         self._rate = np.zeros(self._count)
@@ -63,6 +63,11 @@ class JointUnit(DeviceUnit):
         """The joints as they stand (rad; m where one slides)."""
         posture: Array = self._data.qpos[self._q_at]
         return posture
+
+    @property
+    def is_away(self) -> bool:
+        """Whether it does not stand at home."""
+        return bool(np.abs(self.posture - self.facts.home).max() > _POSTURE)
 
     def bind(self, plant: Plant) -> None:
         """Find its joints and motors in a new plant, and make these what the device needs."""
@@ -143,7 +148,7 @@ class JointUnit(DeviceUnit):
 class KinematicJointUnit(JointUnit):
     """The same joints without forces: they are where they are told to be, as far as limits and speeds allow."""
 
-    mode: ClassVar[str] = "_kin"
+    mode: ClassVar[str] = FORCELESS
 
     def _published(self) -> tuple[str, ...]:
         return ("q",)

@@ -4,10 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 
 from onika.words.reason import Reason
-from onika.workcell.composed.finger_unit import FingerUnit
-from onika.workcell.composed.joint_unit import JointUnit
-
-RobotUnit = JointUnit | FingerUnit
+from onika.workcell.composed.robot_unit import EITHER, FORCELESS, RobotUnit
 
 
 class Stands:
@@ -20,7 +17,9 @@ class Stands:
 
     def present(self) -> list[RobotUnit]:
         """The devices of the robots that stand there, in the mode of the world."""
-        return [unit for unit in self.units if self.acting[unit.side] == unit.robot and _mode(unit) in ("*", self.mode)]
+        return [
+            unit for unit in self.units if self.acting[unit.side] == unit.robot and unit.mode in (EITHER, self.mode)
+        ]
 
     def objections(self, devices: Sequence[str]) -> Iterator[Reason]:
         """Why these devices cannot be used together: two robots at one place, or two modes."""
@@ -28,7 +27,7 @@ class Stands:
         for first, other in combinations(wanted, 2):
             if first.side == other.side and first.robot != other.robot:
                 yield Reason.of("workcell.one_place", first=first.sheet.name, other=other.sheet.name)
-            elif not _agree(_mode(first), _mode(other)):
+            elif not _agree(first.mode, other.mode):
                 yield Reason.of(
                     "workcell.modes_unlike",
                     first=first.sheet.name,
@@ -45,26 +44,21 @@ class Stands:
             device, in_use = unit.sheet.name, other.sheet.name
             if other.side == unit.side and other.robot != unit.robot:
                 raise ValueError(Reason.of("workcell.place_taken", device=device, other=in_use))
-            if not _agree(_mode(unit), _mode(other)):
+            if not _agree(unit.mode, other.mode):
                 mode, other_mode = _called(unit), _called(other)
                 raise ValueError(
                     Reason.of("workcell.mode_in_use", device=device, mode=mode, other=in_use, other_mode=other_mode)
                 )
-        wanted = self.mode if _mode(unit) == "*" else _mode(unit)
+        wanted = self.mode if unit.mode == EITHER else unit.mode
         if self.acting[unit.side] == unit.robot and wanted == self.mode:
             return False
         self.acting[unit.side], self.mode = unit.robot, wanted
         return True
 
 
-def _mode(unit: RobotUnit) -> str:
-    """A gripper is in either."""
-    return unit.mode if isinstance(unit, JointUnit) else "*"
-
-
 def _agree(mode: str, other: str) -> bool:
-    return mode == other or "*" in (mode, other)
+    return mode == other or EITHER in (mode, other)
 
 
 def _called(unit: RobotUnit) -> Reason:
-    return Reason.of("workcell.kinematic") if _mode(unit) == "_kin" else Reason.of("workcell.physical")
+    return Reason.of("workcell.kinematic") if unit.mode == FORCELESS else Reason.of("workcell.physical")

@@ -1,0 +1,44 @@
+"""A device of a robot from a file, at the place where the robot stands or may stand."""
+
+from typing import ClassVar
+
+from onika.ring.device import DeviceSheet
+from onika.workcell.unit import DeviceUnit
+
+FORCELESS = "_kin"
+"""Behind the name of a device that moves without forces."""
+
+EITHER = "*"
+"""The mode of a device that is the same with forces and without."""
+
+
+class RobotUnit(DeviceUnit):
+    """What the devices of a robot have in common; `prefix` stands before the names of the robot's model."""
+
+    mode: ClassVar[str] = ""
+    """With forces, without them, or either."""
+    is_stopped: ClassVar[bool] = True
+    """Whether a panic button at its place stops it."""
+
+    def __init__(self, sheet: DeviceSheet, robot: str, place: str, prefix: str, step_s: float) -> None:
+        super().__init__(sheet, place)
+        self.robot, self._prefix, self._step_s = robot, prefix, step_s
+
+    @property
+    def runs_on(self) -> bool:
+        """Whether what it follows goes on between two commands."""
+        return False
+
+    @property
+    def is_away(self) -> bool:
+        """Whether it does not stand as it began."""
+        return False
+
+    def run_on(self) -> None:
+        """The signals of one step, where it runs on."""
+
+    def move(self) -> None:
+        """One step without forces."""
+
+    def rest(self) -> None:
+        """Stay where it is."""

@@ -1,0 +1,48 @@
+"""The devices of all robots that may stand at the places of a world."""
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from onika.workcell.composed import chain
+from onika.workcell.composed.composition import Composition, prefix_of
+from onika.workcell.composed.device_names import device_name
+from onika.workcell.composed.finger_unit import FingerUnit
+from onika.workcell.composed.joint_unit import JointUnit, KinematicJointUnit
+from onika.workcell.composed.robot_model import ORIGIN, RobotModel
+from onika.workcell.composed.robot_unit import RobotUnit
+
+_WORLD = "world"  # the body in which the bodies of every document stand
+
+
+def robot_units(composition: Composition, model_with: Callable[[str, str], Any]) -> Iterator[RobotUnit]:
+    """The devices of each robot at each place; `model_with` gives the world's model with a robot at a place."""
+    step_s = composition.world.step_s
+    for place in composition.places:
+        robots = [composition.robots[name] for name in composition.at(place)]
+        there = [robot.robot for robot in robots]
+        for robot in robots:
+            called = {
+                device.name: device_name(device, robot.robot, there, place.name) for device in robot.robot.devices
+            }
+            model = model_with(place.name, robot.robot.name)
+            yield from _units_of(robot, called, place.name, model, step_s)
+
+
+def _units_of(robot: RobotModel, called: dict[str, str], place: str, model: Any, step_s: float) -> Iterator[RobotUnit]:
+    name, prefix = robot.robot.name, prefix_of(place)
+    for facts in robot.joints:
+        base = _base(model, prefix, facts.start) if facts.start else ()
+        for kind in (JointUnit, KinematicJointUnit):
+            yield kind(called[facts.name], facts, name, place, prefix, step_s, base)
+    for fingers in robot.grippers:
+        yield FingerUnit(called[fingers.gripper.name], fingers, name, place, prefix, step_s)
+
+
+def _base(model: Any, prefix: str, start: str) -> tuple[float, ...]:
+    """Where frame 0 is in the world, double[4,4] in a row: a body of the robot, or its place."""
+    data = chain.at_zero(model, ())
+    if start == _WORLD:
+        pose = chain.site_pose(data, int(model.site(prefix + ORIGIN).id))
+    else:
+        pose = chain.body_pose(data, int(model.body(prefix + start).id))
+    return tuple(pose.ravel().tolist())
