@@ -88,8 +88,22 @@ def arm_of_cell(task):
     return BenchDevice([f"s{k}" for k in range(21)], [f"c{k}" for k in range(numbers)], ARMS["seven"].identity(drive))
 
 
+def base_of_cell(_):
+    """A base on wheels."""
+    identity = {"DRIVE": "twist", "V_MAX": (0.5, 0.0, 2.0)}
+    return BenchDevice(["x", "y", "turn", "vx", "vy", "w"], ["vx", "vy", "w"], identity)
+
+
+def numbers_of_cell(count):
+    """Something that publishes so many numbers and takes none."""
+    return lambda _: BenchDevice([f"s{k}" for k in range(count)], [])
+
+
 CELL = dict.fromkeys(("arm_pos", "arm_tau", "arm_vel", "axes"), arm_of_cell) | {
-    "grip": lambda _: BenchDevice(["opening", "speed", "force"], ["opening", "force"])
+    "grip": lambda _: BenchDevice(["opening", "speed", "force"], ["opening", "force"]),
+    "base": base_of_cell,
+    "whereis": numbers_of_cell(7),
+    "wrench": numbers_of_cell(6),
 }
 """Stand-ins for modules that serve any device: the world that their tasks name is whose copies them."""
 

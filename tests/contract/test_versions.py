@@ -153,7 +153,9 @@ def test_the_strategies_vary_every_field_of_every_value() -> None:
     places |= {(kind, "number") for kind in ("Icon", "Hole", "Branch")}  # given while they are open
     fixed = places | {("Task", "name"), ("Configuration", "name"), ("Application", "name")}
     fixed |= {("RobotText", "name"), ("WorldText", "name")}
-    fixed |= {(kind, "lines") for kind in ("RobotText", "RobotArm", "RobotAxes", "RobotGripper", "WorldText")}
-    fixed |= {(f"{kind}Block", "lines") for kind in ("Part", "Place", "Switch", "Lamp", "Button")}
+    fixed |= {
+        (kind, "lines") for kind in ("RobotText", "RobotArm", "RobotAxes", "RobotGripper", "RobotBase", "WorldText")
+    }
+    fixed |= {(f"{kind}Block", "lines") for kind in ("Part", "Place", "Switch", "Lamp", "Button", "Sensor")}
     alike = {(kind.__name__, name) for (kind, name), values in seen.items() if len(values) < 2}
     assert alike == fixed

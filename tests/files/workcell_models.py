@@ -4,10 +4,11 @@ import string
 
 from hypothesis import strategies as st
 
-from onika.model.robot import AXIS_WORDS, DRIVES, RobotArm, RobotAxes, RobotGripper, RobotText
+from onika.model.robot import AXIS_WORDS, DRIVES, RobotArm, RobotAxes, RobotBase, RobotGripper, RobotText, SensorBlock
 from onika.model.world import (
     CONES,
     UNNAMED,
+    Block,
     ButtonBlock,
     LampBlock,
     PartBlock,
@@ -52,24 +53,37 @@ def _grippers(draw: st.DrawFn, name: str, moves: tuple[str, ...]) -> RobotGrippe
 
 
 @st.composite
+def _bases(draw: st.DrawFn, name: str) -> RobotBase:
+    moves = tuple(f"{word}.{name}" for word in draw(st.lists(words, min_size=3, max_size=3, unique=True)))
+    speed = draw(st.just(RobotBase("").speed) | st.tuples(above, above))
+    if draw(st.booleans()):
+        return RobotBase(name, slides=moves, speed=speed)
+    return RobotBase(name, moves[:2], draw(st.floats(1e-4, 1e6)), draw(st.floats(1e-4, 1e6)), speed=speed)
+
+
+def _sensors(name: str) -> st.SearchStrategy[SensorBlock]:
+    return st.builds(SensorBlock, st.just(name), some_words) | st.builds(SensorBlock, st.just(name), body=words)
+
+
+@st.composite
 def robots(draw: st.DrawFn) -> RobotText:
     titles = draw(st.lists(names, max_size=3, unique=True))
     devices = []
     for number, title in enumerate(titles):
         moves = tuple(f"{word}{number}" for word in draw(some_words))
         axes = st.builds(RobotAxes, st.just(title), st.just(moves), drives)
-        devices.append(draw(_arms(title) | axes | _grippers(title, moves)))
+        devices.append(draw(_arms(title) | axes | _grippers(title, moves) | _bases(title) | _sensors(title)))
     hand = draw(st.just(("", "")) | st.tuples(files, words))
     return RobotText("r", draw(files), draw(prose), *hand, tuple(devices))
 
 
 @st.composite
 def worlds(draw: st.DrawFn) -> WorldText:
-    titles = draw(st.lists(names, min_size=8, max_size=8, unique=True))
+    titles = draw(st.lists(names, min_size=9, max_size=9, unique=True))
     parts = [titles[0], draw(st.sampled_from([UNNAMED, titles[1]]))][: draw(st.integers(0, 2))]
     on = st.just("") | (st.just(f"{parts[0]}.top") if len(parts) > 1 else st.just(""))
     ats = st.just((0.0,) * 4) | st.tuples(numbers, numbers, numbers, numbers)
-    blocks: list[PartBlock | PlaceBlock | SwitchBlock | LampBlock | ButtonBlock] = [
+    blocks: list[Block] = [
         PartBlock(part, draw(files), Spot(draw(ats), draw(on) if at else ""), draw(st.none() | from_0))
         for at, part in enumerate(parts)
     ]
@@ -85,6 +99,8 @@ def worlds(draw: st.DrawFn) -> WorldText:
         blocks.append(LampBlock(titles[6], tuple(switches), draw(st.just(()) | some_words)))
     if places:
         blocks.append(ButtonBlock(titles[7], tuple(places)))
+    if draw(st.booleans()):
+        blocks.append(draw(_sensors(titles[8])))
     contact = draw(st.tuples(st.sampled_from(CONES), st.floats(1e-3, 1e6)))
     step, gravity, floor = draw(st.floats(1e-4, 0.02)), draw(from_0), draw(st.none() | numbers)
     return WorldText("w", draw(prose), step, gravity, contact, floor, tuple(blocks))

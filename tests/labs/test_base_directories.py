@@ -41,6 +41,7 @@ TRIGGERS = {
     "copy_files",
     "list_files",
     "squeeze",
+    "gopose",
 }
 MOVES = ("jmove", "cmove", "visit")
 BEGINS_ELSEWHERE = {"put_back", "visit"}
@@ -81,7 +82,7 @@ def test_the_syntax_defines_the_shipped_target_types():  # R-B10, R-D02
         *("Joint object", "Cartesian object", "Polynomial path object", "Force object", "Pause object"),
         *("File name object", "Index object", "Picture point object", "Number object", "Level object"),
         *("Relative object", "Guarded object", "Single joint object", "Single polynomial object"),
-        *("Signal level object", "Folder object", "Choice object", "Gripper object"),
+        *("Signal level object", "Folder object", "Choice object", "Gripper object", "Place object"),
     }
     for target in targets:
         for action in ("job", "application"):
@@ -91,7 +92,7 @@ def test_the_syntax_defines_the_shipped_target_types():  # R-B10, R-D02
 def test_edges_differ_by_shape_and_by_colour():  # R-X11
     speaking = [edge for edge in SYNTAX.edges if edge.number > 1]
     assert len({edge.vertices for edge in SYNTAX.edges}) == len(SYNTAX.edges)
-    assert len({edge.rgb for edge in speaking}) == len(speaking) == 18
+    assert len({edge.rgb for edge in speaking}) == len(speaking) == 19
     for edge in SYNTAX.edges[1:]:
         assert np.sum(edge.vertices, axis=0).tolist() == [0, 32], "an edge ends below where it began"
 

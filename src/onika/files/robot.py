@@ -2,12 +2,23 @@
 
 from collections.abc import Sequence
 
+from onika.files import base_block, sensor_block
 from onika.files.block_words import BlockWords, number_row, text_row
 from onika.files.layout import carry_comments
 from onika.files.line import FileLine, row, show_number, split
 from onika.files.text_reading import KeywordSlot, Need, TextReading
 from onika.files.version import EXTENDED
-from onika.model.robot import AXIS_WORDS, DRIVES, RobotArm, RobotAxes, RobotDevice, RobotGripper, RobotText
+from onika.model.robot import (
+    AXIS_WORDS,
+    DRIVES,
+    RobotArm,
+    RobotAxes,
+    RobotBase,
+    RobotDevice,
+    RobotGripper,
+    RobotText,
+    SensorBlock,
+)
 from onika.words.fault import Fault
 from onika.words.reason import Reason
 
@@ -45,7 +56,7 @@ def read(text: str, name: str, place_file: str) -> tuple[RobotText | None, tuple
     reading.open_versioned(text, extended=True)
     if reading.is_over:
         return None, reading.faults
-    head, *blocks = split(reading.lines, {"ARM", "AXES", "GRIPPER"})
+    head, *blocks = split(reading.lines, {"ARM", "AXES", "GRIPPER", "BASE", "SENSOR"})
     words = BlockWords(head, _HEAD, reading)
     if reading.lines and not reading.is_extended:
         reading.fault(reading.lines[0].number, Reason.of("files.version_of_ours", extended=EXTENDED))
@@ -73,6 +84,15 @@ def _show(device: RobotDevice) -> str:
             return _show_arm(device)
         case RobotAxes():
             return row("AXES", device.name) + row("MOVES", *device.moves) + _show_drive(device.drive)
+        case RobotBase():
+            return base_block.show_base(device)
+        case SensorBlock():
+            return sensor_block.show_sensor(device)
+        case RobotGripper():
+            return _show_gripper(device)
+
+
+def _show_gripper(device: RobotGripper) -> str:
     parts = [row("GRIPPER", device.name), row("MOVES", *device.moves)]
     parts += [number_row("OPEN", device.open), number_row("CLOSED", device.closed)]
     return "".join(parts) + (row("FORCE", *device.force) if device.force else "")
@@ -102,6 +122,10 @@ def _device(block: Sequence[FileLine], reading: TextReading) -> RobotDevice:
         case "AXES":
             words = BlockWords(block, _AXES, reading)
             return RobotAxes(words.name("AXES"), _moves(words), words.choice("DRIVE", DRIVES), words.lines)
+        case "BASE":
+            return base_block.read_base(BlockWords(block, base_block.SLOTS, reading))
+        case "SENSOR":
+            return sensor_block.read_sensor(BlockWords(block, sensor_block.SLOTS, reading))
     return _gripper(BlockWords(block, _GRIPPER, reading))
 
 
@@ -158,9 +182,23 @@ def _check_moves(blocks: Sequence[Sequence[FileLine]], devices: Sequence[RobotDe
     """Each actuator in one device."""
     homes: dict[str, str] = {}
     for block, device in zip(blocks, devices, strict=True):
-        for actuator in () if isinstance(device, RobotArm) else device.moves:
+        keyword, actuators = _driven(device)
+        for actuator in actuators:
             other = homes.setdefault(actuator, device.name)
             if other != device.name:
-                number = device.lines.get("MOVES", block[0].number)
+                number = device.lines.get(keyword, block[0].number)
                 reason = Reason.of("files.actuator_twice", actuator=actuator, device=device.name, other=other)
                 reading.fault(number, reason)
+
+
+def _driven(device: RobotDevice) -> tuple[str, tuple[str, ...]]:
+    """The actuators that a device names, and the line that does."""
+    match device:
+        case RobotAxes() | RobotGripper():
+            return "MOVES", device.moves
+        case RobotBase(wheels=()):
+            return "SLIDES", device.slides
+        case RobotBase():
+            return "WHEELS", device.wheels
+        case RobotArm() | SensorBlock():
+            return "", ()

@@ -2,11 +2,13 @@
 
 from collections.abc import Iterable, Mapping
 
+from onika.files import sensor_block
 from onika.files.block_words import BlockWords, number_row, text_row
 from onika.files.layout import carry_comments
 from onika.files.line import row, show_number, split
 from onika.files.text_reading import KeywordSlot, Need, TextReading
 from onika.files.version import EXTENDED
+from onika.model.robot import SensorBlock
 from onika.model.world import (
     CONES,
     GRAVITY,
@@ -41,6 +43,7 @@ _SLOTS = {
     "SWITCH": (KeywordSlot("SWITCH"), KeywordSlot("NEAR", Need.OPTIONAL), KeywordSlot("PRESSED", Need.OPTIONAL)),
     "LAMP": (KeywordSlot("LAMP"), KeywordSlot("WHEN"), KeywordSlot("SHINES", Need.OPTIONAL)),
     "BUTTON": (KeywordSlot("BUTTON"), KeywordSlot("STOPS")),
+    "SENSOR": sensor_block.SLOTS,
 }
 
 
@@ -93,6 +96,8 @@ def _show(block: Block) -> str:
         case LampBlock():
             shines = row("SHINES", *block.shines) if block.shines else ""
             return row("LAMP", block.name) + row("WHEN", *block.when) + shines
+        case SensorBlock():
+            return sensor_block.show_sensor(block)
     return row("BUTTON", block.name) + row("STOPS", *block.stops)
 
 
@@ -124,6 +129,8 @@ def _block(words: BlockWords, keyword: str) -> Block:
             shines = words.words("SHINES", Reason.of("files.names_of_shapes"))
             when = words.words("WHEN", Reason.of("files.names_of_switches"))
             return LampBlock(words.name("LAMP"), when, shines, words.lines)
+        case "SENSOR":
+            return sensor_block.read_sensor(words)
     return ButtonBlock(words.name("BUTTON"), words.words("STOPS", Reason.of("files.names_of_places")), words.lines)
 
 

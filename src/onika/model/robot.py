@@ -73,7 +73,35 @@ class RobotGripper:
     lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
 
 
-RobotDevice = RobotArm | RobotAxes | RobotGripper
+@dataclass(frozen=True, slots=True)
+class RobotBase:
+    """A base that drives, by its actuators: on two wheels beside each other, or on two slides and a turn.
+
+    wheels         the left and the right one, their `radius` and how far apart they stand, `track` (m)
+    slides         along x, along y, and the turn about z
+    speed          the highest speed (m/s) and the highest rate of turning (rad/s)
+    """
+
+    name: str
+    wheels: tuple[str, ...] = ()
+    radius: float = 0.0
+    track: float = 0.0
+    slides: tuple[str, ...] = ()
+    speed: tuple[float, float] = (0.5, 2.0)
+    lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
+
+
+@dataclass(frozen=True, slots=True)
+class SensorBlock:
+    """What is measured: sensors of the model, whose numbers stand in a row, or where a body is."""
+
+    name: str
+    reads: tuple[str, ...] = ()
+    body: str = ""
+    lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
+
+
+RobotDevice = RobotArm | RobotAxes | RobotGripper | RobotBase | SensorBlock
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from onika.model.robot import Lines, Numbers
+from onika.model.robot import Lines, Numbers, SensorBlock
 
 UNNAMED = "-"
 """In place of a name: things keep the names of their file, with nothing before them."""
@@ -83,7 +83,7 @@ class ButtonBlock:
     lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
 
 
-Block = PartBlock | PlaceBlock | SwitchBlock | LampBlock | ButtonBlock
+Block = PartBlock | PlaceBlock | SwitchBlock | LampBlock | ButtonBlock | SensorBlock
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,6 +124,11 @@ class WorldText:
     def lamps(self) -> tuple[LampBlock, ...]:
         """Its lamps."""
         return tuple(block for block in self.blocks if isinstance(block, LampBlock))
+
+    @property
+    def sensors(self) -> tuple[SensorBlock, ...]:
+        """What is measured in it."""
+        return tuple(block for block in self.blocks if isinstance(block, SensorBlock))
 
     @property
     def buttons(self) -> tuple[ButtonBlock, ...]:

@@ -15,6 +15,7 @@ class Plant:
         self.model = mujoco.MjModel.from_xml_string(source) if isinstance(source, str) else source
         self.data = mujoco.MjData(self.model)
         self._option = self.model.opt
+        self._measured_at = -1.0
 
     def body(self, name: str) -> int:
         """Number of a body; raises KeyError for an unknown name."""
@@ -48,7 +49,8 @@ class Plant:
         """Take over positions, speeds and signals of everything that has the same name in `other`."""
         for k in range(self.model.njnt):
             name = self.model.joint(k).name
-            if mujoco.mj_name2id(other.model, mujoco.mjtObj.mjOBJ_JOINT, name) >= 0:
+            there = mujoco.mj_name2id(other.model, mujoco.mjtObj.mjOBJ_JOINT, name)
+            if there >= 0 and self.model.jnt_type[k] == other.model.jnt_type[there]:
                 mine, theirs = self.data.joint(name), other.data.joint(name)
                 mine.qpos[:], mine.qvel[:] = theirs.qpos, theirs.qvel
                 mine.qacc_warmstart[:] = theirs.qacc_warmstart
@@ -70,6 +72,17 @@ class Plant:
         self._option.disableflags = _FEELING
         mujoco.mj_sensorAcc(self.model, self.data)
         self._option.disableflags = _NUMB
+
+    def measure(self, time: float) -> None:
+        """Let all sensors measure, as of the last step; once for each time (s)."""
+        if time == self._measured_at:
+            return
+        self._measured_at = time
+        self._option.disableflags &= ~_NUMB
+        mujoco.mj_sensorPos(self.model, self.data)
+        mujoco.mj_sensorVel(self.model, self.data)
+        mujoco.mj_sensorAcc(self.model, self.data)
+        self._option.disableflags |= _NUMB
 
     def poses(self) -> npt.NDArray[np.float32]:
         """Place (m) and quaternion (w, x, y, z) of each body in the world, float32[bodies,7], as of the last step."""

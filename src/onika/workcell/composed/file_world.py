@@ -20,6 +20,7 @@ from onika.words.reason import Reason
 from onika.workcell.composed.composition import FREE_JOINT, Composition, prefix_of, why_not
 from onika.workcell.composed.robot_unit import RobotUnit
 from onika.workcell.composed.robot_units import robot_units
+from onika.workcell.composed.sensor_unit import SensorUnit, lacking
 from onika.workcell.composed.sources import SourceTexts
 from onika.workcell.composed.stands import Stands
 from onika.workcell.composed.still import still
@@ -51,8 +52,9 @@ class FileWorld(DrivenWorld):
         robots = {place.name: self._composition.at(place) for place in self._composition.places}
         self._stands = Stands(robots, [*robot_units(self._composition, self._model_with)])
         self._lamps = [*self._usable_lamps()]
+        self._watching: list[DeviceUnit] = [*self._lamps, *self._usable_sensors()]
         buttons = [*self._panic_buttons()]
-        super().__init__([*self._stands.units, *self._lamps], buttons)
+        super().__init__([*self._stands.units, *self._watching], buttons)
         self._running: list[RobotUnit] = []
         self._bind()
         for unit in self._present:
@@ -134,6 +136,15 @@ class FileWorld(DrivenWorld):
             else:
                 yield SwitchLamp(lamp, switches)
 
+    def _usable_sensors(self) -> Iterator[SensorUnit]:
+        """What is measured in the world itself."""
+        for sensor in self._composition.world.sensors:
+            unfit = lacking(self._plant.model, sensor)
+            if unfit is None:
+                yield SensorUnit(sensor.name, sensor, self._plant.model, "", "", "")
+            else:
+                self._tell(sensor.lines.get(unfit.keyword, 0), unfit.reason, sensor.name)
+
     def _is_usable(self, switch: SwitchBlock) -> bool:
         model = self._plant.model
         sites = switch.near[:2] if switch.near else ()
@@ -160,7 +171,7 @@ class FileWorld(DrivenWorld):
 
     def _admit(self, unit: DeviceUnit) -> None:
         """Another robot may come to a place, or the world may lose its forces, or get them back."""
-        if not isinstance(unit, RobotUnit):
+        if not isinstance(unit, RobotUnit) or unit in self._watching:
             return
         before, was_present = self._stands.mode, set(self._present)
         acting = dict(self._stands.acting)
@@ -183,7 +194,7 @@ class FileWorld(DrivenWorld):
 
     def _bind(self) -> None:
         self._robots = self._stands.present()
-        self._bind_units([*self._stands.units, *self._lamps], [*self._robots, *self._lamps])
+        self._bind_units([*self._stands.units, *self._watching], [*self._robots, *self._watching])
 
     def _begin(self) -> None:
         """Go on from the plant's present positions: with physics, or without forces."""

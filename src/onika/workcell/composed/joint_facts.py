@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol
 
 import mujoco
 import numpy as np
@@ -33,6 +33,22 @@ class Unfit:
     reason: Reason
 
 
+class JointedFacts(Protocol):
+    """What is known of any device that has joints."""
+
+    @property
+    def name(self) -> str:
+        """The name of its block."""
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """Their names in the model."""
+
+    @property
+    def keyword(self) -> str:
+        """The line of its block that says which they are."""
+
+
 @dataclass(frozen=True, slots=True)
 class JointFacts:
     """One device of joints, named as in its model; `constants` are what the device says of itself."""
@@ -51,6 +67,11 @@ class JointFacts:
     gains: Gains
     constants: Mapping[str, Numbers | str]
 
+    @property
+    def keyword(self) -> str:
+        """The line of its block that says which joints it has."""
+        return "TOOL" if self.start else "MOVES"
+
 
 def arm_facts(model: Any, arm: RobotArm, robot: str, speeds: Mapping[str, float]) -> JointFacts | Unfit:
     """An arm: the chain of joints from its base to its tool."""
@@ -60,7 +81,7 @@ def arm_facts(model: Any, arm: RobotArm, robot: str, speeds: Mapping[str, float]
     body, pose_of = tool
     start = _body(model, arm.start)
     if start is None and arm.start:
-        return _absent(model, "FROM", "body", model.nbody, arm.start)
+        return absent(model, "FROM", "body", model.nbody, arm.start)
     try:
         joints = chain.joints_between(model, start, body)
     except ValueError as wrong:
@@ -82,21 +103,20 @@ def axes_facts(model: Any, axes: RobotAxes, robot: str, speeds: Mapping[str, flo
     for name in axes.moves:
         actuator = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_ACTUATOR, name)
         if actuator < 0:
-            return _absent(model, "MOVES", "actuator", model.nu, name)
+            return absent(model, "MOVES", "actuator", model.nu, name)
         if int(model.actuator_trntype[actuator]) != int(mujoco.mjtTrn.mjTRN_JOINT):
             return Unfit("MOVES", Reason.of("workcell.no_joint_moved", actuator=name))
         joints.append(int(model.actuator_trnid[actuator, 0]))
     return _facts(model, axes, robot, joints, "", {}, speeds)
 
 
-def shared(facts: Sequence[JointFacts], device: JointFacts) -> Unfit | None:
+def shared(facts: Sequence[JointedFacts], device: JointedFacts) -> Unfit | None:
     """Why a device has a joint that one before it has already."""
     for other in facts:
         both = [joint for joint in device.joints if joint in other.joints]
         if both:
-            keyword = "TOOL" if device.start else "MOVES"
             return Unfit(
-                keyword,
+                device.keyword,
                 Reason.of("workcell.joint_twice", joint=both[0], other=other.name, device=device.name),
             )
     return None
@@ -128,7 +148,7 @@ def _facts(
     usual = [speeds.get(name, _SPEED[slide]) for name, slide in zip(names, slides, strict=True)]
     speed = np.array(said["SPEED"] or usual)
     torque = np.array(
-        said["TORQUE"] or [_torque(model, at, joint) for at, joint in zip(actuators, joints, strict=True)]
+        said["TORQUE"] or [highest_torque(model, at, joint) for at, joint in zip(actuators, joints, strict=True)]
     )
     published = {**constants, "QMIN": lowest, "QMAX": highest, "Q^_MAX": speed, "TAUMAX": torque, "HOME": home}
     sheet: dict[str, Numbers | str] = {name: tuple(value.ravel().tolist()) for name, value in published.items()}
@@ -156,7 +176,7 @@ def _tool(model: Any, arm: RobotArm) -> tuple[int, Callable[[Any], Array]] | Unf
         return int(model.site_bodyid[site]), lambda data: chain.site_pose(data, site)
     body = _body(model, arm.tool)
     if body is None:
-        return _absent(model, "TOOL", "site", model.nsite, arm.tool)
+        return absent(model, "TOOL", "site", model.nsite, arm.tool)
     return body, lambda data: chain.body_pose(data, body)
 
 
@@ -209,7 +229,7 @@ def _home(model: Any, joints: Sequence[int], lowest: Array, highest: Array) -> A
     return inside
 
 
-def _torque(model: Any, actuator: int, joint: int) -> float:
+def highest_torque(model: Any, actuator: int, joint: int) -> float:
     """The highest torque of a joint as its model says it."""
     gear = abs(float(model.actuator_gear[actuator, 0]))
     if model.actuator_forcelimited[actuator]:
@@ -234,7 +254,8 @@ def _gains(model: Any, joints: Sequence[int], home: Array) -> Gains:
     return gains(felt_inertia(model, data, dofs), damping, friction)
 
 
-def _absent(model: Any, keyword: str, kind: str, count: int, name: str) -> Unfit:
+def absent(model: Any, keyword: str, kind: str, count: int, name: str) -> Unfit:
+    """That a model has no `name` of this kind, of which it has `count`."""
     names = [getattr(model, kind)(k).name for k in range(count)]
     there = tuple(name for name in names if name)[:_MOST_NAMES] or Reason.of("workcell.none")
     return Unfit(keyword, Reason.of("workcell.no_such_name", there=there, name=name))

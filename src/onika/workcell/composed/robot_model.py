@@ -8,11 +8,13 @@ from xml.etree import ElementTree
 import mujoco
 import numpy as np
 
-from onika.model.robot import RobotArm, RobotAxes, RobotDevice, RobotGripper, RobotText
+from onika.model.robot import RobotArm, RobotAxes, RobotBase, RobotDevice, RobotGripper, RobotText, SensorBlock
 from onika.words.fault import Fault
 from onika.words.reason import Reason, reason_of
+from onika.workcell.composed.base_facts import FREE_JOINT, BaseFacts, base_facts
 from onika.workcell.composed.gripper_facts import GripperFacts, gripper_facts
 from onika.workcell.composed.joint_facts import JointFacts, Unfit, arm_facts, axes_facts, shared
+from onika.workcell.composed.sensor_unit import lacking
 from onika.workcell.composed.sources import SourceTexts, first_line
 
 HAND = "hand."
@@ -23,6 +25,9 @@ ORIGIN = "robot.origin"
 
 _DEEP_M = 0.001  # how far shapes reach into each other that a document forgot to keep apart
 _URDF = ".urdf"
+
+
+DeviceFacts = JointFacts | GripperFacts | BaseFacts | SensorBlock
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,6 +41,8 @@ class RobotModel:
     joints: tuple[JointFacts, ...]
     grippers: tuple[GripperFacts, ...]
     excluded: tuple[tuple[str, str], ...]
+    bases: tuple[BaseFacts, ...] = ()
+    sensors: tuple[SensorBlock, ...] = ()
 
 
 def robot_spec(sources: SourceTexts, robot: RobotText) -> mujoco.MjSpec:
@@ -47,6 +54,7 @@ def robot_spec(sources: SourceTexts, robot: RobotText) -> mujoco.MjSpec:
             there = tuple(site.name for site in spec.sites)[:20] or Reason.of("workcell.none")
             raise ValueError(Reason.of("workcell.no_such_name", there=there, name=robot.on))
         spec.attach(sources.model(f"robot/{robot.hand}"), site=site, prefix=HAND)
+    _free(spec, robot)
     _name(spec)
     spec.worldbody.add_site(name=ORIGIN)
     _refuse_reversed(spec)
@@ -69,22 +77,26 @@ def robot_model(sources: SourceTexts, robot: RobotText, faults: list[Fault]) -> 
         faults.append(Fault(place, reason_of(wrong), Reason.of("files.robot_left_out")))
         return None
     speeds = _speeds(sources, robot)
-    joints: list[JointFacts] = []
-    grippers: list[GripperFacts] = []
+    usable: list[DeviceFacts] = []
     for device in robot.devices:
         facts = _facts(model, device, robot.name, speeds)
-        if isinstance(facts, JointFacts):
-            facts = shared(joints, facts) or facts
-        match facts:
-            case Unfit():
-                place = sources.robot_place(robot.name, device.lines.get(facts.keyword, min(device.lines.values())))
-                instead = Reason.of("workcell.device_left_out", name=device.name)
-                faults.append(Fault(place, facts.reason, instead))
-            case JointFacts():
-                joints.append(facts)
-            case GripperFacts():
-                grippers.append(facts)
-    return RobotModel(robot, tuple(joints), tuple(grippers), tuple(_touching(model, robot, joints)))
+        if isinstance(facts, JointFacts | BaseFacts):
+            facts = shared([other for other in usable if isinstance(other, JointFacts | BaseFacts)], facts) or facts
+        if isinstance(facts, Unfit):
+            place = sources.robot_place(robot.name, device.lines.get(facts.keyword, min(device.lines.values())))
+            instead = Reason.of("workcell.device_left_out", name=device.name)
+            faults.append(Fault(place, facts.reason, instead))
+        else:
+            usable.append(facts)
+    joints = tuple(facts for facts in usable if isinstance(facts, JointFacts))
+    return RobotModel(
+        robot,
+        joints,
+        tuple(facts for facts in usable if isinstance(facts, GripperFacts)),
+        tuple(_touching(model, robot, joints)),
+        tuple(facts for facts in usable if isinstance(facts, BaseFacts)),
+        tuple(facts for facts in usable if isinstance(facts, SensorBlock)),
+    )
 
 
 def compiled(spec: mujoco.MjSpec) -> Any:
@@ -95,7 +107,7 @@ def compiled(spec: mujoco.MjSpec) -> Any:
         raise ValueError(Reason.of("workcell.model_unsound", why=first_line(wrong))) from None
 
 
-def _facts(model: Any, device: RobotDevice, robot: str, speeds: dict[str, float]) -> JointFacts | GripperFacts | Unfit:
+def _facts(model: Any, device: RobotDevice, robot: str, speeds: dict[str, float]) -> DeviceFacts | Unfit:
     match device:
         case RobotArm():
             return arm_facts(model, device, robot, speeds)
@@ -103,6 +115,18 @@ def _facts(model: Any, device: RobotDevice, robot: str, speeds: dict[str, float]
             return axes_facts(model, device, robot, speeds)
         case RobotGripper():
             return gripper_facts(model, device, robot)
+        case RobotBase():
+            return base_facts(model, device, robot)
+        case SensorBlock():
+            return lacking(model, device) or device
+
+
+def _free(spec: mujoco.MjSpec, robot: RobotText) -> None:
+    """What drives on wheels stands on them."""
+    body = spec.worldbody.first_body()
+    drives = any(isinstance(device, RobotBase) and device.wheels for device in robot.devices)
+    if drives and body is not None and not len(body.joints):
+        body.add_freejoint(name=FREE_JOINT)
 
 
 def _name(spec: mujoco.MjSpec) -> None:
@@ -140,7 +164,7 @@ def _speeds(sources: SourceTexts, robot: RobotText) -> dict[str, float]:
     return {name: float(speed) for name, speed in given.items() if speed and float(speed) > 0.0}
 
 
-def _touching(model: Any, robot: RobotText, joints: list[JointFacts]) -> Iterator[tuple[str, str]]:
+def _touching(model: Any, robot: RobotText, joints: tuple[JointFacts, ...]) -> Iterator[tuple[str, str]]:
     """Bodies that reach into each other at home: of a URDF any two, else a link and what bears it."""
     data = mujoco.MjData(model)
     for facts in joints:

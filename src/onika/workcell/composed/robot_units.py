@@ -4,12 +4,14 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from onika.workcell.composed import chain
+from onika.workcell.composed.base_unit import BaseUnit, KinematicBaseUnit
 from onika.workcell.composed.composition import Composition, prefix_of
 from onika.workcell.composed.device_names import device_name
 from onika.workcell.composed.finger_unit import FingerUnit
 from onika.workcell.composed.joint_unit import JointUnit, KinematicJointUnit
 from onika.workcell.composed.robot_model import ORIGIN, RobotModel
 from onika.workcell.composed.robot_unit import RobotUnit
+from onika.workcell.composed.sensor_unit import SensorUnit
 
 _WORLD = "world"  # the body in which the bodies of every document stand
 
@@ -30,12 +32,17 @@ def robot_units(composition: Composition, model_with: Callable[[str, str], Any])
 
 def _units_of(robot: RobotModel, called: dict[str, str], place: str, model: Any, step_s: float) -> Iterator[RobotUnit]:
     name, prefix = robot.robot.name, prefix_of(place)
+    for drives in robot.bases:  # before arms on them, whose drives bear their own weight
+        for base_kind in (BaseUnit, KinematicBaseUnit):
+            yield base_kind(called[drives.base.name], drives, name, place, prefix, step_s)
     for facts in robot.joints:
         base = _base(model, prefix, facts.start) if facts.start else ()
         for kind in (JointUnit, KinematicJointUnit):
             yield kind(called[facts.name], facts, name, place, prefix, step_s, base)
     for fingers in robot.grippers:
         yield FingerUnit(called[fingers.gripper.name], fingers, name, place, prefix, step_s)
+    for sensor in robot.sensors:
+        yield SensorUnit(called[sensor.name], sensor, model, name, place, prefix)
 
 
 def _base(model: Any, prefix: str, start: str) -> tuple[float, ...]:

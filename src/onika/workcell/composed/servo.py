@@ -57,6 +57,14 @@ def make_servo(model: Any, actuators: Array, given: Gains) -> None:
     model.actuator_biasprm[actuators, 2] = -given.kv
 
 
+def make_rate_servo(model: Any, actuators: Array, strength: Array) -> None:
+    """Let these actuators follow speeds; `strength` is their force, or torque, per speed that is lacking."""
+    _clear(model, actuators)
+    model.actuator_gainprm[actuators, 0] = strength
+    model.actuator_biastype[actuators] = int(mujoco.mjtBias.mjBIAS_AFFINE)
+    model.actuator_biasprm[actuators, 2] = -strength
+
+
 def make_motor(model: Any, actuators: Array) -> None:
     """Let these actuators pull with the torque that they are told."""
     _clear(model, actuators)

@@ -1,0 +1,32 @@
+"""Force and torque at a sensor."""
+
+from onika.module import Module, ModuleError, OutVar
+
+WRENCH = 6  # three forces and three torques
+
+
+class Wrench(Module):
+    """Force and torque that act on a sensor, in its frame: the weight of what hangs there, and what presses on it.
+
+    Kind     general, periodic, 10..1000 Hz
+    Ports    OUTVAR  F_RAW  double[6]  N,N m  force and torque, with the weight of what hangs there
+    Errors   another device  the device does not publish six numbers: stays uninitialised
+    """
+
+    F_RAW = OutVar("double[6]", "N,N m", "force and torque, with the weight of what hangs there")
+
+    def init(self):
+        published = len(self.device.sheet.state) - 2
+        if published != WRENCH:
+            raise ModuleError(
+                "expected a device that publishes the {expected} numbers of a wrench, "
+                "found one that publishes {published}",
+                expected=WRENCH,
+                published=published,
+            )
+
+    def on(self, inputs):
+        self.F_RAW = self.device.read()
+
+    def cycle(self):
+        self.F_RAW = self.device.read()

@@ -1,0 +1,43 @@
+"""What is measured in a world, as tasks."""
+
+import numpy as np
+import pytest
+
+from onika.model.lifecycle import State
+from onika.store.shipped import shipped
+from onika.testing.bench import Bench
+from onika.testing.bench_device import BenchDevice
+
+MODULES = shipped() / "sensors" / "module"
+
+
+def numbers(count):
+    return BenchDevice([f"s{k}" for k in range(count)], [])
+
+
+def test_a_thing_is_where_its_device_says():  # R-K05
+    device = numbers(7)
+    device.state[:] = 1.0, 2.0, 3.0, np.sqrt(0.5), 0.0, 0.0, np.sqrt(0.5)
+    bench = Bench(MODULES / "whereis.py", frequency=50, device=device).init().on()
+    assert bench["X_PART"] == pytest.approx(np.array([[0, -1, 0, 1], [1, 0, 0, 2], [0, 0, 1, 3], [0, 0, 0, 1]]))
+
+
+def test_where_it_is_may_be_measured_wrong():  # R-K05
+    device = numbers(7)
+    device.state[3] = 1.0
+    bench = Bench(MODULES / "whereis.py", frequency=50, device=device, local={"NOISE": "0.01"}).init().on()
+    seen = np.array([bench.cycle()["X_PART"][:3, 3].copy() for _ in range(500)])
+    assert np.std(seen, axis=0) == pytest.approx(np.full(3, 0.01), rel=0.2)
+
+
+def test_a_wrench_is_what_its_device_says():  # R-K05
+    device = numbers(6)
+    device.state[:] = 1, 2, 3, 4, 5, 6
+    bench = Bench(MODULES / "wrench.py", frequency=250, device=device).init().on().cycle()
+    assert bench["F_RAW"].tolist() == [1, 2, 3, 4, 5, 6]
+
+
+@pytest.mark.parametrize(("task", "kind"), [("whereis", "pose"), ("wrench", "wrench")])
+def test_another_device_is_told(task, kind):  # R-X04
+    bench = Bench(MODULES / f"{task}.py", frequency=250, device=numbers(3)).init()
+    assert bench.state is State.ERROR and f"of a {kind}, found one that publishes 3" in bench.why
