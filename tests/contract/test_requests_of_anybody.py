@@ -72,6 +72,8 @@ class _Crowd:
             return
         self.client.send(message, session)
         self.carried_out += 1
+        if self.client.program.renewal is not None:
+            self.client.go_on_renewed()
         for _ in range(2):
             self.client.program.advance(_SLICE_NS)
 
@@ -84,6 +86,8 @@ class _Crowd:
                 return not message.seconds < 1.0
             case request.Begin():
                 return bool(message.record)
+            case live.Record():
+                return bool(message.path)
             case request.Stop() | holding.OnlyWatch():
                 return self.fuzz.random.random() < 0.9
         return False

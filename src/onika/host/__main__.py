@@ -16,10 +16,12 @@ from onika.host.loading.loader import Loader
 from onika.host.loading.loader_client import LoaderClient
 from onika.host.program import RuntimeProgram
 from onika.host.recording.black_box_holder import BlackBoxHolder, HolderProcess, InProcessHolder
+from onika.host.renewal import Renewal
 from onika.host.sessions.audit_log import AuditLog
 from onika.host.sessions.audit_trail import OFF, AuditTrail, open_for
 from onika.host.sessions.listen_options import ListenOptions, judge
 from onika.host.sessions.listener_process import ListenerProcess
+from onika.host.sessions.network_channel import NetworkChannel
 from onika.host.sessions.request_server import RequestServer
 from onika.host.shutdown import ShutdownSignals
 from onika.host.units.call_watchdog import CallWatchdog
@@ -74,27 +76,23 @@ def _run(words: list[str]) -> None:
     _guard_files(given)
     listener = _listener(given)
     audit = _audit(given)
-    rtpus = tuple(given.rtpu) or ("rt0",)
     loader = Loader(stays_inside=given.forecast)
     loader_client = LoaderClient(loader)
     server = _server(given, listener, audit)
     try:
         if given.virtual:
-            virtual = _virtual_driver(given, rtpus, server)
-            program = RuntimeProgram(server, virtual, loader_client, rtpus)
-            _adopt(program, listener)
-            _keep_last_seconds(program, None if given.no_black_box else InProcessHolder(), InProcessHolder)
-            _virtual(program, server, virtual, ending)
+            _virtual(given, server, loader_client, listener, ending)
         else:
             holder = None if given.no_black_box else HolderProcess()  # it comes up beside the others
-            wall = _wall_driver(rtpus, server, with_fifo=not given.no_fifo)
+            wall = _wall_driver(_rtpus(given), server, with_fifo=not given.no_fifo)
             fine_timers()
             if not given.no_fifo:
                 first_in_first_out(RUNNER_PRIORITY)
             try:
                 lease_ns = None if given.lease is None else round(given.lease * 1e9)
-                program = RuntimeProgram(server, wall, loader_client, rtpus, lease_ns)
-                _adopt(program, listener)
+                program = RuntimeProgram(server, wall, loader_client, _rtpus(given), lease_ns)
+                if listener is not None:
+                    program.network.adopt(listener)
                 _keep_last_seconds(program, holder, HolderProcess)
                 _wall(program, server, wall, ending)
             finally:
@@ -214,12 +212,6 @@ def _listener(given: argparse.Namespace) -> ListenerProcess | None:
     return listener
 
 
-def _adopt(program: RuntimeProgram, listener: ListenerProcess | None) -> None:
-    """What listens from the start may be closed later."""
-    if listener is not None:
-        program.network.adopt(listener)
-
-
 def _guard_files(given: argparse.Namespace) -> None:
     """Nobody else can use what is kept, and what says who is let in; the end, with the reasons, where that fails."""
     named = ((given.users, WRITING), (given.cert, WRITING), (given.key, STRANGERS))
@@ -232,17 +224,58 @@ def _guard_files(given: argparse.Namespace) -> None:
         raise SystemExit(2)
 
 
-def _virtual_driver(given: argparse.Namespace, rtpus: tuple[str, ...], server: RequestServer) -> VirtualDriver:
-    """What moves in virtual time, with this process made ready for it."""
+def _virtual(
+    given: argparse.Namespace,
+    server: RequestServer,
+    loader: LoaderClient,
+    listener: ListenerProcess | None,
+    ending: ShutdownSignals,
+) -> None:
+    """Program after program in virtual time, each beginning anew where the one before was renewed."""
+    watch = _made_ready(given)
+    garbage, network, renewal = Garbage(), NetworkChannel(server), None
+    if listener is not None:
+        network.adopt(listener)
+    while True:
+        driver = _virtual_driver(given, server, watch, renewal)
+        program = RuntimeProgram(server, driver, loader, _rtpus(given), network=network)
+        _keep_last_seconds(program, None if given.no_black_box else InProcessHolder(), InProcessHolder)
+        if renewal is not None:
+            program.go_on(renewal)
+        _turns(program, server, driver, ending, garbage)
+        renewal = program.renewal
+        if renewal is None:
+            break
+        program.leave()
+        driver.close()
+    _say_last(server)
+    program.close()
+
+
+def _made_ready(given: argparse.Namespace) -> Callable[[str], None]:
+    """This process is made ready for virtual time; whoever is told whose code runs."""
     preload()
-    worlds, watch = partial(open_world, shake=given.shake), _watched_calls(given)
-    driver = VirtualDriver(rtpus, server.tell, worlds, watch, given.scale, watches_mishaps=given.forecast)
-    driver.options = () if given.shake is None else ("--shake", str(given.shake))
+    watch = _watched_calls(given)
     bound()
     still_garbage()
     if given.forecast:
         stay_inside()
+    return watch
+
+
+def _virtual_driver(
+    given: argparse.Namespace, server: RequestServer, watch: Callable[[str], None], renewal: Renewal | None
+) -> VirtualDriver:
+    """What moves in virtual time, from its beginning."""
+    shake = given.shake if renewal is None else renewal.asked.shake
+    worlds = partial(open_world, shake=shake)
+    driver = VirtualDriver(_rtpus(given), server.tell, worlds, watch, given.scale, watches_mishaps=given.forecast)
+    driver.options = () if shake is None else ("--shake", str(shake))
     return driver
+
+
+def _rtpus(given: argparse.Namespace) -> tuple[str, ...]:
+    return tuple(given.rtpu) or ("rt0",)
 
 
 def _wall_driver(rtpus: tuple[str, ...], server: RequestServer, *, with_fifo: bool) -> WallDriver:
@@ -259,10 +292,11 @@ def _print(reason: Reason) -> None:
     sys.stderr.write(f"{in_language(reason, own_language())}\n")
 
 
-def _virtual(program: RuntimeProgram, server: RequestServer, driver: VirtualDriver, ending: ShutdownSignals) -> None:
+def _turns(
+    program: RuntimeProgram, server: RequestServer, driver: VirtualDriver, ending: ShutdownSignals, garbage: Garbage
+) -> None:
     """As fast as it goes while something happens by itself; else wait for the environment."""
-    garbage = Garbage()
-    while server.is_open and not program.is_over and not ending.is_asked:
+    while server.is_open and not program.is_over and not ending.is_asked and program.renewal is None:
         goes_on = program.advance(_SLICE_NS)
         if goes_on:
             garbage.note()
@@ -271,8 +305,6 @@ def _virtual(program: RuntimeProgram, server: RequestServer, driver: VirtualDriv
         wait_s = 0.0 if goes_on else server.wait_s(program.wait_s(driver.wait_s()))
         select.select([*server.readers(), *program.readers()], server.writers(), [], wait_s)
         program.serve()
-    _say_last(server)
-    program.close()
 
 
 def _wall(program: RuntimeProgram, server: RequestServer, driver: WallDriver, ending: ShutdownSignals) -> None:

@@ -7,6 +7,7 @@ from time import monotonic_ns
 from msgspec.structs import replace
 
 from onika.host.application_runs import ApplicationRuns
+from onika.host.clock_requests import ClockRequests
 from onika.host.driver import Driver
 from onika.host.edit.editor import LiveEditor, refused
 from onika.host.foresight.questions import Questions
@@ -25,6 +26,7 @@ from onika.host.recording.hand_recordings import HandRecordings
 from onika.host.recording.recorder import Recorder
 from onika.host.recording.run_description import RunDescriptions
 from onika.host.recording.sampling import Sampling
+from onika.host.renewal import Renewal
 from onika.host.sessions.control_authority import ControlAuthority
 from onika.host.sessions.leases import Leases
 from onika.host.sessions.network_channel import NetworkChannel
@@ -60,6 +62,7 @@ class RuntimeProgram:
         loading: ModuleQuestions,
         rtpus: tuple[str, ...],
         lease_ns: int | None = 0,
+        network: NetworkChannel | None = None,
     ) -> None:
         self._server = server
         self._driver = driver
@@ -72,7 +75,7 @@ class RuntimeProgram:
         self._presence = Presence(server, lambda: self.authority.watching, self._lease_of)
         self.authority = ControlAuthority(self.subsystems, server.tell, self._run_commands, self._presence.sessions)
         self.leases = Leases(self.authority, server.hearing, lease_ns, deaf=server.deaf_ns)
-        self.network = NetworkChannel(server)
+        self.network = network or NetworkChannel(server)
         self._look = Inspection(self.subsystems, driver, server)
         self._sampling = Sampling(self.subsystems, driver)
         self._world_files = WorldFiles()
@@ -90,6 +93,12 @@ class RuntimeProgram:
         self._hand_held: HandHeld | None = None
         self._questions = Questions(self.subsystems, driver, self._session_facts, lambda: self._recorder.application)
         self.is_over = False
+        self._clock_requests = ClockRequests(self.subsystems, driver, server, self._backlog)
+
+    @property
+    def renewal(self) -> Renewal | None:
+        """In virtual time: what a new program is to begin with, in place of this one."""
+        return self._clock_requests.renewal
 
     @property
     def is_running(self) -> bool:
@@ -117,6 +126,23 @@ class RuntimeProgram:
     def close(self) -> None:
         """The runtime ends: what is still to be written of its runs is written."""
         self.network.finish()
+        self._finish_recordings()
+
+    def leave(self) -> None:
+        """Another program goes on, on the same links: nothing is told to this one any more."""
+        self._finish_recordings()
+        self._server.leave(self._hand_recordings.hear)
+        if self._hand_held is not None:
+            self._server.leave(self._hand_held.hear)
+        self.subsystems.close()
+
+    def go_on(self, renewal: Renewal) -> None:
+        """Answer who asked for this program, and carry out what was asked since."""
+        self._server.reply(renewal.call.ticket, request.Done())
+        for call in renewal.later:
+            self._serve(call)
+
+    def _finish_recordings(self) -> None:
         self._hand_recordings.finish()
         if self._black_box is not None and self._hand_held is not None:
             self._hand_held.finish()
@@ -137,8 +163,11 @@ class RuntimeProgram:
         for session in self.leases.judge(self._driver.now):  # before anything that takes time
             self.applications.forget(session)
         self.authority.expire(monotonic_ns())
-        for call in calls:
+        for number, call in enumerate(calls, 1):
             self._serve(call)
+            if self.renewal is not None:
+                self.renewal.later = calls[number:]
+                return
         self._presence.look()
         for session in self._server.lost():
             self.applications.lost(session)
@@ -236,8 +265,8 @@ class RuntimeProgram:
                 self._unit_starts.add(call.asked, answer)
             case live.Record():
                 self._hand_recordings.ask(call.asked, answer)
-            case live.Advance():
-                self._advance(call.asked.seconds, answer)
+            case live.Advance() | live.Renew():
+                self._clock_requests.ask(call, call.asked, answer)
             case WhatIf():
                 self._questions.ask(call.session, call.asked, self.applications.prepared(call.session), answer)
             case steer.Who():
@@ -376,17 +405,3 @@ class RuntimeProgram:
             other = meant[0]
             return request.Refused(Reason.of("host.begun_by", application=other.application, session=other.session))
         return request.Done()
-
-    def _advance(self, seconds: float, answer: Answer) -> None:
-        if not self._driver.is_virtual:
-            answer(request.Refused(Reason.of("host.wall_passes")))
-        elif not 0 <= seconds <= 1e6:
-            answer(request.Refused(Reason.of("host.advance_range", seconds=seconds)))
-        else:
-            self._pass(round(seconds * 1e9), answer)
-
-    def _pass(self, lasts_ns: int, answer: Answer) -> None:
-        if lasts_ns == 0:  # the clock need not move, and perhaps does not
-            answer(request.Done())
-        else:
-            self.subsystems.when(self._driver.now + lasts_ns, lambda: answer(request.Done()))

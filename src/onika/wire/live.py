@@ -216,6 +216,18 @@ class Advance(Struct, frozen=True, tag=True):
     seconds: float
 
 
+class Renew(Struct, frozen=True, tag=True):
+    """In virtual time: the runtime becomes as it was when it was started: worlds, clock, tables; replied by Done.
+
+    What is prepared is forgotten. Refused while anything lives in it, and while another session is connected (X23).
+    """
+
+    shake: int | None = None
+    """A seed from which the things of the worlds are put a little elsewhere."""
+    world_values: dict[str, dict[str, float]] = {}
+    """What is otherwise in a world, such as the friction, by world and name."""
+
+
 LiveRequest = (
     Change
     | Clear
@@ -242,6 +254,7 @@ LiveRequest = (
     | ListWorlds
     | Reset
     | Advance
+    | Renew
 )
 
 

@@ -12,6 +12,7 @@ from onika.host.units.virtual import VirtualDriver
 from onika.link.caller import Role
 from onika.wire import event, holding, live, reading, request
 from onika.wire.runtime_standing import Standing
+from onika.wire.world_source import WorldSource
 
 SECOND = 1_000_000_000
 
@@ -94,14 +95,30 @@ class OpenGate:
         return gone
 
 
+def _mass_world(_name: str, files: WorldSource | None = None) -> MassWorld:
+    """Whatever is asked for, and whatever files come for it."""
+    return MassWorld()
+
+
 class DirectClient:
     """Asks the program and lets it work."""
 
     def __init__(self, rtpus: tuple[str, ...] = ("rt0",)) -> None:
+        self._rtpus = rtpus
         self.server = OpenGate()
-        self.driver = VirtualDriver(rtpus, self.server.tell, worlds=lambda _name: MassWorld())
+        self.driver = VirtualDriver(rtpus, self.server.tell, worlds=_mass_world)
         self.program = RuntimeProgram(self.server, self.driver, YardLoading(), rtpus)  # type: ignore[arg-type]
         self._count = 0
+
+    def go_on_renewed(self) -> None:
+        """The program was renewed: a new one goes on with what was asked."""
+        renewal = self.program.renewal
+        assert renewal is not None
+        self.program.leave()
+        self.driver.close()
+        self.driver = VirtualDriver(self._rtpus, self.server.tell, worlds=_mass_world)
+        self.program = RuntimeProgram(self.server, self.driver, YardLoading(), self._rtpus)  # type: ignore[arg-type]
+        self.program.go_on(renewal)
 
     def lease(self, length_ns: int) -> None:
         """From now on holders are there only as long as the gate hears them; a late machine excuses nobody."""

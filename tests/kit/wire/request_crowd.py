@@ -33,6 +33,7 @@ def honest_requests(plans: Sequence[Plan], tasks: tuple[str, str]) -> list[reque
         live.Reinit("s0", first, planned[0].local),
         live.Get("s0", second, "x"),
         live.Advance(0.1),
+        live.Renew(3),
         live.Read("s0"),
         live.Attend(("*",), ("s0/*",), ("yard",)),
         live.Close("s0"),

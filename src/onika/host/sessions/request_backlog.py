@@ -24,6 +24,11 @@ class Backlog:
     def __init__(self) -> None:
         self._waiting: list[tuple[SessionRequest, Answer]] = []
 
+    @property
+    def is_waiting(self) -> bool:
+        """Whether anything waits."""
+        return bool(self._waiting)
+
     def is_before(self, call: SessionRequest) -> bool:
         """Whether something waits that this session asked earlier, but of what code says: then this waits too."""
         if isinstance(call.asked, _AT_ONCE):

@@ -95,6 +95,13 @@ class Subsystems:
         self._units.unshare(f"table:{name}")
         self.tables.pop(name).close()
 
+    def close(self) -> None:
+        """Give the memory of all tables back."""
+        for name, table in self.tables.items():
+            self._units.unshare(f"table:{name}")
+            table.close()
+        self.tables.clear()
+
     @property
     def units(self) -> tuple[str, ...]:
         """All processing units by name, those that are lost too."""

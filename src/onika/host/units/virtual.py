@@ -264,6 +264,10 @@ class VirtualDriver:
         """Of each open world whether what happens in it that no program means is told."""
         return self._buses.watched()
 
+    def close(self) -> None:
+        """Its worlds are no more."""
+        self._buses.close()
+
     # Inner
 
     def _keep_pace(self, realtime_factor: RealtimeFactor, listener: UnitListener) -> bool:

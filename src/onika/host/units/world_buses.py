@@ -34,6 +34,7 @@ class Buses:
         """The worlds that are open, each with what names the files that it was made of."""
         self._watched: set[str] = set()
         self._buses: dict[str, Bus] = {}
+        self._segments: list[Segment] = []
         self._claims: dict[str, int] = {}
         self._epoch = 0
         self._is_stopped = False
@@ -136,9 +137,16 @@ class Buses:
         for world in self.worlds:
             world.go_on()
 
+    def close(self) -> None:
+        """All worlds are no more; their memory is given back."""
+        self._buses.clear()
+        for segment in self._segments:
+            segment.close()
+
     def _bus(self, world: str, now: int) -> Bus:
         if world not in self._buses:
             segment = Segment.create(f"bus-{world}", SEGMENT_SIZE)
+            self._segments.append(segment)
             self._views[f"bus:{world}"] = segment.view
             files = self.sources.find(world)
             bus = Bus(world, self._open(world) if files is None else self._open(world, files=files), segment)
