@@ -6,6 +6,7 @@ import pytest
 
 from kit.desk.environment_fixture import EnvironmentFixture
 from onika.model.task import Task
+from onika.store.mesh_folder import MeshFolder
 from onika.web.app import application
 from onika.web.hub import Hub
 from onika.web.login import Login
@@ -29,7 +30,8 @@ class Served:
         self.address = addresses(listening)[0]
         self.login = Login(addresses(listening))
         self.hub = Hub(self.sitting.environment, Nothing())
-        self._app = application(self.login, self.hub, static)
+        self.meshes = MeshFolder(folder / "state")
+        self._app = application(self.login, self.hub, static, self.meshes)
         self._listening = listening
         self._ready = threading.Event()
         self._thread = threading.Thread(target=lambda: asyncio.run(self._run()))

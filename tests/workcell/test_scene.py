@@ -3,8 +3,9 @@ import numpy as np
 import pytest
 
 from onika.workcell.layout import boxes, text
+from onika.workcell.mesh import mesh_name
 from onika.workcell.plant import Plant
-from onika.workcell.scene import looked_at, shapes
+from onika.workcell.scene import looked_at, mesh_of, shapes
 
 DRAWN = Plant(text(boxes(0, 0.0), ("left",), drawn=True))
 SHAPES = shapes(DRAWN)
@@ -68,11 +69,12 @@ def test_of_a_body_that_is_drawn_what_only_touches_is_left_out():  # R-X19
     assert [shape.name for shape in shapes(plant)] == ["touch", "seen", "only"]
 
 
-def test_a_mesh_is_the_box_around_it():  # R-X19
+def test_a_mesh_has_a_name_and_stands_in_the_box_around_it():  # R-X19
     corners = " ".join(f"{x} {y} {z}" for x in (0, 2) for y in (0, 4) for z in (0, 6))
     mesh = f'<asset><mesh name="m" vertex="{corners}"/></asset>'
-    (box,) = shapes(Plant(f'<mujoco>{mesh}<worldbody><geom type="mesh" mesh="m"/></worldbody></mujoco>'))
-    assert box.kind == "box"
+    plant = Plant(f'<mujoco>{mesh}<worldbody><geom type="mesh" mesh="m"/></worldbody></mujoco>')
+    (box,) = shapes(plant)
+    assert (box.kind, box.mesh) == ("mesh", mesh_name(*mesh_of(plant.model, 0)))
     assert sorted(box.size) == pytest.approx([1.0, 2.0, 3.0], abs=1e-4)
     assert box.position == pytest.approx((1.0, 2.0, 3.0), abs=1e-4)
 

@@ -11,6 +11,8 @@ export interface Shape {
   quaternion: [number, number, number, number]
   rgba: [number, number, number, number]
   paint: string
+  /** Names the mesh within the box that size and place say; empty where it is none. */
+  mesh?: string
   hinge?: Hinge | null
 }
 

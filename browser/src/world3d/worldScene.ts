@@ -47,6 +47,8 @@ const ARROW = 0.12
 /** Paint of a lamp's glass. */
 const BULB = 'glass'
 
+export { dress } from './meshes'
+
 export class WorldScene {
   readonly bodies: number
   private readonly renderer = new WebGLRenderer({ antialias: true })
@@ -55,6 +57,7 @@ export class WorldScene {
   private readonly controls: OrbitControls
   private readonly groups: Group[]
   private readonly glows: Mesh[] = []
+  private readonly meshes = new Map<string, Mesh[]>()
   private readonly bulbs: MeshLambertMaterial[] = []
   private readonly floors: MeshLambertMaterial[] = []
   private readonly hinges: ReadonlyMap<number, Hinge>
@@ -148,6 +151,17 @@ export class WorldScene {
   private poseOf(body: number): Pose {
     const [x = 0, y = 0, z = 0, w = 1, i = 0, j = 0, k = 0] = this.posed.subarray(body * ROW, (body + 1) * ROW)
     return [x, y, z, w, i, j, k]
+  }
+
+  /** In place of the boxes that stand for this mesh. */
+  put(mesh: string, geometry: BufferGeometry): void {
+    for (const part of this.meshes.get(mesh) ?? []) {
+      part.geometry.dispose()
+      part.geometry = geometry
+    }
+    for (const ghost of this.ghosts.values()) ghost.removeFromParent()
+    this.ghosts.clear()
+    this.draw()
   }
 
   /** The shapes of a body once more. */
@@ -279,6 +293,10 @@ export class WorldScene {
       mesh.visible = false
       this.glows.push(mesh)
     }
+    if (shape.mesh) {
+      this.meshes.set(shape.mesh, [...(this.meshes.get(shape.mesh) ?? []), mesh])
+      material.side = DoubleSide // others' triangles may look either way
+    }
     if (shape.paint === BULB && material instanceof MeshLambertMaterial) this.bulbs.push(material)
     if (shape.kind === 'plane' && material instanceof MeshLambertMaterial) this.layFloor(shape, material)
     this.groups[shape.body]?.add(mesh)
@@ -319,13 +337,14 @@ function isWhole(rows: Float32Array): boolean {
   return true
 }
 
-/** The shapes of a scene; those of other kinds (meshes, height fields) are not drawn. */
+/** The shapes of a scene, a mesh as the box around it; those of other kinds (height fields) are not drawn. */
 function geometryOf({ kind, size }: Shape): BufferGeometry | undefined {
   const [a, b, c] = size
   switch (kind) {
     case 'plane':
       return new PlaneGeometry(a ? 2 * a : ENDLESS, b ? 2 * b : ENDLESS)
     case 'box':
+    case 'mesh':
       return new BoxGeometry(2 * a, 2 * b, 2 * c)
     case 'sphere':
       return new SphereGeometry(a, 24, 16)

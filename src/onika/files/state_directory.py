@@ -7,7 +7,7 @@ from onika.files.access import ANYTHING, WRITING, Access
 
 _SECRET = ("token", "console_history")
 _SECRET_FOLDERS = ("audit", "diary", "black-boxes")
-_FOLDERS = ("recordings", "recovery", "replaced")
+_FOLDERS = ("recordings", "recovery", "replaced", "meshes")
 _MOST = 1000
 """Files of a folder that are looked at."""
 

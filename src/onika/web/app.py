@@ -12,9 +12,11 @@ from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket
 
 from onika.link import refusal_header
+from onika.store.mesh_folder import MeshFolder
 from onika.web.headers import StrictHeaders
 from onika.web.hub import Hub
 from onika.web.login import Login
+from onika.web.mesh_route import mesh_route
 from onika.words.accepted_language import accepted_language
 from onika.words.reason import Reason, in_language
 
@@ -24,8 +26,8 @@ STATIC = Path(__file__).parent / "static"
 _NOT_ALLOWED = 1008
 
 
-def application(login: Login, hub: Hub, static: Path = STATIC) -> Starlette:
-    """The application; nothing but a refusal is told to whoever has no key."""
+def application(login: Login, hub: Hub, static: Path = STATIC, meshes: MeshFolder | None = None) -> Starlette:
+    """The application; nothing but a refusal is told to whoever has no key. Worlds are drawn of `meshes`."""
 
     async def page(request: Request) -> Response:
         if not login.is_ours(request.headers):
@@ -53,6 +55,7 @@ def application(login: Login, hub: Hub, static: Path = STATIC) -> Starlette:
         await _converse(socket, hub)
 
     routes: list[Route | Mount | WebSocketRoute] = [Route("/", page), WebSocketRoute("/ws", talk)]
+    routes.append(mesh_route(login, meshes, _refused))
     if (static / "assets").is_dir():
         routes.append(Mount("/assets", StaticFiles(directory=static / "assets")))
     return Starlette(

@@ -28,6 +28,11 @@ _ALWAYS = {
 }
 
 
+_FOR_EVER = "public, max-age=31536000, immutable"
+_FOLDERS = ("/assets/", "/mesh/")
+"""What lies there is named by its content."""
+
+
 class StrictHeaders:
     """Adds them to every answer."""
 
@@ -42,8 +47,12 @@ class StrictHeaders:
                 headers = MutableHeaders(scope=message)
                 for name, value in _ALWAYS.items():
                     headers[name] = value
-                is_asset = scope["path"].startswith("/assets/")
-                headers["cache-control"] = "public, max-age=31536000, immutable" if is_asset else "no-store"
+                headers["cache-control"] = _FOR_EVER if _is_for_ever(scope["path"], message["status"]) else "no-store"
             await send(message)
 
         await self._app(scope, receive, send_with)
+
+
+def _is_for_ever(path: str, status: int) -> bool:
+    """Whether an answer is the same whenever it is asked for; a mesh that is not there may be made."""
+    return path.startswith(_FOLDERS) and (status < 300 or path.startswith(_FOLDERS[0]))

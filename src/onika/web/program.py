@@ -27,6 +27,7 @@ from onika.desk.environment.runs.readiness import ReadinessJudge
 from onika.desk.environment.runtime_thread import RuntimeThread
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.world_channel import WorldChannel
+from onika.store.mesh_folder import MeshFolder
 from onika.store.site import Site
 from onika.web.app import application
 from onika.web.hub import Hub
@@ -91,11 +92,10 @@ class EnvironmentProgram:
 
         commands = Commands(tell, os.environ)
         reading, comparing = BackgroundWorker(tell, "reading"), BackgroundWorker(tell, "comparing")
-        keeping = BackgroundWorker(tell, "keeping")
+        keeping, meshing = BackgroundWorker(tell, "keeping"), BackgroundWorker(tell, "meshing")
         forecaster = Forecaster(self._site, BackgroundWorker(tell, "forecast")) if self._options.foresees else None
-        surroundings = Services(
-            self._site, time.monotonic, self._state, commands, reading=reading, comparing=comparing, keeping=keeping
-        )
+        workers = {"reading": reading, "comparing": comparing, "keeping": keeping, "meshing": meshing}
+        surroundings = Services(self._site, time.monotonic, self._state, commands, **workers)
         launching = RuntimeLauncher(
             self._options.rtpus, with_fifo=self._options.with_fifo, has_black_box=self._options.has_black_box
         )
@@ -118,7 +118,8 @@ class EnvironmentProgram:
             self._foresee(environment, forecaster),
         )
         try:
-            await serve(application(login, hub), listening, beside, lambda: on_ready(_address(listening, login.key)))
+            app = application(login, hub, meshes=MeshFolder(self._state))
+            await serve(app, listening, beside, lambda: on_ready(_address(listening, login.key)))
         finally:
             listening.close()
             if forecaster is not None:
@@ -128,6 +129,7 @@ class EnvironmentProgram:
             reading.close()
             comparing.close()
             keeping.close()
+            meshing.close()
             if diary is not None:
                 diary.close()
             self._leave(environment, surroundings, kept, autosave)

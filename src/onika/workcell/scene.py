@@ -1,12 +1,14 @@
 """A scene: the shapes of a world as plain data, sent once to whoever draws it; poses follow for each picture."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import mujoco
 import numpy as np
+import numpy.typing as npt
 
+from onika.workcell.mesh import mesh_name
 from onika.workcell.plant import Plant
 
 _TOUCHING = 3  # the first group of shapes that are not seen
@@ -16,8 +18,9 @@ _TOUCHING = 3  # the first group of shapes that are not seen
 class Shape3d:
     """One shape on a body: its kind, half sizes and place in the body's frame (m), quaternion (w, x, y, z), colour.
 
-    Half sizes: box (and the box around a mesh) x y z; sphere r; cylinder and capsule r, half length along z; ellipsoid
-    the three radii; plane x y (0 is endless). Bodies are numbered as the rows of poses; body 0 is the world.
+    Half sizes: box x y z; sphere r; cylinder and capsule r, half length along z; ellipsoid the three radii; plane x y
+    (0 is endless). Size and place of a mesh are those of the box around it, and what stands within is named by `mesh`.
+    Bodies are numbered as the rows of poses; body 0 is the world.
     """
 
     name: str
@@ -30,6 +33,8 @@ class Shape3d:
     paint: str
     hinge: "Hinge3d | None" = None
     """How its body moves against the one that carries it, told once for each body; None: not here, or it is free."""
+    mesh: str = ""
+    """What `mesh.mesh_name` calls the mesh; empty where it is none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,10 +74,25 @@ def _shapes(model: Any, numbers: Sequence[int]) -> list[Shape3d]:
     firsts: dict[int, int] = {}
     for k in numbers:
         firsts.setdefault(int(model.geom_bodyid[k]), k)
-    return [_shape(model, k, is_first=firsts[int(model.geom_bodyid[k])] == k) for k in numbers]
+    names = {number: mesh_name(*mesh_of(model, number)) for number in {mesh_number(model, k) for k in numbers} - {-1}}
+    return [_shape(model, k, names, is_first=firsts[int(model.geom_bodyid[k])] == k) for k in numbers]
 
 
-def _shape(model: Any, k: int, *, is_first: bool) -> Shape3d:
+def mesh_number(model: Any, k: int) -> int:
+    """The number of the mesh that a shape is made of; -1: of none."""
+    is_mesh = int(model.geom_type[k]) == int(mujoco.mjtGeom.mjGEOM_MESH)
+    return int(model.geom_dataid[k]) if is_mesh else -1
+
+
+def mesh_of(model: Any, number: int) -> tuple[npt.NDArray[np.float32], npt.NDArray[np.int32]]:
+    """The corners of a mesh in the frame of its shapes, float32[n,3], and its triangles, int32[m,3]."""
+    first, face = int(model.mesh_vertadr[number]), int(model.mesh_faceadr[number])
+    corners = model.mesh_vert[first : first + int(model.mesh_vertnum[number])]
+    triangles = model.mesh_face[face : face + int(model.mesh_facenum[number])]
+    return corners.reshape(-1, 3), triangles.reshape(-1, 3)
+
+
+def _shape(model: Any, k: int, meshes: Mapping[int, str], *, is_first: bool) -> Shape3d:
     body, material = int(model.geom_bodyid[k]), int(model.geom_matid[k])
     rgba = model.geom_rgba[k] if material < 0 else model.mat_rgba[material]
     return Shape3d(
@@ -82,17 +102,18 @@ def _shape(model: Any, k: int, *, is_first: bool) -> Shape3d:
         tuple(rgba.tolist()),
         model.material(material).name if material >= 0 else "",
         _hinge(model, body) if is_first else None,
+        meshes.get(mesh_number(model, k), ""),
     )
 
 
 def _form(model: Any, k: int) -> tuple[str, tuple[float, ...], tuple[float, ...], tuple[float, ...]]:
-    """Kind, half sizes, place and quaternion; a mesh is the box around it."""
+    """Kind, half sizes, place and quaternion; of a mesh those of the box around it."""
     kind = mujoco.mjtGeom(int(model.geom_type[k]))
     size, place = model.geom_size[k], model.geom_pos[k]
     if kind == mujoco.mjtGeom.mjGEOM_MESH:
         turn, middle = np.zeros(9), model.geom_aabb[k][:3]
         mujoco.mju_quat2Mat(turn, model.geom_quat[k])
-        kind, size, place = mujoco.mjtGeom.mjGEOM_BOX, model.geom_aabb[k][3:], place + turn.reshape(3, 3) @ middle
+        size, place = model.geom_aabb[k][3:], place + turn.reshape(3, 3) @ middle
     name = kind.name.removeprefix("mjGEOM_").lower()
     return name, tuple(size.tolist()), tuple(place.tolist()), tuple(model.geom_quat[k].tolist())
 

@@ -51,6 +51,7 @@ class EnvironmentFixture:
             reading=BackgroundWorker(self.changes.put),
             comparing=BackgroundWorker(self.changes.put),
             keeping=BackgroundWorker(self.changes.put),
+            meshing=BackgroundWorker(self.changes.put),
         )
         self.environment = Environment(opened, HANDLERS, self.surroundings, self)
         self.copy: dict[str, Any] = _plain(self.environment)

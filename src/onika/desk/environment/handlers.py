@@ -67,7 +67,7 @@ from onika.desk.environment.runs import (
     restart,
     steering as steering_run,
 )
-from onika.desk.environment.show import preview, scene
+from onika.desk.environment.show import meshes, preview, scene
 from onika.wire import act
 
 HANDLERS: Mapping[type, Handler] = {
@@ -157,6 +157,7 @@ HANDLERS: Mapping[type, Handler] = {
     act.Company: presence.look_around,
     act.SteerTaken: held_subsystems.steer_taken,
     act.Scene: scene.scene,
+    act.Meshes: meshes.meshes,
     act.ForeseenInstant: forecaster.instant,
     act.WhatIf: foresight.what_if,
     act.Run: begin.run,

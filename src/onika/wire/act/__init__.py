@@ -153,6 +153,7 @@ from onika.wire.act.running import (
     KeepAlive as KeepAlive,
     LetGo as LetGo,
     LogReadings as LogReadings,
+    Meshes as Meshes,
     RecordByHand as RecordByHand,
     Reinit as Reinit,
     Renew as Renew,
@@ -251,6 +252,7 @@ AnyAct = (
     | SteerTaken
     | Watch
     | Scene
+    | Meshes
     | Draft
     | MakeJob
     | Prefer

@@ -187,3 +187,10 @@ class Scene(Act, frozen=True):
     """Ask for what a world consists of; replied with it."""
 
     world: str
+
+
+class Meshes(Act, frozen=True):
+    """Have meshes of a world made that a scene names; replied, when that is done, with the names of those there are."""
+
+    world: str
+    meshes: Names = ()

@@ -7,17 +7,19 @@ from collections.abc import Iterator, Sequence
 from typing import Any
 
 import mujoco
-import numpy as np
 from mujoco import mj_step
 
 from onika.laws.frames import Array
-from onika.model.world import PartBlock, SwitchBlock
+from onika.model.world import SwitchBlock
+from onika.ring.device import MishapEvent
 from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveInput
 from onika.wire.world_source import WorldSource
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
-from onika.workcell.composed.composition import FREE_JOINT, Composition, prefix_of, why_not
+from onika.workcell.composed import part_places
+from onika.workcell.composed.cell_lookout import CellLookout
+from onika.workcell.composed.composition import Composition, why_not
 from onika.workcell.composed.robot_unit import RobotUnit
 from onika.workcell.composed.robot_units import robot_units
 from onika.workcell.composed.sensor_unit import SensorUnit, lacking
@@ -33,7 +35,6 @@ from onika.workcell.snapshot import WorldSnapshot, encode
 from onika.workcell.unit import DeviceUnit
 
 _UNSTABLE = (mujoco.mjtWarning.mjWARN_BADQPOS, mujoco.mjtWarning.mjWARN_BADQVEL, mujoco.mjtWarning.mjWARN_BADQACC)
-_NEAR_M = 0.004  # how far a part may be from its place and still stand there
 
 
 class FileWorld(DrivenWorld):
@@ -47,7 +48,7 @@ class FileWorld(DrivenWorld):
         self._composition = Composition(SourceTexts(files))
         world = self._composition.world
         self.step_ns = round(world.step_s * 1e9)
-        self._offsets = _offsets(world.parts, seed)
+        self._offsets = part_places.offsets(world.parts, seed)
         self._plant = Plant(self._compile(self._composition.standing, is_drawn=False))
         robots = {place.name: self._composition.at(place) for place in self._composition.places}
         self._stands = Stands(robots, [*robot_units(self._composition, self._model_with)])
@@ -56,6 +57,7 @@ class FileWorld(DrivenWorld):
         buttons = [*self._panic_buttons()]
         super().__init__([*self._stands.units, *self._watching], buttons)
         self._running: list[RobotUnit] = []
+        self._lookout: CellLookout | None = None
         self._bind()
         for unit in self._present:
             unit.restart()
@@ -84,14 +86,21 @@ class FileWorld(DrivenWorld):
 
     def places(self) -> tuple[Reason, ...]:
         """What stands where at the start."""
-        return tuple(
-            Reason.of("workcell.part_place", part=part.name, x_cm=100 * at[0], y_cm=100 * at[1], z_cm=100 * at[2])
-            for part, at in self._free_parts(self._start)
-        )
+        return tuple(part_places.places(self._composition.world.parts, self._plant, self._start))
 
     def displaced(self) -> tuple[Displacement, ...]:
         """What does not stand there now: parts first, then robots, which may be anywhere."""
-        return (*self._displaced_parts(), *self._displaced_robots())
+        parts = part_places.displaced(self._composition.world.parts, self._plant)
+        return (*parts, *self._displaced_robots())
+
+    def watch_mishaps(self) -> None:
+        """From now on notice what no program means: arms that touch something, parts that fall."""
+        self._lookout = CellLookout(self._composition.world, self._claimed_at, lambda: self.lit)
+        self._begin()
+
+    def take_mishaps(self) -> list[MishapEvent]:
+        """What was noticed since the last call."""
+        return [] if self._lookout is None else self._lookout.take()
 
     def standing(self) -> tuple[Reason, ...]:
         """In sentences what is worth knowing of how everything stands."""
@@ -204,7 +213,17 @@ class FileWorld(DrivenWorld):
         self._advance = self._move if self._stands.mode else self._step
         if self._stands.mode:
             self._plant.data.qvel[:] = 0.0
+        if self._lookout is not None:
+            arms, has_forces = self._stands.arms(), not self._stands.mode
+            self._advance = self._lookout.watch(self._plant, arms, self._advance, self._now, has_forces=has_forces)
         self._publish()
+
+    def _now(self) -> int:
+        return self.now_ns
+
+    def _claimed_at(self, place: str) -> tuple[str, ...]:
+        """The devices at a place that somebody uses."""
+        return tuple(unit.sheet.name for unit in self._present if unit.side == place and unit.epoch is not None)
 
     @property
     def _is_unstable(self) -> bool:
@@ -229,21 +248,6 @@ class FileWorld(DrivenWorld):
     def _runners(self) -> list[RobotUnit]:
         return [unit for unit in self._present if isinstance(unit, RobotUnit) and unit.runs_on]
 
-    def _free_parts(self, qpos: Array) -> Iterator[tuple[PartBlock, Array]]:
-        """The parts that move, each with where it is."""
-        for part in self._composition.world.parts:
-            joint = mujoco.mj_name2id(self._plant.model, mujoco.mjtObj.mjOBJ_JOINT, prefix_of(part.name) + FREE_JOINT)
-            if part.free is not None and joint >= 0:
-                first = int(self._plant.model.jnt_qposadr[joint])
-                yield part, qpos[first : first + 7]
-
-    def _displaced_parts(self) -> Iterator[Displacement]:
-        started = {part.name: at for part, at in self._free_parts(self._plant.model.qpos0)}
-        for part, at in self._free_parts(self._plant.data.qpos):
-            away = float(np.linalg.norm(at[:3] - started[part.name][:3]))
-            if away > _NEAR_M:
-                yield Displacement(Reason.of("workcell.part_away", part=part.name, cm=100 * away))
-
     def _displaced_robots(self) -> Iterator[Displacement]:
         for unit in self._present:
             if isinstance(unit, RobotUnit) and unit.is_away:
@@ -263,12 +267,3 @@ def judged(files: WorldSource) -> tuple[Fault, ...]:
 
 def _unlogged(_text: str) -> None:
     """What MuJoCo warns of counts in its data, and is told with how a world stands."""
-
-
-def _offsets(parts: Sequence[PartBlock], seed: int | None) -> dict[str, tuple[float, float]]:
-    """How far parts stand from their spots that never stand twice alike."""
-    if seed is None:
-        return {}
-    random = np.random.default_rng(seed)
-    drawn = {part.name: random.uniform(-1.0, 1.0, 2) * (part.free or 0.0) for part in parts}
-    return {name: (float(offset[0]), float(offset[1])) for name, offset in drawn.items()}

@@ -54,6 +54,11 @@ class JointUnit(RobotUnit):
         return _COMMANDS[self.facts.drive]
 
     @property
+    def joint_names(self) -> tuple[str, ...]:
+        """Its joints as the world calls them, from the base on."""
+        return tuple(self._prefix + name for name in self.facts.joints)
+
+    @property
     def runs_on(self) -> bool:
         """Whether what it follows goes on between two commands."""
         return self.drive.mode is DriveMode.DRIVEN and self.facts.drive != "torque"

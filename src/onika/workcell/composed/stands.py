@@ -4,6 +4,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 
 from onika.words.reason import Reason
+from onika.workcell.composed.finger_unit import FingerUnit
+from onika.workcell.composed.joint_unit import JointUnit
 from onika.workcell.composed.robot_unit import EITHER, FORCELESS, RobotUnit
 
 
@@ -20,6 +22,14 @@ class Stands:
         return [
             unit for unit in self.units if self.acting[unit.side] == unit.robot and unit.mode in (EITHER, self.mode)
         ]
+
+    def arms(self) -> dict[JointUnit, bool]:
+        """The arms that stand there, each with whether its robot has a hand as well."""
+        present = self.present()
+        joints = [unit for unit in present if isinstance(unit, JointUnit)]
+        handed = {unit.side for unit in present if isinstance(unit, FingerUnit)}
+        handed |= {unit.side for unit in joints if not unit.facts.start}
+        return {unit: unit.side in handed for unit in joints if unit.facts.start}
 
     def objections(self, devices: Sequence[str]) -> Iterator[Reason]:
         """Why these devices cannot be used together: two robots at one place, or two modes."""

@@ -43,7 +43,8 @@ def _geom(row: Shape3d, is_lit: bool) -> str:
     colour = _SHINING if is_lit else text_of(row.rgba)
     size = "0 0 0.05" if row.kind == "plane" else text_of(tuple(max(part, 1e-4) for part in row.size))
     place = f'pos="{text_of(row.position)}" quat="{text_of(row.quaternion)}"'
-    return f'<geom type="{row.kind}" size="{size}" {place} rgba="{colour}" contype="0" conaffinity="0"/>'
+    kind = "box" if row.kind == "mesh" else row.kind
+    return f'<geom type="{kind}" size="{size}" {place} rgba="{colour}" contype="0" conaffinity="0"/>'
 
 
 def _camera(poses: npt.NDArray[np.float64]) -> str:

@@ -22,6 +22,7 @@ class Services:
     reading   reads recordings; None: none can be looked at
     comparing compares them
     keeping   keeps runs as tests; None: none is kept
+    meshing   makes the meshes that a page draws; None: none are made
     """
 
     site: Site
@@ -32,3 +33,4 @@ class Services:
     reading: BackgroundWorker | None = None
     comparing: BackgroundWorker | None = None
     keeping: BackgroundWorker | None = None
+    meshing: BackgroundWorker | None = None
