@@ -940,6 +940,13 @@ export interface LogReadings {
   doc: string;
 }
 
+/** Have meshes of a world made that a scene names; replied, when that is done, with the names of those there are. */
+export interface Meshes {
+  t: 'Meshes';
+  world: string;
+  meshes?: (string)[];
+}
+
 /** Record a configuration that lives into a file from now on, or end that; the value is the file (X05). */
 export interface RecordByHand {
   t: 'RecordByHand';
@@ -2063,6 +2070,6 @@ export interface Numbered {
   cid: number;
 }
 
-export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Arrange | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | Connect | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | FindRoom | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | AddUnit | RecordByHand | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RepeatSteps | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | PointAt | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | PutBack | Preflight | ForeseenInstant | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
+export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Arrange | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | Connect | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | FindRoom | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | AddUnit | RecordByHand | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Meshes | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RepeatSteps | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | PointAt | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | PutBack | Preflight | ForeseenInstant | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
 export type AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say;
 export type AnyShow = ShowTask | ShowPin | ShowLocus | ShowSource | ShowAnswer | ShowLibraryTask | ShowLibraries | ShowConnect | ShowSaveAs | ShowStep | ShowFits | ShowValues | ShowLoop | ShowConfiguration | ShowOnikon | ShowTarget | ShowRecording;

@@ -15,6 +15,7 @@ def test_what_is_kept_is_there_from_then_on_and_for_nobody_else(tmp_path):  # R-
     assert gzip.decompress(folder.packed(FIRST)) == b"mesh"
     assert folder.lacking([FIRST, OTHER]) == [OTHER]
     assert folder.packed(OTHER) is None
+    assert folder.there([OTHER, FIRST]) == [FIRST]
     (file,) = (tmp_path / "state" / "meshes").iterdir()
     assert (file.stat().st_mode & 0o77, file.parent.stat().st_mode & 0o77) == (0, 0)
 
@@ -25,7 +26,7 @@ def test_nothing_else_is_read_under_a_name_that_is_none(tmp_path, name):
     folder.keep({FIRST: b"mesh"})
     (tmp_path / "token.gz").write_text("secret")
     assert folder.packed(name) is None
-    assert folder.lacking([name]) == []
+    assert folder.lacking([name]) == folder.there([name]) == []
 
 
 def test_of_too_many_those_go_that_were_asked_for_longest_ago(tmp_path):

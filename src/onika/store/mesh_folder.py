@@ -40,6 +40,10 @@ class MeshFolder:
         proper = (name for name in names if _NAME.fullmatch(name))
         return [name for name in proper if not (self._path / (name + _ENDING)).is_file()]
 
+    def there(self, names: Iterable[str]) -> list[str]:
+        """Those that are there, in order."""
+        return [name for name in names if _NAME.fullmatch(name) and (self._path / (name + _ENDING)).is_file()]
+
     def keep(self, meshes: Mapping[str, bytes], most_bytes: int = MOST_BYTES) -> None:
         """Write these, each whole or not at all, for the user's eyes only; raises OSError."""
         make_own(self._path)

@@ -43,8 +43,7 @@ def made(folder: MeshFolder, site: Site, world: str, names: Sequence[str]) -> li
     if source is not None:
         with suppress(OSError, MsgspecError, subprocess.TimeoutExpired):  # then boxes stand for them
             folder.keep(_drawn(msgpack.encode(source), lacking))
-    still = set(folder.lacking(names))
-    return [name for name in names if name not in still]
+    return folder.there(names)
 
 
 def _drawn(source: bytes, names: Sequence[str]) -> dict[str, bytes]:
