@@ -94,8 +94,16 @@ class EnvironmentProgram:
         reading, comparing = BackgroundWorker(tell, "reading"), BackgroundWorker(tell, "comparing")
         keeping, meshing = BackgroundWorker(tell, "keeping"), BackgroundWorker(tell, "meshing")
         forecaster = Forecaster(self._site, BackgroundWorker(tell, "forecast")) if self._options.foresees else None
-        workers = {"reading": reading, "comparing": comparing, "keeping": keeping, "meshing": meshing}
-        surroundings = Services(self._site, time.monotonic, self._state, commands, **workers)
+        surroundings = Services(
+            self._site,
+            time.monotonic,
+            self._state,
+            commands,
+            reading=reading,
+            comparing=comparing,
+            keeping=keeping,
+            meshing=meshing,
+        )
         launching = RuntimeLauncher(
             self._options.rtpus, with_fifo=self._options.with_fifo, has_black_box=self._options.has_black_box
         )
