@@ -2,8 +2,8 @@ import mujoco
 import numpy as np
 import pytest
 
+from onika.laws.mesh import mesh_name
 from onika.workcell.layout import boxes, text
-from onika.workcell.mesh import mesh_name
 from onika.workcell.plant import Plant
 from onika.workcell.scene import looked_at, mesh_of, shapes
 

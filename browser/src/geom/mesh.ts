@@ -11,7 +11,7 @@ const MOST = 65535 // of sixteen bits
 /** Where two faces meet more sharply than this (by the cosine of the angle between them), there is an edge. */
 const EDGE = Math.cos((35 * Math.PI) / 180)
 
-/** Of the bytes of `workcell.mesh.encoded`, within a box of these half sizes about its middle; undefined where they are none. */
+/** Of the bytes of `laws.mesh.encoded`, within a box of these half sizes about its middle; undefined where they are none. */
 export function surfaceOf(bytes: ArrayBuffer, half: readonly number[]): Surface | undefined {
   if (bytes.byteLength < HEAD) return undefined
   const [count, triangles] = new Uint32Array(bytes, 0, 2)

@@ -8,7 +8,7 @@ import mujoco
 import numpy as np
 import numpy.typing as npt
 
-from onika.workcell.mesh import mesh_name
+from onika.laws.mesh import mesh_name
 from onika.workcell.plant import Plant
 
 _TOUCHING = 3  # the first group of shapes that are not seen

@@ -11,10 +11,10 @@ import mujoco
 import numpy as np
 from msgspec import msgpack
 
+from onika.laws.mesh import encoded, mesh_name, thinned
 from onika.wire.world_source import WorldSource
 from onika.workcell.composed.composition import Composition
 from onika.workcell.composed.sources import SourceTexts
-from onika.workcell.mesh import encoded, mesh_name, thinned
 from onika.workcell.scene import mesh_of
 
 

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from onika.workcell.mesh import encoded, mesh_name, thinned
+from onika.laws.mesh import encoded, mesh_name, thinned
 
 
 def ball(rows):
