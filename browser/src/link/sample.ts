@@ -63,9 +63,9 @@ const TASKS: TaskView[] = [
     ],
     description: 'Derivative of a vector: difference of two cycles, then a first-order filter.',
   }),
-  task('generic', 2, 'fwdkin', 250, 'c:NDOF c:DH v:Q_MEZ V:X_MEZ'),
-  task('generic', 3, 'gravcomp', 250, 'c:NDOF c:DYN v:Q_MEZ V:TAU_G'),
-  task('generic', 4, 'invkin_dls', 250, 'c:NDOF c:DH v:X_REF v:X^_REF V:Q_REF'),
+  task('generic', 2, 'fwdkin', 250, 'c:NDOF c:SCREW c:PARENT v:Q_MEZ V:X_MEZ'),
+  task('generic', 3, 'gravcomp', 250, 'c:NDOF c:LINK c:PARENT v:Q_MEZ V:TAU_G'),
+  task('generic', 4, 'invkin_dls', 250, 'c:NDOF c:SCREW c:PARENT v:X_REF v:X^_REF V:Q_REF'),
   task('generic', 5, 'jtraj', 250, 'c:NDOF v:Q_MEZ V:Q_REF V:Q^_REF', { is_trigger: true, object_type: 'Joint' }),
   task('generic', 6, 'jtraj_trapez', 250, 'c:NDOF v:Q_MEZ V:Q_REF V:Q^_REF', { is_trigger: true }),
   task('generic', 7, 'lowpass', 500, 'c:NDOF v:X V:Y'),
@@ -76,7 +76,7 @@ const TASKS: TaskView[] = [
   task('generic', 12, 'torque_sum', 500, 'c:NDOF v:A=TAU_PD v:B=TAU_G V:SUM=TAU_REF'),
   task('generic', 13, 'watchdog', 50, 'b:ALIVE v:X C:LIMIT'),
   task('generic', 14, 'wave_gen', 250, 'c:NDOF B:X_REF'),
-  task('puma', 1, 'puma', 500, 'v:TAU_REF C:NDOF C:DYN C:KP C:KD V:Q_MEZ'),
+  task('puma', 1, 'puma', 500, 'v:TAU_REF C:NDOF C:LINK C:PARENT C:KP C:KD V:Q_MEZ'),
   task('boxes', 1, 'led_monitor', 50, 'V:LED'),
 ]
 
@@ -166,7 +166,8 @@ const LOCI: Record<string, LocusView> = {
   'Q^_REF': locus(240, 239, 'idle', ['jtraj'], ['pd']),
   LED: locus(904, 475, 'idle', ['led_monitor'], []),
   NDOF: constant(['pd', 'diff', 'jtraj', 'gravcomp', 'torque_sum']),
-  DYN: constant(['gravcomp']),
+  LINK: constant(['gravcomp']),
+  PARENT: constant(['gravcomp']),
   KP: constant(['pd']),
   KD: constant(['pd']),
 }
@@ -219,7 +220,7 @@ export function sampleTree(): Tree {
           pid: writes('TAU_PD', 'pd', 'pid'),
           rvel_gen: writes('Q^_REF', 'jtraj', 'rvel_gen'),
         },
-        objections: { fwdkin: [{ text: plain('needs DH, which nobody here writes') }] },
+        objections: { fwdkin: [{ text: plain('needs SCREW, which nobody here writes') }] },
         problems: {
           p1: {
             text: plain('diff is in ERROR: Q_MEZ[3] jumped 0.41 rad in one cycle.'),
