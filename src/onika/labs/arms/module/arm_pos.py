@@ -2,12 +2,11 @@
 
 import numpy as np
 
-from onika.laws import reach
-from onika.laws.arm_identity import arm_constants, driven_otherwise
+from onika.laws.arm_reach import DescribedArm
 from onika.module import InVar, Local, Module, ModuleError, OutConst, OutVar
 
 
-class ArmPos(Module):
+class ArmPos(DescribedArm, Module):
     """Any arm whose drives take positions and speeds: where its joints are, and what is known of it.
 
     All that it publishes its device says of itself; between two commands the drives run on at the speed.
@@ -40,6 +39,7 @@ class ArmPos(Module):
     """
 
     hardware = True
+    driven_by = "position"
 
     NDOF = OutConst("int", "-", "number of joints")
     SCREW = OutConst("double[NDOF,6]", "-", "axis and moment of each joint, at q = 0 in frame 0")
@@ -65,31 +65,6 @@ class ArmPos(Module):
     STEP = Local(
         "double", "1/s", "share of Q^_MAX that a switch may change the speed by in a second", default=50.0, low=0.1
     )
-
-    @classmethod
-    def constants(cls, local, identity):
-        """Everything that is known of an arm, by the names of the OUTCONSTs, as its device says it."""
-        return arm_constants(identity)
-
-    @classmethod
-    def resolve(cls, constants, targets):
-        """Why a joint target lies beyond a limit or a pose has no posture; None for what can be reached."""
-        return reach.why_not(constants, targets)
-
-    @classmethod
-    def poses(cls, constants, targets):
-        """The Cartesian targets that joint targets are."""
-        return reach.poses(constants, targets)
-
-    @classmethod
-    def postures(cls, constants, poses):
-        """The joint targets that Cartesian targets are, each nearest to the one before, or why there are none."""
-        return reach.postures(constants, poses)
-
-    @classmethod
-    def fits(cls, constants, local_values):
-        """Why the device that says this of itself takes other commands."""
-        return driven_otherwise(local_values, "position")
 
     def init(self):
         if reason := self.fits(None, self.device.identity):

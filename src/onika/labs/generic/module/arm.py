@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from onika.laws import reach
 from onika.laws.arm import ArmModel
+from onika.laws.arm_reach import ArmReach
 from onika.laws.robot import published, unlike
 from onika.laws.robots import robot_of
 from onika.module import InVar, Local, Module, ModuleError, OutConst, OutVar
 
 
-class Arm(Module):
+class Arm(ArmReach, Module):
     """An arm: torques to its joints, where they are back, and everything that is known of it.
 
     Of a joint that slides the numbers are metres, its torque is a force in N, wherever units speak of angles.
@@ -69,21 +69,6 @@ class Arm(Module):
     def constants(cls, local, identity):
         """Everything that is known of the robot, by the names of its OUTCONSTs."""
         return published(robot_of(local.ROBOT), *local.BASE)
-
-    @classmethod
-    def resolve(cls, constants, targets):
-        """Why a joint target lies beyond a limit or a pose has no posture; None for what can be reached."""
-        return reach.why_not(constants, targets)
-
-    @classmethod
-    def poses(cls, constants, targets):
-        """The Cartesian targets that joint targets are."""
-        return reach.poses(constants, targets)
-
-    @classmethod
-    def postures(cls, constants, poses):
-        """The joint targets that Cartesian targets are, each nearest to the one before, or why there are none."""
-        return reach.postures(constants, poses)
 
     @classmethod
     def fits(cls, constants, local_values):

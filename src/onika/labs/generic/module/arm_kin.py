@@ -1,13 +1,13 @@
 """An arm without forces."""
 
-from onika.laws import reach
 from onika.laws.arm_identity import arm_constants
+from onika.laws.arm_reach import ArmReach
 from onika.laws.robot import published, unlike
 from onika.laws.robots import robot_of
 from onika.module import InVar, Local, Module, ModuleError, OutConst, OutVar
 
 
-class ArmKin(Module):
+class ArmKin(ArmReach, Module):
     """An arm in a world without forces: it is where the reference says. In place of `arm`, nothing else changed.
 
     Servo and gravity model go on beside it; what they say is not listened to. Nothing collides, nothing topples.
@@ -77,21 +77,6 @@ class ArmKin(Module):
             nothing = [0.0] * constants["NDOF"]
             return constants | {"KP": nothing, "KD": nothing}
         return published(robot_of(local.ROBOT), *local.BASE)
-
-    @classmethod
-    def resolve(cls, constants, targets):
-        """Why a joint target lies beyond a limit or a pose has no posture; None for what can be reached."""
-        return reach.why_not(constants, targets)
-
-    @classmethod
-    def poses(cls, constants, targets):
-        """The Cartesian targets that joint targets are."""
-        return reach.poses(constants, targets)
-
-    @classmethod
-    def postures(cls, constants, poses):
-        """The joint targets that Cartesian targets are, each nearest to the one before, or why there are none."""
-        return reach.postures(constants, poses)
 
     @classmethod
     def fits(cls, constants, local_values):

@@ -1,6 +1,6 @@
 """A path of polynomials."""
 
-from onika.laws.arrival import Arrival
+from onika.laws.joint_motion import JointMotion
 from onika.laws.paths.joined_path import JoinedPath
 from onika.laws.paths.polynomial import PolynomialPath
 from onika.laws.sentence import sentence_of
@@ -65,23 +65,20 @@ class Jpath(Module):
                 duration=inputs.duration,
                 shortest=shortest,
             )
-        self._path = JoinedPath(start, path, speed)
-        self._time = 0.0
-        self._arrival = Arrival.of_joints(self._path.end, self.Q_MEZ, self.SETTLE)
+        joined = JoinedPath(start, path, speed)
+        self._motion = JointMotion(joined, joined.end, self.Q_MEZ, self.SETTLE)
         self.Q_REF = start
         self.Qd_REF = 0.0
 
     def cycle(self):
-        self._time += self.dt
-        self.Q_REF, self.Qd_REF = self._path.at(self._time)
-        is_over = self._arrival.is_over(self._time - self._path.duration, self.Q_MEZ, self.dt)
-        if not is_over:
+        self.Q_REF, self.Qd_REF = self._motion.advance(self.dt)
+        if not self._motion.is_over(self.Q_MEZ, self.dt):
             return None
-        if why := self._arrival.joint_short(self.Q_MEZ, self.AWAY):
+        if why := self._motion.short(self.Q_MEZ, self.AWAY):
             raise ModuleError(why)
         return finish()
 
     def get(self, name):
         if name == "progress":
-            return min(self._time / self._path.duration, 1.0)
+            return self._motion.progress
         return super().get(name)

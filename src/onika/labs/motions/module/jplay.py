@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from onika.laws.arrival import Arrival
+from onika.laws.joint_motion import JointMotion
 from onika.laws.paths.joined_path import JoinedPath
 from onika.laws.paths.taught_path import TaughtPath, path_of_text
 from onika.laws.sentence import sentence_of
@@ -64,23 +64,20 @@ class Jplay(Module):
             raise AskAgain("{file}: {why}", file=inputs.file, why=sentence_of(wrong)) from None
         if path.stretch > 1.0 + 1e-9:
             self.warn("taught too fast for the joint speeds; the path takes {duration:.2f} s", duration=path.duration)
-        self._path = JoinedPath(start, path, speed)
-        self._time = 0.0
-        self._arrival = Arrival.of_joints(self._path.end, self.Q_MEZ, self.SETTLE)
+        joined = JoinedPath(start, path, speed)
+        self._motion = JointMotion(joined, joined.end, self.Q_MEZ, self.SETTLE)
         self.Q_REF = start
         self.Qd_REF = 0.0
 
     def cycle(self):
-        self._time += self.dt
-        self.Q_REF, self.Qd_REF = self._path.at(self._time)
-        is_over = self._arrival.is_over(self._time - self._path.duration, self.Q_MEZ, self.dt)
-        if not is_over:
+        self.Q_REF, self.Qd_REF = self._motion.advance(self.dt)
+        if not self._motion.is_over(self.Q_MEZ, self.dt):
             return None
-        if why := self._arrival.joint_short(self.Q_MEZ, self.AWAY):
+        if why := self._motion.short(self.Q_MEZ, self.AWAY):
             raise ModuleError(why)
         return finish()
 
     def get(self, name):
         if name == "progress":
-            return min(self._time / self._path.duration, 1.0)
+            return self._motion.progress
         return super().get(name)

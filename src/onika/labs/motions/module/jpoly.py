@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from onika.laws.arrival import Arrival
+from onika.laws.joint_motion import JointMotion
 from onika.laws.paths.polynomial import PolynomialPath
 from onika.laws.sentence import sentence_of
 from onika.module import AskAgain, InConst, Input, InVar, Local, Module, ModuleError, OutVar, finish
@@ -60,32 +60,29 @@ class Jpoly(Module):
         coefficients[:, 0] = start
         coefficients[int(inputs.joint) - 1, 1:] = inputs.coefficients
         try:
-            self._path = PolynomialPath(coefficients, inputs.duration, self.SPEED * self.Qd_MAX)
-            self._path.check_range(np.minimum(self.QMIN, start), np.maximum(self.QMAX, start))
+            path = PolynomialPath(coefficients, inputs.duration, self.SPEED * self.Qd_MAX)
+            path.check_range(np.minimum(self.QMIN, start), np.maximum(self.QMAX, start))
         except ValueError as wrong:
             raise AskAgain(sentence_of(wrong)) from None
-        if (shortest := self._path.duration) > inputs.duration * (1.0 + 1e-9):
+        if (shortest := path.duration) > inputs.duration * (1.0 + 1e-9):
             self.warn(
                 "{duration:g} s is too short for the joint speeds; the motion takes {shortest:.2f} s",
                 duration=inputs.duration,
                 shortest=shortest,
             )
-        self._time = 0.0
-        self._arrival = Arrival.of_joints(self._path.at(self._path.duration)[0], self.Q_MEZ, self.SETTLE)
+        self._motion = JointMotion(path, path.at(path.duration)[0], self.Q_MEZ, self.SETTLE)
         self.Q_REF = start
         self.Qd_REF = 0.0
 
     def cycle(self):
-        self._time += self.dt
-        self.Q_REF, self.Qd_REF = self._path.at(self._time)
-        is_over = self._arrival.is_over(self._time - self._path.duration, self.Q_MEZ, self.dt)
-        if not is_over:
+        self.Q_REF, self.Qd_REF = self._motion.advance(self.dt)
+        if not self._motion.is_over(self.Q_MEZ, self.dt):
             return None
-        if why := self._arrival.joint_short(self.Q_MEZ, self.AWAY):
+        if why := self._motion.short(self.Q_MEZ, self.AWAY):
             raise ModuleError(why)
         return finish()
 
     def get(self, name):
         if name == "progress":
-            return min(self._time / self._path.duration, 1.0)
+            return self._motion.progress
         return super().get(name)

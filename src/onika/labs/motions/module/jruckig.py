@@ -1,6 +1,6 @@
 """Joint path of limited jerk."""
 
-from onika.laws.arrival import Arrival
+from onika.laws.joint_motion import JointMotion
 from onika.laws.paths.jerk_limited import JerkLimited
 from onika.module import InConst, Input, InVar, Local, Module, ModuleError, OutVar, finish
 
@@ -56,29 +56,26 @@ class Jruckig(Module):
         start = (self.Q_REF if self.continues("Q_REF") else self.Q_MEZ).copy()
         speed = self.SPEED * self.Qd_MAX
         limits = speed, speed / self.RISE, speed / (self.RISE * self.EASE)
-        self._course = JerkLimited(start, inputs.endpoint, *limits, inputs.duration)
-        if (shortest := self._course.duration) > inputs.duration * (1.0 + 1e-9):
+        course = JerkLimited(start, inputs.endpoint, *limits, inputs.duration)
+        if (shortest := course.duration) > inputs.duration * (1.0 + 1e-9):
             self.warn(
                 "{duration:g} s is too short for the joint speeds; the motion takes {shortest:.2f} s",
                 duration=inputs.duration,
                 shortest=shortest,
             )
-        self._time = 0.0
-        self._arrival = Arrival.of_joints(inputs.endpoint, self.Q_MEZ, self.SETTLE)
+        self._motion = JointMotion(course, inputs.endpoint, self.Q_MEZ, self.SETTLE)
         self.Q_REF = start
         self.Qd_REF = self.Qdd_REF = 0.0
 
     def cycle(self):
-        self._time += self.dt
-        self.Q_REF, self.Qd_REF, self.Qdd_REF = self._course.at(self._time)
-        is_over = self._arrival.is_over(self._time - self._course.duration, self.Q_MEZ, self.dt)
-        if not is_over:
+        self.Q_REF, self.Qd_REF, self.Qdd_REF = self._motion.advance(self.dt)
+        if not self._motion.is_over(self.Q_MEZ, self.dt):
             return None
-        if why := self._arrival.joint_short(self.Q_MEZ, self.AWAY):
+        if why := self._motion.short(self.Q_MEZ, self.AWAY):
             raise ModuleError(why)
         return finish()
 
     def get(self, name):
         if name == "progress":
-            return min(self._time / self._course.duration, 1.0)
+            return self._motion.progress
         return super().get(name)
