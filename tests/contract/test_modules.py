@@ -105,7 +105,7 @@ CELL = dict.fromkeys(("arm_pos", "arm_tau", "arm_vel", "axes"), arm_of_cell) | {
     "whereis": numbers_of_cell(7),
     "wrench": numbers_of_cell(6),
 }
-"""Stand-ins for modules that serve any device: the world that their tasks name is whose copies them."""
+"""Stand-ins for modules that serve any device; the world that their tasks name has an arm of other numbers."""
 
 
 def bench_of(path, code=None):
