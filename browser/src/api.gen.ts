@@ -1881,10 +1881,11 @@ export interface ShowSaveAs {
   t: 'ShowSaveAs';
 }
 
-/** The source text of a task's module. */
+/** The source text of a task's module, at a line of it; 0: at its beginning. */
 export interface ShowSource {
   t: 'ShowSource';
   task: string;
+  line: number;
 }
 
 /** A step of an application. */

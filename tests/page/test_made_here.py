@@ -99,6 +99,26 @@ def test_a_new_module_is_written_loaded_when_saved_and_its_fault_stands_beside_i
     assert (program.home / "onika" / "tests" / "test_low_pass.py").is_file()
 
 
+def test_code_that_another_editor_breaks_stands_in_problems_and_leads_to_its_line(me, lab):  # R-C05, R-C31
+    code = lab.path / "module" / "wave.py"
+    before = code.read_text()
+    code.write_text(before.replace("def cycle(self):", "def cycle(self)"))
+    line = before.split("def cycle")[0].count("\n") + 1
+    me.strip.get_by_role("tab", name=re.compile("^Problems [1-9]")).click()
+    problem = me.strip.get_by_role("button", name=re.compile(f"wave cannot be used: .*wave.py, line {line}: expected"))
+    problem.click()
+    source = me.page.get_by_role("dialog", name="Source of wave")
+    field = source.get_by_role("textbox")
+    selected = "field => field.value.slice(field.selectionStart, field.selectionEnd)"
+    expect(field).to_be_focused()
+    assert field.evaluate(selected).strip() == "def cycle(self)"
+    field.fill(before)
+    field.press("Control+s")
+    expect(problem).to_have_count(0)
+    me.page.keyboard.press("Escape")
+    me.strip.get_by_role("tab", name="Tasks 1").click()
+
+
 def test_tasks_are_arranged_by_dragging_and_stay_so(me, lab):  # R-D24
     page = me.page
     me.libraries("bench")

@@ -58,7 +58,7 @@ function select(show: AnyShow): void {
       canvas.pickedLocus = show.svar
       return
     case 'ShowSource':
-      return openDialog('source', { task: show.task, kind: 'code' })
+      return openDialog('source', { task: show.task, kind: 'code', ...(show.line ? { line: String(show.line) } : {}) })
     case 'ShowLibraries':
       return openDialog('open', { what: 'library' })
     case 'ShowConnect':

@@ -2247,6 +2247,8 @@ export const catalogue: Readonly<Record<string, string>> = {
   "run.code_missing": "no hay ningún {module}.py a su lado ni en otra biblioteca abierta",
   "run.code_nested": "anidado demasiado hondo",
   "run.code_unreadable": "{path} no se puede leer: {why}",
+  "run.code_wrong": "{task} no se puede usar: {path}: {why}",
+  "run.code_wrong_at": "{task} no se puede usar: {path}, línea {line}: {why}",
   "run.columns_once": "se esperaban nombres de columnas, cada uno una vez",
   "run.columns_unknown": "se esperaban nombres de entre {columns}; se dio {unknown}",
   "run.command_not_run": "{name} no se puede ejecutar: {why}",

@@ -27,9 +27,10 @@ class ShowLocus(Destination, frozen=True):
 
 
 class ShowSource(Destination, frozen=True):
-    """The source text of a task's module."""
+    """The source text of a task's module, at a line of it; 0: at its beginning."""
 
     task: str
+    line: int = 0
 
 
 class ShowAnswer(Destination, frozen=True):

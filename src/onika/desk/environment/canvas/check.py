@@ -3,6 +3,7 @@
 from typing import Protocol
 
 from onika.desk.environment.file.elsewhere import differences
+from onika.desk.environment.outcome.code_faults import code_problems
 from onika.desk.environment.outcome.on_file import AnyFile, on_file
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Services
@@ -20,7 +21,9 @@ def check(model: Model, file: AnyFile, _command: act.Check, outside: Services) -
     if isinstance(file, OpenApplication):
         faults = (*file.file_faults, *(file.judgement.faults if file.judgement else ()))
         return Done(model, value=tuple(fault.text for fault in sorted(faults, key=_order)))
-    troubles = sorted(problems(file, model.libraries_of(file)).values(), key=_order)
+    libraries = model.libraries_of(file)
+    wrong_code = code_problems(file, libraries, model.code_faults)
+    troubles = sorted((problems(file, libraries) | wrong_code).values(), key=_order)
     others = differences(model, file.content.configuration, file.base, outside.site)
     return Done(model, value=(*(trouble.text for trouble in troubles), *others.values()))
 

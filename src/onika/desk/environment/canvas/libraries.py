@@ -7,6 +7,7 @@ from pathlib import Path
 from onika.desk.environment.file import file_index
 from onika.desk.environment.outcome import pin_changes
 from onika.desk.environment.outcome.clash import clashes
+from onika.desk.environment.outcome.code_faults import rewritten
 from onika.desk.environment.outcome.file_faults import told
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Services
@@ -82,7 +83,7 @@ def saved_here(model: Model, changed: Set[Path]) -> Done:
 
 def _read_again(model: Model, bases: Iterable[BaseDirectory], changed: Set[Path]) -> Done:
     done = rearranged(model, bases, changed)
-    model = done.model
+    model = rewritten(done.model, {path for path in changed if path.suffix == ".py"})
     for module in sorted({path.stem for path in changed if path.suffix == ".py"}):
         model = forgotten(model, module)
     return replace(done, model=model)  # what its class declares now is asked by whoever follows

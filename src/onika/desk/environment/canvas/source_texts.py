@@ -2,12 +2,12 @@
 
 import os
 import re
-import warnings
 from dataclasses import replace
 from pathlib import Path
 
 from onika.desk.environment.canvas import libraries
 from onika.desk.environment.canvas.library_tasks import saved_as_own, unknown
+from onika.desk.environment.outcome.code_faults import LineFault, compiled
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.replacing import kept, present_text
 from onika.desk.environment.outcome.services import Services
@@ -156,14 +156,7 @@ def _rmod_faults(path: Path, text: str) -> list[tuple[int, Reason]]:
     return [(fault.place.line, said(fault)) for fault in faults]
 
 
-def _code_faults(path: Path, text: str) -> list[tuple[int, Reason]]:
+def _code_faults(path: Path, text: str) -> list[LineFault]:
     """What the compiler says; nothing of the module is run."""
-    with warnings.catch_warnings(record=True) as catch_warnings:
-        warnings.simplefilter("always")
-        try:
-            compile(text, path.name, "exec", dont_inherit=True)
-        except SyntaxError as error:
-            return [(error.lineno or 0, Reason.plain(error.msg))]
-        except (ValueError, RecursionError, MemoryError) as error:  # bytes of nothing; nested without end
-            return [(0, Reason.plain(str(error)) or Reason.of("run.code_nested"))]
-    return [(message.lineno, Reason.plain(str(message.message))) for message in catch_warnings]
+    fault, remarks = compiled(text, path.name)
+    return [*remarks] if fault is None else [fault]

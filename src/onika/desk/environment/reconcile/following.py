@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from onika.desk.environment.outcome.code_faults import looked_through
 from onika.desk.environment.outcome.outcome import Done, News, No, Order
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile import (
@@ -23,6 +24,7 @@ from onika.words.reason import Reason
 def follow(before: Model, after: Model, outside: Services) -> Done | No:
     """Have the running system follow what differs between two models; a no where it cannot."""
     del outside
+    after = looked_through(after)
     marked = changed_breakpoints(before, after)
     if before.documents is after.documents and before.libraries is after.libraries:
         return Done(after, orders=marked)

@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
+from onika.desk.environment.outcome.code_faults import at_line
 from onika.desk.environment.outcome.outcome import Ask, Done, InterimModel, No, Procedure, RequiredRuntime
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Services
@@ -25,9 +26,7 @@ from onika.wire.sheet import ModuleSheet
 from onika.wire.view import LoadedView
 from onika.words.reason import Reason
 
-_FAULT = "words.fault"
 _NAME = r"^\s*{name}\s*[:=]"
-_LINE = re.compile(r".*:(\d+)\Z", re.DOTALL)
 
 Faults = tuple[tuple[int, Reason], ...]
 """Sentences by the lines of the code, 0 for the whole."""
@@ -60,18 +59,10 @@ def _loaded(model: Model, task: Task, code: Code) -> Procedure:
     if sheet is None:
         why = response.faults.get(code.digest, Reason.of("run.unreadable"))
         learnt = LearntDescriptions(unread={task.module: why})
-        return Done(learnt.taken_over(forgotten(model, task.module)), value=LoadedView((_placed(why),)))
+        return Done(learnt.taken_over(forgotten(model, task.module)), value=LoadedView((at_line(why),)))
     learnt = LearntDescriptions({task.module: sheet}, digests={task.module: code.digest})
     faults = tuple(_differences(task, sheet, code.source))
     return Done(learnt.taken_over(forgotten(model, task.module)), value=LoadedView(faults))
-
-
-def _placed(why: Reason) -> tuple[int, Reason]:
-    """A fault at its line, where it says one."""
-    if why.key != _FAULT:
-        return 0, why
-    line, reason = _LINE.match(str(why.args["place"])), why.args["reason"]
-    return int(line[1]) if line else 0, reason if isinstance(reason, Reason) else why
 
 
 def _differences(task: Task, sheet: ModuleSheet, source: str) -> Iterator[tuple[int, Reason]]:

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
+from onika.desk.environment.outcome.code_faults import code_problems
 from onika.desk.environment.outcome.on_file import is_running
 from onika.desk.environment.outcome.staleness import stale
 from onika.desk.environment.outcome.supply import supply
@@ -161,8 +162,13 @@ class Projector:
             (document.content.configuration, living, pending, libraries.tasks),
             lambda: supply(document, libraries),
         )
-        parts = (troubles, lacking, behind)
-        troubles = self._once(f"troubles {document.id}", parts, lambda: parts[0] | parts[1] | parts[2])
+        wrong_code = self._once(
+            f"code {document.id}",
+            (names, libraries.tasks, libraries.unread, model.code_faults),
+            lambda: code_problems(document, libraries, model.code_faults),
+        )
+        parts = (wrong_code, troubles, lacking, behind)
+        troubles = self._once(f"troubles {document.id}", parts, lambda: parts[0] | parts[1] | parts[2] | parts[3])
         late = self._once(
             f"load {document.id}",
             (document, libraries.tasks, self._loads(model), model.runtime.units),

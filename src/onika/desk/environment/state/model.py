@@ -25,6 +25,7 @@ from onika.model.rules.iconify import ActionType
 from onika.model.syntax import Syntax
 from onika.wire import view
 from onika.words.fault import Refusal
+from onika.words.reason import Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,6 +65,8 @@ class Model:
     """Files that stand before shipped ones, by path, with the name of the laboratory of those."""
     touched: Mapping[str, int] = field(default_factory=dict)
     """Files of modules and tasks that were written, by path, with a number that grows: who shows one reads it again."""
+    code_faults: Mapping[str, tuple[int, Reason] | None] = field(default_factory=dict)
+    """The code that was looked through, by path: the first line that is wrong and why; None: it can be compiled."""
     limits: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
     """Constants that bound the values of targets, as far as a runtime has told them."""
     icon_clipboard: tuple[Step, ...] = ()
