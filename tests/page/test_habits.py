@@ -80,6 +80,33 @@ def test_panels_stand_as_they_were_shaped_also_in_another_browser(me, program, n
     border.press("Enter")
 
 
+def test_the_bar_the_buttons_and_the_variables_stand_where_somebody_wants_them(me, program, new_page):  # R-G01
+    panel = preferences(me)
+    panel.get_by_label("The bar with Stop").select_option("Below everything")
+    panel.get_by_label("Variables", exact=True).select_option("Beside the tasks, where there is room")
+    panel.get_by_label("My buttons").select_option("In a line beneath everything")
+    bar = me.page.get_by_role("banner")
+    assert bar.bounding_box()["y"] > me.strip.bounding_box()["y"] > 100
+    assert me.page.get_by_role("complementary", name="Task library").bounding_box()["y"] == 0
+    expect(me.strip.get_by_role("tab", name=re.compile("^Variables"))).to_have_count(0)
+    expect(me.strip.get_by_role("searchbox", name="Find a variable")).to_be_visible()
+    stop = bar.get_by_role("button", name=re.compile("^Stop")).bounding_box()
+    assert panel.bounding_box()["y"] + panel.bounding_box()["height"] <= stop["y"], "no panel covers Stop"
+    for _ in range(10):  # it is kept as soon as nobody chooses any more
+        other = program.enter(new_page())
+        if other.get_by_role("banner").bounding_box()["y"] > 100:
+            break
+    assert other.get_by_role("banner").bounding_box()["y"] > 100
+    for label, usual in (
+        ("The bar with Stop", "Above everything"),
+        ("Variables", "In turn with the tasks"),
+        ("My buttons", "At the foot of the left column"),
+    ):
+        panel.get_by_label(label, exact=True).select_option(usual)
+    assert bar.bounding_box()["y"] == 0
+    expect(me.strip.get_by_role("tab", name=re.compile("^Variables"))).to_be_visible()
+
+
 def test_warnings_are_switched_off_and_on_again(me):  # R-C08
     me.place("calm")
     expect(me.strip.get_by_role("tab", name="Problems 1")).to_be_visible()

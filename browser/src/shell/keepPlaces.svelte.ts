@@ -3,7 +3,7 @@ import { untrack } from 'svelte'
 import { desk } from '../link/desk.svelte'
 import { send } from '../link/link'
 import { look } from '../state/look.svelte'
-import { placesOf, type Places, sizesOf, upperSizesOf } from './windowPlaces'
+import { placesOf, type Places, sizesOf, standsOf, upperSizesOf } from './windowPlaces'
 
 /** Narrower pages show one panel at a time: their sizes are nobody's choice. */
 const LEAST_WIDTH = 900
@@ -24,13 +24,13 @@ export function keepPlaces(): void {
     if (now === before || window.innerWidth < LEAST_WIDTH) return
     const timer = setTimeout(() => {
       before = now
-      void send({ t: 'Prefer', values: { places: placesOf(extent(), look.sizes, look.upperSizes) } })
+      void send({ t: 'Prefer', values: { places: placesOf(extent(), look.sizes, look.upperSizes, look.stands) } })
     }, SETTLED_MS)
     return () => clearTimeout(timer)
   })
 }
 
-const shape = (): string => JSON.stringify([look.sizes, look.upperSizes])
+const shape = (): string => JSON.stringify([look.sizes, look.upperSizes, look.stands])
 
 const extent = (): { width: number; height: number } => ({ width: window.innerWidth, height: window.innerHeight })
 
@@ -39,4 +39,5 @@ function shapePanels(): void {
   if (!places || window.innerWidth < LEAST_WIDTH) return
   look.sizes = sizesOf(places, extent(), look.sizes)
   look.upperSizes = upperSizesOf(places, extent(), look.upperSizes)
+  look.stands = standsOf(places, look.stands)
 }

@@ -9,6 +9,15 @@ export type Language = 'en' | 'es'
 export type Level = 'tasks' | 'applications'
 /** The parts of a level side by side, as they stand on a wide page; a narrow one shows one of them at a time. */
 export type Column = 'left' | 'desk' | 'right' | 'low'
+/** Where what has no size of its own stands: above or below the parts of a level, beside or beneath them. */
+export interface Stands {
+  /** The bar with the tabs, the runtime and Stop. */
+  bar: 'above' | 'below'
+  /** A user's own buttons: at the foot of the left column, or in a line beneath everything. */
+  buttons: 'beside' | 'beneath'
+  /** The table of variables: in turn with that of the tasks, or beside it. */
+  variables: 'together' | 'beside'
+}
 export type Presentation = 'pictures' | 'both' | 'words'
 
 interface Look {
@@ -29,6 +38,7 @@ interface Look {
   sizes: { library: number; sheet: number; strip: number }
   /** The same for the upper level. */
   upperSizes: { dictionary: number; run: number; words: number }
+  stands: Stands
 }
 
 const language: Language = globalThis.navigator?.language?.startsWith('es') ? 'es' : 'en'
@@ -45,4 +55,5 @@ export const look: Look = $state({
   folded: kept('folded', { left: false, right: false }),
   sizes: kept('sizes', { library: 236, sheet: 286, strip: 206 }),
   upperSizes: kept('upperSizes', { dictionary: 252, run: 330, words: 138 }),
+  stands: kept<Stands>('stands', { bar: 'above', buttons: 'beside', variables: 'together' }),
 })

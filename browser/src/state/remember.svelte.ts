@@ -15,6 +15,7 @@ export function remember(): void {
   $effect(() => keep('folded', $state.snapshot(look.folded)))
   $effect(() => keep('sizes', $state.snapshot(look.sizes)))
   $effect(() => keep('upperSizes', $state.snapshot(look.upperSizes)))
+  $effect(() => keep('stands', $state.snapshot(look.stands)))
   $effect(() => keep('dictionary', workspace.dictionary))
   $effect(() => keep('library', canvas.library))
 }
