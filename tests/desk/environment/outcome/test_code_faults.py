@@ -42,7 +42,7 @@ def test_code_that_another_editor_broke_is_a_problem_with_its_line_and_its_sourc
     path = written(sitting, WRONG)
     (problem,) = problems(sitting, doc).values()
     assert (problem.level, problem.show) == ("fault", ShowSource("a", 2))
-    assert str(problem.text) == f"a cannot be used: {path}, line 2: expected ':'"
+    assert str(problem.text) == f"the code of a has an error: {path}, line 2: expected ':'"
     written(sitting, RIGHT)
     assert problems(sitting, doc) == {}
 
