@@ -105,7 +105,8 @@ def test_code_that_another_editor_breaks_stands_in_problems_and_leads_to_its_lin
     code.write_text(before.replace("def cycle(self):", "def cycle(self)"))
     line = before.split("def cycle")[0].count("\n") + 1
     me.strip.get_by_role("tab", name=re.compile("^Problems [1-9]")).click()
-    problem = me.strip.get_by_role("button", name=re.compile(f"the code of wave has an error: .*wave.py, line {line}: expected"))
+    told = re.compile(f"the code of wave has an error: .*wave.py, line {line}: expected")
+    problem = me.strip.get_by_role("button", name=told)
     problem.click()
     source = me.page.get_by_role("dialog", name="Source of wave")
     field = source.get_by_role("textbox")
