@@ -131,7 +131,7 @@ const PLACED: Record<string, PlacedView> = {
       traceback: 'Traceback (most recent call last):\n  File "zdiff.py", line 41, in cycle\n    raise ModuleError(...)',
       remedies: [
         { label: plain('Clear, switch on'), act: { t: 'Clear', doc: 'd1', task: 'diff', turns_on: true } },
-        { label: plain('Show source'), show: { t: 'ShowSource', task: 'diff' } },
+        { label: plain('Show source'), show: { t: 'ShowSource', task: 'diff', line: 0 } },
       ],
     },
   }),

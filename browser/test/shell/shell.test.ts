@@ -128,8 +128,10 @@ describe('R-X01: a remedy leads to what it names', () => {
     expect([...canvas.picked]).toEqual(['pd'])
     reveal({ t: 'ShowLocus', svar: 'Q_MEZ' })
     expect(canvas.pickedLocus).toBe('Q_MEZ')
-    reveal({ t: 'ShowSource', task: 'pd' })
+    reveal({ t: 'ShowSource', task: 'pd', line: 0 })
     expect(dialogs.current).toEqual({ name: 'source', data: { task: 'pd', kind: 'code' } })
+    reveal({ t: 'ShowSource', task: 'pd', line: 7 })
+    expect(dialogs.current.data).toEqual({ task: 'pd', kind: 'code', line: '7' })
     const { turn } = destination
     reveal({ t: 'ShowTask', task: 'pd' })
     reveal({ t: 'ShowTask', task: 'pd' })
