@@ -4,19 +4,22 @@ import numpy as np
 import pytest
 
 from onika.files import rmod
-from onika.laws.frames import rotation_exp
+from onika.laws.frames import rotation_exp, rotation_of_quaternion
 from onika.model.lifecycle import State
+from onika.ring.device import DeviceOrder
 from onika.store.shipped import shipped
+from onika.store.site import open_site
+from onika.store.world_source import gather_world
 from onika.testing.bench import Bench
+from onika.workcell.composed.file_world import FileWorld
 
 MODULES = shipped() / "arms" / "module"
 
 
-def bench_of(task):
+def bench_of(task, legs=6):
     record, _ = rmod.read((MODULES / f"{task}.rmod").read_text(), task, task)
-    return Bench(
-        MODULES / f"{task}.py", frequency=500, local={line.key: line.words for line in record.task.local}
-    ).init()
+    local = {line.key: line.words for line in record.task.local}
+    return Bench(MODULES / f"{task}.py", frequency=500, local=local, constants={"NDOF": legs}).init()
 
 
 def pose_at(t):
@@ -70,3 +73,30 @@ def test_legs_that_no_pose_has_are_an_error_that_clear_mends():
     place["Q_MEZ"] = bench_of("stewart_inv").task.module._platform.lengths(pose_at(0.0)) - 0.35
     assert place.clear().on().cycle().state is State.ON
     assert place["PLATE_MEZ"] == pytest.approx(pose_at(0.0), abs=1e-9)
+
+
+@pytest.mark.parametrize("task", ["stewart_inv", "stewart_fwd"])
+def test_other_than_six_legs_are_refused(task):  # R-X04
+    bench = bench_of(task, legs=5)
+    assert bench.state is State.ERROR and "expected 6 legs, found 5" in bench.why
+
+
+def test_the_law_of_the_legs_is_that_of_the_shipped_model():  # R-K04
+    world = FileWorld(gather_world("stand", open_site((), {}, None))[0])
+    assert world.faults == ()
+    world.claim("legs_mid", 1)
+    lengths = bench_of("stewart_inv").task.module._platform.lengths
+    before = np.zeros(6)
+    for t in (0.0, 0.4, 1.3):
+        wanted = lengths(pose_at(t)) - 0.35
+        for share in np.linspace(0.0, 1.0, 200):
+            command = [*(before + share * (wanted - before)), *np.zeros(6)]
+            world.command("legs_mid", 1, DeviceOrder.DRIVE, command)
+            world.step(world.now_ns + 2 * world.step_ns)
+        before = wanted
+        for _ in range(100):
+            world.command("legs_mid", 1, DeviceOrder.DRIVE, [*wanted, *np.zeros(6)])
+            world.step(world.now_ns + 2 * world.step_ns)
+        plate = world.state("plate_mid")[2:]
+        assert plate[:3] == pytest.approx(pose_at(t)[:3, 3], abs=1e-4)
+        assert rotation_of_quaternion(plate[3:]) == pytest.approx(pose_at(t)[:3, :3], abs=5e-4)
