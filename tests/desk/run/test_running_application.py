@@ -18,9 +18,12 @@ def test_a_run_begins_as_its_settings_say(running):  # R-E01, R-E08, R-E10
 
 def test_a_run_that_the_runtime_will_not_begin_is_over(running, monkeypatch):
     run, _ = running()
+    sought = []
     monkeypatch.setattr(run._runtime, "refusals", {"Begin": "an application runs already"})
+    monkeypatch.setattr(run._runtime, "black_box", lambda: sought.append("black box"))
     run.begin()
     assert (run.is_over, run.is_aborted, run.outcome.result.cause) == (True, True, "an application runs already")
+    assert not sought  # to look for one that nobody writes took a second
 
 
 def test_the_clock_of_a_held_run_goes_on_only_while_somebody_listens(running):  # R-E07, law 15

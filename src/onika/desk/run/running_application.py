@@ -148,7 +148,7 @@ class Running:
         message = self._settings.begin(is_held=self.is_held)
         answer = self._runtime.ask(message if self._recorded is None else self._recorded.begin(message))
         if isinstance(answer, request.Refused):
-            self.lose(answer.reason)
+            self.outcome.result = self._unfinished(answer.reason)  # it has not begun: nobody keeps its last seconds
         elif self.is_held:
             self._onward(0.0)
 
@@ -315,10 +315,13 @@ class Running:
 
     def lose(self, cause: Reason) -> None:
         """What the environment knows of a run whose runtime can say nothing any more (E10)."""
+        self.outcome.result = structs.replace(self._unfinished(cause), black_box=self._runtime.black_box())
+
+    def _unfinished(self, cause: Reason) -> event.Result:
+        """How far it came, as far as it was told."""
         actions = sum(len(flow.actions) for flow in self.plan.flows)
         lasted = (self.now_s, self._clock() - self._began)
-        self.outcome.result = event.Result(False, cause, self.flow_tracker.done, actions, *lasted, {}, (), "")
-        self.outcome.result = structs.replace(self.outcome.result, black_box=self._runtime.black_box())
+        return event.Result(False, cause, self.flow_tracker.done, actions, *lasted, {}, (), "")
 
     # -- its end
 
