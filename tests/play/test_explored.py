@@ -294,6 +294,15 @@ def test_a_passive_task_may_fall_silent_at_any_time(name):  # reading 17
     assert Explorer(PROGRAMS[name], Budget(faults=1), passive).explore().states
 
 
+@pytest.mark.parametrize("budget", [Budget(faults=1), Budget(user=1, faults=1)])
+@pytest.mark.parametrize("name", sorted(LONG))
+def test_in_a_thousand_places_of_a_long_program_nothing_is_lost(name, budget):
+    explorer = Explorer(PROGRAMS[name], budget)
+    assert not explorer.wander(most=1_000)
+    assert explorer.states == 1_000
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["an endless loop"])
 def test_a_user_who_acts_while_something_goes_wrong_loses_nothing(name):
     assert Explorer(PROGRAMS[name], Budget(user=1, faults=1)).explore().states

@@ -77,9 +77,8 @@ def test_a_circle_is_closed_by_a_red_arrow(drawn):
     assert arrows(drawn(**circle), "back") == 1
 
 
-def test_the_picture_of_this_repository_overlaps_nowhere_and_is_drawn_alike_each_time():
-    picture = house_picture.picture(ROOT)
-    assert picture == (ROOT / "docs" / "pictures" / "house.svg").read_text(encoding="utf-8")  # of an earlier process
+def test_the_picture_of_this_repository_overlaps_nowhere():
+    picture = (ROOT / "docs" / "pictures" / "house.svg").read_text(encoding="utf-8")  # that it is of today is checked
     boxes = [
         [float(box.get(key)) for key in ("x", "y", "width", "height")]
         for box in ET.fromstring(picture).iter(f"{SVG}rect")
