@@ -42,6 +42,7 @@ TRIGGERS = {
     "list_files",
     "squeeze",
     "gopose",
+    "preshape",
 }
 MOVES = ("jmove", "cmove", "visit")
 OTHERS = ("gantry", "plate", "fingers")
