@@ -10,7 +10,7 @@ import pytest
 
 from onika.host.units import supervisor as room
 from onika.host.units.heartbeat import Heartbeat
-from onika.host.units.supervisor import Supervisor
+from onika.host.units.supervisor import HELD_NS, Supervisor
 from onika.ring.segment import Segment
 from onika.words.reason import NOTHING, Reason
 
@@ -118,6 +118,18 @@ def test_how_long_a_process_was_silent_is_told_in_seconds(supervisor, machine): 
     assert process.trouble(machine.now) == Reason.of("host.call_silent", name=TITLE, seconds=4.0, task="flow0/sick")
     machine.processes[1].is_held = True
     assert process.trouble(machine.now) == Reason.of("host.process_silent", name=TITLE, seconds=4.0)
+
+
+@pytest.mark.parametrize("is_slow", [False, True])
+def test_one_that_the_system_holds_may_be_silent_for_four_tenths_of_a_second(supervisor, machine, is_slow):  # R-X24
+    process = up(supervisor)
+    process.heartbeat.watch("flow0/innocent")
+    process.heartbeat.is_slow(is_slow)
+    machine.processes[1].is_held = True
+    beat(process, machine.now - HELD_NS)
+    assert process.trouble(machine.now) == NOTHING
+    beat(process, machine.now - HELD_NS - 1)
+    assert process.trouble(machine.now).key == "host.process_silent"
 
 
 def test_work_that_was_announced_may_take_fifteen_seconds(supervisor, machine):  # law 30

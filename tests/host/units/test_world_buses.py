@@ -7,6 +7,7 @@ from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveMode
 from onika.runtime.bus import SEGMENT_SIZE
 from onika.wire import event
+from onika.wire.world_source import WorldSource
 from onika.words.reason import NOTHING, Reason
 
 MS = 1_000_000
@@ -100,6 +101,32 @@ def test_what_a_step_does_to_a_drive_is_told(buses, messages, step):  # R-X06
     world.command("m0", grant.epoch, DeviceOrder.DRIVE, [1.0])
     step(buses)
     assert [(message.device, message.state) for message in messages] == [("yard:m0", "DRIVEN")]
+
+
+def test_a_world_whose_files_came_is_made_of_them_and_what_names_them_is_known(messages):  # R-X19
+    opened = []
+
+    def open_world(name, files=None):
+        opened.append((name, files))
+        return MassWorld()
+
+    buses = Buses({}, open_world, messages.append)
+    files = WorldSource("cell", "abc", ())
+    buses.sources.take([files])
+    buses.grant("cell:m0", 0)
+    buses.grant("yard:m0", 0)
+    assert opened == [("cell", files), ("yard", None)]
+    assert buses.opened == {"cell": "abc", "yard": ""}
+
+
+def test_at_the_end_no_world_is_open_and_its_memory_is_given_back(messages):  # R-X23
+    views = {}
+    buses = Buses(views, lambda _name: MassWorld(), messages.append)
+    buses.grant("yard:m0", 0)
+    buses.close()
+    assert buses.names == ()
+    with pytest.raises(ValueError, match="released"):
+        views["bus:yard"].tobytes()
 
 
 def test_every_grant_has_an_epoch_of_its_own(buses):  # law 17

@@ -16,7 +16,7 @@ SILENT_NS = 1_000_000_000
 """A process without a heartbeat for so long is stopped or caught in code that never returns."""
 
 HELD_NS = 400_000_000
-"""The same while it starts and the system holds it."""
+"""The same where the system holds it: nothing that it does can be the reason."""
 
 SLOW_NS = 15_000_000_000
 """The same while it has announced long work."""
@@ -53,10 +53,12 @@ class Supervised:
         if self.post.unsent > MOST_UNSENT:
             return Reason.of("host.commands_unread", name=self.title, megabytes=MOST_UNSENT >> 20)
         silent = now_ns - self.heartbeat.last_ns
+        if silent > HELD_NS and is_stopped(self.process.pid):
+            return Reason.of("host.process_silent", name=self.title, seconds=silent / 1e9)
         patience = SLOW_NS if self.heartbeat.takes_long else SILENT_NS
         if silent <= patience:
             return self._unlooked(now_ns)
-        task = "" if is_stopped(self.process.pid) else self.heartbeat.task
+        task = self.heartbeat.task
         if task:
             return Reason.of("host.call_silent", name=self.title, seconds=silent / 1e9, task=task)
         return Reason.of("host.process_silent", name=self.title, seconds=silent / 1e9)
