@@ -51,6 +51,8 @@ def test_comments_stay_where_they_are():  # R-B01
         ("2.0", "1.3", 2, "files.version_of_ours"),
         ("FILE        franka/panda.xml", "FILE", 4, "files.meaning_after"),
         ("FILE        franka/panda.xml", "FILE a.xml\nHAND b.xml", 5, "files.hand_and_site"),
+        ("FILE        franka/panda.xml", "FILE a.xml\nLINKS b.xml b.xml", 5, "files.hand_and_site"),
+        ("FILE        franka/panda.xml", "FILE a.xml\nLINKS\nON end", 5, "files.meaning_after"),
         ("TOOL        hand 0 0 0.1034", "TOOL hand 0 0", 8, "files.meaning_after"),
         ("TOOL        hand 0 0 0.1034", "TOOL hand\nAPPROACH y", 9, "files.axes_alike"),
         ("SPEED       2 2 2", "SPEED 2 -2 2", 9, "files.meaning_after"),
@@ -69,3 +71,12 @@ def test_what_is_wrong_is_told_with_its_line_and_the_robot_is_left_out(old, new,
     robot, faults = read(PANDA.replace(old, new, 1), "panda", "f")
     assert robot is None
     assert (line, key) in [(fault.place.line, fault.reason.key) for fault in faults]
+
+
+def test_links_are_attached_to_each_other_as_often_as_they_are_named():  # R-K04
+    text = "VERSION     2.0\nFILE        foot.xml\nLINKS       turn.xml bend.xml turn.xml\nON          end\n\nEOF\n"
+    robot, faults = read(text, "modular", "f")
+    assert faults == ()
+    assert (robot.links, robot.on) == (("turn.xml", "bend.xml", "turn.xml"), "end")
+    assert robot.models == ("foot.xml", "turn.xml", "bend.xml")
+    assert write(robot, text) == text

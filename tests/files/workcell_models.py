@@ -22,6 +22,7 @@ names = st.from_regex(r"[A-Za-z][A-Za-z0-9_-]{0,8}", fullmatch=True)
 words = st.text(string.ascii_letters + string.digits + '#=".-+/:', min_size=1, max_size=8)
 prose = st.text(string.ascii_letters + "é-", max_size=20).map(lambda text: " ".join(text.split()))
 files = st.from_regex(r"[a-z]{1,5}(/[a-z]{1,5})?( [a-z]{1,3})?\.(xml|urdf)", fullmatch=True)
+plain_files = st.from_regex(r"[a-z]{1,5}\.xml", fullmatch=True)
 numbers = st.floats(-1e6, 1e6).map(lambda number: number + 0.0)
 above = st.floats(1e-6, 1e6)
 from_0 = st.floats(0.0, 1e6).map(lambda number: number + 0.0)
@@ -74,7 +75,9 @@ def robots(draw: st.DrawFn) -> RobotText:
         axes = st.builds(RobotAxes, st.just(title), st.just(moves), drives)
         devices.append(draw(_arms(title) | axes | _grippers(title, moves) | _bases(title) | _sensors(title)))
     hand = draw(st.just(("", "")) | st.tuples(files, words))
-    return RobotText("r", draw(files), draw(prose), *hand, tuple(devices))
+    links = draw(st.just(()) | st.lists(plain_files, min_size=1, max_size=3).map(tuple))
+    on = hand[1] or (draw(words) if links else "")
+    return RobotText("r", draw(files), draw(prose), hand[0], on, tuple(devices), links=links)
 
 
 @st.composite

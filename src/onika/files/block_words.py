@@ -53,13 +53,13 @@ class BlockWords:
             self._wrong(line, Reason.of("files.name_of_file"))
         return line.text if line else ""
 
-    def words(self, keyword: str, meaning: Reason, least: int = 1) -> tuple[str, ...]:
-        """Words of any form, at least so many and each once."""
+    def words(self, keyword: str, meaning: Reason, least: int = 1, *, is_each_once: bool = True) -> tuple[str, ...]:
+        """Words of any form, at least so many and, unless said otherwise, each once."""
         line = self._line[keyword]
         if line is None:
             return ()
         words = line.words
-        if not least <= len(words) <= _MOST or len(set(words)) < len(words):
+        if not least <= len(words) <= _MOST or (is_each_once and len(set(words)) < len(words)):
             self._wrong(line, meaning)
             return ()
         return words

@@ -28,6 +28,7 @@ _HEAD = (
     KeywordSlot("VERSION"),
     KeywordSlot("DESC", Need.OPTIONAL),
     KeywordSlot("FILE"),
+    KeywordSlot("LINKS", Need.OPTIONAL),
     KeywordSlot("HAND", Need.OPTIONAL),
     KeywordSlot("ON", Need.OPTIONAL),
 )
@@ -61,19 +62,23 @@ def read(text: str, name: str, place_file: str) -> tuple[RobotText | None, tuple
     if reading.lines and not reading.is_extended:
         reading.fault(reading.lines[0].number, Reason.of("files.version_of_ours", extended=EXTENDED))
     hand, on = words.file("HAND"), words.word("ON", Reason.of("files.name_of_site"))
-    if words.has("HAND") != words.has("ON"):
-        words.wrong("HAND" if words.has("HAND") else "ON", Reason.of("files.hand_and_site"))
+    links = words.words("LINKS", Reason.of("files.names_of_models"), is_each_once=False)
+    attached = "LINKS" if words.has("LINKS") else "HAND"
+    if words.has(attached) != words.has("ON"):
+        words.wrong(attached if words.has(attached) else "ON", Reason.of("files.hand_and_site"))
     devices = tuple(_device(block, reading) for block in blocks)
     _check_twice(blocks, reading)
     _check_moves(blocks, devices, reading)
-    robot = RobotText(name, words.file("FILE"), words.text("DESC"), hand, on, devices, words.lines)
+    robot = RobotText(name, words.file("FILE"), words.text("DESC"), hand, on, devices, words.lines, links)
     return (None if reading.broken else robot), reading.faults
 
 
 def write(robot: RobotText, former: str = "") -> str:
     """The text of a robot, with the comments of its former text."""
     parts = [row("VERSION", EXTENDED), text_row("DESC", robot.description), row("FILE", robot.file)]
-    parts += [row("HAND", robot.hand), row("ON", robot.on)] if robot.hand else []
+    parts += [row("LINKS", *robot.links)] if robot.links else []
+    parts += [row("HAND", robot.hand)] if robot.hand else []
+    parts += [row("ON", robot.on)] if robot.on else []
     parts += ["\n" + _show(device) for device in robot.devices]
     return carry_comments(former, "".join([*parts, "\n", row("EOF")]))
 

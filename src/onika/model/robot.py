@@ -106,7 +106,11 @@ RobotDevice = RobotArm | RobotAxes | RobotGripper | RobotBase | SensorBlock
 
 @dataclass(frozen=True, slots=True)
 class RobotText:
-    """What a `.robot` file says. `file` is the model, `hand` another one that is attached to it at the site `on`."""
+    """What a `.robot` file says. `file` is the model, `hand` another one that is attached to it at the site `on`.
+
+    `links` are models too, each attached at the site `on` of the one before it, the first to the model; then the hand
+    is at that of the last. Names of the first stand behind `1.`, those of the second behind `2.`, and so on.
+    """
 
     name: str
     file: str
@@ -115,8 +119,9 @@ class RobotText:
     on: str = ""
     devices: tuple[RobotDevice, ...] = ()
     lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
+    links: tuple[str, ...] = ()
 
     @property
     def models(self) -> tuple[str, ...]:
         """The files of its models."""
-        return (self.file, self.hand) if self.hand else (self.file,)
+        return tuple(dict.fromkeys((self.file, *self.links, *((self.hand,) if self.hand else ()))))

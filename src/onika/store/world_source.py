@@ -120,6 +120,8 @@ def _models(robot: RobotText | None) -> Iterator[tuple[str, int]]:
     """The models of a robot, each with its line."""
     if robot is not None:
         yield robot.file, robot.lines.get("FILE", 0)
+        for link in dict.fromkeys(robot.links):
+            yield link, robot.lines.get("LINKS", 0)
         if robot.hand:
             yield robot.hand, robot.lines.get("HAND", 0)
 

@@ -66,3 +66,19 @@ def test_a_hand_is_attached_at_its_site():  # R-X19
 def test_a_link_and_what_bears_it_do_not_hinder_each_other():
     robot, _ = facts_of(files_of({**CELL, "robot/elbow.xml": ARM}))
     assert ("foot", "upper") in robot.excluded
+
+
+def test_links_are_attached_to_each_other_and_joints_keep_their_names():  # R-K04
+    link = """<mujoco><worldbody><body name="link"><joint name="turn" axis="0 0 1" range="-1 1"/>
+<geom name="tube" size="0.02" fromto="0 0 0 0 0 0.3" type="capsule"/>
+<site name="tip" pos="0 0 0.3"/></body></worldbody></mujoco>"""
+    foot = '<mujoco><worldbody><site name="tip" pos="0 0 0.1"/></worldbody></mujoco>'
+    text = "VERSION 2.0\nFILE foot.xml\nLINKS link.xml link.xml\nON tip\nARM arm\nTOOL 2.tip\nEOF\n"
+    files = {**CELL, "robot/elbow.robot": text, "robot/link.xml": link, "robot/foot.xml": foot}
+    robot, faults = facts_of(files_of(files))
+    assert faults == []
+    (arm,) = robot.joints
+    assert arm.joints == ("1.turn", "2.turn")
+    assert arm.constants["TOOL"][3::4][:3] == pytest.approx((0.0, 0.0, 0.7))
+    robot, (fault,) = facts_of(files_of({**files, "robot/foot.xml": foot.replace("tip", "end")}))
+    assert (robot, fault.reason.key, fault.place.line) == (None, "workcell.no_such_name", 2)

@@ -51,11 +51,7 @@ def spawn(session: ConsoleSession, words: Words) -> Faults:
         if task is not None and source is not None:
             planned.append(altered(task, wish.name, wish.frequency))
             code[source.digest] = source
-    worlds, wrong = SiteLibrary(session.site, session.place).worlds(planned)
-    faults += wrong
-    return faults or session.order(
-        live.Change(subsystem, spawn=tuple(planned), code=tuple(code.values()), worlds=worlds)
-    )
+    return faults or _born(session, live.Change(subsystem, spawn=tuple(planned), code=tuple(code.values())))
 
 
 def on(session: ConsoleSession, words: Words) -> Faults:
@@ -152,7 +148,7 @@ def _reconfigured(
         on=starts,
         rates=tuple(_rates(configuration, living)),
     )
-    return tuple(dict.fromkeys((*faults, *wrong))) or session.order(change)
+    return tuple(dict.fromkeys((*faults, *wrong))) or _born(session, change)
 
 
 def _as_placed(library: SiteLibrary, configuration: Configuration, living: Mapping[str, TaskStanding]) -> set[str]:
@@ -240,7 +236,13 @@ def _spawn_all(session: ConsoleSession, words: Words) -> Faults:
     planned, code, faults = _placed(session, configuration, set(session.tasks()))
     if faults or not planned:
         return faults
-    return session.order(live.Change(session.subsystem, spawn=planned, code=code))
+    return _born(session, live.Change(session.subsystem, spawn=planned, code=code))
+
+
+def _born(session: ConsoleSession, change: live.Change) -> Faults:
+    """Carry out a change whose newcomers bring the files of their worlds."""
+    worlds, faults = SiteLibrary(session.site, session.place).worlds(change.spawn)
+    return faults or session.order(msgspec.structs.replace(change, worlds=worlds))
 
 
 def _placed(

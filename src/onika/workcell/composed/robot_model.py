@@ -46,14 +46,14 @@ class RobotModel:
 
 
 def robot_spec(sources: SourceTexts, robot: RobotText) -> mujoco.MjSpec:
-    """The document of a robot with its hand, ready to be attached; raises ValueError with the reason why not."""
+    """The document of a robot with links and hand, ready to be attached; raises ValueError with the reason why not."""
     spec = sources.model(f"robot/{robot.file}")
+    end = robot.on
+    for number, link in enumerate(robot.links, 1):
+        _attach(spec, sources.model(f"robot/{link}"), end, f"{number}.")
+        end = f"{number}.{robot.on}"
     if robot.hand:
-        site = next((site for site in spec.sites if site.name == robot.on), None)
-        if site is None:
-            there = tuple(site.name for site in spec.sites)[:20] or Reason.of("workcell.none")
-            raise ValueError(Reason.of("workcell.no_such_name", there=there, name=robot.on))
-        spec.attach(sources.model(f"robot/{robot.hand}"), site=site, prefix=HAND)
+        _attach(spec, sources.model(f"robot/{robot.hand}"), end, HAND)
     _free(spec, robot)
     _name(spec)
     spec.worldbody.add_site(name=ORIGIN)
@@ -119,6 +119,15 @@ def _facts(model: Any, device: RobotDevice, robot: str, speeds: dict[str, float]
             return base_facts(model, device, robot)
         case SensorBlock():
             return lacking(model, device) or device
+
+
+def _attach(spec: mujoco.MjSpec, child: mujoco.MjSpec, end: str, prefix: str) -> None:
+    """Attach another document at a site; raises ValueError where there is none of this name."""
+    site = next((site for site in spec.sites if site.name == end), None)
+    if site is None:
+        there = tuple(site.name for site in spec.sites)[:20] or Reason.of("workcell.none")
+        raise ValueError(Reason.of("workcell.no_such_name", there=there, name=end))
+    spec.attach(child, site=site, prefix=prefix)
 
 
 def _free(spec: mujoco.MjSpec, robot: RobotText) -> None:
