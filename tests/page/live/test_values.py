@@ -202,6 +202,32 @@ def test_the_memory_is_checked_and_the_readings_are_saved_to_a_file(me):  # R-A1
     assert any(re.match(r"\d+\.\d{6} \S+ WAVE double \S+$", line) for line in lines)
 
 
+def test_a_scope_goes_on_without_a_variable_that_goes_and_with_it_when_it_is_back(me):  # R-C14, R-C27
+    place(me, "wave", "calm")
+    turn(me, "wave", "calm")
+    me.box("calm").click()
+    me.strip.get_by_role("tab", name="Variables 2").click()
+    me.page.get_by_role("button", name="Scope", exact=True).click()
+    scope = me.page.get_by_role("dialog", name="Scope", exact=True)
+    scope.get_by_role("button", name="Variables").click()
+    for name in ("CALM", "WAVE"):
+        me.page.get_by_role("checkbox", name=name, exact=True).check()
+    error = re.compile(r"Steady error\s*[−\d]")
+    expect(scope).to_contain_text(error)
+    scope.get_by_text("Window", exact=True).click(force=True)
+    me.box("calm").evaluate("box => box.focus()")
+    me.page.keyboard.press("Delete")
+    gone = scope.get_by_text(re.compile("no task of a subsystem reads or writes .*/CALM any more"))
+    expect(gone).to_be_visible()
+    expect(scope.get_by_role("img", name=re.compile("2 s"))).to_be_visible()
+    me.page.keyboard.press("Control+z")
+    me.refusal.get_by_role("button", name="Go on").click()
+    me.state("calm", "ON")
+    expect(gone).to_have_count(0)
+    expect(scope).to_contain_text(error)
+    scope.get_by_role("button", name="Close").click()
+
+
 def test_what_lives_by_hand_is_recorded_and_looked_at_afterwards(me, program):  # R-X05
     record = me.page.get_by_role("button", name="Record", exact=True)
     record.click()

@@ -138,3 +138,11 @@ def test_what_a_run_asks_is_answered_by_who_has_taken_it(duet):  # R-X12, R-C13
     duet.tell(event.TaskState("flow0", "servo", "ON", 1.0))
     assert str(duet.no(answer).reason) == "servo asks for nothing any more"
     assert str(duet.no(act.Answer("", "far/servo", "1")).reason) == "no application runs in far any more"
+
+
+def test_what_another_page_has_just_taken_is_taken_and_what_another_session_took_is_refused(duet):  # R-X12
+    duet.rebuffs = {live.Take: request.Refused(Reason.of("host.held_by", subsystem="flow0", holder="you"))}
+    lose_holder(duet, "you")
+    assert duet.answer(act.Take(subsystem="flow0", confirmed=True)).no is None
+    lose_holder(duet, "bob#3")
+    assert duet.answer(act.Take(subsystem="flow0", confirmed=True)).no.reason.key == "host.held_by"

@@ -86,7 +86,8 @@ def _changed(model: Model, wish: live.Take | live.Release, name: str) -> Procedu
     """
     model, response = yield Ask(model, wish)
     if not isinstance(response, request.Done):
-        return No(refusal(response))
+        is_taken = isinstance(wish, live.Take) and held_subsystems.is_taken_run(model, name)
+        return Done(model) if is_taken else No(refusal(response))  # two pages may take it at once
     model, standing = yield Ask(model, live.Survey(), orders=(ask_flows(),))
     if not isinstance(standing, Standing):
         return Done(model)

@@ -85,9 +85,14 @@ def is_offered_here(model: Model, subsystem: str) -> bool:
 
 def run_here(model: Model) -> str:
     """A flow of the run that another began and that is held here now; empty: there is none."""
-    own = {home for run in model.every_run for home in run.homes}
-    runs = (name for name, hold in model.runtime.holds.items() if hold.application and name not in own)
-    return next((name for name in runs if is_held_here(model, name)), "")
+    return next((name for name in model.runtime.holds if is_taken_run(model, name)), "")
+
+
+def is_taken_run(model: Model, subsystem: str) -> bool:
+    """Whether the run of another is there, and is held here now."""
+    is_own = any(subsystem in run.homes for run in model.every_run)
+    is_run = bool(model.runtime.holds.get(subsystem, HoldView()).application)
+    return is_run and not is_own and is_held_here(model, subsystem)
 
 
 def refused(model: Model, subsystem: str, command: act.Take) -> No | None:
