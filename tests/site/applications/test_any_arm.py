@@ -171,3 +171,19 @@ def test_a_gripper_that_is_nothing_but_files_opens_and_closes_as_far_as_is_wante
     lab.configuration("handC", "hand 250", "squeeze 50")
     lab.application("grasp", [job("handC", "Gripper job"), target("so_far", "Gripper object", opening, "15.0")])
     assert run(lab, "grasp", "--expect", f"GRIP_MEZ[0] >= {low}", "--expect", f"GRIP_MEZ[0] <= {high}") == 0
+
+
+def test_the_tasks_that_know_no_robot_have_a_workshop_to_be_tried_in(tmp_path, capsys):  # R-X19
+    lab, there = Laboratory(tmp_path / "own"), joints("there", 0.3, 0.6, 1.0, 0.2, 0.8, 0.1, duration=2.0)
+    lab.configuration("jmove_posC", "arm_pos 500", "jtraj 250")
+    lab.configuration("jmove_tauC", "arm_tau 500", "comptorque 500", "jtraj 250")
+    lab.configuration("gripC", "grip 250", "fingers 50")
+    lab.configuration("liftC", "axes 500", "jtraj 250")
+    wide, high = target("wide", "Level object", "0.06"), joints("high", 0.15, 1.0, duration=2.0)
+    lab.application("position", [job("jmove_posC", "Joint job"), there, job("gripC", "Level job"), wide])
+    lab.application("torque", [job("jmove_tauC", "Joint job"), there])
+    lab.application("rise", [job("liftC", "Joint job"), high])
+    near = [f"Q_MEZ[{k}] >= {angle - 0.005}" for k, angle in enumerate((0.3, 0.6, 1.0, 0.2, 0.8, 0.1))]
+    assert expect(lab, "position", *near, "GRIP_MEZ[0] >= 0.05") == 0, capsys.readouterr()
+    assert expect(lab, "torque", *near) == 0, capsys.readouterr()
+    assert expect(lab, "rise", "Q_MEZ[0] >= 0.145", "Q_MEZ[1] >= 0.99") == 0, capsys.readouterr()
