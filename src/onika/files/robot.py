@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from onika.files import base_block, sensor_block
+from onika.files import base_block, camera as camera_block, sensor_block
 from onika.files.block_words import BlockWords, number_row, text_row
 from onika.files.layout import carry_comments
 from onika.files.line import FileLine, row, show_number, split
@@ -57,7 +57,8 @@ def read(text: str, name: str, place_file: str) -> tuple[RobotText | None, tuple
     reading.open_versioned(text, extended=True)
     if reading.is_over:
         return None, reading.faults
-    head, *blocks = split(reading.lines, {"ARM", "AXES", "GRIPPER", "BASE", "SENSOR"})
+    head, *every = split(reading.lines, {"ARM", "AXES", "GRIPPER", "BASE", "SENSOR", camera_block.HEAD})
+    blocks = [block for block in every if block[0].keyword != camera_block.HEAD]
     words = BlockWords(head, _HEAD, reading)
     if reading.lines and not reading.is_extended:
         reading.fault(reading.lines[0].number, Reason.of("files.version_of_ours", extended=EXTENDED))
@@ -67,9 +68,13 @@ def read(text: str, name: str, place_file: str) -> tuple[RobotText | None, tuple
     if words.has(attached) != words.has("ON"):
         words.wrong(attached if words.has(attached) else "ON", Reason.of("files.hand_and_site"))
     devices = tuple(_device(block, reading) for block in blocks)
-    _check_twice(blocks, reading)
+    seen = [BlockWords(block, camera_block.SLOTS, reading) for block in every if block not in blocks]
+    cameras = tuple(camera_block.camera(block) for block in seen)
+    _check_twice(every, reading)
     _check_moves(blocks, devices, reading)
-    robot = RobotText(name, words.file("FILE"), words.text("DESC"), hand, on, devices, words.lines, links)
+    robot = RobotText(
+        name, words.file("FILE"), words.text("DESC"), hand, on, devices, words.lines, links, cameras=cameras
+    )
     return (None if reading.broken else robot), reading.faults
 
 
@@ -80,6 +85,7 @@ def write(robot: RobotText, former: str = "") -> str:
     parts += [row("HAND", robot.hand)] if robot.hand else []
     parts += [row("ON", robot.on)] if robot.on else []
     parts += ["\n" + _show(device) for device in robot.devices]
+    parts += ["\n" + camera_block.show(camera) for camera in robot.cameras]
     return carry_comments(former, "".join([*parts, "\n", row("EOF")]))
 
 

@@ -2,12 +2,13 @@
 
 from collections.abc import Iterable, Mapping
 
-from onika.files import sensor_block
+from onika.files import camera as camera_block, sensor_block
 from onika.files.block_words import BlockWords, number_row, text_row
 from onika.files.layout import carry_comments
 from onika.files.line import row, show_number, split
 from onika.files.text_reading import KeywordSlot, Need, TextReading
 from onika.files.version import EXTENDED
+from onika.model.camera import CameraBlock
 from onika.model.robot import SensorBlock
 from onika.model.world import (
     CONES,
@@ -44,6 +45,7 @@ _SLOTS = {
     "LAMP": (KeywordSlot("LAMP"), KeywordSlot("WHEN"), KeywordSlot("SHINES", Need.OPTIONAL)),
     "BUTTON": (KeywordSlot("BUTTON"), KeywordSlot("STOPS")),
     "SENSOR": sensor_block.SLOTS,
+    camera_block.HEAD: camera_block.SLOTS,
 }
 
 
@@ -98,6 +100,8 @@ def _show(block: Block) -> str:
             return row("LAMP", block.name) + row("WHEN", *block.when) + shines
         case SensorBlock():
             return sensor_block.show_sensor(block)
+        case CameraBlock():
+            return camera_block.show(block)
     return row("BUTTON", block.name) + row("STOPS", *block.stops)
 
 
@@ -131,6 +135,8 @@ def _block(words: BlockWords, keyword: str) -> Block:
             return LampBlock(words.name("LAMP"), when, shines, words.lines)
         case "SENSOR":
             return sensor_block.read_sensor(words)
+        case camera_block.HEAD:
+            return camera_block.camera(words)
     return ButtonBlock(words.name("BUTTON"), words.words("STOPS", Reason.of("files.names_of_places")), words.lines)
 
 

@@ -6,6 +6,8 @@ Names of sites, bodies, actuators and sensors are those of the model. Where a li
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from onika.model.camera import CameraBlock
+
 Numbers = tuple[float, ...]
 Lines = Mapping[str, int]
 """Where each keyword of a block stands in its file; 0 for one that is not there."""
@@ -120,6 +122,7 @@ class RobotText:
     devices: tuple[RobotDevice, ...] = ()
     lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
     links: tuple[str, ...] = ()
+    cameras: tuple[CameraBlock, ...] = ()
 
     @property
     def models(self) -> tuple[str, ...]:

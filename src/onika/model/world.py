@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 
+from onika.model.camera import CameraBlock
 from onika.model.robot import Lines, Numbers, SensorBlock
 
 UNNAMED = "-"
@@ -83,7 +84,7 @@ class ButtonBlock:
     lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
 
 
-Block = PartBlock | PlaceBlock | SwitchBlock | LampBlock | ButtonBlock | SensorBlock
+Block = PartBlock | PlaceBlock | SwitchBlock | LampBlock | ButtonBlock | SensorBlock | CameraBlock
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,6 +135,11 @@ class WorldText:
     def buttons(self) -> tuple[ButtonBlock, ...]:
         """Its panic buttons."""
         return tuple(block for block in self.blocks if isinstance(block, ButtonBlock))
+
+    @property
+    def cameras(self) -> tuple[CameraBlock, ...]:
+        """Its cameras, but for those of its robots."""
+        return tuple(block for block in self.blocks if isinstance(block, CameraBlock))
 
     @property
     def robots(self) -> tuple[str, ...]:

@@ -30,13 +30,15 @@ class DeviceSheet:
     """A device by name: the doubles it publishes, the doubles a command carries and who it is.
 
     `state[0]` is always the world's time in seconds and `state[1]` the state of the drive. `command` is empty for a
-    device that only publishes.
+    device that only publishes. `picture` is the height and width of what a camera sees, in pixels, and empty for all
+    others; `state[2]` of a camera counts its pictures.
     """
 
     name: str
     state: tuple[str, ...]
     command: tuple[str, ...]
     identity: Mapping[str, tuple[float, ...] | str]
+    picture: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

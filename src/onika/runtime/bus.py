@@ -17,9 +17,11 @@ from onika.ring.segment import Segment
 from onika.ring.slots import Ring
 from onika.runtime import world_start
 from onika.runtime.command import DeviceGrant
+from onika.runtime.picture import Pictures
 from onika.words.reason import Reason
 
-SEGMENT_SIZE = 1 << 22
+SEGMENT_SIZE = 1 << 26
+"""Bytes reserved for a bus, pictures of cameras included; untouched ones cost nothing."""
 
 
 class World(Protocol):
@@ -114,7 +116,8 @@ class Bus:
         self.world = world
         self._view = segment.view
         self._sheets = {sheet.name: sheet for sheet in world.devices()}
-        self._offsets = _layout(world.devices())
+        self._offsets, end = _layout(world.devices())
+        self._pictures = Pictures(segment.view, world, world.devices(), end)
         self._commands: dict[str, _Commands] = {}
         self._publishers: dict[str, Callable[[], None]] = {}
 
@@ -139,10 +142,8 @@ class Bus:
             self._commands[device] = _Commands(device, epoch, ring, len(sheet.command))
         self._publishers[device] = self._publisher(sheet, state_at)
         self._publishers[device]()
-        command = command_at if sheet.command else None
-        return DeviceGrant(
-            f"bus:{self.name}", device, sheet.state, sheet.command, dict(sheet.identity), epoch, state_at, command
-        )
+        places = state_at, command_at if sheet.command else None, sheet.picture, self._pictures.use(device)
+        return DeviceGrant(f"bus:{self.name}", device, sheet.state, sheet.command, dict(sheet.identity), epoch, *places)
 
     def release(self, device: str, epoch: int) -> None:
         """The claim ends: the drive holds."""
@@ -150,12 +151,14 @@ class Bus:
         if commands is not None and commands.epoch == epoch:
             commands.pump(self.world)
             del self._commands[device]
+        self._pictures.leave(device)
         self.world.release(device, epoch)
 
     def step(self, until_ns: int) -> None:
         """Deliver fresh commands, advance the world, publish its devices' states."""
         self.deliver()
         self.world.step(until_ns)
+        self._pictures.publish()  # before the states, which say which picture is the newest
         for publish in self._publishers.values():
             publish()
 
@@ -229,11 +232,11 @@ class _Commands:
             world.command(self._device, int(epoch), int(order), self._values)
 
 
-def _layout(sheets: Sequence[DeviceSheet]) -> dict[str, tuple[int, int]]:
-    """Offsets of state and command rings of every device, in the world's order."""
+def _layout(sheets: Sequence[DeviceSheet]) -> tuple[dict[str, tuple[int, int]], int]:
+    """Offsets of state and command rings of every device, in the world's order, and where they end."""
     offsets, end = {}, 0
     for sheet in sheets:
         command_at = end + Ring.footprint(8 * len(sheet.state))
         offsets[sheet.name] = (end, command_at)
         end = command_at + Ring.footprint(8 * (2 + len(sheet.command)))
-    return offsets
+    return offsets, end

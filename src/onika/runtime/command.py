@@ -26,6 +26,9 @@ class DeviceGrant(Struct, frozen=True):
     epoch: int
     state_offset: int
     command_offset: int | None
+    picture: tuple[int, ...] = ()
+    """Of a camera: height and width of its pictures in pixels."""
+    picture_offset: int = 0
 
 
 class Spawn(Struct, frozen=True, tag=True):

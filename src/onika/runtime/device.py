@@ -8,6 +8,7 @@ import numpy as np
 
 from onika.ring.device import DeviceOrder, DeviceSheet, DriveState
 from onika.ring.slots import Ring
+from onika.runtime.picture import PictureReader
 from onika.words.reason import Reason
 
 if TYPE_CHECKING:
@@ -26,8 +27,11 @@ SILENCE_NS = 60_000_000
 class Device:
     """Latest-value access to one device; `write` and `hold` command it, where the task claimed it."""
 
-    def __init__(self, sheet: DeviceSheet, epoch: int, state: Ring, command: Ring | None) -> None:
+    def __init__(
+        self, sheet: DeviceSheet, epoch: int, state: Ring, command: Ring | None, picture: Ring | None = None
+    ) -> None:
         self.sheet = sheet
+        self._picture = None if picture is None else PictureReader(picture, sheet.picture)
         self._state = np.zeros(len(sheet.state))
         self._words = state.words
         self._flat = self._state.data
@@ -76,6 +80,15 @@ class Device:
         """The newest values, in the order of `sheet.state` without time and drive state; the same array each time."""
         self._fetch()
         return self._values
+
+    def picture(self) -> "NDArray[np.uint8]":
+        """The newest picture of a camera, uint8[H,W,3] as red, green, blue from the top left; the same array each time.
+
+        Zeros before the first one. Raises ValueError for a device that is no camera.
+        """
+        if self._picture is None:
+            raise ValueError(Reason.of("runtime.takes_no_pictures", name=self.sheet.name))
+        return self._picture.read()
 
     def write(self, values: Sequence[float]) -> None:
         """Command these values, in the order of `sheet.command`, from the world's next step on.

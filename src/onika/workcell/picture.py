@@ -93,8 +93,11 @@ def draw(snapshot: WorldSnapshot, size: tuple[int, int] = SIZE) -> Pixels:
     return pixels
 
 
-def png(pixels: Pixels) -> bytes:
-    """A PNG file of uint8[height,width,3] (RFC 2083), each line as its difference to the one above."""
+def png(pixels: Pixels, effort: int = 9) -> bytes:
+    """A PNG file of uint8[height,width,3] (RFC 2083), each line as its difference to the one above.
+
+    `effort` is how much time goes into making it small, 1 to 9.
+    """
     height, width, _ = pixels.shape
     lines = pixels.reshape(height, width * 3)
     rows = np.empty((height, 1 + width * 3), dtype=np.uint8)
@@ -102,7 +105,7 @@ def png(pixels: Pixels) -> bytes:
     rows[0, 1:] = lines[0]
     np.subtract(lines[1:], lines[:-1], out=rows[1:, 1:])
     header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
-    chunks = ((b"IHDR", header), (b"IDAT", zlib.compress(rows.tobytes(), 9)), (b"IEND", b""))
+    chunks = ((b"IHDR", header), (b"IDAT", zlib.compress(rows.tobytes(), effort)), (b"IEND", b""))
     return b"\x89PNG\r\n\x1a\n" + b"".join(_chunk(tag, data) for tag, data in chunks)
 
 

@@ -94,10 +94,11 @@ class Spawner:
         return structs.replace(order, cost_ns=0)
 
     def release(self, task: str, member: Member) -> None:
-        """Give back the device that a task was granted for itself alone; harmless where it has none."""
+        """Give back the device that a task was granted for itself alone, or a camera; harmless where it has none."""
         grant, device = self._grants.pop(task, None), member.wired.device
         self._claims.pop(task, None)
-        if grant is not None and grant.command_offset is not None and device is not None:
+        is_counted = grant is not None and (grant.command_offset is not None or bool(grant.picture))
+        if is_counted and device is not None:
             self._units.release(device)
 
 

@@ -110,7 +110,7 @@ class WallDriver:
 
     def release(self, device: str) -> None:
         """Give a device back."""
-        epoch, _ = self._claims.pop(device)
+        epoch, _ = self._claims.pop(device, (0, ""))  # a camera may be given back more than once
         world, _ = split(device)
         self._devices.send(world, device_server.ReleaseDevice(device, epoch))
 

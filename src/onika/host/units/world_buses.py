@@ -66,7 +66,7 @@ class Buses:
     def release(self, device: str) -> None:
         """Give a device back."""
         world, name = split(device)
-        self._buses[world].release(name, self._claims.pop(device))
+        self._buses[world].release(name, self._claims.pop(device, 0))  # a camera may be given back more than once
 
     def scene(self, world: str) -> dict[str, Any] | None:
         """What an open world consists of."""
@@ -154,6 +154,7 @@ class Buses:
             bus.step(now)
             if self._is_stopped:
                 bus.world.stop()
+            getattr(bus.world, "render_in_step", _nothing)()
             watch = getattr(bus.world, "watch_mishaps", None)
             if self._tell_mishap is not None and watch is not None:
                 watch()
@@ -184,3 +185,7 @@ class Buses:
         for mishap in take():
             devices = tuple(f"{world}:{device}" for device in mishap.devices)
             tell(event.Mishap(world, mishap.text, devices, 0.0, mishap.poses, mishap.lit), mishap.at_ns)
+
+
+def _nothing() -> None:
+    """A world without cameras renders nothing."""

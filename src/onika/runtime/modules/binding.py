@@ -15,6 +15,7 @@ from onika.runtime.command import DeviceGrant, Spawn
 from onika.runtime.declaration import PortDeclaration, slot
 from onika.runtime.device import Device
 from onika.runtime.modules.module import Module
+from onika.runtime.picture import picture_size
 from onika.words.name import SVAR_NAME
 from onika.words.reason import Reason
 from onika.words.shape import Shape
@@ -191,10 +192,11 @@ def give_locals(instance: Module, parameters: SimpleNamespace) -> None:
 def attach(grant: DeviceGrant, views: Views) -> Device:
     """The task's end of a granted device."""
     view = views[grant.segment]
-    sheet = DeviceSheet(grant.name, grant.state, grant.command, grant.identity)
+    sheet = DeviceSheet(grant.name, grant.state, grant.command, grant.identity, grant.picture)
     state = Ring(view, grant.state_offset, 8 * len(sheet.state))
+    picture = Ring(view, grant.picture_offset, picture_size(grant.picture)) if grant.picture else None
     if grant.command_offset is None:
-        return Device(sheet, grant.epoch, state, None)
+        return Device(sheet, grant.epoch, state, None, picture)
     command = Ring(view, grant.command_offset, 8 * (2 + len(sheet.command)))
     return Device(sheet, grant.epoch, state, command)
 

@@ -8,6 +8,7 @@ import mujoco
 from onika.model.world import CONES, UNNAMED, PartBlock, PlaceBlock, Spot
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
+from onika.workcell.composed.camera_spec import add_cameras, add_sky
 from onika.workcell.composed.robot_model import RobotModel, compiled, robot_model, robot_spec
 from onika.workcell.composed.sources import SourceTexts
 
@@ -55,6 +56,9 @@ class Composition:
             self._attach_part(spec, part, offsets.get(part.name, (0.0, 0.0)))
         for place in self.places:
             self._attach_robot(spec, place, self.robots[standing[place.name]])
+        add_cameras(spec, self.world.cameras)
+        if is_drawn:
+            add_sky(spec)
         return compiled(spec)
 
     def _robot(self, name: str) -> None:

@@ -2,11 +2,12 @@
 
 from collections.abc import Sequence
 
+from onika.model.camera import CameraBlock
 from onika.model.robot import RobotArm, RobotDevice, RobotText
 from onika.model.world import UNNAMED
 
 
-def device_name(device: RobotDevice, robot: RobotText, others: Sequence[RobotText], place: str) -> str:
+def device_name(device: RobotDevice | CameraBlock, robot: RobotText, others: Sequence[RobotText], place: str) -> str:
     """The name of a robot's device at a place where these other robots may stand too; `-` adds nothing.
 
     The only arm of a robot has the robot's name. Where another robot has a device of the same word, or the robot
@@ -23,4 +24,4 @@ def device_name(device: RobotDevice, robot: RobotText, others: Sequence[RobotTex
 
 
 def _words(robot: RobotText) -> list[str]:
-    return [device.name for device in robot.devices]
+    return [device.name for device in (*robot.devices, *robot.cameras)]

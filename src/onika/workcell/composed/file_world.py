@@ -19,7 +19,7 @@ from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
 from onika.workcell.composed import part_places
 from onika.workcell.composed.cell_lookout import CellLookout
-from onika.workcell.composed.composition import Composition, why_not
+from onika.workcell.composed.composition import Composition
 from onika.workcell.composed.robot_unit import RobotUnit
 from onika.workcell.composed.robot_units import robot_units
 from onika.workcell.composed.sensor_unit import SensorUnit, lacking
@@ -53,7 +53,7 @@ class FileWorld(DrivenWorld):
         robots = {place.name: self._composition.at(place) for place in self._composition.places}
         self._stands = Stands(robots, [*robot_units(self._composition, self._model_with)])
         self._lamps = [*self._usable_lamps()]
-        self._watching: list[DeviceUnit] = [*self._lamps, *self._usable_sensors()]
+        self._watching: list[DeviceUnit] = [*self._lamps, *self._usable_sensors(), *self._more_units()]
         buttons = [*self._panic_buttons()]
         super().__init__([*self._stands.units, *self._watching], buttons)
         self._running: list[RobotUnit] = []
@@ -132,6 +132,10 @@ class FileWorld(DrivenWorld):
         if standing[place] == robot:
             return self._plant.model
         return self._compile({**standing, place: robot}, is_drawn=False)
+
+    def _more_units(self) -> Sequence[DeviceUnit]:
+        """Devices of which only the class below this one knows."""
+        return ()
 
     def _usable_lamps(self) -> Iterator[SwitchLamp]:
         """The lamps whose switches have all that they name."""
@@ -253,16 +257,6 @@ class FileWorld(DrivenWorld):
             if isinstance(unit, RobotUnit) and unit.is_away:
                 arm = Reason.of("workcell.named_robot", name=unit.sheet.name)
                 yield Displacement(Reason.of("workcell.arm_away", arm=arm), is_harmless=True)
-
-
-def judged(files: WorldSource) -> tuple[Fault, ...]:
-    """All that is wrong with the files of a world, and what is left out for that."""
-    sources = SourceTexts(files)
-    try:
-        return FileWorld(files).faults
-    except ValueError as wrong:
-        others = tuple(sources.faults)
-        return others or (why_not(wrong, sources),)
 
 
 def _unlogged(_text: str) -> None:

@@ -1,6 +1,6 @@
 """A robot compiled by itself: the constants of its devices, the same wherever it will stand."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 from xml.etree import ElementTree
@@ -12,6 +12,7 @@ from onika.model.robot import RobotArm, RobotAxes, RobotBase, RobotDevice, Robot
 from onika.words.fault import Fault
 from onika.words.reason import Reason, reason_of
 from onika.workcell.composed.base_facts import FREE_JOINT, BaseFacts, base_facts
+from onika.workcell.composed.camera_spec import add_cameras, lenses
 from onika.workcell.composed.gripper_facts import GripperFacts, gripper_facts
 from onika.workcell.composed.joint_facts import JointFacts, Unfit, arm_facts, axes_facts, shared
 from onika.workcell.composed.sensor_unit import lacking
@@ -35,12 +36,14 @@ class RobotModel:
     """A robot's file, and what is known of its devices; what cannot be used is lacking, with a fault.
 
     excluded   pairs of bodies that reach into each other at home, as their shapes are drawn and not meant to meet
+    lenses     how much each of its cameras sees from below to above (degrees)
     """
 
     robot: RobotText
     joints: tuple[JointFacts, ...]
     grippers: tuple[GripperFacts, ...]
     excluded: tuple[tuple[str, str], ...]
+    lenses: Mapping[str, float]
     bases: tuple[BaseFacts, ...] = ()
     sensors: tuple[SensorBlock, ...] = ()
 
@@ -57,6 +60,7 @@ def robot_spec(sources: SourceTexts, robot: RobotText) -> mujoco.MjSpec:
     _free(spec, robot)
     _name(spec)
     spec.worldbody.add_site(name=ORIGIN)
+    add_cameras(spec, robot.cameras)
     _refuse_reversed(spec)
     for body in spec.bodies[1:]:
         body.gravcomp = 1.0  # there when it is compiled, so that a drive may bear the weight; a motor takes it back
@@ -94,6 +98,7 @@ def robot_model(sources: SourceTexts, robot: RobotText, faults: list[Fault]) -> 
         joints,
         tuple(facts for facts in usable if isinstance(facts, GripperFacts)),
         tuple(_touching(model, robot, joints)),
+        lenses(model),
         tuple(facts for facts in usable if isinstance(facts, BaseFacts)),
         tuple(facts for facts in usable if isinstance(facts, SensorBlock)),
     )

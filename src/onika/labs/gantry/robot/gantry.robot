@@ -14,4 +14,6 @@ MOVES       squeeze
 OPEN        0.04 0.104
 CLOSED      0 0.024
 
+CAMERA      wrist
+
 EOF

@@ -1,0 +1,117 @@
+"""A world that is files, with its cameras (requirement F05)."""
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+import numpy.typing as npt
+
+from onika.model.camera import CameraBlock
+from onika.ring.device import DriveEvent
+from onika.wire.world_source import WorldSource
+from onika.words.fault import Fault
+from onika.words.reason import Reason
+from onika.workcell.composed.camera_spec import eye_of, focal_length, lenses
+from onika.workcell.composed.camera_unit import CameraUnit
+from onika.workcell.composed.composition import prefix_of, why_not
+from onika.workcell.composed.device_names import device_name
+from onika.workcell.composed.file_world import FileWorld
+from onika.workcell.composed.filming import Filming
+from onika.workcell.composed.sources import SourceTexts
+
+MOST = 8
+"""Cameras of a world; their pictures have to find room on its bus."""
+
+
+class FilmedWorld(FileWorld):
+    """The world of these files and its cameras; raises ValueError with the first reason where there is none."""
+
+    def __init__(self, files: WorldSource, seed: int | None = None) -> None:
+        self._cameras: tuple[CameraUnit, ...] = ()
+        super().__init__(files, seed)
+        self._filming = Filming(files, self._cameras)
+
+    def render_in_step(self) -> None:
+        """From now on each picture is there at its instant: the world waits for it, in virtual time."""
+        self._filming.waits = True
+
+    def look(self, device: str, is_wanted: bool) -> None:
+        """Tasks use the pictures of a camera from now on, or none does any more."""
+        self._filming.use(device, is_wanted, self.now_ns)
+
+    def show(self, device: str, is_shown: bool) -> None:
+        """Somebody looks at the pictures of a camera from now on, or nobody any more; nothing for another device."""
+        self._filming.show(device, is_shown, self.now_ns)
+
+    def take_small(self) -> dict[str, tuple[int, int, bytes]]:
+        """Of cameras at which somebody looks the newest picture since the last call: number, when (ns), JPEG or PNG."""
+        return self._filming.take_small()
+
+    def picture(self, device: str) -> npt.NDArray[np.uint8]:
+        """The newest picture of a camera, uint8[H,W,3]; the same array always."""
+        return next(unit.pixels for unit in self._cameras if unit.sheet.name == device)
+
+    def step(self, until_ns: int) -> None:
+        """As any world; the cameras take their pictures between two steps, at their instants."""
+        filming = self._filming
+        while filming.due_ns <= until_ns:
+            super().step(filming.due_ns)
+            filming.expose(max(self.now_ns, filming.due_ns), self._plant, dict(self._stands.acting), self.lit)
+        super().step(until_ns)
+        filming.take_in(self.now_ns)
+
+    def take_events(self) -> list[DriveEvent]:
+        """The changes of drives since the last call, and of cameras."""
+        return [*super().take_events(), *self._filming.take_events()]
+
+    def _more_units(self) -> Sequence[CameraUnit]:
+        cameras = [*self._of_world(), *self._of_robots()]
+        for unit in cameras[MOST:]:
+            self._tell(0, Reason.of("workcell.many_cameras", most=MOST), unit.sheet.name)
+        self._cameras = tuple(cameras[:MOST])
+        return self._cameras
+
+    def _of_world(self) -> Iterator[CameraUnit]:
+        there = lenses(self._plant.model)
+        for camera in self._composition.world.cameras:
+            eye = eye_of(camera)
+            if eye in there:
+                yield CameraUnit(camera.name, camera, eye, focal_length(there[eye], camera.size[1]))
+            else:
+                reason, keyword = _lacking(camera, there)
+                self._tell(camera.lines.get(keyword, 0), reason, camera.name)
+
+    def _of_robots(self) -> Iterator[CameraUnit]:
+        for place in self._composition.places:
+            there = [self._composition.robots[name].robot for name in self._composition.at(place)]
+            for robot in there:
+                model = self._composition.robots[robot.name]
+                for camera in robot.cameras:
+                    eye = eye_of(camera)
+                    if eye in model.lenses:
+                        name = device_name(camera, robot, there, place.name)
+                        focal = focal_length(model.lenses[eye], camera.size[1])
+                        yield CameraUnit(name, camera, prefix_of(place.name) + eye, focal, place.name)
+                    else:
+                        reason, keyword = _lacking(camera, model.lenses)
+                        where = self._composition.sources.robot_place(robot.name, camera.lines.get(keyword, 0))
+                        instead = Reason.of("workcell.device_left_out", name=camera.name)
+                        self._composition.faults.append(Fault(where, reason, instead))
+
+
+def judged(files: WorldSource) -> tuple[Fault, ...]:
+    """All that is wrong with the files of a world, and what is left out for that."""
+    sources = SourceTexts(files)
+    try:
+        return FilmedWorld(files).faults
+    except ValueError as wrong:
+        others = tuple(sources.faults)
+        return others or (why_not(wrong, sources),)
+
+
+def _lacking(camera: CameraBlock, there: dict[str, float]) -> tuple[Reason, str]:
+    """Why a camera cannot be used, and the line of its block that says so."""
+    if camera.at:
+        return Reason.of("workcell.no_body_for_camera", name=camera.on), "ON"
+    names = tuple(there)[:20] or Reason.of("workcell.none")
+    reason = Reason.of("workcell.no_such_name", there=names, name=camera.view or camera.name)
+    return reason, "VIEW" if camera.view else "CAMERA"
