@@ -9,7 +9,14 @@ from msgspec import structs
 
 from onika.host.edit import edit_objections, failed_writers, hand_writing, tight_units, transactions
 from onika.host.loading.module_questions import ModuleQuestions
-from onika.host.loading.plan_checks import absent_devices, conflicts, cycles, shapeless, shared_devices
+from onika.host.loading.plan_checks import (
+    absent_devices,
+    conflicts,
+    cycles,
+    shapeless,
+    shared_devices,
+    states_constants,
+)
 from onika.host.loading.plan_form import wrong_code, wrong_tasks, wrong_worlds
 from onika.host.loading.plan_preparation import unknown_parameters
 from onika.host.subsystems.live_subsystem import LiveSubsystem, Transaction
@@ -274,7 +281,7 @@ class LiveEditor:
         constants: dict[str, dict[str, int]] = {}
         faults = []
         code = {code.digest: code for code in order.code}
-        for wired_task in (wired_task for wired_task in new if wired_task.sheet.hardware):
+        for wired_task in filter(states_constants, new):
             stated = self._loading.constants(code[wired_task.task.digest], wired_task.task.local)
             if isinstance(stated, Fault):
                 faults.append(stated)

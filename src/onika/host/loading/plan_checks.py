@@ -161,6 +161,12 @@ def remarks(tasks: Sequence[WiredTask], loading: ModuleQuestions) -> list[Reason
     return notes
 
 
+def states_constants(wired_task: WiredTask) -> bool:
+    """Whether a task is asked for its constants before it lives: hardware, and what its device gives its shapes."""
+    shapes = {name for port in wired_task.ports for name in port.shape.names}
+    return wired_task.sheet.hardware or (wired_task.device is not None and not shapes.isdisjoint(wired_task.outconst))
+
+
 def shapeless(wired: Sequence[WiredTask], constants: Mapping[str, Any]) -> list[Fault]:
     """Tasks whose own shapes depend on a constant that they supply themselves, and do not state before they live."""
     return [

@@ -14,6 +14,7 @@ from onika.host.loading.plan_checks import (
     remarks,
     shapeless,
     shared_devices,
+    states_constants,
     unfit,
     unfit_together,
     wrong_rates,
@@ -208,18 +209,16 @@ def _values(
     """
     constants: dict[str, Any] = {}
     robots = []
-    for wired_task in (wired_task for wired_task in wired if not wired_task.sheet.hardware):
-        preparation.faults += unfit(wired_task, preparation.code[wired_task.task.digest], {}, loading)
-    for wired_task in (wired_task for wired_task in wired if wired_task.sheet.hardware):
+    for wired_task in sorted(wired, key=lambda wired_task: wired_task.sheet.hardware):
         code = preparation.code[wired_task.task.digest]
-        published = loading.constants(code, wired_task.task.local)
+        published = loading.constants(code, wired_task.task.local) if states_constants(wired_task) else {}
         if isinstance(published, Fault):
             preparation.faults.append(published)
             continue
         aliases = dict(wired_task.task.aliases)
         constants |= {aliases.get(name, name): value for name, value in published.items()}
         preparation.faults += unfit(wired_task, code, published, loading)
-        if published:
+        if published and wired_task.sheet.hardware:
             robots.append((wired_task, code, published))
     preparation.constants[number] = constants
     preparation.faults += shapeless(wired, constants)

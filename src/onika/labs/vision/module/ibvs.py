@@ -31,8 +31,10 @@ class Ibvs(Module):
              SPEED           double     m/s        highest speed
              RISE            double     m/s^2      how fast the speed may change
              WAIT            double     s          how long nothing may be seen
+             MOST            double     s          how long it may take
     Finish   flow 0, loop FALSE, when it has been that near in COUNT pictures
     Errors   nothing seen    for WAIT seconds the point was not seen, or no picture came: ERROR, the arm stays
+             not there       after MOST seconds it has not come to its place: ERROR, the arm stays
     Get/Set  away, in pixels, from the place / -
     Source   dissertation §4.5.3; Chaumette & Hutchinson 2006
     """
@@ -50,19 +52,18 @@ class Ibvs(Module):
     PLACE = Local("double[2]", "-", "where it is to come: shares of width and height", default=(0.5, 0.5))
     NEAR = Local("double", "-", "how near it has to be in pixels", default=2.0, low=0.1)
     COUNT = Local("int", "-", "in how many pictures one after the other", default=3, low=1, high=1000)
-    GAIN = Local(
-        "double", "1/s", "share of the way that it comes nearer in a second", default=3.0, low=0.01, high=10.0
-    )
+    GAIN = Local("double", "1/s", "share of the way that it comes nearer in a second", default=3.0, low=0.01, high=10.0)
     DEPTH = Local("double", "m", "how far away it is, about", default=0.3, low=0.01, high=100.0)
     TURN = Local("double", "rad", "how far the right of the picture is turned from x of the tool", default=0.0)
     SPEED = Local("double", "m/s", "highest speed", default=0.2, low=1e-3)
     RISE = Local("double", "m/s^2", "how fast the speed may change", default=1.0, low=1e-2)
     WAIT = Local("double", "s", "how long nothing may be seen", default=3.0, low=0.1)
+    MOST = Local("double", "s", "how long it may take", default=20.0, low=0.1, high=86_400.0)
 
     def on(self, inputs):
         self._servo = ImageServo(self.FOCAL, self.DEPTH, self.GAIN, self.TURN, self.SPEED, self.RISE)
         self._goal = np.array(self.PLACE) * (self.W, self.H) - 0.5
-        self._number, self._count, self._unseen = 0.0, 0, 0.0
+        self._number, self._count, self._unseen, self._time = 0.0, 0, 0.0, 0.0
         self.V_REF = 0.0
 
     def cycle(self):
@@ -80,6 +81,11 @@ class Ibvs(Module):
         if self._count >= self.COUNT:
             self.V_REF = 0.0
             return finish()
+        self._time += self.dt
+        if self._time > self.MOST:
+            raise ModuleError(
+                "after {seconds:.3g} s it is still {away:.1f} pixels away", seconds=self._time, away=self._away()
+            )
         self.V_REF[:2] = self._servo.move(self.now, self.dt)
         return None
 

@@ -32,10 +32,12 @@ class ToPoint(Module):
              SPEED           double       m/s        highest speed
              RISE            double       m/s^2      how fast the speed may change
              WAIT            double       s          how long it may be lost
+             MOST            double       s          how long it may take
     Input    point           double[2]    -          0..639 pixels to the right and down
     Finish   flow 0, loop FALSE, when it has been that near in COUNT pictures
     Errors   nothing there   all is alike around the point, or it lies beside the picture: ERROR
              lost            for WAIT seconds it was not found, or no picture came: ERROR, the arm stays
+             not there       after MOST seconds it has not come to its place: ERROR, the arm stays
     Get/Set  away, in pixels, from the place / -
     Source   dissertation §4.5.2, §4.5.3
     """
@@ -53,14 +55,13 @@ class ToPoint(Module):
     PLACE = Local("double[2]", "-", "where it is to come: shares of width and height", default=(0.5, 0.5))
     NEAR = Local("double", "-", "how near it has to be in pixels", default=2.0, low=0.1)
     COUNT = Local("int", "-", "in how many pictures one after the other", default=3, low=1, high=1000)
-    GAIN = Local(
-        "double", "1/s", "share of the way that it comes nearer in a second", default=3.0, low=0.01, high=10.0
-    )
+    GAIN = Local("double", "1/s", "share of the way that it comes nearer in a second", default=3.0, low=0.01, high=10.0)
     DEPTH = Local("double", "m", "how far away it is, about", default=0.3, low=0.01, high=100.0)
     TURN = Local("double", "rad", "how far the right of the picture is turned from x of the tool", default=0.0)
     SPEED = Local("double", "m/s", "highest speed", default=0.2, low=1e-3)
     RISE = Local("double", "m/s^2", "how fast the speed may change", default=1.0, low=1e-2)
     WAIT = Local("double", "s", "how long it may be lost", default=3.0, low=0.1)
+    MOST = Local("double", "s", "how long it may take", default=20.0, low=0.1, high=86_400.0)
 
     point = Input("double[2]", "-", "pixels to the right and down", low=0.0, high=639.0)
 
@@ -68,7 +69,7 @@ class ToPoint(Module):
         self._servo = ImageServo(self.FOCAL, self.DEPTH, self.GAIN, self.TURN, self.SPEED, self.RISE)
         self._goal = np.array(self.PLACE) * (self.W, self.H) - 0.5
         self._point, self._patch = np.array(inputs.point), None
-        self._number, self._count, self._unseen = 0.0, 0, 0.0
+        self._number, self._count, self._unseen, self._time = 0.0, 0, 0.0, 0.0
         self.UV = self._point
         self.V_REF = 0.0
 
@@ -84,6 +85,11 @@ class ToPoint(Module):
         if self._count >= self.COUNT:
             self.V_REF = 0.0
             return finish()
+        self._time += self.dt
+        if self._time > self.MOST:
+            raise ModuleError(
+                "after {seconds:.3g} s it is still {away:.1f} pixels away", seconds=self._time, away=self._away()
+            )
         self.V_REF[:2] = self._servo.move(self.now, self.dt)
         return None
 
