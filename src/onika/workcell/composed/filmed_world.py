@@ -1,6 +1,6 @@
 """A world that is files, with its cameras (requirement F05)."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -108,7 +108,7 @@ def judged(files: WorldSource) -> tuple[Fault, ...]:
         return others or (why_not(wrong, sources),)
 
 
-def _lacking(camera: CameraBlock, there: dict[str, float]) -> tuple[Reason, str]:
+def _lacking(camera: CameraBlock, there: Mapping[str, float]) -> tuple[Reason, str]:
     """Why a camera cannot be used, and the line of its block that says so."""
     if camera.at:
         return Reason.of("workcell.no_body_for_camera", name=camera.on), "ON"
