@@ -41,6 +41,8 @@ TRIGGERS = {
     "copy_files",
     "list_files",
     "squeeze",
+    "ibvs",
+    "topoint",
     "gopose",
     "preshape",
 }

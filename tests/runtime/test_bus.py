@@ -87,7 +87,7 @@ def test_devices_lie_one_behind_the_other_from_the_beginning(segment):  # law 16
     state, command = Ring.footprint(8 * 4), Ring.footprint(8 * 3)
     assert [grant.state_offset for grant in grants] == [0, state + command, 2 * (state + command)]
     assert [grant.command_offset for grant in grants] == [state, 2 * state + command, None]
-    assert SEGMENT_SIZE == 4_194_304
+    assert SEGMENT_SIZE == 67_108_864
 
 
 class Store:

@@ -17,20 +17,28 @@ class BenchDevice:
     """A device that says what it is told: write `state`, look at `commands`.
 
     `state` and `command` are the names of its values (time and drive state excepted), `identity` what it says of
-    itself. It publishes before each cycle, with the bench's time.
+    itself. It publishes before each cycle, with the bench's time. `picture` is the height and width of the pictures of
+    a camera: write into `pixels`, uint8[H,W,3].
     """
 
     def __init__(
-        self, state: Iterable[str], command: Iterable[str] = (), identity: Mapping[str, Any] | None = None
+        self,
+        state: Iterable[str],
+        command: Iterable[str] = (),
+        identity: Mapping[str, Any] | None = None,
+        picture: tuple[int, ...] = (),
     ) -> None:
-        self.sheet = DeviceSheet("bench", ("time", "drive", *state), tuple(command), dict(identity or {}))
+        self.sheet = DeviceSheet("bench", ("time", "drive", *state), tuple(command), dict(identity or {}), picture)
+        self.pixels = np.zeros((*picture, 3), np.uint8)
         self.values = np.zeros(len(self.sheet.state))
         self._bytes = Ring.footprint(8 * len(self.sheet.state))
         self._heard = np.zeros(2 + len(self.sheet.command))
-        view = memoryview(bytearray(self._bytes + Ring.footprint(8 * self._heard.size)))
+        self._picture_at = self._bytes + Ring.footprint(8 * self._heard.size)
+        view = memoryview(bytearray(self._picture_at + Ring.footprint(self.pixels.nbytes)))
         self.view = view
         self._state = Ring(view, 0, 8 * self.values.size)
         self._command = Ring(view, self._bytes, 8 * self._heard.size)
+        self._picture = Ring(view, self._picture_at, self.pixels.nbytes)
 
     @property
     def state(self) -> Any:
@@ -55,6 +63,8 @@ class BenchDevice:
     def publish(self, now_ns: int) -> None:
         """Publish `state` with this time."""
         self.values[0] = now_ns * 1e-9
+        if self.sheet.picture:
+            self._picture.write(self.pixels.data)
         self._state.write(self.values.data)
 
     def grant(self) -> command.DeviceGrant:
@@ -63,7 +73,8 @@ class BenchDevice:
         at = self._bytes if sheet.command else None
 
         identity = dict(sheet.identity)
-        return command.DeviceGrant(SEGMENT, sheet.name, sheet.state, sheet.command, identity, 1, 0, at)
+        picture = sheet.picture, self._picture_at if sheet.picture else 0
+        return command.DeviceGrant(SEGMENT, sheet.name, sheet.state, sheet.command, identity, 1, 0, at, *picture)
 
     def _last(self) -> Any:
         self._command.reader(self._heard.data.cast("B"))()

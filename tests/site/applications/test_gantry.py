@@ -33,6 +33,29 @@ def test_the_block_is_put_on_its_pad_and_the_lamp_is_lit(capsys):  # R-X19, R-K0
     assert (code, result["state"], result["notes"]) == (0, "completed", [])
 
 
+def test_the_camera_at_its_wrist_comes_over_the_blue_block_within_three_seconds(capsys):  # R-F05, R-K04, R-X06
+    over = [
+        f"Q_MEZ[{axis}] {than}" for axis, than in ((0, "> -0.463"), (0, "< -0.457"), (1, "> -0.153"), (1, "< -0.147"))
+    ]
+    middle = ["UV[0] > 157.5", "UV[0] < 161.5", "UV[1] > 117.5", "UV[1] < 121.5"]
+    results = []
+    for _ in range(2):
+        results.append(run(capsys, "gantry_blue", "--virtual", *(f"--expect={fact}" for fact in (*over, *middle))))
+        if "cannot render" in str(results[-1]):
+            pytest.skip("this machine cannot render")
+    assert [(code, result["state"]) for code, result in results] == [(0, "completed")] * 2
+    assert results[0][1]["hash"] == results[1][1]["hash"]
+    assert results[0][1]["duration_s"] < 2.6 + 3.0
+
+
+def test_a_point_that_was_clicked_in_the_picture_comes_to_its_middle(capsys):  # R-F05, R-B10
+    middle = ["UV[0] > 157.5", "UV[0] < 161.5", "UV[1] > 117.5", "UV[1] < 121.5"]
+    code, result = run(capsys, "gantry_point", "--virtual", *(f"--expect={fact}" for fact in middle))
+    if "cannot render" in str(result):
+        pytest.skip("this machine cannot render")
+    assert (code, result["state"]) == (0, "completed")
+
+
 def test_where_the_gripper_is_not_opened_the_lamp_stays_dark(tmp_path, capsys):  # R-X19
     copytree(LAB, tmp_path, dirs_exist_ok=True)
     program = tmp_path / "appl" / "gantry_lamp.appl"
@@ -56,7 +79,7 @@ def test_its_plan_brings_the_files_of_its_world():  # R-X19
         ("world/bench.world", "FLOOR       0", "FLOOR       low", 4),
         ("robot/gantry.robot", "TOOL        tip", "TOOL        top", 6),
         ("robot/gantry.robot", "FILE        gantry.xml", "FILE        crane.xml", 3),
-        ("robot/gantry.robot", "EOF", "", 15),
+        ("robot/gantry.robot", "EOF", "", 17),
     ],
 )
 def test_a_broken_world_is_told_with_its_line_before_anything_moves(tmp_path, capsys, file, old, new, line):  # R-X19

@@ -47,6 +47,11 @@ def lenses(model: Any) -> dict[str, float]:
     return {model.camera(k).name: float(np.ravel(model.cam_fovy)[k]) for k in range(model.ncam)}
 
 
+def is_placed(eye: str) -> bool:
+    """Whether a file places this camera of a document, so that it is none of a model."""
+    return f".{eye}".rpartition(".")[0].endswith(f".{_PLACED[:-1]}")
+
+
 def focal_length(lens: float, height: int) -> float:
     """Pixels from the middle of a picture of this height to what is seen at 45 degrees, through this lens (degrees)."""
     return 0.5 * height / math.tan(0.5 * math.radians(lens))

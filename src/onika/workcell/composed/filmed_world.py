@@ -10,7 +10,7 @@ from onika.ring.device import DriveEvent
 from onika.wire.world_source import WorldSource
 from onika.words.fault import Fault
 from onika.words.reason import Reason
-from onika.workcell.composed.camera_spec import eye_of, focal_length, lenses
+from onika.workcell.composed.camera_spec import eye_of, focal_length, is_placed, lenses
 from onika.workcell.composed.camera_unit import CameraUnit
 from onika.workcell.composed.composition import prefix_of, why_not
 from onika.workcell.composed.device_names import device_name
@@ -112,6 +112,6 @@ def _lacking(camera: CameraBlock, there: Mapping[str, float]) -> tuple[Reason, s
     """Why a camera cannot be used, and the line of its block that says so."""
     if camera.at:
         return Reason.of("workcell.no_body_for_camera", name=camera.on), "ON"
-    names = tuple(there)[:20] or Reason.of("workcell.none")
+    names = tuple(name for name in there if not is_placed(name))[:20] or Reason.of("workcell.none")
     reason = Reason.of("workcell.no_such_name", there=names, name=camera.view or camera.name)
     return reason, "VIEW" if camera.view else "CAMERA"

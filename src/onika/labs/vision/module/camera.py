@@ -37,8 +37,13 @@ class Camera(Module):
     def constants(cls, local, identity):
         """Size and focal length, as the camera says them."""
         if "FOCAL" not in identity:
-            raise ValueError("expected a camera, found a device that takes no pictures")
+            return {}
         return {"H": int(identity["H"][0]), "W": int(identity["W"][0]), "FOCAL": float(identity["FOCAL"][0])}
+
+    @classmethod
+    def fits(cls, constants, identity):
+        """Why a device that says this of itself is no camera."""
+        return None if "FOCAL" in identity else "expected a camera, found a device that takes no pictures"
 
     def init(self):
         if not self.device.sheet.picture:
