@@ -1,6 +1,6 @@
 """Pictures of cameras on the device bus: a ring each, behind the states, filled only while somebody uses it.
 
-Two slots and two more lie in each ring, so that whoever reads one is never in the way of the next (decision 50).
+A ring has room for four pictures, so that whoever reads one is never in the way of the next (decision 50).
 """
 
 from collections.abc import Callable, Sequence
@@ -21,7 +21,7 @@ _NUMBER = 2
 """Where the number of the newest picture stands in the state of a camera."""
 
 
-class FilmedWorld(Protocol):
+class CameraWorld(Protocol):
     """What a world with cameras has besides."""
 
     def look(self, device: str, is_wanted: bool) -> None:
@@ -41,7 +41,7 @@ class Pictures:
     """The cameras of one world: their rings from `start` on in the memory of its bus."""
 
     def __init__(self, view: memoryview, world: object, sheets: Sequence[DeviceSheet], start: int) -> None:
-        self._view, self._world = view, cast(FilmedWorld, world)
+        self._view, self._world = view, cast(CameraWorld, world)
         self._sheets = {sheet.name: sheet for sheet in sheets if sheet.picture}
         self._offsets: dict[str, int] = {}
         for name, sheet in self._sheets.items():
