@@ -12,9 +12,9 @@ from onika.words.reason import Reason
 GROUP = "onika.worlds"
 _MEMBERS = (*World.__annotations__, *(name for name in vars(World) if not name.startswith("_")))
 """What a world has to have: the attributes and methods of `World`."""
-_OF_FILES = EntryPoint("files", "onika.workcell.composed.filmed_world:FilmedWorld", GROUP)
+_OF_FILES = EntryPoint("files", "onika.workcell.filmed.filmed_world:FilmedWorld", GROUP)
 """What makes a world of files; it is there without being installed."""
-_JUDGE = EntryPoint("judge", "onika.workcell.composed.filmed_world:judged", GROUP)
+_JUDGE = EntryPoint("judge", "onika.workcell.filmed.filmed_world:judged", GROUP)
 
 
 def open_world(name: str, shake: int | None = None, files: WorldSource | None = None) -> World:

@@ -1,4 +1,4 @@
-"""Renders for the cameras of a world: `python -m onika.workcell.composed.camera_process --fd N --film N --pixels N`.
+"""Renders for the cameras of a world: `python -m onika.workcell.filmed.camera_process --fd N --film N --pixels N`.
 
 A process of its own, of low priority and in one thread, so that no control cycle waits for a picture (decision 50). It
 ends with the other end of its socket. MUJOCO_GL says in which way it draws.
@@ -18,7 +18,9 @@ import numpy.typing as npt
 
 from onika.ring.segment import Segment
 from onika.words.reason import Reason
-from onika.workcell.composed.camera_messages import (
+from onika.workcell.composed.composition import Composition
+from onika.workcell.composed.sources import SourceTexts
+from onika.workcell.filmed.camera_messages import (
     Exposed,
     Exposure,
     Eye,
@@ -27,9 +29,7 @@ from onika.workcell.composed.camera_messages import (
     decode_film,
     encode,
 )
-from onika.workcell.composed.composition import Composition
-from onika.workcell.composed.small_picture import small_picture
-from onika.workcell.composed.sources import SourceTexts
+from onika.workcell.filmed.small_picture import small_picture
 
 NICE = 10
 _LARGEST = 1 << 20  # bytes of an order

@@ -7,9 +7,9 @@ from kit.worlds.file_cells import files_of
 from kit.worlds.filmed_cells import ABOVE, HAND, filmed
 from onika.laws.pictures.blob import ColourBlob
 from onika.ring.device import DriveState
-from onika.workcell.composed import filmed_world
-from onika.workcell.composed.filmed_world import FilmedWorld, judged
-from onika.workcell.composed.filming import Filming
+from onika.workcell.filmed import filmed_world
+from onika.workcell.filmed.filmed_world import FilmedWorld, judged
+from onika.workcell.filmed.filming import Filming
 
 
 @pytest.fixture
@@ -62,7 +62,7 @@ def test_a_camera_moves_nothing(seen):  # R-X06
 
 
 def test_nothing_is_rendered_where_nobody_looks(monkeypatch):  # R-F05
-    monkeypatch.setattr("onika.workcell.composed.filming.CameraRenderer", None)
+    monkeypatch.setattr("onika.workcell.filmed.filming.CameraRenderer", None)
     world = FilmedWorld(filmed())
     world.render_in_step()
     world.step(300_000_000)

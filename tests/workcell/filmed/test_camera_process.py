@@ -3,14 +3,14 @@
 import socket
 
 from kit.worlds.filmed_cells import filmed
-from onika.workcell.composed.camera_messages import Exposure, Film, decode_exposed, encode, laid_out, room_of
-from onika.workcell.composed.camera_process import serve
+from onika.workcell.filmed.camera_messages import Exposure, Film, decode_exposed, encode, laid_out, room_of
+from onika.workcell.filmed.camera_process import serve
 
 EYES = laid_out([("camera.above", (48, 64))])
 
 
 def test_what_keeps_it_from_drawing_is_the_answer_to_every_order(monkeypatch):  # R-F05
-    monkeypatch.setattr("onika.workcell.composed.camera_process.RenderedWorld", None)
+    monkeypatch.setattr("onika.workcell.filmed.camera_process.RenderedWorld", None)
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
     for number in (3, 4):
         ours.send(encode(Exposure(0, number, {}, b"", ())))

@@ -12,13 +12,13 @@ import numpy.typing as npt
 
 from onika.ring.segment import Segment
 from onika.words.reason import Reason
-from onika.workcell.composed.camera_messages import Exposed, Exposure, Film, decode_exposed, encode, room_of
+from onika.workcell.filmed.camera_messages import Exposed, Exposure, Film, decode_exposed, encode, room_of
 
 WAYS = ("egl", "osmesa")
 """Ways to draw without a screen, the better one first."""
 
 _LARGEST = 1 << 20
-_PROCESS = "onika.workcell.composed.camera_process"
+_PROCESS = "onika.workcell.filmed.camera_process"
 _ENDED = "the process that renders has ended"
 
 

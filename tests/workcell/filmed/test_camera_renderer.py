@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from kit.worlds.filmed_cells import filmed
-from onika.workcell.composed.camera_messages import Exposure, Film, laid_out
-from onika.workcell.composed.camera_renderer import WAYS, CameraRenderer
-from onika.workcell.composed.filmed_world import FilmedWorld
+from onika.workcell.filmed.camera_messages import Exposure, Film, laid_out
+from onika.workcell.filmed.camera_renderer import WAYS, CameraRenderer
+from onika.workcell.filmed.filmed_world import FilmedWorld
 
 PATIENCE_S = 20.0
 

@@ -5,7 +5,7 @@ import sys
 import numpy as np
 import pytest
 
-from onika.workcell.composed.small_picture import small_picture
+from onika.workcell.filmed.small_picture import small_picture
 
 PIXELS = np.full((24, 32, 3), 90, np.uint8)
 

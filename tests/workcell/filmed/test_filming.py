@@ -5,7 +5,7 @@ from time import monotonic_ns
 import pytest
 
 from kit.worlds.filmed_cells import filmed
-from onika.workcell.composed.filmed_world import FilmedWorld
+from onika.workcell.filmed.filmed_world import FilmedWorld
 
 STEP_NS = 5_000_000
 

@@ -10,9 +10,9 @@ from onika.ring.drive import NEVER_NS
 from onika.ring.segment import SharedMemoryRefused
 from onika.wire.world_source import WorldSource
 from onika.words.reason import Reason, reason_of
-from onika.workcell.composed.camera_messages import Exposed, Exposure, Film, laid_out
-from onika.workcell.composed.camera_renderer import WAYS, CameraRenderer
 from onika.workcell.composed.camera_unit import CameraUnit
+from onika.workcell.filmed.camera_messages import Exposed, Exposure, Film, laid_out
+from onika.workcell.filmed.camera_renderer import WAYS, CameraRenderer
 from onika.workcell.plant import Plant
 
 _PATIENCE_S = 30.0

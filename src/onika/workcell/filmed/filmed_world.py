@@ -15,8 +15,8 @@ from onika.workcell.composed.camera_unit import CameraUnit
 from onika.workcell.composed.composition import prefix_of, why_not
 from onika.workcell.composed.device_names import device_name
 from onika.workcell.composed.file_world import FileWorld
-from onika.workcell.composed.filming import Filming
 from onika.workcell.composed.sources import SourceTexts
+from onika.workcell.filmed.filming import Filming
 
 MOST = 8
 """Cameras of a world; their pictures have to find room on its bus."""

@@ -1,6 +1,6 @@
 """What a world and the process that renders for it say to each other."""
 
-from onika.workcell.composed.camera_messages import Exposure, decode_exposure, encode, laid_out, room_of
+from onika.workcell.filmed.camera_messages import Exposure, decode_exposure, encode, laid_out, room_of
 
 
 def test_pictures_lie_one_behind_the_other():  # R-F08
