@@ -76,3 +76,14 @@ def test_what_is_no_model_is_told(tmp_path, text, key):  # R-B07
     (tmp_path / "arm.xml").write_text(text)
     _, _, faults = self_contained(tmp_path / "arm.xml")
     assert key in [fault.reason.key for fault in faults]
+
+
+def test_what_is_said_last_of_folders_counts_for_all_that_is_included(tmp_path):  # R-X19
+    (tmp_path / "parts" / "meshes").mkdir(parents=True)
+    (tmp_path / "parts" / "meshes" / "link.obj").write_text("link")
+    included = '<mujoco><compiler meshdir="meshes"/><asset><mesh file="link.obj"/></asset></mujoco>'
+    (tmp_path / "parts" / "arm.xml").write_text(included)
+    last = '<compiler meshdir="parts/meshes"/><compiler angle="radian"/>'
+    (tmp_path / "cell.xml").write_text(f'<mujoco><include file="parts/arm.xml"/>{last}</mujoco>')
+    _, needed, faults = self_contained(tmp_path / "cell.xml")
+    assert (faults, {file.path.name for file in needed}) == ((), {"link.obj", "arm.xml"})

@@ -52,6 +52,7 @@ class _Element:
 def self_contained(path: Path) -> tuple[bytes | None, tuple[Needed, ...], Faults]:
     """The model at a path with other names for its files, these files, and what is wrong; None: it cannot be read."""
     model = _Model(path)
+    model.look(path, within=())
     content = model.rewritten(path, within=())
     return content, tuple(model.needed.values()), tuple(model.faults)
 
@@ -64,6 +65,20 @@ class _Model:
         self._directories: dict[str, str] = {}
         self.needed: dict[str, Needed] = {}
         self.faults: list[Fault] = []
+
+    def look(self, path: Path, within: tuple[Path, ...]) -> None:
+        """Where files are looked for: what is said last counts for the whole document, with all that it includes."""
+        try:
+            elements = list(_elements(_content(path)))
+        except (OSError, ValueError, expat.ExpatError):
+            return  # told where it is rewritten
+        for element in elements:
+            file = self._found(element.tag, element.attributes.get("file", "")) if element.tag == "include" else None
+            if element.tag == "compiler":
+                said = {name: element.attributes[name] for name in _DIRECTORIES if name in element.attributes}
+                self._directories |= said
+            elif file is not None and file not in within:
+                self.look(file, (*within, path, file))
 
     def rewritten(self, path: Path, within: tuple[Path, ...]) -> bytes | None:
         """A file of the model with other names for files; those that it includes are needed, rewritten too."""
@@ -79,9 +94,6 @@ class _Model:
         except expat.ExpatError as wrong:
             self._fault(path, wrong.lineno, Reason.of("store.no_xml", why=expat.errors.messages[wrong.code]))
             return None
-        for element in elements:
-            if element.tag == "compiler":
-                self._directories |= {name: element.attributes.get(name, "") for name in _DIRECTORIES}
         changes = [change for element in elements for change in self._changes(element, path, within)]
         parts, end = [], 0
         for begin, stop, new in sorted(changes):

@@ -60,3 +60,12 @@ def test_a_world_that_cannot_be_compiled_is_refused_with_the_reason(name, old, n
 def test_a_world_whose_text_is_broken_is_refused_with_its_line():  # R-B07
     with pytest.raises(ValueError, match=r"cell\.world:3"):
         composed(changed("world/cell.world", "FLOOR 0", "FLOOR low"))
+
+
+def test_a_robot_whose_inertia_is_that_of_what_is_drawn_keeps_it():  # R-X19
+    bones = '<compiler angle="radian" autolimits="true" inertiafromgeom="true"/>'
+    model = CELL["robot/elbow.xml"].replace('<compiler angle="radian" autolimits="true"/>', bones)
+    model = model.replace('mass="2"/>', 'mass="2" contype="0" conaffinity="0"/>', 1)
+    composition = composed(files_of({**CELL, "robot/elbow.xml": model}))
+    compiled = composition.compile(composition.standing, {}, is_drawn=False)
+    assert compiled.body("left.upper").mass[0] == pytest.approx(2.0)

@@ -35,7 +35,7 @@ def test_a_posture_in_which_the_robot_meets_itself_is_not_taken():  # R-X19
 
 def test_an_arm_of_few_joints_goes_no_straight_line():  # R-X19
     arm = facts()
-    assert straight_line(arm, arm.home) == ()
+    assert straight_line(MODEL, arm, (arm,), arm.home) == ()
 
 
 def test_a_robot_that_reaches_below_its_foot_is_measured():  # R-X19

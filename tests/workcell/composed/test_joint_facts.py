@@ -81,3 +81,11 @@ def test_a_joint_in_two_devices_is_told(model):  # R-X19
     assert isinstance(arm, JointFacts)
     assert shared([arm], axes).reason.args["joint"] == "lift"
     assert shared([], axes) is None
+
+
+def test_a_heavy_robot_without_limits_gets_torques_that_move_it():  # R-X19
+    free = ARM.replace(' ctrlrange="-40 40"', "").replace(' ctrlrange="-200 200"', "")
+    light = arm_facts(mujoco.MjModel.from_xml_string(free), ELBOW, "elbow", {})
+    heavy = arm_facts(mujoco.MjModel.from_xml_string(free.replace('mass="1"', 'mass="3000"')), ELBOW, "elbow", {})
+    assert light.torque.tolist() == [1000.0] * 3
+    assert heavy.torque[1] > 3000 * 9.81 * 0.09 and heavy.torque[2] == 1000.0

@@ -3,7 +3,7 @@
 import pytest
 
 from kit.worlds.file_cells import ARM, CELL, changed, files_of
-from onika.workcell.composed.robot_model import robot_model, robot_spec
+from onika.workcell.composed.robot_model import held_by_mocap, robot_model, robot_spec
 from onika.workcell.composed.sources import SourceTexts
 
 URDF = """<robot name="two">
@@ -82,3 +82,14 @@ def test_links_are_attached_to_each_other_and_joints_keep_their_names():  # R-K0
     assert arm.constants["TOOL"][3::4][:3] == pytest.approx((0.0, 0.0, 0.7))
     robot, (fault,) = facts_of(files_of({**files, "robot/foot.xml": foot.replace("tip", "end")}))
     assert (robot, fault.reason.key, fault.place.line) == (None, "workcell.no_such_name", 2)
+
+
+def test_a_robot_is_not_held_by_a_hand_of_the_simulator():  # R-X19
+    led = '<body name="lead" mocap="true"/><body name="foot">'
+    weld = '<equality><weld name="w" body1="lead" body2="quill"/>'
+    model = ARM.replace('<body name="foot">', led, 1).replace("<equality>", weld, 1)
+    sources = SourceTexts(files_of({**CELL, "robot/elbow.xml": model}))
+    assert list(held_by_mocap(sources.model("robot/elbow.xml"))) == ["quill"]
+    spec = robot_spec(sources, sources.robots["elbow"])
+    assert [equality.name for equality in spec.equalities] == [""]
+    assert list(held_by_mocap(spec)) == []

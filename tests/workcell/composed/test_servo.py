@@ -9,7 +9,7 @@ from onika.workcell.composed.servo import felt_inertia, gains, limit, make_motor
 
 
 def test_gains_are_critical_and_firm_against_friction():  # R-X19
-    made = gains(np.array([0.5, 0.001]), np.array([0.0, 0.1]), np.array([0.0, 1.0]))
+    made = gains(np.array([0.5, 0.001]), np.array([0.0, 0.1]), np.array([0.0, 1.0]), np.zeros(2), np.zeros(2))
     assert made.kp.tolist() == [5000.0, 500.0]
     assert made.kv[0] == pytest.approx(2 * np.sqrt(5000 * 0.5))
     assert made.lead == pytest.approx((made.kv + np.array((0.0, 0.1))) / made.kp)
@@ -21,7 +21,7 @@ def test_any_actuator_becomes_a_servo_or_a_motor():
     felt = felt_inertia(model, data, joints)
     assert (felt > [0.1, 0.05, 0.1]).all()
     limit(model, joints, np.array([1e4, 1e4, 1e4]))
-    make_servo(model, joints, gains(felt, np.zeros(3), np.zeros(3)))
+    make_servo(model, joints, gains(felt, *np.zeros((4, 3))))
     model.opt.gravity[:] = 0.0
     data.ctrl[:3] = 0.2, -0.3, 0.05
     mujoco.mj_step(model, data, 500)
@@ -30,3 +30,11 @@ def test_any_actuator_becomes_a_servo_or_a_motor():
     data.ctrl[:3] = 1.0, 0.0, 0.0
     mujoco.mj_forward(model, data)
     assert data.actuator_force[:3].tolist() == [1.0, 0.0, 0.0]
+
+
+def test_a_spring_in_a_joint_does_not_pull_it_from_where_it_is_told_to_be():  # R-X19
+    made = gains(np.array([0.5]), np.zeros(1), np.zeros(1), np.array([240.0]), np.array([0.1]))
+    (goal,), (signal,) = np.array([0.3]), made.against_springs(np.array([0.3]))
+    assert made.kp[0] * (signal - goal) == pytest.approx(240.0 * (0.3 - 0.1))
+    free = gains(np.array([0.5]), np.zeros(1), np.zeros(1), np.zeros(1), np.zeros(1))
+    assert free.against_springs(np.array([0.3]))[0] == 0.3

@@ -39,3 +39,10 @@ def test_what_is_no_model_is_told(name, why):  # R-B07
     texts = SourceTexts(files_of({**CELL, "robot/elbow.xml": "<mujoco><worldbody>"}))
     with pytest.raises(ValueError, match=why):
         texts.model(name)
+
+
+def test_a_texture_that_is_gone_is_left_out_and_what_is_painted_with_it_stays():  # R-B07, R-X19
+    paint = '<asset><texture name="t" type="2d" file="missing.png"/><material name="m" texture="t"/></asset>'
+    model = f'<mujoco>{paint}<worldbody><geom name="g" size="1" material="m"/></worldbody></mujoco>'
+    spec = SourceTexts(files_of({**CELL, "robot/elbow.xml": model})).model("robot/elbow.xml")
+    assert (len(spec.textures), [geom.name for geom in spec.geoms], spec.compile().nmat) == (0, ["g"], 1)

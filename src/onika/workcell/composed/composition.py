@@ -47,7 +47,18 @@ class Composition:
         return tuple(robot for robot in place.robots if robot in self.robots)
 
     def compile(self, standing: Mapping[str, str], offsets: Offsets, *, is_drawn: bool) -> mujoco.MjModel:
-        """The model with these robots at their places; raises ValueError with the reason why there is none."""
+        """The model with these robots at their places; raises ValueError with the reason why there is none.
+
+        Where nobody looks, shapes that are only drawn are left out, unless a robot's inertia is said to be theirs.
+        """
+        try:
+            return compiled(self._spec(standing, offsets, is_drawn=is_drawn))
+        except ValueError:
+            if is_drawn:
+                raise
+            return compiled(self._spec(standing, offsets, is_drawn=True))
+
+    def _spec(self, standing: Mapping[str, str], offsets: Offsets, *, is_drawn: bool) -> mujoco.MjSpec:
         spec = mujoco.MjSpec()
         spec.modelname = self.world.name
         self._set_physics(spec)
@@ -59,7 +70,7 @@ class Composition:
         add_cameras(spec, self.world.cameras)
         if is_drawn:
             add_sky(spec)
-        return compiled(spec)
+        return spec
 
     def _robot(self, name: str) -> None:
         robot = self.sources.robots.get(name)

@@ -30,7 +30,7 @@ from onika.workcell.composed.draft_motion import (
 )
 from onika.workcell.composed.gripper_facts import GripperFacts
 from onika.workcell.composed.joint_facts import STRONGEST, JointFacts
-from onika.workcell.composed.robot_model import RobotModel, compiled, robot_model, robot_spec
+from onika.workcell.composed.robot_model import RobotModel, compiled, held_by_mocap, robot_model, robot_spec
 from onika.workcell.composed.sources import SourceTexts
 
 Comment = tuple[str, str, Reason]
@@ -90,7 +90,7 @@ def _complete(
     away = beside_home(model, arm, known.excluded)
     lowest = lowest_point(model, arm, (arm.home, away))
     floor = 0.0 if lowest > -_TOUCH_M else float(np.floor(100.0 * (lowest - _SPARE_M)) / 100.0)
-    line = straight_line(arm, away)
+    line = straight_line(model, arm, known.joints, away)
     urdf_speeds = known.robot.file.endswith(_URDF)
     gripper = known.grippers[0] if known.grippers else None
     notes = [*chain.notes, *(Reason.of("workcell.draft_fault", reason=fault.reason) for fault in faults)]
@@ -186,13 +186,16 @@ def _missing(model: Any, chain: DraftChain, arm: JointFacts, sources: SourceText
         yield Reason.of("workcell.draft_endless", joints=endless)
     weak = tuple(name for name, torque in zip(arm.joints, arm.torque, strict=True) if torque >= STRONGEST)
     if weak:
-        yield Reason.of("workcell.draft_strong", joints=weak, most=STRONGEST)
+        yield Reason.of("workcell.draft_strong", joints=weak, most=float(arm.torque.max()))
     light = tuple(
         model.body(body).name for body in dict.fromkeys(int(model.jnt_bodyid[k]) for k in chain.joints)
         if float(np.ravel(model.body_subtreemass[body])[0]) < 1e-4
     )  # fmt: skip
     if light:
         yield Reason.of("workcell.draft_massless", bodies=light)
+    held = tuple(held_by_mocap(sources.model(f"robot/{file}")))
+    if held:
+        yield Reason.of("workcell.draft_held", bodies=held)
     if not len(sources.model(f"robot/{file}").actuators):
         yield Reason.of("workcell.draft_motors")
     coupled = int(np.sum(model.eq_type == int(mujoco.mjtEq.mjEQ_JOINT))) if model.neq else 0

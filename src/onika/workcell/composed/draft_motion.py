@@ -10,7 +10,9 @@ import numpy as np
 from onika.laws import reach
 from onika.laws.arm_identity import arm_constants
 from onika.laws.frames import Array
+from onika.workcell.composed import chain
 from onika.workcell.composed.joint_facts import JointFacts
+from onika.workcell.composed.robot_model import at_home
 
 LEAST_JOINTS = 6
 """An arm of fewer joints goes no straight line to any pose."""
@@ -43,11 +45,15 @@ def seconds_between(facts: JointFacts, away: Array) -> float:
     return max(_SHORTEST_S, float(np.ceil(4.0 * np.max(np.abs(away - facts.home) / facts.speed))))
 
 
-def straight_line(facts: JointFacts, away: Array) -> tuple[float, ...]:
-    """The nine numbers of a pose to which the tool goes straight from there; empty: none was found."""
+def straight_line(model: Any, facts: JointFacts, devices: Sequence[JointFacts], away: Array) -> tuple[float, ...]:
+    """The nine numbers of a pose to which the tool goes straight from there; empty: none was found.
+
+    The pose is that in a world whose middle is the middle of the model; `devices` stand at home.
+    """
     if len(facts.joints) < LEAST_JOINTS:
         return ()
-    constants = arm_constants({**facts.constants, "BASE": tuple(np.eye(4).ravel().tolist())})
+    stand = chain.body_pose(at_home(model, devices), int(model.body(facts.start).id))
+    constants = arm_constants({**facts.constants, "BASE": tuple(stand.ravel().tolist())})
     nine = reach.poses(constants, [away.tolist()])[0]
     for length, way in product(_LINES_M, _ways()):
         points = [_shifted(nine, way, length * k / _POINTS) for k in range(_POINTS + 1)]

@@ -20,7 +20,10 @@ _WIDE = {False: 2.0 * np.pi, True: 10.0}
 """How far a joint without limits goes either way (rad; m)."""
 
 STRONGEST = 1000.0
-"""The highest torque where nobody says one (N m; N)."""
+"""The highest torque where nobody says one (N m; N), of all but heavy robots."""
+
+_GRAVITY = 9.81
+_HURRY = 20.0  # how much faster in a second a heavy joint can become (rad/s; m/s)
 
 _MOST_NAMES = 20
 
@@ -147,14 +150,13 @@ def _facts(
         return Unfit("HOME", Reason.of("workcell.home_outside", joint=names[wrong], value=float(home[wrong])))
     usual = [speeds.get(name, _SPEED[slide]) for name, slide in zip(names, slides, strict=True)]
     speed = np.array(said["SPEED"] or usual)
-    torque = np.array(
-        said["TORQUE"] or [highest_torque(model, at, joint) for at, joint in zip(actuators, joints, strict=True)]
-    )
+    felt = _felt(model, joints, home)
+    torque = np.array(said["TORQUE"] or _torques(model, actuators, joints, felt))
     published = {**constants, "QMIN": lowest, "QMAX": highest, "Q^_MAX": speed, "TAUMAX": torque, "HOME": home}
     sheet: dict[str, Numbers | str] = {name: tuple(value.ravel().tolist()) for name, value in published.items()}
     sheet |= {"ROBOT": robot, "NDOF": (float(len(joints)),), "DRIVE": device.drive}
     own = tuple(model.actuator(at).name for at in actuators)
-    given = _gains(model, joints, home)
+    given = _gains(model, joints, felt)
     return JointFacts(device.name, device.drive, names, own, start, home, lowest, highest, speed, torque, given, sheet)
 
 
@@ -243,15 +245,39 @@ def highest_torque(model: Any, actuator: int, joint: int) -> float:
     return STRONGEST
 
 
-def _gains(model: Any, joints: Sequence[int], home: Array) -> Gains:
+def _torques(model: Any, actuators: Sequence[int], joints: Sequence[int], felt: Array) -> list[float]:
+    """The highest torques; where nobody says one, as much as lifts and hurries what hangs on the joint."""
+    torques = []
+    for actuator, joint, inertia in zip(actuators, joints, felt.tolist(), strict=True):
+        torque = highest_torque(model, actuator, joint)
+        if torque == STRONGEST:
+            mass = float(np.ravel(model.body_subtreemass[model.jnt_bodyid[joint]])[0])
+            weight = _GRAVITY * float(np.sqrt(mass * inertia))  # no lever is longer than that of all mass in one point
+            torque = max(torque, float(np.ceil(weight + _HURRY * inertia)))
+        torques.append(torque)
+    return torques
+
+
+def _felt(model: Any, joints: Sequence[int], home: Array) -> Array:
+    """The inertia that each joint feels at home (kg m2; kg where it slides)."""
     data = mujoco.MjData(model)
     for joint, value in zip(joints, home, strict=True):
         data.qpos[model.jnt_qposadr[joint]] = value
-    dofs = np.array([int(model.jnt_dofadr[joint]) for joint in joints])
+    return felt_inertia(model, data, _dofs(model, joints))
+
+
+def _dofs(model: Any, joints: Sequence[int]) -> Array:
+    return np.array([int(model.jnt_dofadr[joint]) for joint in joints])
+
+
+def _gains(model: Any, joints: Sequence[int], felt: Array) -> Gains:
+    dofs = _dofs(model, joints)
     damping, friction = (
         np.array([float(np.ravel(of[dof])[0]) for dof in dofs]) for of in (model.dof_damping, model.dof_frictionloss)
     )
-    return gains(felt_inertia(model, data, dofs), damping, friction)
+    springs = np.array([float(np.ravel(model.jnt_stiffness[joint])[0]) for joint in joints])
+    slack = np.array([float(model.qpos_spring[model.jnt_qposadr[joint]]) for joint in joints])
+    return gains(felt, damping, friction, springs, slack)
 
 
 def absent(model: Any, keyword: str, kind: str, count: int, name: str) -> Unfit:

@@ -105,7 +105,8 @@ class JointUnit(RobotUnit):
 
     def run_on(self) -> None:
         """The signals of one step, and what is followed in the next one where no command comes."""
-        self._data.ctrl[self._motors] = self._goal + self.facts.gains.lead * self._rate
+        given = self.facts.gains
+        self._data.ctrl[self._motors] = given.against_springs(self._goal) + given.lead * self._rate
         self._goal += self._rate * self._step_s
         np.clip(self._goal, self.facts.lowest, self.facts.highest, out=self._goal)
 
@@ -138,7 +139,7 @@ class JointUnit(RobotUnit):
         self._rate[:] = 0.0
         if self._is_motor:
             self._be_motor(False)
-        self._data.ctrl[self._motors] = self._goal
+        self._data.ctrl[self._motors] = self.facts.gains.against_springs(self._goal)
 
     def _be_motor(self, is_motor: bool) -> None:
         """A motor bears no weight, a servo does."""

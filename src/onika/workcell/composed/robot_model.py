@@ -1,6 +1,7 @@
 """A robot compiled by itself: the constants of its devices, the same wherever it will stand."""
 
-from collections.abc import Iterator, Mapping
+import warnings
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 from xml.etree import ElementTree
@@ -59,6 +60,7 @@ def robot_spec(sources: SourceTexts, robot: RobotText) -> mujoco.MjSpec:
         _attach(spec, sources.model(f"robot/{robot.hand}"), end, HAND)
     _free(spec, robot)
     _name(spec)
+    _let_go(spec)
     spec.worldbody.add_site(name=ORIGIN)
     add_cameras(spec, robot.cameras)
     _refuse_reversed(spec)
@@ -104,10 +106,28 @@ def robot_model(sources: SourceTexts, robot: RobotText, faults: list[Fault]) -> 
     )
 
 
+def at_home(model: Any, devices: Iterable[JointFacts], prefix: str = "") -> Any:
+    """The model's data with these devices at home; `prefix` stands before the names of their joints."""
+    data = mujoco.MjData(model)
+    for facts in devices:
+        for name, value in zip(facts.joints, facts.home, strict=True):
+            data.joint(prefix + name).qpos[0] = value
+    mujoco.mj_forward(model, data)
+    return data
+
+
+def held_by_mocap(spec: mujoco.MjSpec) -> Iterator[str]:
+    """The bodies that a hand of the simulator leads, which no program of ours moves."""
+    for first, other in ((bond.name1, bond.name2) for bond in _leads(spec)):
+        yield other if _is_led(spec, first) else first
+
+
 def compiled(spec: mujoco.MjSpec) -> Any:
     """The model of a document; raises ValueError with what MuJoCo says of it."""
     try:
-        return spec.compile()
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # that a model says options; the world says them
+            return spec.compile()
     except (ValueError, RuntimeError) as wrong:
         raise ValueError(Reason.of("workcell.model_unsound", why=first_line(wrong))) from None
 
@@ -141,6 +161,23 @@ def _free(spec: mujoco.MjSpec, robot: RobotText) -> None:
     drives = any(isinstance(device, RobotBase) and device.wheels for device in robot.devices)
     if drives and body is not None and not len(body.joints):
         body.add_freejoint(name=FREE_JOINT)
+
+
+def _let_go(spec: mujoco.MjSpec) -> None:
+    """Nothing of a robot is held where a hand of the simulator once stood."""
+    for bond in [*_leads(spec)]:
+        spec.delete(bond)
+
+
+def _leads(spec: mujoco.MjSpec) -> Iterator[Any]:
+    kinds = (mujoco.mjtEq.mjEQ_WELD, mujoco.mjtEq.mjEQ_CONNECT)
+    for bond in spec.equalities:
+        if bond.type in kinds and (_is_led(spec, bond.name1) or _is_led(spec, bond.name2)):
+            yield bond
+
+
+def _is_led(spec: mujoco.MjSpec, body: str) -> bool:
+    return any(each.mocap and each.name == body for each in spec.bodies)
 
 
 def _name(spec: mujoco.MjSpec) -> None:
@@ -180,11 +217,7 @@ def _speeds(sources: SourceTexts, robot: RobotText) -> dict[str, float]:
 
 def _touching(model: Any, robot: RobotText, joints: tuple[JointFacts, ...]) -> Iterator[tuple[str, str]]:
     """Bodies that reach into each other at home: of a URDF any two, else a link and what bears it."""
-    data = mujoco.MjData(model)
-    for facts in joints:
-        for name, value in zip(facts.joints, facts.home, strict=True):
-            data.joint(name).qpos[0] = value
-    mujoco.mj_forward(model, data)
+    data = at_home(model, joints)
     pairs = set()
     for contact in np.flatnonzero(data.contact.dist < -_DEEP_M).tolist():
         first, other = sorted(int(model.geom_bodyid[geom]) for geom in data.contact.geom[contact])

@@ -9,7 +9,7 @@ from onika.workcell.composed.composition import Composition, prefix_of
 from onika.workcell.composed.device_names import device_name
 from onika.workcell.composed.finger_unit import FingerUnit
 from onika.workcell.composed.joint_unit import JointUnit, KinematicJointUnit
-from onika.workcell.composed.robot_model import ORIGIN, RobotModel
+from onika.workcell.composed.robot_model import ORIGIN, RobotModel, at_home
 from onika.workcell.composed.robot_unit import RobotUnit
 from onika.workcell.composed.sensor_unit import SensorUnit
 
@@ -36,7 +36,7 @@ def _units_of(robot: RobotModel, called: dict[str, str], place: str, model: Any,
         for base_kind in (BaseUnit, KinematicBaseUnit):
             yield base_kind(called[drives.base.name], drives, name, place, prefix, step_s)
     for facts in robot.joints:
-        base = _base(model, prefix, facts.start) if facts.start else ()
+        base = _base(model, robot, prefix, facts.start) if facts.start else ()
         for kind in (JointUnit, KinematicJointUnit):
             yield kind(called[facts.name], facts, name, place, prefix, step_s, base)
     for fingers in robot.grippers:
@@ -45,9 +45,9 @@ def _units_of(robot: RobotModel, called: dict[str, str], place: str, model: Any,
         yield SensorUnit(called[sensor.name], sensor, model, name, place, prefix)
 
 
-def _base(model: Any, prefix: str, start: str) -> tuple[float, ...]:
-    """Where frame 0 is in the world, double[4,4] in a row: a body of the robot, or its place."""
-    data = chain.at_zero(model, ())
+def _base(model: Any, robot: RobotModel, prefix: str, start: str) -> tuple[float, ...]:
+    """Where frame 0 is in the world at home, double[4,4] in a row: a body of the robot, or its place."""
+    data = at_home(model, robot.joints, prefix)
     if start == _WORLD:
         pose = chain.site_pose(data, int(model.site(prefix + ORIGIN).id))
     else:

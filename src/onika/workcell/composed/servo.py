@@ -20,19 +20,30 @@ _FIRM = 500.0  # how much stiffer than dry friction is strong (1/rad): it then l
 
 @dataclass(frozen=True, slots=True)
 class Gains:
-    """Stiffness, damping, and what a wanted speed adds to the wanted position, of each joint."""
+    """Stiffness, damping, and what a wanted speed adds to the wanted position, of each joint.
+
+    A spring that the model has in a joint pulls it towards `slack`, with `spring` as a part of the servo's stiffness.
+    """
 
     kp: Array
     kv: Array
     lead: Array
+    spring: Array
+    slack: Array
+
+    def against_springs(self, goal: Array) -> Array:
+        """The signal that holds the joints at a goal."""
+        return goal + self.spring * (goal - self.slack) if self.spring.any() else goal
 
 
-def gains(inertia: Array, damping: Array, friction: Array, frequency: float = FREQUENCY) -> Gains:
-    """Of joints with these inertias (kg m2; kg), viscous damping and dry friction."""
+def gains(
+    inertia: Array, damping: Array, friction: Array, spring: Array, slack: Array, frequency: float = FREQUENCY
+) -> Gains:
+    """Of joints with these inertias (kg m2; kg), viscous damping, dry friction, and springs slack at `slack`."""
     kp: Array = np.maximum(frequency**2 * inertia, _FIRM * friction)
     kv: Array = 2.0 * np.sqrt(kp * np.maximum(inertia, kp / frequency**2))
     lead: Array = (kv + damping) / kp
-    return Gains(kp, kv, lead)
+    return Gains(kp, kv, lead, spring / kp, slack)
 
 
 def felt_inertia(model: Any, data: Any, dofs: Array) -> Array:

@@ -1,7 +1,9 @@
 """The files of a world, read: what its texts say, and each model as a document of its own that can be attached."""
 
 import re
+from collections.abc import Iterator
 from pathlib import PurePath
+from typing import Any
 
 import mujoco
 
@@ -90,10 +92,22 @@ def first_line(wrong: Exception) -> Reason:
 
 
 def _drop_missing(spec: mujoco.MjSpec) -> None:
-    """Meshes that are not there, with the shapes made of them."""
-    gone = [mesh for mesh in spec.meshes if mesh.file.startswith(MISSING)]
-    names = {mesh.name for mesh in gone}
-    for geom in [geom for geom in spec.geoms if geom.meshname in names]:
+    """Meshes and fields of heights that are not there, with the shapes made of them, and textures."""
+    gone = [made for made in (*spec.meshes, *spec.hfields) if made.file.startswith(MISSING)]
+    names = {made.name for made in gone}
+    for geom in [geom for geom in spec.geoms if geom.meshname in names or geom.hfieldname in names]:
         spec.delete(geom)
-    for mesh in gone:
-        spec.delete(mesh)
+    textures = [texture for texture in spec.textures if any(file.startswith(MISSING) for file in _files(texture))]
+    unpainted = {texture.name for texture in textures}
+    for material in spec.materials:
+        for role, name in enumerate(material.textures):
+            if name in unpainted:
+                material.textures[role] = ""
+    for made in (*gone, *textures):
+        spec.delete(made)
+
+
+def _files(texture: Any) -> Iterator[str]:
+    """What a texture is read from: one file, or one for each side."""
+    yield texture.file
+    yield from texture.cubefiles

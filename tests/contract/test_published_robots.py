@@ -1,0 +1,150 @@
+"""Published robots, read from their packages as they are: of each a robot is made by one command, and moves (X19)."""
+
+from dataclasses import dataclass
+from importlib.util import find_spec
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+
+from onika.cli import main
+from onika.desk.plan.robot_files import create_robot
+from onika.laws import reach
+from onika.laws.arm import ArmModel
+from onika.laws.arm_identity import arm_constants
+from onika.laws.frames import inverse_pose
+from onika.store.site import open_site
+from onika.store.world_source import gather_world
+from onika.workcell.composed import chain
+from onika.workcell.composed.file_world import FileWorld
+
+GYM, RTB = "gymnasium_robotics", "rtbdata"
+HANDS, ARMS = "envs/assets", "xacro"
+PUBLISHED = {
+    "ABB IRB 140": (RTB, f"{ARMS}/abb_irb140_description/urdf/irb140.urdf", 6),
+    "KUKA KR 16": (RTB, f"{ARMS}/kuka_description/kuka_kr16/urdf/kr16_2.urdf", 6),
+    "KUKA KR 120": (RTB, f"{ARMS}/kuka_description/kuka_kr120/urdf/kr120r2500pro.urdf", 6),
+    "KUKA KR 210": (RTB, f"{ARMS}/kuka_description/kuka_kr210/urdf/kr210l150.urdf", 6),
+    "KUKA LBR iiwa": (RTB, f"{ARMS}/kuka_description/kuka_lbr_iiwa/urdf/lbr_iiwa_14_r820.urdf", 7),
+    "Lynxmotion AL5D": (RTB, f"{ARMS}/lynxmotion_al5d_description/urdf/al5d_robot.urdf", 4),
+    "PUMA 560": (RTB, f"{ARMS}/unimation_puma560_description/urdf/puma560_robot.urdf", 6),
+    "Fetch": (GYM, f"{HANDS}/fetch/reach.xml", 7),
+    "Franka": (GYM, f"{HANDS}/kitchen_franka/kitchen_assets/kitchen_env_model.xml", 7),
+    "Shadow": (GYM, f"{HANDS}/hand/reach.xml", 5),
+    "Adroit": (GYM, f"{HANDS}/adroit_hand/adroit_door.xml", 6),
+    "pusher": (GYM, "envs/mujoco/assets/pusher.xml", 7),
+    "reacher": (GYM, "envs/mujoco/assets/reacher.xml", 2),
+    "humanoid": (GYM, "envs/mujoco/assets/humanoid.xml", 4),
+    "half cheetah": (GYM, "envs/mujoco/assets/half_cheetah.xml", 3),
+    "ant": (GYM, "envs/mujoco/assets/ant.xml", 2),
+}
+"""The package of each, its model there, and the joints of its arm, or of what is most like one."""
+
+QUICK = ("Fetch", "reacher")
+"""Those that are tried in every run; the others are tried by the long tests."""
+
+BEGINS_S, ENDS_S, STEP_NS = 2.0, 0.5, 2_000_000
+TRACKS, RESTS = 0.006, 0.002
+"""How far a joint may be from where it is led, and where it comes to rest (rad; m where it slides)."""
+FAR_M = 1000.0
+
+
+@dataclass(frozen=True, slots=True)
+class Made:
+    """A robot with all its files, and its world; `kept` is what is demanded of its tour."""
+
+    name: str
+    base: Path
+    world: FileWorld
+
+    @property
+    def device(self):
+        return f"{self.name}_stand"
+
+    @property
+    def identity(self):
+        return next(sheet.identity for sheet in self.world.devices() if sheet.name == self.device)
+
+
+@pytest.fixture(
+    params=[pytest.param(name, marks=() if name in QUICK else pytest.mark.slow) for name in PUBLISHED],
+)
+def published(request, tmp_path):
+    package, file, joints = PUBLISHED[request.param]
+    spec = find_spec(package)
+    if spec is None or not spec.submodule_search_locations:
+        pytest.skip(f"{package} of the dev extra is not installed")
+    name = request.param.replace(" ", "_").lower()
+    made = create_robot(Path(spec.submodule_search_locations[0], file), tmp_path, open_site((), {}, None), name)
+    source, faults = gather_world(name, open_site((tmp_path,), {}, None))
+    assert source is not None and made.tour == f"{name}_tour"
+    assert all("mesh" in fault.instead.text or "texture" in fault.instead.text for fault in faults)
+    robot = Made(name, tmp_path, FileWorld(source))
+    assert robot.world.faults == () and robot.identity["NDOF"] == (float(joints),)
+    return robot
+
+
+def test_a_published_robot_is_made_and_moves(published, capsys):  # R-X19, R-K05
+    stands_where_its_model_has_it(published)
+    goes_where_it_is_led_and_bears_its_weight(published)
+    refuses_what_is_out_of_reach(published)
+    assert main(["test", str(published.base)]) == 0, capsys.readouterr()
+
+
+def stands_where_its_model_has_it(robot):
+    """Kinematics of what the device says, against the compiled model."""
+    constants = arm_constants(robot.identity)
+    model, data = robot.world._plant.model, mujoco.MjData(robot.world._plant.model)
+    unit = robot.world._units[robot.device]
+    joints = [model.joint(name).id for name in unit.joint_names]
+    last = int(model.jnt_bodyid[joints[-1]])
+    at, home = model.jnt_qposadr[joints], robot.world._plant.data.qpos
+    law = ArmModel(*(constants[key] for key in ("SCREW", "LINK", "PARENT")), None, constants["BASE"], constants["TOOL"])
+
+    def poses(q):
+        data.qpos[:] = home
+        data.qpos[at] = q
+        mujoco.mj_kinematics(model, data)
+        return chain.body_pose(data, last), law.forward(q)
+
+    random = np.random.default_rng(3)
+    lowest, highest = np.array(robot.identity["QMIN"]), np.array(robot.identity["QMAX"])
+    tool = inverse_pose(poses(np.zeros(len(joints)))[0]) @ law.forward(np.zeros(len(joints)))
+    for q in random.uniform(lowest, highest, (40, len(joints))):
+        body, predicted = poses(q)
+        assert np.abs(body @ tool - predicted).max() < 1e-9
+
+
+def goes_where_it_is_led_and_bears_its_weight(robot):
+    """A joint path of fifth order away from home, led at 500 Hz, and rest."""
+    world, device = robot.world, robot.device
+    world.claim(device, 1)
+    n = int(robot.identity["NDOF"][0])
+    lowest, highest = np.array(robot.identity["QMIN"]), np.array(robot.identity["QMAX"])
+    start = np.array(world.state(device)[2 : 2 + n])
+    inwards = np.where(start > (lowest + highest) / 2.0, -1.0, 1.0)  # at a limit its own softness pushes
+    way = 0.2 * inwards * np.minimum(1.0, (highest - lowest) / 2.0)
+    worst = 0.0
+    for k in range(1, round((BEGINS_S + ENDS_S) * 1e9 / STEP_NS) + 1):
+        s = min(k * STEP_NS * 1e-9 / BEGINS_S, 1.0)
+        q = start + way * s**3 * (10.0 - 15.0 * s + 6.0 * s * s)
+        qd = way * 30.0 * s**2 * (1.0 - s) ** 2 / BEGINS_S
+        world.command(device, 1, 1, [*q, *qd])
+        world.step(k * STEP_NS)
+        if s > 0.3:  # some begin at a limit, whose softness pushes them off
+            worst = max(worst, float(np.abs(world.state(device)[2 : 2 + n] - q).max()))
+    rest = float(np.abs(world.state(device)[2 : 2 + n] - start - way).max())
+    assert (worst < TRACKS, rest < RESTS) == (True, True), (worst, rest)
+    assert not any("unstable" in reason.text for reason in world.standing())
+    world.release(device, 1)
+
+
+def refuses_what_is_out_of_reach(robot):
+    """A pose far away has no joint values, and it is said why."""
+    constants = arm_constants(robot.identity)
+    home = list(robot.identity["HOME"])
+    nine = np.array(reach.poses(constants, [home])[0])
+    nine[6:9] += FAR_M
+    (answer,) = reach.postures(constants, [nine], home)
+    assert not isinstance(answer, np.ndarray)
