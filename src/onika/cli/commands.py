@@ -22,13 +22,14 @@ from onika.words.system_error import system_reason_with_place
 if TYPE_CHECKING:
     from _typeshed import SupportsWrite
 
-KEEPING = frozenset(("page", "run", "test", "runtime", "console"))
+KEEPING = frozenset(("page", "run", "test", "sweep", "runtime", "console"))
 """Commands that keep something in the state directory, or let others in by what lies there."""
 
 COMMANDS = (
     "page",
     "run",
     "test",
+    "sweep",
     "runtime",
     "recording",
     "console",

@@ -19,6 +19,7 @@ from onika.desk.run.outcome import Outcome
 from onika.desk.run.recorded_run import RecordingSource
 from onika.desk.run.run import run
 from onika.desk.run.settings import RunSettings, RuntimeLocation
+from onika.desk.sweep.variation import Variation
 from onika.desk.trial.keeping import keep_in, unkeepable
 from onika.link.address import Address
 from onika.link.token import read_token
@@ -50,18 +51,23 @@ def describe(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--at", type=_instant, metavar="S", help=say(Reason.of("cli.run_at")))
     parser.add_argument("--virtual", action="store_true", help=say(Reason.of("cli.run_virtual")))
     parser.add_argument(
-        "--expect", action="append", default=[], type=_expectation, metavar="'LAMP == 1'",
+        "--expect", action="append", default=[], type=expectation_of, metavar="'LAMP == 1'",
         help=say(Reason.of("cli.run_expect")),
     )  # fmt: skip
-    parser.add_argument("--settle", type=_seconds, default=0.5, metavar="S", help=say(Reason.of("cli.run_settle")))
+    parser.add_argument("--settle", type=seconds_of, default=0.5, metavar="S", help=say(Reason.of("cli.run_settle")))
     parser.add_argument(
-        "--answer", action="append", default=[], type=_answer, metavar="TASK.NAME=VALUES",
+        "--answer", action="append", default=[], type=answer_of, metavar="TASK.NAME=VALUES",
         help=say(Reason.of("cli.run_answer")),
     )  # fmt: skip
     parser.add_argument("--picture", type=_new_file, metavar="OUT.png", help=say(Reason.of("cli.run_picture")))
     parser.add_argument("--keep-test", type=_new_file, metavar="OUT.test", help=say(Reason.of("cli.run_keep_test")))
     parser.add_argument("--json", action="store_true", help=say(Reason.of("cli.run_json")))
     parser.add_argument("--seed", type=_whole, default=0, metavar="N", help=say(Reason.of("cli.run_seed")))
+    parser.add_argument("--shake", type=_whole, metavar="N", help=say(Reason.of("cli.run_shake")))
+    parser.add_argument(
+        "--vary", action="append", default=[], type=_value, metavar="TASK.NAME=VALUE",
+        help=say(Reason.of("cli.run_vary")),
+    )  # fmt: skip
     parser.add_argument(
         "--local", action="append", default=[], type=directory, metavar="DIR", help=say(Reason.of("cli.check_local"))
     )
@@ -76,7 +82,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
         "--subsystem", action="append", default=[], metavar="NAME", help=say(Reason.of("cli.run_subsystem"))
     )
     parser.add_argument(
-        "--redirect", action="append", default=[], type=_redirect, metavar="[FLOW:]OLD=NEW",
+        "--redirect", action="append", default=[], type=redirect_of, metavar="[FLOW:]OLD=NEW",
         help=say(Reason.of("cli.run_redirect")),
     )  # fmt: skip
     parser.add_argument("--script", type=script_file, metavar="FILE", help=say(Reason.of("cli.run_script")))
@@ -129,7 +135,7 @@ def _settings(given: argparse.Namespace, can_steer: bool) -> RunSettings:
         expectations=tuple(given.expect),
         settle_s=given.settle,
         seed=given.seed,
-        answers=_joined(given.answer),
+        answers=joined_answers(given.answer),
         may_ask=_is_terminal(sys.stdin) and not given.json,
         wants_picture=given.picture is not None,
         with_fifo=not given.no_fifo,
@@ -140,6 +146,8 @@ def _settings(given: argparse.Namespace, can_steer: bool) -> RunSettings:
         on_error=given.on_error or ("wait" if can_steer or given.script is not None else "abort"),
         script=given.script,
         redirects=tuple(given.redirect),
+        shake=given.shake,
+        values=tuple(given.vary),
         record=given.record,
         source=None if given.source is None else RecordingSource(given.source, given.at),
         elsewhere=None if given.runtime is None else RuntimeLocation(given.runtime, given.token or "", given.ca),
@@ -175,7 +183,7 @@ def _draw(outcome: Outcome, path: Path) -> Reason:
     return Reason.of("cli.no_picture")
 
 
-def _joined(answers: list[tuple[str, str, str]]) -> tuple[tuple[str, str, str], ...]:
+def joined_answers(answers: list[tuple[str, str, str]]) -> tuple[tuple[str, str, str], ...]:
     """One line of values for each input, in the order in which they were given."""
     lines: dict[tuple[str, str], list[str]] = {}
     for task, name, values in answers:
@@ -183,14 +191,16 @@ def _joined(answers: list[tuple[str, str, str]]) -> tuple[tuple[str, str, str], 
     return tuple((task, name, " ".join(parts)) for (task, name), parts in lines.items())
 
 
-def _expectation(text: str) -> Condition:
+def expectation_of(text: str) -> Condition:
+    """A condition, as a word of a command line."""
     try:
         return Condition.parse(text)
     except ValueError as wrong:
         raise argparse.ArgumentTypeError(say(reason_of(wrong))) from None
 
 
-def _redirect(text: str) -> Redirect:
+def redirect_of(text: str) -> Redirect:
+    """A redirection, as a word of a command line."""
     try:
         return Redirect.parse(text)
     except ValueError as wrong:
@@ -218,7 +228,8 @@ def _new_file(text: str) -> Path:
     return path
 
 
-def _seconds(text: str) -> float:
+def seconds_of(text: str) -> float:
+    """Seconds, as a word of a command line."""
     try:
         seconds = float(text)
     except ValueError:
@@ -244,7 +255,18 @@ def _whole(text: str) -> int:
     return int(text)
 
 
-def _answer(text: str) -> tuple[str, str, str]:
+def _value(text: str) -> tuple[str, float]:
+    try:
+        variation = Variation.parse(text)
+        if len(variation.choices) != 1:
+            raise ValueError(Reason.of("sweep.one_value", text=text))
+    except ValueError as wrong:
+        raise argparse.ArgumentTypeError(say(reason_of(wrong))) from None
+    return variation.name, variation.choices[0]
+
+
+def answer_of(text: str) -> tuple[str, str, str]:
+    """A task, the name of an input and its values, as a word of a command line."""
     address, equals, values = text.partition("=")
     task, dot, name = address.strip().rpartition(".")
     if not (equals and dot and task and name):

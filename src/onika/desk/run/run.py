@@ -1,7 +1,7 @@
 """Runs an application: prepares it, launches a runtime, follows and steers it (requirements E03, E07, E14)."""
 
-from collections.abc import Iterator, Sequence
-from contextlib import ExitStack, contextmanager
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import replace
 from typing import Protocol
 
@@ -11,6 +11,7 @@ from onika.desk.plan.flow_worlds import worlds_by_flow
 from onika.desk.plan.preparation import PreparedRun, fault_of, prepare_run
 from onika.desk.plan.substitutes import with_substitutes
 from onika.desk.plan.subsystem_renaming import chiefs, rehoused
+from onika.desk.plan.varied import varied
 from onika.desk.run import steering_script
 from onika.desk.run.interruption import Interruption
 from onika.desk.run.launched_runtime import LaunchedRuntime
@@ -35,6 +36,8 @@ from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
 
 _RECORD = Place("--record")
+Opens = Callable[[Plan], AbstractContextManager[RuntimeConversation]]
+"""What gives the runtime for a plan."""
 _LOOK_S = 0.05
 """How long a Ctrl-C, or a key, waits at most."""
 
@@ -90,8 +93,28 @@ def start(settings: RunSettings, site: Site) -> Iterator[Running]:
 
     Raises ValueError with every fault where it is refused, LinkLost or TimeoutError where there is no runtime.
     """
+    with _started(settings, site, None) as running:
+        yield running
+
+
+@contextmanager
+def start_on(
+    runtime_for: Callable[[Plan], RuntimeConversation], settings: RunSettings, site: Site
+) -> Iterator[Running]:
+    """As `start`, on a runtime that is there and stays; it is asked for when the plan is known."""
+
+    @contextmanager
+    def stays(plan: Plan) -> Iterator[RuntimeConversation]:
+        yield runtime_for(plan)
+
+    with _started(settings, site, stays) as running:
+        yield running
+
+
+@contextmanager
+def _started(settings: RunSettings, site: Site, opens: Opens | None) -> Iterator[Running]:
     outcome = Outcome(settings.name)
-    with _open(settings, site, outcome, is_held=settings.is_virtual) as opened:
+    with _open(settings, site, outcome, is_held=settings.is_virtual, opens=opens) as opened:
         if opened is None:
             raise NotRun(outcome.faults)
         running, _ = opened
@@ -123,26 +146,27 @@ def run(settings: RunSettings, site: Site, watcher: RunWatcher) -> Outcome:
 
 @contextmanager
 def _open(
-    settings: RunSettings, site: Site, outcome: Outcome, is_held: bool
+    settings: RunSettings, site: Site, outcome: Outcome, is_held: bool, opens: Opens | None = None
 ) -> Iterator[tuple[Running, tuple[ScriptLine, ...]] | None]:
     """A run that is ready to begin, and its script; None where there are faults."""
     prepared, recorded = _prepared(settings, site, outcome)
     if prepared is None or prepared.plan is None:
         yield None
         return
-    plan = _within(prepared.plan, settings.subsystems, outcome)
+    plan, faults = varied(_within(prepared.plan, settings.subsystems, outcome), settings.values)
+    outcome.faults += faults
     prepared = replace(prepared, plan=plan)
     outcome.actions = sum(len(flow.actions) for flow in plan.flows)
     script_lines: tuple[ScriptLine, ...] = ()
     if settings.script is not None:
-        script_lines, faults = steering_script.load(settings.script, FlowIndex.of(plan))
-        outcome.faults += faults
+        script_lines, script_faults = steering_script.load(settings.script, FlowIndex.of(plan))
+        outcome.faults += script_faults
     unrecorded = _unrecorded(settings)
     if unrecorded:
         outcome.faults += unrecorded
         yield None
         return
-    with _runtime(settings, plan, recorded) as runtime:
+    with _runtime(settings, plan, recorded) if opens is None else opens(plan) as runtime:
         _prepare(prepared, plan, runtime, outcome)
         outcome.faults = with_substitutes(outcome.faults, prepared, _by_number(settings), site)
         outcome.faults += _unheard_of(settings.expectations, plan)

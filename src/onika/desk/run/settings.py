@@ -52,6 +52,9 @@ class RunSettings:
     shake: int | None = None
     """In virtual time: a seed from which the things of the worlds are put a little elsewhere."""
 
+    values: tuple[tuple[str, float], ...] = ()
+    """Numbers of tasks that are otherwise than in their files: `TASK.NAME` or `TASK.NAME[ELEMENT]`, and the value."""
+
     record: Path | None = None
     """The file of a recording to be made."""
     source: RecordingSource | None = None

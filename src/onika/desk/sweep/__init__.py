@@ -1,0 +1,1 @@
+"""Sweeps: one application many times in virtual time, shaken and varied, and what came of it."""

@@ -1,0 +1,61 @@
+"""Does a sweep: its runs on as many warm runtimes as wished, each result kept as it comes (requirement X23)."""
+
+from collections.abc import Iterable, Iterator
+from queue import SimpleQueue
+from threading import Thread
+
+from onika.desk.sweep.case import Case, CaseResult
+from onika.desk.sweep.design import SweepDesign
+from onika.desk.sweep.warm_runtime import WarmRuntime
+from onika.store.site import Site
+
+LONGEST_S = 3600.0
+"""How much virtual time a run may take where nothing else is said."""
+
+
+def sweep(design: SweepDesign, cases: Iterable[Case], site: Site, jobs: int) -> Iterator[CaseResult]:
+    """Do these cases, so many at a time; each result as soon as it is there, in any order.
+
+    Whoever stops listening ends it: what is under way then is finished and lost.
+    """
+    waiting: SimpleQueue[Case | None] = SimpleQueue()
+    done: SimpleQueue[CaseResult | BaseException | None] = SimpleQueue()
+    count = 0
+    for case in cases:
+        waiting.put(case)
+        count += 1
+    jobs = max(1, min(jobs, count))
+    for _ in range(jobs):
+        waiting.put(None)
+    threads = [Thread(target=_work, args=(design, site, waiting, done), daemon=True) for _ in range(jobs)]
+    for thread in threads:
+        thread.start()
+    try:
+        for _ in range(count):
+            result = done.get()
+            if isinstance(result, BaseException):
+                raise result
+            if result is not None:
+                yield result
+    finally:
+        while not waiting.empty():
+            waiting.get()
+        for _ in threads:
+            waiting.put(None)
+        for thread in threads:
+            thread.join()
+
+
+def _work(
+    design: SweepDesign,
+    site: Site,
+    waiting: "SimpleQueue[Case | None]",
+    done: "SimpleQueue[CaseResult | BaseException | None]",
+) -> None:
+    """One thread: a runtime, and cases until there is none."""
+    try:
+        with WarmRuntime(site) as runtime:
+            while (case := waiting.get()) is not None:
+                done.put(runtime.do(case, design.settings_of(case), LONGEST_S))
+    except BaseException as wrong:
+        done.put(wrong)
