@@ -20,7 +20,7 @@ from onika.desk.sweep import plot
 from onika.desk.sweep.case import CaseResult
 from onika.desk.sweep.design import SweepDesign
 from onika.desk.sweep.results_file import ResultsFile, SweepHead, open_results
-from onika.desk.sweep.statistics import Part, Summary, rate, summarise
+from onika.desk.sweep.statistics import SweepSummary, VariedPart, rate, summarise
 from onika.desk.sweep.sweep import sweep
 from onika.desk.sweep.variation import Variation
 from onika.desk.trial.account import digest_of
@@ -143,7 +143,7 @@ def _run(design: SweepDesign, site: Site, results: ResultsFile, given: argparse.
     return True
 
 
-def _lines(design: SweepDesign, summary: Summary, path: Path, count: int) -> Iterator[Reason]:
+def _lines(design: SweepDesign, summary: SweepSummary, path: Path, count: int) -> Iterator[Reason]:
     """The summary in lines."""
     name, all_runs = Path(design.settings.name).stem, summary.rate
     least, most = all_runs.interval
@@ -167,7 +167,7 @@ def _lines(design: SweepDesign, summary: Summary, path: Path, count: int) -> Ite
     yield Reason.of("sweep.kept_in", path=str(path))
 
 
-def _part(part: Part) -> Reason:
+def _part(part: VariedPart) -> Reason:
     """Its numbers stand below each other."""
     least, most = f"{part.least:>10.4g}", f"{part.most:<10.4g}"
     percent, count = f"{100 * part.rate.share:>6.1f}", part.rate.count
@@ -189,7 +189,7 @@ def _again(design: SweepDesign, seed: int) -> str:
     return shlex.join([*words, "--record", f"{seed}.mcap"])
 
 
-def _plot(path: Path, design: SweepDesign, wanted: list[CaseResult], summary: Summary) -> None:
+def _plot(path: Path, design: SweepDesign, wanted: list[CaseResult], summary: SweepSummary) -> None:
     try:
         path.write_text(plot.drawn(Path(design.settings.name).stem, wanted, summary, say), encoding="utf-8")
     except OSError as wrong:

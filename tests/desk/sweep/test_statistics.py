@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from onika.desk.sweep.case import Case, CaseResult
-from onika.desk.sweep.statistics import Rate, parts, summarise
+from onika.desk.sweep.statistics import SuccessRate, parts, summarise
 from onika.words.reason import Reason
 
 
@@ -19,12 +19,12 @@ def failed(seed, value=0.0, reason=None):
     [(9, 10, 0.596, 0.982), (0, 10, 0.0, 0.278), (10, 10, 0.722, 1.0), (50, 100, 0.404, 0.596), (0, 0, 0.0, 1.0)],
 )
 def test_the_interval_is_wilsons(good, count, least, most):  # R-X23
-    assert Rate(good, count).interval == pytest.approx((least, most), abs=5e-4)  # of published tables
+    assert SuccessRate(good, count).interval == pytest.approx((least, most), abs=5e-4)  # of published tables
 
 
 @given(st.integers(0, 200), st.integers(0, 200))
 def test_the_share_lies_within_its_interval(good, bad):  # R-X23
-    rate = Rate(good, good + bad)
+    rate = SuccessRate(good, good + bad)
     least, most = rate.interval
     assert 0.0 <= least <= rate.share + 1e-12
     assert rate.share - 1e-12 <= most <= 1.0
@@ -46,7 +46,10 @@ def test_the_durations_are_of_good_runs_only():  # R-X23
 
 def test_few_values_are_told_each_and_many_in_five_parts_without_a_gap():  # R-X23
     few = parts([ended(0, 1.0), failed(1, 1.0), ended(2, 4.0)], "pd.STIFF")
-    assert [(part.least, part.most, part.rate) for part in few] == [(1.0, 1.0, Rate(1, 2)), (4.0, 4.0, Rate(1, 1))]
+    assert [(part.least, part.most, part.rate) for part in few] == [
+        (1.0, 1.0, SuccessRate(1, 2)),
+        (4.0, 4.0, SuccessRate(1, 1)),
+    ]
     many = parts([ended(seed, float(seed)) for seed in range(11)], "pd.STIFF")
     assert [(part.least, part.most, part.rate.count) for part in many] == [
         (0, 2, 2), (2, 4, 2), (4, 6, 2), (6, 8, 2), (8, 10, 3)

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from xml.sax.saxutils import escape
 
 from onika.desk.sweep.case import CaseResult
-from onika.desk.sweep.statistics import Part, Summary
+from onika.desk.sweep.statistics import SweepSummary, VariedPart
 from onika.words.reason import Reason
 
 Say = Callable[[Reason], str]
@@ -23,7 +23,7 @@ text{font:13px system-ui,sans-serif;fill:#222}.head{font-size:16px;font-weight:6
 """
 
 
-def drawn(name: str, results: Sequence[CaseResult], summary: Summary, say: Say) -> str:
+def drawn(name: str, results: Sequence[CaseResult], summary: SweepSummary, say: Say) -> str:
     """The picture as SVG."""
     panels: list[list[str]] = [
         [*_varied(variation, parts, results, say)] for variation, parts in summary.parts.items() if len(parts) > 1
@@ -42,7 +42,7 @@ def drawn(name: str, results: Sequence[CaseResult], summary: Summary, say: Say) 
     return f'<svg xmlns="http://www.w3.org/2000/svg" {size} role="img"><style>{_STYLE}</style>{head}{body}</svg>\n'
 
 
-def _varied(name: str, parts: Sequence[Part], results: Sequence[CaseResult], say: Say) -> Iterator[str]:
+def _varied(name: str, parts: Sequence[VariedPart], results: Sequence[CaseResult], say: Say) -> Iterator[str]:
     """Good runs as dots above, others as crosses below; between them the share of each part with its interval."""
     least, most = parts[0].least, parts[-1].most
     yield from _axes(say(Reason.of("sweep.plot_share")), ("0 %", "100 %"), name, (least, most))

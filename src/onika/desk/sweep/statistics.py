@@ -16,7 +16,7 @@ PARTS = 5
 
 
 @dataclass(frozen=True, slots=True)
-class Rate:
+class SuccessRate:
     """So many good ones among so many."""
 
     good: int
@@ -48,31 +48,31 @@ class Failure:
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
+class VariedPart:
     """A part of what a number was varied over, and how many runs in it are good."""
 
     least: float
     most: float
-    rate: Rate
+    rate: SuccessRate
 
 
 @dataclass(frozen=True, slots=True)
-class Summary:
+class SweepSummary:
     """A sweep as a whole."""
 
-    rate: Rate
+    rate: SuccessRate
     failures: tuple[Failure, ...]
     lasted_s: tuple[float, float, float] | None
     """Least, median and most duration of the good runs, in s of virtual time."""
-    parts: dict[str, tuple[Part, ...]]
+    parts: dict[str, tuple[VariedPart, ...]]
 
 
-def summarise(results: Iterable[CaseResult]) -> Summary:
+def summarise(results: Iterable[CaseResult]) -> SweepSummary:
     """The summary of these runs."""
     ordered = sorted(results, key=lambda result: result.case.seed)
     lasted = sorted(result.lasted_s for result in ordered if result.is_good)
     names = list(dict.fromkeys(name for result in ordered for name in result.case.values))
-    return Summary(
+    return SweepSummary(
         rate(ordered),
         tuple(_failures(ordered)),
         (lasted[0], median(lasted), lasted[-1]) if lasted else None,
@@ -80,12 +80,12 @@ def summarise(results: Iterable[CaseResult]) -> Summary:
     )
 
 
-def rate(results: Sequence[CaseResult]) -> Rate:
+def rate(results: Sequence[CaseResult]) -> SuccessRate:
     """How many of them are good."""
-    return Rate(sum(result.is_good for result in results), len(results))
+    return SuccessRate(sum(result.is_good for result in results), len(results))
 
 
-def parts(results: Sequence[CaseResult], name: str) -> tuple[Part, ...]:
+def parts(results: Sequence[CaseResult], name: str) -> tuple[VariedPart, ...]:
     """The runs by what was drawn under a name: each value, or five equal parts where there are many."""
     drawn = sorted({result.case.values[name] for result in results if name in result.case.values})
     if len(drawn) <= PARTS:
@@ -99,7 +99,7 @@ def parts(results: Sequence[CaseResult], name: str) -> tuple[Part, ...]:
     for least, most in bounds:
         has_end = most in (least, drawn[-1])  # the upper edge of a part belongs to the next one, but of the last
         inside = [result for value, result in among if least <= value < most or (value == most and has_end)]
-        found.append(Part(least, most, rate(inside)))
+        found.append(VariedPart(least, most, rate(inside)))
     return tuple(found)
 
 
