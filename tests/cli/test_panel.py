@@ -3,8 +3,8 @@ import io
 import pytest
 from rich.console import Console
 
-from onika.cli.key_bindings import KEYS
 from onika.cli.panel import FLOWS, MARKS, Panel
+from onika.cli.typed_input.key_bindings import KEYS
 from onika.desk.plan.flow_index import FlowIndex, IndexedFlow
 from onika.engine.flow import FlowState
 from onika.model.lifecycle import State

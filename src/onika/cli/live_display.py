@@ -9,10 +9,10 @@ from rich.text import Text
 
 from onika.cli.conversation import next_line
 from onika.cli.event_text import SummaryTone, item_text, lines, summary
-from onika.cli.keyboard import Keyboard
 from onika.cli.language import say
 from onika.cli.panel import Panel
 from onika.cli.terminal import Terminal
+from onika.cli.typed_input.keyboard import Keyboard
 from onika.desk.console.session import typed_fault
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.preparation import PreparedRun

@@ -9,8 +9,8 @@ from rich.progress_bar import ProgressBar
 from rich.table import Table
 from rich.text import Text
 
-from onika.cli.key_bindings import KEYS, SHORT, KeyBindings
 from onika.cli.language import say
+from onika.cli.typed_input.key_bindings import KEYS, SHORT, KeyBindings
 from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.run.flow_status import FlowStatus
 from onika.desk.run.flow_tracker import FlowTracker

@@ -1,7 +1,7 @@
 import pytest
 from prompt_toolkit.keys import Keys
 
-from onika.cli.key_bindings import KEYS, KeyBindings
+from onika.cli.typed_input.key_bindings import KEYS, KeyBindings
 from onika.desk.plan.flow_index import FlowIndex, IndexedFlow
 from onika.desk.run.steering import VERBS, PositionQuery, SteeringOrder, act
 

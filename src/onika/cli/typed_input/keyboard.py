@@ -6,7 +6,7 @@ from types import TracebackType
 
 from prompt_toolkit.keys import Keys
 
-from onika.cli.terminal_input import TerminalInput
+from onika.cli.typed_input.terminal_input import TerminalInput
 
 
 class Keyboard:

@@ -8,7 +8,7 @@ from hypothesis import given, strategies as st
 from prompt_toolkit.keys import Keys
 
 from onika.cli import terminal_input as room
-from onika.cli.terminal_input import TerminalInput
+from onika.cli.typed_input.terminal_input import TerminalInput
 
 
 @pytest.fixture(scope="module")

@@ -1,4 +1,4 @@
-from onika.cli.line_history import LineHistory
+from onika.cli.typed_input.line_history import LineHistory
 
 
 def test_a_line_said_twice_in_a_row_is_kept_once_and_blank_ones_never(tmp_path):  # R-A16

@@ -8,7 +8,7 @@ import pytest
 from prompt_toolkit.keys import Keys
 
 from onika.cli import keyboard as room, terminal_input
-from onika.cli.keyboard import Keyboard
+from onika.cli.typed_input.keyboard import Keyboard
 
 
 @pytest.fixture

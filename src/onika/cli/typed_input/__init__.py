@@ -1,0 +1,1 @@
+"""What is typed at a terminal: keys, lines, and the lines that were typed before."""
