@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import pytest
 from prompt_toolkit.keys import Keys
 
-from onika.cli import keyboard as room, terminal_input
+from onika.cli.typed_input import keyboard as room, terminal_input
 from onika.cli.typed_input.keyboard import Keyboard
 
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, strategies as st
 from prompt_toolkit.keys import Keys
 
-from onika.cli import terminal_input as room
+from onika.cli.typed_input import terminal_input as room
 from onika.cli.typed_input.terminal_input import TerminalInput
 
 
