@@ -3085,6 +3085,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "workcell.one_place": "{first:quoted} y {other:quoted} están en el mismo sitio",
   "workcell.part": "{name}: {takes}",
   "workcell.part_away": "{part} está a {cm:.1f} cm de su lugar",
+  "workcell.part_left_out": "se omite la parte {part}",
   "workcell.part_place": "{part} está en x = {x_cm:.1f} cm, y = {y_cm:.1f} cm, z = {z_cm:.1f} cm",
   "workcell.part_without_body": "se esperaba un cuerpo que se pueda mover en {part}; no hay ninguno",
   "workcell.physical": "físico",

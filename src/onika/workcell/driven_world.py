@@ -192,7 +192,7 @@ class DrivenWorld:
             drive_input = unit.drive.silence(now)
             if drive_input is not None:
                 self._feed(unit, drive_input)
-        self._due_ns = min(unit.drive.due_ns for unit in self._acting)
+        self._due_ns = min((unit.drive.due_ns for unit in self._acting), default=NEVER_NS)
 
     def _feed(self, unit: DeviceUnit, drive_input: DriveInput) -> None:
         """Something happened to a drive: move it, hold where it stops following, report what others see of it."""
@@ -229,7 +229,7 @@ class DrivenWorld:
         self._holding = [
             present for present in self._present if present.holds and present.drive.mode is not DriveMode.DRIVEN
         ]
-        self._due_ns = min(unit.drive.due_ns for unit in self._acting)
+        self._due_ns = min((unit.drive.due_ns for unit in self._acting), default=NEVER_NS)
 
     def _sense(self) -> None:
         self._sense_ns = self.now_ns + _SENSE_NS

@@ -3,8 +3,9 @@
 import pytest
 
 from kit.worlds.file_cells import CELL, changed, files_of
-from onika.workcell.composed.composition import Composition, prefix_of
+from onika.workcell.composed.composition import Composition
 from onika.workcell.composed.sources import SourceTexts
+from onika.workcell.composed.usable_parts import prefix_of
 
 
 def composed(files):
@@ -41,20 +42,6 @@ def test_a_place_without_a_robot_is_left_out():  # R-B07
     composition = composed(changed("world/cell.world", "ROBOTS elbow stiff", "ROBOTS gone"))
     assert list(composition.standing) == ["right"]
     assert {fault.reason.key for fault in composition.faults} == {"workcell.robot_missing", "workcell.place_empty"}
-
-
-@pytest.mark.parametrize(
-    ("name", "old", "new", "why"),
-    [
-        ("world/cell.world", "FILE table.xml", "FILE shelf.xml", "expected a model"),
-        ("world/table.xml", 'size="0.3 0.3 0.02"', 'size="-1 1 1"', "can be compiled"),
-        ("world/cube.xml", '<body name="cube">', "", "cannot read"),
-    ],
-)
-def test_a_world_that_cannot_be_compiled_is_refused_with_the_reason(name, old, new, why):  # R-B07, R-X19
-    with pytest.raises(ValueError, match=why):
-        composition = composed(changed(name, old, new))
-        composition.compile(composition.standing, {}, is_drawn=False)
 
 
 def test_a_world_whose_text_is_broken_is_refused_with_its_line():  # R-B07

@@ -105,8 +105,9 @@ def test_a_world_broken_at_any_line_says_so_or_is_a_world(name):  # R-B07, R-X19
 
 def test_a_world_without_fault_says_nothing():
     assert judged(files_of()) == ()
-    (fault,) = judged(changed("world/cube.xml", "<body", "<bodi"))
-    assert fault.place.file == "/lab/world/cell.world"
+    faults = judged(changed("world/cube.xml", "<body", "<bodi"))
+    assert [str(fault.place) for fault in faults] == [f"/lab/world/cell.world:{line}" for line in (8, 18, 20)]
+    assert [str(fault.instead) for fault in faults][0] == "the part cube is left out"
 
 
 def test_frame_0_of_a_chain_that_nothing_bears_is_its_place():  # R-X19

@@ -15,8 +15,8 @@ import numpy as np
 from onika.model.world import WorldText
 from onika.ring.device import MishapEvent
 from onika.words.reason import Reason
-from onika.workcell.composed.composition import prefix_of
 from onika.workcell.composed.joint_unit import JointUnit
+from onika.workcell.composed.usable_parts import prefix_of
 from onika.workcell.contacts import DEEP_M
 from onika.workcell.lookout import MOST, Advance
 from onika.workcell.plant import Plant

@@ -1,29 +1,22 @@
 """A world composed: parts and robots attached to one document, with the physics that its file says."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
 import mujoco
 
-from onika.model.world import CONES, UNNAMED, PartBlock, PlaceBlock, Spot
+from onika.model.world import CONES, PlaceBlock, Spot
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
 from onika.workcell.composed.camera_spec import add_cameras, add_sky
 from onika.workcell.composed.robot_model import RobotModel, compiled, robot_model, robot_spec
 from onika.workcell.composed.sources import SourceTexts
-
-FREE_JOINT = "free"
-"""The joint of a part that moves, behind the part's name."""
+from onika.workcell.composed.usable_parts import misplaced, part_spec, prefix_of, usable_parts
 
 _PAPER = (0.96, 0.945, 0.912, 1.0)  # the colour of floors
 
 Offsets = Mapping[str, tuple[float, float]]
 """How far parts stand from their spots, on x and y (m)."""
-
-
-def prefix_of(name: str) -> str:
-    """What stands before the names of a part's, or a robot's, model."""
-    return "" if name == UNNAMED else f"{name}."
 
 
 class Composition:
@@ -36,6 +29,8 @@ class Composition:
             reason = self.faults[0].sentence if self.faults else Reason.of("workcell.no_world")
             raise ValueError(reason)
         self.world = sources.world
+        usable = usable_parts(sources, self.world.parts, self.faults)
+        self.parts, self._sites = usable.parts, usable.sites
         self.robots: dict[str, RobotModel] = {}
         for name in self.world.robots:
             self._robot(name)
@@ -63,8 +58,9 @@ class Composition:
         spec.modelname = self.world.name
         self._set_physics(spec)
         spec.compiler.discardvisual = not is_drawn
-        for part in self._in_order():
-            self._attach_part(spec, part, offsets.get(part.name, (0.0, 0.0)))
+        for part in self.parts:
+            child, offset = part_spec(self.sources, part), offsets.get(part.name, (0.0, 0.0))
+            self._attach(spec, child, part.spot, part.name, offset)
         for place in self.places:
             self._attach_robot(spec, place, self.robots[standing[place.name]])
         add_cameras(spec, self.world.cameras)
@@ -85,12 +81,19 @@ class Composition:
                     self.faults.append(Fault(where, reason, Reason.of("files.robot_left_out")))
 
     def _is_used(self, place: PlaceBlock) -> bool:
-        if self.at(place):
+        wrong = misplaced(place.spot, self._sites)
+        if wrong is None and self.at(place):
+            self._sites |= self._sites_at(place)
             return True
-        where = Place(self.sources.place.file, place.lines.get("PLACE", 0))
-        reason = Reason.of("workcell.place_empty", place=place.name)
+        keyword, reason = wrong or ("PLACE", Reason.of("workcell.place_empty", place=place.name))
+        where = Place(self.sources.place.file, place.lines.get(keyword, 0))
         self.faults.append(Fault(where, reason, Reason.of("workcell.place_left_out")))
         return False
+
+    def _sites_at(self, place: PlaceBlock) -> set[str]:
+        """What may stand on the robot that stands there at first."""
+        robot = self.robots[self.at(place)[0]].robot
+        return {prefix_of(place.name) + site.name for site in robot_spec(self.sources, robot).sites}
 
     def _set_physics(self, spec: mujoco.MjSpec) -> None:
         option, (cone, ratio) = spec.option, self.world.contact
@@ -104,25 +107,6 @@ class Composition:
             plane, height = mujoco.mjtGeom.mjGEOM_PLANE, self.world.floor
             place, size = (0.0, 0.0, height), (0.0, 0.0, 0.05)
             spec.worldbody.add_geom(name="floor", type=plane, size=size, pos=place, rgba=_PAPER)
-
-    def _in_order(self) -> Iterator[PartBlock]:
-        """Parts, each behind the one on which it stands."""
-        waiting, there = list(self.world.parts), set[str]()
-        while waiting:
-            part = next(part for part in waiting if not part.spot.on or part.spot.on.partition(".")[0] in there)
-            waiting.remove(part)
-            there.add(part.name)
-            yield part
-
-    def _attach_part(self, spec: mujoco.MjSpec, part: PartBlock, offset: tuple[float, float]) -> None:
-        child = self.sources.model(f"world/{part.file}")
-        if part.free is not None:
-            body = child.worldbody.first_body()
-            if body is None:
-                raise ValueError(Reason.of("workcell.part_without_body", part=part.name))
-            if not len(body.joints):
-                body.add_freejoint(name=FREE_JOINT)
-        self._attach(spec, child, part.spot, part.name, offset)
 
     def _attach_robot(self, spec: mujoco.MjSpec, place: PlaceBlock, robot: RobotModel) -> None:
         child = robot_spec(self.sources, robot.robot)

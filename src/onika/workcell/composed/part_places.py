@@ -9,7 +9,7 @@ from onika.laws.frames import Array
 from onika.model.world import PartBlock
 from onika.ring.displacement import Displacement
 from onika.words.reason import Reason
-from onika.workcell.composed.composition import FREE_JOINT, prefix_of
+from onika.workcell.composed.usable_parts import FREE_JOINT, prefix_of
 from onika.workcell.plant import Plant
 
 _NEAR_M = 0.004  # how far a part may be from its place and still stand there

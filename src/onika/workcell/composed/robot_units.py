@@ -5,13 +5,14 @@ from typing import Any
 
 from onika.workcell.composed import chain
 from onika.workcell.composed.base_unit import BaseUnit, KinematicBaseUnit
-from onika.workcell.composed.composition import Composition, prefix_of
+from onika.workcell.composed.composition import Composition
 from onika.workcell.composed.device_names import device_name
 from onika.workcell.composed.finger_unit import FingerUnit
 from onika.workcell.composed.joint_unit import JointUnit, KinematicJointUnit
 from onika.workcell.composed.robot_model import ORIGIN, RobotModel, at_home
 from onika.workcell.composed.robot_unit import RobotUnit
 from onika.workcell.composed.sensor_unit import SensorUnit
+from onika.workcell.composed.usable_parts import prefix_of
 
 _WORLD = "world"  # the body in which the bodies of every document stand
 
