@@ -107,7 +107,7 @@ def test_a_world_without_fault_says_nothing():
     assert judged(files_of()) == ()
     faults = judged(changed("world/cube.xml", "<body", "<bodi"))
     assert [str(fault.place) for fault in faults] == [f"/lab/world/cell.world:{line}" for line in (8, 18, 20)]
-    assert [str(fault.instead) for fault in faults][0] == "the part cube is left out"
+    assert str(faults[0].instead) == "the part cube is left out"
 
 
 def test_frame_0_of_a_chain_that_nothing_bears_is_its_place():  # R-X19
