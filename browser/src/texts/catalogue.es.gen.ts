@@ -2995,6 +2995,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "words.with_remedies": "{reason} (puede: {remedies:;})",
   "workcell.arm_away": "{arm} no está como al principio",
   "workcell.arm_place": "{arm} está como al principio",
+  "workcell.base_away": "{base} está en x = {x:.2f} m, y = {y:.2f} m, con un giro de {degrees:.0f} grados",
   "workcell.base_fixed": "se esperaba una base con ruedas cuyo cuerpo {body} se mueve libremente; está fijo",
   "workcell.box_away": "{box} está a {cm:.1f} cm de su sitio",
   "workcell.box_place": "{box} está en la mesa en x = {x_cm:.1f} cm, y = {y_cm:.1f} cm",

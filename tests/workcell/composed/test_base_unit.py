@@ -75,7 +75,9 @@ def test_what_is_not_finite_trips_it(world):  # R-F01
 def test_a_panic_button_stops_it_and_a_reset_brings_it_back(world):
     world.claim("cross_base_bay", 1)
     drive(world, "cross_base_bay", (0.5, 0.0, 0.0), 1.0)
-    assert [str(away.text) for away in world.displaced()] == ["cross_base_bay does not stand as it began"]
+    assert [str(away.text) for away in world.displaced()] == [
+        "cross_base_bay stands at x = 1.00 m, y = 2.50 m, turned by 90 degrees"
+    ]
     world.touch("panic", 1.0)
     stopped = drive(world, "cross_base_bay", (0.5, 0.0, 0.0), 0.5)
     assert stopped[3:] == pytest.approx((0.0, 0.0, 0.0), abs=1e-3)

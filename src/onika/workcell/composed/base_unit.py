@@ -13,6 +13,7 @@ import numpy as np
 from onika.laws.frames import Array
 from onika.ring.device import DeviceSheet
 from onika.ring.drive import DriveMode
+from onika.words.reason import Reason
 from onika.workcell.composed import chain
 from onika.workcell.composed.base_facts import BaseFacts
 from onika.workcell.composed.robot_unit import FORCELESS, RobotUnit
@@ -46,6 +47,12 @@ class BaseUnit(RobotUnit):
     def is_away(self) -> bool:
         """Whether it does not stand where it began."""
         return bool(np.abs(np.subtract(self._place(), self._start)).max() > _AWAY)
+
+    @property
+    def away(self) -> Reason:
+        """Where it stands."""
+        x, y, turn = self._place()
+        return Reason.of("workcell.base_away", base=self.sheet.name, x=x, y=y, degrees=math.degrees(turn))
 
     def bind(self, plant: Plant) -> None:
         """Find its joints and drives in a new plant; nothing bears its weight but the floor, or its slides."""

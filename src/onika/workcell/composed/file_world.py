@@ -107,7 +107,8 @@ class FileWorld(DrivenWorld):
         unstable = [Reason.of("workcell.unstable")] if self._is_unstable else []
         lit = [Reason.of("workcell.named_lamp_lit", lamp=lamp.lamp.name) for lamp in self._lamps if lamp.flags.all()]
         dark = (lamp.lamp.name for lamp in self._lamps if not lamp.flags.all())
-        return (*unstable, *lit, *(Reason.of("workcell.named_lamp_dark", lamp=name) for name in dark))
+        away = (displaced.text for displaced in self.displaced())
+        return (*unstable, *lit, *(Reason.of("workcell.named_lamp_dark", lamp=name) for name in dark), *away)
 
     def scene(self) -> list[Shape3d]:
         """What there is to draw; changes when another robot stands at a place."""
@@ -255,8 +256,7 @@ class FileWorld(DrivenWorld):
     def _displaced_robots(self) -> Iterator[Displacement]:
         for unit in self._present:
             if isinstance(unit, RobotUnit) and unit.is_away:
-                arm = Reason.of("workcell.named_robot", name=unit.sheet.name)
-                yield Displacement(Reason.of("workcell.arm_away", arm=arm), is_harmless=True)
+                yield Displacement(unit.away, is_harmless=True)
 
 
 def _unlogged(_text: str) -> None:

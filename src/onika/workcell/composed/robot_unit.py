@@ -3,6 +3,7 @@
 from typing import ClassVar
 
 from onika.ring.device import DeviceSheet
+from onika.words.reason import Reason
 from onika.workcell.unit import DeviceUnit
 
 FORCELESS = "_kin"
@@ -33,6 +34,11 @@ class RobotUnit(DeviceUnit):
     def is_away(self) -> bool:
         """Whether it does not stand as it began."""
         return False
+
+    @property
+    def away(self) -> Reason:
+        """That it does not stand as it began, or where."""
+        return Reason.of("workcell.arm_away", arm=Reason.of("workcell.named_robot", name=self.sheet.name))
 
     def run_on(self) -> None:
         """The signals of one step, where it runs on."""
