@@ -20,7 +20,8 @@ _NEVER = frozenset(
 )  # fmt: skip
 _OPEN, _POPEN = "open", "subprocess.Popen"
 _WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
-_OWN = ("-m", "onika.host.")
+_MODULE = "-m"
+_OWN = ("onika.host.", "onika.workcell.filmed.")  # those of the runtime, and what renders for its cameras
 
 
 class OutsideRefused(PermissionError):
@@ -48,4 +49,4 @@ def _writes(given: Sequence[Any]) -> bool:
 def _is_own(given: Sequence[Any]) -> bool:
     """Whether it is one of the processes of the runtime itself, which are begun again where a module has ended one."""
     program, words = given[0], list(map(str, given[1]))
-    return program == sys.executable and words[1:2] == [_OWN[0]] and words[2].startswith(_OWN[1])
+    return program == sys.executable and words[1:2] == [_MODULE] and words[2].startswith(_OWN)
