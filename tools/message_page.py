@@ -22,12 +22,17 @@ by `python tools/generate.py`.
 """
 
 
+_ROOMS = (plan, request, live, runtime_standing, holding)
+_EVENTS = (event.task, event.explanation)
+"""Rooms of events that have parts."""
+
+
 def page() -> str:
     """The whole page."""
     by_hand = {*get_args(live.LiveRequest), *get_args(holding.HoldingRequest)}
     asked = [one for one in get_args(request.Request) if one not in by_hand]
     answered = get_args(request.Response)
-    parts = [one for module in (plan, request, live, runtime_standing, holding, event) for one in _structs(module)]
+    parts = [one for module in (*_ROOMS, *_EVENTS) for one in _structs(module)]
     told = {*get_args(request.Request), *answered, *get_args(event.Event), *get_args(reading.Reading)}
     return "\n".join(
         (

@@ -1,0 +1,42 @@
+"""Any event, and how it travels."""
+
+import msgspec
+
+from onika.wire.event.action import Began, Done, Met, Moved, Stood
+from onika.wire.event.device import Drive, Mishap, Outdated, Stepped
+from onika.wire.event.ending import Recording, Result
+from onika.wire.event.explanation import Explained, LastSecondsKept
+from onika.wire.event.holder import Company, Edited, Held, Offered, Stopped
+from onika.wire.event.task import Asked, Failed, Signalled, TaskState, Warned
+from onika.wire.event.unit import Lost, UnitUp
+
+Event = (
+    Began
+    | Done
+    | TaskState
+    | Warned
+    | Failed
+    | Asked
+    | Drive
+    | Mishap
+    | Moved
+    | Met
+    | Stepped
+    | Explained
+    | LastSecondsKept
+    | Recording
+    | Result
+    | Edited
+    | Signalled
+    | Lost
+    | UnitUp
+    | Outdated
+    | Held
+    | Offered
+    | Company
+    | Stopped
+    | Stood
+)
+
+encode = msgspec.msgpack.Encoder().encode
+decode = msgspec.msgpack.Decoder(Event).decode
