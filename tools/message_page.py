@@ -9,7 +9,7 @@ from typing import get_args
 
 import msgspec
 
-from onika.wire import event, holding, live, plan, reading, request, runtime_standing
+from onika.wire import event, holding, live, plan, question, reading, request, runtime_standing
 
 _HEAD = """\
 # Messages
@@ -22,9 +22,8 @@ by `python tools/generate.py`.
 """
 
 
-_ROOMS = (plan, request, live, runtime_standing, holding)
-_EVENTS = (event.task, event.explanation)
-"""Rooms of events that have parts."""
+_ROOMS = (plan, request, live, runtime_standing, holding, question, event.explanation)
+"""Where the parts of messages are defined."""
 
 
 def page() -> str:
@@ -32,7 +31,7 @@ def page() -> str:
     by_hand = {*get_args(live.LiveRequest), *get_args(holding.HoldingRequest)}
     asked = [one for one in get_args(request.Request) if one not in by_hand]
     answered = get_args(request.Response)
-    parts = [one for module in (*_ROOMS, *_EVENTS) for one in _structs(module)]
+    parts = [one for module in _ROOMS for one in _structs(module)]
     told = {*get_args(request.Request), *answered, *get_args(event.Event), *get_args(reading.Reading)}
     return "\n".join(
         (

@@ -3,8 +3,8 @@
 from msgspec import Struct
 
 from onika.ring.displacement import Displacement
-from onika.wire.event import Asked
 from onika.wire.plan import PlannedTask
+from onika.wire.question import Asked
 from onika.words.reason import NOTHING, Reason
 
 

@@ -16,11 +16,10 @@ from onika.wire.event.holder import (
     Stopped as Stopped,
 )
 from onika.wire.event.task import (
-    Asked as Asked,
     Failed as Failed,
-    Item as Item,
     Signalled as Signalled,
     TaskState as TaskState,
     Warned as Warned,
 )
 from onika.wire.event.unit import Lost as Lost, UnitUp as UnitUp
+from onika.wire.question import Asked as Asked, Item as Item

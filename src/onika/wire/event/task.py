@@ -41,29 +41,6 @@ class Failed(Struct, frozen=True, tag=True):
     """The task's ports at that moment, arrays as lists (A18)."""
 
 
-class Item(Struct, frozen=True):
-    """One value or vector that is asked for."""
-
-    name: str
-    type: str
-    count: int
-    unit: str
-    meaning: str
-    default: tuple[Any, ...] | None
-    low: tuple[float, ...] | None
-    high: tuple[float, ...] | None
-
-
-class Asked(Struct, frozen=True, tag=True):
-    """A task waits for user input."""
-
-    subsystem: str
-    task: str
-    reason: Reason
-    items: tuple[Item, ...]
-    at_s: float
-
-
 class Signalled(Struct, frozen=True, tag=True):
     """An ILLEGAL, LEGAL, SHUTDOWN, FINISH or user signal of a task that no application answers (Table 9)."""
 
