@@ -22,6 +22,12 @@ def test_it_stays_as_it_was_put(button):  # R-K06
     assert (button.put(0.0), button.is_pressed) == (DriveInput.LET_GO, False)
 
 
+def test_it_is_called_as_its_world_wants_else_after_the_first_of_its_units(unit):  # R-K06, R-X19
+    other = ArmUnit("left", base("left"))
+    assert PanicButton(unit, other).name == "panic_right"
+    assert PanicButton(unit, other, name="big_red").name == "big_red"
+
+
 def test_it_knows_whose_drive_it_stops(button, unit):  # R-K06
     assert button.units == (unit,)
 

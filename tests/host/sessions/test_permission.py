@@ -8,6 +8,7 @@ from onika.wire import holding, live, request, steer
 from onika.wire.foresight import WhatIf
 from onika.wire.plan import Code, Plan
 from onika.wire.samples import Sample
+from onika.wire.world_source import WorldSource
 from onika.words.reason import NOTHING, Reason
 
 CODE = Code("d", "m", "m.py", "x = 1")
@@ -68,6 +69,20 @@ def test_only_the_program_that_launched_the_runtime_makes_recordings():  # X05: 
     assert not refusal(PARENT, beginning, False)
     refused = refusal(Caller("ann", Role.OWNER, "127.0.0.1", True), beginning, True)
     assert refused == Reason.of("host.recording_of_launcher", user="ann")
+
+
+def test_a_recording_by_hand_is_a_file_on_that_machine_too():  # R-X05
+    recording = live.Record("s0", "/tmp/run.mcap")
+    assert not refusal(PARENT, recording, False)
+    refused = refusal(Caller("ann", Role.OWNER, "127.0.0.1", True), recording, True)
+    assert refused == Reason.of("host.recording_of_launcher", user="ann")
+
+
+def test_worlds_as_files_are_as_good_as_code():  # R-X19, law 23
+    files = (WorldSource("yard", "abc", ()),)
+    assert brings_code(request.Inspect((), (), files))
+    assert brings_code(live.Change("s", worlds=files))
+    assert not brings_code(request.Inspect((), ()))
 
 
 def test_everybody_may_stop():  # law 27

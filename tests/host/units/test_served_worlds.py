@@ -7,6 +7,7 @@ from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.runtime.bus import SEGMENT_SIZE
+from onika.wire.world_source import WorldSource
 from onika.words.reason import Reason
 
 MS = 1_000_000
@@ -44,21 +45,30 @@ class Opened:
 
     def __init__(self):
         self.worlds = {}
+        self.files = {}
         self.served = ServedWorlds(self._world)
 
-    def _world(self, name):
+    def _world(self, name, **files):
+        self.files[name] = files
         if name == "sea":
             raise ValueError("expected a world on land, found 'sea'")
         return self.worlds.setdefault(name, Yard(name))
 
-    def open(self, name="yard", now=0):
-        self.served.open(name, Segment.create(name, SEGMENT_SIZE), now)
+    def open(self, name="yard", now=0, **files):
+        self.served.open(name, Segment.create(name, SEGMENT_SIZE), now, **files)
         return self.worlds[name]
 
 
 @pytest.fixture
 def opened():
     return Opened()
+
+
+def test_a_world_whose_files_came_is_made_of_them(opened):  # R-X19
+    files = WorldSource("field", "abc", ())
+    opened.open("yard")
+    opened.open("field", files=files)
+    assert opened.files == {"yard": {}, "field": {"files": files}}
 
 
 def test_a_world_is_opened_by_its_name_and_an_unknown_one_refused(opened):  # law 16

@@ -122,7 +122,7 @@ def inspect(
     if faults:
         return sorted(set(faults)), notes
     loading.offer(worlds)
-    faults += [fault for source in worlds for fault in loading.world_faults(source.world)]
+    faults = [fault for source in worlds for fault in loading.world_faults(source.world)]
     sheets = _sheets(code, loading, faults)
     for task in tasks:
         if task.digest in sheets:
