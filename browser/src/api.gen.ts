@@ -1025,7 +1025,7 @@ export interface Turn {
   confirmed?: boolean;
 }
 
-/** What this browser wants to see from now on: variables as `DOC/NAME`, worlds by name, figures of tasks. Of a run, variables are `DOC/SUBSYSTEM/NAME`, or `DOC/NAME` for the first flow that has it. */
+/** What this browser wants to see from now on: variables as `DOC/NAME`, worlds by name, figures of tasks. A camera stands among the worlds, as `WORLD:CAMERA`. Of a run, variables are `DOC/SUBSYSTEM/NAME`, or `DOC/NAME` for the first flow that has it. */
 export interface Watch {
   t: 'Watch';
   variables?: (string)[];

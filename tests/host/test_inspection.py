@@ -158,3 +158,26 @@ def test_how_often_is_kept_within_bounds(hand, hz, period):
 def test_no_number_is_no_rate(hand):
     assert isinstance(hand.asker.ask(live.Attend(hz=float("nan"))), request.Refused)
     assert hand.asker.server.attends == {}
+
+
+def test_pictures_of_a_camera_are_shown_as_long_as_somebody_attends(hand, monkeypatch):  # R-F08
+    looked, pictures = [], {"yard:eye": (3, 5, b"file")}
+    monkeypatch.setattr(hand.asker.program._look._seen, "picture", pictures.get)
+    monkeypatch.setattr(hand.asker.program._look._seen, "look_only_at", looked.append)
+    hand.asker.ask(live.Attend(worlds=("yard:eye", "yard:ear", "yard")))
+    show(hand, 10**15)
+    show(hand, 2 * 10**15)
+    assert shown(hand) == [("world:yard:eye", reading.Picture(5, 3, b"file"))]
+    pictures["yard:eye"] = (4, 6, b"next")
+    show(hand, 3 * 10**15)
+    assert shown(hand)[-1] == ("world:yard:eye", reading.Picture(6, 4, b"next"))
+    hand.asker.ask(live.Attend())
+    assert looked == [{"yard:eye", "yard:ear"}, set()]
+
+
+def test_of_a_value_as_long_as_a_picture_only_its_type_is_shown(hand):  # R-F05
+    hand.task("film", COUNTER.replace("COUNT", "IMG").replace('"double"', '"byte[120,160,3]"').replace("+ 1.0", "+ 1"))
+    hand.change(spawn=["film"])
+    hand.asker.ask(live.Attend(readings=("s0/IMG",)))
+    show(hand, 10**15)
+    assert [value.value for _, value in shown(hand)] == ["byte[120,160,3]"]

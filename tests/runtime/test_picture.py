@@ -26,7 +26,10 @@ class Eyes:
         self.pixels = {name: np.zeros((*SIZE, 3), np.uint8) for name in ("left", "right")}
 
     def devices(self):
-        cameras = [DeviceSheet(name, ("time", "drive", "number", "age"), (), {}, SIZE) for name in ("left", "right")]
+        cameras = [
+            DeviceSheet(name, ("time", "drive", "number", "age"), (), {"RATE": (10.0,)}, SIZE)
+            for name in ("left", "right")
+        ]
         return (*cameras, DeviceSheet("scale", ("time", "drive", "a", "b"), (), {}))
 
     def state(self, device):
@@ -37,6 +40,12 @@ class Eyes:
 
     def look(self, device, is_wanted):
         self.wanted.append((device, is_wanted))
+
+    def show(self, device, is_shown):
+        self.wanted.append((device, f"shown {is_shown}"))
+
+    def take_small(self):
+        return {"left": (1, 5, b"file")}
 
     def release(self, device, epoch):
         pass
@@ -107,3 +116,24 @@ def test_what_is_no_camera_takes_no_pictures(segment):
     assert isinstance(device, Device)
     with pytest.raises(ValueError, match="scale is no camera"):
         device.picture()
+
+
+def test_somebody_looks_at_cameras_beside_the_tasks(segment):  # R-F08
+    world = Eyes()
+    bus = Bus("w", world, segment)
+    assert bus.take_small() == {}
+    bus.show("left", True)
+    bus.show("scale", True)
+    bus.show("nothing", True)
+    assert bus.take_small() == {"left": (1, 5, b"file")}
+    bus.show("left", False)
+    assert bus.take_small() == {}
+    assert world.wanted == [("left", "shown True"), ("left", "shown False")]
+
+
+def test_a_scene_names_its_cameras(segment):  # R-F08
+    world = Eyes()
+    world.scene, world.parts = tuple, dict
+    (left, right) = Bus("w", world, segment).scene()["cameras"]
+    assert left == {"name": "left", "width": 6, "height": 4, "rate": 10.0}
+    assert right["name"] == "right"

@@ -85,6 +85,7 @@ export const enDictionary = {
   'target.descriptionHint': 'above the triangle',
   'target.values': 'Values',
   'target.arm': 'Arm',
+  'target.clicked': 'Taken from the picture.',
   'target.point': 'Click a place…',
   'target.away': 'Away from its surface',
   'target.pointHint':

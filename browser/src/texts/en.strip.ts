@@ -164,6 +164,12 @@ export const enStrip = {
   'world.failed': 'This browser cannot draw in three dimensions: {why}',
   'world.none': 'The workcell {name} is not there.',
   'world.close': 'Close the workcell',
+  'camera.click': 'Click a point to make a target of it',
+  'camera.sees': 'What the camera {name} sees',
+  'camera.waits': 'No picture yet',
+  'camera.said': '{hz} Hz · {age} s old',
+  'camera.show': 'Camera|{n} cameras',
+  'camera.all': 'Cameras of {name}',
 
   'ask.title': '{name} asks',
   'ask.more': '{n} more is waiting|{n} more are waiting',

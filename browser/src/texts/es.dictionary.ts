@@ -87,6 +87,7 @@ export const esDictionary: Record<keyof typeof enDictionary, string> = {
   'target.descriptionHint': 'sobre el triángulo',
   'target.values': 'Valores',
   'target.arm': 'Brazo',
+  'target.clicked': 'Tomado de la imagen.',
   'target.point': 'Señalar un lugar…',
   'target.away': 'Separada de su superficie',
   'target.pointHint':

@@ -169,6 +169,12 @@ export const esStrip: Record<keyof typeof enStrip, string> = {
   'world.failed': 'Este navegador no puede dibujar en tres dimensiones: {why}',
   'world.none': 'La célula {name} no está.',
   'world.close': 'Cerrar la célula',
+  'camera.click': 'Pulse un punto para hacer de él un objetivo',
+  'camera.sees': 'Lo que ve la cámara {name}',
+  'camera.waits': 'Aún sin imagen',
+  'camera.said': '{hz} Hz · hace {age} s',
+  'camera.show': 'Cámara|{n} cámaras',
+  'camera.all': 'Cámaras de {name}',
 
   'ask.title': '{name} pregunta',
   'ask.more': '{n} más espera|{n} más esperan',

@@ -1,9 +1,9 @@
 """What sessions see of a runtime: what there is, figures, variables, and what they watch at a bounded rate."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from math import isnan
-from typing import Protocol
+from typing import Any, Protocol
 
 from onika.host.sessions.request_server import RequestServer
 from onika.host.subsystems.subsystem_registry import Subsystems
@@ -13,14 +13,16 @@ from onika.ring.displacement import Displacement
 from onika.runtime import news
 from onika.runtime.bus import Poses
 from onika.runtime.integrity import Accessor, check
+from onika.runtime.picture import SmallPicture
 from onika.runtime.subsystem import Member
-from onika.runtime.table import plain
+from onika.runtime.table import Table, plain
 from onika.wire import live, reading, request
 from onika.wire.runtime_standing import RtpuStanding, Standing, SubsystemStanding, TaskStanding
 from onika.words.reason import NOTHING, Reason
 
 _FASTEST_HZ = 60.0
 _SLOWEST_HZ = 0.1
+_LONGEST_SHOWN = 1 << 15  # bytes of a value
 
 Answer = Callable[[request.Response], None]
 
@@ -48,6 +50,14 @@ class InspectedDriver(DriverClock, Protocol):
 
     def poses(self, world: str) -> Poses | None:
         """The newest poses of an open world, their time and what shines; see `bus.Poses`."""
+        ...
+
+    def picture(self, device: str) -> SmallPicture | None:
+        """The newest picture of a camera for whoever looks; from now on somebody does."""
+        ...
+
+    def look_only_at(self, cameras: Collection[str]) -> None:
+        """Nobody looks at any other camera any more."""
         ...
 
 
@@ -102,6 +112,7 @@ class Inspection:
     def forget(self, session: str) -> None:
         """A session is gone."""
         self._watches.pop(session, None)
+        self._look()
 
     def show(self, wall_ns: int) -> None:
         """Show every session what it watches, if it is time: the newest values, and only what has changed."""
@@ -122,6 +133,12 @@ class Inspection:
             names = [] if table is None else list(table.entries) if wanted == "*" else [wanted]
             for name in names:
                 self._show_variable(session, watch, home, name, now)
+        for camera in filter(_is_camera, watch.worlds):
+            picture = self._seen.picture(camera)
+            if picture is not None and watch.counts.get(f"world:{camera}") != picture[1]:
+                number, at_ns, file = picture
+                watch.counts[f"world:{camera}"] = at_ns
+                self._server.show(session, f"world:{camera}", reading.encode(reading.Picture(at_ns, number, file)))
         for world in watch.worlds:
             poses = self._seen.poses(world)
             if poses is not None and watch.counts.get(f"world:{world}") != poses[0]:
@@ -135,7 +152,7 @@ class Inspection:
         key, count = f"{home}/{name}", table.ring(name).count
         if watch.counts.get(key) != count:
             watch.counts[key] = count
-            body = reading.Variable(now, count, plain(table.value(name)))
+            body = reading.Variable(now, count, _shown(table, name))
             self._server.show(session, key, reading.encode(body))
 
     def _attend(self, session: str, message: live.Attend) -> request.Response:
@@ -144,7 +161,12 @@ class Inspection:
         self._server.attend(session, message.subsystems)
         hz = min(max(message.hz, _SLOWEST_HZ), _FASTEST_HZ)
         self._watches[session] = _Watch(round(1e9 / hz), message.readings, message.worlds)
+        self._look()
         return request.Done()
+
+    def _look(self) -> None:
+        """Cameras at which nobody looks any more may rest."""
+        self._seen.look_only_at({name for watch in self._watches.values() for name in watch.worlds if _is_camera(name)})
 
     def _values(self, message: live.Read) -> request.Response:
         table = self._subsystems.tables.get(message.subsystem)
@@ -198,6 +220,17 @@ class Inspection:
         return SubsystemStanding(
             name, by_hand.holder, "", tasks, by_hand.executor.questions, recording=by_hand.recording
         )
+
+
+def _is_camera(name: str) -> bool:
+    """Whether a camera is meant, as `WORLD:CAMERA`, and no world."""
+    return ":" in name
+
+
+def _shown(table: Table, name: str) -> Any:
+    """A value as it is shown; of a picture, or anything else as long, only its type."""
+    shape = table.entries[name].shape
+    return str(shape) if shape.size > _LONGEST_SHOWN else plain(table.value(name))
 
 
 def _task(member: Member, is_wanted_on: bool, rate: float | None, reason: Reason, claims: str) -> TaskStanding:

@@ -17,7 +17,7 @@ from onika.ring.segment import Segment
 from onika.ring.slots import Ring
 from onika.runtime import world_start
 from onika.runtime.command import DeviceGrant
-from onika.runtime.picture import Pictures
+from onika.runtime.picture import Pictures, SmallPicture
 from onika.words.reason import Reason
 
 SEGMENT_SIZE = 1 << 26
@@ -196,10 +196,21 @@ class Bus:
 
     def scene(self) -> dict[str, Any]:
         """What there is to draw and to touch, as plain values that travel."""
-        return {
+        scene = {
             "shapes": [asdict(shape) for shape in self.world.scene()],
             "parts": {name: to_builtins(takes) for name, takes in self.world.parts().items()},
         }
+        cameras = self._pictures.cameras
+        return scene | {"cameras": cameras} if cameras else scene
+
+    def show(self, device: str, is_shown: bool) -> None:
+        """Somebody looks at the pictures of a camera from now on, or nobody any more; nothing where it is none."""
+        if device in self._sheets and self._sheets[device].picture:
+            self._pictures.show(device, is_shown)
+
+    def take_small(self) -> dict[str, SmallPicture]:
+        """The newest pictures of its cameras at which somebody looks, as far as they are new since the last call."""
+        return self._pictures.take_small()
 
     def poses(self) -> Poses:
         """The world's time, the poses of its bodies, and what shines."""

@@ -15,6 +15,9 @@ from onika.ring.slots import Ring
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+SmallPicture = tuple[int, int, bytes]
+"""A picture for whoever looks: its number, the world's time in ns when it was taken, JPEG or PNG."""
+
 COLOURS = 3
 """Bytes of a pixel: red, green, blue."""
 _NUMBER = 2
@@ -26,6 +29,14 @@ class CameraWorld(Protocol):
 
     def look(self, device: str, is_wanted: bool) -> None:
         """From now on somebody wants the pictures of this camera, or nobody any more."""
+        ...
+
+    def show(self, device: str, is_shown: bool) -> None:
+        """From now on somebody looks at its pictures, or nobody any more."""
+        ...
+
+    def take_small(self) -> dict[str, SmallPicture]:
+        """The newest pictures at which somebody looks, since the last call."""
         ...
 
     def picture(self, device: str) -> Any:
@@ -48,6 +59,7 @@ class Pictures:
             self._offsets[name] = start
             start += Ring.footprint(picture_size(sheet.picture))
         self._users: dict[str, int] = {}
+        self._shown: set[str] = set()
         self._publishers: dict[str, Callable[[], None]] = {}
 
     def use(self, device: str) -> int:
@@ -68,6 +80,26 @@ class Pictures:
         if not self._users[device]:
             del self._publishers[device]
             self._world.look(device, False)
+
+    @property
+    def cameras(self) -> list[dict[str, Any]]:
+        """Each with its name, the width and height of its pictures, and how many it takes in a second."""
+        return [
+            {"name": name, "width": sheet.picture[1], "height": sheet.picture[0], "rate": sheet.identity["RATE"][0]}
+            for name, sheet in self._sheets.items()
+        ]
+
+    def show(self, device: str, is_shown: bool) -> None:
+        """Somebody looks at the pictures of a camera from now on, or nobody any more."""
+        self._world.show(device, is_shown)
+        if is_shown:
+            self._shown.add(device)
+        else:
+            self._shown.discard(device)
+
+    def take_small(self) -> dict[str, SmallPicture]:
+        """The newest pictures at which somebody looks, since the last call."""
+        return self._world.take_small() if self._shown else {}
 
     def publish(self) -> None:
         """Every picture that has come since the last call."""

@@ -155,7 +155,7 @@ class Attend(Struct, frozen=True, tag=True):
     readings: tuple[str, ...] = ()
     """Variables as `SUBSYSTEM/NAME` or `SUBSYSTEM/*`, shown under these keys on the stream."""
     worlds: tuple[str, ...] = ()
-    """Worlds whose poses are shown, as `world:NAME`."""
+    """Worlds whose poses are shown, as `world:NAME`; and cameras as `WORLD:CAMERA`, their pictures as `world:` so."""
     hz: float = 10.0
     """How often readings are shown at most."""
 

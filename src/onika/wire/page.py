@@ -71,7 +71,10 @@ class Frame(Message, frozen=True):
     figures: dict[str, dict[str, Any]] = {}
     """Of tasks by `DOC/TASK` or `@SUBSYSTEM/TASK`, columns by their names in §A.5."""
     poses: dict[str, Any] = {}
-    """By world: `rows`, for each body its place x y z in m and its quaternion w x y z; `lit`, what shines."""
+    """By world: `rows`, for each body its place x y z in m and its quaternion w x y z; `lit`, what shines.
+
+    By camera, as `WORLD:CAMERA`: its newest picture, `file`, JPEG or PNG in base64, `number` and `at_s`.
+    """
 
 
 class Say(Message, frozen=True):

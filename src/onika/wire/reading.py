@@ -27,7 +27,18 @@ class Poses(Struct, frozen=True, tag=True):
     """The names of the shapes that shine, such as a lamp."""
 
 
-Reading = Variable | Poses
+class Picture(Struct, frozen=True, tag=True):
+    """What a camera sees, under the key `world:WORLD:CAMERA`."""
+
+    at_ns: int
+    """The world's time when it was taken."""
+    number: int
+    """How many there were since somebody wanted any."""
+    file: bytes
+    """JPEG or PNG."""
+
+
+Reading = Variable | Poses | Picture
 
 encode = msgspec.msgpack.Encoder().encode
 decode = msgspec.msgpack.Decoder(Reading).decode

@@ -6,6 +6,7 @@ from time import monotonic_ns
 import numpy as np
 import pytest
 
+from kit.worlds.eyed_world import EyedWorld
 from kit.worlds.mass_world import MassWorld
 from onika.host.units import device_server as room
 from onika.host.units.device_server import DeviceServer
@@ -202,3 +203,16 @@ def test_a_world_that_nobody_can_put_back_is_denied_and_says_nothing_of_its_plac
     server.open()
     assert "by hand" in str(server.ask(room.PutWorldBack("yard"), room.Denied).reason)
     assert server.ask(room.TakeDisplaced(), room.DisplacedTaken).displaced == {"yard": ()}
+
+
+def test_pictures_are_told_while_somebody_looks(server, monkeypatch):  # R-F08
+    monkeypatch.setattr(f"{__name__}.MassWorld", EyedWorld)
+    server.open()
+    server.say(room.ShowCamera("yard", "eye", True))
+    first, later = (server.hear(room.PictureTaken) for _ in range(2))
+    assert (later.world, later.camera, later.file) == ("yard", "eye", b"file")
+    assert later.number > first.number
+    server.say(room.ShowCamera("yard", "eye", False))
+    server.ask(room.TakeModes(), room.ModesTaken)
+    server.ask(room.TakeModes(), room.ModesTaken)
+    assert server.post.receive() is None

@@ -1,5 +1,6 @@
 import pytest
 
+from kit.worlds.eyed_world import EyedWorld
 from kit.worlds.mass_world import MassWorld
 from onika.host.units.world_buses import Buses
 from onika.ring.device import DeviceOrder, DriveState, MishapEvent
@@ -343,3 +344,26 @@ def test_how_worlds_stand_is_told_of_those_that_know_how():  # R-E16
     for name in worlds:
         buses.grant(f"{name}:m0", 0)
     assert buses.standings() == {"yard": (lamp, door)}
+
+
+def test_pictures_are_told_while_somebody_looks_and_a_camera_is_shared(messages):  # R-F05, R-F08
+    worlds = {}
+    buses = Buses({}, lambda name: worlds.setdefault(name, EyedWorld()), messages.append)
+    assert buses.picture("yard:eye") is None
+    buses.grant("yard:eye", 0)
+    buses.grant("yard:eye", 0)
+    eye = worlds["yard"]
+    assert (eye.used, eye.shown) == (True, False)
+    number, _, file = buses.picture("yard:eye")
+    assert (eye.shown, file) == (True, b"file")
+    buses.step(20 * MS)
+    assert buses.picture("yard:eye")[0] == number + 1
+    assert buses.picture("yard:m0") is None
+    buses.look_only_at(["yard:eye", "elsewhere:eye"])
+    assert eye.shown
+    buses.look_only_at([])
+    assert not eye.shown
+    buses.release("yard:eye")
+    assert eye.used
+    buses.release("yard:eye")
+    assert not eye.used

@@ -1,5 +1,6 @@
 """What is seen of a runtime between two frames: the newest value under each key, figures and poses."""
 
+from base64 import b64encode
 from collections.abc import Mapping
 from threading import Lock
 from typing import Any
@@ -58,6 +59,11 @@ class FrameBuffer:
         taken = reading.decode(body)
         if isinstance(taken, reading.Poses):
             self._poses[key.removeprefix(_WORLD)] = {"rows": _rows(taken.rows), "lit": taken.lit}
+            return
+        if isinstance(taken, reading.Picture):
+            file = b64encode(taken.file).decode()
+            seen = {"file": file, "number": taken.number, "at_s": taken.at_ns * 1e-9}
+            self._poses[key.removeprefix(_WORLD)] = seen
             return
         self._at_s = taken.now_ns * 1e-9
         keys = self._keys.get(key)

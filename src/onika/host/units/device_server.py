@@ -103,6 +103,14 @@ class StreamPoses(Struct, frozen=True, tag=True):
     world: str
 
 
+class ShowCamera(Struct, frozen=True, tag=True):
+    """From now on tell the pictures of a camera as they come, or no more."""
+
+    world: str
+    camera: str
+    is_shown: bool
+
+
 class Granted(Struct, frozen=True, tag=True):
     """The answer to a Claim."""
 
@@ -171,6 +179,16 @@ class WorldDescribed(Struct, frozen=True, tag=True):
     scene: dict[str, Any]
 
 
+class PictureTaken(Struct, frozen=True, tag=True):
+    """A picture of a camera at which somebody looks, as JPEG or PNG."""
+
+    world: str
+    camera: str
+    number: int
+    taken_ns: int
+    file: bytes
+
+
 class ServerReady(Struct, frozen=True, tag=True):
     """The process is up; what the operating system granted it."""
 
@@ -191,6 +209,7 @@ Order = (
     | TakeSnapshots
     | DescribeWorld
     | StreamPoses
+    | ShowCamera
 )
 Word = (
     Granted
@@ -204,6 +223,7 @@ Word = (
     | SnapshotsTaken
     | WorldDescribed
     | WorldPoses
+    | PictureTaken
     | ServerReady
 )
 
@@ -246,6 +266,8 @@ class DeviceServer:
         now = self._now()
         for event in self._worlds.step(name, now):
             self._post.send(encode(_driven(name, event, self._worlds.behind_ns(name))))
+        for camera, picture in self._worlds.take_small(name).items():
+            self._post.send(encode(PictureTaken(name, camera, *picture)))
         if name in self._posing and self._posing[name].is_due(now):
             self._posing[name].tell(now, *self._worlds.poses(name))
 
@@ -272,6 +294,8 @@ class DeviceServer:
             case StreamPoses():
                 post = ProcessSocket(socket.socket(fileno=descriptors[0])) if descriptors else self._post
                 self._posing.setdefault(order.world, PoseStream(order.world)).add(post)
+            case ShowCamera():
+                self._worlds.show(order.world, order.camera, order.is_shown)
             case DescribeWorld() | TakeDisplaced() | TakeModes() | TakeSnapshots():
                 return self._look(order)
         return None

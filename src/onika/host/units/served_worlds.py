@@ -10,6 +10,7 @@ from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.runtime.bus import Bus, Poses, World
 from onika.runtime.command import DeviceGrant
+from onika.runtime.picture import SmallPicture
 from onika.wire.world_source import WorldSource
 from onika.words.reason import Reason
 
@@ -107,6 +108,14 @@ class ServedWorlds:
     def poses(self, world: str) -> Poses:
         """Where its bodies are."""
         return self._buses[world].poses()
+
+    def show(self, world: str, camera: str, is_shown: bool) -> None:
+        """Somebody looks at the pictures of a camera from now on, or nobody any more."""
+        self._buses[world].show(camera, is_shown)
+
+    def take_small(self, world: str) -> dict[str, SmallPicture]:
+        """The newest pictures of its cameras at which somebody looks, since the last call."""
+        return self._buses[world].take_small()
 
     def snapshots(self) -> dict[str, bytes]:
         """The worlds as they stand."""

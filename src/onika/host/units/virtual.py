@@ -2,7 +2,7 @@
 
 import select
 from collections import deque
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from time import monotonic_ns
 
 from msgspec import structs
@@ -18,6 +18,7 @@ from onika.ring.segment import Segment
 from onika.runtime import command, news
 from onika.runtime.bus import Poses, World
 from onika.runtime.execution.executive import Executive
+from onika.runtime.picture import SmallPicture
 from onika.wire import event
 from onika.wire.world_source import WorldSource
 from onika.words.reason import NOTHING, Reason
@@ -113,6 +114,14 @@ class VirtualDriver:
     def poses(self, world: str) -> Poses | None:
         """Where the bodies of an open world are."""
         return self._buses.poses(world)
+
+    def picture(self, device: str) -> SmallPicture | None:
+        """The newest picture of a camera for whoever looks; from now on somebody does."""
+        return self._buses.picture(device)
+
+    def look_only_at(self, cameras: Collection[str]) -> None:
+        """Nobody looks at any other camera any more."""
+        self._buses.look_only_at(cameras)
 
     def ask_modes(self, answer: Callable[[Mapping[str, DriveMode]], None]) -> None:
         """How every drive stands; answered at once."""

@@ -2,7 +2,7 @@
 
 import select
 from collections import deque
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from time import monotonic_ns
 from typing import TypeVar
 
@@ -21,6 +21,7 @@ from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment, SharedMemoryRefused
 from onika.runtime import command, news
 from onika.runtime.bus import SEGMENT_SIZE, Poses
+from onika.runtime.picture import SmallPicture
 from onika.wire import event
 from onika.wire.world_source import WorldSource
 from onika.words.reason import Reason, reason_of
@@ -52,6 +53,8 @@ class WallDriver:
         self._simulated: set[str] = set()
         self._shown: set[str] = set()
         self._poses: dict[str, Poses] = {}
+        self._looked_at: set[str] = set()
+        self._small: dict[str, SmallPicture] = {}
         self._claims: dict[str, tuple[int, str]] = {}
         self._epoch = 0
         self._listener: UnitListener | None = None
@@ -164,6 +167,22 @@ class WallDriver:
             self._shown.add(world)
             self._devices.send(world, device_server.StreamPoses(world))
         return self._poses.get(world)
+
+    def picture(self, device: str) -> SmallPicture | None:
+        """The newest picture of a camera for whoever looks, as the device server said last; from now on it says so."""
+        world, camera = split(device)
+        if world in self._opened and device not in self._looked_at:
+            self._looked_at.add(device)
+            self._devices.send(world, device_server.ShowCamera(world, camera, True))
+        return self._small.get(device)
+
+    def look_only_at(self, cameras: Collection[str]) -> None:
+        """Nobody looks at any other camera any more."""
+        for device in self._looked_at - set(cameras):
+            world, camera = split(device)
+            self._devices.send(world, device_server.ShowCamera(world, camera, False))
+            self._looked_at.discard(device)
+            self._small.pop(device, None)
 
     def pose_to(self, world: str, inlet: int) -> None:
         """From now on the device server says the same at this socket too."""
@@ -302,6 +321,8 @@ class WallDriver:
                 self._tell(self._driven(word))
             case WorldPoses():
                 self._poses[word.world] = (word.at_ns, word.rows, word.lit)
+            case device_server.PictureTaken():
+                self._small[f"{word.world}:{word.camera}"] = (word.number, word.taken_ns, word.file)
             case _:
                 self._devices.answered(supervised, word)
 

@@ -1,6 +1,6 @@
 """The worlds of a virtual runtime, each with its bus: opened with their first device, stepped where they stand."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from typing import Any
 
 from onika.host.units.world_registry import refuse_unknown, split
@@ -11,6 +11,7 @@ from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.runtime.bus import SEGMENT_SIZE, Bus, Poses, World
 from onika.runtime.command import DeviceGrant
+from onika.runtime.picture import SmallPicture
 from onika.wire import event
 from onika.words.reason import Reason
 
@@ -36,6 +37,8 @@ class Buses:
         self._buses: dict[str, Bus] = {}
         self._segments: list[Segment] = []
         self._claims: dict[str, int] = {}
+        self._looked_at: set[str] = set()
+        self._small: dict[str, SmallPicture] = {}
         self._epoch = 0
         self._is_stopped = False
 
@@ -79,6 +82,26 @@ class Buses:
         if world in self._buses:
             return self._buses[world].poses()
         return None
+
+    def picture(self, device: str) -> SmallPicture | None:
+        """The newest picture of the camera `world:device` for whoever looks; from now on somebody does."""
+        world, name = split(device)
+        if world not in self._buses:
+            return None
+        bus = self._buses[world]
+        if device not in self._looked_at:
+            self._looked_at.add(device)
+            bus.show(name, True)
+        self._small |= {f"{world}:{camera}": picture for camera, picture in bus.take_small().items()}
+        return self._small.get(device)
+
+    def look_only_at(self, devices: Collection[str]) -> None:
+        """Nobody looks at any other camera any more."""
+        for device in self._looked_at - set(devices):
+            world, name = split(device)
+            self._buses[world].show(name, False)
+            self._looked_at.discard(device)
+            self._small.pop(device, None)
 
     def modes(self) -> dict[str, DriveMode]:
         """How the drives of all open worlds stand, by `world:device`."""

@@ -174,6 +174,8 @@ class Reset(Act, frozen=True):
 class Watch(Act, frozen=True):
     """What this browser wants to see from now on: variables as `DOC/NAME`, worlds by name, figures of tasks.
 
+    A camera stands among the worlds, as `WORLD:CAMERA`.
+
     Of a run, variables are `DOC/SUBSYSTEM/NAME`, or `DOC/NAME` for the first flow that has it.
     """
 
