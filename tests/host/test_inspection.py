@@ -167,10 +167,10 @@ def test_pictures_of_a_camera_are_shown_as_long_as_somebody_attends(hand, monkey
     hand.asker.ask(live.Attend(worlds=("yard:eye", "yard:ear", "yard")))
     show(hand, 10**15)
     show(hand, 2 * 10**15)
-    assert shown(hand) == [("world:yard:eye", reading.Picture(5, 3, b"file"))]
+    assert shown(hand) == [("world:yard:eye", reading.CameraPicture(5, 3, b"file"))]
     pictures["yard:eye"] = (4, 6, b"next")
     show(hand, 3 * 10**15)
-    assert shown(hand)[-1] == ("world:yard:eye", reading.Picture(6, 4, b"next"))
+    assert shown(hand)[-1] == ("world:yard:eye", reading.CameraPicture(6, 4, b"next"))
     hand.asker.ask(live.Attend())
     assert looked == [{"yard:eye", "yard:ear"}, set()]
 

@@ -138,7 +138,9 @@ class Inspection:
             if picture is not None and watch.counts.get(f"world:{camera}") != picture[1]:
                 number, at_ns, file = picture
                 watch.counts[f"world:{camera}"] = at_ns
-                self._server.show(session, f"world:{camera}", reading.encode(reading.Picture(at_ns, number, file)))
+                self._server.show(
+                    session, f"world:{camera}", reading.encode(reading.CameraPicture(at_ns, number, file))
+                )
         for world in watch.worlds:
             poses = self._seen.poses(world)
             if poses is not None and watch.counts.get(f"world:{world}") != poses[0]:

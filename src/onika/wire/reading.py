@@ -27,7 +27,7 @@ class Poses(Struct, frozen=True, tag=True):
     """The names of the shapes that shine, such as a lamp."""
 
 
-class Picture(Struct, frozen=True, tag=True):
+class CameraPicture(Struct, frozen=True, tag=True):
     """What a camera sees, under the key `world:WORLD:CAMERA`."""
 
     at_ns: int
@@ -38,7 +38,7 @@ class Picture(Struct, frozen=True, tag=True):
     """JPEG or PNG."""
 
 
-Reading = Variable | Poses | Picture
+Reading = Variable | Poses | CameraPicture
 
 encode = msgspec.msgpack.Encoder().encode
 decode = msgspec.msgpack.Decoder(Reading).decode

@@ -45,7 +45,7 @@ def test_figures_and_poses_come_with_it(model):  # R-C14
 def test_a_picture_comes_as_text_under_the_name_of_its_camera(model):  # R-F08
     frames = FrameBuffer()
     for number, file in ((3, b"old"), (4, b"new")):
-        seen = reading.Picture(1_500_000_000, number, file)
+        seen = reading.CameraPicture(1_500_000_000, number, file)
         frames.put({"world:bench:eye": reading.encode(seen)}, None, model)
     assert frames.take().poses == {"bench:eye": {"file": "bmV3", "number": 4, "at_s": 1.5}}
 

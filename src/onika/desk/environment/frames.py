@@ -60,7 +60,7 @@ class FrameBuffer:
         if isinstance(taken, reading.Poses):
             self._poses[key.removeprefix(_WORLD)] = {"rows": _rows(taken.rows), "lit": taken.lit}
             return
-        if isinstance(taken, reading.Picture):
+        if isinstance(taken, reading.CameraPicture):
             file = b64encode(taken.file).decode()
             seen = {"file": file, "number": taken.number, "at_s": taken.at_ns * 1e-9}
             self._poses[key.removeprefix(_WORLD)] = seen
