@@ -76,7 +76,7 @@ def device_of(task):
         return None
     if task.module in CELL:
         return CELL[task.module](task.module)
-    if named == "bench:lamp":
+    if named in ("bench:lamp", "motor:lamp"):
         return BenchDevice(("on_pad",), (), {"WHEN": "on_pad"})
     sheet = next(device for device in BoxesWorld().devices() if f"boxes:{device.name}" == named)
     return BenchDevice(sheet.state[2:], sheet.command, sheet.identity)
@@ -87,6 +87,12 @@ def arm_of_cell(task):
     drive = {"arm_tau": "torque", "arm_vel": "velocity"}.get(task, "position")
     numbers = 14 if drive == "position" else 7
     return BenchDevice([f"s{k}" for k in range(21)], [f"c{k}" for k in range(numbers)], ARMS["seven"].identity(drive))
+
+
+def sim_of_cell(_):
+    """An arm of seven joints without forces."""
+    names = [f"q{k}" for k in range(7)]
+    return BenchDevice(names, names, ARMS["seven"].identity("position"))
 
 
 def base_of_cell(_):
@@ -102,6 +108,7 @@ def numbers_of_cell(count):
 
 CELL = dict.fromkeys(("arm_pos", "arm_tau", "arm_vel", "axes"), arm_of_cell) | {
     "grip": lambda _: BenchDevice(["opening", "speed", "force"], ["opening", "force"]),
+    "arm_sim": sim_of_cell,
     "base": base_of_cell,
     "whereis": numbers_of_cell(7),
     "wrench": numbers_of_cell(6),

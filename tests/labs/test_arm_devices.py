@@ -210,3 +210,25 @@ def test_the_loader_asks_the_device_before_anything_lives(monkeypatch):  # decis
     assert constants["NDOF"] == 7 and constants["SCREW"] == arm.constants["SCREW"].tolist()
     absent = facts.constants(code, (("DEVICE", ("cell:other",)),))
     assert "expected an arm behind the device, found another device" in str(absent.reason)
+
+
+def test_without_forces_an_arm_is_where_its_reference_says():  # R-X19, R-K03
+    arm = ARMS["five"]
+    device = BenchDevice([f"s{k}" for k in range(5)], [f"c{k}" for k in range(5)], arm.identity("position"))
+    bench = Bench(MODULES / "arm_sim.py", frequency=500, device=device).init()
+    assert (bench.state, bench["NDOF"]) == (State.OFF, 5)
+    device.state[:] = 0.1
+    bench.on()
+    bench["Q_REF"] = np.full(5, 0.102)
+    bench.cycle()
+    assert (device.order, device.commands.tolist()) == (DeviceOrder.DRIVE, [0.102] * 5)
+    device.state[:] = 0.102
+    bench.cycle()
+    assert bench["Q^_MEZ"] == pytest.approx(np.ones(5)) and bench["TAU_MEZ"].tolist() == [0.0] * 5
+
+
+def test_an_arm_with_forces_is_no_arm_without_them():  # R-X04
+    device = device_of(ARMS["five"], "position")
+    bench = Bench(MODULES / "arm_sim.py", frequency=500, device=device).init()
+    assert bench.state is State.ERROR
+    assert "publishes and takes 5 numbers, found one that publishes 15 and takes 10" in bench.why

@@ -47,7 +47,7 @@ TRIGGERS = {
     "preshape",
 }
 MOVES = ("jmove", "cmove", "visit")
-OTHERS = ("gantry", "plate", "fingers", "modular")
+OTHERS = ("gantry", "plate", "fingers", "modular", "motor")
 """In the names of jobs of what is no PUMA."""
 BEGINS_ELSEWHERE = {"put_back", "visit"}
 """Applications that are nested in others, and begin where those have gone."""
