@@ -13,7 +13,7 @@ from onika.words.reason import Reason
 
 def test_a_run_comes_back_as_it_was_with_its_code(tmp_path):  # law 29
     begin = structs.replace(run().begin, answers=(("a", "b", "1 2"),), repeat=(Recorded(5, 1, encode(steer.Who())),))
-    given = structs.replace(run(), begin=begin, options=("--shake", "3"))
+    given = structs.replace(run(), begin=begin, options=("--shake", "3", "--world-value", "boxes.mass=2.0"))
     copy = RunRecord.read(RecordingBuilder(tmp_path / "run.mcap", given).end())
     assert copy == given
     by_hand = structs.replace(run(), is_by_hand=True)
@@ -59,7 +59,15 @@ def test_a_file_that_was_cut_before_its_run_began_says_so(tmp_path, part):  # R-
 
 
 @pytest.mark.parametrize(
-    "options", ["--audit /tmp/x", "--listen 0.0.0.0:1", "--shake", "--shake 3 --audit x", "--shake -1"]
+    "options",
+    [
+        "--audit /tmp/x",
+        "--listen 0.0.0.0:1",
+        "--shake",
+        "--shake 3 --audit x",
+        "--world-value x.y=1 --audit",
+        "--shake -1",
+    ],
 )
 def test_a_recording_gives_no_orders_to_the_runtime_that_repeats_it(tmp_path, options):  # R-X05, R-X12
     reader = RecordingBuilder(tmp_path / "run.mcap", run(options=tuple(options.split()))).end()

@@ -270,3 +270,25 @@ def test_silence_holds_and_then_trips():  # R-F01
     states = [DriveState(event.state) for event in world.take_events()]
     assert states == [DriveState.DRIVEN, DriveState.HELD, DriveState.TRIPPED]
     assert world.car.holds_told > 0
+
+
+# ---- what is otherwise in it ----
+
+
+def test_what_is_varied_stays_so_when_an_arm_comes():  # R-X23
+    world = BoxesWorld()
+    world.vary("mass", 2.0)
+    heavy = world._plant.model.body_mass[world._plant.body("box_waves")]
+    world.claim("arm_left", 1)
+    assert world._plant.model.body_mass[world._plant.body("box_waves")] == pytest.approx(heavy)
+    plain = BoxesWorld()._plant
+    assert heavy == pytest.approx(2.0 * plain.model.body_mass[plain.body("box_waves")])
+
+
+@pytest.mark.parametrize(
+    ("name", "factor", "words"),
+    [("colour", 2.0, "expected one of friction and mass"), ("mass", 0.0, "0.01 to 100"), ("mass", math.nan, "0.01 to")],
+)
+def test_what_cannot_be_varied_is_refused_with_what_can(name, factor, words):  # R-X23
+    with pytest.raises(ValueError, match=words):
+        BoxesWorld().vary(name, factor)

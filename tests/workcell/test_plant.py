@@ -62,3 +62,29 @@ def test_poses_of_settled_boxes_are_where_they_were_put():
     assert poses.shape == (5, 7)
     assert np.allclose(poses[1, :2], plant.data.qpos[:2], atol=1e-6)
     assert np.allclose(poses[1, 3:], (1, 0, 0, 0))
+
+
+def test_what_rubs_and_what_weighs_is_otherwise_once_and_only_what_is_free_weighs_more():  # R-X23
+    plain, other = _plant("left"), _plant("left")
+    for _ in range(2):
+        other.vary({"friction": 0.5, "mass": 3.0})
+    assert other.model.geom_friction[:, 0] == pytest.approx(0.5 * plain.model.geom_friction[:, 0])
+    assert other.model.geom_friction[:, 1:] == pytest.approx(plain.model.geom_friction[:, 1:])
+    ratio = np.divide(
+        other.model.body_mass, plain.model.body_mass, where=plain.model.body_mass > 0, out=np.ones(plain.model.nbody)
+    )
+    for body in range(plain.model.nbody):
+        is_box = plain.model.body(body).name.startswith("box")
+        if plain.model.body_mass[body] > 0:
+            assert ratio[body] == pytest.approx(3.0 if is_box else 1.0), plain.model.body(body).name
+    assert other.model.body_inertia[other.body("box_waves")] == pytest.approx(
+        3.0 * plain.model.body_inertia[plain.body("box_waves")]
+    )
+    assert other.model.body_subtreemass[0] > plain.model.body_subtreemass[0]
+
+
+def test_where_nothing_is_varied_nothing_changes():  # R-X08
+    plain, other = _plant("left"), _plant("left")
+    other.vary({})
+    assert np.array_equal(plain.model.geom_friction, other.model.geom_friction)
+    assert np.array_equal(plain.model.body_mass, other.model.body_mass)

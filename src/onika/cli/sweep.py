@@ -115,7 +115,7 @@ def _head(design: SweepDesign, site: Site) -> tuple[SweepHead, tuple[Fault, ...]
     if prepared.plan is None or prepared.faults:
         return SweepHead(1, design.command, ""), prepared.faults
     first = next(design.cases())
-    _, faults = varied(prepared.plan, first.values.items())
+    _, _, faults = varied(prepared.plan, first.values.items())
     return SweepHead(1, design.command, digest_of(prepared.plan)), faults
 
 

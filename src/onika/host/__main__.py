@@ -44,6 +44,7 @@ from onika.record.black_box_folder import black_box_folder
 from onika.ring.last_words import LastWords
 from onika.ring.segment import Segment
 from onika.wire import event
+from onika.wire.world_values import options_of, world_values
 from onika.words.own_language import own_language
 from onika.words.reason import Reason, in_language, reason_of
 from onika.words.system_error import is_used_up, system_reason
@@ -114,6 +115,7 @@ def _given(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--virtual", action="store_true")
     parser.add_argument("--scale", type=float)
     parser.add_argument("--shake", type=int)
+    parser.add_argument("--world-value", action="append", default=[])
     parser.add_argument("--forecast", action="store_true")
     parser.add_argument("--no-fifo", action="store_true")
     parser.add_argument("--no-black-box", action="store_true")
@@ -268,9 +270,10 @@ def _virtual_driver(
 ) -> VirtualDriver:
     """What moves in virtual time, from its beginning."""
     shake = given.shake if renewal is None else renewal.asked.shake
-    worlds = partial(open_world, shake=shake)
+    values = world_values(given.world_value) if renewal is None else renewal.asked.world_values
+    worlds = partial(open_world, shake=shake, values=values)
     driver = VirtualDriver(_rtpus(given), server.tell, worlds, watch, given.scale, watches_mishaps=given.forecast)
-    driver.options = () if shake is None else ("--shake", str(shake))
+    driver.options = options_of(shake, values)
     return driver
 
 

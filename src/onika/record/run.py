@@ -15,14 +15,16 @@ from onika.record.writer import Writer
 from onika.wire.event import Result
 from onika.wire.plan import Code
 from onika.wire.request import Begin, Prepare
+from onika.wire.world_values import WORLD_VALUE
 from onika.words.name import TASK_NAME
 from onika.words.reason import Reason
 
 NOTE, END, BLACK_BOX = "onika", "end", "black box"
 _TOO_SHORT = Reason.of("record.cut_short")
 _MOST_UNITS = 64
-_OPTIONS = re.compile(r"--shake [0-9]{1,18}", re.ASCII)
-"""How a runtime is started that shakes its world; nothing else changes what happens in virtual time."""
+_OPTION = rf"(--shake [0-9]{{1,18}}|--world-value {WORLD_VALUE})"
+_OPTIONS = re.compile(rf"{_OPTION}( {_OPTION}){{0,40}}", re.ASCII)
+"""How a runtime is started whose worlds are shaken or varied; nothing else changes what happens in virtual time."""
 _BY_HAND = "by hand"
 _PLAN, _BEGIN, _CODE = "plan.json", "begin.json", "code.json"
 

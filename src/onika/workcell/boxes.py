@@ -161,6 +161,7 @@ class BoxesWorld(DrivenWorld):
 
     def _begin(self) -> None:
         """Go on from the plant's present positions: with physics, or without forces."""
+        self._plant.vary(self._factors)
         self._plant.settle()
         self._advance: Callable[[Any, Any], None] = mj_step
         carried: Callable[[str], tuple[str, ...]] | None = None

@@ -14,10 +14,11 @@ from onika.ring.device import DeviceOrder, DeviceSheet, DriveEvent
 from onika.ring.drive import NEVER_NS, DriveInput, DriveMode, input_of
 from onika.words.reason import Reason
 from onika.workcell.panic_button import PanicButton
-from onika.workcell.plant import Plant
+from onika.workcell.plant import FACTORS, Plant
 from onika.workcell.unit import DeviceUnit
 
 _SENSE_NS = 20_000_000  # how often touch is felt: at the pads of hands and in the lamp's circuit
+_LEAST, _MOST = 0.01, 100.0
 _DRIVE = int(DeviceOrder.DRIVE)  # plain numbers compare quicker than names
 
 
@@ -46,6 +47,16 @@ class DrivenWorld:
         self._events: list[DriveEvent] = []
         self._sense_ns = 0
         self._due_ns = NEVER_NS
+        self._factors: dict[str, float] = {}
+
+    def vary(self, name: str, factor: float) -> None:
+        """Before anything has moved: `friction` or `mass` is so many times what the model says; raises ValueError."""
+        if name not in FACTORS:
+            raise ValueError(Reason.of("workcell.no_factor", there=FACTORS, name=name))
+        if not _LEAST <= factor <= _MOST:
+            raise ValueError(Reason.of("workcell.factor_range", least=_LEAST, most=_MOST, name=name, factor=factor))
+        self._factors[name] = factor
+        self._plant.vary(self._factors)
 
     def devices(self) -> tuple[DeviceSheet, ...]:
         """All devices there are or can be."""

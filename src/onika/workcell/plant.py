@@ -1,9 +1,13 @@
 """A compiled world: MuJoCo's model and data with its names, able to take over the state of another one by name."""
 
+from collections.abc import Mapping
+
 import mujoco
 import numpy as np
 import numpy.typing as npt
 
+FACTORS = ("friction", "mass")
+"""What of a world may be otherwise than its model says."""
 _FEELING, _NUMB = 0, int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
 
 
@@ -16,6 +20,7 @@ class Plant:
         self.data = mujoco.MjData(self.model)
         self._option = self.model.opt
         self._measured_at = -1.0
+        self._is_varied = False
 
     def body(self, name: str) -> int:
         """Number of a body; raises KeyError for an unknown name."""
@@ -44,6 +49,20 @@ class Plant:
         """Where neighbouring scalar sensors stand in sensordata."""
         first = int(self.model.sensor(names[0]).adr[0])
         return slice(first, first + len(names))
+
+    def vary(self, factors: Mapping[str, float]) -> None:
+        """Once: how much it rubs, and what weighs that is free to move, by these factors (`FACTORS`)."""
+        if self._is_varied or not factors:
+            return
+        self._is_varied = True
+        model = self.model
+        model.geom_friction[:, 0] *= factors.get("friction", 1.0)
+        model.pair_friction[:, :2] *= factors.get("friction", 1.0)
+        free = {int(model.jnt_bodyid[k]) for k in range(model.njnt) if model.jnt_type[k] == mujoco.mjtJoint.mjJNT_FREE}
+        loose = [body for body in range(model.nbody) if int(model.body_rootid[body]) in free]
+        model.body_mass[loose] *= factors.get("mass", 1.0)
+        model.body_inertia[loose] *= factors.get("mass", 1.0)
+        mujoco.mj_setConst(model, mujoco.MjData(model))
 
     def take(self, other: "Plant") -> None:
         """Take over positions, speeds and signals of everything that has the same name in `other`."""

@@ -47,7 +47,7 @@ class Machine:
 
     @contextmanager
     def start_on(self, runtime_for, settings, site):
-        assert runtime_for(SimpleNamespace(flows=(), code=())) is self
+        assert runtime_for(SimpleNamespace(flows=(), code=()), {"yard": {"mass": 2.0}}) is self
         end = self.ends.pop(0)
         if isinstance(end, Exception):
             raise end
@@ -79,7 +79,7 @@ def done(machine, *ends):
 def test_one_runtime_does_all_runs_and_is_renewed_before_each(machine):  # R-X23
     results = done(machine, (GOOD,), (BAD,), (GOOD, "LAMP == 1"))
     assert (machine.launched, machine.closed) == (1, 1)
-    assert machine.asked == [live.Renew(3)] * 3
+    assert machine.asked == [live.Renew(3, {"yard": {"mass": 2.0}})] * 3
     assert [(result.state, result.unmet, result.is_good) for result in results] == [
         ("completed", (), True),
         ("aborted", (), False),

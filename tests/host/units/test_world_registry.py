@@ -100,3 +100,17 @@ def test_whatever_is_no_device_is_refused_with_what_was_expected(text):
     else:
         with pytest.raises(ValueError, match="expected WORLD:DEVICE"):
             split(text)
+
+
+def test_a_world_is_opened_with_what_is_otherwise_in_it_and_so_is_a_copy():  # R-X23
+    for name in ("boxes", "boxes@other"):
+        plain, heavy = open_world(name), open_world(name, values={"boxes": {"mass": 4.0}, "yard": {"mass": 9.0}})
+        assert heavy.fingerprint() == plain.fingerprint()
+        assert sum(heavy._plant.model.body_mass) > 2.0 * sum(plain._plant.model.body_mass)
+
+
+def test_a_world_of_which_nothing_can_be_varied_says_so(monkeypatch):  # R-X23
+    monkeypatch.delattr("onika.workcell.driven_world.DrivenWorld.vary")
+    assert open_world("boxes", values={"yard": {"mass": 2.0}})
+    with pytest.raises(ValueError, match="expected a world of which something can be varied, found boxes"):
+        open_world("boxes", values={"boxes": {"mass": 2.0}})

@@ -1,11 +1,12 @@
-"""A plan with other numbers: LOCAL values of its tasks, as a sweep varies them (requirement X23)."""
+"""A plan with other numbers: LOCAL values of its tasks and values of its worlds, as a sweep varies them (X23)."""
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 
 from msgspec.structs import replace
 
+from onika.desk.plan.flow_worlds import worlds_by_flow
 from onika.wire.plan import Plan, PlannedFlow, PlannedTask
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
@@ -34,22 +35,33 @@ class LocalAddress:
         return f"{self.task}.{self.name}" + ("" if self.element is None else f"[{self.element}]")
 
 
-def varied(plan: Plan, values: Iterable[tuple[str, float]]) -> tuple[Plan, tuple[Fault, ...]]:
-    """The plan with these numbers in place of its own, in every flow that has the task; what cannot be is a fault."""
+def varied(
+    plan: Plan, values: Iterable[tuple[str, float]]
+) -> tuple[Plan, dict[str, dict[str, float]], tuple[Fault, ...]]:
+    """The plan with these numbers in place of its own, in every flow that has the task; what cannot be is a fault.
+
+    A name that begins with a world means that world; these numbers come second, by world and name.
+    """
     faults: list[Fault] = []
+    worlds = {world for driven in worlds_by_flow(plan).values() for world in driven}
+    of_worlds: dict[str, dict[str, float]] = {}
     for text, value in values:
         try:
-            plan = _with_value(plan, LocalAddress.parse(text), value)
+            address = LocalAddress.parse(text)
+            if address.task in worlds and address.element is None:
+                of_worlds.setdefault(address.task, {})[address.name] = value
+            else:
+                plan = _with_value(plan, address, value, worlds)
         except ValueError as wrong:
             (reason,) = wrong.args
             faults.append(Fault(_OPTION, reason, Reason.of("words.nothing_run")))
-    return plan, tuple(faults)
+    return plan, of_worlds, tuple(faults)
 
 
-def _with_value(plan: Plan, address: LocalAddress, value: float) -> Plan:
+def _with_value(plan: Plan, address: LocalAddress, value: float, worlds: Collection[str]) -> Plan:
     tasks = {task.name: task for flow in plan.flows for task in flow.tasks}
     if address.task not in tasks:
-        raise ValueError(Reason.of("sweep.no_task", there=tuple(sorted(tasks)), task=address.task))
+        raise ValueError(Reason.of("sweep.no_task", there=(*sorted(tasks), *sorted(worlds)), task=address.task))
     return replace(plan, flows=tuple(_of_flow(flow, address, value) for flow in plan.flows))
 
 

@@ -31,13 +31,14 @@ from onika.wire import event, live, request
 from onika.wire.plan import Plan
 from onika.wire.runtime_standing import Standing
 from onika.wire.steer import Position
+from onika.wire.world_values import WorldValues, options_of
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
 
 _RECORD = Place("--record")
-Opens = Callable[[Plan], AbstractContextManager[RuntimeConversation]]
-"""What gives the runtime for a plan."""
+Opens = Callable[[Plan, WorldValues], AbstractContextManager[RuntimeConversation]]
+"""What gives the runtime for a plan, and for what is otherwise in its worlds."""
 _LOOK_S = 0.05
 """How long a Ctrl-C, or a key, waits at most."""
 
@@ -99,13 +100,13 @@ def start(settings: RunSettings, site: Site) -> Iterator[Running]:
 
 @contextmanager
 def start_on(
-    runtime_for: Callable[[Plan], RuntimeConversation], settings: RunSettings, site: Site
+    runtime_for: Callable[[Plan, WorldValues], RuntimeConversation], settings: RunSettings, site: Site
 ) -> Iterator[Running]:
     """As `start`, on a runtime that is there and stays; it is asked for when the plan is known."""
 
     @contextmanager
-    def stays(plan: Plan) -> Iterator[RuntimeConversation]:
-        yield runtime_for(plan)
+    def stays(plan: Plan, values: WorldValues) -> Iterator[RuntimeConversation]:
+        yield runtime_for(plan, values)
 
     with _started(settings, site, stays) as running:
         yield running
@@ -153,7 +154,7 @@ def _open(
     if prepared is None or prepared.plan is None:
         yield None
         return
-    plan, faults = varied(_within(prepared.plan, settings.subsystems, outcome), settings.values)
+    plan, world_values, faults = varied(_within(prepared.plan, settings.subsystems, outcome), settings.values)
     outcome.faults += faults
     prepared = replace(prepared, plan=plan)
     outcome.actions = sum(len(flow.actions) for flow in plan.flows)
@@ -166,7 +167,7 @@ def _open(
         outcome.faults += unrecorded
         yield None
         return
-    with _runtime(settings, plan, recorded) if opens is None else opens(plan) as runtime:
+    with _runtime(settings, plan, world_values, recorded) if opens is None else opens(plan, world_values) as runtime:
         _prepare(prepared, plan, runtime, outcome)
         outcome.faults = with_substitutes(outcome.faults, prepared, _by_number(settings), site)
         outcome.faults += _unheard_of(settings.expectations, plan)
@@ -265,13 +266,15 @@ def _unrecorded(settings: RunSettings) -> tuple[Fault, ...]:
     )
 
 
-def _runtime(settings: RunSettings, plan: Plan, recorded: RecordedRun | None) -> LaunchedRuntime | RemoteRuntime:
+def _runtime(
+    settings: RunSettings, plan: Plan, values: WorldValues, recorded: RecordedRun | None
+) -> LaunchedRuntime | RemoteRuntime:
     if recorded is not None:
         return LaunchedRuntime(recorded.run.rtpus, True, False, recorded.run.options, has_black_box=False)
     if settings.elsewhere is not None:
         return connect(settings.elsewhere.url, settings.elsewhere.token, settings.elsewhere.ca)
-    given = {"--scale": settings.scale, "--shake": settings.shake}
-    options = tuple(word for key, value in given.items() if value is not None for word in (key, f"{value:.15g}"))
+    scale = () if settings.scale is None else ("--scale", f"{settings.scale:.15g}")
+    options = (*scale, *options_of(settings.shake, values))
     return LaunchedRuntime(rtpus_of(plan), settings.is_virtual, settings.with_fifo, options, settings.has_black_box)
 
 

@@ -12,6 +12,7 @@ from onika.link.lost import LinkLost
 from onika.store.site import Site
 from onika.wire import event, live, request
 from onika.wire.plan import Plan
+from onika.wire.world_values import WorldValues
 from onika.words.reason import NOTHING, Reason, reason_of
 
 _TRIES = 2
@@ -45,8 +46,8 @@ class WarmRuntime:
         raise AssertionError("unreachable")
 
     def _run(self, case: Case, settings: RunSettings, limit_s: float) -> CaseResult:
-        def runtime_for(plan: Plan) -> LaunchedRuntime:
-            return self._ready(plan, settings.shake)
+        def runtime_for(plan: Plan, values: WorldValues) -> LaunchedRuntime:
+            return self._ready(plan, settings.shake, values)
 
         try:
             with start_on(runtime_for, settings, self._site) as running:
@@ -59,12 +60,12 @@ class WarmRuntime:
         unmet = tuple(condition.text for condition, _, holds in running.outcome.expectations if not holds)
         return _result(case, result, unmet)
 
-    def _ready(self, plan: Plan, shake: int | None) -> LaunchedRuntime:
+    def _ready(self, plan: Plan, shake: int | None, values: WorldValues) -> LaunchedRuntime:
         """A runtime on which nothing has happened yet."""
         if self._runtime is None:
             launched = LaunchedRuntime(rtpus_of(plan), True, False, (), has_black_box=False)
             self._runtime = launched.__enter__()
-        answer = self._runtime.ask(live.Renew(shake))
+        answer = self._runtime.ask(live.Renew(shake, values))
         if not isinstance(answer, request.Done):
             raise TimeoutError(answer.reason if isinstance(answer, request.Refused) else NOTHING)
         for _ in self._runtime.events(0.0):  # what was told of the run before

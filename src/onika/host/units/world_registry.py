@@ -1,7 +1,8 @@
 """Worlds by name: what packages offer under the entry point `onika.worlds`, then worlds of files (decision 49)."""
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from importlib.metadata import EntryPoint, entry_points
+from types import MappingProxyType
 from typing import Any, cast
 
 from onika.runtime.bus import World
@@ -17,14 +18,30 @@ _OF_FILES = EntryPoint("files", "onika.workcell.filmed.filmed_world:FilmedWorld"
 _JUDGE = EntryPoint("judge", "onika.workcell.filmed.filmed_world:judged", GROUP)
 
 
-def open_world(name: str, shake: int | None = None, files: WorldSource | None = None) -> World:
+def open_world(
+    name: str,
+    shake: int | None = None,
+    files: WorldSource | None = None,
+    values: Mapping[str, Mapping[str, float]] = MappingProxyType({}),
+) -> World:
     """A new world; raises ValueError with the known names where there is none called so, or with what it lacks.
 
     A package that offers a world of this name comes before `files`.
 
     Of a simulated one, `boxes@NAME` is a copy of its own, in which nothing touches what is in `boxes`. `shake` is a
-    seed: its things then stand a little elsewhere, where the world knows how (a method `shaken`).
+    seed: its things then stand a little elsewhere, where the world knows how (a method `shaken`). `values` are what is
+    otherwise in it, by world and name (a method `vary`).
     """
+    world = _made(name, shake, files)
+    for value_name, value in values.get(_plain(name), {}).items():
+        vary = getattr(world, "vary", None)
+        if vary is None:
+            raise ValueError(Reason.of("host.world_not_varied", world=name))
+        vary(value_name, value)
+    return world
+
+
+def _made(name: str, shake: int | None, files: WorldSource | None) -> World:
     if is_of_files(name, files):
         return cast(World, _OF_FILES.load()(files, shake))
     kind = _kind(name)

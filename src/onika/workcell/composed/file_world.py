@@ -212,6 +212,7 @@ class FileWorld(DrivenWorld):
 
     def _begin(self) -> None:
         """Go on from the plant's present positions: with physics, or without forces."""
+        self._plant.vary(self._factors)
         self._plant.settle()
         self._feel = self._plant.sense
         self._running = self._runners()
