@@ -158,7 +158,7 @@ def _lines(design: SweepDesign, summary: SweepSummary, path: Path, count: int) -
         yield Reason.of("sweep.lasted", least=shortest, most=longest, median=middle)
     for variation, parts in summary.parts.items():
         yield Reason.of("sweep.by_value", name=variation)
-        yield from map(_part, parts)
+        yield from (_part(part) for part in parts if part.rate.count)
     if summary.failures:
         yield Reason.of("sweep.failed_first")
         for failure in summary.failures[:10]:
