@@ -43,6 +43,7 @@ TRIGGERS = {
     "squeeze",
     "ibvs",
     "topoint",
+    "pursue",
     "gopose",
     "preshape",
 }

@@ -155,3 +155,44 @@ def test_a_point_that_cannot_be_found_stops_it(line, gone_after, why):  # R-F05
     bench, _, _ = servoed("topoint.py", show, line, DEPTH=0.2)
     assert bench.state is State.ERROR
     assert why in bench.why
+
+
+def pursued(seen=lambda _number: 100.0, **local):
+    """A base with a camera 0.2 m above the floor, which looks straight ahead; the green place is at (1.5, 0.4)."""
+    bench = Bench(MODULES / "pursue.py", frequency=50, constants={"H": H, "W": W, "FOCAL": FOCAL}, local=local).init()
+    place, turn = np.zeros(2), 0.0
+    bench.on()
+    for step in range(1500):
+        if step % 5 == 0:
+            away = np.array((1.5, 0.4)) - place
+            ahead, left = away @ (np.cos(turn), np.sin(turn)), away @ (-np.sin(turn), np.cos(turn))
+            bench["UV"] = MIDDLE + FOCAL * np.array((-left, 0.2)) / max(ahead, 0.1)
+            bench["AREA"], bench["IMG_T"] = seen(1 + step // 5), [1 + step // 5, 0.0]
+        bench.cycle()
+        if bench.finished is not None or bench.state is State.ERROR:
+            break
+        forward, _, rate = bench["V_BASE"]
+        turn += rate / 50
+        place += forward / 50 * np.array((np.cos(turn), np.sin(turn)))
+    return bench, float(np.linalg.norm(np.array((1.5, 0.4)) - place))
+
+
+def test_a_base_drives_up_to_what_it_sees():  # R-K04
+    bench, away = pursued(PLACE=(0.5, 0.5 + 40.0 / H))  # as low as what is 0.5 m away
+    assert bench.finished is not None
+    assert away == pytest.approx(0.5, abs=0.03)
+    assert bench["V_BASE"].tolist() == [0.0] * 3
+
+
+@pytest.mark.parametrize(
+    ("seen", "local", "why"),
+    [
+        (lambda number: 100.0 if number < 5 else 0.0, {}, "for 3 s nothing was seen"),
+        (lambda _number: 100.0, {"MOST": 1.0}, "after 1 s it is still"),
+    ],
+)
+def test_a_base_that_sees_nothing_or_takes_too_long_stays(seen, local, why):  # R-K04
+    bench, away = pursued(seen, **local)
+    assert bench.state is State.ERROR
+    assert why in bench.why
+    assert away > 0.7

@@ -7,4 +7,6 @@ BASE        base
 WHEELS      left right 0.06 0.26
 SPEED       0.6 2.5
 
+CAMERA      eye
+
 EOF
