@@ -148,3 +148,20 @@ def test_who_holds_the_place_by_then_keeps_it_and_is_watched(play):  # R-X12
     play.end()
     view = play.environment.tree.documents[lower]
     assert (view.holder, view.is_held_here) == ("anna#2", False) and play.runtime.lives["Untitled-1"] == {}
+
+
+def alive(play, doc):
+    return {name: facts.state for name, facts in play.document(doc).live.tasks.items()}
+
+
+def test_what_was_kept_alive_beside_it_lives_again_too_and_rests(play):  # R-C18, R-C32
+    play.files.configuration("restC", "c 10")
+    lower = play.connected("a")
+    play.do(act.KeepAlive(lower, str(play.base.configuration_file("restC"))))
+    play.do(act.Turn(lower, ("a",), True))
+    assert alive(play, lower) == {"a": "ON", "c": "OFF"}
+    play.do(act.Run(play.open([job("aC")]), confirmed=True))
+    play.end()
+    assert alive(play, lower) == {"a": "ON", "c": "OFF"}
+    play.do(act.SwitchTo(lower, "restC"))
+    assert alive(play, lower) == {"a": "OFF", "c": "ON"}

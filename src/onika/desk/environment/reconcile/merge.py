@@ -40,7 +40,10 @@ class Merged:
 
 
 def merged(model: Model, document: Document, subsystem_facts: SubsystemFacts, standing: Standing) -> Merged:
-    """Equation (1) with (4): what runs wins, what runs and is not placed comes onto the canvas, the rest is spawned."""
+    """Equation (1) with (4): what runs wins, what runs and is not placed comes onto the canvas, the rest is spawned.
+
+    So are tasks of configurations that are kept alive (C32).
+    """
     there = alive(standing, subsystem_facts.subsystem)
     content = document.content
     resting = set(content.union) - set(content.names)
@@ -56,7 +59,8 @@ def merged(model: Model, document: Document, subsystem_facts: SubsystemFacts, st
         for name, task_standing in there.items()
     }
     message = replace(with_standing(subsystem_facts, standing), state="live", turns={}, pending={}, early={})
-    spawn = () if message.is_foreign else tuple(placed.task for placed in merged_tasks.spawn)
+    kept = (name for name in content.union if name in resting and name not in there)
+    spawn = () if message.is_foreign else (*(placed.task for placed in merged_tasks.spawn), *kept)
     document = replace(document, content=Content(configuration, wanted, content.kept), live=message)
     return Merged(document, spawn, tuple(_says(document, merged_tasks, message)))
 
