@@ -203,7 +203,7 @@ class DrivenWorld:
             drive_input = unit.drive.silence(now)
             if drive_input is not None:
                 self._feed(unit, drive_input)
-        self._due_ns = min((unit.drive.due_ns for unit in self._acting), default=NEVER_NS)
+        self._due_ns = min(unit.drive.due_ns for unit in self._acting)
 
     def _feed(self, unit: DeviceUnit, drive_input: DriveInput) -> None:
         """Something happened to a drive: move it, hold where it stops following, report what others see of it."""
