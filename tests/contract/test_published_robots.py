@@ -89,6 +89,7 @@ def test_a_published_robot_is_made_and_moves(published, capsys):  # R-X19, R-K05
     stands_where_its_model_has_it(published)
     goes_where_it_is_led_and_bears_its_weight(published)
     refuses_what_is_out_of_reach(published)
+    refuses_to_run_where_a_target_is_out_of_reach(published)
     assert main(["test", str(published.base)]) == 0, capsys.readouterr()
 
 
@@ -148,3 +149,15 @@ def refuses_what_is_out_of_reach(robot):
     nine[6:9] += FAR_M
     (answer,) = reach.postures(constants, [nine], home)
     assert not isinstance(answer, np.ndarray)
+
+
+def refuses_to_run_where_a_target_is_out_of_reach(robot):
+    """The straight line of the tour, where it has one, to a place far away: nothing moves."""
+    path = robot.base / "appl" / f"{robot.name}_tour.appl"
+    whole = path.read_text()
+    rows = [line for line in whole.splitlines() if line.startswith("UI") and len(line.split()) == 10]
+    for row in rows:
+        *others, _ = row.split()
+        path.write_text(whole.replace(row, " ".join((*others, str(FAR_M)))))
+        assert main(["run", f"{robot.name}_tour", "--local", str(robot.base), "--virtual"]) != 0
+    path.write_text(whole)
