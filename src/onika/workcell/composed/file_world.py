@@ -18,8 +18,10 @@ from onika.wire.world_source import WorldSource
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
 from onika.workcell.composed import part_places
+from onika.workcell.composed.cell_hindrance import CellHindrance
 from onika.workcell.composed.cell_lookout import CellLookout
 from onika.workcell.composed.composition import Composition
+from onika.workcell.composed.joint_unit import JointUnit
 from onika.workcell.composed.robot_unit import RobotUnit
 from onika.workcell.composed.robot_units import robot_units
 from onika.workcell.composed.sensor_unit import SensorUnit, lacking
@@ -223,6 +225,15 @@ class FileWorld(DrivenWorld):
             arms, has_forces = self._stands.arms(), not self._stands.mode
             self._advance = self._lookout.watch(self._plant, arms, self._advance, self._now, has_forces=has_forces)
         self._publish()
+
+    def _halted(self, unit: DeviceUnit) -> tuple[Reason, tuple[Reason, ...]] | tuple[()]:
+        """Where an arm stands that begins to hold, and what is in its way; nothing of what is no arm."""
+        arms = self._stands.arms()
+        if not isinstance(unit, JointUnit) or unit not in arms:
+            return ()
+        has_forces = not self._stands.mode
+        hindrance = CellHindrance(self._plant, self._composition.world, arms, has_forces=has_forces)
+        return hindrance.place(unit), hindrance.told(unit)
 
     def _now(self) -> int:
         return self.now_ns
