@@ -156,6 +156,6 @@ def test_the_strategies_vary_every_field_of_every_value() -> None:
     fixed |= {
         (kind, "lines") for kind in ("RobotText", "RobotArm", "RobotAxes", "RobotGripper", "RobotBase", "WorldText")
     }
-    fixed |= {(f"{kind}Block", "lines") for kind in ("Part", "Place", "Switch", "Lamp", "Button", "Sensor")}
+    fixed |= {(f"{kind}Block", "lines") for kind in ("Part", "Place", "Switch", "Lamp", "Button", "Sensor", "Camera")}
     alike = {(kind.__name__, name) for (kind, name), values in seen.items() if len(values) < 2}
     assert alike == fixed

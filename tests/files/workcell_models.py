@@ -4,6 +4,7 @@ import string
 
 from hypothesis import strategies as st
 
+from onika.model.camera import CameraBlock
 from onika.model.robot import AXIS_WORDS, DRIVES, RobotArm, RobotAxes, RobotBase, RobotGripper, RobotText, SensorBlock
 from onika.model.world import (
     CONES,
@@ -67,8 +68,20 @@ def _sensors(name: str) -> st.SearchStrategy[SensorBlock]:
 
 
 @st.composite
+def _cameras(draw: st.DrawFn, name: str) -> CameraBlock:
+    size = draw(st.just(CameraBlock("").size) | st.tuples(st.integers(16, 640), st.integers(16, 640)))
+    rate = draw(st.just(CameraBlock("").rate) | st.floats(0.1, 30.0))
+    if draw(st.booleans()):
+        return CameraBlock(name, draw(st.just("") | words), size=size, rate=rate)
+    at, looks = draw(st.tuples(vectors, vectors).filter(lambda pair: pair[0] != pair[1]))
+    lens = draw(st.just(CameraBlock("").lens) | st.floats(1.0, 170.0))
+    return CameraBlock(name, "", draw(st.just("") | words), at, looks, lens, size, rate)
+
+
+@st.composite
 def robots(draw: st.DrawFn) -> RobotText:
-    titles = draw(st.lists(names, max_size=3, unique=True))
+    titles = draw(st.lists(names, max_size=4, unique=True))
+    cameras = (draw(_cameras(titles.pop())),) if titles and draw(st.booleans()) else ()
     devices = []
     for number, title in enumerate(titles):
         moves = tuple(f"{word}{number}" for word in draw(some_words))
@@ -77,12 +90,12 @@ def robots(draw: st.DrawFn) -> RobotText:
     hand = draw(st.just(("", "")) | st.tuples(files, words))
     links = draw(st.just(()) | st.lists(plain_files, min_size=1, max_size=3).map(tuple))
     on = hand[1] or (draw(words) if links else "")
-    return RobotText("r", draw(files), draw(prose), hand[0], on, tuple(devices), links=links)
+    return RobotText("r", draw(files), draw(prose), hand[0], on, tuple(devices), links=links, cameras=cameras)
 
 
 @st.composite
 def worlds(draw: st.DrawFn) -> WorldText:
-    titles = draw(st.lists(names, min_size=9, max_size=9, unique=True))
+    titles = draw(st.lists(names, min_size=10, max_size=10, unique=True))
     parts = [titles[0], draw(st.sampled_from([UNNAMED, titles[1]]))][: draw(st.integers(0, 2))]
     on = st.just("") | (st.just(f"{parts[0]}.top") if len(parts) > 1 else st.just(""))
     ats = st.just((0.0,) * 4) | st.tuples(numbers, numbers, numbers, numbers)
@@ -104,6 +117,8 @@ def worlds(draw: st.DrawFn) -> WorldText:
         blocks.append(ButtonBlock(titles[7], tuple(places)))
     if draw(st.booleans()):
         blocks.append(draw(_sensors(titles[8])))
+    if draw(st.booleans()):
+        blocks.append(draw(_cameras(titles[9])))
     contact = draw(st.tuples(st.sampled_from(CONES), st.floats(1e-3, 1e6)))
     step, gravity, floor = draw(st.floats(1e-4, 0.02)), draw(from_0), draw(st.none() | numbers)
     return WorldText("w", draw(prose), step, gravity, contact, floor, tuple(blocks))
