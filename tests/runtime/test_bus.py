@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from msgspec import convert
 
+from kit.worlds.eyed_world import EyedWorld
 from kit.worlds.mass_world import MassWorld
 from kit.worlds.resettable_masses import ResettableMasses
 from onika.ring.device import DeviceOrder, DeviceSheet, DriveState
@@ -297,3 +298,36 @@ class Teller(MassWorld):
 def test_how_a_world_stands_is_told_in_its_sentences_and_nothing_where_it_knows_none(segment):  # R-E16
     assert Bus("masses", Teller(), segment).standing() == (Reason.plain("m0 rests"), Reason.plain("m1 rests"))
     assert Bus("masses", MassWorld(), segment).standing() == ()
+
+
+def test_a_camera_is_granted_with_its_ring_and_taken_pictures_are_there_with_their_number(segment):  # R-F05
+    world = EyedWorld()
+    bus = Bus("w", world, segment)
+    ends = [bus.grant(name, number).command_offset for number, name in enumerate(("m0", "m1"), 1)]
+    grant = bus.grant("eye", 3)
+    ring = Ring(segment.view, grant.picture_offset, 18)
+    assert (grant.picture, grant.command_offset, world.used) == ((2, 3), None, True)
+    assert grant.picture_offset > max(*ends, grant.state_offset)
+    bus.step(world.step_ns)
+    state = np.frombuffer(Ring(segment.view, grant.state_offset, 32).read())
+    assert (state[2], ring.read(), ring.count) == (1.0, bytes([1]) * 18, 1)
+    bus.release("eye", 3)
+    assert not world.used
+    assert bus.grant("scale", 4).picture == ()
+
+
+def test_who_looks_is_shown_the_pictures_of_a_camera_and_nothing_else(segment):  # R-F08
+    world = EyedWorld()
+    bus = Bus("w", world, segment)
+    for device in ("m0", "nothing"):
+        bus.show(device, True)
+    assert (world.shown, bus.take_small()) == (False, {})
+    bus.show("eye", True)
+    assert bus.take_small() == {"eye": (0, 0, b"file")}
+    bus.show("eye", False)
+    assert (world.shown, bus.take_small()) == (False, {})
+
+
+def test_a_scene_names_cameras_where_there_are_any(segment):  # R-F08
+    eyed, plain = Bus("w", EyedWorld(), segment).scene(), Bus("w", MassWorld(), segment).scene()
+    assert eyed == plain | {"cameras": [{"name": "eye", "width": 3, "height": 2, "rate": 10.0}]}

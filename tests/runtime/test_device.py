@@ -2,11 +2,13 @@
 
 import re
 
+import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
 from onika.ring import drive
-from onika.ring.device import DeviceOrder, DriveState
+from onika.ring.device import DeviceOrder, DeviceSheet, DriveState
+from onika.ring.slots import Ring
 from onika.runtime.device import SILENCE_NS, Device
 from onika.runtime.modules.binding import attach
 from onika.testing.bench_device import SEGMENT, BenchDevice
@@ -227,3 +229,15 @@ def test_a_task_without_a_device_is_told_so_at_every_use(use):
 
 def test_what_stands_for_no_device_can_be_looked_at():
     assert Device.absent().__class__ is type(Device.absent())
+
+
+def test_a_camera_gives_its_newest_picture_and_no_other_device_has_any():  # R-F05
+    sheet = DeviceSheet("eye", ("time", "drive", "number", "age"), (), {}, (2, 3))
+    view = memoryview(bytearray(Ring.footprint(32) + Ring.footprint(18)))
+    state, pictures = Ring(view, 0, 32), Ring(view, Ring.footprint(32), 18)
+    camera = Device(sheet, 1, state, None, pictures)
+    assert camera.picture().tolist() == np.zeros((2, 3, 3)).tolist()
+    pictures.write(bytes(range(18)))
+    assert camera.picture().tolist() == np.arange(18).reshape(2, 3, 3).tolist()
+    with pytest.raises(ValueError, match="eye is no camera: it takes no pictures"):
+        Device(sheet, 1, state, None).picture()
