@@ -60,6 +60,7 @@ def test_the_library_says_what_there_is_to_use(sit):
         "jmove_modular3C",
         "jmove_modular4C",
         "jmove_modular5C",
+        "jmove_motorC",
         "jmove_rampC",
         "jmove_rightC",
         "jmove_scaraC",

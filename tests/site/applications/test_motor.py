@@ -25,6 +25,7 @@ def assembled(capsys, *words):
     return code, [json.loads(line) for line in capsys.readouterr().out.splitlines()]
 
 
+@pytest.mark.slow  # the one below does the same, and more
 def test_rotor_and_cap_come_to_where_they_belong_and_the_lamp_is_lit(capsys):  # R-K06
     code, lines = assembled(capsys, "--expect", "LAMP == 1")
     assert (code, lines[-1]["state"], lines[-1]["notes"], lines[-1]["actions_done"]) == (0, "completed", [], 17)
