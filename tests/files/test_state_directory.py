@@ -64,7 +64,7 @@ def test_secrets_are_kept_from_reading_and_recordings_from_writing(tmp_path):  #
         "black-boxes",
         "replaced",
     }
-    assert set(denied) == named | {"black-boxes/a.mcap", "recordings", "recovery", "replaced"}
+    assert set(denied) == named | {"black-boxes/a.mcap", "recordings", "recovery", "replaced", "meshes"}
 
 
 def test_a_state_directory_of_before_is_closed_at_the_next_start(tmp_path):  # R-X12

@@ -13,7 +13,15 @@ from onika.words.reason import Reason
 
 NAMES = {"c1": "Untitled-1", "c2": "move"}
 OF_THE_PAGE = {act.ListSets, act.LoadModule, act.Watch, act.Scene, act.Peek, act.Seats, act.FindWorlds, act.Company}
-OF_THE_PAGE |= {act.Recordings, act.Glance, act.Course, act.RecordedScene, act.SampleVariables, act.ForeseenInstant}
+OF_THE_PAGE |= {
+    act.Meshes,
+    act.Recordings,
+    act.Glance,
+    act.Course,
+    act.RecordedScene,
+    act.SampleVariables,
+    act.ForeseenInstant,
+}
 """What a page asks for by itself, as it shows something."""
 PLACES = {"doc", "step", "steps", "after", "test", "anchor"}
 """Told by the ids of the act's line, or the line itself."""
