@@ -28,6 +28,21 @@ Advance = Callable[[Any, Any], None]
 Pair = tuple[Thing, Thing]
 
 
+def with_looks(advance: Advance, look: Callable[[int], None], now: Callable[[], int]) -> Advance:
+    """What makes a step, and looks every 8 ms of the world's time."""
+    due_ns = now() + _EVERY_NS
+
+    def step(model: Any, data: Any) -> None:
+        nonlocal due_ns
+        advance(model, data)
+        now_ns = now()
+        if now_ns >= due_ns:
+            due_ns = now_ns + _EVERY_NS
+            look(now_ns)
+
+    return step
+
+
 class Lookout:
     """Watches one world, compiled as often as it is.
 
@@ -65,18 +80,7 @@ class Lookout:
         self._is_alone = len(sides) < 2
         self._carriages.clear()
         self._look(now(), is_first=True)
-
-        due_ns = now() + _EVERY_NS
-
-        def step(model: Any, data: Any) -> None:
-            nonlocal due_ns
-            advance(model, data)
-            now_ns = now()
-            if now_ns >= due_ns:
-                due_ns = now_ns + _EVERY_NS
-                self._look(now_ns)
-
-        return step
+        return with_looks(advance, self._look, now)
 
     def take(self) -> list[MishapEvent]:
         """What has happened since the last call, in the order in which it was understood."""

@@ -6,7 +6,6 @@ not looked at, for the shapes of many models reach into each other.
 """
 
 from collections.abc import Callable, Mapping
-from typing import Any
 
 import mujoco
 import numpy as np
@@ -17,10 +16,9 @@ from onika.words.reason import Reason
 from onika.workcell.composed.cell_thing import FLOOR, FREE, HAND, CellThing, rank, things_of
 from onika.workcell.composed.joint_unit import JointUnit
 from onika.workcell.contacts import DEEP_M
-from onika.workcell.lookout import MOST, Advance
+from onika.workcell.lookout import MOST, Advance, with_looks
 from onika.workcell.plant import Plant
 
-_EVERY_NS = 8_000_000  # how often it looks: what touches something is not gone again sooner
 _AGAIN_NS = 500_000_000  # how long two things were apart that meet anew
 
 Pair = tuple[CellThing, CellThing]
@@ -64,17 +62,7 @@ class CellLookout:
         self._of_shape = np.array([self._kinds.index(thing) for thing in things], dtype=int)
         self._matters = np.array([[_matters(one, other) for other in self._kinds] for one in self._kinds])
         self._look(now(), is_first=True)
-        due_ns = now() + _EVERY_NS
-
-        def step(model: Any, data: Any) -> None:
-            nonlocal due_ns
-            advance(model, data)
-            now_ns = now()
-            if now_ns >= due_ns:
-                due_ns = now_ns + _EVERY_NS
-                self._look(now_ns)
-
-        return step
+        return with_looks(advance, self._look, now)
 
     def take(self) -> list[MishapEvent]:
         """What has happened since the last call, in the order in which it was understood."""
