@@ -67,9 +67,9 @@ def test_jobs_are_looked_for_from_a_place_backwards_first():
 
 def test_a_task_of_a_library_that_means_something_else_by_what_it_reads_makes_no_pose_of_an_arm(monkeypatch):  # R-D23
     plan, tasks = plan_of("go_home"), MODEL.libraries.tasks
-    of_legs = replace(tasks["stewart_fwd"], aliases=(("PLATE_MEZ", "X_MEZ"),))  # it reads lengths in m, no angles
-    monkeypatch.setattr(
-        OpenLibraries, "tasks", property(lambda _: {"stewart_fwd": of_legs, **tasks, of_legs.name: of_legs})
-    )
+    # what it reads is called as the angles are, and is speeds
+    of_a_pad = replace(tasks["deadband"], aliases=(("V_RAW", "Q_MEZ"), ("V_REF", "X_MEZ")))
+    first = {"deadband": of_a_pad}
+    monkeypatch.setattr(OpenLibraries, "tasks", property(lambda _: {**first, **tasks, **first}))
     (arm,) = arms_of(plan, jobs_of(plan), POSE, MODEL.libraries)
     assert [task.name for task in arm.others] == ["fwdkin"]
