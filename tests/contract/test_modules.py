@@ -89,6 +89,14 @@ def arm_of_cell(task):
     return BenchDevice([f"s{k}" for k in range(21)], [f"c{k}" for k in range(numbers)], ARMS["seven"].identity(drive))
 
 
+def legs_of_cell(_):
+    """Six legs that take positions."""
+    identity = {
+        name: np.full(6, value) for name, value in (("QMIN", -1.0), ("QMAX", 1.0), ("Q^_MAX", 2.0), ("HOME", 0.0))
+    }
+    return BenchDevice([f"s{k}" for k in range(18)], [f"c{k}" for k in range(12)], identity | {"DRIVE": "position"})
+
+
 def sim_of_cell(_):
     """An arm of seven joints without forces."""
     names = [f"q{k}" for k in range(7)]
@@ -110,6 +118,7 @@ CELL = dict.fromkeys(("arm_pos", "arm_tau", "arm_vel", "axes"), arm_of_cell) | {
     "grip": lambda _: BenchDevice(["opening", "speed", "force"], ["opening", "force"]),
     "arm_sim": sim_of_cell,
     "base": base_of_cell,
+    "legs": legs_of_cell,
     "whereis": numbers_of_cell(7),
     "wrench": numbers_of_cell(6),
 }

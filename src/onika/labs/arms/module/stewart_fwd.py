@@ -3,28 +3,23 @@
 import numpy as np
 
 from onika.laws.stewart import Platform
-from onika.module import InConst, InVar, Local, Module, ModuleError, OutVar
-
-LEGS = 6
+from onika.module import InVar, Local, Module, ModuleError, OutVar
 
 
 class StewartFwd(Module):
     """Where the plate of a platform on six legs is, by Newton from where it was.
 
     Kind     general, periodic, 20..1000 Hz
-    Ports    INCONST NDOF       int           -    number of legs: six
-             INVAR   Q_MEZ      double[NDOF]  rad  measured position of the legs (m)
-             OUTVAR  PLATE_MEZ  double[4,4]   -    pose of the plate in the base, position in m
+    Ports    INVAR   Q_MEZ      double[6]    rad  measured position of the legs (m)
+             OUTVAR  PLATE_MEZ  double[4,4]  -    pose of the plate in the base, position in m
     Local    FEET           double[18]   m  where the legs stand in the base: x y z of each of the six
              HEADS          double[18]   m  where they end in the plate: x y z of each of the six
              REST           double       m  length of a leg whose joint is at 0
-    Errors   other legs      there are not six of them: stays uninitialised
-             no pose         no pose near the last one has these legs: ERROR; clear begins above the base again
+    Errors   no pose         no pose near the last one has these legs: ERROR; clear begins above the base again
     Source   Merlet, Parallel Robots, §4
     """
 
-    NDOF = InConst("int", "-", "number of legs: six")
-    Q_MEZ = InVar("double[NDOF]", "rad", "measured position of the legs (m)")
+    Q_MEZ = InVar("double[6]", "rad", "measured position of the legs (m)")
     PLATE_MEZ = OutVar("double[4,4]", "-", "pose of the plate in the base, position in m")
 
     FEET = Local("double[18]", "m", "where the legs stand in the base: x y z of each of the six")
@@ -32,8 +27,6 @@ class StewartFwd(Module):
     REST = Local("double", "m", "length of a leg whose joint is at 0")
 
     def init(self):
-        if self.NDOF != LEGS:
-            raise ModuleError("expected {legs} legs, found {found}", legs=LEGS, found=self.NDOF)
         self._platform = Platform(self.FEET, self.HEADS)
         self._pose = np.eye(4)
         self._pose[2, 3] = self.REST

@@ -3,9 +3,7 @@
 import numpy as np
 
 from onika.laws.stewart import Platform
-from onika.module import InConst, InVar, Local, Module, ModuleError, OutVar
-
-LEGS = 6
+from onika.module import InVar, Local, Module, ModuleError, OutVar
 
 
 class StewartInv(Module):
@@ -14,26 +12,23 @@ class StewartInv(Module):
     q_k = |p + R h_k - f_k| - REST
 
     Kind     general, periodic, 20..1000 Hz
-    Ports    INCONST NDOF    int           -      number of legs: six
-             INVAR   X_REF   double[4,4]   -      reference pose of the plate in the base
-             INVAR   Q_MEZ   double[NDOF]  rad    measured position of the legs (m); kept where no reference is in force
-             OUTVAR  Q_REF   double[NDOF]  rad    reference position of the legs (m)
-             OUTVAR  Q^_REF  double[NDOF]  rad/s  their reference speed (m/s)
+    Ports    INVAR   X_REF   double[4,4]  -    reference pose of the plate in the base
+             INVAR   Q_MEZ   double[6]    rad  measured position of the legs (m); kept where no reference is in force
+             OUTVAR  Q_REF   double[6]    rad  reference position of the legs (m)
+             OUTVAR  Q^_REF  double[6]    rad/s  their reference speed (m/s)
     Local    FEET           double[18]   m  where the legs stand in the base: x y z of each of the six
              HEADS          double[18]   m  where they end in the plate: x y z of each of the six
              REST           double       m  length of a leg whose joint is at 0
              SPEED          double       m/s  a leg that would be faster is an error
-    Errors   other legs      there are not six of them: stays uninitialised
-             no reference    X_REF was not written since the hardware held: the legs stay until it is
+    Errors   no reference    X_REF was not written since the hardware held: the legs stay until it is
              too fast        a leg would pass SPEED, as where the first pose is far away: ERROR
     Source   Gough 1956; Stewart 1965; Merlet, Parallel Robots, §3
     """
 
-    NDOF = InConst("int", "-", "number of legs: six")
     X_REF = InVar("double[4,4]", "-", "reference pose of the plate in the base")
-    Q_MEZ = InVar("double[NDOF]", "rad", "measured position of the legs (m); kept where no reference is in force")
-    Q_REF = OutVar("double[NDOF]", "rad", "reference position of the legs (m)")
-    Qd_REF = OutVar("double[NDOF]", "rad/s", "their reference speed (m/s)", name="Q^_REF")
+    Q_MEZ = InVar("double[6]", "rad", "measured position of the legs (m); kept where no reference is in force")
+    Q_REF = OutVar("double[6]", "rad", "reference position of the legs (m)")
+    Qd_REF = OutVar("double[6]", "rad/s", "their reference speed (m/s)", name="Q^_REF")
 
     FEET = Local("double[18]", "m", "where the legs stand in the base: x y z of each of the six")
     HEADS = Local("double[18]", "m", "where they end in the plate: x y z of each of the six")
@@ -41,8 +36,6 @@ class StewartInv(Module):
     SPEED = Local("double", "m/s", "a leg that would be faster is an error", default=0.5, low=1e-3)
 
     def init(self):
-        if self.NDOF != LEGS:
-            raise ModuleError("expected {legs} legs, found {found}", legs=LEGS, found=self.NDOF)
         self._platform = Platform(self.FEET, self.HEADS)
 
     def on(self, inputs):
