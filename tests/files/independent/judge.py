@@ -6,12 +6,13 @@ from typing import Any
 import pytest
 
 from onika.model.application import AppFlow, Application, Branch, Icon, Step
+from onika.model.camera import CameraBlock
 from onika.model.configuration import Configuration
 from onika.model.onikon import Onikon
 from onika.model.own_lines import OwnLines
 from onika.model.picture import Picture
 from onika.model.preferences import Preferences
-from onika.model.robot import RobotArm, RobotAxes, RobotDevice, RobotText
+from onika.model.robot import RobotArm, RobotAxes, RobotBase, RobotDevice, RobotText, SensorBlock
 from onika.model.syntax import Syntax
 from onika.model.task import Task, TaskType
 from onika.model.world import Block, LampBlock, PartBlock, PlaceBlock, Spot, SwitchBlock, WorldText
@@ -165,9 +166,10 @@ def plain_preferences(of: Preferences) -> dict[str, Any]:
 
 
 def _robot(robot: RobotText) -> dict[str, Any]:
-    hand = (robot.hand, robot.on) if robot.hand else None
+    attached = {"LINKS": list(robot.links), "HAND": robot.hand, "ON": robot.on}
+    cameras = [("CAMERA", camera.name, _camera(camera)) for camera in robot.cameras]
     devices = [_device(device) for device in robot.devices]
-    return {"DESC": robot.description, "FILE": robot.file, "HAND": hand, "devices": devices}
+    return {"DESC": robot.description, "FILE": robot.file, **attached, "CAMERAS": cameras, "devices": devices}
 
 
 def _device(device: RobotDevice) -> tuple[str, str, dict[str, Any]]:
@@ -178,8 +180,22 @@ def _device(device: RobotDevice) -> tuple[str, str, dict[str, Any]]:
         return "ARM", device.name, lines
     if isinstance(device, RobotAxes):
         return "AXES", device.name, {"MOVES": list(device.moves), "DRIVE": device.drive}
+    if isinstance(device, RobotBase):
+        lines = {"WHEELS": list(device.wheels), "SIZES": (device.radius, device.track), "SLIDES": list(device.slides)}
+        return "BASE", device.name, {**lines, "SPEED": device.speed}
+    if isinstance(device, SensorBlock):
+        return "SENSOR", device.name, _sensor(device)
     lines = {"MOVES": list(device.moves), "OPEN": list(device.open), "CLOSED": list(device.closed)}
     return "GRIPPER", device.name, {**lines, "FORCE": list(device.force)}
+
+
+def _sensor(sensor: SensorBlock) -> dict[str, Any]:
+    return {"READS": list(sensor.reads), "POSE": sensor.body}
+
+
+def _camera(camera: CameraBlock) -> dict[str, Any]:
+    lines = {"VIEW": camera.view, "ON": camera.on, "AT": list(camera.at), "LOOKS": list(camera.looks)}
+    return {**lines, "SIZE": camera.size, "LENS": camera.lens, "RATE": camera.rate}
 
 
 def _world(world: WorldText) -> dict[str, Any]:
@@ -197,6 +213,10 @@ def _block(block: Block) -> tuple[str, str, dict[str, Any]]:
             return "SWITCH", block.name, {"NEAR": block.near, "PRESSED": block.pressed}
         case LampBlock():
             return "LAMP", block.name, {"WHEN": list(block.when), "SHINES": list(block.shines)}
+        case SensorBlock():
+            return "SENSOR", block.name, _sensor(block)
+        case CameraBlock():
+            return "CAMERA", block.name, _camera(block)
     return "BUTTON", block.name, {"STOPS": list(block.stops)}
 
 

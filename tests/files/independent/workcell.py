@@ -11,19 +11,25 @@ DRIVES = ("position", "velocity", "torque")
 def robot(text: str) -> dict[str, Any]:
     script = _ours(text)
     result: dict[str, Any] = {"DESC": blanks(script.new("DESC") or ""), "FILE": _file(script.take("FILE"))}
-    hand, on = script.new("HAND"), script.new("ON")
-    if (hand is None) != (on is None):
-        raise ValueError("HAND and ON")
-    result["HAND"] = None if hand is None or on is None else (_file(hand), one_word(on))
-    readers = {"ARM": _arm, "AXES": _axes, "GRIPPER": _gripper}
-    devices = []
+    links, hand, on = script.new("LINKS"), script.new("HAND"), script.new("ON")
+    if (links is None and hand is None) != (on is None):
+        raise ValueError("HAND or LINKS, and ON")
+    result["LINKS"] = [] if links is None else _many(links)
+    result["HAND"] = "" if hand is None else _file(hand)
+    result["ON"] = "" if on is None else one_word(on)
+    readers = {
+        "ARM": _arm, "AXES": _axes, "GRIPPER": _gripper, "BASE": _base, "SENSOR": _sensor, "CAMERA": _camera
+    }  # fmt: skip
+    blocks = []
     while script.next in readers:
         kind = script.next
-        devices.append((kind, name(script.take(kind)), readers[kind](script)))
+        blocks.append((kind, name(script.take(kind)), readers[kind](script)))
     script.end()
-    _once([device[1] for device in devices])
-    _once([actuator for _, _, lines in devices for actuator in lines.get("MOVES", ())])
-    return {**result, "devices": devices}
+    _once([block[1] for block in blocks])
+    driven = [lines.get("MOVES") or lines.get("WHEELS") or lines.get("SLIDES") or [] for _, _, lines in blocks]
+    _once([actuator for actuators in driven for actuator in actuators])
+    result["CAMERAS"] = [block for block in blocks if block[0] == "CAMERA"]
+    return {**result, "devices": [block for block in blocks if block[0] != "CAMERA"]}
 
 
 def world(text: str) -> dict[str, Any]:
@@ -38,7 +44,10 @@ def world(text: str) -> dict[str, Any]:
     cone, ratio = ("pyramidal", "1") if contact is None else words(contact)
     result["CONTACT"] = one_of(cone, "pyramidal", "elliptic"), _from(ratio, 1e-3)
     result["FLOOR"] = None if floor is None else _number(floor)
-    readers = {"PART": _part, "PLACE": _place, "SWITCH": _switch, "LAMP": _lamp, "BUTTON": _button}
+    readers = {
+        "PART": _part, "PLACE": _place, "SWITCH": _switch, "LAMP": _lamp, "BUTTON": _button,
+        "SENSOR": _sensor, "CAMERA": _camera,
+    }  # fmt: skip
     blocks = []
     while script.next in readers:
         kind = script.next
@@ -89,6 +98,52 @@ def _gripper(script: Script) -> dict[str, Any]:
         raise ValueError("OPEN and CLOSED")
     force = script.new("FORCE")
     return {"MOVES": moves, "OPEN": opened, "CLOSED": closed, "FORCE": [] if force is None else _names(force)}
+
+
+def _base(script: Script) -> dict[str, Any]:
+    wheels, slides, speed = script.new("WHEELS"), script.new("SLIDES"), script.new("SPEED")
+    if (wheels is None) == (slides is None):
+        raise ValueError("WHEELS or SLIDES")
+    base: dict[str, Any] = {"WHEELS": [], "SIZES": (0.0, 0.0), "SLIDES": []}
+    if wheels is not None:
+        left, right, radius, track = words(wheels)
+        base |= {"WHEELS": [left, right], "SIZES": (_from(radius, 1e-4), _from(track, 1e-4))}
+        _once([left, right])
+    if slides is not None:
+        base["SLIDES"] = _names(slides)
+        if len(base["SLIDES"]) != 3:
+            raise ValueError("SLIDES")
+    along, turning = ("0.5", "2") if speed is None else words(speed)
+    return {**base, "SPEED": (_from(along, 1e-6), _from(turning, 1e-6))}
+
+
+def _sensor(script: Script) -> dict[str, Any]:
+    reads, body = script.new("READS"), script.new("POSE")
+    if (reads is None) == (body is None):
+        raise ValueError("READS or POSE")
+    return {"READS": [] if reads is None else _names(reads), "POSE": "" if body is None else one_word(body)}
+
+
+def _camera(script: Script) -> dict[str, Any]:
+    view, on, at, looks = (script.new(keyword) for keyword in ("VIEW", "ON", "AT", "LOOKS"))
+    lens, size, rate = (script.new(keyword) for keyword in ("LENS", "SIZE", "RATE"))
+    if (at is None) != (looks is None) or (at is not None and view is not None):
+        raise ValueError("AT and LOOKS")
+    if at is None and (on is not None or lens is not None):
+        raise ValueError("only with AT")
+    places = [[] if line is None else [_number(word) for word in words(line)] for line in (at, looks)]
+    if at is not None and (any(len(place) != 3 for place in places) or places[0] == places[1]):
+        raise ValueError("AT and LOOKS")
+    width, height = (320.0, 240.0) if size is None else [_from(word, 16) for word in words(size)]
+    if max(width, height) > 640 or width % 1 or height % 1:
+        raise ValueError("SIZE")
+    camera: dict[str, Any] = {"VIEW": "" if view is None else one_word(view), "ON": "" if on is None else one_word(on)}
+    camera |= {"AT": places[0], "LOOKS": places[1], "SIZE": (int(width), int(height))}
+    camera["LENS"] = 45.0 if lens is None else _from(lens, 1.0)
+    camera["RATE"] = 10.0 if rate is None else _from(rate, 0.1)
+    if camera["LENS"] > 170 or camera["RATE"] > 30:
+        raise ValueError("LENS or RATE")
+    return camera
 
 
 def _part(script: Script) -> dict[str, Any]:
@@ -142,7 +197,7 @@ def _judge(blocks: list[tuple[str, str, dict[str, Any]]]) -> None:
         if set(lines.get("WHEN", ())) - names["SWITCH"] or set(lines.get("STOPS", ())) - names["PLACE"]:
             raise ValueError("unknown")
         at, dot, site = lines.get("ON", "").partition(".")
-        if lines.get("ON") and (not dot or not site or at not in names["PART"]):
+        if kind != "CAMERA" and lines.get("ON") and (not dot or not site or at not in names["PART"]):
             raise ValueError("ON")
         if kind == "PART":
             _stands({of: on["ON"].partition(".")[0] for of_kind, of, on in blocks if of_kind == "PART"}, title)
@@ -179,11 +234,14 @@ def _some(numbers: list[float]) -> list[float]:
 
 
 def _names(text: str) -> list[str]:
-    names = words(text)
-    _once(names)
-    if not 0 < len(names) <= 64:
+    _once(_many(text))
+    return words(text)
+
+
+def _many(text: str) -> list[str]:
+    if not 0 < len(words(text)) <= 64:
         raise ValueError(text)
-    return names
+    return words(text)
 
 
 def _once(names: list[str]) -> None:
