@@ -27,8 +27,9 @@ _CYCLES = 300
 TASKS = [*sorted(LABS.glob("*/module/*.rmod")), *HERE.glob("*/module/*.rmod")]
 MODULES = [*sorted(LABS.glob("*/module/*.py")), *HERE.glob("*/module/*.py")]
 ALLOWED = sys.stdlib_module_names | {"numpy", "onnxruntime"}
-KNOWN = published(puma560, 0.0, 0.0, 0.0, 0.0)
-"""Constants of a real robot for whoever reads them; hardware says its own."""
+CAMERA = {"H": 24, "W": 32, "FOCAL": 40.0}
+KNOWN = published(puma560, 0.0, 0.0, 0.0, 0.0) | CAMERA
+"""Constants of a real robot and of a camera for whoever reads them; hardware says its own."""
 
 POSE = "0 0 -1 0 1 0 0.7"
 LINES = {
@@ -109,6 +110,12 @@ def base_of_cell(_):
     return BenchDevice(["x", "y", "turn", "vx", "vy", "w"], ["vx", "vy", "w"], identity)
 
 
+def camera_of_cell(_):
+    """A camera."""
+    identity = {name: (float(value),) for name, value in CAMERA.items()}
+    return BenchDevice(["number", "age"], [], identity, picture=(CAMERA["H"], CAMERA["W"]))
+
+
 def numbers_of_cell(count):
     """Something that publishes so many numbers and takes none."""
     return lambda _: BenchDevice([f"s{k}" for k in range(count)], [])
@@ -118,6 +125,7 @@ CELL = dict.fromkeys(("arm_pos", "arm_tau", "arm_vel", "axes"), arm_of_cell) | {
     "grip": lambda _: BenchDevice(["opening", "speed", "force"], ["opening", "force"]),
     "arm_sim": sim_of_cell,
     "base": base_of_cell,
+    "camera": camera_of_cell,
     "legs": legs_of_cell,
     "whereis": numbers_of_cell(7),
     "wrench": numbers_of_cell(6),

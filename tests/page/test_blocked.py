@@ -14,7 +14,7 @@ ABOVE = (0.181442, -0.625356, 2.700589, 0.0, 1.06636, 1.752238)
 ON_IT = "0.0 0.0 -1.0 0.0 1.0 0.0 0.7 0.28 -0.3346"
 """Where a hand takes it that is open; one that is shut comes no further than its lid."""
 INSIDER = re.compile(r"ctraj|jtraj|puma|TAU_|LawBroken|ModuleError")
-LONGEST_MS = 60_000
+LONGEST_MS = 20_000
 
 
 @pytest.fixture

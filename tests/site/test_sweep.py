@@ -4,9 +4,12 @@ import signal
 import subprocess
 from pathlib import Path
 
+import pytest
+
 from kit.process.cli_process import ONIKA
 from kit.process.process_tree import runtime_of
 
+pytestmark = pytest.mark.site
 SWEEP = ("sweep", "go_home", "--vary", "pd.STIFF=0.5..1", "--json")
 
 

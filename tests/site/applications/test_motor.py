@@ -31,6 +31,7 @@ def test_rotor_and_cap_come_to_where_they_belong_and_the_lamp_is_lit(capsys):  #
     assert (code, lines[-1]["state"], lines[-1]["notes"], lines[-1]["actions_done"]) == (0, "completed", [], 17)
 
 
+@pytest.mark.slow  # a page of the guide does the same
 def test_the_panic_button_in_the_middle_is_cleared_and_the_motor_completed(capsys, tmp_path):  # R-K06, R-E08
     script = tmp_path / "panic"
     script.write_text(PRESSED)
@@ -41,6 +42,7 @@ def test_the_panic_button_in_the_middle_is_cleared_and_the_motor_completed(capsy
     assert drives[pressed - 1 : pressed + 4] == ["DRIVEN", "PRESSED", "TRIPPED", "HELD", "DRIVEN"]
 
 
+@pytest.mark.slow  # a page of the guide does the same
 def test_it_is_redirected_to_the_simulator_where_nothing_is_moved_but_the_arm(capsys):  # R-K06, R-K03
     words = ["Q_MEZ[0] > 0.069", "Q_MEZ[0] < 0.071", "LAMP == 0"]
     expectations = [word for text in words for word in ("--expect", text)]

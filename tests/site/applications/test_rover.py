@@ -16,6 +16,7 @@ def run(capsys, *words):
     return code, json.loads(capsys.readouterr().out.splitlines()[-1])
 
 
+@pytest.mark.slow  # a page of the guide does the same
 def test_the_rover_drives_to_two_places_and_turns_back(capsys):  # R-K04
     turned = ("P_MEZ[2] > 3.1", "P_MEZ[2] < 3.2", "P_TRUE[2] > 3.0")
     expectations = [word for text in (*THERE, *turned) for word in ("--expect", text)]
@@ -24,6 +25,7 @@ def test_the_rover_drives_to_two_places_and_turns_back(capsys):  # R-K04
     assert result["runtime_s"] < 25
 
 
+@pytest.mark.slow  # a page of the guide does the same
 def test_without_forces_it_comes_there_exactly(capsys):  # R-K04, R-K03
     expectations = [word for text in THERE for word in ("--expect", text)]
     code, result = run(capsys, "rover_tour", "--redirect", "rover=rover_kin", *expectations)

@@ -10,6 +10,7 @@ from onika.cli import main
 pytestmark = pytest.mark.site
 
 
+@pytest.mark.slow  # a page of the guide does the same
 def test_the_plate_is_moved_and_the_model_has_it_where_the_legs_say(capsys):  # R-K04
     turned = {(0, 0): cos(radians(20)), (1, 0): sin(radians(20)), (0, 3): 0.0, (1, 3): 0.0, (2, 3): 0.335}
     limits = [

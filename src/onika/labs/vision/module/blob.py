@@ -11,15 +11,15 @@ class Blob(Module):
     stays what it was, and AREA is 0.
 
     Kind     general, periodic, 1..100 Hz
-    Ports    INCONST  H      int          -   height of a picture in pixels
-             INCONST  W      int          -   width of a picture in pixels
-             INVAR    IMG    byte[H,W,3]  -   the newest picture
-             INVAR    IMG_T  double[2]    -,s how many pictures there were; how old the newest is
-             OUTVAR   UV     double[2]    -   the middle in pixels: to the right, down
-             OUTVAR   AREA   double       -   how many pixels have the colour; 0: none, or fewer than LEAST
-    Local    COLOUR          double[3]    -   red, green, blue
-             CHROMA          double       -   how far from grey it is at least, of 255
-             LEAST           double       -   fewer pixels count as none
+    Ports    INCONST  H      int          -    height of a picture in pixels
+             INCONST  W      int          -    width of a picture in pixels
+             INVAR    IMG    byte[H,W,3]  -    the newest picture
+             INVAR    IMG_T  double[2]    -,s  how many pictures there were; how old the newest is
+             OUTVAR   UV     double[2]    -    the middle in pixels: to the right, down
+             OUTVAR   AREA   double       -    how many pixels have the colour; 0: none, or fewer than LEAST
+    Local    COLOUR          double[3]    -    red, green, blue
+             CHROMA          double       -    how far from grey it is at least, of 255
+             LEAST           double       -    fewer pixels count as none
     Errors   no colour       COLOUR is grey: stays uninitialised
     Source   dissertation §4.5.3
     """
