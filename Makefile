@@ -49,7 +49,7 @@ check: $(VENV)/.installed-dev page ## style, types, floors, tests for every file
 audit: $(VENV)/.installed-dev ## ask the advisory databases about all packages, where a network allows
 	$(BIN)/python tools/audit.py --venv $(AUDIT)
 
-# The profile draws the same examples every time, so a change is judged by what it changed, and a quarter of those
+# The profile draws the same examples every time, so a change is judged by what it changed, and fifteen in a hundred of those
 # that `soak` draws anew. What starts programs runs apart from what starts browsers, two of a kind at a time share the
 # machine. Both wait for much; what only computes goes on behind them, and gets what they leave of the processors. The
 # first two meet the machine's clock, and so do a few of the rest that start a process: what fails is tried twice more, and

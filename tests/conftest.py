@@ -13,7 +13,7 @@ _BY_TEXT = ("page", "site", "slow")
 
 # Where the examples are the same every time, fewer will do, but not for what no mutant shall survive.
 settings.register_profile("mutation", settings.get_profile("ci"))
-settings.register_profile("ci", settings.get_profile("ci"), max_examples=25)
+settings.register_profile("ci", settings.get_profile("ci"), max_examples=15)
 
 
 def pytest_ignore_collect(collection_path, config):

@@ -27,6 +27,7 @@ def program(begin, tmp_path_factory):
     return begin("shut", "--upper", "--rtpu=rt0", folder=folder)
 
 
+@pytest.mark.slow  # where the machine keeps the arm silent first, it takes a minute
 def test_a_blocked_arm_is_told_in_the_words_of_the_program_and_one_press_begins_anew(program, page):  # R-X06, law 18
     program.enter(page)
     run = page.get_by_role("region", name="Run", exact=True)

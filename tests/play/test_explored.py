@@ -288,7 +288,7 @@ def test_whatever_goes_wrong_while_tasks_come_to_life_every_run_can_be_ended(nam
     assert Explorer(PROGRAMS[name], Budget(faults=1), spawns_apart=True).explore().states
 
 
-@pytest.mark.parametrize("name", ["a top-test loop", "a breakpoint"])
+@pytest.mark.parametrize("name", ["a top-test loop", pytest.param("a breakpoint", marks=pytest.mark.slow)])
 def test_a_passive_task_may_fall_silent_at_any_time(name):  # reading 17
     passive = frozenset({(0, "arm")})
     assert Explorer(PROGRAMS[name], Budget(faults=1), passive).explore().states

@@ -137,6 +137,7 @@ def test_a_contestant_that_cannot_start_says_why():
         Contestant("beside.nobody")
 
 
+@pytest.mark.slow
 @pytest.mark.site
 def test_all_rows_of_our_own_are_measured():
     words = [sys.executable, "-m", "beside", "--quick", "--alone", "--rounds", "1"]

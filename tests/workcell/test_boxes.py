@@ -26,7 +26,7 @@ def claimed(*names, epoch=1):
 # ---- the assembly ----
 
 
-@pytest.mark.parametrize(("seed", "side"), [(1, "left"), (2, "right")])
+@pytest.mark.parametrize(("seed", "side"), [pytest.param(1, "left", marks=pytest.mark.slow), (2, "right")])
 def test_twenty_four_actions_light_the_lamp(seed, side):  # R-K01, R-K02
     world = BoxesWorld(seed, 0.001)
     assembler = Assembler(world, side)

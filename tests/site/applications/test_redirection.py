@@ -103,6 +103,7 @@ def test_one_arm_is_simulated_beside_another_one_in_its_own_world(capsys, tmp_pa
 
 
 @pytest.mark.usefixtures("cell")
+@pytest.mark.slow  # the page's test of worlds does the same in wall time
 def test_one_arm_is_real_and_the_other_simulated_in_wall_time_and_that_is_told(capsys):  # R-E09
     goals = ("--expect", "flow0/Q_MEZ[1] < -1.5", "--expect", "flow1/Q_MEZ[1] < -1.5")
     code = main(["run", "two_arms", "--redirect", "0:boxes:=cell:", *goals])
