@@ -153,10 +153,13 @@ class WallDriver:
         return tuple(sorted(self._simulated))
 
     def scene(self, world: str) -> dict[str, object] | None:
-        """What an open world consists of; from then on its poses are told."""
+        """What an open world consists of; from then on its poses are told. None where it cannot be known now."""
         if world not in self._opened or self._devices.is_lost:
             return None
-        answer = self._ask(world, device_server.DescribeWorld(world))
+        try:
+            answer = self._ask(world, device_server.DescribeWorld(world))
+        except ValueError:  # something else failed meanwhile, and is told; nothing ends because of what is looked at
+            return None
         if isinstance(answer, device_server.WorldDescribed):
             return answer.scene
         return None
