@@ -52,6 +52,18 @@ def test_the_answers_of_one_are_not_taken_for_those_of_another(servers):  # R-E0
     assert not servers.has_answered("boxes")
 
 
+@pytest.mark.parametrize("comes_late", [True, False])
+def test_an_answer_that_nobody_waits_for_is_not_taken_for_that_to_the_next_question(servers, comes_late):  # R-X24
+    servers.expect(["cell", "boxes"])
+    late, own = device_server.PartTouched(), device_server.Denied(Reason.plain("no"))
+    for step in (servers.give_up, lambda world: servers.answered(servers.of(world), late))[:: 1 if comes_late else -1]:
+        step("boxes")
+    assert not servers.has_answered("boxes")
+    servers.answered(servers.of("cell"), own)
+    servers.answered(servers.of("boxes"), own)
+    assert servers.take_answer("boxes") == servers.take_answer("cell") == own
+
+
 def test_a_stop_reaches_all_and_whoever_is_started_while_it_lasts(servers):  # law 27
     servers.expect(["cell", "boxes"])
     servers.stop()

@@ -1,6 +1,6 @@
 """The device servers: a process for each world, so that no world waits for another one (law 16, requirement E09)."""
 
-from collections import deque
+from collections import Counter, deque
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 
@@ -34,6 +34,8 @@ class DeviceServers:
         self._supervisor = supervisor
         self._homes: dict[str, Supervised] = {}
         self._answers: dict[str, deque[device_server.Word]] = {}
+        self._unawaited: Counter[str] = Counter()
+        """By server, the answers that are still to come and that nobody waits for any more."""
         self._mode_questions: deque[_ModeQuestion] = deque()
         self._is_stopped = False
         self.is_lost = False
@@ -76,6 +78,8 @@ class DeviceServers:
         """One has answered."""
         if isinstance(word, device_server.ModesTaken):
             self._take_modes(process, word)
+        elif self._unawaited[process.name]:
+            self._unawaited[process.name] -= 1
         else:
             self._answers[process.name].append(word)
 
@@ -86,6 +90,14 @@ class DeviceServers:
     def take_answer(self, world: str) -> device_server.Word:
         """Its answer; raises IndexError where there is none."""
         return self._answers[self.of(world).name].popleft()
+
+    def give_up(self, world: str) -> None:
+        """Nobody waits any more for what the server of a world was asked last: it is no answer to the next question."""
+        name = self.of(world).name
+        if self._answers[name]:
+            self._answers[name].clear()
+        else:
+            self._unawaited[name] += 1
 
     def ask_modes(self, answer: Callable[[Modes], None]) -> None:
         """How every drive stands; answered when all have said it, or at once with nothing where one is lost."""

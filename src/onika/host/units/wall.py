@@ -392,7 +392,11 @@ class WallDriver:
 
     def _answer(self, world: str, patience_s: float) -> device_server.Word:
         waited_for = Reason.of("host.the_device_server_to_answer")
-        self._await(lambda: self._devices.has_answered(world), waited_for, patience_s)
+        try:
+            self._await(lambda: self._devices.has_answered(world), waited_for, patience_s)
+        except ValueError:
+            self._devices.give_up(world)
+            raise
         return self._devices.take_answer(world)
 
     def _await(self, is_done: Callable[[], bool], what: Reason, patience_s: float = _PATIENCE_S) -> None:
