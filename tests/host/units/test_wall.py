@@ -173,3 +173,33 @@ def test_a_world_is_put_back_by_the_process_that_steps_it(start):  # law 18
     os.kill(run.driver._supervisor.processes[DEVICES].process.pid, signal.SIGKILL)
     run.until(lambda: run.driver._devices.is_lost)
     assert run.driver.displaced() == {}
+
+
+def fails(*_args):
+    raise ValueError(Reason.plain("a unit was lost meanwhile"))
+
+
+def test_a_device_whose_claim_was_given_up_is_nobodys_and_can_be_claimed_again(monkeypatch):  # R-X24, law 18
+    driver = WallDriver(("rt0",), lambda _: None, with_fifo=False)
+    try:
+        driver.grant("rt0", "boxes:arm_left")  # its world is open from now on
+        with monkeypatch.context() as broken:
+            broken.setattr(driver, "_await", fails)
+            with pytest.raises(ValueError, match="a unit was lost meanwhile"):
+                driver.grant("rt0", "boxes:gripper_left")
+        assert driver.grant("rt0", "boxes:gripper_left").name == "gripper_left"
+        assert driver.scene("boxes") is not None
+    finally:
+        driver.close()
+
+
+def test_a_look_at_a_world_that_is_broken_off_shows_nothing_and_ends_nothing(monkeypatch):  # R-X24
+    driver = WallDriver(("rt0",), lambda _: None, with_fifo=False)
+    try:
+        driver.grant("rt0", "boxes:arm_left")
+        with monkeypatch.context() as broken:
+            broken.setattr(driver, "_await", fails)
+            assert driver.scene("boxes") is None
+        assert driver.scene("boxes") is not None
+    finally:
+        driver.close()

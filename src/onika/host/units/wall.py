@@ -103,7 +103,12 @@ class WallDriver:
         if world not in self._opened:
             self._open(world)
         self._epoch += 1
-        answer = self._ask(world, device_server.ClaimDevice(device, self._epoch))
+        try:
+            answer = self._ask(world, device_server.ClaimDevice(device, self._epoch))
+        except ValueError:  # granted late, it would be nobody's for ever
+            if not self._devices.is_lost:
+                self._devices.send(world, device_server.FenceWriter(self._epoch))
+            raise
         if isinstance(answer, device_server.Denied):
             raise ValueError(answer.reason)
         if not isinstance(answer, device_server.Granted):
