@@ -228,7 +228,7 @@ def test_the_last_words_of_a_lost_unit_change_nothing():  # R-E10
 
 
 def boxed(desk, folder):
-    desk.program.keep_last_seconds(folder, InProcessHolder(), InProcessHolder)
+    desk.program.recordings.keep_last_seconds(folder, InProcessHolder(), InProcessHolder)
     return desk
 
 
@@ -266,7 +266,7 @@ def test_a_run_whose_plan_nobody_can_describe_any_more_goes_on_without_a_black_b
 def test_the_result_waits_for_the_recording_and_for_the_black_box(desk, tmp_path, monkeypatch):  # R-X05, law 29
     begin(boxed(desk, tmp_path / "boxes"), plan("1.0"))
     waits = {"recording": True, "black box": True}
-    may_end, end = desk.program._recorder.may_end, desk.program._black_box.end
+    may_end, end = desk.program.recordings.recorder.may_end, desk.program.recordings.black_box.end
     asked = []
 
     def box(run, result):
@@ -274,9 +274,9 @@ def test_the_result_waits_for_the_recording_and_for_the_black_box(desk, tmp_path
         return None if waits["black box"] else end(run, result)
 
     monkeypatch.setattr(
-        desk.program._recorder, "may_end", lambda run, result: not waits["recording"] and may_end(run, result)
+        desk.program.recordings.recorder, "may_end", lambda run, result: not waits["recording"] and may_end(run, result)
     )
-    monkeypatch.setattr(desk.program._black_box, "end", box)
+    monkeypatch.setattr(desk.program.recordings.black_box, "end", box)
     desk.to_the_end()
     assert (desk.result, desk.program.is_running, asked) == (None, True, [])
     waits["recording"] = False

@@ -187,7 +187,7 @@ def _keep_last_seconds(
     program: RuntimeProgram, holder: BlackBoxHolder | None, make_holder: Callable[[], BlackBoxHolder]
 ) -> None:
     if holder is not None:
-        program.keep_last_seconds(black_box_folder(os.environ), holder, make_holder)
+        program.recordings.keep_last_seconds(black_box_folder(os.environ), holder, make_holder)
 
 
 def _listener(given: argparse.Namespace) -> ListenerProcess | None:

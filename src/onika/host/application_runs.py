@@ -4,9 +4,7 @@ from msgspec.structs import replace
 
 from onika.host.driver import Driver
 from onika.host.loading.plan_preparation import Preparation
-from onika.host.recording.black_box import BlackBox
-from onika.host.recording.recorder import Recorder
-from onika.host.recording.run_description import RunDescriptions
+from onika.host.recording.recordings import Recordings
 from onika.host.run.application_run import ApplicationRun
 from onika.host.sessions.control_authority import ControlAuthority
 from onika.host.subsystems.motion import Motion
@@ -26,19 +24,16 @@ class ApplicationRuns:
         driver: Driver,
         authority: ControlAuthority,
         motion: Motion,
-        descriptions: RunDescriptions,
-        recorder: Recorder,
+        recordings: Recordings,
         tell: Tell,
     ) -> None:
         self._subsystems = subsystems
         self._driver = driver
         self._authority = authority
         self._motion = motion
-        self._descriptions = descriptions
-        self._recorder = recorder
+        self._recordings = recordings
         self._tell = tell
         self._prepared: dict[str, Preparation] = {}
-        self.black_box: BlackBox | None = None
 
     def prepared(self, session: str) -> Preparation | None:
         """The plan that this session may run next."""
@@ -66,16 +61,16 @@ class ApplicationRuns:
         if prepared is None:
             return request.Refused(Reason.of("host.no_plan"))
         refusal = self._refusal(session, prepared) or self._subsystems.repeat.objection(message, self._driver.now)
-        refusal = refusal or self._recorder.begin(session, message, prepared)
+        refusal = refusal or self._recordings.recorder.begin(session, message, prepared)
         if refusal:
             return request.Refused(refusal)
-        about = self._descriptions.describe(session, message)
+        about = self._recordings.descriptions.describe(session, message)
         try:
             running = self._running_subsystems(prepared)
         except SharedMemoryRefused as refused:
-            self._recorder.give_up()
+            self._recordings.recorder.give_up()
             return request.Refused(reason_of(refused))
-        self._descriptions.began()
+        self._recordings.descriptions.began()
         if not self._subsystems.runs:
             self._driver.begin()
         tell: Tell = self._tell
@@ -84,8 +79,8 @@ class ApplicationRuns:
         homes = tuple(flow.subsystem for flow in prepared.plan.flows)
         self._subsystems.repeat.begin(session, message, self._driver.now, homes)
         run = ApplicationRun(session, prepared, message, running, self._driver, tell, self._subsystems.lost_units)
-        if self.black_box is not None and about is not None:
-            self.black_box.begin(run, about)
+        if self._recordings.black_box is not None and about is not None:
+            self._recordings.black_box.begin(run, about)
         self._subsystems.perform(run)
         self._authority.began(session)
         return request.Done()
@@ -93,9 +88,7 @@ class ApplicationRuns:
     def end(self, run: ApplicationRun) -> None:
         """Tell the result, as soon as what is recorded of the run is written."""
         result = run.result(self._driver.digest, self._driver.outside)
-        if not self._recorder.may_end(run, result):
-            return
-        black_box = "" if self.black_box is None else self.black_box.end(run, result)
+        black_box = self._recordings.end(run, result)
         if black_box is None:
             return
         self._subsystems.runs.remove(run)

@@ -1,7 +1,6 @@
 """The runtime program: takes what sessions ask to where it is answered, and lets what runs go on."""
 
-from collections.abc import Callable, Iterable
-from pathlib import Path
+from collections.abc import Iterable
 from time import monotonic_ns
 
 from msgspec.structs import replace
@@ -19,12 +18,7 @@ from onika.host.loading.module_questions import ModuleQuestions
 from onika.host.loading.plan_preparation import inspect, prepare
 from onika.host.loading.pose_solution import solve
 from onika.host.loading.world_kinds import world_list
-from onika.host.recording.black_box import BlackBox
-from onika.host.recording.black_box_holder import BlackBoxHolder
-from onika.host.recording.hand_held import HandHeld
-from onika.host.recording.hand_recordings import HandRecordings
-from onika.host.recording.recorder import Recorder
-from onika.host.recording.run_description import RunDescriptions
+from onika.host.recording.recordings import Recordings
 from onika.host.recording.sampling import Sampling
 from onika.host.renewal import Renewal
 from onika.host.sessions.control_authority import ControlAuthority
@@ -42,7 +36,6 @@ from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.world_files import WorldFiles
 from onika.host.units.world_registry import offered_worlds
 from onika.link.caller import Role
-from onika.record.black_box_folder import clear_unfinished
 from onika.ring.segment import SharedMemoryRefused
 from onika.wire import holding, live, request, steer
 from onika.wire.foresight import WhatIf
@@ -79,19 +72,15 @@ class RuntimeProgram:
         self._look = Inspection(self.subsystems, driver, server)
         self._sampling = Sampling(self.subsystems, driver)
         self._world_files = WorldFiles()
-        self._descriptions = RunDescriptions(self.subsystems, driver)
-        self._recorder = Recorder(self.subsystems, driver, server, self._descriptions)
-        self._hand_recordings = HandRecordings(self.subsystems, driver, self._descriptions, server.tell)
-        server.overhear(self._hand_recordings.hear)
+        self.recordings = Recordings(self.subsystems, driver, server)
         self._unit_starts = UnitStarts(self.subsystems, driver)
         self.motion = Motion(self.subsystems, driver, server.tell)
         self._world_reset = WorldReset(self.subsystems, driver)
         self.applications = ApplicationRuns(
-            self.subsystems, driver, self.authority, self.motion, self._descriptions, self._recorder, server.tell
+            self.subsystems, driver, self.authority, self.motion, self.recordings, server.tell
         )
-        self._black_box: BlackBox | None = None
-        self._hand_held: HandHeld | None = None
-        self._questions = Questions(self.subsystems, driver, self._session_facts, lambda: self._recorder.application)
+        recorder = self.recordings.recorder
+        self._questions = Questions(self.subsystems, driver, self._session_facts, lambda: recorder.application)
         self.is_over = False
         self._clock_requests = ClockRequests(self.subsystems, driver, server, self._backlog)
 
@@ -108,32 +97,16 @@ class RuntimeProgram:
     def readers(self) -> list[ProcessSocket]:
         """What to wait for besides the request server and the driver: the loader, and who writes recordings."""
         loader = [self._loading.post] if isinstance(self._loading, LoaderClient) else []
-        black_box = self._black_box.readers() if self._black_box is not None else ()
-        recordings = (*self._recorder.readers(), *self._hand_recordings.readers())
-        return [*loader, *recordings, *black_box, *self.network.readers()]
-
-    def keep_last_seconds(
-        self, folder: Path, holder: BlackBoxHolder, make_holder: Callable[[], BlackBoxHolder]
-    ) -> None:
-        """From now on the last seconds of what goes badly are written into this folder."""
-        clear_unfinished(folder)
-        black_box = self._black_box = BlackBox(folder, holder, make_holder, self.subsystems, self._driver)
-        self.applications.black_box = black_box
-        hand_held = HandHeld(black_box, self.subsystems, self._descriptions, self._driver, self._server.tell)
-        self._hand_held = hand_held
-        self._server.overhear(hand_held.hear)
+        return [*loader, *self.recordings.readers(), *self.network.readers()]
 
     def close(self) -> None:
         """The runtime ends: what is still to be written of its runs is written."""
         self.network.finish()
-        self._finish_recordings()
+        self.recordings.finish()
 
     def leave(self) -> None:
         """Another program goes on, on the same links: nothing is told to this one any more."""
-        self._finish_recordings()
-        self._server.leave(self._hand_recordings.hear)
-        if self._hand_held is not None:
-            self._server.leave(self._hand_held.hear)
+        self.recordings.leave()
         self.subsystems.close()
 
     def go_on(self, renewal: Renewal) -> None:
@@ -142,16 +115,10 @@ class RuntimeProgram:
         for call in renewal.later:
             self._serve(call)
 
-    def _finish_recordings(self) -> None:
-        self._hand_recordings.finish()
-        if self._black_box is not None and self._hand_held is not None:
-            self._hand_held.finish()
-            self._black_box.finish()
-
     def wait_s(self, most_s: float) -> float:
         """How long to wait at most, where nothing else is to be done for so long."""
         now = monotonic_ns()
-        kept = None if self._hand_held is None else self._hand_held.due_ns()
+        kept = self.recordings.due_ns()
         dues = (self._look.due_ns(now), self._sampling.due_ns(now), self.leases.due_ns(), self.network.due_ns(), kept)
         return min([most_s, *(due * 1e-9 for due in dues if due is not None)])
 
@@ -171,8 +138,7 @@ class RuntimeProgram:
         self._presence.look()
         for session in self._server.lost():
             self.applications.lost(session)
-            self._descriptions.lost(session)
-            self._recorder.lost(session)
+            self.recordings.lost(session)
             self._look.forget(session)
             self.authority.lost(session, self._driver.now)
 
@@ -182,11 +148,7 @@ class RuntimeProgram:
         goes_on = self._driver.advance(wall_ns) or self.subsystems.is_repeat_due
         if not self.subsystems.repeat.is_on(self._driver.now):
             self.subsystems.hold.say(self._driver.now)
-        self._recorder.serve()
-        self._hand_recordings.serve()
-        if self._black_box is not None and self._hand_held is not None:
-            self._hand_held.serve()
-            self._black_box.serve()
+        self.recordings.serve()
         for run in list(self.subsystems.runs):
             if run.is_through(self._driver.is_at_rest):
                 self.applications.end(run)
@@ -228,7 +190,7 @@ class RuntimeProgram:
                 answer(request.Refused(refusal))
             else:
                 self._carry_out(call, answer)
-                self._note_command(call.session, call.asked)
+                self.recordings.command(call.session, call.asked)
         except NotYet:
             self._backlog.keep(call, answer)
         except SharedMemoryRefused as refused:
@@ -240,14 +202,7 @@ class RuntimeProgram:
         due = repeat.take(driver.now, driver.turn, self.subsystems.is_asking)
         if due is not None:
             self._carry_out(SessionRequest(0, repeat.session, Role.OWNER, due), lambda _: None)
-            self._note_command(repeat.session, due)
-
-    def _note_command(self, session: str, message: request.Request) -> None:
-        """What was carried out is recorded."""
-        self._recorder.command(session, message)
-        self._hand_recordings.command(session, message)
-        if self._black_box is not None:
-            self._black_box.command(session, message)
+            self.recordings.command(repeat.session, due)
 
     def _carry_out(self, call: SessionRequest, answer: Answer) -> None:
         match call.asked:
@@ -264,7 +219,7 @@ class RuntimeProgram:
             case live.AddUnit():
                 self._unit_starts.add(call.asked, answer)
             case live.Record():
-                self._hand_recordings.ask(call.asked, answer)
+                self.recordings.by_hand.ask(call.asked, answer)
             case live.Advance() | live.Renew():
                 self._clock_requests.ask(call, call.asked, answer)
             case WhatIf():
@@ -287,7 +242,7 @@ class RuntimeProgram:
 
     def _try_again(self) -> None:
         """The loader has answered: what waits for it is carried out, in order, as far as it goes."""
-        has_come = self._recorder.has_come()
+        has_come = self.recordings.recorder.has_come()
         if (isinstance(self._loading, LoaderClient) and self._loading.take()) or has_come:
             for call, answer in self._backlog.take():
                 self._try(call, answer)
@@ -298,7 +253,7 @@ class RuntimeProgram:
                 prepared = prepare(message.plan, message.targets, self._loading)
                 prepared.faults += self._offered(message.plan.worlds)
                 self.applications.take(session, prepared)
-                self._descriptions.keep(session, message)
+                self.recordings.descriptions.keep(session, message)
                 resolved, worlds = tuple(prepared.resolved), prepared.worlds
                 self._driver.expect(worlds)
                 return replace(refused(prepared.faults, prepared.notes), resolved=resolved, worlds=worlds)

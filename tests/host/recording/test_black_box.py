@@ -26,7 +26,7 @@ class Boxed:
         self.folder = folder
         self.desk = DirectClient()
         self.holders = []
-        self.desk.program.keep_last_seconds(folder, holder(), self.make)
+        self.desk.program.recordings.keep_last_seconds(folder, holder(), self.make)
         self.begin()
 
     def make(self):
@@ -150,7 +150,7 @@ def test_a_folder_that_cannot_be_written_is_told_and_the_run_ends_all_the_same(t
 
 def test_a_holder_that_dies_is_told_and_the_next_run_has_another(tmp_path):  # R-X05
     boxed = Boxed(tmp_path / "boxes")
-    boxed.desk.program._black_box._holder.is_lost = True
+    boxed.desk.program.recordings.black_box._holder.is_lost = True
     boxed.desk.ask(request.Stop(Reason.plain("red button")))
     assert boxed.end().black_box == ""
     assert [message.text.key for message in boxed.desk.of(event.Warned) if not message.task] == ["host.no_black_box"]

@@ -58,7 +58,7 @@ class ByHand:
     def __init__(self, folder, rtpus=("rt0",), **where):
         self.folder = folder
         self.edits = LiveEdits(rtpus)
-        self.edits.asker.program.keep_last_seconds(folder, InProcessHolder(), InProcessHolder)
+        self.edits.asker.program.recordings.keep_last_seconds(folder, InProcessHolder(), InProcessHolder)
         self.edits.task("mass", MASS, frequency=500.0, local={"DEVICE": "yard:m0"})
         self.edits.task("push", PUSH, frequency=500.0, **where)
         assert self.edits.change(spawn=("mass", "push"), on=("mass", "push")) == ""

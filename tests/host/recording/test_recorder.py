@@ -126,7 +126,7 @@ def test_what_is_repeated_goes_as_fast_as_it_can_and_the_rest_as_the_wall_lets_i
 
 def test_a_disk_that_is_full_ends_the_recording_and_not_the_run(path):  # R-X05
     desk = begun(path)
-    desk.program._recorder._writer.reason = "No space left on device"
+    desk.program.recordings.recorder._writer.reason = "No space left on device"
     desk.program.advance(1_000_000)
     assert desk.of(event.Warned)  # told at once, and once
     result = desk.to_the_end()

@@ -325,7 +325,7 @@ class FaultyRuntime(LossyClient):
         """A browser says nothing to a runtime, neither while it is there nor when it goes."""
 
     def _disk(self, _subject: str) -> None:
-        writer = self.program._recorder._writer
+        writer = self.program.recordings.recorder._writer
         if writer is None:
             raise TypeError("expected a recording, found none")
         writer.reason = Reason.plain("No space left on device")  # type: ignore[misc]
