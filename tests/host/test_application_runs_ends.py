@@ -257,7 +257,7 @@ def test_without_a_black_box_none_is_named(desk):  # R-X05
 
 def test_a_run_whose_plan_nobody_can_describe_any_more_goes_on_without_a_black_box(desk, tmp_path):  # R-X05
     desk.ask(request.Prepare(plan("1.0"), ()))
-    boxed(desk, tmp_path / "boxes").program._descriptions.lost("me")
+    boxed(desk, tmp_path / "boxes").program.recordings.descriptions.lost("me")
     assert desk.ask(request.Begin()) == request.Done()
     assert trip(desk).black_box == ""
     assert not (tmp_path / "boxes").exists()

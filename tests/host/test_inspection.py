@@ -162,8 +162,8 @@ def test_no_number_is_no_rate(hand):
 
 def test_pictures_of_a_camera_are_shown_as_long_as_somebody_attends(hand, monkeypatch):  # R-F08
     looked, pictures = [], {"yard:eye": (3, 5, b"file")}
-    monkeypatch.setattr(hand.asker.program._look._seen, "picture", pictures.get)
-    monkeypatch.setattr(hand.asker.program._look._seen, "look_only_at", looked.append)
+    monkeypatch.setattr(hand.asker.program._look._seen.views, "picture", pictures.get)
+    monkeypatch.setattr(hand.asker.program._look._seen.views, "look_only_at", looked.append)
     hand.asker.ask(live.Attend(worlds=("yard:eye", "yard:ear", "yard")))
     show(hand, 10**15)
     show(hand, 2 * 10**15)

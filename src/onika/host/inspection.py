@@ -1,6 +1,6 @@
 """What sessions see of a runtime: what there is, figures, variables, and what they watch at a bounded rate."""
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from math import isnan
 from typing import Any, Protocol
@@ -8,12 +8,11 @@ from typing import Any, Protocol
 from onika.host.sessions.request_server import RequestServer
 from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.host.units.driver_clock import DriverClock
+from onika.host.units.world_views import WorldViews
 from onika.model.lifecycle import State
 from onika.ring.displacement import Displacement
 from onika.runtime import news
-from onika.runtime.bus import Poses
 from onika.runtime.integrity import Accessor, check
-from onika.runtime.picture import SmallPicture
 from onika.runtime.subsystem import Member
 from onika.runtime.table import Table, plain
 from onika.wire import live, reading, request
@@ -40,24 +39,13 @@ class InspectedDriver(DriverClock, Protocol):
         """Those of them in which nothing outside the program moves."""
         ...
 
+    @property
+    def views(self) -> WorldViews:
+        """What whoever looks sees of them."""
+        ...
+
     def displaced(self) -> dict[str, tuple[Displacement, ...]]:
         """What does not stand where it stood at the start, by world."""
-        ...
-
-    def scene(self, world: str) -> dict[str, object] | None:
-        """What an open world consists of."""
-        ...
-
-    def poses(self, world: str) -> Poses | None:
-        """The newest poses of an open world, their time and what shines; see `bus.Poses`."""
-        ...
-
-    def picture(self, device: str) -> SmallPicture | None:
-        """The newest picture of a camera for whoever looks; from now on somebody does."""
-        ...
-
-    def look_only_at(self, cameras: Collection[str]) -> None:
-        """Nobody looks at any other camera any more."""
         ...
 
 
@@ -93,7 +81,7 @@ class Inspection:
             case live.Attend():
                 return self._attend(session, message)
             case live.Scene():
-                scene = self._seen.scene(message.world)
+                scene = self._seen.views.scene(message.world)
                 if scene is None:
                     return request.Refused(Reason.of("host.no_world_open", world=message.world))
                 return live.Scenery(scene)
@@ -134,7 +122,7 @@ class Inspection:
             for name in names:
                 self._show_variable(session, watch, home, name, now)
         for camera in filter(_is_camera, watch.worlds):
-            picture = self._seen.picture(camera)
+            picture = self._seen.views.picture(camera)
             if picture is not None and watch.counts.get(f"world:{camera}") != picture[1]:
                 number, at_ns, file = picture
                 watch.counts[f"world:{camera}"] = at_ns
@@ -142,7 +130,7 @@ class Inspection:
                     session, f"world:{camera}", reading.encode(reading.CameraPicture(at_ns, number, file))
                 )
         for world in watch.worlds:
-            poses = self._seen.poses(world)
+            poses = self._seen.views.poses(world)
             if poses is not None and watch.counts.get(f"world:{world}") != poses[0]:
                 watch.counts[f"world:{world}"] = poses[0]
                 self._server.show(session, f"world:{world}", reading.encode(reading.Poses(*poses)))
@@ -168,7 +156,9 @@ class Inspection:
 
     def _look(self) -> None:
         """Cameras at which nobody looks any more may rest."""
-        self._seen.look_only_at({name for watch in self._watches.values() for name in watch.worlds if _is_camera(name)})
+        self._seen.views.look_only_at(
+            {name for watch in self._watches.values() for name in watch.worlds if _is_camera(name)}
+        )
 
     def _values(self, message: live.Read) -> request.Response:
         table = self._subsystems.tables.get(message.subsystem)

@@ -120,7 +120,7 @@ def test_it_ends_where_the_runtime_does(hand):  # R-X05
 
 def test_a_full_disk_ends_the_recording_and_nothing_else(hand):  # R-X05
     hand.record()
-    recording = hand.edits.asker.program._hand_recordings._recordings["s0"]
+    recording = hand.edits.asker.program.recordings.by_hand._recordings["s0"]
     recording._writer.reason = Reason.plain("no space is left")
     hand.edits.let_pass(3.0)
     assert [told.is_on for told in hand.told] == [True, False]

@@ -14,6 +14,7 @@ class Seen:
 
     def __init__(self):
         self.worlds = ("yard",)
+        self.views = self
         self.opened = None
         self.asked = []
 

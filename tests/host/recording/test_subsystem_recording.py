@@ -20,7 +20,7 @@ def edits():
 
 def recording(edits, path):
     program = edits.asker.program
-    about = program._descriptions.describe_by_hand(program.subsystems.live["s0"])
+    about = program.recordings.descriptions.describe_by_hand(program.subsystems.live["s0"])
     return SubsystemRecording(program.subsystems.live["s0"], str(path), about, edits.driver)
 
 

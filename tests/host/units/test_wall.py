@@ -188,7 +188,7 @@ def test_a_device_whose_claim_was_given_up_is_nobodys_and_can_be_claimed_again(m
             with pytest.raises(ValueError, match="a unit was lost meanwhile"):
                 driver.grant("rt0", "boxes:gripper_left")
         assert driver.grant("rt0", "boxes:gripper_left").name == "gripper_left"
-        assert driver.scene("boxes") is not None
+        assert driver.views.scene("boxes") is not None
     finally:
         driver.close()
 
@@ -199,7 +199,7 @@ def test_a_look_at_a_world_that_is_broken_off_shows_nothing_and_ends_nothing(mon
         driver.grant("rt0", "boxes:arm_left")
         with monkeypatch.context() as broken:
             broken.setattr(driver, "_await", fails)
-            assert driver.scene("boxes") is None
-        assert driver.scene("boxes") is not None
+            assert driver.views.scene("boxes") is None
+        assert driver.views.scene("boxes") is not None
     finally:
         driver.close()

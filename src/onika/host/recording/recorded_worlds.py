@@ -7,7 +7,7 @@ from onika.host.recording.recording_place import RecordingWriter
 from onika.host.recording.recording_sink import AddScene
 from onika.host.units.driver_clock import DriverClock
 from onika.host.units.pose_stream import WorldPoses
-from onika.runtime.bus import Poses
+from onika.host.units.world_views import WorldViews
 
 _POSED_EVERY_NS = 33_000_000
 
@@ -28,16 +28,9 @@ class RecordedDriver(DriverClock, Protocol):
         """The worlds that are open."""
         ...
 
-    def scene(self, world: str) -> dict[str, object] | None:
-        """What an open world consists of."""
-        ...
-
-    def poses(self, world: str) -> Poses | None:
-        """The newest poses of an open world."""
-        ...
-
-    def pose_to(self, world: str, inlet: int) -> None:
-        """Have whoever steps an open world say its poses at this socket, where that is another process."""
+    @property
+    def views(self) -> WorldViews:
+        """What whoever looks sees of them."""
         ...
 
     def each_instant(self, look: Callable[[], None]) -> None:
@@ -65,16 +58,16 @@ class RecordedWorlds:
 
     def _show(self, writer: RecordingWriter, world: str, now: int) -> None:
         if world not in self._shown:
-            scene = self._seen.scene(world)
+            scene = self._seen.views.scene(world)
             if scene is None:
                 return
             writer.take(AddScene(world, _shapes(scene)))
             self._shown[world] = now
             if writer.inlet is not None:
-                self._seen.pose_to(world, writer.inlet)
+                self._seen.views.pose_to(world, writer.inlet)
         if writer.inlet is None and now >= self._shown[world]:
             self._shown[world] = now + _POSED_EVERY_NS
-            poses = self._seen.poses(world)
+            poses = self._seen.views.poses(world)
             if poses is not None:
                 writer.take(WorldPoses(world, now, poses[1], poses[2]))
 

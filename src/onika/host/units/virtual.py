@@ -2,7 +2,7 @@
 
 import select
 from collections import deque
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from time import monotonic_ns
 
 from msgspec import structs
@@ -12,13 +12,13 @@ from onika.host.units.run_digest import Digest
 from onika.host.units.unit_listener import UnitListener
 from onika.host.units.world_buses import Buses
 from onika.host.units.world_registry import open_world
+from onika.host.units.world_views import WorldViews
 from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
 from onika.runtime import command, news
-from onika.runtime.bus import Poses, World
+from onika.runtime.bus import World
 from onika.runtime.execution.executive import Executive
-from onika.runtime.picture import SmallPicture
 from onika.wire import event
 from onika.wire.world_source import WorldSource
 from onika.words.reason import NOTHING, Reason
@@ -68,6 +68,11 @@ class VirtualDriver:
         """How often everything that was due at the present instant has been carried out."""
 
     @property
+    def views(self) -> WorldViews:
+        """What whoever looks sees of the worlds."""
+        return self._buses
+
+    @property
     def now(self) -> int:
         """Virtual nanoseconds since this runtime's start."""
         return self._now
@@ -106,22 +111,6 @@ class VirtualDriver:
     def simulated(self) -> tuple[str, ...]:
         """Those of them in which nothing outside the program moves."""
         return self._buses.simulated
-
-    def scene(self, world: str) -> dict[str, object] | None:
-        """What an open world consists of."""
-        return self._buses.scene(world)
-
-    def poses(self, world: str) -> Poses | None:
-        """Where the bodies of an open world are."""
-        return self._buses.poses(world)
-
-    def picture(self, device: str) -> SmallPicture | None:
-        """The newest picture of a camera for whoever looks; from now on somebody does."""
-        return self._buses.picture(device)
-
-    def look_only_at(self, cameras: Collection[str]) -> None:
-        """Nobody looks at any other camera any more."""
-        self._buses.look_only_at(cameras)
 
     def ask_modes(self, answer: Callable[[Mapping[str, DriveMode]], None]) -> None:
         """How every drive stands; answered at once."""
@@ -190,9 +179,6 @@ class VirtualDriver:
     def begin(self) -> None:
         """A run starts now: what happens from here on is its digest."""
         self._digest = Digest(self._now)
-
-    def pose_to(self, world: str, inlet: int) -> None:
-        """Nobody says them: here whoever wants to know them can look."""
 
     def each_instant(self, look: Callable[[], None]) -> None:
         """Call this one too at the end of every instant."""

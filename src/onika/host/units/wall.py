@@ -2,13 +2,14 @@
 
 import select
 from collections import deque
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from time import monotonic_ns
 from typing import TypeVar
 
 from onika.host.units import device_server, rtpu
 from onika.host.units.device_servers import DeviceServers
 from onika.host.units.pose_stream import WorldPoses
+from onika.host.units.served_views import ServedViews
 from onika.host.units.supervisor import Supervised, Supervisor
 from onika.host.units.unit_listener import UnitListener
 from onika.host.units.unit_loss import dead_writers
@@ -20,8 +21,7 @@ from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment, SharedMemoryRefused
 from onika.runtime import command, news
-from onika.runtime.bus import SEGMENT_SIZE, Poses
-from onika.runtime.picture import SmallPicture
+from onika.runtime.bus import SEGMENT_SIZE
 from onika.wire import event
 from onika.wire.world_source import WorldSource
 from onika.words.reason import Reason, reason_of
@@ -51,10 +51,6 @@ class WallDriver:
         self._opened: dict[str, str] = {}
         self._sources = WorldSources()
         self._simulated: set[str] = set()
-        self._shown: set[str] = set()
-        self._poses: dict[str, Poses] = {}
-        self._looked_at: set[str] = set()
-        self._small: dict[str, SmallPicture] = {}
         self._claims: dict[str, tuple[int, str]] = {}
         self._epoch = 0
         self._listener: UnitListener | None = None
@@ -62,6 +58,7 @@ class WallDriver:
         self._drives: dict[str, int] = {}
         self.granted: dict[str, dict[str, bool]] = {}
         self._devices = DeviceServers(self._supervisor)
+        self.views = ServedViews(self._devices, self._opened, self._ask)
         self._units = UnitProcesses(self._supervisor, rtpus)
         processes = self._supervisor.processes
         try:
@@ -156,45 +153,6 @@ class WallDriver:
     def simulated(self) -> tuple[str, ...]:
         """Those of them in which nothing outside the program moves."""
         return tuple(sorted(self._simulated))
-
-    def scene(self, world: str) -> dict[str, object] | None:
-        """What an open world consists of; from then on its poses are told. None where it cannot be known now."""
-        if world not in self._opened or self._devices.is_lost:
-            return None
-        try:
-            answer = self._ask(world, device_server.DescribeWorld(world))
-        except ValueError:  # something else failed meanwhile, and is told; nothing ends because of what is looked at
-            return None
-        if isinstance(answer, device_server.WorldDescribed):
-            return answer.scene
-        return None
-
-    def poses(self, world: str) -> Poses | None:
-        """Where the bodies of an open world are, as the device server said last; from then on it says so."""
-        if world in self._opened and world not in self._shown:
-            self._shown.add(world)
-            self._devices.send(world, device_server.StreamPoses(world))
-        return self._poses.get(world)
-
-    def picture(self, device: str) -> SmallPicture | None:
-        """The newest picture of a camera for whoever looks, as the device server said last; from now on it says so."""
-        world, camera = split(device)
-        if world in self._opened and device not in self._looked_at:
-            self._looked_at.add(device)
-            self._devices.send(world, device_server.ShowCamera(world, camera, True))
-        return self._small.get(device)
-
-    def look_only_at(self, cameras: Collection[str]) -> None:
-        """Nobody looks at any other camera any more."""
-        for device in self._looked_at - set(cameras):
-            world, camera = split(device)
-            self._devices.send(world, device_server.ShowCamera(world, camera, False))
-            self._looked_at.discard(device)
-            self._small.pop(device, None)
-
-    def pose_to(self, world: str, inlet: int) -> None:
-        """From now on the device server says the same at this socket too."""
-        self._devices.send(world, device_server.StreamPoses(world), (inlet,))
 
     def ask_modes(self, answer: Callable[[Mapping[str, DriveMode]], None]) -> None:
         """How every drive stands; answered when all device servers have said it, or one is gone: then with nothing."""
@@ -327,10 +285,8 @@ class WallDriver:
             case device_server.DriveChanged():
                 self._drives[f"{word.world}:{word.device}"] = word.state
                 self._tell(self._driven(word))
-            case WorldPoses():
-                self._poses[word.world] = (word.at_ns, word.rows, word.lit)
-            case device_server.PictureTaken():
-                self._small[f"{word.world}:{word.camera}"] = (word.number, word.taken_ns, word.file)
+            case WorldPoses() | device_server.PictureTaken():
+                self.views.take(word)
             case _:
                 self._devices.answered(supervised, word)
 

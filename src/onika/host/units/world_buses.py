@@ -103,6 +103,9 @@ class Buses:
             self._looked_at.discard(device)
             self._small.pop(device, None)
 
+    def pose_to(self, world: str, inlet: int) -> None:
+        """Nobody says them: here whoever wants to know them can look."""
+
     def modes(self) -> dict[str, DriveMode]:
         """How the drives of all open worlds stand, by `world:device`."""
         return {device: mode for bus in self._buses.values() for device, mode in bus.modes().items()}
