@@ -4,7 +4,7 @@ from msgspec.structs import replace
 
 from onika.host.driver import Driver
 from onika.host.loading.plan_preparation import Preparation
-from onika.host.recording.recordings import Recordings
+from onika.host.recording.runtime_recordings import RuntimeRecordings
 from onika.host.run.application_run import ApplicationRun
 from onika.host.sessions.control_authority import ControlAuthority
 from onika.host.subsystems.motion import Motion
@@ -24,7 +24,7 @@ class ApplicationRuns:
         driver: Driver,
         authority: ControlAuthority,
         motion: Motion,
-        recordings: Recordings,
+        recordings: RuntimeRecordings,
         tell: Tell,
     ) -> None:
         self._subsystems = subsystems

@@ -18,7 +18,7 @@ from onika.host.loading.module_questions import ModuleQuestions
 from onika.host.loading.plan_preparation import inspect, prepare
 from onika.host.loading.pose_solution import solve
 from onika.host.loading.world_kinds import world_list
-from onika.host.recording.recordings import Recordings
+from onika.host.recording.runtime_recordings import RuntimeRecordings
 from onika.host.recording.sampling import Sampling
 from onika.host.renewal import Renewal
 from onika.host.sessions.control_authority import ControlAuthority
@@ -72,7 +72,7 @@ class RuntimeProgram:
         self._look = Inspection(self.subsystems, driver, server)
         self._sampling = Sampling(self.subsystems, driver)
         self._world_files = WorldFiles()
-        self.recordings = Recordings(self.subsystems, driver, server)
+        self.recordings = RuntimeRecordings(self.subsystems, driver, server)
         self._unit_starts = UnitStarts(self.subsystems, driver)
         self.motion = Motion(self.subsystems, driver, server.tell)
         self._world_reset = WorldReset(self.subsystems, driver)

@@ -4,7 +4,7 @@ import pytest
 from tests.host.recording.test_hand_held import ByHand
 
 from onika.host.recording.black_box_holder import InProcessHolder
-from onika.host.recording.recordings import Recordings
+from onika.host.recording.runtime_recordings import RuntimeRecordings
 from onika.record.reader import Reader
 from onika.wire import live
 
@@ -39,7 +39,7 @@ class Server:
 
 def test_who_leaves_its_links_to_another_program_hears_nothing_of_them_any_more(hand, tmp_path):  # R-X23
     server, edits = Server(), hand.edits
-    recordings = Recordings(edits.asker.program.subsystems, edits.driver, server)
+    recordings = RuntimeRecordings(edits.asker.program.subsystems, edits.driver, server)
     recordings.keep_last_seconds(tmp_path / "others", InProcessHolder(), InProcessHolder)
     assert len(server.observers) == 2
     recordings.leave()
@@ -47,5 +47,5 @@ def test_who_leaves_its_links_to_another_program_hears_nothing_of_them_any_more(
 
 
 def test_without_a_black_box_nothing_is_due_by_itself(hand):  # R-X05
-    recordings = Recordings(hand.edits.asker.program.subsystems, hand.edits.driver, Server())
+    recordings = RuntimeRecordings(hand.edits.asker.program.subsystems, hand.edits.driver, Server())
     assert recordings.due_ns() is None

@@ -18,7 +18,7 @@ from onika.record.black_box_folder import clear_unfinished
 from onika.wire import event, request
 
 
-class Recordings:
+class RuntimeRecordings:
     """The recorder of runs, the recordings that are begun by hand, and the black box where one is kept."""
 
     def __init__(self, subsystems: Subsystems, driver: RecordedDriver, server: RequestServer) -> None:
