@@ -12,6 +12,13 @@ from time import monotonic_ns
 
 from onika.files.access import STRANGERS, WRITING, Access, guard
 from onika.files.state_directory import guarded, state_directory
+from onika.host.guards.call_watchdog import CallWatchdog
+from onika.host.guards.code_guard import CodeGuard, own_code
+from onika.host.guards.code_watch import CodeWatch
+from onika.host.guards.descriptor_guard import DescriptorGuard
+from onika.host.guards.memory_limit import bound
+from onika.host.guards.outside_guard import stay_inside
+from onika.host.guards.watchman import Watchman
 from onika.host.loading.loader import Loader
 from onika.host.loading.loader_client import LoaderClient
 from onika.host.program import RuntimeProgram
@@ -24,19 +31,12 @@ from onika.host.sessions.listener_process import ListenerProcess
 from onika.host.sessions.network_channel import NetworkChannel
 from onika.host.sessions.request_server import RequestServer
 from onika.host.shutdown import ShutdownSignals
-from onika.host.units.call_watchdog import CallWatchdog
-from onika.host.units.code_guard import CodeGuard, own_code
-from onika.host.units.code_watch import CodeWatch
-from onika.host.units.descriptor_guard import DescriptorGuard
 from onika.host.units.garbage import Garbage
-from onika.host.units.memory_limit import bound
 from onika.host.units.output_pipe import open_output_pipes
-from onika.host.units.outside_guard import stay_inside
 from onika.host.units.realtime_scheduling import RUNNER_PRIORITY, fine_timers, first_in_first_out, still_garbage
 from onika.host.units.rtpu import preload
 from onika.host.units.virtual import VirtualDriver
 from onika.host.units.wall import WallDriver
-from onika.host.units.watchman import Watchman
 from onika.host.units.world_registry import open_world
 from onika.link.launcher import die_with_parent, inherit
 from onika.link.sessions import Sessions

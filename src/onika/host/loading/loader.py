@@ -11,6 +11,8 @@ from typing import Any
 
 from msgspec import msgpack
 
+from onika.host.guards.memory_limit import bound
+from onika.host.guards.outside_guard import stay_inside
 from onika.host.loading.load_alarm import LoadAlarm
 from onika.host.loading.loader_messages import (
     Answer,
@@ -39,9 +41,7 @@ from onika.host.loading.loader_messages import (
 )
 from onika.host.loading.module_facts import ModuleFacts
 from onika.host.units.child_process import start
-from onika.host.units.memory_limit import bound
 from onika.host.units.output_pipe import open_output_pipes
-from onika.host.units.outside_guard import stay_inside
 from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.rtpu import preload
 from onika.host.units.world_sources import packed, unpacked

@@ -12,12 +12,12 @@ from time import monotonic_ns
 
 from msgspec import Struct, msgpack
 
-from onika.host.units.code_guard import CodeGuard, own_code
-from onika.host.units.code_watch import CodeWatch
-from onika.host.units.descriptor_guard import DescriptorGuard
+from onika.host.guards.code_guard import CodeGuard, own_code
+from onika.host.guards.code_watch import CodeWatch
+from onika.host.guards.descriptor_guard import DescriptorGuard
+from onika.host.guards.memory_limit import bound
 from onika.host.units.garbage import Garbage
 from onika.host.units.heartbeat import Heartbeat
-from onika.host.units.memory_limit import bound
 from onika.host.units.output_pipe import open_output_pipes
 from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.realtime_scheduling import become_real_time

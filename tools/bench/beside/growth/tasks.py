@@ -3,7 +3,7 @@
 import onika
 from beside.contestant import Figures, serve
 from beside.sequence.onika_sweep import Sweep
-from onika.host.units.call_watchdog import CallWatchdog
+from onika.host.guards.call_watchdog import CallWatchdog
 
 CYCLES = 40_000
 

@@ -13,7 +13,7 @@ import onika
 from beside.contestant import Figures, serve
 from beside.loop.blocks import BLOCKS
 from beside.unit import Household
-from onika.host.units.call_watchdog import CallWatchdog
+from onika.host.guards.call_watchdog import CallWatchdog
 from onika.runtime.execution.executive import Executive
 
 MODULES = {

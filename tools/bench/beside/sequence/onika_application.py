@@ -11,10 +11,10 @@ from time import perf_counter_ns
 import onika
 from beside.contestant import Figures, serve
 from kit.plans.plan_builder import PlanBuilder, action
+from onika.host.guards.call_watchdog import CallWatchdog
 from onika.host.loading.module_facts import ModuleFacts
 from onika.host.loading.plan_preparation import prepare
 from onika.host.program import RuntimeProgram
-from onika.host.units.call_watchdog import CallWatchdog
 from onika.host.units.virtual import VirtualDriver
 from onika.wire import event, request
 

@@ -9,7 +9,7 @@ from time import perf_counter_ns
 import onika
 from beside.contestant import serve
 from beside.unit import Household
-from onika.host.units.call_watchdog import CallWatchdog
+from onika.host.guards.call_watchdog import CallWatchdog
 from onika.runtime.execution.executive import Executive
 
 ACTIONS = 24

@@ -21,7 +21,7 @@ LEAVES_NO_TRACE = (
 )
 PROGRAM = """
 import os, socket, subprocess, sys
-from onika.host.units.outside_guard import OutsideRefused, stay_inside
+from onika.host.guards.outside_guard import OutsideRefused, stay_inside
 stay_inside()
 for line in sys.argv[1:]:
     try:

@@ -3,9 +3,9 @@ from types import ModuleType
 
 import pytest
 
-from onika.host.units import code_watch as room
-from onika.host.units.code_guard import CodeGuard
-from onika.host.units.code_watch import GAVE_UP, CodeWatch
+from onika.host.guards import code_watch as room
+from onika.host.guards.code_guard import CodeGuard
+from onika.host.guards.code_watch import GAVE_UP, CodeWatch
 
 
 class Unit:

@@ -3,7 +3,7 @@
 import os
 from collections.abc import Callable
 
-from onika.host.units.code_watch import GAVE_UP
+from onika.host.guards.code_watch import GAVE_UP
 from onika.words.reason import Reason
 
 

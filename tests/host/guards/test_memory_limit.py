@@ -4,11 +4,11 @@ import sys
 
 import pytest
 
-from onika.host.units.memory_limit import bound
+from onika.host.guards.memory_limit import bound
 
 PROBE = """
 import sys
-from onika.host.units.memory_limit import bound
+from onika.host.guards.memory_limit import bound
 print(bound(100 << 20))
 try:
     kept = [bytearray(16 << 20) for _ in range(100)]

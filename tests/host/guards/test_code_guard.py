@@ -5,7 +5,7 @@ from types import ModuleType
 
 import pytest
 
-from onika.host.units.code_guard import CodeGuard, Replaced, own_code
+from onika.host.guards.code_guard import CodeGuard, Replaced, own_code
 from onika.runtime.execution.executive import Executive
 
 OURS = """

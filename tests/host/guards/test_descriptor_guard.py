@@ -2,8 +2,8 @@ import os
 
 import pytest
 
-from onika.host.units.code_watch import GAVE_UP
-from onika.host.units.descriptor_guard import DescriptorGuard
+from onika.host.guards.code_watch import GAVE_UP
+from onika.host.guards.descriptor_guard import DescriptorGuard
 
 
 class Process:

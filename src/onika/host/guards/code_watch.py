@@ -10,7 +10,7 @@ from collections.abc import Callable
 from time import monotonic_ns
 from types import FrameType
 
-from onika.host.units.code_guard import CodeGuard, Replaced
+from onika.host.guards.code_guard import CodeGuard, Replaced
 from onika.words.reason import Reason
 
 GAVE_UP = 70

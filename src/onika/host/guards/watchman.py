@@ -8,8 +8,8 @@ from collections.abc import Callable
 from threading import Thread
 from time import sleep
 
-from onika.host.units.call_watchdog import CallWatchdog
-from onika.host.units.code_watch import EVERY_S, GAVE_UP, CodeWatch
+from onika.host.guards.call_watchdog import CallWatchdog
+from onika.host.guards.code_watch import EVERY_S, GAVE_UP, CodeWatch
 from onika.words.reason import Reason
 
 ROUNDS = 20

@@ -2,7 +2,7 @@ import signal
 
 import pytest
 
-from onika.host.units.call_watchdog import CallWatchdog
+from onika.host.guards.call_watchdog import CallWatchdog
 from onika.runtime.error import ModuleError
 
 

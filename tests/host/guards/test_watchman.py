@@ -1,5 +1,5 @@
-from onika.host.units.code_watch import GAVE_UP
-from onika.host.units.watchman import ROUNDS, Watchman
+from onika.host.guards.code_watch import GAVE_UP
+from onika.host.guards.watchman import ROUNDS, Watchman
 
 
 class CodeLook:
