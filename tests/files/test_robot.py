@@ -80,3 +80,47 @@ def test_links_are_attached_to_each_other_as_often_as_they_are_named():  # R-K04
     assert (robot.links, robot.on) == (("turn.xml", "bend.xml", "turn.xml"), "end")
     assert robot.models == ("foot.xml", "turn.xml", "bend.xml")
     assert write(robot, text) == text
+
+
+HELD = """VERSION     2.0
+KIND        puma560
+FILE        puma.xml
+
+ARM         arm
+TOOL        flange
+DRIVE       torque
+KP          4000 6000
+KD          213 382
+
+GRIPPER     gripper
+MOVES       valve
+DRIVE       signal
+OPEN        1 0.1
+CLOSED      -1 0.06
+
+EOF
+"""
+
+
+def test_an_arm_may_hold_by_gains_of_its_own_and_a_gripper_take_one_signal():  # R-X19
+    robot, faults = read(HELD, "arm", "f")
+    assert faults == ()
+    assert (robot.name, robot.kind) == ("arm", "puma560")
+    assert robot.devices[0].gains == ((4000.0, 6000.0), (213.0, 382.0))
+    assert robot.devices[1].drive == "signal"
+    assert write(robot) == HELD
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "key"),
+    [
+        ("KD          213 382\n", "", 8, "files.gains_both"),
+        ("DRIVE       torque", "DRIVE       position", 8, "files.gains_of_torques"),
+        ("DRIVE       signal", "DRIVE       torque", 13, "files.choice_after"),
+        ("KP          4000", "KP          0", 8, "files.meaning_after"),
+    ],
+)
+def test_gains_stand_together_and_belong_to_torques(old, new, line, key):  # R-B07, R-X19
+    robot, faults = read(HELD.replace(old, new), "arm", "f")
+    assert robot is None
+    assert (faults[0].place.line, faults[0].reason.key) == (line, key)

@@ -23,6 +23,7 @@ class BlockWords:
     def __init__(self, block: Sequence[FileLine], slots: Sequence[KeywordSlot], reading: TextReading) -> None:
         self._reading = reading
         arranged = reading.arrange(block, slots)
+        self._arranged = arranged
         self._line: BY_KEYWORD = {keyword: lines[0] if lines else None for keyword, lines in arranged.items()}
 
     @property
@@ -40,6 +41,14 @@ class BlockWords:
         if line is not None and unnamed and line.rest == unnamed:
             return unnamed
         return self._reading.match(line, TASK_NAME, Reason.of("files.a_name"))
+
+    def rows(self, keyword: str) -> Sequence[FileLine]:
+        """The lines of a keyword that may stand several times."""
+        return self._arranged[keyword]
+
+    def wrong_row(self, line: FileLine, meaning: Reason) -> None:
+        """Report that a line does not say what it should."""
+        self._wrong(line, meaning)
 
     def text(self, keyword: str) -> str:
         """Free text, which may be empty."""

@@ -11,6 +11,8 @@ from onika.files.version import EXTENDED
 from onika.model.robot import (
     AXIS_WORDS,
     DRIVES,
+    GRIPPER_DRIVES,
+    Numbers,
     RobotArm,
     RobotAxes,
     RobotBase,
@@ -27,6 +29,7 @@ ENDING = ".robot"
 _HEAD = (
     KeywordSlot("VERSION"),
     KeywordSlot("DESC", Need.OPTIONAL),
+    KeywordSlot("KIND", Need.OPTIONAL),
     KeywordSlot("FILE"),
     KeywordSlot("LINKS", Need.OPTIONAL),
     KeywordSlot("HAND", Need.OPTIONAL),
@@ -37,13 +40,14 @@ _ARM = (
     KeywordSlot("TOOL"),
     *(
         KeywordSlot(keyword, Need.OPTIONAL)
-        for keyword in ("APPROACH", "FINGERS", "FROM", "DRIVE", "HOME", "SPEED", "TORQUE", "ARMATURE")
+        for keyword in ("APPROACH", "FINGERS", "FROM", "DRIVE", "HOME", "SPEED", "TORQUE", "KP", "KD", "ARMATURE")
     ),
 )
 _AXES = (KeywordSlot("AXES"), KeywordSlot("MOVES"), KeywordSlot("DRIVE", Need.OPTIONAL))
 _GRIPPER = (
     KeywordSlot("GRIPPER"),
     KeywordSlot("MOVES"),
+    KeywordSlot("DRIVE", Need.OPTIONAL),
     KeywordSlot("OPEN"),
     KeywordSlot("CLOSED"),
     KeywordSlot("FORCE", Need.OPTIONAL),
@@ -73,14 +77,25 @@ def read(text: str, name: str, place_file: str) -> tuple[RobotText | None, tuple
     _check_twice(every, reading)
     _check_moves(blocks, devices, reading)
     robot = RobotText(
-        name, words.file("FILE"), words.text("DESC"), hand, on, devices, words.lines, links, cameras=cameras
+        name,
+        words.file("FILE"),
+        words.text("DESC"),
+        hand,
+        on,
+        devices,
+        words.lines,
+        links,
+        cameras=cameras,
+        given_kind=words.name("KIND") if words.has("KIND") else "",
     )
     return (None if reading.broken else robot), reading.faults
 
 
 def write(robot: RobotText, former: str = "") -> str:
     """The text of a robot, with the comments of its former text."""
-    parts = [row("VERSION", EXTENDED), text_row("DESC", robot.description), row("FILE", robot.file)]
+    parts = [row("VERSION", EXTENDED), text_row("DESC", robot.description)]
+    parts += [row("KIND", robot.given_kind)] if robot.given_kind else []
+    parts += [row("FILE", robot.file)]
     parts += [row("LINKS", *robot.links)] if robot.links else []
     parts += [row("HAND", robot.hand)] if robot.hand else []
     parts += [row("ON", robot.on)] if robot.on else []
@@ -105,6 +120,7 @@ def _show(device: RobotDevice) -> str:
 
 def _show_gripper(device: RobotGripper) -> str:
     parts = [row("GRIPPER", device.name), row("MOVES", *device.moves)]
+    parts += [] if device.drive == GRIPPER_DRIVES[0] else [row("DRIVE", device.drive)]
     parts += [number_row("OPEN", device.open), number_row("CLOSED", device.closed)]
     return "".join(parts) + (row("FORCE", *device.force) if device.force else "")
 
@@ -116,7 +132,9 @@ def _show_arm(arm: RobotArm) -> str:
     parts += [row("FINGERS", arm.fingers)] if arm.fingers != "y" else []
     parts += [row("FROM", arm.start)] if arm.start else []
     parts += [_show_drive(arm.drive)]
-    for keyword, numbers in (("HOME", arm.home), ("SPEED", arm.speed), ("TORQUE", arm.torque)):
+    stiffness, damping = arm.gains or ((), ())
+    rows = (("HOME", arm.home), ("SPEED", arm.speed), ("TORQUE", arm.torque), ("KP", stiffness), ("KD", damping))
+    for keyword, numbers in rows:
         parts += [number_row(keyword, numbers)] if numbers else []
     parts += [] if arm.armature is None else [number_row("ARMATURE", (arm.armature,))]
     return "".join(parts)
@@ -152,6 +170,7 @@ def _arm(words: BlockWords) -> RobotArm:
         words.wrong("FINGERS" if words.has("FINGERS") else "APPROACH", Reason.of("files.axes_alike", axis=fingers[-1]))
     highest = Reason.of("files.numbers_above_0")
     armature = words.number("ARMATURE", Reason.of("files.number_from_0"), 0.0, 0.0) if words.has("ARMATURE") else None
+    drive = words.choice("DRIVE", DRIVES)
     return RobotArm(
         words.name("ARM"),
         tool[0] if tool else "",
@@ -159,13 +178,25 @@ def _arm(words: BlockWords) -> RobotArm:
         approach,
         fingers,
         words.word("FROM", Reason.of("files.name_of_body")),
-        words.choice("DRIVE", DRIVES),
+        drive,
         words.numbers("HOME", Reason.of("files.joint_values"), 0),
         words.numbers("SPEED", highest, 0, low=_SPEED_LEAST),
         words.numbers("TORQUE", highest, 0, low=_SPEED_LEAST),
         armature,
         words.lines,
+        _gains(words, drive),
     )
+
+
+def _gains(words: BlockWords, drive: str) -> tuple[Numbers, Numbers] | None:
+    """The gains by which a drive that takes torques holds: both lines, or none."""
+    meaning = Reason.of("files.numbers_above_0")
+    stiffness, damping = (words.numbers(keyword, meaning, 0, low=_SPEED_LEAST) for keyword in ("KP", "KD"))
+    if words.has("KP") != words.has("KD"):
+        words.wrong("KP" if words.has("KP") else "KD", Reason.of("files.gains_both"))
+    elif words.has("KP") and drive != "torque":
+        words.wrong("KP", Reason.of("files.gains_of_torques"))
+    return (stiffness, damping) if stiffness and damping else None
 
 
 def _gripper(words: BlockWords) -> RobotGripper:
@@ -177,7 +208,8 @@ def _gripper(words: BlockWords) -> RobotGripper:
         if opened[1] <= closed[1] or closed[1] < 0:
             words.wrong("CLOSED", Reason.of("files.widths_reversed", closed=closed[1], open=opened[1]))
     force = words.words("FORCE", Reason.of("files.names_of_sensors"))
-    return RobotGripper(words.name("GRIPPER"), _moves(words), opened, closed, force, words.lines)
+    drive = words.choice("DRIVE", GRIPPER_DRIVES)
+    return RobotGripper(words.name("GRIPPER"), _moves(words), opened, closed, force, words.lines, drive)
 
 
 def _check_twice(blocks: Sequence[Sequence[FileLine]], reading: TextReading) -> None:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Mapping
 
-from onika.files import camera as camera_block, sensor_block
+from onika.files import camera as camera_block, name_rows, sensor_block
 from onika.files.block_words import BlockWords, number_row, text_row
 from onika.files.layout import carry_comments
 from onika.files.line import row, show_number, split
@@ -39,10 +39,23 @@ _HEAD = (
 )
 _SPOT = (KeywordSlot("AT", Need.OPTIONAL), KeywordSlot("ON", Need.OPTIONAL))
 _SLOTS = {
-    "PART": (KeywordSlot("PART"), KeywordSlot("FILE"), *_SPOT, KeywordSlot("FREE", Need.OPTIONAL)),
-    "PLACE": (KeywordSlot("PLACE"), KeywordSlot("ROBOTS"), *_SPOT),
+    "PART": (KeywordSlot("PART"), KeywordSlot("FILE"), *_SPOT, KeywordSlot("FREE", Need.OPTIONAL), name_rows.slot()),
+    "PLACE": (
+        KeywordSlot("PLACE"),
+        KeywordSlot("ROBOTS"),
+        KeywordSlot("HAND", Need.OPTIONAL),
+        *_SPOT,
+        name_rows.slot(),
+        name_rows.slot(name_rows.HAND_NAME),
+    ),
     "SWITCH": (KeywordSlot("SWITCH"), KeywordSlot("NEAR", Need.OPTIONAL), KeywordSlot("PRESSED", Need.OPTIONAL)),
-    "LAMP": (KeywordSlot("LAMP"), KeywordSlot("WHEN"), KeywordSlot("SHINES", Need.OPTIONAL)),
+    "LAMP": (
+        KeywordSlot("LAMP"),
+        KeywordSlot("WHEN"),
+        KeywordSlot("SHINES", Need.OPTIONAL),
+        KeywordSlot("GLOWS", Need.OPTIONAL),
+        name_rows.slot(),
+    ),
     "BUTTON": (KeywordSlot("BUTTON"), KeywordSlot("STOPS")),
     "SENSOR": sensor_block.SLOTS,
     camera_block.HEAD: camera_block.SLOTS,
@@ -88,21 +101,30 @@ def _show(block: Block) -> str:
     match block:
         case PartBlock():
             free = "" if block.free is None else row("FREE", *([show_number(block.free)] if block.free else []))
-            return row("PART", block.name) + row("FILE", block.file) + _show_spot(block.spot) + free
+            shown = row("PART", block.name) + row("FILE", block.file) + _show_spot(block.spot) + free
+            return shown + name_rows.show_names(block.names)
         case PlaceBlock():
-            return row("PLACE", block.name) + row("ROBOTS", *block.robots) + _show_spot(block.spot)
+            return _show_place(block)
         case SwitchBlock():
             near = row("NEAR", *block.near[:2], show_number(block.near[2])) if block.near else ""
             pressed = row("PRESSED", block.pressed[0], show_number(block.pressed[1])) if block.pressed else ""
             return row("SWITCH", block.name) + near + pressed
         case LampBlock():
             shines = row("SHINES", *block.shines) if block.shines else ""
-            return row("LAMP", block.name) + row("WHEN", *block.when) + shines
+            shines += row("GLOWS", *block.glows) if block.glows else ""
+            return row("LAMP", block.name) + row("WHEN", *block.when) + shines + name_rows.show_names(block.names)
         case SensorBlock():
             return sensor_block.show_sensor(block)
         case CameraBlock():
             return camera_block.show(block)
     return row("BUTTON", block.name) + row("STOPS", *block.stops)
+
+
+def _show_place(place: PlaceBlock) -> str:
+    robots = row("ROBOTS", *([UNNAMED] if place.is_empty else []), *place.robots)
+    hand = row("HAND", *place.hand) if place.hand else ""
+    names = name_rows.show_names(place.names) + name_rows.show_names(place.hand_names, name_rows.HAND_NAME)
+    return row("PLACE", place.name) + robots + hand + _show_spot(place.spot) + names
 
 
 def _show_spot(spot: Spot) -> str:
@@ -122,17 +144,14 @@ def _block(words: BlockWords, keyword: str) -> Block:
         case "PART":
             return _part(words)
         case "PLACE":
-            robots = words.words("ROBOTS", Reason.of("files.names_of_robots"))
-            for robot in robots:
-                if not TASK_NAME.match(robot):
-                    words.wrong("ROBOTS", Reason.of("files.no_name_of_robot", found=repr(robot)))
-            return PlaceBlock(words.name("PLACE", UNNAMED), robots, _spot(words), words.lines)
+            return _place(words)
         case "SWITCH":
             return _switch(words)
         case "LAMP":
             shines = words.words("SHINES", Reason.of("files.names_of_shapes"))
             when = words.words("WHEN", Reason.of("files.names_of_switches"))
-            return LampBlock(words.name("LAMP"), when, shines, words.lines)
+            glows = words.words("GLOWS", Reason.of("files.names_of_shapes"))
+            return LampBlock(words.name("LAMP"), when, shines, words.lines, glows, name_rows.read_names(words))
         case "SENSOR":
             return sensor_block.read_sensor(words)
         case camera_block.HEAD:
@@ -145,7 +164,31 @@ def _part(words: BlockWords) -> PartBlock:
     if words.has("FREE"):
         _, shake = words.named_numbers("FREE", Reason.of("files.nothing_or_metres"), 0, (0, 1), 0.0)
         free = shake[0] if shake else 0.0
-    return PartBlock(words.name("PART", UNNAMED), words.file("FILE"), _spot(words), free, words.lines)
+    names = name_rows.read_names(words)
+    return PartBlock(words.name("PART", UNNAMED), words.file("FILE"), _spot(words), free, words.lines, names)
+
+
+def _place(words: BlockWords) -> PlaceBlock:
+    """A place; `-` before its robots says that nothing stands there before one is claimed."""
+    given = words.words("ROBOTS", Reason.of("files.names_of_robots"))
+    is_empty = given[:1] == (UNNAMED,)
+    robots = given[1:] if is_empty else given
+    if is_empty and not robots:
+        words.wrong("ROBOTS", Reason.of("files.names_of_robots"))
+    for robot in robots:
+        if not TASK_NAME.match(robot):
+            words.wrong("ROBOTS", Reason.of("files.no_name_of_robot", found=repr(robot)))
+    hand, _ = words.named_numbers("HAND", Reason.of("files.robot_and_site"), 2, (0,))
+    return PlaceBlock(
+        words.name("PLACE", UNNAMED),
+        robots,
+        _spot(words),
+        words.lines,
+        is_empty,
+        (hand[0], hand[1]) if hand else None,
+        name_rows.read_names(words),
+        name_rows.read_names(words, name_rows.HAND_NAME),
+    )
 
 
 def _spot(words: BlockWords) -> Spot:

@@ -15,6 +15,9 @@ Lines = Mapping[str, int]
 DRIVES = ("position", "velocity", "torque")
 """What a command to an arm, or to axes, is: joint values and speeds, speeds, or torques."""
 
+GRIPPER_DRIVES = ("opening", "signal")
+"""What a command to a gripper is: opening and force, or one signal that opens or closes it."""
+
 AXIS_WORDS = ("x", "y", "z", "-x", "-y", "-z")
 """Directions in the frame of a tool's site or body."""
 
@@ -33,6 +36,8 @@ class RobotArm:
     home      joint values (rad; m where one slides); empty: the keyframe `home` of the model, else zero within limits
     speed     highest joint speeds (rad/s; m/s), `torque` highest torques (N m; N); empty: as the model says
     armature  inertia of the motors (kg m2; kg), added to each joint; None: as the model says
+    gains     stiffness (N m/rad; N/m) and damping (N m s/rad; N s/m) of each joint by which a drive that takes torques
+              holds, and which its device tells; empty: it holds by a servo within the step of physics
     """
 
     name: str
@@ -47,6 +52,7 @@ class RobotArm:
     torque: Numbers = ()
     armature: float | None = None
     lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
+    gains: tuple[Numbers, Numbers] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +71,7 @@ class RobotGripper:
 
     open, closed   the signal, and how far apart the fingers then are (m)
     force          sensors whose mean is the force of a finger (N); empty: that of the actuators
+    drive          what a command is: how far open and how hard, or one signal, above 0 to open and below to close
     """
 
     name: str
@@ -73,6 +80,7 @@ class RobotGripper:
     closed: Numbers
     force: tuple[str, ...] = ()
     lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
+    drive: str = "opening"
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,6 +131,12 @@ class RobotText:
     lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
     links: tuple[str, ...] = ()
     cameras: tuple[CameraBlock, ...] = ()
+    given_kind: str = ""
+
+    @property
+    def kind(self) -> str:
+        """What kind of robot its devices say they are; by itself the name of its file."""
+        return self.given_kind or self.name
 
     @property
     def models(self) -> tuple[str, ...]:

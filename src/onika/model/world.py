@@ -14,6 +14,9 @@ CONES = ("pyramidal", "elliptic")
 STEP_S = 0.002
 GRAVITY = 9.81
 
+Names = tuple[tuple[str, str], ...]
+"""What people call something: a language and the words in it, each language once; empty: by the name of its block."""
+
 
 def _no_lines() -> Lines:
     return {}
@@ -39,16 +42,26 @@ class PartBlock:
     spot: Spot = Spot()
     free: float | None = None
     lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
+    names: Names = ()
 
 
 @dataclass(frozen=True, slots=True)
 class PlaceBlock:
-    """A place where one robot stands; the first of `robots` does as long as nobody claims another one."""
+    """A place where one robot stands; the first of `robots` does as long as nobody claims another one.
+
+    is_empty  nothing stands there before one of them, or the hand, is claimed
+    hand      a robot that is the hand of whichever stands there, and the site of that at which it is
+    names     what people call the arm that stands there
+    """
 
     name: str
     robots: tuple[str, ...]
     spot: Spot = Spot()
     lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
+    is_empty: bool = False
+    hand: tuple[str, str] | None = None
+    names: Names = ()
+    hand_names: Names = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,12 +80,17 @@ class SwitchBlock:
 
 @dataclass(frozen=True, slots=True)
 class LampBlock:
-    """A lamp that shines while all these switches are 1; `shines` are the shapes that are then lit."""
+    """A lamp that shines while all these switches are 1; `shines` are the shapes that are then lit.
+
+    glows  shapes that nobody sees but while it shines: its light in the air, in pictures
+    """
 
     name: str
     when: tuple[str, ...]
     shines: tuple[str, ...] = ()
     lines: Lines = field(default_factory=_no_lines, compare=False, repr=False)
+    glows: tuple[str, ...] = ()
+    names: Names = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,4 +162,5 @@ class WorldText:
     @property
     def robots(self) -> tuple[str, ...]:
         """The robots that stand, or may stand, in it, each once."""
-        return tuple(dict.fromkeys(robot for place in self.places for robot in place.robots))
+        hands = (place.hand[0] for place in self.places if place.hand is not None)
+        return tuple(dict.fromkeys((*(robot for place in self.places for robot in place.robots), *hands)))

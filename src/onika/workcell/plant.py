@@ -1,6 +1,6 @@
 """A compiled world: MuJoCo's model and data with its names, able to take over the state of another one by name."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import mujoco
 import numpy as np
@@ -64,18 +64,24 @@ class Plant:
         model.body_inertia[loose] *= factors.get("mass", 1.0)
         mujoco.mj_setConst(model, mujoco.MjData(model))
 
-    def take(self, other: "Plant") -> None:
-        """Take over positions, speeds and signals of everything that has the same name in `other`."""
+    def take(self, other: "Plant", is_other: Callable[[str], bool] = lambda _name: False) -> None:
+        """Take over positions, speeds and signals of everything that has the same name in `other`.
+
+        is_other    whether what is called so is another thing there
+        """
         for k in range(self.model.njnt):
             name = self.model.joint(k).name
+            if is_other(name):
+                continue
             there = mujoco.mj_name2id(other.model, mujoco.mjtObj.mjOBJ_JOINT, name)
             if there >= 0 and self.model.jnt_type[k] == other.model.jnt_type[there]:
                 mine, theirs = self.data.joint(name), other.data.joint(name)
                 mine.qpos[:], mine.qvel[:] = theirs.qpos, theirs.qvel
                 mine.qacc_warmstart[:] = theirs.qacc_warmstart
         for k in range(self.model.nu):
-            there = mujoco.mj_name2id(other.model, mujoco.mjtObj.mjOBJ_ACTUATOR, self.model.actuator(k).name)
-            if there >= 0:
+            name = self.model.actuator(k).name
+            there = mujoco.mj_name2id(other.model, mujoco.mjtObj.mjOBJ_ACTUATOR, name)
+            if there >= 0 and not is_other(name):
                 self.data.ctrl[k] = other.data.ctrl[there]
                 mine, theirs = self.model.actuator_actadr[k], other.model.actuator_actadr[there]
                 if mine >= 0:

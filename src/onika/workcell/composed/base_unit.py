@@ -39,9 +39,14 @@ class BaseUnit(RobotUnit):
         self._start = (0.0, 0.0, 0.0)
 
     @property
-    def runs_on(self) -> bool:
+    def may_run_on(self) -> bool:
         """On slides its signals change as it turns."""
-        return bool(self.facts.base.slides) and self.drive.mode is DriveMode.DRIVEN
+        return bool(self.facts.base.slides)
+
+    @property
+    def runs_on(self) -> bool:
+        """Whether they change now."""
+        return self.may_run_on and self.drive.mode is DriveMode.DRIVEN
 
     @property
     def is_away(self) -> bool:

@@ -1,19 +1,30 @@
 """A world composed: parts and robots attached to one document, with the physics that its file says."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import replace
 
 import mujoco
 
+from onika.model.robot import RobotText
 from onika.model.world import CONES, PlaceBlock, Spot
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
 from onika.workcell.composed.camera_spec import add_cameras, add_sky
-from onika.workcell.composed.robot_model import RobotModel, compiled, robot_model, robot_spec
+from onika.workcell.composed.robot_model import HAND, RobotModel, compiled, robot_model, robot_spec
 from onika.workcell.composed.sources import SourceTexts
 from onika.workcell.composed.usable_parts import misplaced, part_spec, prefix_of, usable_parts
 
 _PAPER = (0.96, 0.945, 0.912, 1.0)  # the colour of floors
+
+_FIRST_BIT, _MOST_ALOOF = 16, 12
+"""Which bits of contact tell places apart, of robots that do not touch themselves."""
+
+NOTHING = ""
+"""In place of a robot where none stands."""
+
+PlaceHand = tuple[str, str] | None
+"""The hand of a place, a robot, and the site at which it is."""
 
 Offsets = Mapping[str, tuple[float, float]]
 """How far parts stand from their spots, on x and y (m)."""
@@ -31,15 +42,41 @@ class Composition:
         self.world = sources.world
         usable = usable_parts(sources, self.world.parts, self.faults)
         self.parts, self._sites = usable.parts, usable.sites
-        self.robots: dict[str, RobotModel] = {}
-        for name in self.world.robots:
-            self._robot(name)
+        self._robots: dict[tuple[str, PlaceHand], RobotModel | None] = {}
         self.places = tuple(place for place in self.world.places if self._is_used(place))
-        self.standing = {place.name: self.at(place)[0] for place in self.places}
+        self.standing = {place.name: NOTHING if place.is_empty else self.at(place)[0] for place in self.places}
 
     def at(self, place: PlaceBlock) -> tuple[str, ...]:
         """The robots of a place that can be used."""
-        return tuple(robot for robot in place.robots if robot in self.robots)
+        return tuple(robot for robot in place.robots if self._robot(place, robot) is not None)
+
+    def robot(self, place: PlaceBlock, name: str) -> RobotModel:
+        """One of them, with the hand that the place has; raises KeyError where it cannot be used."""
+        model = self._robot(place, name)
+        if model is None:
+            raise KeyError(name)
+        return model
+
+    def hand(self, place: PlaceBlock) -> RobotModel | None:
+        """The hand of a place by itself."""
+        if place.hand is None:
+            return None
+        return self._model(place, place.hand[0], "HAND", None)
+
+    def names_of(
+        self, exchanged: Collection[str], before: Mapping[str, str], now: Mapping[str, str]
+    ) -> Callable[[str], bool]:
+        """Whether a name is that of a robot of another model than stood at its place; the hand of a place stays."""
+        places = [place for place in self.places if place.name in exchanged]
+        changed = [
+            place
+            for place in places
+            if before[place.name] == NOTHING
+            or self.robot(place, before[place.name]).robot.models != self.robot(place, now[place.name]).robot.models
+        ]
+        prefixes = tuple(prefix_of(place.name) for place in changed)
+        staying = tuple(prefix_of(place.name) + HAND for place in changed if place.hand is not None)
+        return lambda name: name.startswith(prefixes) and not (staying and name.startswith(staying))
 
     def compile(self, standing: Mapping[str, str], offsets: Offsets, *, is_drawn: bool) -> mujoco.MjModel:
         """The model with these robots at their places; raises ValueError with the reason why there is none.
@@ -62,28 +99,46 @@ class Composition:
             child, offset = part_spec(self.sources, part), offsets.get(part.name, (0.0, 0.0))
             self._attach(spec, child, part.spot, part.name, offset)
         for place in self.places:
-            self._attach_robot(spec, place, self.robots[standing[place.name]])
+            if standing[place.name] != NOTHING:
+                self._attach_robot(spec, place, self.robot(place, standing[place.name]))
         add_cameras(spec, self.world.cameras)
         if is_drawn:
             add_sky(spec)
         return spec
 
-    def _robot(self, name: str) -> None:
-        robot = self.sources.robots.get(name)
+    def _robot(self, place: PlaceBlock, name: str) -> RobotModel | None:
+        hand = place.hand if place.hand is not None and self.hand(place) is not None else None
+        return self._model(place, name, "ROBOTS", hand)
+
+    def _model(self, place: PlaceBlock, name: str, keyword: str, hand: PlaceHand) -> RobotModel | None:
+        """A robot with a hand or without; None, and told once, where it cannot be used."""
+        if (name, hand) in self._robots:
+            return self._robots[name, hand]
+        robot, model = self.sources.robots.get(name), None
         if robot is not None:
-            model = robot_model(self.sources, robot, self.faults)
-            self.robots |= {name: model} if model else {}
+            model = self._compiled(place, robot, hand)
         elif self.sources.files.find(f"robot/{name}.robot") is None:
-            for place in self.world.places:
-                if name in place.robots:
-                    where = Place(self.sources.place.file, place.lines.get("ROBOTS", 0))
-                    reason = Reason.of("workcell.robot_missing", name=name)
-                    self.faults.append(Fault(where, reason, Reason.of("files.robot_left_out")))
+            where = Place(self.sources.place.file, place.lines.get(keyword, 0))
+            reason = Reason.of("workcell.robot_missing", name=name)
+            self.faults.append(Fault(where, reason, Reason.of("files.robot_left_out")))
+        self._robots[name, hand] = model
+        return model
+
+    def _compiled(self, place: PlaceBlock, robot: RobotText, hand: PlaceHand) -> RobotModel | None:
+        if hand is None:
+            return robot_model(self.sources, robot, self.faults)
+        if robot.hand or robot.links:
+            where = Place(self.sources.place.file, place.lines.get("HAND", 0))
+            reason = Reason.of("workcell.hand_twice", name=robot.name)
+            self.faults.append(Fault(where, reason, Reason.of("files.robot_left_out")))
+            return None
+        file = self.sources.robots[hand[0]].file
+        return robot_model(self.sources, replace(robot, hand=file, on=hand[1]), self.faults)
 
     def _is_used(self, place: PlaceBlock) -> bool:
         wrong = misplaced(place.spot, self._sites)
         if wrong is None and self.at(place):
-            self._sites |= self._sites_at(place)
+            self._sites |= set() if place.is_empty else self._sites_at(place)
             return True
         keyword, reason = wrong or ("PLACE", Reason.of("workcell.place_empty", place=place.name))
         where = Place(self.sources.place.file, place.lines.get(keyword, 0))
@@ -92,7 +147,7 @@ class Composition:
 
     def _sites_at(self, place: PlaceBlock) -> set[str]:
         """What may stand on the robot that stands there at first."""
-        robot = self.robots[self.at(place)[0]].robot
+        robot = self.robot(place, self.at(place)[0]).robot
         return {prefix_of(place.name) + site.name for site in robot_spec(self.sources, robot).sites}
 
     def _set_physics(self, spec: mujoco.MjSpec) -> None:
@@ -112,6 +167,7 @@ class Composition:
         child = robot_spec(self.sources, robot.robot)
         for first, other in robot.excluded:
             child.add_exclude(bodyname1=first, bodyname2=other)
+        _meet_others(child, self.places.index(place))
         self._attach(spec, child, place.spot, place.name, (0.0, 0.0))
 
     def _attach(
@@ -130,6 +186,19 @@ class Composition:
             there = tuple(site.name for site in spec.sites)[:20] or Reason.of("workcell.none")
             raise ValueError(Reason.of("workcell.no_such_name", there=there, name=spot.on))
         spec.attach(child, site=site, prefix=prefix)
+
+
+def _meet_others(child: mujoco.MjSpec, number: int) -> None:
+    """Let a robot whose shapes do not touch each other, as their bits say, touch such robots at other places."""
+    touching = [geom for geom in child.geoms if geom.contype or geom.conaffinity]
+    meets_itself = any(one.contype & other.conaffinity for one in touching for other in touching)
+    if meets_itself or number >= _MOST_ALOOF:
+        return
+    own = 1 << (_FIRST_BIT + number)
+    every = ((1 << _MOST_ALOOF) - 1) << _FIRST_BIT
+    for geom in touching:
+        geom.contype |= own
+        geom.conaffinity |= every & ~own
 
 
 def why_not(wrong: ValueError, sources: SourceTexts) -> Fault:

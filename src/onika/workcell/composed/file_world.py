@@ -3,14 +3,14 @@
 It is offered to a runtime under no name of its own: whoever plans with it sends its files (decision 49).
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import mujoco
 from mujoco import mj_step
 
 from onika.laws.frames import Array
-from onika.model.world import SwitchBlock
+from onika.model.world import ButtonBlock, SwitchBlock
 from onika.ring.device import MishapEvent
 from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveInput
@@ -53,7 +53,8 @@ class FileWorld(DrivenWorld):
         self._offsets = part_places.offsets(world.parts, seed)
         self._plant = Plant(self._compile(self._composition.standing, is_drawn=False))
         robots = {place.name: self._composition.at(place) for place in self._composition.places}
-        self._stands = Stands(robots, [*robot_units(self._composition, self._model_with)])
+        units = [*robot_units(self._composition, self._model_with)]
+        self._stands = Stands(robots, self._composition.standing, units)
         self._lamps = [*self._usable_lamps()]
         self._watching: list[DeviceUnit] = [*self._lamps, *self._usable_sensors(), *self._more_units()]
         buttons = [*self._panic_buttons()]
@@ -181,9 +182,12 @@ class FileWorld(DrivenWorld):
 
     def _panic_buttons(self) -> Iterator[PanicButton]:
         for button in self._composition.world.buttons:
-            units = [unit for unit in self._stands.units if unit.side in button.stops and unit.is_stopped]
+            units = self._stopped_by(button)
             if units:
                 yield PanicButton(*units, name=button.name)
+
+    def _stopped_by(self, button: ButtonBlock) -> list[RobotUnit]:
+        return [unit for unit in self._stands.drives() if unit.side in button.stops and unit.is_stopped and unit.count]
 
     def _admit(self, unit: DeviceUnit) -> None:
         """Another robot may come to a place, or the world may lose its forces, or get them back."""
@@ -194,14 +198,15 @@ class FileWorld(DrivenWorld):
         if not self._stands.admit(unit):
             return
         former = self._plant
-        if acting != self._stands.acting:
+        exchanged = {place for place, robot in acting.items() if robot != self._stands.acting[place]}
+        if exchanged:
             self._plant = Plant(self._compile(self._stands.acting, is_drawn=False))
         self._bind()
         for newcomer in self._present:
-            if newcomer not in was_present and before == self._stands.mode:
+            if newcomer not in was_present and (before == self._stands.mode or newcomer.side in exchanged):
                 newcomer.restart()
         if former is not self._plant:
-            self._plant.take(former)
+            self._plant.take(former, self._composition.names_of(exchanged, acting, self._stands.acting))
         for newcomer in self._present:
             if newcomer not in was_present and isinstance(newcomer, RobotUnit):
                 newcomer.rest()
@@ -210,7 +215,10 @@ class FileWorld(DrivenWorld):
 
     def _bind(self) -> None:
         self._robots = self._stands.present()
-        self._bind_units([*self._stands.units, *self._watching], [*self._robots, *self._watching])
+        for button in self._composition.world.buttons:
+            if button.name in self._buttons:
+                self._buttons[button.name].units = tuple(self._stopped_by(button))
+        self._bind_units([*self._stands.drives(), *self._watching], [*self._robots, *self._watching])
 
     def _begin(self) -> None:
         """Go on from the plant's present positions: with physics, or without forces."""
@@ -218,7 +226,7 @@ class FileWorld(DrivenWorld):
         self._plant.settle()
         self._feel = self._plant.sense
         self._running = self._runners()
-        self._advance = self._move if self._stands.mode else self._step
+        self._advance = self._stepping()
         if self._stands.mode:
             self._plant.data.qvel[:] = 0.0
         if self._lookout is not None:
@@ -246,6 +254,12 @@ class FileWorld(DrivenWorld):
     def _is_unstable(self) -> bool:
         """Whether physics had to begin anew, as something moved beyond all bounds."""
         return any(self._plant.data.warning[int(kind)].number for kind in _UNSTABLE)
+
+    def _stepping(self) -> Callable[[Any, Any], None]:
+        if self._stands.mode:
+            return self._move
+        runs_on = any(isinstance(unit, RobotUnit) and unit.may_run_on for unit in self._present)
+        return self._step if runs_on else mj_step
 
     def _step(self, model: Any, data: Any) -> None:
         for unit in self._running:

@@ -10,6 +10,7 @@ from onika.ring.device import DeviceSheet
 from onika.workcell.composed.gripper_facts import GripperFacts
 from onika.workcell.composed.robot_unit import EITHER, RobotUnit
 from onika.workcell.plant import Plant
+from onika.workcell.unit import row_of
 
 _FASTEST_M_S = 0.2  # where there are no forces
 
@@ -25,11 +26,15 @@ class FingerUnit(RobotUnit):
 
     def __init__(self, name: str, facts: GripperFacts, robot: str, place: str, prefix: str, step_s: float) -> None:
         self.facts = facts
-        state, command = ("time", "drive", "opening", "speed", "force"), ("opening", "force")
-        super().__init__(DeviceSheet(name, state, command, dict(facts.constants)), robot, place, prefix, step_s)
+        state = ("time", "drive", "opening", "speed", "force")
+        sheet = DeviceSheet(name, state, self._commanded(), dict(facts.constants))
+        super().__init__(sheet, robot, place, prefix, step_s)
         self._goal = (facts.gripper.closed[1], 0.0)
         self.state[2] = facts.gripper.closed[1]
         self._data: Any = None
+
+    def _commanded(self) -> tuple[str, ...]:
+        return ("opening", "force")
 
     def bind(self, plant: Plant) -> None:
         """Find its actuators and sensors in a new plant."""
@@ -38,6 +43,10 @@ class FingerUnit(RobotUnit):
         self._motors = np.array([int(model.actuator(self._prefix + name).id) for name in gripper.moves])
         sensors = [model.sensor(self._prefix + name) for name in gripper.force]
         self._felt = np.array([int(sensor.adr[0]) for sensor in sensors], dtype=int)
+        first = int(self._motors[0])
+        data = plant.data
+        self._length = row_of(data.actuator_length[first : first + 1])
+        self._speed = row_of(data.actuator_velocity[first : first + 1])
         self._signal()
 
     def follow(self, values: Sequence[float] | Array) -> bool:
@@ -45,29 +54,35 @@ class FingerUnit(RobotUnit):
         opening, force = (float(value) for value in values)
         if not np.isfinite((opening, force)).all():
             return False
-        self._goal = opening, force
-        self._signal()
+        self._aim(opening, force)
         return True
 
     def restart(self) -> None:
-        """Closed, with all its force."""
+        """Closed, with all its force, under pressure where it has a cylinder."""
         self._goal = (self.facts.gripper.closed[1], 0.0)
         self._signal()
+        for motor in self._motors.tolist():
+            at = int(self._model.actuator_actadr[motor])
+            if at >= 0:
+                self._data.act[at] = self._data.ctrl[motor]
 
     def refresh(self, time: float) -> None:
         """Opening (m), its speed (m/s) and, where no sensor feels it, the force of the actuators (N)."""
-        state, leverage = self.state, self.facts.leverage
-        first = self._motors[0]
-        state[0] = time
-        state[2] = self.facts.gripper.closed[1] + (self._data.actuator_length[first] - self.facts.lengths[0]) / leverage
-        state[3] = self._data.actuator_velocity[first] / leverage
+        row, leverage = self.row, self.facts.leverage
+        row[0] = time
+        row[2] = self.facts.gripper.closed[1] + (self._length[0] - self.facts.lengths[0]) / leverage
+        row[3] = self._speed[0] / leverage
         if not len(self._felt):
-            state[4] = abs(float(self._data.actuator_force[self._motors].sum()) * leverage)
+            row[4] = abs(float(self._data.actuator_force[self._motors].sum()) * leverage)
 
     def sense(self) -> None:
         """The mean force that its sensors feel (N)."""
         if len(self._felt):
             self.state[4] = float(self._data.sensordata[self._felt].mean())
+
+    def _aim(self, opening: float, force: float) -> None:
+        self._goal = opening, force
+        self._signal()
 
     def _signal(self) -> None:
         gripper = self.facts.gripper

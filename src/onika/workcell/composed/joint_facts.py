@@ -69,6 +69,8 @@ class JointFacts:
     torque: Array
     gains: Gains
     constants: Mapping[str, Numbers | str]
+    held_by: tuple[Array, Array] | None = None
+    """Stiffness and damping by which it holds itself, as its file says; None: by a servo within the step."""
 
     @property
     def keyword(self) -> str:
@@ -138,7 +140,7 @@ def _facts(
     actuators = _actuators(model, joints)
     if isinstance(actuators, Unfit):
         return actuators
-    said = {"HOME": _of(device, "home"), "SPEED": _of(device, "speed"), "TORQUE": _of(device, "torque")}
+    said = _said(device)
     unfit = next(_miscounted(said, len(joints)), None)
     if unfit is not None:
         return unfit
@@ -154,10 +156,14 @@ def _facts(
     torque = np.array(said["TORQUE"] or _torques(model, actuators, joints, felt))
     published = {**constants, "QMIN": lowest, "QMAX": highest, "Q^_MAX": speed, "TAUMAX": torque, "HOME": home}
     sheet: dict[str, Numbers | str] = {name: tuple(value.ravel().tolist()) for name, value in published.items()}
+    sheet |= {keyword: said[keyword] for keyword in ("KP", "KD") if keyword in said}
     sheet |= {"ROBOT": robot, "NDOF": (float(len(joints)),), "DRIVE": device.drive}
     own = tuple(model.actuator(at).name for at in actuators)
     given = _gains(model, joints, felt)
-    return JointFacts(device.name, device.drive, names, own, start, home, lowest, highest, speed, torque, given, sheet)
+    held_by = (np.array(said["KP"]), np.array(said["KD"])) if "KP" in said else None
+    return JointFacts(
+        device.name, device.drive, names, own, start, home, lowest, highest, speed, torque, given, sheet, held_by
+    )
 
 
 def _miscounted(said: Mapping[str, Numbers], count: int) -> Iterator[Unfit]:
@@ -167,8 +173,12 @@ def _miscounted(said: Mapping[str, Numbers], count: int) -> Iterator[Unfit]:
             yield Unfit(keyword, Reason.of("workcell.joint_count", count=count, found=len(numbers)))
 
 
-def _of(device: RobotArm | RobotAxes, name: str) -> Numbers:
-    return tuple(getattr(device, name)) if isinstance(device, RobotArm) else ()
+def _said(device: RobotArm | RobotAxes) -> dict[str, Numbers]:
+    """The lines of a block that have a number for each joint; empty where a line is not there."""
+    if isinstance(device, RobotAxes):
+        return {"HOME": (), "SPEED": (), "TORQUE": ()}
+    said = {"HOME": device.home, "SPEED": device.speed, "TORQUE": device.torque}
+    return said | (dict(zip(("KP", "KD"), device.gains, strict=True)) if device.gains else {})
 
 
 def _tool(model: Any, arm: RobotArm) -> tuple[int, Callable[[Any], Array]] | Unfit:

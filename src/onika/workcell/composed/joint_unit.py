@@ -59,9 +59,14 @@ class JointUnit(RobotUnit):
         return tuple(self._prefix + name for name in self.facts.joints)
 
     @property
+    def may_run_on(self) -> bool:
+        """Whether it adds up speeds."""
+        return self.facts.drive != "torque"
+
+    @property
     def runs_on(self) -> bool:
         """Whether what it follows goes on between two commands."""
-        return self.drive.mode is DriveMode.DRIVEN and self.facts.drive != "torque"
+        return self.drive.mode is DriveMode.DRIVEN and self.may_run_on
 
     @property
     def posture(self) -> Array:

@@ -56,6 +56,7 @@ def robot_spec(sources: SourceTexts, robot: RobotText) -> mujoco.MjSpec:
     for number, link in enumerate(robot.links, 1):
         _attach(spec, sources.model(f"robot/{link}"), end, f"{number}.")
         end = f"{number}.{robot.on}"
+    has_motors = bool(len(spec.actuators))
     if robot.hand:
         _attach(spec, sources.model(f"robot/{robot.hand}"), end, HAND)
     _free(spec, robot)
@@ -66,8 +67,8 @@ def robot_spec(sources: SourceTexts, robot: RobotText) -> mujoco.MjSpec:
     _refuse_reversed(spec)
     for body in spec.bodies[1:]:
         body.gravcomp = 1.0  # there when it is compiled, so that a drive may bear the weight; a motor takes it back
-    if not len(spec.actuators):
-        _add_motors(spec)
+    if not has_motors:
+        _add_motors(spec, is_hand_driven=bool(len(spec.actuators)))
     armature = [device.armature for device in robot.devices if isinstance(device, RobotArm) and device.armature]
     for joint in _moving(spec):
         joint.armature += armature[0] if armature else 0.0
@@ -85,7 +86,7 @@ def robot_model(sources: SourceTexts, robot: RobotText, faults: list[Fault]) -> 
     speeds = _speeds(sources, robot)
     usable: list[DeviceFacts] = []
     for device in robot.devices:
-        facts = _facts(model, device, robot.name, speeds)
+        facts = _facts(model, device, robot.kind, speeds)
         if isinstance(facts, JointFacts | BaseFacts):
             facts = shared([other for other in usable if isinstance(other, JointFacts | BaseFacts)], facts) or facts
         if isinstance(facts, Unfit):
@@ -190,11 +191,11 @@ def _name(spec: mujoco.MjSpec) -> None:
         actuator.name = actuator.name or f"actuator.{number}"
 
 
-def _add_motors(spec: mujoco.MjSpec) -> None:
-    """A motor at each joint that nothing else drives."""
+def _add_motors(spec: mujoco.MjSpec, *, is_hand_driven: bool) -> None:
+    """A motor at each joint that nothing else drives, but for those of a hand that has motors of its own."""
     driven = {equality.name1 for equality in spec.equalities if equality.type == mujoco.mjtEq.mjEQ_JOINT}
     for joint in _moving(spec):
-        if joint.name not in driven:
+        if joint.name not in driven and not (is_hand_driven and joint.name.startswith(HAND)):
             actuator = spec.add_actuator(name=joint.name, target=joint.name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
             actuator.gainprm[0] = 1.0
 

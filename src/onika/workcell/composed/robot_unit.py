@@ -9,6 +9,9 @@ from onika.workcell.unit import DeviceUnit
 FORCELESS = "_kin"
 """Behind the name of a device that moves without forces."""
 
+ANY = ""
+"""The robot of a device that belongs to whichever stands at its place."""
+
 EITHER = "*"
 """The mode of a device that is the same with forces and without."""
 
@@ -24,6 +27,11 @@ class RobotUnit(DeviceUnit):
     def __init__(self, sheet: DeviceSheet, robot: str, place: str, prefix: str, step_s: float) -> None:
         super().__init__(sheet, place)
         self.robot, self._prefix, self._step_s = robot, prefix, step_s
+
+    @property
+    def may_run_on(self) -> bool:
+        """Whether it ever does something in a step without being told to."""
+        return False
 
     @property
     def runs_on(self) -> bool:

@@ -4,23 +4,39 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 
 from onika.words.reason import Reason
+from onika.workcell.composed.base_unit import BaseUnit
 from onika.workcell.composed.finger_unit import FingerUnit
 from onika.workcell.composed.joint_unit import JointUnit
-from onika.workcell.composed.robot_unit import EITHER, FORCELESS, RobotUnit
+from onika.workcell.composed.robot_unit import ANY, EITHER, FORCELESS, RobotUnit
 
 
 class Stands:
-    """The robots of each place, of which one stands there; the first does until a device of another one is claimed."""
+    """The robots of each place, of which one stands there; the first does until a device of another one is claimed.
 
-    def __init__(self, robots: Mapping[str, Sequence[str]], units: Sequence[RobotUnit]) -> None:
+    `standing` says who stands at each place at first, nobody where it is empty; `robots` who may. The drives of a place
+    are those of its cabinet, whatever robot is plugged in: its first arm has the same one as the first of another.
+    """
+
+    def __init__(
+        self, robots: Mapping[str, Sequence[str]], standing: Mapping[str, str], units: Sequence[RobotUnit]
+    ) -> None:
         self.units = tuple(units)
-        self.acting = {place: names[0] for place, names in robots.items()}
+        self.acting = dict(standing)
         self.mode = ""
+        self._firsts = {place: names[0] for place, names in robots.items()}
+        self._cabinet = _cabinet(self.units)
+
+    def drives(self) -> list[RobotUnit]:
+        """For each drive the device that it drives now, or else would."""
+        present = set(self.present())
+        return [next((unit for unit in row if unit in present), row[0]) for row in self._cabinet]
 
     def present(self) -> list[RobotUnit]:
         """The devices of the robots that stand there, in the mode of the world."""
         return [
-            unit for unit in self.units if self.acting[unit.side] == unit.robot and unit.mode in (EITHER, self.mode)
+            unit
+            for unit in self.units
+            if self.acting[unit.side] and _is_of(unit, self.acting[unit.side]) and unit.mode in (EITHER, self.mode)
         ]
 
     def arms(self) -> dict[JointUnit, bool]:
@@ -35,7 +51,7 @@ class Stands:
         """Why these devices cannot be used together: two robots at one place, or two modes."""
         wanted = [unit for unit in self.units if unit.sheet.name in devices]
         for first, other in combinations(wanted, 2):
-            if first.side == other.side and first.robot != other.robot:
+            if first.side == other.side and not _is_of(first, other.robot):
                 yield Reason.of("workcell.one_place", first=first.sheet.name, other=other.sheet.name)
             elif not _agree(first.mode, other.mode):
                 yield Reason.of(
@@ -52,7 +68,7 @@ class Stands:
             if other is unit or other.epoch is None:
                 continue
             device, in_use = unit.sheet.name, other.sheet.name
-            if other.side == unit.side and other.robot != unit.robot:
+            if other.side == unit.side and not _is_of(unit, other.robot):
                 raise ValueError(Reason.of("workcell.place_taken", device=device, other=in_use))
             if not _agree(unit.mode, other.mode):
                 mode, other_mode = _called(unit), _called(other)
@@ -60,10 +76,35 @@ class Stands:
                     Reason.of("workcell.mode_in_use", device=device, mode=mode, other=in_use, other_mode=other_mode)
                 )
         wanted = self.mode if unit.mode == EITHER else unit.mode
-        if self.acting[unit.side] == unit.robot and wanted == self.mode:
+        robot = unit.robot or self.acting[unit.side] or self._firsts[unit.side]
+        if self.acting[unit.side] == robot and wanted == self.mode:
             return False
-        self.acting[unit.side], self.mode = unit.robot, wanted
+        self.acting[unit.side], self.mode = robot, wanted
+        for newcomer in self.present():
+            if newcomer.count:
+                newcomer.state[1] = newcomer.drive.shown
         return True
+
+
+def _cabinet(units: Sequence[RobotUnit]) -> list[list[RobotUnit]]:
+    """The devices in rows: those of a row stand at one place, never at once, and get one drive."""
+    rows: dict[tuple[object, ...], list[RobotUnit]] = {}
+    seen: dict[tuple[object, ...], int] = {}
+    for unit in units:
+        family = next((kind for kind in (BaseUnit, FingerUnit) if isinstance(unit, kind)), RobotUnit)
+        is_arm = isinstance(unit, JointUnit) and bool(unit.facts.start)
+        of_robot = (unit.side, family, is_arm, unit.robot, unit.mode)
+        number = seen[of_robot] = seen.get(of_robot, -1) + 1
+        is_alone = not unit.count
+        row = rows.setdefault((unit.sheet.name,) if is_alone else (unit.side, family, is_arm, number), [])
+        row.append(unit)
+        unit.drive = row[0].drive
+    return [*rows.values()]
+
+
+def _is_of(unit: RobotUnit, robot: str) -> bool:
+    """Whether a device is there when this robot is."""
+    return robot == ANY or unit.robot in (ANY, robot)
 
 
 def _agree(mode: str, other: str) -> bool:

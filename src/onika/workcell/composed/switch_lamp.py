@@ -2,11 +2,13 @@
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
 
 from onika.model.world import LampBlock, SwitchBlock
 from onika.ring.device import DeviceSheet, DriveState
 from onika.workcell.plant import Plant
-from onika.workcell.unit import DeviceUnit
+from onika.workcell.unit import DeviceUnit, row_of
 
 
 class SwitchLamp(DeviceUnit):
@@ -21,7 +23,7 @@ class SwitchLamp(DeviceUnit):
 
     def bind(self, plant: Plant) -> None:
         """Find sites and sensors in a new plant."""
-        self._plant = plant
+        self._contacts = tuple(_contact(plant, switch) for switch in self._switches)
 
     @property
     def shining(self) -> Sequence[str]:
@@ -30,18 +32,34 @@ class SwitchLamp(DeviceUnit):
 
     def sense(self) -> None:
         """The switches as of the last step."""
-        for number, switch in enumerate(self._switches):
-            self.flags[number] = 1.0 if self._is_closed(switch) else 0.0
+        for number, contact in enumerate(self._contacts):
+            self.flags[number] = 1.0 if contact.is_closed else 0.0
 
     def restart(self) -> None:
         """Dark."""
         self.flags[:] = 0.0
 
-    def _is_closed(self, switch: SwitchBlock) -> bool:
-        data = self._plant.data
-        if switch.pressed is not None and data.sensor(switch.pressed[0]).data[0] <= switch.pressed[1]:
+
+@dataclass(frozen=True, slots=True)
+class _Contact:
+    """A switch in one plant; its sensor and its sites, where it has such, as views of that."""
+
+    force: Any
+    least: float
+    places: tuple[Any, ...]
+    apart: float
+
+    @property
+    def is_closed(self) -> bool:
+        if self.force is not None and self.force[0] <= self.least:
             return False
-        if switch.near is None:
-            return True
-        first, other, apart = switch.near
-        return math.dist(data.site(first).xpos, data.site(other).xpos) <= apart
+        return not self.places or math.dist(*self.places) <= self.apart
+
+
+def _contact(plant: Plant, switch: SwitchBlock) -> _Contact:
+    data, force = plant.data, switch.pressed
+    at = None if force is None else int(plant.model.sensor(force[0]).adr[0])
+    view = None if at is None else row_of(data.sensordata[at : at + 1])
+    sites = switch.near[:2] if switch.near else ()
+    places = tuple(row_of(data.site_xpos[plant.site(name)]) for name in sites)
+    return _Contact(view, force[1] if force else 0.0, places, switch.near[2] if switch.near else 0.0)

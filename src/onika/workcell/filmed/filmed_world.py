@@ -83,9 +83,9 @@ class FilmedWorld(FileWorld):
 
     def _of_robots(self) -> Iterator[CameraUnit]:
         for place in self._composition.places:
-            there = [self._composition.robots[name].robot for name in self._composition.at(place)]
-            for robot in there:
-                model = self._composition.robots[robot.name]
+            models = [self._composition.robot(place, name) for name in self._composition.at(place)]
+            there = [model.robot for model in models]
+            for robot, model in zip(there, models, strict=True):
                 for camera in robot.cameras:
                     eye = eye_of(camera)
                     if eye in model.lenses:
