@@ -947,6 +947,18 @@ export interface Meshes {
   meshes?: (string)[];
 }
 
+/** Lead a tool by a pad, as it is pushed now; believed for a moment only, so it is sent anew all the time (K07). */
+export interface Push {
+  t: 'Push';
+  axes: [number, number, number, number, number, number];
+  is_held: boolean;
+  button?: boolean;
+  scale?: number;
+  frame?: 'base' | 'tool' | 'world';
+  subsystem?: string;
+  source?: string;
+}
+
 /** Record a configuration that lives into a file from now on, or end that; the value is the file (X05). */
 export interface RecordByHand {
   t: 'RecordByHand';
@@ -2071,6 +2083,6 @@ export interface Numbered {
   cid: number;
 }
 
-export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Arrange | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | Connect | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | FindRoom | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | AddUnit | RecordByHand | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Meshes | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RepeatSteps | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | PointAt | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | PutBack | Preflight | ForeseenInstant | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
+export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Arrange | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | Connect | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | FindRoom | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | AddUnit | RecordByHand | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Meshes | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RepeatSteps | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Push | PointAt | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | PutBack | Preflight | ForeseenInstant | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
 export type AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say;
 export type AnyShow = ShowTask | ShowPin | ShowLocus | ShowSource | ShowAnswer | ShowLibraryTask | ShowLibraries | ShowConnect | ShowSaveAs | ShowStep | ShowFits | ShowValues | ShowLoop | ShowConfiguration | ShowOnikon | ShowTarget | ShowRecording;

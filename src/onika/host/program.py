@@ -28,6 +28,7 @@ from onika.host.sessions.presence import Presence
 from onika.host.sessions.request_backlog import Answer, Backlog
 from onika.host.sessions.request_server import RequestServer, SessionRequest
 from onika.host.subsystems.motion import Motion
+from onika.host.subsystems.pads import Pads
 from onika.host.subsystems.run_commands import RunCommands
 from onika.host.subsystems.subsystem_registry import Subsystems
 from onika.host.subsystems.unit_starts import UnitStarts
@@ -71,6 +72,7 @@ class RuntimeProgram:
         self.network = network or NetworkChannel(server)
         self._look = Inspection(self.subsystems, driver, server)
         self._sampling = Sampling(self.subsystems, driver)
+        self._pads = Pads(self.subsystems)
         self._world_files = WorldFiles()
         self.recordings = RuntimeRecordings(self.subsystems, driver, server)
         self._unit_starts = UnitStarts(self.subsystems, driver)
@@ -270,8 +272,8 @@ class RuntimeProgram:
             case request.Stop():
                 self.motion.stop(session, message.cause)
                 return request.Done()
-            case live.Touch() | live.PutBack():
-                return self._in_a_world(session, message)
+            case live.Touch() | live.PutBack() | live.Push():
+                return self._by_a_hand(session, message)
             case steer.Onward():
                 return self.subsystems.hold.onward(session, message)
             case request.Snapshot():
@@ -333,8 +335,10 @@ class RuntimeProgram:
             case live.Close():
                 return self._editor.close(message)
 
-    def _in_a_world(self, session: str, message: live.Touch | live.PutBack) -> request.Response:
-        """What hands do in a workcell."""
+    def _by_a_hand(self, session: str, message: live.Touch | live.PutBack | live.Push) -> request.Response:
+        """What hands do in a workcell, or at a pad."""
+        if isinstance(message, live.Push):
+            return self._pads.push(session, message, self._driver.now)
         if isinstance(message, live.PutBack):
             return self._world_reset.answer(session, message)
         try:

@@ -28,6 +28,7 @@ STEERING = (
     live.Change,
     live.Set,
     live.Write,
+    live.Push,
     live.Reinit,
     live.Swap,
     live.Clear,

@@ -92,6 +92,24 @@ class Write(Struct, frozen=True, tag=True):
     """All of its elements, row by row."""
 
 
+class Push(Struct, frozen=True, tag=True):
+    """What a person's pad says now; it is believed for a moment only (K07). Replied by Done or Refused."""
+
+    axes: tuple[float, float, float, float, float, float]
+    """Three of moving, three of turning, -1..1."""
+    is_held: bool
+    """Whether the dead-man is held."""
+    button: bool = False
+    scale: float = 1.0
+    """What share of its speed the task gives, 0..1."""
+    frame: str = "world"
+    """Along whose axes it is meant: one of `model.pad.FRAMES`."""
+    subsystem: str = ""
+    """Empty: the one that this session holds in which a task that is ON listens to a pad."""
+    source: str = ""
+    """Whose hand it is, where a session speaks for several people: one of them leads at a time."""
+
+
 class Status(Struct, frozen=True, tag=True):
     """Ask for the figures of every task; counters begin anew with it (A11, A17). Replied by Figures."""
 
@@ -236,6 +254,7 @@ LiveRequest = (
     | Get
     | Set
     | Write
+    | Push
     | Status
     | Survey
     | Read

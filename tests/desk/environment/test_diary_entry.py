@@ -21,8 +21,9 @@ OF_THE_PAGE |= {
     act.RecordedScene,
     act.SampleVariables,
     act.ForeseenInstant,
+    act.Push,
 }
-"""What a page asks for by itself, as it shows something."""
+"""What a page asks for by itself, as it shows something; of a pad that leads it notes who takes it."""
 PLACES = {"doc", "step", "steps", "after", "test", "anchor"}
 """Told by the ids of the act's line, or the line itself."""
 

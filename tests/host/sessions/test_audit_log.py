@@ -143,3 +143,16 @@ def test_that_it_cannot_be_written_is_told_once_until_it_can_again(book):  # R-X
         book.trouble = trouble
         audit_log.told(event.Held("s0", "bob#3"))
     assert lines == ["full", "full"]
+
+
+def test_of_pushes_those_leave_a_line_that_take_the_pad_press_its_button_or_let_go(book):  # R-X12, R-K07
+    log = AuditLog(book)
+    held, free = live.Push((0.5,) * 6, is_held=True), live.Push((0.0,) * 6, is_held=False)
+    pressed = live.Push((0.0,) * 6, is_held=False, button=True)
+    no = request.Refused(Reason.plain("no"))
+    for push, answer in [(free, request.Done())] * 3 + [(held, request.Done())] * 9 + [(free, request.Done())] * 2:
+        log.answered(SessionRequest(1, "ann#2", Role.OPERATOR, push, ""), answer)
+    for push, answer in [(pressed, request.Done()), (pressed, request.Done()), (held, no), (held, no)]:
+        log.answered(SessionRequest(1, "ann#2", Role.OPERATOR, push, ""), answer)
+    told = [(about.get("about"), about["result"]) for _, _, about in book.lines]
+    assert told == [("held", "done"), ("let go", "done"), ("button", "done"), ("held", "refused: no")]

@@ -247,3 +247,63 @@ def test_a_leader_that_jumps_is_followed_within_limits_and_speeds_only():
 def test_a_leader_that_is_no_number_is_not_followed():
     rows, _ = mirrored([NAN, float("inf"), 0.0])
     assert rows == pytest.approx(np.array([HOME] * 3))
+
+
+def pushed(bench, *pushes, held=1.0, cycles=1, scale=1.0, frame=0, button=0.0):
+    """The speed after each of these pushes, each as a line brings it."""
+    speeds = []
+    for push in pushes:
+        bench["PAD"] = [bench["PAD"][0] + 1, held, scale, frame, button, *push]
+        speeds.append(bench.cycle(cycles)["V_REF"].copy())
+    return speeds
+
+
+FREE, FORWARD = [0.0] * 6, [1.0, 0, 0, 0, 0, 0]
+
+
+def pad_bench(**local):
+    bench = Bench(MODULES / "pad.py", frequency=100, constants={"BASE": np.eye(4)}, local=local).init()
+    bench["X_MEZ"] = START
+    bench.on()
+    pushed(bench, FREE, held=0.0)
+    return bench
+
+
+def test_a_push_means_a_speed_only_while_the_dead_man_is_held():  # R-K07, R-F05
+    bench = pad_bench()
+    assert pushed(bench, FORWARD)[0] == pytest.approx([0.1, 0, 0, 0, 0, 0])
+    assert pushed(bench, FORWARD, held=0.0)[0] == pytest.approx(np.zeros(6))
+    assert pushed(bench, [0, 0, 0, 0, 0, -1.0], scale=0.5)[0] == pytest.approx([0, 0, 0, 0, 0, -0.25])
+    assert bench.get("held") == 1
+
+
+def test_a_push_is_believed_for_a_tenth_of_a_second():  # R-K07, R-F05
+    bench = pad_bench()
+    pushed(bench, FORWARD)
+    moving = [bench.cycle()["V_REF"][0] > 0 for _ in range(20)]
+    assert moving == [True] * 9 + [False] * 11
+
+
+def test_a_push_is_meant_along_the_axes_of_the_tool_where_the_person_says_so():  # R-K07, R-F05
+    assert pushed(pad_bench(), FORWARD, frame=1)[0] == pytest.approx([0, 0.1, 0, 0, 0, 0])
+    assert pushed(pad_bench(), FORWARD, frame=2)[0] == pytest.approx([0.1, 0, 0, 0, 0, 0])
+
+
+@settings(max_examples=30, deadline=None)
+@given(st.lists(st.floats() | st.sampled_from([0.0, 1.0, 2.0, NAN]), min_size=10, max_size=10))
+def test_whatever_is_pushed_no_speed_is_beyond_its_limit(numbers):  # R-K07, R-F05
+    bench = pad_bench()
+    bench["PAD"] = [bench["PAD"][0] + 1, 1.0, *numbers[1:]]
+    speed = bench.cycle()["V_REF"]
+    assert bench.get("held") == 1
+    assert np.linalg.norm(speed[:3]) <= 0.1 + 1e-9
+    assert np.linalg.norm(speed[3:]) <= 0.5 + 1e-9
+
+
+def test_a_press_counts_without_the_dead_man_and_an_old_one_does_not():  # R-K07
+    bench = pad_bench()
+    pushed(bench, FREE, held=0.0, button=1.0)
+    assert bench["BUTTONS"] == 1
+    assert bench.cycle(12)["BUTTONS"] == 0
+    bench.off().on()
+    assert bench.cycle()["BUTTONS"] == 0

@@ -57,7 +57,8 @@ class ScriptPlayer:
             faults = running.do(script_line.act, script_line.place)
         self._script_lines.popleft()
         positions = running.who() if isinstance(script_line.act, PositionQuery) and not faults else ()
-        self._told(script_line.text, faults, positions)
+        if script_line.text or faults:
+            self._told(script_line.text, faults, positions)
         if faults:
             self._fail(faults)
         return True

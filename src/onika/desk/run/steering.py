@@ -182,6 +182,22 @@ def _touch(words: list[str], flow_index: FlowIndex) -> Act:
     return SteeringOrder(live.Touch(words[0], words[1], value))
 
 
+def _pad(words: list[str], flow_index: FlowIndex) -> Act:
+    del flow_index
+    if words == ["free"]:
+        return SteeringOrder(live.Push((0.0,) * 6, is_held=False))
+    if words == ["press"]:
+        return SteeringOrder(live.Push((0.0,) * 6, is_held=False, button=True))
+    try:
+        axes = [float(word) for word in words]
+    except ValueError:
+        raise _Miswritten from None
+    if len(axes) not in (3, 6) or any(not -1.0 <= axis <= 1.0 for axis in axes):
+        raise _Miswritten
+    x, y, z, rx, ry, rz = (*axes, 0.0, 0.0, 0.0)[:6]
+    return SteeringOrder(live.Push((x, y, z, rx, ry, rz), is_held=True))
+
+
 def _expect(words: list[str], flow_index: FlowIndex) -> Act:
     condition = Condition.parse(" ".join(words))
     return Expectation(condition, *flow_index.home(condition.address))
@@ -235,6 +251,7 @@ VERBS: dict[str, Verb] = {
     "abort": Verb("abort [CAUSE]", Reason.of("desk.does_abort"), _abort),
     "who": Verb("who", Reason.of("desk.does_who"), _who),
     "touch": Verb("touch WORLD PART VALUE", Reason.of("desk.does_touch"), _touch),
+    "pad": Verb("pad (X Y Z [RX RY RZ] | press | free) [for SECONDS]", Reason.of("desk.does_pad"), _pad),
     "wait": Verb(
         "wait (SECONDS | began|done [FLOW] N | paused|waiting|stopped|done [FLOW]) [within SECONDS]",
         Reason.of("desk.does_wait"),

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from onika.desk.plan.flow_index import FlowIndex
-from onika.desk.run import script_lines as lines_of, steering
+from onika.desk.run import pad_strokes, script_lines as lines_of, steering
 from onika.desk.run.steering import Act
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason, reason_of
@@ -12,7 +12,7 @@ from onika.words.reason import Reason, reason_of
 
 @dataclass(frozen=True, slots=True)
 class ScriptLine:
-    """One line: where it stands, what it says, what it means."""
+    """One line: where it stands, what it says (nothing: more of the line before it), what it means."""
 
     place: Place
     text: str
@@ -37,7 +37,8 @@ def _judged(lines: list[tuple[Place, str]], flow_index: FlowIndex) -> tuple[tupl
     faults: list[Fault] = []
     for place, line in lines:
         try:
-            script_lines.append(ScriptLine(place, line, steering.act(line, flow_index)))
+            acts = [steering.act(step, flow_index) for step in pad_strokes.steps(line)]
+            script_lines += [ScriptLine(place, "" if step else line, act) for step, act in enumerate(acts)]
         except ValueError as wrong:
             faults.append(Fault(place, reason_of(wrong), Reason.of("words.nothing_run")))
     return tuple(script_lines), faults

@@ -1,7 +1,8 @@
 """The audit log says to the audit trail who asked what from where, what came of it, and who holds what (X12).
 
 It looks at what sessions ask and at what is told, so that there is no command without a line. Looking is no command,
-and neither is letting virtual time pass. No token ever comes here: the listener keeps them.
+and neither is letting virtual time pass. Of the pushes of a pad those are told that take it, press its button, let go,
+or are refused. No token ever comes here: the listener keeps them.
 """
 
 from collections.abc import Callable
@@ -39,12 +40,17 @@ class AuditLog:
         self._audit_writer = audit_writer
         self._complain = complain
         self._trouble = NOTHING
+        self._pushed: dict[str, tuple[str, bool, bool, str]] = {}
+        """By session: what its last push was, as far as it is worth a line."""
 
     def answered(self, call: SessionRequest, response: request.Response) -> None:
         """A request was answered."""
         asked = call.asked
         is_look = changes_nothing(asked) and not isinstance(asked, request.Stop | holding.OnlyWatch)
         if isinstance(asked, _PASSING) or (is_look and not brings_code(asked)):
+            return
+        if isinstance(asked, live.Push):
+            self._pushes(call, asked, response)
             return
         self._note(
             type(asked).__name__,
@@ -56,6 +62,24 @@ class AuditLog:
             about=_words(asked),
             code=[code.digest for code in _code(asked)],
             result=_result(response),
+        )
+
+    def _pushes(self, call: SessionRequest, push: live.Push, response: request.Response) -> None:
+        """Pushes come thirty times a second: a line for who takes a pad and lets go, not for where it is pushed."""
+        last, present = self._pushed.get(call.session), (push.subsystem, push.is_held, push.button, _result(response))
+        self._pushed[call.session] = present
+        at_rest = (push.subsystem, False, False, present[3])
+        if present == (last or at_rest):
+            return
+        words = [word for word, is_so in (("held", push.is_held), ("button", push.button)) if is_so]
+        self._note(
+            "Push",
+            who=call.session,
+            role=call.role.word,
+            address=call.address,
+            on=push.subsystem,
+            about=" ".join(words) or "let go",
+            result=present[3],
         )
 
     def garbage(self, session: str, text: str) -> None:
@@ -71,6 +95,7 @@ class AuditLog:
 
     def lost(self, session: str) -> None:
         """A session is gone."""
+        self._pushed.pop(session, None)
         self._note("gone", who=session)
 
     def told(self, message: event.Event) -> None:

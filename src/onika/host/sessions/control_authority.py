@@ -20,7 +20,12 @@ _HOLDER_ONLY = (
 )
 """What changes a subsystem."""
 
-_FENCED = (*(one for one in _HOLDER_ONLY if one is not live.Release), *get_args(steer.Steering), holding.Hand)
+_FENCED = (
+    *(one for one in _HOLDER_ONLY if one is not live.Release),
+    *get_args(steer.Steering),
+    holding.Hand,
+    live.Push,
+)
 """What may have been meant for a moment that is long past; nothing moves again before somebody says so."""
 
 

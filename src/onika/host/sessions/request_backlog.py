@@ -8,7 +8,8 @@ from onika.wire import holding, live, request
 from onika.wire.samples import Sample
 
 _AT_ONCE = (
-    *(request.Stop, live.Reset, request.Abort, request.Quit, live.Survey, live.Read, live.Attend, live.Touch, Sample),
+    *(request.Stop, live.Reset, request.Abort, request.Quit, live.Survey, live.Read, live.Attend),
+    *(live.Touch, live.Push, Sample),
     *get_args(holding.HoldingRequest),
 )
 """What never waits behind another request."""

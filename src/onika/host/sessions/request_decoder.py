@@ -9,6 +9,7 @@ from math import isfinite
 import msgspec
 
 from onika.host.loading.plan_form import wrong_name
+from onika.model import pad
 from onika.record import topics
 from onika.wire import holding, live, request, steer
 from onika.wire.samples import Sample
@@ -55,8 +56,20 @@ def _wrong(message: request.Request) -> Reason:
             return _within("seconds", message.seconds)
         case live.Touch() if not isfinite(message.value):
             return Reason.of("host.number_infinite", name="value")
+        case live.Push():
+            return _wrong_push(message)
         case steer.Onward() if message.until_s is not None and not abs(message.until_s) <= _LONGEST_WAIT_NS * 1e-9:
             return Reason.of("host.number_infinite", name="until_s")
+    return NOTHING
+
+
+def _wrong_push(push: live.Push) -> Reason:
+    if not all(isfinite(axis) for axis in (*push.axes, push.scale)):
+        return Reason.of("host.number_infinite", name="axes")
+    if push.frame not in pad.FRAMES:
+        return Reason.of("host.word_unknown", name="frame", words=pad.FRAMES)
+    if len(push.source) > _LONGEST_NAME:
+        return Reason.of("host.text_form", what="source", most=_LONGEST_NAME)
     return NOTHING
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from functools import lru_cache
 
+from onika.model import pad
 from onika.model.task import Task
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
@@ -28,8 +29,8 @@ def self_fed(task: Task, place: Place) -> tuple[Fault, ...]:
 
 
 def hanging(tasks: Sequence[Task], place: Place) -> tuple[Fault, ...]:
-    """Equation (6): each variable that some task of a configuration reads and none writes."""
-    written = frozenset[str]().union(*(task.outputs for task in tasks))
+    """Equation (6): each variable that some task of a configuration reads and none writes; people push pads."""
+    written = frozenset((pad.NAME,)).union(*(task.outputs for task in tasks))
     readers: dict[str, list[Reason]] = {}
     for task in tasks:
         for svar in sorted(task.inputs - written):

@@ -154,6 +154,7 @@ from onika.wire.act.running import (
     LetGo as LetGo,
     LogReadings as LogReadings,
     Meshes as Meshes,
+    Push as Push,
     RecordByHand as RecordByHand,
     Reinit as Reinit,
     Renew as Renew,
@@ -285,6 +286,7 @@ AnyAct = (
     | EditOnikon
     | RemoveOnikon
     | Teach
+    | Push
     | PointAt
     | FitTargets
     | Run

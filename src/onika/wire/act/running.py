@@ -1,5 +1,7 @@
 """What a user does in the running system."""
 
+from typing import Literal
+
 from onika.wire.act.act import Act, Names
 
 
@@ -108,6 +110,22 @@ class WriteVariable(Act, frozen=True):
     doc: str
     variable: str
     values: tuple[float, ...]
+
+
+class Push(Act, frozen=True):
+    """Lead a tool by a pad, as it is pushed now; believed for a moment only, so it is sent anew all the time (K07)."""
+
+    axes: tuple[float, float, float, float, float, float]
+    """Three of moving, three of turning, -1..1."""
+    is_held: bool
+    """Whether the dead-man is held."""
+    button: bool = False
+    scale: float = 1.0
+    frame: Literal["world", "tool", "base"] = "world"
+    subsystem: str = ""
+    """Where several listen."""
+    source: str = ""
+    """The browser in which it is held."""
 
 
 class CheckMemory(Act, frozen=True):

@@ -25,7 +25,9 @@ _STEERED: dict[type, Reason] = {
 def marks(run: Run, review: Review) -> tuple[MarkView, ...]:
     """All of them, in the order of time."""
     found_marks = [mark for at, _, message in review.events if (mark := _of_event(run, at * 1e-9, message)) is not None]
-    found_marks += [_of_command(run, at * 1e-9, command) for at, command in review.commands]
+    found_marks += [
+        _of_command(run, at * 1e-9, command) for at, command in review.commands if not isinstance(command, live.Push)
+    ]
     return tuple(sorted(found_marks, key=lambda mark_view: mark_view.at_s))
 
 
