@@ -1,5 +1,7 @@
+import pytest
+
 from onika.desk.plan.flow_index import FlowIndex, IndexedFlow
-from onika.desk.run.steering_script import load, read
+from onika.desk.run.steering_script import load, read, steps
 from onika.wire import steer
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
@@ -31,3 +33,19 @@ def test_a_file_is_read_or_its_fault_is_told(tmp_path):  # R-E07
     assert [line.text for line in load(path, CAST)[0]] == ["pause"]
     script_lines, faults = load(tmp_path / "none", CAST)
     assert (script_lines, len(faults)) == ((), 1)
+
+
+def test_a_stroke_is_many_pushes_between_two_times_of_letting_go():  # R-K07
+    assert steps("pad 0 0 -1 for 0.1") == (("pad free", "wait 0.05") + ("pad 0 0 -1", "wait 0.05") * 2 + ("pad free",))
+    assert len(steps("pad 0 0 -1 for 0.3")) == 2 + 2 * 6 + 1
+
+
+def test_a_press_ends_by_itself():
+    assert steps("pad press for 0.1") == ("pad press", "wait 0.05") * 2
+
+
+@pytest.mark.parametrize(
+    "line", ["pad 0 0 1", "wait 3", "pad free", "pad 0 0 1 for x", "pad 0 0 1 for -1", "pad 1 1 1 for nan", ""]
+)
+def test_any_other_line_is_itself(line):
+    assert steps(line) == (line,)
