@@ -464,6 +464,7 @@ export interface Undo {
 /** Ask the runtime anew who is there, who holds what, and where the flows of applications are. */
 export interface Company {
   t: 'Company';
+  station?: string;
 }
 
 /** Say no to what is offered; a yes is Take. */
@@ -471,6 +472,7 @@ export interface Decline {
   t: 'Decline';
   doc?: string;
   subsystem?: string;
+  station?: string;
 }
 
 /** Offer a subsystem to another session, which takes it or not; to nobody: offer it no more. */
@@ -479,11 +481,13 @@ export interface Hand {
   doc?: string;
   to?: string;
   subsystem?: string;
+  station?: string;
 }
 
 /** From now on this environment changes nothing in the runtime that it is connected with; stopping stays. */
 export interface OnlyWatch {
   t: 'OnlyWatch';
+  station?: string;
 }
 
 /** Let another become the holder. */
@@ -491,6 +495,7 @@ export interface Release {
   t: 'Release';
   doc?: string;
   subsystem?: string;
+  station?: string;
 }
 
 /** Steer the run of an application that another began and that is held here now; what moves is asked back first. */
@@ -499,6 +504,7 @@ export interface SteerTaken {
   subsystem: string;
   wish: 'abort' | 'clear' | 'pause' | 'resume';
   confirmed?: boolean;
+  station?: string;
 }
 
 /** Become the holder of a subsystem: of one that nobody holds, or that is offered here. Of a run that is nobody's all flows are taken, which is asked back first: it was begun by somebody else. */
@@ -506,12 +512,14 @@ export interface Take {
   t: 'Take';
   doc?: string;
   subsystem?: string;
+  station?: string;
   confirmed?: boolean;
 }
 
 /** Come anew, as somebody who may change something: the promise only to watch lasts as long as the session. */
 export interface WatchNoMore {
   t: 'WatchNoMore';
+  station?: string;
 }
 
 /** Ask what job a configuration would make; replied by `view.DraftView` (C16). */
@@ -781,6 +789,7 @@ export interface Dismiss {
 /** Ask the runtime which worlds it has, and which of them are simulated; it is started where there is none (E09). */
 export interface FindWorlds {
   t: 'FindWorlds';
+  station?: string;
 }
 
 /** How a workcell stands when something happens that is foreseen; the value is a `view.ForeseenInstantView`. */
@@ -799,6 +808,7 @@ export interface Preflight {
 /** Everything in the open workcells to where it stood at the start, in the same runtime (law 18). Of a workcell that nobody here can move it is told what a person has to put where. */
 export interface PutBack {
   t: 'PutBack';
+  station?: string;
 }
 
 /** Let another task or world stand for one while this application is open; its file stays as it is (E09). A world is named with its colon, as in `boxes:`. */
@@ -864,6 +874,7 @@ export interface WhatIf {
 export interface AddUnit {
   t: 'AddUnit';
   name: string;
+  station?: string;
 }
 
 /** Answer what a task asks, in the words of an argument line (C13). */
@@ -872,6 +883,7 @@ export interface Answer {
   doc: string;
   task: string;
   line: string;
+  station?: string;
 }
 
 /** Ask a module for something by name, as its code offers it (A05); replied with the value as text. */
@@ -896,14 +908,14 @@ export interface Clear {
   turns_on?: boolean;
 }
 
-/** Connect a configuration with a runtime: merge it with what runs there (C12, C18). url empty: the runtime of this environment */
+/** Connect a configuration with the runtime of a station: merge it with what runs there (C12, C18, F02). url of a runtime that has no station yet, and gets one; empty: that of `station` station empty: the first one; None: the one to which the configuration is assigned */
 export interface Connect {
   t: 'Connect';
   doc: string;
   url?: string;
   token?: string;
   subsystem?: string;
-  confirmed?: boolean;
+  station?: string | null;
 }
 
 /** Leave what runs as it is, and go on unconnected. */
@@ -981,9 +993,11 @@ export interface Renew {
   holds?: boolean;
 }
 
-/** After a Stop: allow motion again. */
+/** After a Stop: allow motion again, at one station or wherever all is stopped. */
 export interface Reset {
   t: 'Reset';
+  station?: string;
+  is_everywhere?: boolean;
 }
 
 /** Ask for values of variables at every cycle, as a scope shows them (C14); the value is a tuple of `view.SampledView`. */
@@ -999,7 +1013,7 @@ export interface Scene {
   world: string;
 }
 
-/** Stop everything: every drive holds (law 27). Always carried out first, never refused. */
+/** Stop everything at every station: every drive holds (law 27). Always carried out first, never refused. */
 export interface Stop {
   t: 'Stop';
 }
@@ -1037,7 +1051,7 @@ export interface Turn {
   confirmed?: boolean;
 }
 
-/** What this browser wants to see from now on: variables as `DOC/NAME`, worlds by name, figures of tasks. A camera stands among the worlds, as `WORLD:CAMERA`. Of a run, variables are `DOC/SUBSYSTEM/NAME`, or `DOC/NAME` for the first flow that has it. */
+/** What this browser wants to see from now on: variables as `DOC/NAME`, worlds by name, figures of tasks. A camera stands among the worlds, as `WORLD:CAMERA`. What is of another station than the first one names it: `@SUBSYSTEM@STATION/NAME`, `STATION/WORLD`, `STATION/WORLD:CAMERA`. Of a run, variables are `DOC/SUBSYSTEM/NAME`, or `DOC/NAME` for the first flow that has it. */
 export interface Watch {
   t: 'Watch';
   variables?: (string)[];
@@ -1052,6 +1066,22 @@ export interface WriteVariable {
   doc: string;
   variable: string;
   values: (number)[];
+}
+
+/** Connect the environment with one more runtime, or with that of a station once more; the value is its name (F02). keeps whether the station stays where its runtime cannot be reached, to be tried again */
+export interface AddStation {
+  t: 'AddStation';
+  url?: string;
+  token?: string;
+  name?: string;
+  keeps?: boolean;
+}
+
+/** Leave the runtime of a station; what runs there goes on as its holder's loss would have it. */
+export interface RemoveStation {
+  t: 'RemoveStation';
+  name: string;
+  confirmed?: boolean;
 }
 
 /** A flow: the numbers of its steps in order, without start and end. */
@@ -1283,6 +1313,7 @@ export interface DocumentView {
   problems?: Record<string, ProblemView>;
   connection?: 'connecting' | 'live' | 'lost' | 'none';
   subsystem?: string;
+  station?: string;
   application?: string;
   has_ended?: boolean;
   black_box?: string;
@@ -1787,7 +1818,7 @@ export interface HoldView {
   on_loss?: string;
 }
 
-/** The runtime of this environment. */
+/** The runtime of a station. */
 export interface RuntimeView {
   state?: 'linked' | 'lost' | 'none' | 'starting';
   address?: string;
@@ -1805,6 +1836,8 @@ export interface RuntimeView {
   world_kinds?: Record<string, 'real' | 'simulated'>;
   displaced?: Record<string, (Reason)[]>;
   moved?: Record<string, (Reason)[]>;
+  is_cut?: boolean;
+  round_trip_ms?: number;
 }
 
 /** Somebody who is connected with the runtime; a user may be there several times. */
@@ -1976,6 +2009,7 @@ export interface Tree {
   loads?: Record<string, number>;
   clipboard?: string;
   runtime?: RuntimeView;
+  stations?: Record<string, RuntimeView>;
   preferences?: Record<string, unknown>;
   buttons?: Record<string, ButtonView>;
   job_types?: (string)[];
@@ -2083,6 +2117,6 @@ export interface Numbered {
   cid: number;
 }
 
-export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Arrange | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | Connect | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | FindRoom | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | AddUnit | RecordByHand | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Meshes | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RepeatSteps | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Push | PointAt | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | PutBack | Preflight | ForeseenInstant | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
+export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Arrange | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | ListSets | KeepSet | SwitchSet | RemoveSet | SaveTask | ForgetTask | ReadText | WriteText | NewModule | ArrangeTask | ArrangeIcon | LoadModule | CompareWithShipped | GoBackToShipped | ListReplaced | BringBack | Connect | AddStation | RemoveStation | Disconnect | KeepAlive | SwitchTo | LetGo | Turn | Toggle | Clear | Reinit | Renew | FindRoom | AskModule | TellModule | WriteVariable | CheckMemory | LogReadings | SampleVariables | Answer | Stop | Reset | AddUnit | RecordByHand | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Meshes | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RepeatSteps | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Push | PointAt | FitTargets | Run | Redirect | Seats | FindWorlds | Steer | SkipTo | Dismiss | StartAnew | PutBack | Preflight | ForeseenInstant | WhatIf | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
 export type AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say;
 export type AnyShow = ShowTask | ShowPin | ShowLocus | ShowSource | ShowAnswer | ShowLibraryTask | ShowLibraries | ShowConnect | ShowSaveAs | ShowStep | ShowFits | ShowValues | ShowLoop | ShowConfiguration | ShowOnikon | ShowTarget | ShowRecording;

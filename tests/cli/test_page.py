@@ -113,3 +113,29 @@ def test_a_state_directory_that_stays_open_to_others_is_not_used(began, state, m
     assert "cannot be mended" in capsys.readouterr().err
     assert began == []
     assert commands.carry_out(["doctor"]) in (0, 1)  # it keeps nothing
+
+
+def test_stations_are_named_at_the_start_each_with_its_token(began, tmp_path):  # R-F02, R-C18
+    token = tmp_path / "token"
+    token.write_text("secret\n")
+    token.chmod(0o600)
+    words = ["--at", "cmu=wss://cmu.example", "--at", "sandia=wss://sandia.example:1", "--token-file", f"cmu={token}"]
+    assert commands.carry_out([*words, "--no-browser"]) == 0
+    stations = (("cmu", "wss://cmu.example:7994", "secret"), ("sandia", "wss://sandia.example:1", ""))
+    assert (began[0][1].stations, began[0][1].token) == (stations, "")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["--at", "cmu"],
+        ["--at", "here=wss://cmu.example"],
+        ["--at", "cmu=http://cmu.example"],
+        ["--at", "cmu=wss://a.example", "--at", "cmu=wss://b.example"],
+        ["--token-file", "cmu=nowhere"],
+    ],
+)
+def test_what_names_no_station_is_told(began, capsys, words):  # R-X01
+    with pytest.raises(SystemExit):
+        commands.carry_out([*words, "--no-browser"])
+    assert "expected" in capsys.readouterr().err and not began

@@ -24,6 +24,7 @@ export function fullTree(tree: Tree): FullTree {
     own_redo: plain(''),
     clipboard: '',
     runtime: {},
+    stations: {},
     preferences: {},
     buttons: {},
     job_types: [],

@@ -10,11 +10,14 @@ from pathlib import Path
 from onika.cli.language import say
 from onika.cli.runtime import add_base, unit
 from onika.cli.search_path import site_here
+from onika.desk.environment.reconcile.station_names import HERE
 from onika.files.state_directory import state_directory
+from onika.link.address import Address
 from onika.link.token import read_token
 from onika.web.program import EnvironmentOptions, EnvironmentProgram
 from onika.web.server import bound
-from onika.words.reason import Reason
+from onika.words.name import TASK_NAME
+from onika.words.reason import Reason, reason_of
 from onika.words.system_error import system_reason
 
 PORT = 8420
@@ -32,7 +35,14 @@ def describe(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--port", type=int, metavar="N", help=say(Reason.of("cli.page_port", port=PORT)))
     parser.add_argument("--no-browser", action="store_true", help=say(Reason.of("cli.page_no_browser")))
     parser.add_argument("--connect", metavar="URL", help=say(Reason.of("cli.page_connect")))
-    parser.add_argument("--token-file", type=Path, metavar="FILE", help=say(Reason.of("cli.page_token_file")))
+    parser.add_argument(
+        "--at", action="append", default=[], type=station, metavar="NAME=URL",
+        help=say(Reason.of("cli.page_at")),
+    )  # fmt: skip
+    parser.add_argument(
+        "--token-file", action="append", default=[], type=token_file, metavar="[NAME=]FILE",
+        help=say(Reason.of("cli.page_token_file")),
+    )  # fmt: skip
     parser.add_argument("--no-connect", action="store_true", help=say(Reason.of("cli.page_no_connect")))
     parser.add_argument(
         "--rtpu", action="append", default=[], type=unit, metavar="NAME",
@@ -50,17 +60,22 @@ def carry_out(given: argparse.Namespace) -> int:
     """Open the environment, until Ctrl-C."""
     if given.connect and given.no_connect:
         given.complain(say(Reason.of("cli.connect_or_not")))
+    tokens = dict(given.token_file)
+    names = [name for name, _ in given.at]
+    strange = next((name for name in (*names, *tokens) if name and (names.count(name) != 1)), None)
+    if strange is not None:
+        given.complain(say(Reason.of("cli.station_once", name=strange)))
     try:
         listening = bound(PORT if given.port is None else given.port)
     except OSError as taken:
         if given.port is not None:
             given.complain(say(Reason.of("cli.port_taken", port=given.port, why=system_reason(taken))))
         listening = bound(0)
-    token = "" if given.token_file is None else read_token(given.token_file)
     options = EnvironmentOptions(
         files=tuple(given.files),
         url=given.connect or "",
-        token=token,
+        token=tokens.get("", ""),
+        stations=tuple((name, url, tokens.get(name, "")) for name, url in given.at),
         is_connected=not given.no_connect,
         rtpus=tuple(dict.fromkeys(given.rtpu)) or ("rt0",),
         with_fifo=not given.no_fifo,
@@ -79,6 +94,26 @@ def carry_out(given: argparse.Namespace) -> int:
 
     asyncio.run(program.run(listening, tell))
     return 0
+
+
+def station(text: str) -> tuple[str, str]:
+    """A station and the address of its runtime, as a word of a command line."""
+    name, equals, url = text.partition("=")
+    try:
+        if not equals or not TASK_NAME.match(name) or name == HERE:
+            raise ValueError(Reason.of("cli.station_expected", text=text))
+        return name, str(Address.parse(url))
+    except ValueError as wrong:
+        raise argparse.ArgumentTypeError(say(reason_of(wrong))) from None
+
+
+def token_file(text: str) -> tuple[str, str]:
+    """A station, empty for the first one, and the token of its runtime, which stands in a file."""
+    name, equals, path = text.rpartition("=")
+    try:
+        return (name, read_token(Path(path))) if equals else ("", read_token(Path(text)))
+    except (OSError, ValueError) as wrong:
+        raise argparse.ArgumentTypeError(say(Reason.of("cli.token_expected", reason=reason_of(wrong)))) from None
 
 
 def _has_screen() -> bool:

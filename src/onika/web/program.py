@@ -24,8 +24,8 @@ from onika.desk.environment.reconcile.runtime_launch import RuntimeLauncher
 from onika.desk.environment.runs import readiness
 from onika.desk.environment.runs.forecaster import Forecaster
 from onika.desk.environment.runs.readiness import ReadinessJudge
-from onika.desk.environment.runtime_thread import RuntimeThread
 from onika.desk.environment.state.model import Model
+from onika.desk.environment.stations import Stations
 from onika.desk.environment.world_channel import WorldChannel
 from onika.store.mesh_folder import MeshFolder
 from onika.store.site import Site
@@ -55,6 +55,7 @@ class EnvironmentOptions:
 
     files           configurations to open
     url, token      a runtime that runs already; empty: one of its own
+    stations        further runtimes, each with its name, address and token
     is_connected    whether what is opened is connected at once
     is_upper_only   whether the lower level is hidden in this session, whatever is preferred (G05)
     """
@@ -62,6 +63,7 @@ class EnvironmentOptions:
     files: tuple[str, ...] = ()
     url: str = ""
     token: str = ""
+    stations: tuple[tuple[str, str, str], ...] = ()
     is_connected: bool = True
     rtpus: tuple[str, ...] = ("rt0",)
     with_fifo: bool = True
@@ -107,15 +109,15 @@ class EnvironmentProgram:
         launching = RuntimeLauncher(
             self._options.rtpus, with_fifo=self._options.with_fifo, has_black_box=self._options.has_black_box
         )
-        runtime_thread = RuntimeThread(launching, post)
+        stations = Stations(launching, post, time.monotonic)
         disk = DiskWatch(self._site)  # before the files are read: what is written meanwhile is seen at the first look
         model, says = initial_model.opened(self._site, self._state, self._settings())
-        environment = Environment(model, HANDLERS, surroundings, WorldChannel(runtime_thread, self._site))
-        hub = Hub(environment, runtime_thread)
+        environment = Environment(model, HANDLERS, surroundings, WorldChannel(stations, self._site))
+        hub = Hub(environment, stations)
         hub.remember(says)
         login = Login(addresses(listening), lambda key: on_ready(_address(listening, key)))
         kept, autosave = self._recovery(environment), Autosave()
-        runtime_thread.begin(environment)
+        stations.begin(environment)
         self._open(environment)
         diary = self._diary(environment)
         beside = (
@@ -132,7 +134,7 @@ class EnvironmentProgram:
             listening.close()
             if forecaster is not None:
                 forecaster.close()
-            runtime_thread.end()
+            stations.end()
             commands.close()
             reading.close()
             comparing.close()
@@ -188,6 +190,8 @@ class EnvironmentProgram:
             environment.do(act.Open(name), _NAME, report)
         if not environment.model.documents:
             environment.do(act.New(), _NAME, report)
+        for station, url, token in self._options.stations:
+            environment.do(act.AddStation(url, token, station, keeps=True), _NAME, report)
         if self._options.is_connected:
             first = next(iter(environment.model.documents))
             connect = act.Connect(first, self._options.url, self._options.token)

@@ -1,18 +1,15 @@
 import contextlib
-import os
 import queue
 import threading
 import time
-from collections import deque
 
 import pytest
 
 from kit.desk.environment_fixture import EnvironmentFixture
-from kit.desk.live_runtime import LiveRuntime
+from kit.desk.runtime_line import RuntimeLine
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.outcome.outcome import Order, RequiredRuntime, Simulator
 from onika.desk.environment.runtime_thread import RuntimeThread
-from onika.desk.run.runtime_conversation import NumberedResponse
 from onika.link.lost import LinkLost, LossCause
 from onika.model.lifecycle import State
 from onika.model.task import Task
@@ -20,61 +17,6 @@ from onika.wire import act, event, live, reading
 from onika.words.reason import Reason
 
 PATIENCE_S = 60.0
-
-
-class Line:
-    """A runtime at the other end of a descriptor; what it is to say can be planned from another thread."""
-
-    def __init__(self):
-        self.runtime = LiveRuntime()
-        self.asked = []
-        self.silent = ()
-        self.seen = {}
-        self.is_left = False
-        self._words = deque()
-        self._reader, self._writer = os.pipe()
-        os.set_blocking(self._reader, False)
-
-    def send(self, request):
-        self.asked.append(request)
-        number = len(self.asked)
-        if not isinstance(request, self.silent):
-            self.say(NumberedResponse(number, self.runtime.ask(request)), *self.runtime.events(0.0))
-        return number
-
-    def say(self, *words):
-        self._words.extend(words)
-        os.write(self._writer, b"!")
-
-    def messages(self, timeout_s=0.0):
-        with contextlib.suppress(BlockingIOError):
-            os.read(self._reader, 4096)
-        while self._words:
-            word = self._words.popleft()
-            if isinstance(word, Exception):
-                raise word
-            yield word
-
-    def readings(self):
-        taken, self.seen = self.seen, {}
-        return taken
-
-    def readers(self):
-        return [self._reader]
-
-    def writers(self):
-        return []
-
-    def due_s(self):
-        return None
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_fault):
-        self.is_left = True
-        os.close(self._reader)
-        os.close(self._writer)
 
 
 class Lab(EnvironmentFixture):
@@ -95,7 +37,7 @@ class Lab(EnvironmentFixture):
     def open(self, url, token, simulator=None):
         if self.refusal:
             raise self.refusal
-        self.lines.append(Line())
+        self.lines.append(RuntimeLine())
         self.simulator = simulator
         self.reached = (url, token, threading.current_thread().name)
         return self.lines[-1]

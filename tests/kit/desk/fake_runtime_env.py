@@ -23,7 +23,10 @@ from onika.wire import act, event, live, request
 
 
 class FakeRuntimeEnv(EnvironmentFixture):
-    """`runtime` answers; `rebuffs` are orders that it answers otherwise, by their kind; `is_held_back` keeps orders."""
+    """`runtime` answers, and `others` at other stations, by their names.
+
+    `rebuffs` are orders that they answer otherwise, by their kind; `is_held_back` keeps orders.
+    """
 
     def __init__(
         self,
@@ -38,6 +41,7 @@ class FakeRuntimeEnv(EnvironmentFixture):
         for task in sheets:
             (folder / "module" / f"{task.module}.py").write_text(f'"""The code of {task.module}."""\n')
         self.runtime = runtime or LiveRuntime()
+        self.others: dict[str, LiveRuntime] = {}
         self.rebuffs: Mapping[type, request.Response] = {}
         self.is_held_back = False
         self.carried_out: list[request.Request] = []
@@ -79,7 +83,7 @@ class FakeRuntimeEnv(EnvironmentFixture):
         while self._waiting and not self.is_held_back:
             order = self._waiting.popleft()
             self.carried_out.append(order.asked)
-            response = self.rebuffs.get(type(order.asked)) or self.runtime.ask(order.asked)
+            response = self.rebuffs.get(type(order.asked)) or self.runtime_at(order.station or "").ask(order.asked)
             self.environment.replied(order, response)
             self.hear()
 
@@ -90,9 +94,16 @@ class FakeRuntimeEnv(EnvironmentFixture):
         self.pump()
 
     def hear(self) -> None:
-        """Hear what the runtime has told."""
+        """Hear what the runtimes have told."""
         for message in self.runtime.events(0.0):
             self.environment.receive(message)
+        for station, runtime in self.others.items():
+            for message in runtime.events(0.0):
+                self.environment.receive(message, station)
+
+    def runtime_at(self, station: str) -> LiveRuntime:
+        """The runtime of a station; there is one wherever one is looked for."""
+        return self.others.setdefault(station, LiveRuntime()) if station else self.runtime
 
     def document(self, doc: str) -> Document:
         """A document as it is now."""

@@ -95,6 +95,8 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.ListReplaced: ("list_replaced", "main"),
     act.BringBack: ("bring_back", "main"),
     act.Connect: ("connect", "conf"),
+    act.AddStation: ("add_station", "main"),
+    act.RemoveStation: ("remove_station", "main"),
     act.Disconnect: ("disconnect", "conf"),
     act.KeepAlive: ("keep_conf", "conf"),
     act.SwitchTo: ("switch_conf", "conf"),

@@ -22,9 +22,11 @@ from onika.desk.environment.reconcile import following
 from onika.desk.environment.show.tree import Projector
 from onika.desk.environment.show.tree_difference import difference
 from onika.desk.environment.state.model import Model
+from onika.desk.environment.station_focus import located, station_of
 from onika.desk.environment.undo_notice import others
 from onika.wire import act, event, live, page, request
 from onika.wire.view import Tree
+from onika.words.reason import Reason
 
 Handler = Callable[[Model, Any, Services], Done | No | Procedure]
 """What an act does: of a model, the act and the outside. One that waits is a generator."""
@@ -43,10 +45,10 @@ class ModelListener(Protocol):
 
 
 class RuntimeChannel(Protocol):
-    """The way to a runtime."""
+    """The way to the runtimes of all stations."""
 
     def send(self, order: Order) -> None:
-        """Ask; `Environment.replied` is called with the response later, in the environment's own thread."""
+        """Ask that of the order's station; `Environment.replied` is told its response later, in our own thread."""
         ...
 
 
@@ -60,10 +62,11 @@ class ActAnswer:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Act:
-    """An act that is carried out: how it goes on where it waits, and who gets its answer."""
+    """An act that is carried out: how it goes on where it waits, who gets its answer, and which station it is about."""
 
     steps: Procedure | None
     answer: Callable[[ActAnswer], None]
+    station: str = ""
 
 
 class Environment:
@@ -99,29 +102,37 @@ class Environment:
                 observer(command, by, given)
             answer(given)
 
-        before = self.model
+        station = station_of(self.model, command)
+        if station not in self.model.stations:
+            tell(ActAnswer(no=No(Reason.of("desk.no_station", name=station))))
+            return
+        before = self.model.at(station)
         result = self._handlers[type(command)](before, command, self._surroundings)
         steps, first = (None, result) if isinstance(result, Done | No) else (result, _next(result, None))
         outcome = self._followed(before, first, by, command)
         if isinstance(outcome, Done) and outcome.awaits is not None:
             steps = _taken_up(outcome, outcome.awaits)
             outcome = _next(steps, None)
-        self._go_on(_Act(steps, tell), outcome, by)
+        self._go_on(_Act(steps, tell, before.station), outcome, by)
 
     def replied(self, order: Order, response: request.Response) -> None:
         """A runtime has replied to an order."""
         if order.then is not None:
-            self._adopt(order.then(self.model, response), "")
+            self._adopt(order.then(self.model.at(order.station or ""), response), "")
         self._come(order, response)
 
-    def receive(self, message: event.Event) -> None:
-        """A runtime has told something."""
-        self._adopt(following.after_event(self.model, message, self._surroundings), "")
+    def receive(self, message: event.Event, station: str = "") -> None:
+        """The runtime of a station has told something."""
+        if station in self.model.stations:
+            self._adopt(following.after_event(self.model.at(station), message, self._surroundings), "")
 
-    def become(self, change: Callable[[Model], Done]) -> None:
-        """A change from outside: a file, a link, a command that ended."""
-        done = change(self.model)
-        followed = following.follow(self.model, done.model, self._surroundings)
+    def become(self, change: Callable[[Model], Done], station: str = "") -> None:
+        """A change from outside: a file, a link to a station, a command that ended."""
+        if station not in self.model.stations:
+            return  # it was let go meanwhile
+        before = self.model.at(station)
+        done = change(before)
+        followed = following.follow(before, done.model, self._surroundings)
         if isinstance(followed, No):
             self.say(page.Say("error", followed.reason))
             return
@@ -137,15 +148,15 @@ class Environment:
     def _go_on(self, carried: _Act, outcome: InterimModel | Done | No, by: str = "") -> None:
         """Answer an act that has come to its end; keep one that waits by what it waits for."""
         if isinstance(outcome, No):
-            carried.answer(ActAnswer(no=outcome))
+            carried.answer(ActAnswer(no=located(outcome, carried.station)))
             return
         if isinstance(outcome, Done):
             self._adopt(outcome, by)
             carried.answer(ActAnswer(outcome.value))
             return
-        orders = outcome.orders
+        orders, carried = outcome.orders, replace(carried, station=outcome.model.station)
         if isinstance(outcome, Ask):
-            order = Order(outcome.request, reach=outcome.reach)
+            order = Order(outcome.request, reach=outcome.reach, station=carried.station)
             orders = (order, *orders)
             self._waiting[order] = [carried]
         elif isinstance(outcome, AwaitedNews):
@@ -167,7 +178,7 @@ class Environment:
 
     def _resume(self, carried: _Act, news: Any) -> None:
         if carried.steps is not None:
-            self._go_on(carried, _next(carried.steps, (self.model, news)))
+            self._go_on(carried, _next(carried.steps, (self.model.at(carried.station), news)))
 
     def _followed(
         self, before: Model, outcome: InterimModel | Done | No, by: str, command: act.AnyAct
@@ -189,14 +200,14 @@ class Environment:
 
     def _adopt(self, done: Done, by: str) -> None:
         logged = tuple(changed_parameters(self.model, done.model))
-        before, self.model = self.model, done.model
+        before, self.model = self.model, done.model.at("")
         self._show(by)
         for follower in self.followers:
             follower(before, self.model)
         for message in (*done.says, *logged):
             self.say(message)
         for order in done.orders:
-            self._channel.send(order)
+            self._channel.send(order.at(done.model.station))
         for what, news in done.news:
             self._come(what, news)
 

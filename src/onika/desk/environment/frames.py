@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from onika.desk.environment.reconcile.task_figures import FigureTotals
-from onika.desk.environment.reconcile.watches import homes_of, homes_within, keys_of
+from onika.desk.environment.reconcile.watches import homes_of, homes_within, keys_of, world_of
 from onika.desk.environment.state.model import Model
 from onika.wire import live, page, reading
 
@@ -58,12 +58,15 @@ class FrameBuffer:
     def _read(self, key: str, body: bytes, model: Model) -> None:
         taken = reading.decode(body)
         if isinstance(taken, reading.Poses):
-            self._poses[key.removeprefix(_WORLD)] = {"rows": _rows(taken.rows), "lit": taken.lit}
+            self._poses[world_of(model.station, key.removeprefix(_WORLD))] = {
+                "rows": _rows(taken.rows),
+                "lit": taken.lit,
+            }
             return
         if isinstance(taken, reading.CameraPicture):
             file = b64encode(taken.file).decode()
             seen = {"file": file, "number": taken.number, "at_s": taken.at_ns * 1e-9}
-            self._poses[key.removeprefix(_WORLD)] = seen
+            self._poses[world_of(model.station, key.removeprefix(_WORLD))] = seen
             return
         self._at_s = taken.now_ns * 1e-9
         keys = self._keys.get(key)

@@ -23,7 +23,7 @@ from onika.desk.environment.canvas import (
     task_commands,
     tight_change,
 )
-from onika.desk.environment.control import control_authority, held_subsystems, view_only
+from onika.desk.environment.control import control_authority, held_subsystems, stations, view_only
 from onika.desk.environment.environment import Handler
 from onika.desk.environment.file import applications, configurations, file_acts
 from onika.desk.environment.icons import (
@@ -128,6 +128,8 @@ HANDLERS: Mapping[type, Handler] = {
     act.Rate: retuning.rate,
     act.Unit: retuning.unit,
     act.Connect: connection.connect,
+    act.AddStation: stations.add_station,
+    act.RemoveStation: stations.remove_station,
     act.Disconnect: connection.disconnect,
     act.KeepAlive: kept_alive.keep_alive,
     act.SwitchTo: kept_alive.switch_to,

@@ -11,7 +11,7 @@ from typing import Protocol
 
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.frames import FrameBuffer
-from onika.desk.environment.outcome.outcome import Order, RequiredRuntime, Simulator
+from onika.desk.environment.outcome.outcome import Done, Order, RequiredRuntime, Simulator
 from onika.desk.environment.reconcile import runtime_loss
 from onika.desk.environment.reconcile.loop_watchdog import LoopWatchdog
 from onika.desk.environment.reconcile.multiplexer import Multiplexer
@@ -44,16 +44,20 @@ class RuntimeThread:
     """Carries orders to a runtime and what it tells to the environment; a slow runtime never keeps anybody waiting.
 
     Everything about the runtime happens in one thread, which also launches it: a child lives as long as the thread.
+
+    station     whose runtime it is; empty: that of the first one
     """
 
-    def __init__(self, opening: RuntimeOpening, post: Post) -> None:
+    def __init__(self, opening: RuntimeOpening, post: Post, station: str = "") -> None:
         self._opening = opening
+        self._station = station
         self._post = post
         self._orders: deque[Order] = deque()
         self._bell, self._door = socket.socketpair()
         self._bell.setblocking(False)
         self._door.setblocking(False)
         self._is_over = False
+        self._is_let_go = False
         self._thread: Thread | None = None
         self._entered: AbstractContextManager[RuntimeConversation] | None = None
         self._runtime: RuntimeConversation | None = None
@@ -64,6 +68,8 @@ class RuntimeThread:
         self._vouch = LoopWatchdog(post, self._ring, monotonic)
         self._watching = Watch()
         self._attended: tuple[Watch, Model] | None = None
+        self._focus: tuple[Model, Model] | None = None
+        self._quality = runtime_loss.NOT_MEASURED
         self._frames = FrameBuffer()
 
     # -- from any thread
@@ -97,6 +103,11 @@ class RuntimeThread:
         runtime = self._runtime
         return runtime.pid if runtime is not None else None
 
+    def let_go(self) -> None:
+        """End the thread without waiting for it; its runtime is elsewhere."""
+        self._is_let_go = self._is_over = True
+        self._ring()
+
     def end(self) -> None:
         """End the thread, and with it a runtime that was launched here."""
         self._is_over = True
@@ -108,6 +119,9 @@ class RuntimeThread:
                 self._thread.join(_PATIENCE_S)
             if self._thread.is_alive():
                 return  # it waits for a runtime elsewhere; it ends with this program
+        self._close()
+
+    def _close(self) -> None:
         self._bell.close()
         self._door.close()
 
@@ -129,6 +143,8 @@ class RuntimeThread:
                 self._listen()
         finally:
             self._leave()
+            if self._is_let_go:
+                self._close()
 
     def _ring(self) -> None:
         try:
@@ -149,7 +165,7 @@ class RuntimeThread:
             readers += self._runtime.readers()
             writers = self._runtime.writers()
             times = [self._runtime.due_s(), self._multiplexer.poll_figures(self._watching.figures)]
-            times += [self._vouch.ask()] if self._url else []
+            times += [self._vouch.ask(), self._multiplexer.poll_round_trip()] if self._url else []
             wait_s = min((time for time in times if time is not None), default=None)
         if not self._orders or self._is_alone:
             select.select(readers, writers, [], wait_s)
@@ -184,18 +200,36 @@ class RuntimeThread:
         except ValueError as wrong:  # another version's words, or garbage
             self._lose(multiplexer, Reason.of("run.not_understood", why=reason_of(wrong)))
             return
+        self._tell_quality(multiplexer, environment)
         if came:
-            self._post(lambda: _tell(environment, came))
-        self._frames.put(multiplexer.readings(), multiplexer.figures, environment.model)
+            self._post(lambda: self._tell(environment, came))
+        self._frames.put(multiplexer.readings(), multiplexer.figures, self._focused(environment.model))
         if multiplexer.figures is not None:
             loads, cycles_us = multiplexer.figures.loads, multiplexer.figures.cycles_us
-            self._post(lambda: environment.become(lambda model: runtime_loss.with_loads(model, loads, cycles_us)))
+            self._become(environment, lambda model: runtime_loss.with_loads(model, loads, cycles_us))
 
     def _attend(self, multiplexer: Multiplexer, watch: Watch, model: Model) -> None:
         """What is listened to follows from these two alone; neither changes in place."""
         before, self._attended = self._attended, (watch, model)
         if before is None or before[0] is not watch or before[1] is not model:
-            multiplexer.attend(watch.attend(model))
+            multiplexer.attend(watch.attend(self._focused(model)))
+
+    def _tell_quality(self, multiplexer: Multiplexer, environment: Environment) -> None:
+        """Whether the runtime is heard, and how long the way to it is, where either has changed."""
+        runtime = self._runtime
+        is_cut = runtime is not None and not runtime.is_heard
+        trip_s = multiplexer.round_trip_s
+        quality = (is_cut, -1.0 if trip_s is None else trip_s * 1e3)
+        if not runtime_loss.is_other_quality(self._quality, quality):
+            return
+        self._quality = quality
+        self._become(environment, lambda model: runtime_loss.with_quality(model, *quality))
+
+    def _focused(self, model: Model) -> Model:
+        """The model with this station in focus; the same object as long as nothing changes."""
+        if self._focus is None or self._focus[0] is not model:
+            self._focus = (model, model.at(self._station))
+        return self._focus[1]
 
     def _reach(self, reach: RequiredRuntime) -> Reason:
         """Have the runtime there; why it is not, else nothing."""
@@ -217,6 +251,7 @@ class RuntimeThread:
         self._url = reach.url
         self._tokens[reach.url] = token
         self._multiplexer, self._attended = Multiplexer(self._runtime, monotonic), None
+        self._quality = runtime_loss.NOT_MEASURED
         self._frames.clear()
         return NOTHING
 
@@ -225,13 +260,13 @@ class RuntimeThread:
         orphans = multiplexer.orphans(in_short(reason))
         self._leave()
         if environment is not None:
-            self._post(lambda: environment.become(lambda model: runtime_loss.lost(model, reason)))
+            self._become(environment, lambda model: runtime_loss.lost(model, reason))
         self._reply(orphans)
 
     def _reply(self, answered: list[tuple[Order, request.Response]]) -> None:
         environment = self._environment
         if environment is not None:
-            self._post(lambda: _tell(environment, list(answered)))
+            self._post(lambda: self._tell(environment, list(answered)))
 
     def _leave(self) -> None:
         """Let the runtime go; one that was launched here ends."""
@@ -241,10 +276,12 @@ class RuntimeThread:
         if entered is not None:
             entered.__exit__(None, None, None)
 
+    def _become(self, environment: Environment, change: Callable[[Model], Done]) -> None:
+        self._post(lambda: environment.become(change, self._station))
 
-def _tell(environment: Environment, came: Sequence[event.Event | tuple[Order, request.Response]]) -> None:
-    for message in came:
-        if isinstance(message, tuple):
-            environment.replied(*message)
-        else:
-            environment.receive(message)
+    def _tell(self, environment: Environment, came: Sequence[event.Event | tuple[Order, request.Response]]) -> None:
+        for message in came:
+            if isinstance(message, tuple):
+                environment.replied(*message)
+            else:
+                environment.receive(message, self._station)

@@ -75,6 +75,11 @@ class RuntimeConversation:
         """Whether the runtime is heard at present."""
         return self._connection.state in (LinkState.LINKED, LinkState.SUSPECT)
 
+    @property
+    def is_heard(self) -> bool:
+        """Whether it was heard just now, and not for long silent."""
+        return self._connection.state is LinkState.LINKED
+
     def ask(self, message: request.Request) -> request.Response:
         """Ask and wait for the response; raises LinkLost with what the runtime printed last, or TimeoutError."""
         once = not isinstance(message, _AGAIN)

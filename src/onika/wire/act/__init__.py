@@ -169,6 +169,7 @@ from onika.wire.act.running import (
     Watch as Watch,
     WriteVariable as WriteVariable,
 )
+from onika.wire.act.station import AddStation as AddStation, RemoveStation as RemoveStation
 
 AnyAct = (
     New
@@ -222,6 +223,8 @@ AnyAct = (
     | ListReplaced
     | BringBack
     | Connect
+    | AddStation
+    | RemoveStation
     | Disconnect
     | KeepAlive
     | SwitchTo

@@ -1,4 +1,7 @@
-"""What a user does about who may move the robots (X12, law 27): of a document, or of a subsystem by its name."""
+"""What a user does about who may move the robots (X12, law 27): of a document, or of a subsystem by its name.
+
+A subsystem that is named, and whatever is about a whole runtime, is that of `station`; empty: of the first one.
+"""
 
 from typing import Literal
 
@@ -14,6 +17,7 @@ class Take(Act, frozen=True):
     doc: str = ""
     """The document that is connected with it; empty: it is named."""
     subsystem: str = ""
+    station: str = ""
     confirmed: bool = False
 
 
@@ -22,6 +26,7 @@ class Release(Act, frozen=True):
 
     doc: str = ""
     subsystem: str = ""
+    station: str = ""
 
 
 class Hand(Act, frozen=True):
@@ -30,6 +35,7 @@ class Hand(Act, frozen=True):
     doc: str = ""
     to: str = ""
     subsystem: str = ""
+    station: str = ""
 
 
 class Decline(Act, frozen=True):
@@ -37,18 +43,25 @@ class Decline(Act, frozen=True):
 
     doc: str = ""
     subsystem: str = ""
+    station: str = ""
 
 
 class OnlyWatch(Act, frozen=True):
     """From now on this environment changes nothing in the runtime that it is connected with; stopping stays."""
 
+    station: str = ""
+
 
 class WatchNoMore(Act, frozen=True):
     """Come anew, as somebody who may change something: the promise only to watch lasts as long as the session."""
 
+    station: str = ""
+
 
 class Company(Act, frozen=True):
     """Ask the runtime anew who is there, who holds what, and where the flows of applications are."""
+
+    station: str = ""
 
 
 class SteerTaken(Act, frozen=True):
@@ -58,3 +71,4 @@ class SteerTaken(Act, frozen=True):
     """One of its flows; all of them are meant."""
     wish: Literal["pause", "resume", "clear", "abort"]
     confirmed: bool = False
+    station: str = ""

@@ -84,6 +84,8 @@ class Seats(Act, frozen=True):
 class FindWorlds(Act, frozen=True):
     """Ask the runtime which worlds it has, and which of them are simulated; it is started where there is none (E09)."""
 
+    station: str = ""
+
 
 class Steer(Act, frozen=True):
     """A line of steering, in the words of `desk.run.steering`: `pause 0`, `skip 1 3`, `abort`."""
@@ -113,6 +115,8 @@ class PutBack(Act, frozen=True):
 
     Of a workcell that nobody here can move it is told what a person has to put where.
     """
+
+    station: str = ""
 
 
 class StartAnew(Act, frozen=True):

@@ -6,16 +6,17 @@ from onika.wire.act.act import Act, Names
 
 
 class Connect(Act, frozen=True):
-    """Connect a configuration with a runtime: merge it with what runs there (C12, C18).
+    """Connect a configuration with the runtime of a station: merge it with what runs there (C12, C18, F02).
 
-    url     empty: the runtime of this environment
+    url         of a runtime that has no station yet, and gets one; empty: that of `station`
+    station     empty: the first one; None: the one to which the configuration is assigned
     """
 
     doc: str
     url: str = ""
     token: str = ""
     subsystem: str = ""
-    confirmed: bool = False
+    station: str | None = None
 
 
 class Disconnect(Act, frozen=True):
@@ -158,16 +159,19 @@ class Answer(Act, frozen=True):
     task: str
     """By its name; a task of a run as `SUBSYSTEM/TASK`."""
     line: str
+    station: str = ""
+    """Of a run that another began."""
 
 
 class Stop(Act, frozen=True):
-    """Stop everything: every drive holds (law 27). Always carried out first, never refused."""
+    """Stop everything at every station: every drive holds (law 27). Always carried out first, never refused."""
 
 
 class AddUnit(Act, frozen=True):
     """Have one more processing unit in the runtime, or a lost one anew; what was on it stays gone."""
 
     name: str
+    station: str = ""
 
 
 class RecordByHand(Act, frozen=True):
@@ -186,13 +190,17 @@ class FindRoom(Act, frozen=True):
 
 
 class Reset(Act, frozen=True):
-    """After a Stop: allow motion again."""
+    """After a Stop: allow motion again, at one station or wherever all is stopped."""
+
+    station: str = ""
+    is_everywhere: bool = False
 
 
 class Watch(Act, frozen=True):
     """What this browser wants to see from now on: variables as `DOC/NAME`, worlds by name, figures of tasks.
 
-    A camera stands among the worlds, as `WORLD:CAMERA`.
+    A camera stands among the worlds, as `WORLD:CAMERA`. What is of another station than the first one names it:
+    `@SUBSYSTEM@STATION/NAME`, `STATION/WORLD`, `STATION/WORLD:CAMERA`.
 
     Of a run, variables are `DOC/SUBSYSTEM/NAME`, or `DOC/NAME` for the first flow that has it.
     """

@@ -99,6 +99,8 @@ class DocumentView(View, frozen=True):
     problems: dict[str, ProblemView] = field(default_factory=dict)
     connection: Literal["none", "connecting", "live", "lost"] = "none"
     subsystem: str = ""
+    station: str = ""
+    """Where it is turned on, or would be; empty: at the first station."""
     application: str = ""
     """What runs in the subsystem, which it only looks into; empty: it is connected by hand, or not at all."""
     has_ended: bool = False

@@ -57,7 +57,7 @@ class HoldView(View, frozen=True):
 
 
 class RuntimeView(View, frozen=True):
-    """The runtime of this environment."""
+    """The runtime of a station."""
 
     state: Literal["none", "starting", "linked", "lost"] = "none"
     address: str = ""
@@ -85,3 +85,7 @@ class RuntimeView(View, frozen=True):
     """What does not stand where a program needs it, by world; told while no application runs."""
     moved: dict[str, tuple[Reason, ...]] = field(default_factory=dict)
     """What stands elsewhere than at their start and does no harm there, as an arm does."""
+    is_cut: bool = False
+    """Whether nothing is heard of it at present, although it is not given up yet."""
+    round_trip_ms: float = -1.0
+    """How long the way there and back takes; -1: it was not measured."""

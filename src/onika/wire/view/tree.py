@@ -53,6 +53,9 @@ class Tree(View, frozen=True):
     clipboard: str = ""
     """What is in the buffer, in words."""
     runtime: RuntimeView = RuntimeView()
+    """That of the first station."""
+    stations: dict[str, RuntimeView] = field(default_factory=dict)
+    """Those of all other stations, by name (requirement F02)."""
     preferences: dict[str, Any] = field(default_factory=dict)
     buttons: dict[str, ButtonView] = field(default_factory=dict)
     job_types: tuple[str, ...] = ()

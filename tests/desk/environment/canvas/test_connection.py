@@ -169,16 +169,15 @@ def test_leaving_keeps_the_layout_and_what_runs(duet):  # R-C18
     assert duet.state(doc, "a") == "ON"
 
 
-def test_there_is_one_runtime_at_a_time(duet):  # R-C18
+def test_a_runtime_at_another_address_becomes_a_station_beside_the_first(duet):  # R-C18, R-F02
     doc = duet.connected("a")
-    other = duet.new()
-    refused = duet.no(act.Connect(other, url="ws://elsewhere:7994"))
-    assert refused.remedies[0].act == act.Disconnect(doc)
-    duet.do(act.Disconnect(doc))
-    refused = duet.no(act.Connect(other, url="ws://elsewhere:7994"))
-    assert "Untitled-1, which ends with it" in str(refused.reason)
-    assert refused.remedies[0].act == act.Connect(other, url="ws://elsewhere:7994", confirmed=True)
-    duet.do(refused.remedies[0].act)
+    other = duet.new("a")
+    duet.do(act.Connect(other, url="wss://elsewhere.example:7994"))
+    assert duet.environment.tree.stations["elsewhere"].address == "wss://elsewhere.example:7994"
+    assert (duet.document(doc).station, duet.document(other).station) == ("", "elsewhere")
+    third = duet.new()
+    duet.do(act.Connect(third, url="wss://elsewhere.example"))
+    assert duet.document(third).station == "elsewhere" and len(duet.environment.tree.stations) == 1
 
 
 def test_one_that_is_launched_connected_is_merged_at_once(duet):  # R-C18
@@ -204,19 +203,18 @@ def test_a_runtime_elsewhere_that_was_lost_is_looked_for_where_it_was(duet):  # 
     assert duet.environment.tree.runtime.address == "ws://lab:7994"
 
 
-def test_where_another_runtime_cannot_be_reached_the_one_before_is_not_shown_any_more(duet):  # R-C18
+def test_where_another_runtime_cannot_be_reached_the_first_stays_as_it_is(duet):  # R-C18
     doc = duet.new()
     duet.do(act.Connect(doc))
     duet.do(act.Disconnect(doc))
     duet.rebuffs = {live.Survey: request.Refused(Reason.plain("nobody is there"))}
-    assert duet.answer(act.Connect(doc, url="ws://lab:7994", confirmed=True)).no
-    runtime = duet.environment.tree.runtime
-    assert (runtime.state, runtime.address, str(runtime.text)) == ("lost", "ws://lab:7994", "nobody is there")
+    assert duet.answer(act.Connect(doc, url="ws://lab:7994")).no
+    assert duet.environment.tree.runtime.state == "linked" and not duet.environment.tree.stations
 
 
-def test_the_runtime_on_which_an_application_runs_is_not_left(tmp_path):  # R-C18
+def test_a_second_runtime_is_connected_while_an_application_runs_on_the_first(tmp_path):  # R-C18, R-F02
     play = RunFixture(tmp_path)
     doc = play.open([job("aC")])
     play.run(doc)
-    no = play.no(act.Connect(play.new("c"), url="ws://there", confirmed=True))
-    assert no.remedies[0].act == act.Steer("abort", doc)
+    play.do(act.Connect(play.new("c"), url="wss://there.example"))
+    assert play.environment.tree.run.state == "running" and list(play.environment.tree.stations) == ["there"]

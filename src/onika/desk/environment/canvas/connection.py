@@ -13,6 +13,7 @@ from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.joining import connected
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.reconcile.presence import ask_company
+from onika.desk.environment.reconcile.station_names import station_at, station_name
 from onika.desk.environment.reconcile.watched_runs import application_in
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import SubsystemFacts, WatchedRun
@@ -38,26 +39,19 @@ def connect(model: Model, document: Document, command: act.Connect, _outside: Se
         again = Remedy(Reason.of("desk.disconnect_it"), act.Disconnect(document.id))
         place = subsystem_facts.subsystem or Reason.of("desk.its_runtime")
         return No(Reason.of("desk.connected_already", name=document.name, subsystem=place), (again,))
-    elsewhere = _elsewhere(model, command)
-    if elsewhere:
-        return elsewhere
     wish = command.subsystem or (subsystem_facts.subsystem if subsystem_facts else "")
-    url = command.url or (
-        model.runtime.address if subsystem_facts is not None else ""
-    )  # a lost one is looked for where it was
-    former = document.watched
-    model = model.with_document(replace(document, live=SubsystemFacts(wish), watched=None))
-    if model.runtime.state != "linked" or url not in ("", model.runtime.address):
-        model = replace(model, runtime=view.RuntimeView("starting", url))
-    model, outcome = yield from _joined(model, document.id, wish, RequiredRuntime(url, command.token))
-    if not isinstance(outcome, Done | No):
-        yield InterimModel(_as_before(model, document.id, subsystem_facts, former, outcome))
-        name = model.documents[document.id].name
-        return No(
-            Reason.of("desk.not_connected_for", name=name, why=outcome),
-            (Remedy(Reason.of("desk.connect_to"), show=ShowConnect()),),
-        )
-    return outcome
+    there = _there(model, document, command)
+    url = command.url or (there.runtime.address if subsystem_facts is not None or there.station else "")
+    assigned = replace(document, live=SubsystemFacts(wish), watched=None, station=there.station)
+    asking = there.with_document(assigned)
+    if asking.runtime.state != "linked":
+        asking = replace(asking, runtime=view.RuntimeView("starting", url))
+    asking, outcome = yield from _joined(asking, document.id, wish, RequiredRuntime(url, command.token))
+    if isinstance(outcome, Done | No):
+        return outcome
+    yield InterimModel(_as_before(asking, document, outcome, is_new=there.station not in model.stations))
+    why = Reason.of("desk.not_connected_for", name=document.name, why=outcome)
+    return No(why, (Remedy(Reason.of("desk.connect_to"), show=ShowConnect()),))
 
 
 @on_document
@@ -69,29 +63,20 @@ def disconnect(model: Model, document: Document, command: act.Disconnect, _outsi
     return Done(model.with_document(replace(document, content=content, live=None, watched=None, taken=None)))
 
 
-def _elsewhere(model: Model, command: act.Connect) -> No | None:
-    """Why another runtime cannot be reached now: there is one at a time."""
-    if not command.url or command.url == model.runtime.address or model.runtime.state != "linked":
-        return None
-    users = [
-        document for document in model.documents.values() if document.live is not None and document.live.state == "live"
-    ]
-    here = model.runtime.address or Reason.of("desk.runtime_here")
-    if model.going:
-        abort = Remedy(Reason.of("desk.abort_it"), act.Steer("abort", model.going[0].doc))
-        return No(Reason.of("desk.application_on_runtime"), (abort,))
-    if users:
-        remedies = tuple(
-            Remedy(Reason.of("desk.disconnect_file", name=user.name), act.Disconnect(user.id)) for user in users
-        )
-        return No(Reason.of("desk.one_runtime", name=users[0].name, here=here), remedies)
-    left = tuple(model.runtime.subsystems)
-    if not left or command.confirmed:
-        return None
-    meant = msgspec.structs.replace(command, confirmed=True)
-    ends, rests = "desk.runtime_left_ends", "desk.runtime_left_rests"
-    reason = Reason.of(rests if model.runtime.address else ends, here=here, subsystems=left)
-    return No(reason, (Remedy(Reason.of("desk.go_on"), meant),))
+def _there(model: Model, document: Document, command: act.Connect) -> Model:
+    """The model with the station in focus at which a document is to be turned on, known from now on.
+
+    The first runtime that is connected at all is that of the first station, wherever it is.
+    """
+    if not command.url:
+        return model.at(document.station if command.station is None else command.station)
+    station = station_at(model, command.url)
+    if station is None and model.runtime_at("").state == "none":
+        station = ""
+    if station is not None:
+        return model.at(station)
+    name = station_name(model, command.url)
+    return model.at("").with_station(name, view.RuntimeView("starting", command.url)).at(name)
 
 
 def _joined(model: Model, doc: str, wish: str, reach: RequiredRuntime) -> Steps[tuple[Model, Done | No | Reason]]:
@@ -106,7 +91,7 @@ def _joined(model: Model, doc: str, wish: str, reach: RequiredRuntime) -> Steps[
     name = wish or _subsystem(model, document, standing)
     application = application_in(standing, name)
     if application:
-        return model, _watching(model, document, WatchedRun(name, application))
+        return model, _watching(model, document, WatchedRun(name, application, model.station))
     reason = _occupied(model, name, document)
     if reason:
         return model, reason
@@ -131,19 +116,20 @@ def _watching(model: Model, document: Document, watched: WatchedRun) -> Done:
     return Done(model, value=Reason.of("desk.looks_into", subsystem=subsystem, application=application))
 
 
-def _as_before(
-    model: Model, doc: str, former: SubsystemFacts | None, watched: WatchedRun | None, reason: Reason
-) -> Model:
-    """The model where a document could not be connected."""
-    model = model.with_document(replace(model.documents[doc], live=former, watched=watched))
+def _as_before(model: Model, former: Document, reason: Reason, *, is_new: bool) -> Model:
+    """The model where a document could not be connected; a station that was new for it is none."""
+    document = model.documents[former.id]
+    before = replace(document, live=former.live, watched=former.watched, station=former.station)
+    model = model.with_document(before)
     if model.runtime.state == "starting":
         model = replace(model, runtime=msgspec.structs.replace(model.runtime, state="lost", text=reason))
-    return model
+    station = model.station
+    return model.at("").without_station(station).at(former.station) if is_new else model
 
 
 def _subsystem(model: Model, document: Document, standing: Standing) -> str:
     """Of its own name, else the only one whose tasks are held by hand, else a new one."""
-    used = {other.live.subsystem for other in model.documents.values() if other.live and other.id != document.id}
+    used = {other.live.subsystem for other in model.documents_here.values() if other.live and other.id != document.id}
     free = [subsystem for subsystem in standing.subsystems if subsystem.name not in used and not subsystem.application]
     if any(subsystem_standing.name == document.name for subsystem_standing in free):
         return document.name
@@ -167,7 +153,7 @@ def _new_name(document: str, taken: Set[str]) -> str:
 
 def _occupied(model: Model, name: str, document: Document) -> Reason:
     """Why this subsystem is not for this document."""
-    for other in model.documents.values():
+    for other in model.documents_here.values():
         if other.live is not None and other.live.subsystem == name and other.id != document.id:
             return Reason.of("desk.subsystem_connected", name=other.name, subsystem=name)
     return NOTHING

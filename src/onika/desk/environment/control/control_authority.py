@@ -1,31 +1,67 @@
 """Acts about who may move the robots: stop, reset, take, release, hand over, decline (law 27, requirement X12)."""
 
 from dataclasses import replace
+from functools import partial
 
 from onika.desk.environment.control import held_subsystems
-from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure
+from onika.desk.environment.outcome.outcome import Ask, Done, No, Order, Procedure
 from onika.desk.environment.outcome.runtime_refusal import refusal, simply_done
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.reconcile.presence import ask_flows
+from onika.desk.environment.reconcile.station_names import called
 from onika.desk.environment.state.model import Model
-from onika.wire import act, holding, live, request
+from onika.wire import act, holding, live, page, request
 from onika.wire.runtime_standing import Standing
 from onika.wire.view import Remedy
 from onika.words.reason import Reason
 
 
 def stop(model: Model, _asked: act.Stop, _outside: Services) -> Procedure:
-    """Every drive holds, at once, whoever holds what; where there is no runtime, the answer says so."""
-    model, response = yield Ask(model, request.Stop(Reason.of("run.stop_pressed")))
+    """Every drive of every station holds, at once, whoever holds what; where there is no runtime, the answer says so.
+
+    All are asked in the same moment. One of which nothing is heard is named in the answer, and not waited for.
+    """
+    linked = [name for name, runtime in model.every_station.items() if runtime.state == "linked"]
+    cut = tuple(called(name) for name in linked if model.runtime_at(name).is_cut)
+    heard = [name for name in linked if not model.runtime_at(name).is_cut]
+    first = next(iter((*heard, *linked)), "")
+    wish = request.Stop(Reason.of("run.stop_pressed"))
+    others = tuple(Order(wish, partial(_stopped_at, name=name), station=name) for name in linked if name != first)
+    model, response = yield Ask(model.at(first), wish, orders=others)
+    if not isinstance(response, request.Done):
+        return Done(model, value=Reason.of("run.nothing_to_stop", why=refusal(response)))
+    return Done(model, value=Reason.of("run.stop_unheard", stations=cut) if cut else None)
+
+
+def _stopped_at(model: Model, response: request.Response, name: str) -> Done:
+    """What one of several stations has answered to Stop."""
     if isinstance(response, request.Done):
         return Done(model)
-    return Done(model, value=Reason.of("run.nothing_to_stop", why=refusal(response)))
+    why = Reason.of("run.stop_unanswered", station=called(name), why=refusal(response))
+    return Done(model, says=(page.Say("error", why),))
 
 
-def reset(model: Model, _asked: act.Reset, _outside: Services) -> Procedure:
-    """Motion is allowed again; nothing comes on by itself."""
-    return simply_done(model, live.Reset())
+def reset(model: Model, command: act.Reset, _outside: Services) -> Procedure:
+    """Motion is allowed again, here or at all stations where it is not; nothing comes on by itself."""
+    stopped = [name for name, runtime in model.every_station.items() if runtime.is_stopped]
+    if not command.is_everywhere or not stopped:
+        return simply_done(model, live.Reset())
+    first, *others = stopped
+    orders = tuple(Order(live.Reset(), partial(_allowed_at, name=name), station=name) for name in others)
+    return _reset(model.at(first), orders)
+
+
+def _reset(model: Model, others: tuple[Order, ...]) -> Procedure:
+    model, response = yield Ask(model, live.Reset(), orders=others)
+    return Done(model) if isinstance(response, request.Done) else No(refusal(response))
+
+
+def _allowed_at(model: Model, response: request.Response, name: str) -> Done:
+    if isinstance(response, request.Done):
+        return Done(model)
+    why = Reason.of("run.not_allowed_at", station=called(name), why=refusal(response))
+    return Done(model, says=(page.Say("error", why),))
 
 
 def add_unit(model: Model, command: act.AddUnit, _outside: Services) -> Procedure:

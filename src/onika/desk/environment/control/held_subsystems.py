@@ -18,7 +18,7 @@ from onika.words.reason import Reason
 
 def home(model: Model, subsystem: str) -> Document | None:
     """The document that is connected with a subsystem."""
-    documents = model.documents.values()
+    documents = model.documents_here.values()
     return next(
         (
             document
@@ -90,7 +90,7 @@ def run_here(model: Model) -> str:
 
 def is_taken_run(model: Model, subsystem: str) -> bool:
     """Whether the run of another is there, and is held here now."""
-    is_own = any(subsystem in run.homes for run in model.every_run)
+    is_own = any(subsystem in run.homes for run in model.runs_here)
     is_run = bool(model.runtime.holds.get(subsystem, HoldView()).application)
     return is_run and not is_own and is_held_here(model, subsystem)
 
@@ -98,7 +98,7 @@ def is_taken_run(model: Model, subsystem: str) -> bool:
 def refused(model: Model, subsystem: str, command: act.Take) -> No | None:
     """Why it is not taken, or not without a word: a run is everything that its flows do."""
     hold = model.runtime.holds.get(subsystem, HoldView())
-    is_own = any(subsystem in run.homes for run in model.every_run)
+    is_own = any(subsystem in run.homes for run in model.runs_here)
     is_offered = is_offered_here(model, subsystem)
     if not hold.application or is_own:
         return None

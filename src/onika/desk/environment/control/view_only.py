@@ -32,7 +32,7 @@ def only_watch(model: Model, _asked: act.OnlyWatch, _outside: Services) -> Proce
 
 def _held_here(model: Model) -> No | None:
     """Why that cannot be promised now: what is held here is to be released first; None: nothing is."""
-    here = [document for document in model.documents.values() if document.live and document.live.is_held_here]
+    here = [document for document in model.documents_here.values() if document.live and document.live.is_held_here]
     homes = {document.live.subsystem for document in here if document.live}
     others = [name for name in model.runtime.holds if name not in homes and is_held_here(model, name)]
     if not here and not others:
@@ -64,7 +64,7 @@ def watch_no_more(model: Model, _asked: act.WatchNoMore, _outside: Services) -> 
         yield InterimModel(done.model, says=done.says, orders=done.orders, news=done.news)
         return No(Reason.of("run.not_reached_anew", why=why))
     model = replace(model, runtime=runtime_view(structs.replace(model.runtime, sessions={}), response))
-    for document in model.documents.values():
+    for document in model.documents_here.values():
         if document.live is not None and document.live.state == "live":
             subsystem_facts = with_standing(replace(document.live, me="", offer=None), response)
             model = model.with_document(replace(document, live=subsystem_facts))

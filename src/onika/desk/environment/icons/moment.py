@@ -30,7 +30,7 @@ def measured(model: Model, standing: Standing, arm: MeasuringTasks, variables: S
         return model, No(Reason.of("desk.measured_already"))
     taken = {subsystem.name for subsystem in standing.subsystems}
     name = next(each for number in count(1) if (each := f"{_NAME}-{number}" if number > 1 else _NAME) not in taken)
-    model = replace(model, measuring=MeasuringSubsystem(name))
+    model = replace(model, measuring=MeasuringSubsystem(name, station=model.station))
     born = live.Change(name, spawn=arm.tasks, code=arm.code, on=_turns((arm.driver,)))
     model, wrong = yield from _changed(model, born)
     if wrong is None and arm.others:  # what reads the driver comes on when there is something to read
@@ -63,7 +63,7 @@ def _changed(model: Model, change: live.Change | live.Close) -> Steps[tuple[Mode
         cause = measuring.ends[response.number]
         return model, No(cause) if cause else None
     awaiting = replace(model, measuring=replace(measuring, awaits=response.number))
-    model, wrong = yield AwaitedNews(awaiting, EditEnd(response.number))
+    model, wrong = yield AwaitedNews(awaiting, EditEnd(response.number, model.station))
     if model.measuring is not None:
         model = replace(model, measuring=replace(model.measuring, awaits=None))
     return model, wrong

@@ -6,7 +6,7 @@ is to be meanwhile; it receives the model of then together with what has come; a
 """
 
 from collections.abc import Callable, Generator, Hashable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, Protocol, TypeVar
 
 from onika.desk.environment.state.model import Model
@@ -60,6 +60,12 @@ class Order:
     then: "Callable[[Model, Response], Done] | None" = None
     reach: RequiredRuntime | None = None
     """None: asked only where a runtime is there."""
+    station: str | None = None
+    """Whose runtime is asked; None: that of the station in focus."""
+
+    def at(self, station: str) -> "Order":
+        """The order to this station, where it names none."""
+        return self if self.station is not None else replace(self, station=station)
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,6 +81,7 @@ class EditEnd:
     """The end of an accepted live edit, by the runtime's number: its news is None when it is done, else a `No`."""
 
     number: int
+    station: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -42,8 +42,8 @@ def after_event(model: Model, message: event.Event, at_s: float = 0.0) -> Done:
 
 def _edited(model: Model, message: event.Edited) -> Done:
     measuring = model.measuring
-    if measuring is not None and message.subsystem == measuring.name:
-        news = ((EditEnd(message.number), No(message.cause) if message.cause else None),)
+    if measuring is not None and (message.subsystem, model.station) == (measuring.name, measuring.station):
+        news = ((EditEnd(message.number, model.station), No(message.cause) if message.cause else None),)
         return Done(replace(model, measuring=measuring.ended(message.number, message.cause)), news=news)
     document = _home(model, message.subsystem)
     if document is None:
@@ -226,7 +226,7 @@ def _with_subsystem(model: Model, name: str) -> Model:
 
 def _home(model: Model, subsystem: str) -> Document | None:
     """The document that is connected with a subsystem."""
-    documents = model.documents.values()
+    documents = model.documents_here.values()
     return next(
         (
             document

@@ -84,12 +84,12 @@ def given_up(before: Model, after: Model) -> tuple[News, ...]:
 
 def _left(before: Model, after: Model) -> tuple[Order, ...]:
     """What was held for documents that are no longer open, or no longer connected, may be held by others."""
-    homes = {document.live.subsystem for document in after.documents.values() if document.live}
+    homes = {(document.station, document.live.subsystem) for document in after.documents.values() if document.live}
     return tuple(
-        Order(live.Release(document.live.subsystem))
+        Order(live.Release(document.live.subsystem), station=document.station)
         for document in before.documents.values()
         if document.live
         and document.live.state == "live"
         and document.live.is_held_here
-        and document.live.subsystem not in homes
+        and (document.station, document.live.subsystem) not in homes
     )

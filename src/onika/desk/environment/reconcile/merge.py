@@ -91,6 +91,8 @@ def runtime_view(former: view.RuntimeView, standing: Standing) -> view.RuntimeVi
     return view.RuntimeView(
         state="linked",
         address=former.address,
+        is_cut=former.is_cut,
+        round_trip_ms=former.round_trip_ms,
         is_virtual=standing.is_virtual,
         is_stopped=standing.is_stopped,
         stop_text=former.stop_text if standing.is_stopped else NOTHING,

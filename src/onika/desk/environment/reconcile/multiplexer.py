@@ -5,11 +5,13 @@ from typing import Protocol
 
 from onika.desk.environment.outcome.outcome import Order
 from onika.desk.run.runtime_conversation import NumberedResponse
-from onika.wire import event, live, request
+from onika.wire import event, holding, live, request
 from onika.words.reason import Reason
 
 _EVERY_S = 0.5
 """How often figures are asked for while somebody wants them."""
+_TRIP_EVERY_S = 2.0
+"""How often the way to a runtime elsewhere is measured."""
 
 
 class RuntimeClient(Protocol):
@@ -46,6 +48,10 @@ class Multiplexer:
         self._figures_due_s = 0.0
         self.figures: live.Figures | None = None
         """Those that came with the last `hear`; None: none."""
+        self._trip: tuple[int, float] | None = None
+        self._trip_due_s = 0.0
+        self.round_trip_s: float | None = None
+        """How long the last question took that is answered at once; None: none was answered yet."""
 
     def ask(self, order: Order) -> None:
         """Send an order out."""
@@ -64,6 +70,8 @@ class Multiplexer:
         for message in self._runtime.messages():
             if not isinstance(message, NumberedResponse):
                 messages.append(message)
+            elif self._trip is not None and message.number == self._trip[0]:
+                self.round_trip_s, self._trip = self._clock() - self._trip[1], None
             elif message.number == self._figures_asked:
                 self._figures_asked = None
                 self.figures = message.response if isinstance(message.response, live.Figures) else None
@@ -89,4 +97,15 @@ class Multiplexer:
             return left
         self._figures_due_s = self._clock() + _EVERY_S
         self._figures_asked = self._runtime.send(live.Status())
+        return None
+
+    def poll_round_trip(self) -> float | None:
+        """Measure the way if it is time and the last question was answered; how long until it is again."""
+        if self._trip is not None:
+            return None
+        now = self._clock()
+        if now < self._trip_due_s:
+            return self._trip_due_s - now
+        self._trip_due_s = now + _TRIP_EVERY_S
+        self._trip = (self._runtime.send(holding.Sessions()), now)
         return None

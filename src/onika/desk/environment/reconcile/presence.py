@@ -54,7 +54,7 @@ def offered(model: Model, message: event.Offered, at_s: float = 0.0) -> Done:
     document = next(
         (
             document
-            for document in model.documents.values()
+            for document in model.documents_here.values()
             if document.live and document.live.subsystem == message.subsystem
         ),
         None,

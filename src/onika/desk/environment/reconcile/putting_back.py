@@ -25,9 +25,9 @@ def after_event(model: Model, message: event.Event) -> Done:
     """The model after a piece of news; where a run is over, what it had taken over is put back."""
     match message:
         case event.Stopped():
-            return due(_off(model, [run.view.number for run in model.every_run]) if message.is_stopped else model)
+            return due(_off(model, [run.view.number for run in model.runs_here]) if message.is_stopped else model)
         case event.Result():
-            return due(_off(model, [run.view.number for run in model.every_run if _has_ended_early(run)]))
+            return due(_off(model, [run.view.number for run in model.runs_here if _has_ended_early(run)]))
     return Done(model)
 
 
@@ -57,7 +57,7 @@ def lost(model: Model) -> Done:
 
 
 def _taken(model: Model) -> list[tuple[Document, TakenOver]]:
-    documents = model.documents.values()
+    documents = model.documents_here.values()
     return [(document, document.taken) for document in documents if document.taken is not None]
 
 
@@ -85,7 +85,7 @@ def _held(model: Model, response: request.Response, doc: str, subsystem: str) ->
     is_held = isinstance(response, request.Done)
     if document is not None and document.taken is not None:
         return Done(model, orders=(Order(live.Survey(), partial(_seen, doc=doc, is_held=is_held)),))
-    is_in_use = any(other.live and other.live.subsystem == subsystem for other in model.documents.values())
+    is_in_use = any(other.live and other.live.subsystem == subsystem for other in model.documents_here.values())
     return Done(model, orders=() if is_in_use or not is_held else (Order(live.Release(subsystem)),))
 
 
@@ -114,7 +114,7 @@ def _hindrance(model: Model, subsystem: str, standing: Standing) -> Reason:
     application = application_in(standing, subsystem)
     if application:
         return Reason.of("host.runs_in_already", application=application, subsystem=subsystem)
-    for other in model.documents.values():
+    for other in model.documents_here.values():
         if other.live is not None and other.live.subsystem == subsystem:
             return Reason.of("desk.subsystem_connected", name=other.name, subsystem=subsystem)
     return NOTHING

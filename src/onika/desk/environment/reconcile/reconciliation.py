@@ -29,6 +29,15 @@ _KEPT = 64
 
 def pursue(model: Model, document: Document) -> Done | No:
     """Ask the runtime for what a document differs in from what it was asked for, or wait; a no where it cannot be."""
+    outcome = _pursued(model.at(document.station), document)
+    if isinstance(outcome, No):
+        return outcome
+    orders = tuple(order.at(document.station) for order in outcome.orders)
+    return replace(outcome, model=outcome.model.at(model.station), orders=orders)
+
+
+def _pursued(model: Model, document: Document) -> Done | No:
+    """The same, with the document's station in focus."""
     subsystem_facts, base = _of(document)
     under_way = next((pending.after for pending in subsystem_facts.pending.values() if pending.after is not None), None)
     content = under_way or base.content

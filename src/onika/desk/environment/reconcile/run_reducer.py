@@ -42,7 +42,7 @@ def after_event(model: Model, message: event.Event) -> Done:
 def lost(model: Model, reason: Reason) -> Done:
     """The runtime is gone: the run is reported aborted (E10); one that had not begun is refused to who wanted it."""
     done = Done(model)
-    for run in model.going:
+    for run in model.going_here:
         ended = _lost(done.model, run, reason)
         done = Done(ended.model, says=(*done.says, *ended.says), news=(*done.news, *ended.news))
     return done
@@ -50,7 +50,7 @@ def lost(model: Model, reason: Reason) -> Done:
 
 def _lost(model: Model, run: Run, reason: Reason) -> Done:
     if run.view.state == "beginning":
-        news = () if run.awaits is None else ((EditEnd(run.awaits), No(reason)),)
+        news = () if run.awaits is None else ((EditEnd(run.awaits, run.station), No(reason)),)
         return Done(model.with_run(replace(run, awaits=None)), news=news)
     cause = Reason.of("run.lost_runtime", why=reason)
     now = with_recording_size(flow_progress.lost(run, cause, black_box_in(reason)))
@@ -63,9 +63,9 @@ def _meant(model: Model, message: event.Event) -> Run | None:
     if isinstance(message, event.Met) and message.subsystems:
         named = message.subsystems[0]
     if isinstance(message, event.Drive):
-        return next((run for run in model.going if halted_arm.claims(run, message.device)), None)
+        return next((run for run in model.going_here if halted_arm.claims(run, message.device)), None)
     if not named or isinstance(message, event.Edited):
-        return model.run
+        return next(iter(model.runs_here), None)
     return model.run_in(named)
 
 
@@ -83,7 +83,7 @@ def _edited(model: Model, run: Run, message: event.Edited) -> Done:
     """A live change has come to its end while the run is about to begin; it may be what the run waits for."""
     if run.awaits != message.number:
         return Done(model.with_run(replace(run, outcomes={**run.outcomes, message.number: message.cause})))
-    news = ((EditEnd(message.number), No(message.cause) if message.cause else None),)
+    news = ((EditEnd(message.number, model.station), No(message.cause) if message.cause else None),)
     return Done(model.with_run(replace(run, awaits=None)), news=news)
 
 
@@ -147,7 +147,7 @@ def placed(model: Model, response: request.Response) -> Done:
     """Where the flows are, as the runtime says."""
     if not isinstance(response, steer.Positions):
         return Done(model)
-    for run in model.going:
+    for run in model.going_here:
         model = model.with_run(_at(run, response))
     return Done(model)
 

@@ -14,6 +14,8 @@ from onika.desk.run.runtime_conversation import black_box_in, in_short
 from onika.wire import page, view
 from onika.words.reason import Reason
 
+_MUCH = 0.2
+
 
 def lost(model: Model, reason: Reason) -> Done:
     """The runtime is gone: layouts stay, nothing lives, nothing is wanted; connecting again merges."""
@@ -26,17 +28,29 @@ def lost(model: Model, reason: Reason) -> Done:
         )
         if document.live is not None and document.live.state == "live"
         else document
-        for key, document in model.documents.items()
+        for key, document in model.documents_here.items()
     }
     runtime = view.RuntimeView("lost", model.runtime.address, reason)  # there it is told in full
-    done = run_lost(replace(model, documents=documents, runtime=runtime), in_short(reason))
-    is_elsewhere = bool(runtime.address)
-    text = Reason.of("run.runtime_gone", address=runtime.address) if is_elsewhere else Reason.of("run.runtime_ended")
+    done = run_lost(replace(model, documents={**model.documents, **documents}, runtime=runtime), in_short(reason))
+    text = _gone(model)
     never = putting_back.lost(done.model)
-    measuring = model.measuring
-    awaited = () if measuring is None or measuring.awaits is None else ((EditEnd(measuring.awaits), No(reason)),)
+    measuring = model.measuring if model.measuring and model.measuring.station == model.station else None
+    awaited = (
+        ()
+        if measuring is None or measuring.awaits is None
+        else ((EditEnd(measuring.awaits, model.station), No(reason)),)
+    )
     says, news = (page.Say("error", text), *done.says, *never.says), (*done.news, *awaited)
-    return replace(done, model=replace(never.model, measuring=None), says=says, news=news)
+    return replace(
+        done, model=never.model if measuring is None else replace(never.model, measuring=None), says=says, news=news
+    )
+
+
+def _gone(model: Model) -> Reason:
+    if model.station:
+        return Reason.of("run.station_gone", name=model.station)
+    address = model.runtime.address
+    return Reason.of("run.runtime_gone", address=address) if address else Reason.of("run.runtime_ended")
 
 
 def with_loads(model: Model, loads: Mapping[str, float], cycles_us: Mapping[str, float]) -> Done:
@@ -49,3 +63,23 @@ def with_loads(model: Model, loads: Mapping[str, float], cycles_us: Mapping[str,
     if runtime is model.runtime and cycles_us == model.cycles_us:
         return Done(model)
     return Done(replace(model, runtime=runtime, cycles_us=cycles_us))
+
+
+NOT_MEASURED = (False, -1.0)
+
+
+def is_other_quality(former: tuple[bool, float], now: tuple[bool, float]) -> bool:
+    """Whether a link differs from what was told of it: in being heard, or by much in its round trip in ms."""
+    return former[0] is not now[0] or abs(former[1] - now[1]) > max(1.0, _MUCH * former[1])
+
+
+def with_quality(model: Model, is_cut: bool, round_trip_ms: float) -> Done:
+    """The runtime as it is heard, and how long the way there and back takes."""
+    if model.runtime.state != "linked":
+        return Done(model)
+    runtime = msgspec.structs.replace(model.runtime, is_cut=is_cut, round_trip_ms=round(round_trip_ms, 1))
+    says: tuple[page.Say, ...] = ()
+    if is_cut is not model.runtime.is_cut and model.station:
+        reason = Reason.of("run.station_cut" if is_cut else "run.station_heard", name=model.station)
+        says = (page.Say("warning" if is_cut else "info", reason),)
+    return Done(replace(model, runtime=runtime), says=says)

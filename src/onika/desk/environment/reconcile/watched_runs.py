@@ -19,7 +19,7 @@ def is_on(model: Model, watched: WatchedRun | None) -> bool:
     """Whether what is watched still runs."""
     if watched is None:
         return False
-    subsystem = model.runtime.inside.get(watched.subsystem)
+    subsystem = model.runtime_at(watched.station).inside.get(watched.subsystem)
     return subsystem is not None and subsystem.application == watched.application
 
 
@@ -27,7 +27,7 @@ def homes(model: Model) -> dict[str, str]:
     """The subsystems that documents look into, by the documents' ids."""
     return {
         doc: document.watched.subsystem
-        for doc, document in model.documents.items()
+        for doc, document in model.documents_here.items()
         if document.watched is not None and is_on(model, document.watched)
     }
 
@@ -45,10 +45,10 @@ def changed(before: Model, after: Model) -> No | None:
 
 def refusal(model: Model, document: Document, watched: WatchedRun) -> No:
     """That the tasks of a run are not changed by hand, who holds it, and what can be done."""
-    holder = model.runtime.holds.get(watched.subsystem, HoldView()).holder
+    holder = model.runtime_at(watched.station).holds.get(watched.subsystem, HoldView()).holder
     what = {"name": document.name, "subsystem": watched.subsystem, "application": watched.application}
     apart = Remedy(Reason.of("desk.look_no_more"), act.Disconnect(document.id))
     if holder:
         return No(Reason.of("desk.belongs_to_run", **what, holder=holder), (apart,))
-    take_over = Remedy(Reason.of("run.take_over"), act.Take(subsystem=watched.subsystem))
+    take_over = Remedy(Reason.of("run.take_over"), act.Take(subsystem=watched.subsystem, station=watched.station))
     return No(Reason.of("desk.belongs_to_nobody", **what), (apart, take_over))

@@ -14,7 +14,10 @@ _INTO = "@"
 
 @dataclass(frozen=True, slots=True)
 class Watch:
-    """A wish: variables as `DOC/NAME` or `@SUBSYSTEM/NAME`, worlds, figures of all tasks, how often at most."""
+    """A wish: variables as `DOC/NAME` or `@SUBSYSTEM/NAME`, worlds, figures of all tasks, how often at most.
+
+    What is of another station than the first one names it: `@SUBSYSTEM@STATION/NAME`, `STATION/WORLD`.
+    """
 
     variables: frozenset[str] = frozenset()
     worlds: frozenset[str] = frozenset()
@@ -28,11 +31,12 @@ class Watch:
         of_documents = [f"{homes[doc]}/{name}" for doc, _, name in keys if doc in homes and name]
         of_run = [home for doc, _, name in keys if (home := _home_in_run(model, doc, name))]
         readings = tuple(dict.fromkeys((*of_documents, *of_run)))
+        worlds = tuple(sorted(name for world in self.worlds if (name := world_at(model.station, world))))
         hz = _SLOWEST_HZ if isnan(self.hz) else min(max(self.hz, _SLOWEST_HZ), FASTEST_HZ)
         # others' runs tell the same words; the own one is heard of by its subsystems too where it was handed over
-        own = {home for run in model.every_run for home in run.homes}
+        own = {home for run in model.runs_here for home in run.homes}
         attended = (*sorted({*homes_of(model).values(), *own}), holding.COMPANY) if is_going(model) else ("*",)
-        return live.Attend(attended, readings, tuple(sorted(self.worlds)), hz)
+        return live.Attend(attended, readings, worlds, hz)
 
 
 def keys_of(model: Model, key: str) -> tuple[str, ...]:
@@ -43,7 +47,7 @@ def keys_of(model: Model, key: str) -> tuple[str, ...]:
     subsystem, _, name = key.rpartition("/")
     homes = {**homes_of(model), **homes_within(model)}
     of_documents = [f"{doc}/{name}" for doc, home in homes.items() if home == subsystem]
-    run = next((run for run in model.every_run if subsystem in run.view.flows), None)
+    run = next((run for run in model.runs_here if subsystem in run.view.flows), None)
     if run is None:
         return tuple(of_documents)
     is_first = _home_in_run(model, run.doc, name) == key
@@ -51,14 +55,14 @@ def keys_of(model: Model, key: str) -> tuple[str, ...]:
 
 
 def is_going(model: Model) -> bool:
-    """Whether an application of this environment runs, or is about to."""
-    return bool(model.going)
+    """Whether an application of this environment runs here, or is about to."""
+    return bool(model.going_here)
 
 
 def _home_in_run(model: Model, doc: str, name: str) -> str:
     """Where a variable `[SUBSYSTEM/]NAME` of the run of an application is; else empty."""
     run = model.run_of(doc)
-    if run is None or not name:
+    if run is None or not name or run.station != model.station:
         return ""
     try:
         return "/".join(run.flow_index.home(name))
@@ -68,13 +72,26 @@ def _home_in_run(model: Model, doc: str, name: str) -> str:
 
 def homes_within(model: Model) -> dict[str, str]:
     """The subsystems of running applications: as `@SUBSYSTEM`, and by the documents that look into them."""
-    return {f"{_INTO}{subsystem}": subsystem for subsystem in model.runtime.inside} | watched_runs.homes(model)
+    behind = f"@{model.station}" if model.station else ""
+    into = {f"{_INTO}{subsystem}{behind}": subsystem for subsystem in model.runtime.inside}
+    return into | watched_runs.homes(model)
+
+
+def world_of(station: str, name: str) -> str:
+    """A world, or a camera in it, as it is named beside those of other stations; of the first one by its name."""
+    return f"{station}/{name}" if station else name
+
+
+def world_at(station: str, name: str) -> str:
+    """The name that a world so named has at this station; empty: it is another one's."""
+    of, _, there = name.rpartition("/")
+    return there if of == station else ""
 
 
 def homes_of(model: Model) -> dict[str, str]:
     """The subsystems of the documents that are connected, by their ids."""
     return {
         doc: document.live.subsystem
-        for doc, document in model.documents.items()
+        for doc, document in model.documents_here.items()
         if document.live is not None and document.live.state == "live"
     }

@@ -107,7 +107,9 @@ def _ends(model: Model) -> Reason:
     runtime = model.runtime
     if runtime.state != "linked":
         return NOTHING
-    connected = [(document.name, document.live) for document in model.documents.values() if document.live is not None]
+    connected = [
+        (document.name, document.live) for document in model.documents_here.values() if document.live is not None
+    ]
     others = runtime.subsystems.keys() - {message.subsystem for _, message in connected}
     living = (*(name for name, message in connected if message.tasks), *sorted(others))
     if not living:
@@ -124,7 +126,7 @@ def _repeated(model: Model, run: Run, recorded: RecordedRun) -> Steps[tuple[Mode
     recorded, notes = _not_ended(recorded)
     for note in (*recorded.notes, *notes):
         run = run.noted(note)
-    connected = [document for document in model.documents.values() if document.live is not None]
+    connected = [document for document in model.documents_here.values() if document.live is not None]
     after = left(model, [document.live.subsystem for document in connected if document.live is not None])
     after = replace(after, runtime=view.RuntimeView("starting"), run=run)
     says = tuple(

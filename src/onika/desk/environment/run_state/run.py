@@ -48,6 +48,8 @@ class Run:
     """Whether the user has said pause before it had begun."""
     outcomes: Mapping[int, Reason] = field(default_factory=dict)
     """What came of live changes while the run was about to begin, by number."""
+    station: str = ""
+    """Where it is carried out; empty: at the first station."""
 
     @property
     def doc(self) -> str:

@@ -236,7 +236,7 @@ def _without_it(model: Model, before: Model) -> Model:
 
 def _new(model: Model, start: _Start) -> Run:
     run = begun(start.command.doc, start.plan, model.performed + 1, start.began_at_s, start.belonging, start.wording)
-    run = replace(run, durations=start.durations).shown(recording=start.record)
+    run = replace(run, durations=start.durations, station=model.station).shown(recording=start.record)
     for note in start.notes:
         run = run.noted(note)
     return run
@@ -293,7 +293,7 @@ def _placed(model: Model, standing: Standing, start: _Start) -> tuple[_Start, tu
         return wrong
     gone = tuple(obstacle.subsystem for obstacle in obstructing)
     living = {subsystem.name for subsystem in standing.subsystems if subsystem.tasks or subsystem.application}
-    living |= {home for run in model.beside.values() for home in run.homes}
+    living |= {home for run in model.beside.values() if run.station == model.station for home in run.homes}
     chosen = unit_choice.placed(start.plan, start.command)
     plan = rehoused(chosen, flow_placement.free(model, start.plan, living - set(gone)))
     return replace(start, plan=plan, notes=(*start.notes, *flow_placement.notes(model, plan))), gone
@@ -301,7 +301,7 @@ def _placed(model: Model, standing: Standing, start: _Start) -> tuple[_Start, tu
 
 def _ended(model: Model, start: _Start, subsystem: str) -> Steps[tuple[Model, No | None]]:
     """End what stands in the way, with all its tasks."""
-    documents = model.documents.values()
+    documents = model.documents_here.values()
     names = [document.name for document in documents if document.live and document.live.subsystem == subsystem]
     says = tuple(page.Say("info", Reason.of("run.taken_over_by", name=name, application=start.name)) for name in names)
     after = takeover.taken_over(model, subsystem, model.performed + 1, start.name)
@@ -314,7 +314,7 @@ def _ended(model: Model, start: _Start, subsystem: str) -> Steps[tuple[Model, No
     refused_ = No(cause) if cause else None
     if cause is None:
         awaiting = replace(model.run, awaits=response.number)
-        model, refused_ = yield AwaitedNews(replace(model, run=awaiting), EditEnd(response.number))
+        model, refused_ = yield AwaitedNews(replace(model, run=awaiting), EditEnd(response.number, model.station))
     if refused_ is None and _is_given_up(model):
         refused_ = _given_up(start)
     return model, refused_

@@ -58,7 +58,7 @@ def notes(model: Model, plan: Plan) -> tuple[Reason, ...]:
 
 def free(model: Model, plan: Plan, taken: Collection[str]) -> dict[str, str]:
     """A subsystem for each flow that is not nested: of its own name, else of one that nobody has."""
-    documents = model.documents.values()
+    documents = model.documents_here.values()
     connected = {document.live.subsystem for document in documents if document.live is not None}
     put_back = {document.taken.subsystem for document in documents if document.taken is not None}
     used = {name.partition(".")[0] for name in (*taken, *connected, *put_back)}

@@ -56,7 +56,7 @@ class _Wanted:
 def obstacles(model: Model, standing: Standing, plan: Plan) -> tuple[Obstacle, ...]:
     """All that lives in the way of a plan, by subsystem; what does not share anything with it lives on."""
     wanted = _Wanted.by(plan)
-    documents = {document.live.subsystem: document.name for document in model.documents.values() if document.live}
+    documents = {document.live.subsystem: document.name for document in model.documents_here.values() if document.live}
     obstacles_met = []
     for subsystem in standing.subsystems:
         living = _living(subsystem)
@@ -70,7 +70,7 @@ def documents_in_the_way(model: Model, plan: Plan) -> tuple[Document, ...]:
     """The connected documents of which tasks live in the way of a plan, as far as it is known here."""
     wanted = _Wanted.by(plan)
     in_the_way = []
-    for document in model.documents.values():
+    for document in model.documents_here.values():
         names = document.live.tasks if document.live is not None and document.live.state == "live" else ()
         tasks = [model.libraries.tasks[name] for name in names if name in model.libraries.tasks]
         if any(wanted.is_had_by(task) for task in tasks):
@@ -88,7 +88,7 @@ def _living(subsystem: SubsystemStanding) -> tuple[PlannedTask, ...]:
 def left(model: Model, subsystems: Iterable[str]) -> Model:
     """The model whose documents are connected with none of these subsystems any more; their layouts stay."""
     gone = set(subsystems)
-    for document in model.documents.values():
+    for document in model.documents_here.values():
         if document.live is not None and document.live.subsystem in gone:
             content = replace(document.content, wanted={})
             model = model.with_document(replace(document, content=content, live=None))

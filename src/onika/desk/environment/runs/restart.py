@@ -44,7 +44,7 @@ def _homes(model: Model) -> dict[str, SubsystemFacts]:
     """What is known of the subsystems of the connected documents, by document."""
     return {
         document.id: document.live
-        for document in model.documents.values()
+        for document in model.documents_here.values()
         if document.live is not None and document.live.state == "live"
     }
 
@@ -56,14 +56,14 @@ def _living(model: Model) -> list[Document]:
 
 def _ends(model: Model) -> Iterator[str]:
     """The names of what ends with the runtime."""
-    yield from (run.view.name for run in model.going)
+    yield from (run.view.name for run in model.going_here)
     yield from (document.name for document in _living(model))
 
 
 def _at_its_end(model: Model) -> Model:
     """The model when nothing lives any more and another runtime starts."""
     after = left(model, [subsystem_facts.subsystem for subsystem_facts in _homes(model).values()])
-    for run in after.going:
+    for run in after.going_here:
         after = after.with_run(flow_progress.lost(run, _CAUSE))
     return replace(after, runtime=flow_placement.starting(model.runtime))
 
@@ -72,5 +72,5 @@ def _says(model: Model) -> Iterator[page.Say]:
     """What of this model ends with the runtime, one line for each."""
     for document in _living(model):
         yield page.Say("info", Reason.of("run.disconnected_why", name=document.name, why=_CAUSE), document.id)
-    for run in model.going:
+    for run in model.going_here:
         yield page.Say("error", Reason.of("run.aborted_why", name=run.view.name, why=_CAUSE))

@@ -56,7 +56,7 @@ def in_a_switch(model: Model, obstacles: Sequence[Obstacle], command: act.Run) -
 def taken_over(model: Model, subsystem: str, run: int, application: str) -> Model:
     """The model whose document of a subsystem is taken over by a run; its layout stays."""
     documents = [
-        document for document in model.documents.values() if document.live and document.live.subsystem == subsystem
+        document for document in model.documents_here.values() if document.live and document.live.subsystem == subsystem
     ]
     after = left(model, (subsystem,))
     for document in documents:
@@ -119,7 +119,7 @@ class Fates:
 
 def _documents(model: Model, obstacles: Sequence[Obstacle]) -> list[Document]:
     subsystems = {obstacle.subsystem for obstacle in obstacles}
-    documents = model.documents.values()
+    documents = model.documents_here.values()
     return [document for document in documents if document.live and document.live.subsystem in subsystems]
 
 

@@ -170,6 +170,7 @@ def document_view(
         greyed=greyed,
         objections=_kept({name: why for name, why in objected.items() if name not in greyed}, old.objections),
         problems=_kept(troubles, old.problems),
+        station=document.station,
         taken_by=document.taken.application if document.taken is not None else "",
     )
     if document.watched is not None:

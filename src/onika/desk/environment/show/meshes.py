@@ -31,7 +31,9 @@ def meshes(model: Model, command: act.Meshes, outside: Services) -> Steps[Done |
     """Make those that are not there yet; the value is the names of those that are there now."""
     if outside.state is None or outside.meshing is None:
         return Done(model, value=[])
-    make = partial(made, MeshFolder(outside.state), outside.site, command.world, command.meshes[:_MOST])
+    make = partial(
+        made, MeshFolder(outside.state), outside.site, command.world.rpartition("/")[2], command.meshes[:_MOST]
+    )
     model, names = yield Work(model, outside.meshing, make)
     return Done(model, value=names)
 

@@ -66,6 +66,7 @@ class Projector:
             application_files=dict(model.application_files),
             clipboard=" ".join(placed.task for placed in model.clipboard.placed),
             runtime=model.runtime,
+            stations={name: runtime for name, runtime in model.every_station.items() if name},
             preferences=self._once(
                 "preferences", (model.preferences, model.settings), lambda: preference_values(model)
             ),
@@ -151,7 +152,7 @@ class Projector:
         )
         living = document.live.tasks if document.live else None
         pending = document.live.pending if document.live else None
-        runtime = model.runtime
+        runtime = model.runtime_at(document.station)
         behind = self._once(
             f"stale {document.id}",
             (document.content.configuration, living, pending, libraries, runtime.outdated, runtime.address),
@@ -171,8 +172,8 @@ class Projector:
         troubles = self._once(f"troubles {document.id}", parts, lambda: parts[0] | parts[1] | parts[2] | parts[3])
         late = self._once(
             f"load {document.id}",
-            (document, libraries.tasks, self._loads(model), model.runtime.units),
-            lambda: without_time(document, libraries, self._loads(model), model.runtime.units),
+            (document, libraries.tasks, self._loads(model), runtime.units),
+            lambda: without_time(document, libraries, self._loads(model), runtime.units),
         )
         greyed = self._once(f"greyed {document.id}", (greyed, late), lambda: joined(greyed, late))
         view: DocumentView = self._once(
@@ -185,9 +186,10 @@ class Projector:
 
     def _in_run(self, document: Document, model: Model) -> Document:
         """As it is shown where it looks into a running application."""
-        watched, runtime = document.watched, model.runtime
+        watched = document.watched
         if watched is None or not is_on(model, watched):
             return document
+        runtime = model.runtime_at(watched.station)
         subsystem, substitutes = runtime.inside[watched.subsystem], stand_ins(model, watched.subsystem)
         holder = runtime.holds.get(watched.subsystem, HoldView()).holder
         me = next((name for name, session in runtime.sessions.items() if session.is_you), "")

@@ -20,6 +20,8 @@ class Document(OpenFile[Configuration, Content]):
     """The running application that it looks into, or looked into last."""
     taken: TakenOver | None = None
     """What a run has taken over of it; None: nothing."""
+    station: str = ""
+    """The station at which it is turned on; empty: the first one."""
 
     @property
     def name(self) -> str:

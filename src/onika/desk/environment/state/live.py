@@ -90,6 +90,7 @@ class WatchedRun:
 
     subsystem: str
     application: str
+    station: str = ""
 
 
 @dataclass(frozen=True, slots=True)

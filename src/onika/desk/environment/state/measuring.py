@@ -16,6 +16,8 @@ class MeasuringSubsystem:
     """By the runtime's numbers: why one was taken back; nothing: it is done."""
     awaits: int | None = None
     """The change whose end an act waits for."""
+    station: str = ""
+    """Where it lives."""
 
     def ended(self, number: int, cause: Reason) -> "MeasuringSubsystem":
         """With the end of one more change."""

@@ -27,6 +27,8 @@ from onika.wire import view
 from onika.words.fault import Refusal
 from onika.words.reason import Reason
 
+_NO_RUNTIME = view.RuntimeView()
+
 
 @dataclass(frozen=True, slots=True)
 class Model:
@@ -47,6 +49,11 @@ class Model:
     files: Mapping[str, view.ConfigurationFile] = field(default_factory=dict)
     """The configurations that could be opened, by path."""
     runtime: view.RuntimeView = field(default_factory=view.RuntimeView)
+    """That of the station in focus."""
+    station: str = ""
+    """The station in focus, about which something is decided or told; empty: the first one, as between any two acts."""
+    stations: Mapping[str, view.RuntimeView] = field(default_factory=lambda: {"": view.RuntimeView()})
+    """The runtimes of all stations, by name, each as it was when it was in focus last (requirement F02)."""
     job_types: tuple[str, ...] = ()
     edges: Mapping[str, Any] = field(default_factory=dict)
     syntax: Syntax | None = None
@@ -91,6 +98,44 @@ class Model:
     """How many runs there were."""
     people: int = 0
 
+    def at(self, station: str) -> "Model":
+        """The same with another station in focus; of one that is not known nothing is kept."""
+        if station == self.station:
+            return self
+        return replace(self, station=station, runtime=self.runtime_at(station), stations=self.every_station)
+
+    @property
+    def every_station(self) -> Mapping[str, view.RuntimeView]:
+        """The runtimes of all stations, by name, in the order in which they were connected; the first has none."""
+        return {**self.stations, self.station: self.runtime} if self.station in self.stations else self.stations
+
+    def runtime_at(self, station: str) -> view.RuntimeView:
+        """The runtime of a station, whichever is in focus."""
+        return self.every_station.get(station, _NO_RUNTIME)
+
+    def with_station(self, name: str, runtime: view.RuntimeView) -> "Model":
+        """With a station that is not in focus, new or in its newest form."""
+        return replace(self, stations={**self.stations, name: runtime})
+
+    def without_station(self, name: str) -> "Model":
+        """With one station less that is not in focus."""
+        return replace(self, stations={other: seen for other, seen in self.stations.items() if other != name})
+
+    @property
+    def documents_here(self) -> Mapping[str, Document]:
+        """The configurations that are assigned to the station in focus, by their ids."""
+        return {key: document for key, document in self.documents.items() if document.station == self.station}
+
+    @property
+    def going_here(self) -> tuple[Run, ...]:
+        """The runs at the station in focus that are not over."""
+        return tuple(run for run in self.runs_here if not run.is_over)
+
+    @property
+    def runs_here(self) -> tuple[Run, ...]:
+        """The runs at the station in focus: the one that was begun last, then those beside it."""
+        return tuple(run for run in self.every_run if run.station == self.station)
+
     def with_document(self, document: Document) -> "Model":
         """With a document in its newest form."""
         return replace(self, documents={**self.documents, document.id: document})
@@ -115,8 +160,8 @@ class Model:
         return next((run for run in of_application if not run.is_over), next(iter(of_application), None))
 
     def run_in(self, subsystem: str) -> Run | None:
-        """The run that goes on in a subsystem; one that is about to begin may not have its place yet."""
-        there = [run for run in self.going if subsystem in run.homes]
+        """The run that goes on in a subsystem here; one that is about to begin may not have its place yet."""
+        there = [run for run in self.going_here if subsystem in run.homes]
         return next((run for run in there if run.view.state != "beginning"), next(iter(there), None))
 
     def with_run(self, run: Run) -> "Model":

@@ -1,0 +1,46 @@
+"""Which station an act is about: its document's, or the one that it names (requirement F02)."""
+
+from dataclasses import replace
+from typing import Any
+
+from msgspec import structs
+
+from onika.desk.environment.outcome.outcome import No
+from onika.desk.environment.state.model import Model
+from onika.wire import act
+from onika.wire.view import Remedy
+
+
+def station_of(model: Model, command: act.AnyAct) -> str:
+    """The station that is in focus while an act is carried out; empty: the first one."""
+    named: str = getattr(command, "station", None) or ""
+    if named:
+        return named
+    if isinstance(command, act.Scene):
+        return command.world.rpartition("/")[0]
+    if isinstance(command, act.SampleVariables):
+        doc = next(iter(command.variables), "").partition("/")[0]
+        return doc[1:].partition("@")[2] if doc.startswith("@") else _of_file(model, doc)
+    return _of_file(model, getattr(command, "doc", ""))
+
+
+def located(refusal: No, station: str) -> No:
+    """A refusal at a station whose remedies are acts at the same."""
+    if not station:
+        return refusal
+    return replace(refusal, remedies=tuple(_located(remedy, station) for remedy in refusal.remedies))
+
+
+def _located(remedy: Remedy, station: str) -> Remedy:
+    if getattr(remedy.act, "station", None) != "":
+        return remedy
+    asked: Any = remedy.act
+    return structs.replace(remedy, act=structs.replace(asked, station=station))
+
+
+def _of_file(model: Model, doc: str) -> str:
+    """Where a configuration is turned on, and an application runs; of none the run that was begun last."""
+    if doc in model.documents:
+        return model.documents[doc].station
+    run = model.run_of(doc) if doc else model.run
+    return "" if run is None or run.is_over else run.station
