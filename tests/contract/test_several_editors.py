@@ -52,7 +52,7 @@ class _Late(FakeRuntimeEnv):
             if not self._waiting:
                 return
             order = self._waiting.popleft()
-            response = self.runtime.ask(order.asked)
+            response = self.runtime_at(order.station or "").ask(order.asked)
             self.environment.replied(order, response)
             self.hear()
 
