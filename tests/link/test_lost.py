@@ -19,6 +19,7 @@ def test_each_cause_says_distinctly_what_happened():  # R-F01
         LossCause.CERTIFICATE,
         LossCause.TOKEN,
         LossCause.FORBIDDEN,
+        LossCause.OVER,
     }
     assert {why.cause for why in sentences} == set(LossCause) - opening
     assert len({str(why) for why in sentences}) == len(sentences)
@@ -26,7 +27,7 @@ def test_each_cause_says_distinctly_what_happened():  # R-F01
 
 def test_what_trying_again_does_not_mend_is_final():
     final = {cause for cause in LossCause if LinkLost(cause, NOTHING).is_final}
-    assert final == {LossCause.VERSION, LossCause.CERTIFICATE, LossCause.TOKEN, LossCause.FORBIDDEN}
+    assert final == {LossCause.VERSION, LossCause.CERTIFICATE, LossCause.TOKEN, LossCause.FORBIDDEN, LossCause.OVER}
 
 
 def test_a_good_bye_says_its_cause():

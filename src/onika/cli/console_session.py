@@ -13,7 +13,7 @@ from onika.cli.plain_console import PlainConsole
 from onika.desk.console.console import Console
 from onika.desk.console.display import ConsoleDisplay, Tone
 from onika.desk.console.session import ConsoleSession, Runtime
-from onika.files.state_directory import state_directory
+from onika.files.state.state_directory import state_directory
 from onika.store.site import Site
 from onika.words.reason import Reason
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from onika.cli.language import say
 from onika.cli.search_path import directory, site_here
-from onika.files.state_directory import state_directory
+from onika.files.state.state_directory import state_directory
 from onika.store.own_copy import OwnCopy, gone_back, own_copies, own_copy
 from onika.store.replaced_texts import ReplacedTexts
 from onika.store.site import Site

@@ -11,7 +11,7 @@ from onika.cli.language import say
 from onika.cli.runtime import add_base, unit
 from onika.cli.search_path import site_here
 from onika.desk.environment.reconcile.station_names import HERE
-from onika.files.state_directory import state_directory
+from onika.files.state.state_directory import state_directory
 from onika.link.address import Address
 from onika.link.token import read_token
 from onika.web.program import EnvironmentOptions, EnvironmentProgram

@@ -33,6 +33,8 @@ def describe(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     parser.add_argument("--script", type=script_file, metavar="FILE", help=say(Reason.of("cli.console_script")))
     parser.add_argument("--no-console", action="store_true", help=say(Reason.of("cli.runtime_no_console")))
+    parser.add_argument("--hand-over", action="store_true", help=say(Reason.of("cli.runtime_hand_over")))
+    parser.add_argument("--stay", action="store_true", help=say(Reason.of("cli.runtime_stay")))
     parser.add_argument("--listen", metavar="HOST:PORT", help=say(Reason.of("cli.runtime_listen")))
     parser.add_argument("--cert", metavar="FILE", help=say(Reason.of("cli.runtime_cert")))
     parser.add_argument("--key", metavar="FILE", help=say(Reason.of("cli.runtime_key")))
@@ -51,13 +53,14 @@ def carry_out(given: argparse.Namespace) -> int:
     from onika.cli.console_session import sit_down  # within: it takes long to load, and other commands use the rest
 
     listen = _listen(given)
-    if given.no_console and given.script is None and not listen:
-        given.complain(say(Reason.of("cli.unreachable")))
+    _judge(given, listens=bool(listen))
     rtpus = tuple(dict.fromkeys(given.rtpu)) or ("rt0",)
     site = site_here(given.base)
     scaled = () if given.scale is None else ("--scale", f"{given.scale:g}")
     is_virtual = given.virtual or given.scale is not None
     options = (*listen, *scaled, *_held(given))
+    if given.hand_over:
+        return _hand_over(given, rtpus, is_virtual=is_virtual, options=options)
     launched = LaunchedRuntime(rtpus, is_virtual, not given.no_fifo, options, not given.no_black_box)
     with ExitStack() as stack:
         try:
@@ -70,6 +73,27 @@ def carry_out(given: argparse.Namespace) -> int:
             print(launched.printed().strip(), file=sys.stderr)
             return 2
         return sit_down(runtime, site, given.script, has_console=not given.no_console)
+
+
+def _judge(given: argparse.Namespace, *, listens: bool) -> None:
+    """End where options do not go together."""
+    if given.stay and not given.hand_over:
+        given.complain(say(Reason.of("cli.stay_by_hand_over")))
+    if given.hand_over and (listens or given.script is not None):
+        given.complain(say(Reason.of("cli.hand_over_alone")))
+    if given.no_console and given.script is None and not listens:
+        given.complain(say(Reason.of("cli.unreachable")))
+
+
+def _hand_over(given: argparse.Namespace, rtpus: tuple[str, ...], *, is_virtual: bool, options: tuple[str, ...]) -> int:
+    from onika.cli.hand_over import LISTEN, hand_over, hand_over_staying  # within: only who is called by ssh needs it
+
+    if not given.stay:
+        options = (*LISTEN, *options)
+        return hand_over(LaunchedRuntime(rtpus, is_virtual, not given.no_fifo, options, not given.no_black_box))
+    words = [word for name in rtpus for word in ("--rtpu", name)]
+    words += ["--virtual"] * is_virtual + ["--no-fifo"] * given.no_fifo + ["--no-black-box"] * given.no_black_box
+    return hand_over_staying((*words, *options))
 
 
 def add_base(parser: argparse.ArgumentParser) -> None:

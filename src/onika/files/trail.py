@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from onika.files.state_directory import state_directory
+from onika.files.state.state_directory import state_directory
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
 

@@ -10,8 +10,9 @@ from functools import partial
 from pathlib import Path
 from time import monotonic_ns
 
-from onika.files.access import STRANGERS, WRITING, Access, guard
-from onika.files.state_directory import guarded, state_directory
+from onika.files.state.access import STRANGERS, WRITING, Access, guard
+from onika.files.state.state_directory import guarded, state_directory
+from onika.files.state.staying_runtime import StayingFile, StayingRuntime
 from onika.host.guards.call_watchdog import CallWatchdog
 from onika.host.guards.code_guard import CodeGuard, own_code
 from onika.host.guards.code_watch import CodeWatch
@@ -38,6 +39,7 @@ from onika.host.units.rtpu import preload
 from onika.host.units.virtual import VirtualDriver
 from onika.host.units.wall import WallDriver
 from onika.host.units.world_registry import open_world
+from onika.link.address import Address
 from onika.link.launcher import die_with_parent, inherit
 from onika.link.sessions import Sessions
 from onika.record.black_box_folder import black_box_folder
@@ -75,7 +77,10 @@ def _run(words: list[str]) -> None:
     if given.forecast:
         os.nice(_FORECAST_NICE)
     _guard_files(given)
+    staying = _staying(given)
     listener = _listener(given)
+    if staying is not None and listener is not None:
+        staying.say(StayingRuntime(Address.parse(listener.address).port, os.getpid()))
     audit = _audit(given)
     loader = Loader(stays_inside=given.forecast)
     loader_client = LoaderClient(loader)
@@ -105,6 +110,8 @@ def _run(words: list[str]) -> None:
             audit.close()
         if listener is not None:
             listener.close()
+        if staying is not None:
+            staying.close()
 
 
 def _given(words: list[str]) -> argparse.Namespace:
@@ -128,6 +135,7 @@ def _given(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--users", default="")
     parser.add_argument("--name", action="append", default=[])
     parser.add_argument("--accept-code", action="store_true")
+    parser.add_argument("--stay", default="", metavar="FILE")
     given = parser.parse_args(words)
     if (given.link_fd is None) != (given.parent is None) or (given.link_fd is None and not given.listen):
         parser.error(in_language(Reason.of("host.no_way_in"), own_language()))
@@ -212,6 +220,17 @@ def _listener(given: argparse.Namespace) -> ListenerProcess | None:
     sys.stdout.write(f"onika runtime: listening on {listener.address}{token}\n")
     sys.stdout.flush()
     return listener
+
+
+def _staying(given: argparse.Namespace) -> StayingFile | None:
+    """Where it says that it stays; the end where another one does."""
+    if not given.stay:
+        return None
+    try:
+        return StayingFile(Path(given.stay))
+    except OSError as wrong:
+        _print(Reason.of("host.not_to_stay", path=given.stay, why=system_reason(wrong)))
+        raise SystemExit(2) from None
 
 
 def _guard_files(given: argparse.Namespace) -> None:

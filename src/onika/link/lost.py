@@ -33,6 +33,11 @@ class LossCause(Enum):
     """The token is wrong or missing."""
     FORBIDDEN = "forbidden"
     """The role, the address or the name under which it was called is not allowed."""
+    OVER = "over"
+    """What was reached was there for this connection only, and is no more."""
+
+
+_FINAL = (LossCause.VERSION, LossCause.CERTIFICATE, LossCause.TOKEN, LossCause.FORBIDDEN, LossCause.OVER)
 
 
 class LinkLost(Exception):
@@ -46,7 +51,7 @@ class LinkLost(Exception):
     @property
     def is_final(self) -> bool:
         """Whether trying again as it stands mends nothing."""
-        return self.cause in (LossCause.VERSION, LossCause.CERTIFICATE, LossCause.TOKEN, LossCause.FORBIDDEN)
+        return self.cause in _FINAL
 
 
 def closed(why: Reason = NOTHING) -> LinkLost:

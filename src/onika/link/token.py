@@ -7,7 +7,7 @@ import secrets
 from collections.abc import Mapping
 from pathlib import Path
 
-from onika.files.state_directory import make_own, state_directory
+from onika.files.state.state_directory import make_own, state_directory
 from onika.words.reason import Reason
 
 

@@ -43,12 +43,14 @@ class WebSocketOpening:
     address: Address
     token: str
     authority: Path | None = None
+    tunnel: Path | None = None
+    """A socket of this machine that leads there, where there is no other way; no datagrams go along it."""
 
     def __call__(self, channel: Channel) -> WebSocketCarrier:
         """Open a connection for a channel; raises LinkLost."""
         until = monotonic() + OPEN_S
         try:
-            connected = socket.create_connection((self.address.host, self.address.port), CONNECT_S)
+            connected = self._connected()
         except TimeoutError:
             raise LinkLost(
                 LossCause.TIMEOUT, Reason.of("link.no_answer", address=str(self.address), seconds=CONNECT_S)
@@ -62,8 +64,21 @@ class WebSocketOpening:
             connected.close()
             raise
 
+    def _connected(self) -> socket.socket:
+        if self.tunnel is None:
+            connected = socket.create_connection((self.address.host, self.address.port), CONNECT_S)
+            connected.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            return connected
+        connected = socket.socket(socket.AF_UNIX)
+        try:
+            connected.settimeout(CONNECT_S)
+            connected.connect(str(self.tunnel))
+        except OSError:
+            connected.close()
+            raise
+        return connected
+
     def _open(self, connected: socket.socket, channel: Channel, until: float) -> WebSocketCarrier:
-        connected.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         connected.settimeout(OPEN_S)
         protocol = ClientProtocol(parse_uri(f"{self.address}/{channel.value}"), max_size=FRAME_LIMIT, logger=SILENT)
         request = protocol.connect()
@@ -86,7 +101,8 @@ class WebSocketOpening:
         except OSError as fault:
             ended = Reason.of("link.opening_ended", address=str(self.address), why=system_reason(fault))
             raise LinkLost(LossCause.UNREACHABLE, ended) from None
-        return WebSocketCarrier(private, protocol, heartbeat_sender=_heartbeat_sender(private, protocol))
+        heartbeat_sender = None if self.tunnel is not None else _heartbeat_sender(private, protocol)
+        return WebSocketCarrier(private, protocol, heartbeat_sender=heartbeat_sender)
 
     def _secure(self, connected: socket.socket) -> socket.socket:
         if not self.address.is_private:

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from pathlib import Path
 
-from onika.files.state_directory import make_own
+from onika.files.state.state_directory import make_own
 
 MOST_BYTES = 256 * 2**20
 """What all of them may take together; beyond it those that were asked for longest ago go."""

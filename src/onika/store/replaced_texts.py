@@ -11,7 +11,7 @@ from pathlib import Path
 import msgspec
 
 from onika.files import text as texts, whole
-from onika.files.state_directory import make_own
+from onika.files.state.state_directory import make_own
 from onika.words.fault import Refusal
 from onika.words.reason import Reason
 from onika.words.system_error import system_reason

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from prompt_toolkit.history import InMemoryHistory
 
-from onika.files.state_directory import make_own
+from onika.files.state.state_directory import make_own
 
 _KEPT = 1000
 _LONGEST = 4000

@@ -13,7 +13,7 @@ from onika.desk.environment.environment import ActAnswer
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
-from onika.files.state_directory import make_own
+from onika.files.state.state_directory import make_own
 from onika.wire import act, page
 from onika.words.reason import NOTHING, Reason
 from onika.words.system_error import system_reason

@@ -1,6 +1,8 @@
-"""A runtime that somebody else started, reached over the network."""
+"""A runtime on another machine, or one that somebody else started here: reached at its address."""
 
 import os
+from contextlib import AbstractContextManager, closing, nullcontext
+from dataclasses import replace
 from pathlib import Path
 from time import monotonic_ns
 from types import TracebackType
@@ -11,24 +13,34 @@ from onika.link.connection import Connection
 from onika.link.connector import ThreadConnector
 from onika.link.link_terms import REMOTE
 from onika.link.lost import LinkLost, LossCause
+from onika.link.ssh_address import SshAddress, is_by_ssh
+from onika.link.ssh_opening import START_S, SshOpening
 from onika.link.token import read_token, token_path
 from onika.link.websocket_opening import WebSocketOpening
 from onika.words.reason import Reason, reason_of
 
+_BY_SSH = replace(REMOTE, greeting_ns=round(START_S * 1e9) + REMOTE.greeting_ns)
+"""The terms where a runtime is only started when somebody comes."""
+
 
 class RemoteRuntime(RuntimeConversation):
-    """A runtime that somebody else started; it lives on after the `with` block."""
+    """A runtime at an address; unless it was started for this, it lives on after the `with` block."""
 
-    def __init__(self, opening: WebSocketOpening) -> None:
+    def __init__(self, opening: WebSocketOpening | SshOpening) -> None:
         self._opening = opening
-        super().__init__(Connection(None, monotonic_ns, REMOTE, connector=ThreadConnector(opening)))
+        self._terms = REMOTE
+        self._way: AbstractContextManager[object] = nullcontext()
+        if isinstance(opening, SshOpening):
+            self._terms, self._way = _BY_SSH, closing(opening)
+        super().__init__(Connection(None, monotonic_ns, self._terms, connector=ThreadConnector(opening)))
 
     def __enter__(self) -> "RemoteRuntime":
         try:
-            self._connection.open(REMOTE.greeting_ns / 1e9)
-        except (LinkLost, TimeoutError) as lost:
+            self._connection.open(self._terms.greeting_ns / 1e9)
+        except BaseException as lost:
             self._connection.close(timeout_s=0.0)
-            if isinstance(lost, LinkLost):
+            self._way.__exit__(None, None, None)
+            if not isinstance(lost, TimeoutError):
                 raise
             late = Reason.of("link.late", address=str(self._opening.address), why=reason_of(lost))
             raise LinkLost(LossCause.TIMEOUT, late) from None
@@ -38,14 +50,17 @@ class RemoteRuntime(RuntimeConversation):
         self, kind: type[BaseException] | None, fault: BaseException | None, trace: TracebackType | None
     ) -> None:
         self._connection.close(timeout_s=0.5)
+        self._way.__exit__(kind, fault, trace)
 
 
 def connect(url: str, token: str = "", ca: Path | None = None) -> RemoteRuntime:
     """A runtime at an address; raises ValueError for what is no address, LinkLost where no token is to be had.
 
-    token   empty: that of ONIKA_TOKEN, or on this machine the one in the user's state directory
+    token   empty: that of ONIKA_TOKEN, or on this machine the one in the user's state directory; none for `ssh://`
     ca      a file of certificates to trust beside the system's
     """
+    if is_by_ssh(url):
+        return RemoteRuntime(SshOpening(SshAddress.parse(url)))
     address = Address.parse(url)
     return RemoteRuntime(WebSocketOpening(address, token or _token(address), ca))
 

@@ -12,7 +12,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from threading import Event, Lock, Thread
 
-from onika.files.state_directory import make_own
+from onika.files.state.state_directory import make_own
 from onika.files.trail import head_of, line, torn_hash, usual_path
 from onika.words.reason import NOTHING, Reason
 from onika.words.system_error import system_reason

@@ -12,7 +12,7 @@ from typing import Protocol
 
 from msgspec.structs import replace
 
-from onika.files.access import STRANGERS, WRITING, Access, guard
+from onika.files.state.access import STRANGERS, WRITING, Access, guard
 from onika.host.sessions.listen_options import ListenerSettings, ListenOptions, judge
 from onika.host.sessions.listener_process import ListenerProcess
 from onika.host.sessions.request_backlog import Answer

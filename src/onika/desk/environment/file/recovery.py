@@ -22,7 +22,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.environment.state.open_file import DocumentKind
 from onika.files import appl, text, whole
-from onika.files.state_directory import make_own
+from onika.files.state.state_directory import make_own
 from onika.wire import page
 from onika.words.fault import Refusal
 from onika.words.reason import NOTHING, Reason, reason_of

@@ -10,7 +10,7 @@ from onika.desk.environment.file.recordings_folder import recording_path
 from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.outcome.services import Services
 from onika.desk.environment.state.model import Model
-from onika.files.state_directory import make_own
+from onika.files.state.state_directory import make_own
 from onika.wire import act
 from onika.wire.view import Remedy
 from onika.words.reason import NOTHING, Argument, Reason

@@ -3,9 +3,9 @@
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from onika.files.access import ANYTHING, WRITING, Access
+from onika.files.state.access import ANYTHING, WRITING, Access
 
-_SECRET = ("token", "console_history")
+_SECRET = ("token", "console_history", "staying", "staying.log")
 _SECRET_FOLDERS = ("audit", "diary", "black-boxes")
 _FOLDERS = ("recordings", "recovery", "replaced", "meshes")
 _MOST = 1000

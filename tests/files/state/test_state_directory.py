@@ -3,8 +3,8 @@ from pathlib import Path
 
 import pytest
 
-from onika.files.access import ANYTHING, WRITING, guard
-from onika.files.state_directory import guarded, make_own, state_directory
+from onika.files.state.access import ANYTHING, WRITING, guard
+from onika.files.state.state_directory import guarded, make_own, state_directory
 
 
 @pytest.mark.parametrize(
@@ -42,6 +42,8 @@ def test_secrets_are_kept_from_reading_and_recordings_from_writing(tmp_path):  #
     for name in (
         "token",
         "console_history",
+        "staying",
+        "staying.log",
         "audit/audit.log",
         "diary/a.log",
         "black-boxes/a.mcap",
@@ -57,6 +59,8 @@ def test_secrets_are_kept_from_reading_and_recordings_from_writing(tmp_path):  #
         ".",
         "token",
         "console_history",
+        "staying",
+        "staying.log",
         "audit",
         "audit/audit.log",
         "diary",

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from onika.files.access import ANYTHING, STRANGERS, WRITING, Access, AccessReport, guard
+from onika.files.state.access import ANYTHING, STRANGERS, WRITING, Access, AccessReport, guard
 from onika.words.reason import Reason
 
 

@@ -1,0 +1,1 @@
+"""Another machine, as far as one machine can play it."""
