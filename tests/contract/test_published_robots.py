@@ -16,8 +16,8 @@ from onika.laws.arm_identity import arm_constants
 from onika.laws.frames import inverse_pose
 from onika.store.site import open_site
 from onika.store.world_source import gather_world
+from onika.workcell.cell.file_world import FileWorld
 from onika.workcell.composed import chain
-from onika.workcell.composed.file_world import FileWorld
 
 GYM, RTB = "gymnasium_robotics", "rtbdata"
 HANDS, ARMS = "envs/assets", "xacro"

@@ -11,7 +11,7 @@ from onika.store.shipped import shipped
 from onika.store.site import open_site
 from onika.store.world_source import gather_world
 from onika.testing.bench import Bench
-from onika.workcell.composed.file_world import FileWorld
+from onika.workcell.cell.file_world import FileWorld
 
 MODULES = shipped() / "arms" / "module"
 

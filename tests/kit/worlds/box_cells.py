@@ -3,7 +3,7 @@
 from onika.store.site import open_site
 from onika.store.world_source import gather_world
 from onika.wire.world_source import WorldSource
-from onika.workcell.composed.file_world import FileWorld
+from onika.workcell.cell.file_world import FileWorld
 
 
 def boxes_files() -> WorldSource:

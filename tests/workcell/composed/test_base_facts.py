@@ -4,7 +4,7 @@ import pytest
 
 from kit.worlds.driving_bases import FILES
 from kit.worlds.file_cells import files_of
-from onika.workcell.composed.file_world import FileWorld
+from onika.workcell.cell.file_world import FileWorld
 
 
 def faults(name, old, new):

@@ -8,7 +8,7 @@ import pytest
 from kit.worlds.driving_bases import FILES
 from kit.worlds.file_cells import files_of
 from onika.ring.device import DeviceOrder, DriveState
-from onika.workcell.composed.file_world import FileWorld
+from onika.workcell.cell.file_world import FileWorld
 
 START = (1.0, 2.0, math.pi / 2)
 

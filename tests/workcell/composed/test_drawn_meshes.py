@@ -5,8 +5,8 @@ import numpy as np
 from msgspec import msgpack
 
 from kit.worlds.file_cells import CELL, files_of
+from onika.workcell.cell.file_world import FileWorld
 from onika.workcell.composed.drawn_meshes import drawn_meshes, main
-from onika.workcell.composed.file_world import FileWorld
 
 CORNERS = " ".join(f"{x} {y} {z}" for x in (0.0, 0.04) for y in (0.0, 0.08) for z in (0.0, 0.12))
 

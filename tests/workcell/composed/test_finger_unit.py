@@ -4,7 +4,7 @@ import pytest
 
 from kit.worlds.file_cells import files_of
 from onika.ring.device import DeviceOrder
-from onika.workcell.composed.file_world import FileWorld
+from onika.workcell.cell.file_world import FileWorld
 
 
 def squeeze(world, opening, force, steps=300):

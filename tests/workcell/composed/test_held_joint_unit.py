@@ -5,7 +5,7 @@ import pytest
 
 from kit.worlds.file_cells import CELL, files_of
 from onika.ring.device import DeviceOrder, DriveState
-from onika.workcell.composed.file_world import FileWorld
+from onika.workcell.cell.file_world import FileWorld
 
 GAINS = "DRIVE torque\nHOME 0.2 0.3 0\nSPEED 3 3 0.5\nKP 2000 2000 4000\nKD 60 60 120\n"
 HELD = CELL["robot/elbow.robot"].replace("HOME 0.2 0.3 0\nSPEED 3 3 0.5\n", GAINS)

@@ -5,7 +5,7 @@ import pytest
 
 from kit.worlds.file_cells import CELL, files_of
 from onika.ring.device import DeviceOrder, DriveState
-from onika.workcell.composed.file_world import FileWorld
+from onika.workcell.cell.file_world import FileWorld
 
 HOME = np.array([0.2, 0.3, 0.0])
 WAY = np.array([0.8, -0.6, 0.05])

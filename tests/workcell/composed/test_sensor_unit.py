@@ -5,7 +5,7 @@ import pytest
 
 from kit.worlds.file_cells import ARM, CELL, ROBOT, WORLD, files_of
 from onika.ring.device import DeviceOrder
-from onika.workcell.composed.file_world import FileWorld
+from onika.workcell.cell.file_world import FileWorld
 
 SENSING = ARM.replace(
     "</mujoco>", '<sensor><force name="force" site="tip"/><torque name="torque" site="tip"/></sensor></mujoco>'

@@ -6,7 +6,7 @@ import pytest
 
 from kit.worlds.file_cells import CELL, files_of
 from onika.ring.device import DeviceOrder, DriveState
-from onika.workcell.composed.file_world import FileWorld
+from onika.workcell.cell.file_world import FileWorld
 
 SIGNAL = CELL["robot/elbow.robot"].replace("MOVES squeeze\n", "MOVES squeeze\nDRIVE signal\n")
 

@@ -3,7 +3,7 @@
 import mujoco
 
 from kit.worlds.file_cells import files_of
-from onika.workcell.composed.file_world import FileWorld
+from onika.workcell.cell.file_world import FileWorld
 from onika.workcell.snapshot import decode
 
 

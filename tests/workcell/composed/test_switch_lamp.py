@@ -1,7 +1,7 @@
 """Lamps from files."""
 
 from kit.worlds.file_cells import changed, files_of
-from onika.workcell.composed.file_world import FileWorld
+from onika.workcell.cell.file_world import FileWorld
 
 
 def test_a_lamp_shines_while_its_switches_are_closed():  # R-X19

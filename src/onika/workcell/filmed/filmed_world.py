@@ -10,11 +10,11 @@ from onika.ring.device import DriveEvent
 from onika.wire.world_source import WorldSource
 from onika.words.fault import Fault
 from onika.words.reason import Reason
+from onika.workcell.cell.file_world import FileWorld
 from onika.workcell.composed.camera_spec import eye_of, focal_length, is_placed, lenses
 from onika.workcell.composed.camera_unit import CameraUnit
 from onika.workcell.composed.composition import why_not
 from onika.workcell.composed.device_names import device_name
-from onika.workcell.composed.file_world import FileWorld
 from onika.workcell.composed.sources import SourceTexts
 from onika.workcell.composed.usable_parts import prefix_of
 from onika.workcell.filmed.filming import Filming

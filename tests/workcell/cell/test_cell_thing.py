@@ -1,8 +1,8 @@
 """What can touch in a world that is files."""
 
 from kit.worlds.file_cells import files_of
-from onika.workcell.composed.cell_thing import CellThing, rank, things_of
-from onika.workcell.composed.file_world import FileWorld
+from onika.workcell.cell.cell_thing import CellThing, rank, things_of
+from onika.workcell.cell.file_world import FileWorld
 
 
 def test_every_shape_belongs_to_an_arm_a_hand_a_part_or_the_floor():  # R-E16, R-X19

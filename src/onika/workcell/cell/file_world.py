@@ -17,9 +17,9 @@ from onika.ring.drive import DriveInput
 from onika.wire.world_source import WorldSource
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
+from onika.workcell.cell.cell_hindrance import CellHindrance
+from onika.workcell.cell.cell_lookout import CellLookout
 from onika.workcell.composed import part_places
-from onika.workcell.composed.cell_hindrance import CellHindrance
-from onika.workcell.composed.cell_lookout import CellLookout
 from onika.workcell.composed.composition import Composition
 from onika.workcell.composed.joint_unit import JointUnit
 from onika.workcell.composed.robot_unit import RobotUnit

@@ -6,7 +6,7 @@ import pytest
 from kit.worlds.file_cells import CELL, changed, files_of
 from onika.ring.device import DeviceOrder, DriveState
 from onika.runtime.bus import World
-from onika.workcell.composed.file_world import FileWorld
+from onika.workcell.cell.file_world import FileWorld
 from onika.workcell.filmed.filmed_world import judged
 
 

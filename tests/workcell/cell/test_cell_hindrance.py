@@ -4,7 +4,7 @@ import pytest
 
 from kit.worlds.file_cells import CELL, files_of
 from onika.ring.device import DeviceOrder
-from onika.workcell.composed.file_world import FileWorld
+from onika.workcell.cell.file_world import FileWorld
 
 BESIDE = (
     CELL["world/cell.world"].replace("AT 0.6 -0.9 0.02 0", "AT 0.4 0.6 0.4 0").replace("0.6 -0.9 0.06", "0.4 0.6 0.44")

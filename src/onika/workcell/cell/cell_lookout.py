@@ -13,7 +13,7 @@ import numpy as np
 from onika.model.world import WorldText
 from onika.ring.device import MishapEvent
 from onika.words.reason import Reason
-from onika.workcell.composed.cell_thing import FLOOR, FREE, HAND, CellThing, rank, things_of
+from onika.workcell.cell.cell_thing import FLOOR, FREE, HAND, CellThing, rank, things_of
 from onika.workcell.composed.joint_unit import JointUnit
 from onika.workcell.contacts import DEEP_M
 from onika.workcell.lookout import MOST, Advance, with_looks

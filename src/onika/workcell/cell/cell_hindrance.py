@@ -10,7 +10,7 @@ from onika.laws.arm_identity import arm_constants
 from onika.laws.frames import Array
 from onika.model.world import WorldText
 from onika.words.reason import Reason
-from onika.workcell.composed.cell_thing import ARM, CellThing, rank, things_of
+from onika.workcell.cell.cell_thing import ARM, CellThing, rank, things_of
 from onika.workcell.composed.joint_unit import JointUnit
 from onika.workcell.contacts import DEEP_M
 from onika.workcell.hindrance import PRESSED_N
