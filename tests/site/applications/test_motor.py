@@ -43,8 +43,8 @@ def test_the_panic_button_in_the_middle_is_cleared_and_the_motor_completed(capsy
 
 
 @pytest.mark.slow  # a page of the guide does the same
-def test_it_is_redirected_to_the_simulator_where_nothing_is_moved_but_the_arm(capsys):  # R-K06, R-K03
-    words = ["Q_MEZ[0] > 0.069", "Q_MEZ[0] < 0.071", "LAMP == 0"]
+def test_it_is_redirected_to_the_simulator_where_parts_go_with_the_hand(capsys):  # R-K06, R-K03
+    words = ["Q_MEZ[0] > 0.069", "Q_MEZ[0] < 0.071", "LAMP == 1"]
     expectations = [word for text in words for word in ("--expect", text)]
     code, lines = assembled(capsys, "--redirect", "motor_arm=motor_arm_kin", *expectations)
     assert (code, lines[-1]["state"], lines[-1]["actions_done"]) == (0, "completed", 17)

@@ -3,10 +3,13 @@
 import numpy as np
 import pytest
 
-from kit.worlds.assembler import Assembler
+from kit.worlds.assembler import GRASP_M, Assembler, pose_at
 from kit.worlds.box_cells import boxes_world
+from onika.laws import puma560
+from onika.laws.inverse import serial_inverse
 from onika.ring.device import DeviceOrder
 from onika.workcell.boxes import BoxesWorld
+from onika.workcell.layout import LAYOUT_M
 
 MS = 1_000_000
 EQUAL = (
@@ -82,3 +85,21 @@ def test_held_stopped_pressed_and_exchanged_it_is_the_same_to_the_last_bit():  #
     coded, composed = worlds
     assert coded.fingerprint() == composed.fingerprint()
     assert [event.device for event in coded.take_events()] == [event.device for event in composed.take_events()]
+
+
+def test_without_forces_boxes_go_with_the_hand_as_in_the_class():  # law 18, R-X19
+    worlds = both("arm_left_kin", "gripper_left")
+    inverse = serial_inverse(puma560.DH, np.eye(4), puma560.TOOL, puma560.QMIN, puma560.QMAX)
+    over = inverse.nearest(pose_at(*LAYOUT_M["triangle"], -0.125), np.array((0.0, -0.7, 2.9, 0.0, 1.0, 1.36)))
+    at = inverse.nearest(pose_at(*LAYOUT_M["triangle"], GRASP_M), over)
+    beside = inverse.nearest(pose_at(0.60, 0.10, -0.125), over)
+    for world in worlds:
+        for posture, signal in ((over, 1.0), (at, 1.0), (at, -1.0), (over, -1.0), (beside, -1.0), (beside, 1.0)):
+            for _ in range(600):
+                world.command("arm_left_kin", 1, DeviceOrder.DRIVE, posture)
+                world.command("gripper_left", 1, DeviceOrder.DRIVE, [signal])
+                world.step(world.now_ns + world.step_ns)
+    coded, composed = worlds
+    assert composed.poses() == pytest.approx(coded.poses(), abs=1e-9)
+    assert composed.poses()[2, 2] == pytest.approx(-0.36 + 0.0254, abs=1e-6)
+    assert composed.state("gripper_left") == pytest.approx(coded.state("gripper_left"), abs=1e-9)

@@ -10,7 +10,7 @@ import mujoco
 from mujoco import mj_step
 
 from onika.laws.frames import Array
-from onika.model.world import ButtonBlock, SwitchBlock
+from onika.model.world import ButtonBlock
 from onika.ring.device import MishapEvent
 from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveInput
@@ -21,6 +21,7 @@ from onika.workcell.cell.cell_hindrance import CellHindrance
 from onika.workcell.cell.cell_lookout import CellLookout
 from onika.workcell.composed import part_places
 from onika.workcell.composed.composition import Composition
+from onika.workcell.composed.finger_unit import FingerUnit
 from onika.workcell.composed.joint_unit import JointUnit
 from onika.workcell.composed.robot_unit import RobotUnit
 from onika.workcell.composed.robot_units import robot_units
@@ -28,8 +29,12 @@ from onika.workcell.composed.sensor_unit import SensorUnit, lacking
 from onika.workcell.composed.sources import SourceTexts
 from onika.workcell.composed.stands import Stands
 from onika.workcell.composed.still import still
-from onika.workcell.composed.switch_lamp import SwitchLamp
+from onika.workcell.composed.switch_lamp import SwitchLamp, lacking_contact
 from onika.workcell.driven_world import DrivenWorld
+from onika.workcell.gripping.finger_way import FingerWay
+from onika.workcell.gripping.forceless import Forceless
+from onika.workcell.gripping.loose_parts import LooseParts
+from onika.workcell.gripping.tool_frame import ToolFrame
 from onika.workcell.panic_button import PanicButton
 from onika.workcell.plant import Plant
 from onika.workcell.scene import Shape3d, looked_at
@@ -60,6 +65,7 @@ class FileWorld(DrivenWorld):
         buttons = [*self._panic_buttons()]
         super().__init__([*self._stands.units, *self._watching], buttons)
         self._running: list[RobotUnit] = []
+        self._forceless: Forceless | None = None
         self._lookout: CellLookout | None = None
         self._bind()
         for unit in self._present:
@@ -143,12 +149,17 @@ class FileWorld(DrivenWorld):
 
     def _usable_lamps(self) -> Iterator[SwitchLamp]:
         """The lamps whose switches have all that they name."""
-        world = self._composition.world
-        switches = {switch.name: switch for switch in world.switches if self._is_usable(switch)}
+        world, model = self._composition.world, self._plant.model
+        unfit = {switch.name: lacking_contact(model, switch) for switch in world.switches}
+        switches = {switch.name: switch for switch in world.switches if unfit[switch.name] is None}
+        for switch in world.switches:
+            why = unfit[switch.name]
+            if why is not None:
+                self._tell(switch.lines.get(why.keyword, 0), why.reason, switch.name)
         for lamp in world.lamps:
-            lacking = [name for name in lamp.when if name not in switches]
-            if lacking:
-                reason = Reason.of("workcell.switch_left_out", name=lacking[0])
+            gone = [name for name in lamp.when if name not in switches]
+            if gone:
+                reason = Reason.of("workcell.switch_left_out", name=gone[0])
                 self._tell(lamp.lines.get("WHEN", 0), reason, lamp.name)
             else:
                 yield SwitchLamp(lamp, switches)
@@ -161,20 +172,6 @@ class FileWorld(DrivenWorld):
                 yield SensorUnit(sensor.name, sensor, self._plant.model, "", "", "")
             else:
                 self._tell(sensor.lines.get(unfit.keyword, 0), unfit.reason, sensor.name)
-
-    def _is_usable(self, switch: SwitchBlock) -> bool:
-        model = self._plant.model
-        sites = switch.near[:2] if switch.near else ()
-        named = [("NEAR", mujoco.mjtObj.mjOBJ_SITE, site) for site in sites]
-        named += [("PRESSED", mujoco.mjtObj.mjOBJ_SENSOR, switch.pressed[0])] if switch.pressed else []
-        lacking = [(keyword, name) for keyword, kind, name in named if mujoco.mj_name2id(model, kind, name) < 0]
-        for keyword, name in lacking:
-            kinds = "site" if keyword == "NEAR" else "sensor"
-            count = model.nsite if keyword == "NEAR" else model.nsensor
-            there = tuple(getattr(model, kinds)(k).name for k in range(count))[:20] or Reason.of("workcell.none")
-            reason = Reason.of("workcell.no_such_name", there=there, name=name)
-            self._tell(switch.lines.get(keyword, 0), reason, switch.name)
-        return not lacking
 
     def _tell(self, line: int, reason: Reason, name: str) -> None:
         place = Place(self._composition.sources.place.file, line)
@@ -226,9 +223,11 @@ class FileWorld(DrivenWorld):
         self._plant.settle()
         self._feel = self._plant.sense
         self._running = self._runners()
+        self._forceless = self._without_forces() if self._stands.mode else None
+        if self._forceless is not None:
+            self._plant.settle()
+            self._feel = self._forceless.feel
         self._advance = self._stepping()
-        if self._stands.mode:
-            self._plant.data.qvel[:] = 0.0
         if self._lookout is not None:
             arms, has_forces = self._stands.arms(), not self._stands.mode
             self._advance = self._lookout.watch(self._plant, arms, self._advance, self._now, has_forces=has_forces)
@@ -256,21 +255,26 @@ class FileWorld(DrivenWorld):
         return any(self._plant.data.warning[int(kind)].number for kind in _UNSTABLE)
 
     def _stepping(self) -> Callable[[Any, Any], None]:
-        if self._stands.mode:
-            return self._move
+        if self._forceless is not None:
+            return self._forceless.step
         runs_on = any(isinstance(unit, RobotUnit) and unit.may_run_on for unit in self._present)
         return self._step if runs_on else mj_step
+
+    def _without_forces(self) -> Forceless:
+        parts = LooseParts(self._plant, self._composition.parts)
+        return Forceless(self._plant, self._robots, parts, self._hands(), self.step_ns * 1e-9)
+
+    def _hands(self) -> dict[FingerUnit, tuple[FingerWay, ToolFrame]]:
+        """The grippers that are there, each with the way of its fingers and the tool of the arm that bears it."""
+        arms = {unit.side: unit for unit in reversed([*self._stands.arms()])}
+        borne = [unit for unit in self._robots if isinstance(unit, FingerUnit) and unit.side in arms]
+        tools = {unit: ToolFrame(self._plant, arms[unit.side]) for unit in borne}
+        return {unit: (FingerWay(self._plant, unit, tool), tool) for unit, tool in tools.items()}
 
     def _step(self, model: Any, data: Any) -> None:
         for unit in self._running:
             unit.run_on()
         mj_step(model, data)
-
-    def _move(self, model: Any, data: Any) -> None:
-        """Without forces only joints move that are told to; everything else stays."""
-        for unit in self._robots:
-            unit.move()
-        mujoco.mj_kinematics(model, data)
 
     def _feed(self, unit: DeviceUnit, drive_input: DriveInput) -> None:
         super()._feed(unit, drive_input)

@@ -1,9 +1,10 @@
 """A gripper of a robot from a file as a device: how far open, and how hard, comes; opening, speed and force go."""
 
 from collections.abc import Sequence
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Protocol
 
 import numpy as np
+import numpy.typing as npt
 
 from onika.laws.frames import Array
 from onika.ring.device import DeviceSheet
@@ -12,7 +13,21 @@ from onika.workcell.composed.robot_unit import EITHER, RobotUnit
 from onika.workcell.plant import Plant
 from onika.workcell.unit import row_of
 
-_FASTEST_M_S = 0.2  # where there are no forces
+
+class MovedFingers(Protocol):
+    """How far a gripper is open (m), how fast it opens (m/s), and what it presses with (N), where no forces move it."""
+
+    @property
+    def opening(self) -> float:
+        """In metres."""
+
+    @property
+    def speed(self) -> float:
+        """In metres a second."""
+
+    @property
+    def force(self) -> float:
+        """In newtons."""
 
 
 class FingerUnit(RobotUnit):
@@ -32,6 +47,28 @@ class FingerUnit(RobotUnit):
         self._goal = (facts.gripper.closed[1], 0.0)
         self.state[2] = facts.gripper.closed[1]
         self._data: Any = None
+        self.moved_by: MovedFingers | None = None
+        """What moves it where there are no forces."""
+
+    @property
+    def aim(self) -> float:
+        """How far open it is told to be (m)."""
+        return min(max(self._goal[0], self.facts.gripper.closed[1]), self.facts.gripper.open[1])
+
+    @property
+    def pressing(self) -> float:
+        """What its fingers are told to press with (N)."""
+        return min(self._goal[1], self.facts.force) if self._goal[1] > 0.0 else self.facts.force
+
+    @property
+    def motors(self) -> npt.NDArray[np.int64]:
+        """The numbers of its actuators."""
+        return self._motors
+
+    @property
+    def felt_at(self) -> tuple[int, ...]:
+        """Where the numbers of its sensors stand."""
+        return tuple(self._felt.tolist())
 
     def _commanded(self) -> tuple[str, ...]:
         return ("opening", "force")
@@ -39,6 +76,7 @@ class FingerUnit(RobotUnit):
     def bind(self, plant: Plant) -> None:
         """Find its actuators and sensors in a new plant."""
         model, gripper = plant.model, self.facts.gripper
+        self.moved_by = None
         self._model, self._data = model, plant.data
         self._motors = np.array([int(model.actuator(self._prefix + name).id) for name in gripper.moves])
         sensors = [model.sensor(self._prefix + name) for name in gripper.force]
@@ -70,6 +108,10 @@ class FingerUnit(RobotUnit):
         """Opening (m), its speed (m/s) and, where no sensor feels it, the force of the actuators (N)."""
         row, leverage = self.row, self.facts.leverage
         row[0] = time
+        moved = self.moved_by
+        if moved is not None:
+            row[2], row[3], row[4] = moved.opening, moved.speed, moved.force
+            return
         row[2] = self.facts.gripper.closed[1] + (self._length[0] - self.facts.lengths[0]) / leverage
         row[3] = self._speed[0] / leverage
         if not len(self._felt):
@@ -77,20 +119,20 @@ class FingerUnit(RobotUnit):
 
     def sense(self) -> None:
         """The mean force that its sensors feel (N)."""
-        if len(self._felt):
+        if len(self._felt) and self.moved_by is None:
             self.state[4] = float(self._data.sensordata[self._felt].mean())
 
     def _aim(self, opening: float, force: float) -> None:
-        self._goal = opening, force
-        self._signal()
+        if (opening, force) != self._goal:
+            self._goal = opening, force
+            self._signal()
 
     def _signal(self) -> None:
         gripper = self.facts.gripper
         (open_signal, open_m), (closed_signal, closed_m) = gripper.open, gripper.closed
-        opening, force = self._goal
+        opening = self._goal[0]
         share = min(max((opening - closed_m) / (open_m - closed_m), 0.0), 1.0)
         self._data.ctrl[self._motors] = closed_signal + share * (open_signal - closed_signal)
-        most = min(force, self.facts.force) if force > 0.0 else self.facts.force
-        highest = most / (abs(self.facts.leverage) * len(self._motors))
+        highest = self.pressing / (abs(self.facts.leverage) * len(self._motors))
         self._model.actuator_forcelimited[self._motors] = 1
         self._model.actuator_forcerange[self._motors] = (-highest, highest)

@@ -29,6 +29,11 @@ class RobotUnit(DeviceUnit):
         self.robot, self._prefix, self._step_s = robot, prefix, step_s
 
     @property
+    def prefix(self) -> str:
+        """What stands in the world before the names of its robot's model."""
+        return self._prefix
+
+    @property
     def may_run_on(self) -> bool:
         """Whether it ever does something in a step without being told to."""
         return False

@@ -5,8 +5,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import mujoco
+
 from onika.model.world import LampBlock, SwitchBlock
 from onika.ring.device import DeviceSheet, DriveState
+from onika.workcell.composed.joint_facts import Unfit, absent
 from onika.workcell.plant import Plant
 from onika.workcell.unit import DeviceUnit, row_of
 
@@ -63,3 +66,13 @@ def _contact(plant: Plant, switch: SwitchBlock) -> _Contact:
     sites = switch.near[:2] if switch.near else ()
     places = tuple(row_of(data.site_xpos[plant.site(name)]) for name in sites)
     return _Contact(view, force[1] if force else 0.0, places, switch.near[2] if switch.near else 0.0)
+
+
+def lacking_contact(model: Any, switch: SwitchBlock) -> Unfit | None:
+    """What a switch names that its world does not have."""
+    for site in switch.near[:2] if switch.near else ():
+        if mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_SITE, site) < 0:
+            return absent(model, "NEAR", "site", model.nsite, site)
+    if switch.pressed and mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_SENSOR, switch.pressed[0]) < 0:
+        return absent(model, "PRESSED", "sensor", model.nsensor, switch.pressed[0])
+    return None
