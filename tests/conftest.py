@@ -1,4 +1,4 @@
-"""What every test starts from: no state of this user's is read or written.
+"""What every test starts from: no state of this user's, and nothing that he has fetched, is read or written.
 
 What all end with: whatever recordings tell of drives, the drives' table made it.
 """
@@ -34,6 +34,7 @@ def pytest_collection_finish():
 def state(tmp_path_factory):
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("XDG_STATE_HOME", str(tmp_path_factory.mktemp("state")))
+        patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
         yield
 
 

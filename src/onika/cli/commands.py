@@ -37,6 +37,7 @@ COMMANDS = (
     "new",
     "icon",
     "own",
+    "library",
     "text",
     "audit",
     "doctor",

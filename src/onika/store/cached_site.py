@@ -25,7 +25,7 @@ class RememberingSite(Site):
     @classmethod
     def of(cls, site: Site) -> "RememberingSite":
         """The same site, with nothing read yet."""
-        return cls(site.directories, site.prefs, site.home)
+        return cls(site.directories, site.prefs, site.home, site.checkouts, site.faults_of_checkouts)
 
     def task(self, name: str) -> tuple[RmodText | None, Faults]:
         """The task `name`, from the first base directory that holds it."""

@@ -10,7 +10,7 @@ from pathlib import Path
 from onika.files import arrangement
 from onika.files.arrangement import Arrangement
 from onika.store.opened_text import Faults, OpenedText, open_file, save
-from onika.store.shipped import is_shipped
+from onika.store.shipped import is_shipped, not_written
 from onika.words.fault import Refusal
 from onika.words.reason import Reason
 
@@ -28,7 +28,7 @@ class FolderArrangement:
         if not is_shipped(folder):
             return FolderArrangement(folder / arrangement.NAME, arrangement.HERE)
         if own is None:
-            return Refusal(Reason.of("store.shipped_stays", path=str(folder)))
+            return Refusal(not_written(folder))
         return FolderArrangement(own / folder.name / arrangement.NAME, folder.parent.name)
 
     def names(self) -> tuple[tuple[str, ...], Faults]:

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Generic, TypeVar
 
 from onika.files import text, whole
-from onika.store.shipped import is_shipped
+from onika.store.shipped import is_shipped, not_written
 from onika.words.fault import Fault, Refusal
 from onika.words.reason import Reason
 from onika.words.system_error import system_reason
@@ -56,7 +56,7 @@ def put(path: Path, value: _T, content: str, expected: whole.Stamp) -> OpenedTex
     What comes with Onika is never written, whoever may write there: a copy of the user's own stands before it.
     """
     if is_shipped(path):
-        return Refusal(Reason.of("store.shipped_stays", path=str(path)), (whole.ELSEWHERE,))
+        return Refusal(not_written(path), (whole.ELSEWHERE,))
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:

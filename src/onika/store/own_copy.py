@@ -12,7 +12,7 @@ from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import put
 from onika.store.replaced_texts import ReplacedTexts
-from onika.store.shipped import is_shipped
+from onika.store.shipped import is_shipped, not_written
 from onika.store.site import Site
 from onika.words.fault import Refusal
 from onika.words.reason import Reason
@@ -46,7 +46,7 @@ def saving_place(base: Path, site: Site) -> BaseDirectory | Refusal:
     if not is_shipped(base):
         return BaseDirectory(base)
     if site.own is None:
-        return Refusal(Reason.of("store.shipped_stays", path=str(base)), (whole.ELSEWHERE,))
+        return Refusal(not_written(base), (whole.ELSEWHERE,))
     return BaseDirectory(site.own)
 
 

@@ -1,6 +1,6 @@
 """Loads an application with everything it needs from a site (§5.9.2)."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -10,6 +10,7 @@ from onika.model.configuration import Configuration, Placed, name_within
 from onika.model.syntax import Syntax
 from onika.model.task import Task
 from onika.store.opened_text import Faults
+from onika.store.remote.library_fetcher import unfetched
 from onika.store.site import Site
 from onika.words.fault import Fault
 
@@ -99,6 +100,8 @@ class _Gathering:
         self._enter(application)
         paths = {task.module: self._site.code_file(task) for task in self._filed.values()}
         code = {module: path for module, path in paths.items() if path}
+        self._faults += self._site.bring((*code.values(), *self._configuration_files()))
+        self._faults += unfetched(code.values())
         faults_of_files = tuple(self._faults)
         unread = frozenset(self._unread)
         return ApplicationProgram(
@@ -112,6 +115,12 @@ class _Gathering:
             self._files,
             self._task_files,
         )
+
+    def _configuration_files(self) -> Iterator[Path]:
+        for name in self._configurations:
+            path = self._site.configuration_file(name)
+            if path is not None:
+                yield path
 
     def _enter(self, application: Application) -> None:
         """Read what an application needs, and what those nested in it do, however deep."""

@@ -1,18 +1,42 @@
-"""What comes with Onika: its laboratories, and the installation's own files. It is read and never written."""
+"""What is read and never written: the laboratories and files that come with Onika, and libraries of others."""
 
+import re
 from importlib import resources
 from pathlib import Path
+
+from onika.words.reason import Reason
 
 FOLDERS = ("module", "conf", "dict", "appl")
 """Of a base directory."""
 
+CHECKOUTS = "libraries"
+"""The folder of the cache in which libraries of others stand as files."""
+
+_CHECKED_OUT = re.compile(rf"/onika/{CHECKOUTS}/[0-9a-f]{{16}}/[^/]+(?:/|\Z)")
+
 
 def is_shipped(path: Path) -> bool:
-    """Whether a file or directory comes with Onika, or leads to one that does."""
+    """Whether a file or directory comes with Onika or from a library of others, or leads to one that does.
+
+    Either is read and never written: a copy of the user's own stands before it.
+    """
     try:
-        return path.resolve().is_relative_to(shipped().resolve())
+        whole = path.resolve()
+        return whole.is_relative_to(shipped().resolve()) or is_checked_out(whole)
     except (OSError, RuntimeError):  # no access, or links that lead to themselves
         return False
+
+
+def is_checked_out(path: Path) -> bool:
+    """Whether a file or directory is of a library of others, below the cache."""
+    return _CHECKED_OUT.search(path.as_posix()) is not None
+
+
+def not_written(path: Path) -> Reason:
+    """Why a file or directory of which `is_shipped` is true is not written."""
+    if is_checked_out(path):
+        return Reason.of("store.library_stays", path=str(path))
+    return Reason.of("store.shipped_stays", path=str(path))
 
 
 def shipped() -> Path:

@@ -17,6 +17,9 @@ from onika.model.syntax import Syntax
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import Faults, OpenedText, open_file, put, save
+from onika.store.remote.checkout import Checkout
+from onika.store.remote.library_fetcher import LibraryFetcher, checkouts_of
+from onika.store.remote.object_cache import ObjectCache, cache_directory
 from onika.store.shipped import FOLDERS, shipped, shipped_directories
 from onika.words.fault import Fault, Place, Refusal
 from onika.words.name import TASK_NAME
@@ -36,6 +39,12 @@ class Site:
     directories: tuple[BaseDirectory, ...]
     prefs: Path
     home: Path | None = None
+    checkouts: tuple[Checkout, ...] = ()
+    """The libraries of others among the directories."""
+    faults_of_checkouts: Faults = ()
+    """What is wrong with libraries of others; those that are at fault are not among the directories."""
+    fetcher: LibraryFetcher | None = None
+    """Fetches what a program needs of them; None: what is here is all there is."""
 
     def at(self, own: Path) -> "Site":
         """The same site with one base directory before all others."""
@@ -165,6 +174,10 @@ class Site:
             return base.application_file(name_or_path)
         return None
 
+    def bring(self, paths: Iterable[Path]) -> Faults:
+        """Have these files here, as far as they are of libraries of others; what does not come is told."""
+        return () if self.fetcher is None else self.fetcher.bring(paths)
+
     # -- reading by name
 
     def task(self, name: str) -> tuple[RmodText | None, Faults]:
@@ -200,8 +213,11 @@ class Site:
         return tuple(fault for kind, names in zip(FOLDERS, kinds, strict=True) for fault in self._twice(kind, names))
 
     def absent(self) -> Faults:
-        """Directories of the search path that are none, as notes (requirement C20); the user's own may be absent."""
-        return tuple(
+        """Directories of the search path that are none, as notes (requirement C20); the user's own may be absent.
+
+        With them what is wrong with libraries of others.
+        """
+        none = tuple(
             Fault(
                 Place(str(base.path)),
                 Reason.of("store.path_without_base_directory"),
@@ -211,6 +227,7 @@ class Site:
             for base in self.directories
             if not base.path.is_dir() and base.path != self.own
         )
+        return (*none, *self.faults_of_checkouts)
 
     def _twice(self, folder: str, names: Callable[[BaseDirectory], tuple[str, ...]]) -> Iterator[Fault]:
         first: dict[str, BaseDirectory] = {}
@@ -254,12 +271,18 @@ class Site:
 def open_site(local: Iterable[Path], environment: Mapping[str, str], home: Path | None) -> Site:
     """The site of a session: the directories `local`, those of ONIKA_LOCAL, the user's own, the shipped laboratories.
 
+    Behind them come the libraries of others that the directories lock: no foreign name ever takes the place of one
+    that is here.
+
     The user's own is among them before it is there: what is saved in it first is found at once.
     ONIKA_LOCAL is a list parted like PATH; ONIKA_DIR names a directory whose `prefs` stand for the shipped ones.
     """
     named = [Path(part) for part in environment.get("ONIKA_LOCAL", "").split(os.pathsep) if part]
     own = [] if home is None else [home / OWN]
-    paths = dict.fromkeys(path.absolute() for path in (*local, *named, *own, *shipped_directories()))
+    users = dict.fromkeys(path.absolute() for path in (*local, *named, *own))
+    checkouts, faults = checkouts_of(users, ObjectCache(cache_directory(environment)))
+    shipped_paths = (path.absolute() for path in shipped_directories())
+    paths = dict.fromkeys((*users, *shipped_paths, *(checkout.folder for checkout in checkouts)))
     root = environment.get("ONIKA_DIR")
     prefs = Path(root) / "prefs" if root else shipped() / "prefs"
-    return Site(tuple(BaseDirectory(path) for path in paths), prefs, home)
+    return Site(tuple(BaseDirectory(path) for path in paths), prefs, home, checkouts, faults)

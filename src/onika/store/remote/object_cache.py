@@ -1,0 +1,80 @@
+"""Files of others kept by what they hold: each under its SHA-256, which is looked at whenever it is opened (F03)."""
+
+import os
+import secrets
+from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+
+from onika.files.state_directory import make_own
+
+_OBJECTS = "objects"
+
+
+def cache_directory(environment: Mapping[str, str]) -> Path:
+    """Where they are kept, as the XDG says it; it need not be there yet."""
+    cache = environment.get("XDG_CACHE_HOME", "")
+    home = Path(cache) if cache.startswith("/") else Path(environment.get("HOME") or Path.home()) / ".cache"
+    return home / "onika"
+
+
+@dataclass(frozen=True, slots=True)
+class ObjectCache:
+    """The objects below a folder. Several programs may use it at a time: what is there is whole, or it is not there."""
+
+    folder: Path
+
+    def get(self, digest: str) -> bytes | None:
+        """What has this SHA-256 in hexadecimal; None where it is not there, or no longer what it was."""
+        try:
+            content = self._file(digest).read_bytes()
+        except OSError:
+            return None
+        return content if sha256(content).hexdigest() == digest else None
+
+    def put(self, content: bytes) -> str:
+        """Keep something; its SHA-256. Raises OSError."""
+        digest = sha256(content).hexdigest()
+        if self.get(digest) is None:
+            write_whole(self._file(digest), content)
+        return digest
+
+    def put_as(self, digest: str, content: bytes) -> bool:
+        """Keep something if it has this SHA-256; whether it has. Raises OSError."""
+        if sha256(content).hexdigest() != digest:
+            return False
+        self.put(content)
+        return True
+
+    def has(self, digest: str, size: int) -> bool:
+        """Whether something of that name and size is there; what it holds is looked at when it is opened."""
+        try:
+            return self._file(digest).stat().st_size == size
+        except OSError:
+            return False
+
+    def _file(self, digest: str) -> Path:
+        return self.folder / _OBJECTS / digest[:2] / digest
+
+
+def write_whole(path: Path, content: bytes, mode: int = 0o600, *, is_lasting: bool = True) -> None:
+    """Put a file in place whole or not at all; raises OSError.
+
+    `is_lasting`: once it returns, the file outlasts a loss of power.
+    """
+    make_own(path.parent)
+    fresh = path.parent / f".{secrets.token_hex(8)}.new"
+    try:
+        with fresh.open("xb") as file:
+            os.fchmod(file.fileno(), mode)
+            file.write(content)
+            if is_lasting:
+                file.flush()
+                os.fsync(file.fileno())
+        fresh.rename(path)
+    except BaseException:
+        with suppress(OSError):
+            fresh.unlink()
+        raise

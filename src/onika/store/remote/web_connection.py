@@ -1,0 +1,206 @@
+"""One connection to a server, which answers one question after the other within limits."""
+
+import http.client
+import socket
+import ssl
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass
+from threading import Timer
+from typing import TypeVar
+
+from onika.files.library_index import LARGEST_FILE
+from onika.store.remote.address import WebAddress
+from onika.store.remote.credential import Credential
+from onika.store.remote.source import Wanted
+from onika.words.reason import Reason
+from onika.words.system_error import system_reason
+
+_T = TypeVar("_T")
+_CHUNK = 65536
+_MOVED = (301, 302, 303, 307, 308)
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """How much, how long and how slowly a server may answer, whoever it is; for one answer.
+
+    file_bytes  of one file
+    connect_s   until the server has taken the connection
+    idle_s      without a byte
+    total_s     from question to the last byte
+    rate        bytes a second that come at least, once `grace_s` have passed
+    grace_s     in which an answer may be slower
+    redirects   how often a server may send us on, to itself
+    """
+
+    file_bytes: int = LARGEST_FILE
+    connect_s: float = 10.0
+    idle_s: float = 15.0
+    total_s: float = 60.0
+    rate: float = 500.0
+    grace_s: float = 10.0
+    redirects: int = 3
+
+
+class WebConnection:
+    """Of one thread at a time. An answer, or its refusal, comes within the limits; only finding a host's name may
+    take longer.
+    """
+
+    def __init__(self, address: WebAddress, limits: Limits, credential: Credential | None) -> None:
+        self._address = address
+        self._limits = limits
+        self._credential = credential
+        self._connection: http.client.HTTPConnection | None = None
+        self._socket: socket.socket | None = None
+        self._is_late = False
+
+    def open(self) -> None:
+        """Connect ahead of the first question; where that is not possible, the question will tell."""
+        self._guarded("", self._connected)
+
+    def get(self, wanted: Wanted) -> bytes | Reason:
+        """A file; over a connection that the server has closed meanwhile it is asked for once more."""
+        was_open = self._connection is not None
+        answer = self._guarded(wanted.path, lambda: self._asked(wanted))
+        if isinstance(answer, Reason) and was_open and answer.key == "store.server_gone":
+            return self._guarded(wanted.path, lambda: self._asked(wanted))
+        return answer
+
+    def close(self) -> None:
+        """End it; another thread may do so too."""
+        ours = self._socket
+        if ours is not None:
+            with suppress(OSError):
+                socket.socket.shutdown(ours, socket.SHUT_RDWR)  # not the farewell of TLS, which would wait
+        connection, self._connection, self._socket = self._connection, None, None
+        if connection is not None:
+            connection.close()
+
+    def _guarded(self, path: str, do: Callable[[], _T | Reason]) -> _T | Reason:
+        """What is done, or why not, at the latest when the time is over."""
+        self._is_late = False
+        watchdog = Timer(self._limits.total_s, self._expire)
+        watchdog.daemon = True
+        watchdog.start()
+        try:
+            answer = do()
+        except (OSError, http.client.HTTPException, ValueError) as error:
+            self.close()
+            return self._reason(path, error)
+        finally:
+            watchdog.cancel()
+        if isinstance(answer, Reason):
+            self.close()
+        return answer
+
+    def _expire(self) -> None:
+        self._is_late = True
+        ours = self._socket
+        if ours is not None:
+            with suppress(OSError):
+                socket.socket.shutdown(ours, socket.SHUT_RDWR)
+
+    def _connected(self) -> http.client.HTTPConnection:
+        if self._connection is not None:
+            return self._connection
+        host, port = self._address.host, self._address.port
+        plain = socket.create_connection((host, port), timeout=self._limits.connect_s)
+        self._socket = plain
+        plain.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        ours = plain
+        if self._address.is_tls:
+            ours = ssl.create_default_context().wrap_socket(plain, server_hostname=host)
+        ours.settimeout(self._limits.idle_s)
+        connection = http.client.HTTPConnection(host, port)
+        connection.sock = ours
+        self._connection, self._socket = connection, ours
+        return connection
+
+    def _asked(self, wanted: Wanted) -> bytes | Reason:
+        target = self._address.below(wanted.path)
+        for _ in range(self._limits.redirects + 1):
+            response = self._response(target)
+            if response.status not in _MOVED:
+                return self._answer(response, wanted)
+            self._body(response, Wanted(wanted.path, _CHUNK))
+            moved = self._address.redirected(target, response.headers.get("Location", ""))
+            if isinstance(moved, Reason):
+                return moved
+            target = moved
+        return Reason.of("store.sent_around", host=self._address.host)
+
+    def _response(self, target: str) -> http.client.HTTPResponse:
+        connection = self._connected()
+        connection.putrequest("GET", target, skip_host=True, skip_accept_encoding=True)
+        connection.putheader("Host", self._address.authority)
+        connection.putheader("Accept-Encoding", "identity")
+        connection.putheader("User-Agent", "onika")
+        if self._credential is not None and self._address.keeps_secrets:
+            connection.putheader("Authorization", self._credential.header)
+        connection.endheaders()
+        return connection.getresponse()
+
+    def _answer(self, response: http.client.HTTPResponse, wanted: Wanted) -> bytes | Reason:
+        host = self._address.host
+        match response.status:
+            case 200:
+                return self._body(response, wanted)
+            case 401 if not self._address.keeps_secrets:
+                return Reason.of("store.password_unsafe", host=host)
+            case 401 if self._credential is not None:
+                return Reason.of("store.password_wrong", host=host)
+            case 401:
+                return Reason.of("store.password_needed", host=host)
+            case 403:
+                return Reason.of("store.not_let_in", host=host)
+            case 404 | 410:
+                return Reason.of("store.not_on_server", host=host, path=wanted.path)
+        return Reason.of("store.server_answer", host=host, status=response.status)
+
+    def _body(self, response: http.client.HTTPResponse, wanted: Wanted) -> bytes | Reason:
+        """What is answered; refused as soon as it is too much or too slow."""
+        limits = self._limits
+        if response.length is not None and response.length > wanted.most:
+            return Reason.of("store.answer_large", path=wanted.path, most=wanted.most)
+        begin, parts, count = time.monotonic(), list[bytes](), 0
+        while part := response.read1(_CHUNK):
+            parts.append(part)
+            count += len(part)
+            if count > wanted.most:
+                return Reason.of("store.answer_large", path=wanted.path, most=wanted.most)
+            lasted_s = time.monotonic() - begin
+            if lasted_s > limits.grace_s and count < limits.rate * lasted_s:
+                return Reason.of("store.server_slow", host=self._address.host)
+        if self._is_late:
+            return Reason.of("store.server_slow", host=self._address.host)
+        if response.length:
+            return Reason.of("store.answer_cut", host=self._address.host, path=wanted.path)
+        response.close()  # what was read to its end part by part does not notice that itself
+        if response.will_close:
+            self.close()
+        return b"".join(parts)
+
+    def _reason(self, path: str, error: Exception) -> Reason:
+        """Why a question has no answer."""
+        host = self._address.host
+        match error:
+            case _ if self._is_late:
+                return Reason.of("store.server_slow", host=host)
+            case ssl.SSLCertVerificationError():
+                return Reason.of("store.certificate", host=host, why=Reason.plain(error.verify_message))
+            case http.client.IncompleteRead():
+                return Reason.of("store.answer_cut", host=host, path=path)
+            case http.client.RemoteDisconnected() | ConnectionResetError() | BrokenPipeError():
+                return Reason.of("store.server_gone", host=host)
+            case socket.gaierror():
+                return Reason.of("store.host_unknown", host=host)
+            case TimeoutError():
+                return Reason.of("store.server_silent", host=host)
+            case ssl.SSLError() | http.client.HTTPException() | ValueError():
+                return Reason.of("store.server_garbled", host=host)
+            case OSError():
+                return Reason.of("store.server_unreached", host=host, why=system_reason(error))
+        return Reason.of("store.server_garbled", host=host)
