@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from onika.cli.language import learn, say
-from onika.files.state_directory import state_directory
+from onika.files.state.state_directory import state_directory
 from onika.store.remote.credential import Credential
 from onika.store.remote.library_access import LibraryAccess
 from onika.store.remote.library_fetcher import LibraryFetcher

@@ -15,7 +15,7 @@ from pathlib import Path
 from onika.files import rmod
 from onika.files.library_index import IndexedFile, LibraryIndex
 from onika.files.library_lock import Agreement, LockedLibrary
-from onika.files.state_directory import make_own
+from onika.files.state.state_directory import make_own
 from onika.store.opened_text import Faults
 from onika.store.remote.agreement import agreement_of, further
 from onika.store.remote.index_check import reopened

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 
-from onika.files.state_directory import make_own
+from onika.files.state.state_directory import make_own
 
 _OBJECTS = "objects"
 
