@@ -1,18 +1,13 @@
 """What is read and never written: the laboratories and files that come with Onika, and libraries of others."""
 
-import re
 from importlib import resources
 from pathlib import Path
 
+from onika.store.remote.checkout_path import is_checked_out
 from onika.words.reason import Reason
 
 FOLDERS = ("module", "conf", "dict", "appl")
 """Of a base directory."""
-
-CHECKOUTS = "libraries"
-"""The folder of the cache in which libraries of others stand as files."""
-
-_CHECKED_OUT = re.compile(rf"/onika/{CHECKOUTS}/[0-9a-f]{{16}}/[^/]+(?:/|\Z)")
 
 
 def is_shipped(path: Path) -> bool:
@@ -25,11 +20,6 @@ def is_shipped(path: Path) -> bool:
         return whole.is_relative_to(shipped().resolve()) or is_checked_out(whole)
     except (OSError, RuntimeError):  # no access, or links that lead to themselves
         return False
-
-
-def is_checked_out(path: Path) -> bool:
-    """Whether a file or directory is of a library of others, below the cache."""
-    return _CHECKED_OUT.search(path.as_posix()) is not None
 
 
 def not_written(path: Path) -> Reason:

@@ -1,6 +1,7 @@
 from kit.labs.library_site import LibrarySite, taken
 from onika.store.remote.checkout import Checkout, is_fetched
-from onika.store.shipped import is_checked_out, is_shipped
+from onika.store.remote.checkout_path import is_checked_out
+from onika.store.shipped import is_shipped
 
 
 def checkout(tmp_path) -> Checkout:

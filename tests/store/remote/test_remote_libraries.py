@@ -8,7 +8,7 @@ from kit.labs.library_site import TODAY, LibrarySite, libraries_of, new_key, tak
 from onika.files.library_lock import Agreement, LockedLibrary
 from onika.store.remote.checkout import is_fetched
 from onika.store.remote.publication import fingerprint_of
-from onika.store.remote.remote_libraries import Offer, RemoteLibraries, Renewal
+from onika.store.remote.remote_libraries import NewerVersion, Offer, RemoteLibraries
 from onika.words.fault import Refusal
 from onika.words.reason import Reason
 
@@ -39,7 +39,7 @@ def renewal_key(libraries: RemoteLibraries, today=TODAY) -> str:
 
 def renew(libraries: RemoteLibraries) -> LockedLibrary:
     renewal = libraries.renewal(locked(libraries), TODAY)
-    assert isinstance(renewal, Renewal), renewal
+    assert isinstance(renewal, NewerVersion), renewal
     renewed = libraries.renew(locked(libraries), renewal)
     assert isinstance(renewed, LockedLibrary)
     return renewed
@@ -181,7 +181,7 @@ def test_what_a_task_writes_further_is_shown_before_it_is_agreed_to(libraries, s
     site.write("module/wink.rmod", wink("LAMP", "Q_MEZ"))
     site.publish()
     renewal = libraries.renewal(locked(libraries), TODAY)
-    assert isinstance(renewal, Renewal)
+    assert isinstance(renewal, NewerVersion)
     assert renewal.changes.further == {"wink": Agreement(frozenset({"Q_MEZ"}))}
     assert renewal.changes.altered == ("module/wink.rmod",)
 

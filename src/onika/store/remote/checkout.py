@@ -9,26 +9,25 @@ import shutil
 from collections.abc import Set
 from contextlib import suppress
 from dataclasses import dataclass
-from hashlib import sha256
 from pathlib import Path
 
 from onika.files import rmod
 from onika.files.library_index import IndexedFile, LibraryIndex
 from onika.files.library_lock import Agreement, LockedLibrary
 from onika.files.state.state_directory import make_own
-from onika.store.opened_text import Faults
 from onika.store.remote.agreement import agreement_of, further
+from onika.store.remote.checkout_path import checkout_path
 from onika.store.remote.index_check import reopened
 from onika.store.remote.library_changes import files_of
 from onika.store.remote.object_cache import ObjectCache, write_whole
-from onika.store.shipped import CHECKOUTS
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
 from onika.words.system_error import system_reason
 
 _NOT_FETCHED = b"# This code is not fetched yet: onika library fetch "
 _MODE = 0o400
-_LINKED_LETTERS = 16
+
+Faults = tuple[Fault, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,8 +44,7 @@ class Checkout:
     @property
     def folder(self) -> Path:
         """The base directory; it bears the name of the library, and is of one lock only."""
-        of_lock = sha256(str(self.base.absolute()).encode()).hexdigest()[:_LINKED_LETTERS]
-        return self.cache.folder / CHECKOUTS / of_lock / self.locked.name
+        return checkout_path(self.cache.folder, self.base, self.locked.name)
 
     def index(self) -> LibraryIndex | Reason:
         """The index that is locked, from the cache."""

@@ -5,12 +5,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from onika.files.library_index import IndexedFile
-from onika.store.opened_text import Faults
-from onika.store.remote.checkout import Checkout, is_fetched
+from onika.store.remote.checkout import Checkout, Faults, is_fetched
+from onika.store.remote.checkout_path import is_checked_out
 from onika.store.remote.library_access import LibraryAccess
 from onika.store.remote.lock_file import LockFile
 from onika.store.remote.object_cache import ObjectCache
-from onika.store.shipped import is_checked_out
 from onika.words.fault import NOT_RUN, Fault, Place
 from onika.words.reason import Reason
 

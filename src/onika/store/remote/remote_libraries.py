@@ -9,8 +9,7 @@ from datetime import date
 
 from onika.files.library_index import LibraryIndex
 from onika.files.library_lock import LockedLibrary
-from onika.store.opened_text import Faults
-from onika.store.remote.checkout import Checkout
+from onika.store.remote.checkout import Checkout, Faults
 from onika.store.remote.index_check import SignedIndex, opened, overdue, refusal
 from onika.store.remote.library_access import LibraryAccess
 from onika.store.remote.library_changes import LibraryChanges, changes, locked_as
@@ -36,7 +35,7 @@ class Offer:
 
 
 @dataclass(frozen=True, slots=True)
-class Renewal:
+class NewerVersion:
     """What would follow a locked library, and what is new in it."""
 
     offer: Offer
@@ -83,7 +82,7 @@ class RemoteLibraries:
         library = locked_as(offer.found, offer.address, trusted)
         return self._kept(library, offer.content)
 
-    def renewal(self, library: LockedLibrary, today: date) -> Renewal | Reason:
+    def renewal(self, library: LockedLibrary, today: date) -> NewerVersion | Reason:
         """What its place offers now; a reason where that may not follow what is locked."""
         content = self.access.index(library.address)
         if isinstance(content, Reason):
@@ -94,9 +93,9 @@ class RemoteLibraries:
         why_not = refusal(found, library, today)
         if why_not:
             return why_not
-        return Renewal(Offer(library.address, found, content), changes(library, found.index))
+        return NewerVersion(Offer(library.address, found, content), changes(library, found.index))
 
-    def renew(self, library: LockedLibrary, renewal: Renewal) -> LockedLibrary | Refusal:
+    def renew(self, library: LockedLibrary, renewal: NewerVersion) -> LockedLibrary | Refusal:
         """Use the newer version; whoever asks for it has agreed to what its tasks write."""
         return self._kept(locked_as(renewal.offer.found, library.address, library.trusted), renewal.offer.content)
 
@@ -107,7 +106,7 @@ class RemoteLibraries:
     def remove(self, name: str) -> Refusal | None:
         """Use a library no longer."""
         former, faults = self.lock.opened()
-        libraries = former.value if former else ()
+        libraries = former.libraries if former else ()
         library = next((library for library in libraries if library.name == name), None)
         if library is None:
             return Refusal(faults[0].reason if faults else Reason.of("store.library_unknown", library=name))
@@ -139,7 +138,7 @@ class RemoteLibraries:
         former, faults = self.lock.opened()
         if faults:
             return Refusal(faults[0].reason)
-        others = tuple(other for other in (former.value if former else ()) if other.name != library.name)
+        others = tuple(other for other in (former.libraries if former else ()) if other.name != library.name)
         refused = self.lock.saved((*others, library), former)
         if refused is not None:
             return refused
