@@ -11,7 +11,7 @@ const FLOORS: readonly (readonly string[])[] = [
   ['workspace', 'canvas', 'monitor'],
   ['run', 'task'],
   ['help', 'foresight', 'library', 'group', 'holding', 'redirect', 'world3d'],
-  ['files', 'picture', 'recording', 'question', 'scene'],
+  ['files', 'picture', 'recording', 'question', 'scene', 'pad'],
   ['application', 'progress'],
   ['onikon', 'sentences'],
   ['gesture', 'widgets', 'values'],

@@ -32,6 +32,7 @@ import {
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
 import { inks } from '../values/inks'
 import { movedBodies, posture, type Hinge, type Pose } from '../geom/chain'
+import { Handle, type Place } from './handle'
 import { placeUnder } from './picking'
 import { bodiesOf, GLOW, ROW, type Shape, type World } from '../values/world'
 
@@ -55,6 +56,7 @@ export class WorldScene {
   private readonly scene = new Scene()
   private readonly camera = new PerspectiveCamera(30, 1, 0.02, 60)
   private readonly controls: OrbitControls
+  private readonly handle = new Handle(this.camera)
   private readonly groups: Group[]
   private readonly glows: Mesh[] = []
   private readonly meshes = new Map<string, Mesh[]>()
@@ -84,7 +86,7 @@ export class WorldScene {
     this.hinges = new Map(world.shapes.flatMap(({ body, hinge }) => (hinge ? [[body, hinge] as const] : [])))
     this.groups = Array.from({ length: this.bodies }, () => new Group())
     this.arrow.visible = false
-    this.scene.add(...this.groups, this.arrow)
+    this.scene.add(...this.groups, this.arrow, this.handle.ring)
     for (const shape of world.shapes) this.build(shape)
     this.lights = this.light()
     this.renderer.shadowMap.enabled = true
@@ -146,6 +148,30 @@ export class WorldScene {
       this.arrow.setDirection(normal.negate())
     }
     this.draw()
+  }
+
+  /** A ring at the tool, by which it is dragged; without a place there is none. */
+  grip(place?: Place): void {
+    this.handle.put(place)
+    this.draw()
+  }
+
+  /** Whether a point of the window lies on that ring. */
+  isGrip(clientX: number, clientY: number): boolean {
+    const { left, top, width, height } = this.canvas.getBoundingClientRect()
+    return this.handle.isUnder(clientX - left, clientY - top, width, height)
+  }
+
+  /** The way from the tool to a point of the window, in m; while it is dragged the view stays. */
+  dragged(clientX: number, clientY: number): Place {
+    this.controls.enabled = false
+    const { left, top, width, height } = this.canvas.getBoundingClientRect()
+    return this.handle.way(clientX - left, clientY - top, width, height)
+  }
+
+  /** The hand has let go: a drag turns the view again. */
+  dropped(): void {
+    this.controls.enabled = true
   }
 
   private poseOf(body: number): Pose {
@@ -263,6 +289,7 @@ export class WorldScene {
       this.isDue = false
       const began = performance.now()
       if (!this.isSized) this.size()
+      this.handle.turn()
       this.renderer.render(this.scene, this.camera)
       this.began = began
       requestAnimationFrame(() => (this.took = performance.now() - began))
