@@ -5,7 +5,8 @@ import shlex
 import pytest
 from hypothesis import given, strategies as st
 
-from onika.link.ssh_address import SshAddress, is_by_ssh
+from onika.link.address import Address
+from onika.link.ssh_address import SshAddress, address_of
 
 
 @pytest.mark.parametrize(
@@ -65,6 +66,10 @@ def test_whatever_is_let_through_stays_the_words_that_it_was(text):  # R-A15
         assert not parsed.place[-1].startswith("-")
 
 
-def test_an_address_by_ssh_is_told_from_others():
-    assert is_by_ssh("SSH://robot")
-    assert not is_by_ssh("wss://robot")
+def test_an_address_is_of_one_kind_or_the_other():  # R-A15 R-F02
+    assert address_of("ssh://robot?stay") == SshAddress("robot", stays=True)
+    assert address_of("wss://robot") == Address.parse("wss://robot")
+    with pytest.raises(ValueError, match="expected ssh://"):
+        address_of("ssh:robot")
+    with pytest.raises(ValueError, match="expected ws://"):
+        address_of("robot")

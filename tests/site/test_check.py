@@ -11,7 +11,7 @@ from kit.labs.laboratory import HOLE, Laboratory, job, joints, target
 from onika.cli import main
 from onika.store.shipped import shipped_directories
 
-pytestmark = pytest.mark.site
+pytestmark = [pytest.mark.site, pytest.mark.usefixtures("warm_runtimes")]
 
 LINE = re.compile(r"(?P<place>.+?)(:\d+)?: expected .+, found .+; instead: .+")
 

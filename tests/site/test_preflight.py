@@ -23,7 +23,7 @@ from onika.host.loading.plan_preparation import prepare
 from onika.model.redirect import Redirect
 from onika.store.site import open_site
 
-pytestmark = pytest.mark.site
+pytestmark = [pytest.mark.site, pytest.mark.usefixtures("warm_runtimes")]
 
 SHIPPED = [
     # what stands for the puma, program, everything that is to be said

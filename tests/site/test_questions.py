@@ -12,7 +12,7 @@ from kit.labs.laboratory import Laboratory, job
 from kit.process.cli_process import ONIKA
 from onika.cli import main
 
-pytestmark = pytest.mark.site
+pytestmark = [pytest.mark.site, pytest.mark.usefixtures("warm_runtimes")]
 
 GAUGE = """
 from onika.module import AskAgain, Input, Module, OutVar, finish

@@ -7,7 +7,7 @@ import pytest
 from kit.labs.laboratory import HOLE, Laboratory, job, joints, target
 from onika.cli import main
 
-pytestmark = pytest.mark.site
+pytestmark = [pytest.mark.site, pytest.mark.usefixtures("warm_runtimes")]
 
 TRIGGER = """
 from onika.module import Module, finish

@@ -12,7 +12,7 @@ from onika.cli.runtime import add_base, unit
 from onika.cli.search_path import site_here
 from onika.desk.environment.reconcile.station_names import HERE
 from onika.files.state.state_directory import state_directory
-from onika.link.address import Address
+from onika.link.ssh_address import address_of
 from onika.link.token import read_token
 from onika.web.program import EnvironmentOptions, EnvironmentProgram
 from onika.web.server import bound
@@ -102,7 +102,7 @@ def station(text: str) -> tuple[str, str]:
     try:
         if not equals or not TASK_NAME.match(name) or name == HERE:
             raise ValueError(Reason.of("cli.station_expected", text=text))
-        return name, str(Address.parse(url))
+        return name, str(address_of(url))
     except ValueError as wrong:
         raise argparse.ArgumentTypeError(say(reason_of(wrong))) from None
 

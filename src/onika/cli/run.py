@@ -21,8 +21,7 @@ from onika.desk.run.run import run
 from onika.desk.run.settings import RunSettings, RuntimeLocation
 from onika.desk.sweep.variation import Variation
 from onika.desk.trial.keeping import keep_in, unkeepable
-from onika.link.address import Address
-from onika.link.ssh_address import SshAddress, is_by_ssh
+from onika.link.ssh_address import address_of
 from onika.link.token import read_token
 from onika.model.redirect import Redirect
 from onika.store.site import Site
@@ -210,7 +209,7 @@ def redirect_of(text: str) -> Redirect:
 
 def _address(text: str) -> str:
     try:
-        return str(SshAddress.parse(text) if is_by_ssh(text) else Address.parse(text))
+        return str(address_of(text))
     except ValueError as wrong:
         raise argparse.ArgumentTypeError(say(reason_of(wrong))) from None
 

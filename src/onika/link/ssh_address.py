@@ -13,6 +13,7 @@ import shlex
 from dataclasses import dataclass
 from urllib.parse import SplitResult, parse_qsl, urlsplit
 
+from onika.link.address import Address
 from onika.words.name import TASK_NAME
 from onika.words.reason import Reason
 
@@ -22,11 +23,6 @@ _USER = re.compile(r"[A-Za-z_][A-Za-z0-9._-]*")
 _PROGRAM = re.compile(r"/[A-Za-z0-9._/+-]+")
 _PROGRAM_NAME = "onika"
 _WAYS = ("virtual", "stay")
-
-
-def is_by_ssh(text: str) -> bool:
-    """Whether a text wants to be such an address."""
-    return text.lower().startswith(f"{SCHEME}:")
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,6 +80,11 @@ class SshAddress:
         words += ["--virtual"] * self.is_virtual + ["--stay"] * self.stays
         words += [word for unit in self.units for word in ("--rtpu", unit)]
         return shlex.join(words)
+
+
+def address_of(text: str) -> Address | SshAddress:
+    """An address of either kind: of a runtime that is there, or of one that ssh starts; raises ValueError."""
+    return SshAddress.parse(text) if text.startswith(f"{SCHEME}:") else Address.parse(text)
 
 
 def _fits(parts: SplitResult, program: str) -> bool:

@@ -13,7 +13,7 @@ from onika.link.connection import Connection
 from onika.link.connector import ThreadConnector
 from onika.link.link_terms import REMOTE
 from onika.link.lost import LinkLost, LossCause
-from onika.link.ssh_address import SshAddress, is_by_ssh
+from onika.link.ssh_address import SshAddress, address_of
 from onika.link.ssh_opening import START_S, SshOpening
 from onika.link.token import read_token, token_path
 from onika.link.websocket_opening import WebSocketOpening
@@ -59,9 +59,9 @@ def connect(url: str, token: str = "", ca: Path | None = None) -> RemoteRuntime:
     token   empty: that of ONIKA_TOKEN, or on this machine the one in the user's state directory; none for `ssh://`
     ca      a file of certificates to trust beside the system's
     """
-    if is_by_ssh(url):
-        return RemoteRuntime(SshOpening(SshAddress.parse(url)))
-    address = Address.parse(url)
+    address = address_of(url)
+    if isinstance(address, SshAddress):
+        return RemoteRuntime(SshOpening(address))
     return RemoteRuntime(WebSocketOpening(address, token or _token(address), ca))
 
 

@@ -15,7 +15,7 @@ from onika.desk.environment.reconcile.station_names import HERE, station_at, sta
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.desk.run.runtime_conversation import in_short
-from onika.link.address import Address
+from onika.link.ssh_address import address_of
 from onika.wire import act, live, view
 from onika.wire.runtime_standing import Standing
 from onika.wire.view import Remedy
@@ -59,7 +59,7 @@ def _named(model: Model, command: act.AddStation) -> tuple[str, str] | No:
             return No(Reason.of("desk.no_station", name=command.name))
         return command.name, known.address
     try:
-        url = str(Address.parse(url))
+        url = str(address_of(url))
     except ValueError as wrong:
         return No(reason_of(wrong), fields={"url": reason_of(wrong)})
     name = command.name or station_name(model, url)

@@ -1,7 +1,7 @@
 """What stations are called: by the user, else by the machine on which their runtime is (requirement F02)."""
 
 from onika.desk.environment.state.model import Model
-from onika.link.address import Address
+from onika.link.ssh_address import address_of
 from onika.words.name import TASK_NAME
 from onika.words.reason import Reason
 
@@ -20,7 +20,7 @@ def station_at(model: Model, url: str) -> str | None:
 def station_name(model: Model, url: str) -> str:
     """A name for the station of a runtime at this address that no other has."""
     try:
-        first = Address.parse(url).host.partition(".")[0]
+        first = address_of(url).host.partition(".")[0]
     except ValueError:
         first = ""
     wished = first if TASK_NAME.match(first) and first != HERE else _STATION
@@ -35,6 +35,6 @@ def called(station: str) -> str | Reason:
 
 def _plain(url: str) -> str:
     try:
-        return str(Address.parse(url))
+        return str(address_of(url))
     except ValueError:
         return url
