@@ -2029,7 +2029,7 @@ export const catalogue: Readonly<Record<string, string>> = {
   "laws.wrist_near": "fuera de alcance: la muñeca quedaría a {radius:.3f} m del eje de la articulación 1, lo más cerca es {nearest:.3f} m",
   "link.acknowledged_ahead": "se confirmó la señal {number}, hay {last}",
   "link.address_bare": "se esperaba solo el host y el puerto en la dirección, se encontró {text}",
-  "link.address_form": "se esperaba ws://HOST:PORT o wss://HOST:PORT, se encontró {text}",
+  "link.address_form": "se esperaba ws://HOST:PORT, wss://HOST:PORT o ssh://HOST, se encontró {text}",
   "link.address_readable": "se esperaba wss:// para otra máquina, se encontró {text}: por el camino se podría leer el token",
   "link.another_users": "esta sesión es de otro usuario",
   "link.because": ": {why}",
