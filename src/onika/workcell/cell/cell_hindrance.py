@@ -5,14 +5,13 @@ from collections.abc import Mapping
 import mujoco
 import numpy as np
 
-from onika.laws import reach
-from onika.laws.arm_identity import arm_constants
 from onika.laws.frames import Array
 from onika.model.world import WorldText
 from onika.words.reason import Reason
-from onika.workcell.cell.cell_thing import ARM, CellThing, rank, things_of
+from onika.workcell.cell.cell_thing import FREE, CellThing, called_arm, called_hand, rank, things_of
 from onika.workcell.composed.joint_unit import JointUnit
 from onika.workcell.contacts import DEEP_M
+from onika.workcell.gripping.tool_frame import ToolFrame
 from onika.workcell.hindrance import PRESSED_N
 from onika.workcell.plant import Plant
 
@@ -25,35 +24,47 @@ class CellHindrance:
     """
 
     def __init__(self, plant: Plant, world: WorldText, arms: Mapping[JointUnit, bool], *, has_forces: bool) -> None:
-        self._plant, self._has_forces = plant, has_forces
+        self._plant, self._world, self._arms, self._has_forces = plant, world, arms, has_forces
         self._things = [*things_of(plant.model, world, arms)]
 
-    def told(self, unit: JointUnit) -> tuple[Reason, ...]:
-        """What an arm, or its hand, presses against that is not its own."""
+    def told(self, unit: JointUnit, held: str | None = None) -> tuple[Reason, ...]:
+        """What an arm, its hand, or the part in that (by its name), presses against that is not its own."""
         forces: dict[tuple[CellThing, CellThing], float] = {}
         if not self._has_forces:
             mujoco.mj_collision(self._plant.model, self._plant.data)
         contact = self._plant.data.contact
         for at, (first, second) in enumerate(contact.geom.tolist()):
             pair = (self._things[first], self._things[second])
-            is_own = [thing.moves and thing.name == unit.side for thing in pair]
+            is_own = [_is_own(thing, unit.side, held) for thing in pair]
             if sum(is_own) == 1 and (self._has_forces or contact.dist[at] < -DEEP_M):
                 who, what = pair if is_own[0] else pair[::-1]
                 forces[who, what] = forces.get((who, what), 0.0) + self._force(at)
         felt = (pair for pair, force in forces.items() if force >= PRESSED_N or not self._has_forces)
-        return tuple(_text(*pair) for pair in sorted(felt, key=lambda pair: (rank(pair[0]), rank(pair[1]))))
+        return tuple(self._text(unit, *pair) for pair in sorted(felt, key=lambda pair: (rank(pair[0]), rank(pair[1]))))
 
     def place(self, unit: JointUnit) -> Reason:
         """Where the point of its tool is."""
-        nine = reach.poses(arm_constants(unit.sheet.identity), [unit.posture.tolist()])[0]
-        x, y, z = (float(metres) * 100.0 for metres in nine[6:9])
-        return Reason.of("workcell.stands_at", who=CellThing(ARM, unit.side, unit.sheet.name).text, x=x, y=y, z=z)
+        x, y, z = (float(metres) * 100.0 for metres in ToolFrame(self._plant, unit).pose()[:3, 3])
+        called = called_hand if self._arms[unit] and self._has_hand_name(unit) else called_arm
+        who = called(self._world, unit, is_alone=len(self._arms) == 1)
+        return Reason.of("workcell.stands_at", who=who, x=x, y=y, z=z)
+
+    def _has_hand_name(self, unit: JointUnit) -> bool:
+        return any(place.name == unit.side and place.hand_names for place in self._world.places)
 
     def _force(self, at: int) -> float:
         force: Array = np.zeros(6)
         mujoco.mj_contactForce(self._plant.model, self._plant.data, at, force)
         return abs(float(force[0]))
 
+    def _text(self, unit: JointUnit, who: CellThing, what: CellThing) -> Reason:
+        if who.kind == FREE:
+            hand = called_hand(self._world, unit, is_alone=len(self._arms) == 1)
+            return Reason.of("workcell.carried_touches", what=who.text, hand=hand, other=what.text)
+        return Reason.of("workcell.meets" if what.moves else "workcell.touches", who=who.text, what=what.text)
 
-def _text(who: CellThing, what: CellThing) -> Reason:
-    return Reason.of("workcell.meets" if what.moves else "workcell.touches", who=who.text, what=what.text)
+
+def _is_own(thing: CellThing, place: str, held: str | None) -> bool:
+    if thing.kind == FREE:
+        return thing.name == held
+    return thing.moves and thing.name == place

@@ -17,11 +17,13 @@ from onika.ring.drive import DriveInput
 from onika.wire.world_source import WorldSource
 from onika.words.fault import Fault, Place
 from onika.words.reason import Reason
+from onika.workcell.cell.cell_hands import CellHands
 from onika.workcell.cell.cell_hindrance import CellHindrance
 from onika.workcell.cell.cell_lookout import CellLookout
+from onika.workcell.cell.cell_places import CellPlaces
+from onika.workcell.cell.cell_thing import called
 from onika.workcell.composed import part_places
 from onika.workcell.composed.composition import Composition
-from onika.workcell.composed.finger_unit import FingerUnit
 from onika.workcell.composed.joint_unit import JointUnit
 from onika.workcell.composed.robot_unit import RobotUnit
 from onika.workcell.composed.robot_units import robot_units
@@ -31,10 +33,8 @@ from onika.workcell.composed.stands import Stands
 from onika.workcell.composed.still import still
 from onika.workcell.composed.switch_lamp import SwitchLamp, lacking_contact
 from onika.workcell.driven_world import DrivenWorld
-from onika.workcell.gripping.finger_way import FingerWay
 from onika.workcell.gripping.forceless import Forceless
 from onika.workcell.gripping.loose_parts import LooseParts
-from onika.workcell.gripping.tool_frame import ToolFrame
 from onika.workcell.panic_button import PanicButton
 from onika.workcell.plant import Plant
 from onika.workcell.scene import Shape3d, looked_at
@@ -95,12 +95,11 @@ class FileWorld(DrivenWorld):
 
     def places(self) -> tuple[Reason, ...]:
         """What stands where at the start."""
-        return tuple(part_places.places(self._composition.world.parts, self._plant, self._start))
+        return tuple(self._places().places(self._start))
 
     def displaced(self) -> tuple[Displacement, ...]:
-        """What does not stand there now: parts first, then robots, which may be anywhere."""
-        parts = part_places.displaced(self._composition.world.parts, self._plant)
-        return (*parts, *self._displaced_robots())
+        """What does not stand there now: what hands hold first, then parts, then robots, which may be anywhere."""
+        return tuple(self._places().displaced(self._hands, self._forceless, self._present))
 
     def watch_mishaps(self) -> None:
         """From now on notice what no program means: arms that touch something, parts that fall."""
@@ -114,8 +113,9 @@ class FileWorld(DrivenWorld):
     def standing(self) -> tuple[Reason, ...]:
         """In sentences what is worth knowing of how everything stands."""
         unstable = [Reason.of("workcell.unstable")] if self._is_unstable else []
-        lit = [Reason.of("workcell.named_lamp_lit", lamp=lamp.lamp.name) for lamp in self._lamps if lamp.flags.all()]
-        dark = (lamp.lamp.name for lamp in self._lamps if not lamp.flags.all())
+        lamps = [(called(lamp.lamp.names, Reason.plain(lamp.lamp.name)), lamp.flags.all()) for lamp in self._lamps]
+        lit = [Reason.of("workcell.named_lamp_lit", lamp=lamp) for lamp, is_lit in lamps if is_lit]
+        dark = (lamp for lamp, is_lit in lamps if not is_lit)
         away = (displaced.text for displaced in self.displaced())
         return (*unstable, *lit, *(Reason.of("workcell.named_lamp_dark", lamp=name) for name in dark), *away)
 
@@ -212,6 +212,8 @@ class FileWorld(DrivenWorld):
 
     def _bind(self) -> None:
         self._robots = self._stands.present()
+        parts, step_s = self._composition.parts, self.step_ns * 1e-9
+        self._hands = CellHands(self._plant, self._robots, self._stands.arms(), parts, step_s)
         for button in self._composition.world.buttons:
             if button.name in self._buttons:
                 self._buttons[button.name].units = tuple(self._stopped_by(button))
@@ -229,8 +231,9 @@ class FileWorld(DrivenWorld):
             self._feel = self._forceless.feel
         self._advance = self._stepping()
         if self._lookout is not None:
-            arms, has_forces = self._stands.arms(), not self._stands.mode
-            self._advance = self._lookout.watch(self._plant, arms, self._advance, self._now, has_forces=has_forces)
+            self._advance = self._lookout.watch(
+                self._plant, self._stands.arms(), self._hands.ways, self._advance, self._now, self._forceless
+            )
         self._publish()
 
     def _halted(self, unit: DeviceUnit) -> tuple[Reason, tuple[Reason, ...]] | tuple[()]:
@@ -240,7 +243,7 @@ class FileWorld(DrivenWorld):
             return ()
         has_forces = not self._stands.mode
         hindrance = CellHindrance(self._plant, self._composition.world, arms, has_forces=has_forces)
-        return hindrance.place(unit), hindrance.told(unit)
+        return hindrance.place(unit), hindrance.told(unit, self._hands.held(unit, self._forceless))
 
     def _now(self) -> int:
         return self.now_ns
@@ -262,14 +265,10 @@ class FileWorld(DrivenWorld):
 
     def _without_forces(self) -> Forceless:
         parts = LooseParts(self._plant, self._composition.parts)
-        return Forceless(self._plant, self._robots, parts, self._hands(), self.step_ns * 1e-9)
+        return Forceless(self._plant, self._robots, parts, self._hands.ways, self.step_ns * 1e-9)
 
-    def _hands(self) -> dict[FingerUnit, tuple[FingerWay, ToolFrame]]:
-        """The grippers that are there, each with the way of its fingers and the tool of the arm that bears it."""
-        arms = {unit.side: unit for unit in reversed([*self._stands.arms()])}
-        borne = [unit for unit in self._robots if isinstance(unit, FingerUnit) and unit.side in arms]
-        tools = {unit: ToolFrame(self._plant, arms[unit.side]) for unit in borne}
-        return {unit: (FingerWay(self._plant, unit, tool), tool) for unit, tool in tools.items()}
+    def _places(self) -> CellPlaces:
+        return CellPlaces(self._composition.world, self._plant, self._stands.arms())
 
     def _step(self, model: Any, data: Any) -> None:
         for unit in self._running:
@@ -282,11 +281,6 @@ class FileWorld(DrivenWorld):
 
     def _runners(self) -> list[RobotUnit]:
         return [unit for unit in self._present if isinstance(unit, RobotUnit) and unit.runs_on]
-
-    def _displaced_robots(self) -> Iterator[Displacement]:
-        for unit in self._present:
-            if isinstance(unit, RobotUnit) and unit.is_away:
-                yield Displacement(unit.away, is_harmless=True)
 
 
 def _unlogged(_text: str) -> None:

@@ -1,6 +1,7 @@
 """Where the parts of a world that move are: at the start, never twice alike, and how far from there later."""
 
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Callable, Collection, Iterator, Sequence
 
 import mujoco
 import numpy as np
@@ -13,6 +14,7 @@ from onika.workcell.composed.usable_parts import FREE_JOINT, prefix_of
 from onika.workcell.plant import Plant
 
 _NEAR_M = 0.004  # how far a part may be from its place and still stand there
+_TURNED_RAD = 0.05  # how far it may be turned and still stand as it stood
 
 
 def free_parts(parts: Sequence[PartBlock], plant: Plant, qpos: Array) -> Iterator[tuple[PartBlock, Array]]:
@@ -24,20 +26,26 @@ def free_parts(parts: Sequence[PartBlock], plant: Plant, qpos: Array) -> Iterato
             yield part, qpos[first : first + 7]
 
 
-def places(parts: Sequence[PartBlock], plant: Plant, qpos: Array) -> Iterator[Reason]:
-    """Where they are, in sentences."""
+def places(parts: Sequence[PartBlock], plant: Plant, qpos: Array, called: Callable[[str], Reason]) -> Iterator[Reason]:
+    """Where they are, in sentences; `called` says what a part is called."""
     for part, at in free_parts(parts, plant, qpos):
         x, y, z = (100.0 * at[:3]).tolist()
-        yield Reason.of("workcell.part_place", part=part.name, x_cm=x, y_cm=y, z_cm=z)
+        yield Reason.of("workcell.part_place", part=called(part.name), x_cm=x, y_cm=y, z_cm=z)
 
 
-def displaced(parts: Sequence[PartBlock], plant: Plant) -> Iterator[Displacement]:
-    """Those that are not where they began."""
+def displaced(
+    parts: Sequence[PartBlock], plant: Plant, called: Callable[[str], Reason], held: Collection[str]
+) -> Iterator[Displacement]:
+    """Those that are not where they began, or not as they stood there; not those that are held."""
     started = {part.name: at for part, at in free_parts(parts, plant, plant.model.qpos0)}
     for part, at in free_parts(parts, plant, plant.data.qpos):
         away = float(np.linalg.norm(at[:3] - started[part.name][:3]))
+        if part.name in held:
+            continue
         if away > _NEAR_M:
-            yield Displacement(Reason.of("workcell.part_away", part=part.name, cm=100 * away))
+            yield Displacement(Reason.of("workcell.part_away", part=called(part.name), cm=100 * away))
+        elif abs(float(at[3:] @ started[part.name][3:])) < math.cos(_TURNED_RAD / 2.0):
+            yield Displacement(Reason.of("workcell.part_turned", part=called(part.name)))
 
 
 def offsets(parts: Sequence[PartBlock], seed: int | None) -> dict[str, tuple[float, float]]:

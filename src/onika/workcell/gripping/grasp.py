@@ -54,14 +54,17 @@ class Grasp:
 
     def take_up(self) -> None:
         """A hand that is found at rest, and not as closed as it is told to be, has the part between its fingers."""
-        is_blocked = self.unit.aim < self.opening - _NEAR_M and abs(float(self.unit.state[3])) < _RESTS_M_S
-        if is_blocked:
-            self._take(self._between())
+        self._take(self._blocking())
         if self.carried and abs(self._width - self.opening) > _NEAR_M:
             self._width = self.opening  # its file says other widths than its fingers have
         if self.carried:
             self.opening = self._width
         self._way.go(self._share(), 0.0)
+
+    def holds(self) -> int | None:
+        """The part that is between its fingers, which rest there, less closed than told to be."""
+        blocking = self._blocking()
+        return min(blocking, key=lambda part: part.away).number if blocking else None
 
     def move(self) -> None:
         """Fingers one step on; a part that is let go falls, one that is met on closing is taken."""
@@ -92,6 +95,10 @@ class Grasp:
         if not self.carried:
             self._take([part for part in self._between() if wanted <= part.width <= self.opening])
         return max(wanted, self._width) if self.carried else wanted
+
+    def _blocking(self) -> list[_Between]:
+        is_blocked = self.unit.aim < self.opening - _NEAR_M and abs(float(self.unit.state[3])) < _RESTS_M_S
+        return self._between() if is_blocked else []
 
     def _share(self) -> float:
         return (self.opening - self._narrow) / (self._wide - self._narrow)
