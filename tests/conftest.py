@@ -38,6 +38,25 @@ def state(tmp_path_factory):
         yield
 
 
+@pytest.fixture(scope="session")
+def kept_runtimes():
+    """Those that tests may use one after the other."""
+    from kit.runtime.warm_runtimes import WarmRuntimes
+
+    kept = WarmRuntimes()
+    yield kept
+    kept.close()
+
+
+@pytest.fixture
+def warm_runtimes(kept_runtimes, monkeypatch):
+    """Runs in virtual time and looks at files take a runtime that was used before, and is renewed."""
+    from onika.desk.run import run, survey
+
+    monkeypatch.setattr(run, "LaunchedRuntime", kept_runtimes)
+    monkeypatch.setattr(survey, "LaunchedRuntime", kept_runtimes)
+
+
 @pytest.fixture(autouse=True, scope="session")
 def recordings(tmp_path_factory):
     """Every recording that the tests have made is replayed through the drives' table (R-X24)."""

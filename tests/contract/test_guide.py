@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from onika.cli import main
 from onika.files import buttons, preferences
 
 ROOT = Path(__file__).parents[2]
@@ -35,15 +36,17 @@ def blocks(page):
         yield Block(match[1], match[2] or "", match[3], text.count("\n", 0, match.start()) + 2)
 
 
-def carry_out(command, folder):
-    """A line of a shell block; `onika` and `python` are those of this test."""
-    words = {"onika": [sys.executable, "-c", "from onika.cli import main; raise SystemExit(main())"]}
+def carry_out(command, folder, capsys):
+    """A line of a shell block; `onika` and `python` are those of this test, a run or a check happens within it."""
     name, *rest = shlex.split(command)
-    environment = os.environ | {"PYTHONPATH": str(ROOT / "src"), "HOME": str(folder)}
+    if name == "onika" and rest and rest[0] in ("run", "check", "text"):
+        assert main(rest) == 0, f"{command}\n{capsys.readouterr()}"
+        return
+    words = {"onika": [sys.executable, "-c", "from onika.cli import main; raise SystemExit(main())"]}
     ran = subprocess.run(
         [*words.get(name, [sys.executable]), *rest],
         cwd=folder,
-        env=environment,
+        env=os.environ | {"PYTHONPATH": str(ROOT / "src")},
         capture_output=True,
         text=True,
         timeout=600,
@@ -63,9 +66,11 @@ def prepared(folder):
 
 
 @pytest.mark.site
+@pytest.mark.usefixtures("warm_runtimes")
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
-def test_what_a_page_says_works(page, tmp_path, monkeypatch):
+def test_what_a_page_says_works(page, tmp_path, monkeypatch, capsys):
     prepared(tmp_path)
+    monkeypatch.setenv("HOME", str(tmp_path))
     monkeypatch.chdir(tmp_path)
     names = {"__name__": page.stem}
     for block in blocks(page):
@@ -77,7 +82,7 @@ def test_what_a_page_says_works(page, tmp_path, monkeypatch):
             exec(compile("\n" * (block.line - 1) + block.text, str(page), "exec"), names)
         elif block.language == "sh":
             for command in block.text.splitlines():
-                carry_out(command, tmp_path)
+                carry_out(command, tmp_path, capsys)
 
 
 def test_every_page_leads_to_pages_that_exist():
