@@ -70,6 +70,19 @@ def test_clocks_are_learned_from_what_is_echoed(two):
     assert first.silent_ns(1, NOW + 10 * MS) == 7 * MS
 
 
+def test_a_time_of_a_clock_that_may_be_misjudged_by_more_than_the_terms_say_is_not_believed(two):
+    first, second = two
+    first.meetings[0].come(NOW)
+    second.meetings[0].come(NOW)
+    first.hear(1, second.report(0, NOW), NOW + 5 * MS)
+    assert second.hear(1, first.report(1, NOW + 5 * MS), NOW + 10 * MS) == []
+    assert second.clock(0).bound_ns(NOW + 10 * MS) > TERMS.clock_ns
+    quick_ns = NOW + 10 * MS + 400_000
+    first.hear(2, second.report(0, NOW + 10 * MS), quick_ns)
+    orders = second.hear(2, first.report(1, quick_ns), quick_ns + 400_000)
+    assert [order.attempt for _, order in orders] == [1]
+
+
 def test_a_stop_is_passed_on(two):  # law 27
     first, second = two
     first.is_stopped = True

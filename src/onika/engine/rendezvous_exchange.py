@@ -44,6 +44,7 @@ class RendezvousExchange:
         self.is_stopped = False
         """Whether everything of the run is to stop, which all others are told."""
         self._run = run
+        self._terms = terms
         self._site = site
         self._epoch = epochs[site]
         self._peers = {other: _Peer(epoch) for other, epoch in epochs.items() if other != site}
@@ -108,4 +109,8 @@ class RendezvousExchange:
         return is_of_run and report.epoch == peer.epoch and count > peer.count
 
     def _here(self, other: int, there_ns: int, now_ns: int) -> int | None:
-        return self._peers[other].clock.here(there_ns, now_ns)
+        """Nothing is known of a clock that may be misjudged by more than the terms say."""
+        clock = self._peers[other].clock
+        bound_ns = clock.bound_ns(now_ns)
+        is_sure = bound_ns is not None and bound_ns <= self._terms.clock_ns
+        return clock.here(there_ns, now_ns) if is_sure else None

@@ -21,7 +21,7 @@ class RendezvousHistory:
     def __init__(self, seed: int, one_way_ns: int = MS // 2, sites: int = 2, parts: Parts = HONEST) -> None:
         self.time = EventScheduler(seed)
         random = self.time.random
-        self.terms = RendezvousTerms(one_way_ns, one_way_ns + MS)
+        self.terms = RendezvousTerms(one_way_ns, one_way_ns * 5 // 4 + MS)
         self.net = RendezvousNet(self.time, one_way_ns)
         self.oracle = RendezvousOracle(range(sites), self.terms)
         epochs = {site: random.getrandbits(60) for site in range(sites)}
