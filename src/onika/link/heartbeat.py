@@ -11,17 +11,17 @@ import secrets
 import socket
 import threading
 from dataclasses import dataclass
-from hashlib import blake2b
 from hmac import compare_digest
 from time import monotonic_ns
+
+from onika.link.pact import COUNT, KEY, NAME, SEAL, sealed
 
 HEADER = "Onika-Beats"
 """Of the answer that opens a connection: `PORT NAME KEY`, the latter in hexadecimal digits."""
 EVERY_NS = 50_000_000
 PATIENCE_NS = 750_000_000
 """For how long a beat speaks for a program that does not serve its connection."""
-_NAME, _COUNT, _SEAL, _KEY = 8, 8, 16, 32
-LENGTH = _NAME + _COUNT + _SEAL
+LENGTH = NAME + COUNT + SEAL
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +39,7 @@ class HeartbeatKey:
     @classmethod
     def drawn(cls, port: int) -> "HeartbeatKey":
         """For a new connection."""
-        return cls(port, secrets.token_bytes(_NAME), secrets.token_bytes(_KEY))
+        return cls(port, secrets.token_bytes(NAME), secrets.token_bytes(KEY))
 
     @classmethod
     def parse(cls, header: str) -> "HeartbeatKey | None":
@@ -49,7 +49,7 @@ class HeartbeatKey:
             port, name, key = int(words[0]), bytes.fromhex(words[1]), bytes.fromhex(words[2])
         except (ValueError, IndexError):
             return None
-        fits = 0 < port < 65536 and len(name) == _NAME and len(key) == _KEY and len(words) == 3
+        fits = 0 < port < 65536 and len(name) == NAME and len(key) == KEY and len(words) == 3
         return cls(port, name, key) if fits else None
 
     def header(self) -> str:
@@ -58,20 +58,20 @@ class HeartbeatKey:
 
     def beat(self, count: int) -> bytes:
         """The datagram."""
-        head = self.name + count.to_bytes(_COUNT, "big")
-        return head + _seal(self.key, head)
+        head = self.name + count.to_bytes(COUNT, "big")
+        return head + sealed(self.key, head)
 
     def count_in(self, datagram: bytes) -> int | None:
         """The count of a beat of this connection; None: it is none."""
-        head, seal = datagram[:-_SEAL], datagram[-_SEAL:]
-        if len(datagram) != LENGTH or head[:_NAME] != self.name or not compare_digest(seal, _seal(self.key, head)):
+        head, seal = datagram[:-SEAL], datagram[-SEAL:]
+        if len(datagram) != LENGTH or head[:NAME] != self.name or not compare_digest(seal, sealed(self.key, head)):
             return None
-        return int.from_bytes(head[_NAME:], "big")
+        return int.from_bytes(head[NAME:], "big")
 
 
 def name_in(datagram: bytes) -> bytes:
     """Whose beat it says that it is; empty: it is no beat."""
-    return datagram[:_NAME] if len(datagram) == LENGTH else b""
+    return datagram[:NAME] if len(datagram) == LENGTH else b""
 
 
 class HeartbeatCounter:
@@ -121,7 +121,3 @@ class HeartbeatSender:
                 if beat is not None:
                     with contextlib.suppress(OSError):  # nobody listens there, or a wall stands between: TCP is left
                         self._socket.send(beat)
-
-
-def _seal(key: bytes, data: bytes) -> bytes:
-    return blake2b(data, digest_size=_SEAL, key=key).digest()
