@@ -101,6 +101,27 @@ class PreparedSwitch(Struct, frozen=True, tag=True):
     cases: tuple[Case, ...]
 
 
+class Appointment(Struct, frozen=True, tag=True):
+    """Carry out these switches as one at a time that was agreed with other runtimes, if that is permitted by then.
+
+    The permit, and the word that all others have begun, lie in shared memory (`ring.begin_words`). Without the latter
+    every device that tasks of `subsystems` have is held so long after the time (law 34). Appointed and HeldAlone tell.
+    """
+
+    number: int
+    at_ns: int
+    hold_ns: int
+    subsystems: tuple[str, ...]
+    switches: tuple[Switch, ...] = ()
+
+
+class Dismiss(Struct, frozen=True, tag=True):
+    """Forget an appointment; where it has begun already and `holds`, hold it at once, as if nothing were confirmed."""
+
+    number: int
+    holds: bool = False
+
+
 class Rank(Struct, frozen=True, tag=True):
     """New places of living tasks in the order of data flow (law 1); no release is lost."""
 
@@ -212,6 +233,8 @@ Command = (
     | Switch
     | Together
     | PreparedSwitch
+    | Appointment
+    | Dismiss
     | Rank
     | Reinit
     | Rebind

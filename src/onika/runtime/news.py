@@ -223,6 +223,21 @@ class Statuses(Struct, frozen=True, tag=True):
     tasks: tuple[TaskStatus, ...]
 
 
+class Appointed(Struct, frozen=True, tag=True):
+    """The time of an appointment is there: it has begun, or was not permitted, or it was too late."""
+
+    number: int
+    at_ns: int
+    has_begun: bool
+
+
+class HeldAlone(Struct, frozen=True, tag=True):
+    """What began at an appointment is held: nobody had said in time that all others have begun."""
+
+    number: int
+    at_ns: int
+
+
 class Loads(Struct, frozen=True, tag=True):
     """The answer to a Load: what the tasks of this RTPU cost, by the newest figures there are."""
 
@@ -247,7 +262,7 @@ TaskNews = (
 )
 """Of one task, which each names."""
 
-News = TaskNews | Unprepared | Got | Statuses | Loads
+News = TaskNews | Unprepared | Got | Statuses | Loads | Appointed | HeldAlone
 
 
 def _plain(value: Any) -> Any:

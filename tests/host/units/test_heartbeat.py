@@ -68,3 +68,12 @@ def test_why_it_ended_itself_is_seen():  # law 30
     assert not supervisor.reason
     process.leave(Reason.plain("it had enough"))
     assert supervisor.reason.text == "it had enough"
+
+
+def test_what_the_runtime_permits_and_confirms_its_unit_sees_and_last_words_stay():  # law 34
+    process, supervisor = pair()
+    process.leave(Reason.plain("x" * 1_500))
+    supervisor.begin_words.permit(8)
+    supervisor.begin_words.confirm(7)
+    assert (process.begin_words.is_permitted(8), process.begin_words.is_confirmed(7)) == (True, True)
+    assert supervisor.reason == Reason.plain("x" * 1_500)

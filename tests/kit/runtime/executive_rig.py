@@ -12,6 +12,7 @@ from collections import deque
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Self, TypeVar
 
+from onika.ring.begin_words import BeginWords
 from onika.ring.segment import Segment
 from onika.runtime import command, news
 from onika.runtime.bus import SEGMENT_SIZE, Bus, World
@@ -46,7 +47,8 @@ class ExecutiveRig:
         self.views = {f"table:{HOME}": segment.view}
         self._costs, self._react, self._seed = costs or {}, react, seed
         self._watched = _Watched()
-        self.executive = Executive("unit", self.views, self._watched.watch)
+        self.begin_words = BeginWords()
+        self.executive = Executive("unit", self.views, self._watched.watch, self.begin_words)
         self.bus = None if world is None else self._open(world)
         self._grants: dict[str, command.DeviceGrant] = {}
         self._stepped_to = 0

@@ -224,6 +224,10 @@ class Subsystems:
             for each in self.runs:
                 each.hear(rtpu, message, now)
             return
+        if isinstance(message, news.Appointed | news.HeldAlone):
+            for each in self.runs:
+                each.hear(rtpu, message, now)
+            return
         if isinstance(message, news.Got) or (isinstance(message, news.Refused) and message.command == "get or set"):
             self.status_poll.answered(message)
             return

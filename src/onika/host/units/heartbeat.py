@@ -2,12 +2,14 @@
 
 from time import monotonic_ns
 
-from onika.ring.last_words import LastWords
+from onika.ring.begin_words import BeginWords
+from onika.ring.last_words import SIZE as LAST_WORDS, LastWords
 from onika.ring.segment import Segment
 from onika.words.reason import Reason
 
 SIZE = 4096
 _LAST_WORDS_AT = 64
+_BEGIN_WORDS_AT = 64 + LAST_WORDS
 
 
 class Heartbeat:
@@ -16,6 +18,8 @@ class Heartbeat:
     def __init__(self, segment: Segment) -> None:
         self._words = segment.view[:32].cast("Q")
         self._last_words = LastWords(segment.view[_LAST_WORDS_AT:])
+        self.begin_words = BeginWords(segment.view[_BEGIN_WORDS_AT:])
+        """By which the runtime lets what it has appointed begin (law 34)."""
         self.watch = self._last_words.watch
         """Is told whose code runs from now on; "" for the executive's own."""
 

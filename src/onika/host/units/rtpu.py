@@ -69,7 +69,7 @@ class Rtpu:
         self._views: dict[str, memoryview] = {}
         self._segments: dict[str, Segment] = {}
         watch = DescriptorGuard(post.fileno(), heartbeat.watch, heartbeat.leave).watch
-        self._executive = Executive(name, self._views, watch)
+        self._executive = Executive(name, self._views, watch, heartbeat.begin_words)
         self._garbage = Garbage()
         self.code_watch = CodeWatch(CodeGuard(own_code()), heartbeat.leave, heartbeat.look)
         """Whoever runs this in a process of its own begins it."""
@@ -178,7 +178,7 @@ class Rtpu:
 def _may_wait(message: news.News) -> bool:
     """Whether it is the outcome of what was wanted, so that nobody waits for it to decide what follows."""
     match message:
-        case news.Cycled() | news.Stepped():
+        case news.Cycled() | news.Stepped() | news.Appointed():
             return True
         case news.Changed():
             return not message.signal

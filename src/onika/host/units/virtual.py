@@ -361,7 +361,7 @@ class VirtualDriver:
             if isinstance(one, news.Statuses | news.Loads):  # its times are of the wall
                 rtpu = one.rtpu
             else:
-                rtpu = self._homes.get((one.subsystem, getattr(one, "task", "")), "")
+                rtpu = self._homes.get((getattr(one, "subsystem", ""), getattr(one, "task", "")), "")
                 if not isinstance(one, news.Stepped):  # it tells of what was looked at, and nothing has happened
                     self._digest.hear(one)
             if self._listener is not None:

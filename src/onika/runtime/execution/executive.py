@@ -7,7 +7,9 @@ owner delivers the news and the commands that came meanwhile, in this order (law
 from collections.abc import Callable, Sequence
 
 from onika.model.signal import Signal
+from onika.ring.begin_words import BeginWords
 from onika.runtime import command, news
+from onika.runtime.execution.appointments import NEVER, Appointments, AppointmentStep
 from onika.runtime.execution.deferred import DeferredCommands
 from onika.runtime.execution.entry_points import RAISED, EntryPoints
 from onika.runtime.execution.module_exchange import ModuleExchange
@@ -26,13 +28,20 @@ _NOTHING: Sequence[news.News] = ()
 class Executive:
     """Tasks of any subsystems on one processing unit. `watch` is told the task before its code runs, "" after."""
 
-    def __init__(self, rtpu: str, views: Views, watch: Callable[[str], None] | None = None) -> None:
+    def __init__(
+        self,
+        rtpu: str,
+        views: Views,
+        watch: Callable[[str], None] | None = None,
+        begin_words: BeginWords | None = None,
+    ) -> None:
         self._unit = ProcessingUnit(rtpu, views)
         self._entry_points = EntryPoints(self._unit, watch)
         self._lifecycle = TaskLifecycle(self._unit, self._entry_points)
         self._task_commands = TaskCommands(self._unit, self._entry_points)
         self._exchange = ModuleExchange(self._unit, self._entry_points, self._lifecycle)
         self._deferred = DeferredCommands(self._unit, self._lifecycle, self._exchange)
+        self._appointments = Appointments(begin_words or BeginWords())
         self._busy_since_ns = 0
 
     @property
@@ -66,7 +75,10 @@ class Executive:
 
     def next_release(self) -> int | None:
         """When the next cycle is due, if any."""
-        return self._unit.scheduler.next_release()
+        release = self._unit.scheduler.next_release()
+        if self._appointments.next_ns == NEVER:
+            return release
+        return self._appointments.next_ns if release is None else min(release, self._appointments.next_ns)
 
     # Cycles
 
@@ -86,6 +98,9 @@ class Executive:
 
     def _run_due(self, now: int, most: int) -> Sequence[news.News] | None:
         unit, calls = self._unit, self._entry_points
+        if now >= self._appointments.next_ns:
+            self._keep_appointments(now)
+            return unit.take_news()
         scheduler, slots, watch = unit.scheduler, unit.slots, calls.watch if calls.is_watched else None
         slot = scheduler.next_due(now)
         while slot is not None:
@@ -165,6 +180,9 @@ class Executive:
             switches = order.switches if isinstance(order, command.Together) else (order,)
             self._lifecycle.switch([self._deferred.sift_switch(switch) for switch in switches], now)
             return
+        if isinstance(order, command.Appointment | command.Dismiss):
+            self._appoint(order, now)
+            return
         at_once = self._deferred.sift(order, now)
         if at_once is not None:
             self._carry_out(at_once, now)
@@ -187,12 +205,37 @@ class Executive:
                 self._lifecycle.starve(order, now)
             case command.Stop() | command.Quit():
                 self._lifecycle.stop(now)
+                for appointment in self._appointments.drop_all():
+                    self._unit.tell(news.Appointed(appointment.number, now, has_begun=False))
             case command.Reset():
                 self._unit.is_stopped = False
             case command.Report() | command.Load():
                 self._unit.tell(self._statuses(now) if isinstance(order, command.Report) else self._loads())
             case _:
                 self._change(order, now)
+
+    # Appointments
+
+    def _appoint(self, order: command.Appointment | command.Dismiss, now: int) -> None:
+        if isinstance(order, command.Appointment):
+            self._appointments.keep(order)
+            return
+        appointment = self._appointments.drop(order.number)
+        if appointment is not None and order.holds:
+            self._lifecycle.hold_alone(appointment.subsystems, now)
+
+    def _keep_appointments(self, now: int) -> None:
+        """Begin what is to begin now, and hold what nobody has confirmed (law 34)."""
+        for step, appointment in self._appointments.due(now):
+            match step:
+                case AppointmentStep.BEGIN:
+                    self._unit.tell(news.Appointed(appointment.number, now, has_begun=True))
+                    self._follow(command.Together(appointment.switches), now)
+                case AppointmentStep.MISS:
+                    self._unit.tell(news.Appointed(appointment.number, now, has_begun=False))
+                case AppointmentStep.HOLD:
+                    self._lifecycle.hold_alone(appointment.subsystems, now)
+                    self._unit.tell(news.HeldAlone(appointment.number, now))
 
     def _change(self, order: command.Command, now: int) -> None:
         """What is done to one task while it lives."""

@@ -1,6 +1,6 @@
 """The lifecycle of the tasks on one RTPU: spawned, turned on, asked for input, turned off, killed (law 11)."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from functools import partial
 from types import CodeType
 
@@ -99,6 +99,12 @@ class TaskLifecycle:
         for task in self._unit.tasks.values():
             if task.device is not None and task.is_on:
                 self._entry_points.fail(task, "device", ModuleError(cause), now)
+
+    def hold_alone(self, subsystems: Collection[str], now: int) -> None:
+        """Every task of these subsystems that has a device and is ON goes to ERROR: it has begun alone (law 34)."""
+        for task in list(self._unit.tasks.values()):
+            if task.spawn.subsystem in subsystems and task.device is not None and task.is_on:
+                self._entry_points.fail(task, "device", ModuleError(Reason.of("runtime.began_alone")), now)
 
     def starve(self, order: command.Starve, now: int) -> None:
         """This task goes to ERROR if it is ON: elsewhere a task has failed on whose values it feeds."""
