@@ -32,8 +32,8 @@ MISTAKES = {
     "a stopped flow has come to its tag": (
         ErrorRecovery,
         "_stop",
-        "self._router.meetings.withdraw(flow.flow)",
-        "pass",
+        "self._router.withdraw(flow)",
+        "[]",
     ),
     "the step is not repeated": (
         ErrorRecovery,
@@ -46,8 +46,8 @@ MISTAKES = {
     "a paused flow has come to its tag": (
         FlowControl,
         "_pause",
-        "self._router.meetings.withdraw(flow.flow)",
-        "pass",
+        "self._router.withdraw(flow)",
+        "[]",
     ),
     "a step does not end": (FlowControl, "_step", "flow.is_pausing = True\n    return", "return"),
     "a pause that is taken back comes": (FlowControl, "_resume", "flow.is_pausing = False", "pass"),

@@ -6,15 +6,18 @@ is one switch, begun by the trigger that finished the one before; at the end, or
 Whoever carries the orders out counts the activations of each task and keeps from it what is said of an earlier one.
 """
 
-from collections.abc import Callable, Mapping, Set
+from collections.abc import Callable, Collection, Mapping, Set
 
 from onika.engine.flow import FlowEvent, FlowState
 from onika.engine.flow_control import FlowControl
 from onika.engine.flow_router import FlowRouter
 from onika.engine.news import (
     Abort,
+    Agreed,
     Asked,
+    BegunAlone,
     Cleared,
+    Closed,
     Failed,
     Finished,
     Illegal,
@@ -32,6 +35,7 @@ from onika.engine.orders import Case, End, Order, RunNote
 from onika.engine.program import FlowProgram
 from onika.engine.progress import Progress
 from onika.engine.recovery import ErrorRecovery
+from onika.engine.shared_tags import SharedTags
 from onika.engine.step import steps
 from onika.engine.walk import FinishValue
 from onika.wire.plan import Plan
@@ -50,6 +54,7 @@ class Engine:
     they finish first (reading 16). `passive` are the (flow, task) that may fall silent. `ranks` gives the order
     in which the tasks of a flow come on. `judge` says whether a condition on variables of a flow holds now. With
     `stands_still` a flow in which a task has failed waits for its user, else the application is aborted.
+    At the tags `shared` flows of other runtimes are met.
     Raises ValueError or KeyError for a plan that these do not describe.
     """
 
@@ -62,6 +67,7 @@ class Engine:
         other_triggers: Set[tuple[int, str]] = frozenset(),
         judge: Callable[[int, str], bool] = lambda _flow, _condition: False,
         stands_still: bool = False,
+        shared: Collection[str] = (),
     ) -> None:
         if not plan.flows:
             raise ValueError(Reason.of("engine.form_flow", application=plan.application))
@@ -76,10 +82,11 @@ class Engine:
             judged = _judge_of(judge, flow)
             self._flows.append(Progress(flow, planned, FlowProgram(planned), ready, own_ranks, judged))
         names = [planned.subsystem for planned in plan.flows]
-        self._router = FlowRouter(self._flows, names)
+        self._router = FlowRouter(self._flows, names, shared)
         self._recovery = ErrorRecovery(self._router, stands_still)
         self._numbers = {name: flow for flow, name in enumerate(names)}
         self._control = FlowControl(self._router, self._recovery)
+        self._shared = SharedTags(self._flows, self._router, self._recovery, self._finished, self._abort)
 
     # What can be asked
 
@@ -127,6 +134,8 @@ class Engine:
                 return self._kill_all() if is_done else []
             case Abort():
                 return self._abort(news.cause)
+            case Agreed() | Closed() | BegunAlone():
+                return self._guarded(self._shared.hear(news))
         if isinstance(news, TaskNews):
             return self._guarded(self._hear(self._flows[news.flow], news))
         if self.refusal(news):
@@ -212,6 +221,8 @@ class Engine:
         return orders + self._router.go_on(first)
 
     def _finished(self, flow: Progress, news: Finished) -> list[Order]:
+        if self._shared.keeps(flow, news):
+            return []
         if not flow.finished(news.task):
             return [RunNote(flow.flow, Reason.of("engine.ends_no_action", where=flow.where(news.task)))]
         done = flow.ends_with(FinishValue(news.choice, news.loop))

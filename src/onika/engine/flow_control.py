@@ -77,8 +77,7 @@ class FlowControl:
 
     def _pause(self, flow: Progress) -> list[Order]:
         if flow.state is FlowState.WAITING:
-            self._router.meetings.withdraw(flow.flow)
-            return self._router.rest(flow)
+            return [*self._router.withdraw(flow), *self._router.rest(flow)]
         if flow.state is FlowState.JOINING:
             return self._router.rest(flow)
         return self._will_pause(flow)
@@ -136,7 +135,8 @@ class FlowControl:
             note = RunNote(flow.flow, Reason.of("engine.left_by_user", place=step.place))
             orders = [note, *flow.flow_tasks.rest(step.triggers)]
         elif flow.state is FlowState.WAITING:
-            self._router.meetings.withdraw(flow.flow)
+            orders = self._router.withdraw(flow)
+        orders += flow.leave_alone()
         flow.go(action)
         if flow.state is FlowState.STOPPED:
             return orders + self._recovery.recover_elsewhere(flow)
@@ -151,10 +151,9 @@ class FlowControl:
         return _expected(Reason.of("engine.waiting_for_flow"), flow)
 
     def _pass(self, flow: Progress) -> list[Order]:
-        if flow.state is FlowState.WAITING:
-            self._router.meetings.let_pass(flow.flow)
+        passed = self._router.let_pass(flow) if flow.state is FlowState.WAITING else []
         flow.advance()
-        return self._router.go_on([flow.flow])
+        return passed + self._router.go_on([flow.flow])
 
     def _innermost(self, flow: Progress) -> str:
         """The innermost loop around the flow's place that it is not leaving already; empty: none."""

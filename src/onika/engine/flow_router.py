@@ -1,11 +1,11 @@
 """The router of all flows: who goes on, who waits for whom, who begins together (§5.5.4, reading 26, X03)."""
 
 from collections import deque
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 
 from onika.engine.flow import FlowEvent, FlowState
 from onika.engine.meeting import Meetings
-from onika.engine.orders import Moved, Order, Settle, Switch, Together
+from onika.engine.orders import Convene, Disperse, Moved, Order, Settle, Switch, Together
 from onika.engine.progress import Progress
 from onika.wire.plan import Do, Fork, Halt, Join, Meet, Rest
 from onika.wire.steer import Position
@@ -18,10 +18,10 @@ _MOST_STEPS = 100_000
 class FlowRouter:
     """Moves flows on, as far as they go without anything having to happen. `names` are their subsystems."""
 
-    def __init__(self, flows: Sequence[Progress], names: Sequence[str]) -> None:
+    def __init__(self, flows: Sequence[Progress], names: Sequence[str], shared: Collection[str] = ()) -> None:
         self._flows = flows
         self._names = names
-        self.meetings = Meetings([flow.program for flow in flows])
+        self.meetings = Meetings([flow.program for flow in flows], shared)
         self.astray = NOTHING
         """Why the application cannot go on; empty: it can."""
         self._going: deque[int] = deque()
@@ -31,11 +31,14 @@ class FlowRouter:
 
     # Going on
 
-    def go_on(self, flows: Iterable[int], number: int = 0) -> list[Order]:
-        """These flows go on from where they are; `number` is that of the case that was carried out already."""
+    def go_on(self, flows: Iterable[int], number: int = 0, tag: str = "") -> list[Order]:
+        """These flows go on from where they are; `number` is that of the case that was carried out already.
+
+        `tag` is that at which they have met already.
+        """
         orders: list[Order] = []
         begun: list[Order] = []
-        self._met = ""
+        self._met = tag
         self._going = deque(flows)
         for _ in range(_MOST_STEPS):
             if not self._going:
@@ -62,6 +65,9 @@ class FlowRouter:
         return orders + ([Together(self._met, together)] if len(together) > 1 else []) + begun + self._settle()
 
     def _meet(self, flow: Progress, tag: str) -> list[Order]:
+        if tag in self.meetings.shared:
+            self.meetings.arrive(flow.flow, tag)
+            return self._wait_for_others(flow, tag)
         together = self.meetings.arrive(flow.flow, tag)
         for number in together:
             self._flows[number].advance()
@@ -71,6 +77,48 @@ class FlowRouter:
             return []
         flow.enter(FlowEvent.HOLD)
         return [self.waits(flow)]
+
+    # With other runtimes
+
+    def agreed(self, tag: str, number: int) -> list[Order]:
+        """The flows that wait at a tag for those of other runtimes begin; `number` is that of what has switched."""
+        together = self.meetings.release(tag)
+        for flow in together:
+            self._flows[flow].begins_at(tag)
+        return self.go_on(together, number, tag)
+
+    def come_back(self, flow: Progress, tag: str) -> list[Order]:
+        """A flow that has begun alone waits at the tag once more."""
+        self.meetings.come_back(flow.flow, tag)
+        return self._wait_for_others(flow, tag, anew=True)
+
+    def withdraw(self, flow: Progress) -> list[Order]:
+        """A flow does not wait at its tag at present."""
+        return self._disperse(flow, self.meetings.withdraw)
+
+    def let_pass(self, flow: Progress) -> list[Order]:
+        """A flow does not wait at its tag any longer, and has been there."""
+        return self._disperse(flow, self.meetings.let_pass)
+
+    def _wait_for_others(self, flow: Progress, tag: str, anew: bool = False) -> list[Order]:
+        flow.enter(FlowEvent.HOLD)
+        together = self.meetings.gathered(tag)
+        if not together:
+            return [self.waits(flow)]
+        ahead = [self._flows[number].switch_behind() for number in together]
+        switches = tuple(switch for switch in ahead if switch is not None)
+        whole = switches if len(switches) == len(together) else ()
+        return [self.waits(flow), Convene(tag, tuple(together), whole, anew)]
+
+    def _disperse(self, flow: Progress, give_up: Callable[[int], None]) -> list[Order]:
+        tag = self.meetings.waits_at(flow.flow)
+        was_gathered = tag in self.meetings.shared and flow.flow in self.meetings.gathered(tag)
+        was_there = give_up == self.meetings.let_pass
+        give_up(flow.flow)
+        left = self.meetings.gathered(tag)
+        if not was_gathered or (was_there and left):
+            return []
+        return [Disperse(tag, was_there)]
 
     def _pass_by(self, flow: Progress) -> list[Order]:
         instruction = flow.next

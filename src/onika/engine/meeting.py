@@ -5,7 +5,7 @@ there; who paused at the tag, or stopped there, has not come yet.
 """
 
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from onika.engine.program import FlowProgram
 
@@ -13,7 +13,9 @@ from onika.engine.program import FlowProgram
 class Meetings:
     """Counts who came where how often, and who waits."""
 
-    def __init__(self, programs: Sequence[FlowProgram]) -> None:
+    def __init__(self, programs: Sequence[FlowProgram], shared: Collection[str] = ()) -> None:
+        self.shared = frozenset(shared)
+        """The tags at which flows of other runtimes are waited for, too."""
         parties: dict[str, list[int]] = {}
         for number, program in enumerate(programs):
             for tag in program.tags:
@@ -26,10 +28,22 @@ class Meetings:
         """A flow comes to a tag; the flows that may go on with it, in their order; none while it has to wait."""
         self._visits[flow][tag] += 1
         self._waiting[flow] = tag
-        together = [other for other, where in self._waiting.items() if where == tag and not self.absent(other)]
+        return [] if tag in self.shared else self.release(tag)
+
+    def come_back(self, flow: int, tag: str) -> None:
+        """A flow that has begun alone waits at the tag once more, for the same visit."""
+        self._waiting[flow] = tag
+
+    def gathered(self, tag: str) -> list[int]:
+        """The flows that wait at a tag and for no other flow of this runtime, in their order."""
+        return sorted(flow for flow, where in self._waiting.items() if where == tag and not self.absent(flow))
+
+    def release(self, tag: str) -> list[int]:
+        """Those go on."""
+        together = self.gathered(tag)
         for other in together:
             del self._waiting[other]
-        return sorted(together)
+        return together
 
     def let_pass(self, flow: int) -> None:
         """A flow does not wait any longer; it has been there."""

@@ -110,6 +110,32 @@ class Settled:
 
 
 @dataclass(frozen=True, slots=True)
+class Agreed:
+    """The flows that were convened at a tag begin now, with those of other runtimes.
+
+    `switched` is the number of the switches that were carried out with it; 0: none, they are awaited.
+    """
+
+    tag: str
+    switched: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Closed:
+    """All flows of other runtimes that meet at the tag have begun, too."""
+
+    tag: str
+
+
+@dataclass(frozen=True, slots=True)
+class BegunAlone:
+    """What began at a tag is held, for the flows of other runtimes were not heard to have begun."""
+
+    tag: str
+    cause: Reason
+
+
+@dataclass(frozen=True, slots=True)
 class Abort:
     """End the application now; the cause is said to the user."""
 
@@ -117,4 +143,4 @@ class Abort:
 
 
 TaskNews = Spawned | Refused | TurnedOn | Finished | SwitchedOff | Failed | Cleared | Asked | Illegal | Killed
-News = Run | TaskNews | Steering | Settled | Abort
+News = Run | TaskNews | Steering | Settled | Agreed | Closed | BegunAlone | Abort

@@ -80,6 +80,28 @@ class Together:
 
 
 @dataclass(frozen=True, slots=True)
+class Convene:
+    """All flows of this runtime that meet at a tag with those of others are there, and wait; News: Agreed.
+
+    `switches` are those with which all of them go on, where that is clear already. `anew`: they have begun alone there,
+    and were cleared.
+    """
+
+    tag: str
+    flows: tuple[int, ...]
+    switches: tuple[Switch, ...] = ()
+    anew: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Disperse:
+    """They do not wait there any more. `was_there`: they count as having been there, for users let them pass."""
+
+    tag: str
+    was_there: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class Moved:
     """For the watcher: a flow has come into this state; where it waits, the tag and whom it waits for."""
 
@@ -128,4 +150,5 @@ class End:
     cause: Reason = NOTHING
 
 
-Order = Spawn | Switch | Off | Clear | Together | Kill | Began | Done | Moved | RunNote | Settle | End
+MeetingOrder = Convene | Disperse
+Order = Spawn | Switch | Off | Clear | Together | MeetingOrder | Kill | Began | Done | Moved | RunNote | Settle | End

@@ -5,11 +5,11 @@ from collections.abc import Callable, Mapping
 from onika.engine.flow import FlowEvent, FlowState, after
 from onika.engine.flow_tasks import FlowTasks
 from onika.engine.lookahead import ways
-from onika.engine.orders import Began, Case, Done, Moved, Order, RunNote
+from onika.engine.orders import Began, Case, Disperse, Done, Moved, Order, RunNote, Switch
 from onika.engine.program import FlowProgram
 from onika.engine.step import ActionStep
 from onika.engine.walk import FinishValue, WalkResult, walk
-from onika.wire.plan import Do, Instruction, PlannedFlow
+from onika.wire.plan import Do, Instruction, Meet, PlannedFlow
 from onika.words.reason import NOTHING, Reason
 
 
@@ -41,6 +41,12 @@ class Progress:
         self.breakpoints = dict(program.breakpoints)
         self.interrupted = FlowState.RUNNING
         """What it did when a task failed."""
+        self.open_tag = ""
+        """The tag at which it has begun, and perhaps alone: flows of other runtimes have not said that they have."""
+        self.met_at = -1
+        """The place of that tag in its program."""
+        self.alone_at = -1
+        """The place of the tag at which it has begun alone, and is held; -1: it has not."""
         self.revision = 0
         """Counts whatever may change what comes next."""
         self._judge = judge
@@ -90,6 +96,27 @@ class Progress:
         self._value = None
         around = {loop.name for loop in self.program.loops_at(place)}
         self.leaving &= around
+
+    def begins_at(self, tag: str) -> None:
+        """It goes on behind a tag at which other runtimes meet."""
+        self.open_tag = tag
+        self.met_at = self._pc
+        self.advance()
+
+    def go_back(self) -> str:
+        """To the tag at which it has begun alone, which is returned."""
+        self._pc, self.alone_at = self.alone_at, -1
+        self.revision += 1
+        instruction = self.next
+        if not isinstance(instruction, Meet):
+            raise ValueError(Reason.of("engine.form_begin", instruction=str(instruction)))
+        return instruction.tag
+
+    def leave_alone(self) -> list[Order]:
+        """It goes elsewhere than to the tag at which it has begun alone, if it has."""
+        if self.alone_at < 0:
+            return []
+        return [Disperse(self.go_back(), was_there=True)]
 
     def ends_with(self, value: FinishValue) -> Done:
         """The current action has ended, and with what."""
@@ -157,12 +184,23 @@ class Progress:
 
     # What may come
 
+    def switch_behind(self) -> Switch | None:
+        """The switch with which it goes on behind the tag where it waits; None where that is not clear yet."""
+        if self.is_pausing or not self.flow_tasks.is_settled:
+            return None
+        foreseen = list(ways(self.program, self._pc + 1, self.leaving))
+        if len(foreseen) != 1 or foreseen[0][2].passed:
+            return None
+        instruction = self.program.instructions[foreseen[0][2].pc]
+        return self.flow_tasks.change(self._steps[instruction.action]) if isinstance(instruction, Do) else None
+
     def cases(self) -> list[Case]:
         """The switch for each way the current action may end; none where it is not known yet what follows it."""
         step = self.step
         if step is None or self.state is not FlowState.RUNNING or len(step.triggers) != 1:
             return []
-        if self.is_pausing or self.current in self.breakpoints or not self.flow_tasks.is_settled:
+        is_open = self.is_pausing or bool(self.open_tag)
+        if is_open or self.current in self.breakpoints or not self.flow_tasks.is_settled:
             return []
         cases = []
         for choice, loop, way in ways(self.program, self._pc, self.leaving):

@@ -30,11 +30,15 @@ class ErrorRecovery:
         if flow.state not in (FlowState.STOPPED, FlowState.CLEARING):
             flow.interrupted = flow.state
             if flow.state is FlowState.WAITING:
-                self._router.meetings.withdraw(flow.flow)
+                orders += self._router.withdraw(flow)
         if flow.step is not None and flow.interrupted is FlowState.RUNNING:
             orders += flow.flow_tasks.rest(flow.step.triggers)
         flow.enter(FlowEvent.FAIL)
         return [*orders, flow.moved(text=cause)]
+
+    def alone(self, flow: Progress, cause: Reason) -> list[Order]:
+        """The flow has begun alone: it waits for its user, where it has not stopped at an error of it already."""
+        return self._stop(flow, cause)
 
     def recover(self, flow: Progress) -> list[Order]:
         """The user wants it: clear what is in ERROR, then repeat the step."""
@@ -65,6 +69,9 @@ class ErrorRecovery:
             self._elsewhere.discard(flow.flow)
             flow.flow_tasks.failed.clear()
             return self._router.go_on([flow.flow])
+        if flow.alone_at >= 0:
+            back = flow.flow_tasks.bring_back(flow.step)
+            return back + self._router.come_back(flow, flow.go_back())
         if flow.interrupted is FlowState.RUNNING:
             return flow.repeat()
         back = flow.flow_tasks.bring_back(flow.step)

@@ -115,7 +115,7 @@ class Appointment(Struct, frozen=True, tag=True):
     switches: tuple[Switch, ...] = ()
 
 
-class Dismiss(Struct, frozen=True, tag=True):
+class CallOff(Struct, frozen=True, tag=True):
     """Forget an appointment; where it has begun already and `holds`, hold it at once, as if nothing were confirmed."""
 
     number: int
@@ -234,7 +234,7 @@ Command = (
     | Together
     | PreparedSwitch
     | Appointment
-    | Dismiss
+    | CallOff
     | Rank
     | Reinit
     | Rebind

@@ -93,6 +93,7 @@ def engine(
     ranks: Mapping[str, int] | None = None,
     judge: Callable[[int, str], bool] = lambda _flow, _condition: False,
     stands_still: bool = False,
+    shared: Iterable[str] = (),
 ) -> Engine:
     """An engine for flows of jobs; tasks rank as they are first named, unless `ranks` says otherwise."""
     whole = [_whole(jobs).jobs for jobs in flows]
@@ -108,6 +109,7 @@ def engine(
         other_triggers=frozenset(other_triggers),
         judge=judge,
         stands_still=stands_still,
+        shared=tuple(shared),
     )
 
 

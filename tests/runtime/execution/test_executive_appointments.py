@@ -76,7 +76,7 @@ def test_what_is_confirmed_goes_on(rig):
 
 def test_it_is_held_at_once_when_another_says_that_he_has_not_begun(rig):
     rig.begin_words.permit(1)
-    rig.run(AT + 5 * MS).do(command.Dismiss(1, holds=True)).run(AT + 7 * MS)
+    rig.run(AT + 5 * MS).do(command.CallOff(1, holds=True)).run(AT + 7 * MS)
     assert not pushed_until(rig)
     rig.run(AT + 500 * MS)
     assert rig.news_of(news.HeldAlone) == []
@@ -84,7 +84,7 @@ def test_it_is_held_at_once_when_another_says_that_he_has_not_begun(rig):
 
 def test_what_is_dismissed_before_its_time_never_begins(rig):
     rig.begin_words.permit(1)
-    rig.do(command.Dismiss(1)).do(command.Dismiss(9)).run(500 * MS)
+    rig.do(command.CallOff(1)).do(command.CallOff(9)).run(500 * MS)
     assert rig.task("force").state is State.OFF
     assert rig.news_of(news.Appointed) == []
 

@@ -180,7 +180,7 @@ class Executive:
             switches = order.switches if isinstance(order, command.Together) else (order,)
             self._lifecycle.switch([self._deferred.sift_switch(switch) for switch in switches], now)
             return
-        if isinstance(order, command.Appointment | command.Dismiss):
+        if isinstance(order, command.Appointment | command.CallOff):
             self._appoint(order, now)
             return
         at_once = self._deferred.sift(order, now)
@@ -216,7 +216,7 @@ class Executive:
 
     # Appointments
 
-    def _appoint(self, order: command.Appointment | command.Dismiss, now: int) -> None:
+    def _appoint(self, order: command.Appointment | command.CallOff, now: int) -> None:
         if isinstance(order, command.Appointment):
             self._appointments.keep(order)
             return
