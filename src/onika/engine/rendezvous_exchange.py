@@ -55,6 +55,14 @@ class RendezvousExchange:
                 others = [other for other in sites if other != site]
                 self.meetings[tag] = rendezvous(site, others, terms, self._here)
         self._size = len(tags)
+        self._sites = tuple(tags)
+
+    def with_terms(self, terms: RendezvousTerms) -> "RendezvousExchange":
+        """The same exchange on other terms, before anything was agreed; what was learned of the others stays."""
+        epochs = {self._site: self._epoch, **{other: peer.epoch for other, peer in self._peers.items()}}
+        made = RendezvousExchange(self._run, self._site, epochs, self._sites, terms)
+        made._peers = self._peers
+        return made
 
     @property
     def others(self) -> tuple[int, ...]:

@@ -6,6 +6,7 @@ from onika.host.driver import Driver
 from onika.host.loading.plan_preparation import Preparation
 from onika.host.recording.runtime_recordings import RuntimeRecordings
 from onika.host.run.application_run import ApplicationRun
+from onika.host.run.rendezvous_links import RendezvousLinks
 from onika.host.sessions.control_authority import ControlAuthority
 from onika.host.subsystems.motion import Motion
 from onika.host.subsystems.subsystem_registry import Subsystems, Tell
@@ -25,6 +26,7 @@ class ApplicationRuns:
         authority: ControlAuthority,
         motion: Motion,
         recordings: RuntimeRecordings,
+        links: RendezvousLinks,
         tell: Tell,
     ) -> None:
         self._subsystems = subsystems
@@ -32,6 +34,7 @@ class ApplicationRuns:
         self._authority = authority
         self._motion = motion
         self._recordings = recordings
+        self._links = links
         self._tell = tell
         self._prepared: dict[str, Preparation] = {}
 
@@ -46,6 +49,7 @@ class ApplicationRuns:
     def lost(self, session: str) -> None:
         """The session is gone: nobody steers or repeats a run in its name."""
         self.forget(session)
+        self._links.forget(session)
         self._subsystems.hold.release(session)
         self._subsystems.repeat.lost(session)
 
@@ -61,6 +65,7 @@ class ApplicationRuns:
         if prepared is None:
             return request.Refused(Reason.of("host.no_plan"))
         refusal = self._refusal(session, prepared) or self._subsystems.repeat.objection(message, self._driver.now)
+        refusal = refusal or self._links.objection(session, message.meets)
         refusal = refusal or self._recordings.recorder.begin(session, message, prepared)
         if refusal:
             return request.Refused(refusal)
@@ -78,7 +83,10 @@ class ApplicationRuns:
             tell = self._subsystems.hold.begin(session, prepared.plan.flows[0].subsystem, self._driver.now)
         homes = tuple(flow.subsystem for flow in prepared.plan.flows)
         self._subsystems.repeat.begin(session, message, self._driver.now, homes)
-        run = ApplicationRun(session, prepared, message, running, self._driver, tell, self._subsystems.lost_units)
+        rendezvous = self._links.begin(session, message.meets, self._driver)
+        run = ApplicationRun(
+            session, prepared, message, running, self._driver, tell, self._subsystems.lost_units, rendezvous
+        )
         if self._recordings.black_box is not None and about is not None:
             self._recordings.black_box.begin(run, about)
         self._subsystems.perform(run)
@@ -92,6 +100,7 @@ class ApplicationRuns:
         if black_box is None:
             return
         self._subsystems.runs.remove(run)
+        self._links.end(run.runner.rendezvous, self._driver.now)
         self._subsystems.hold.release(run.session)
         self._subsystems.repeat.end(run.names)
         run.end(replace(result, black_box=black_box))

@@ -5,6 +5,7 @@ from typing import Protocol
 
 from onika.host.inspection import InspectedDriver
 from onika.host.recording.recorded_worlds import RecordedDriver
+from onika.host.run.run_rendezvous import AppointedUnits
 from onika.host.subsystems.subsystem_registry import Tables
 from onika.host.units.unit_listener import UnitListener
 from onika.ring.drive import DriveMode
@@ -12,7 +13,7 @@ from onika.wire.world_source import WorldSource
 from onika.words.reason import Reason
 
 
-class Driver(Tables, InspectedDriver, RecordedDriver, Protocol):
+class Driver(Tables, AppointedUnits, InspectedDriver, RecordedDriver, Protocol):
     """What a program asks of the units and worlds that it drives."""
 
     @property

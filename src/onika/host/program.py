@@ -21,6 +21,7 @@ from onika.host.loading.world_kinds import world_list
 from onika.host.recording.runtime_recordings import RuntimeRecordings
 from onika.host.recording.sampling import Sampling
 from onika.host.renewal import Renewal
+from onika.host.run.rendezvous_links import RendezvousLinks
 from onika.host.sessions.control_authority import ControlAuthority
 from onika.host.sessions.leases import Leases
 from onika.host.sessions.network_channel import NetworkChannel
@@ -37,9 +38,11 @@ from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.world_files import WorldFiles
 from onika.host.units.world_registry import offered_worlds
 from onika.link.caller import Role
+from onika.link.rendezvous_channel import RendezvousChannel
 from onika.ring.segment import SharedMemoryRefused
 from onika.wire import holding, live, request, steer
 from onika.wire.foresight import WhatIf
+from onika.wire.rendezvous_link import LinkRuntimes, OfferPact
 from onika.wire.samples import Sample
 from onika.wire.world_source import WorldSource
 from onika.words.fault import NOT_RUN, Fault, Place
@@ -78,8 +81,9 @@ class RuntimeProgram:
         self._unit_starts = UnitStarts(self.subsystems, driver)
         self.motion = Motion(self.subsystems, driver, server.tell)
         self._world_reset = WorldReset(self.subsystems, driver)
+        self._links = RendezvousLinks()
         self.applications = ApplicationRuns(
-            self.subsystems, driver, self.authority, self.motion, self.recordings, server.tell
+            self.subsystems, driver, self.authority, self.motion, self.recordings, self._links, server.tell
         )
         recorder = self.recordings.recorder
         self._questions = Questions(self.subsystems, driver, self._session_facts, lambda: recorder.application)
@@ -96,10 +100,10 @@ class RuntimeProgram:
         """Whether an application is executed now."""
         return bool(self.subsystems.runs)
 
-    def readers(self) -> list[ProcessSocket]:
+    def readers(self) -> list[ProcessSocket | RendezvousChannel]:
         """What to wait for besides the request server and the driver: the loader, and who writes recordings."""
         loader = [self._loading.post] if isinstance(self._loading, LoaderClient) else []
-        return [*loader, *self.recordings.readers(), *self.network.readers()]
+        return [*loader, *self.recordings.readers(), *self.network.readers(), *self._links.readers()]
 
     def close(self) -> None:
         """The runtime ends: what is still to be written of its runs is written."""
@@ -121,7 +125,8 @@ class RuntimeProgram:
         """How long to wait at most, where nothing else is to be done for so long."""
         now = monotonic_ns()
         kept = self.recordings.due_ns()
-        dues = (self._look.due_ns(now), self._sampling.due_ns(now), self.leases.due_ns(), self.network.due_ns(), kept)
+        looks = (self._look.due_ns(now), self._sampling.due_ns(now), self._links.due_ns(self._driver.now))
+        dues = (*looks, self.leases.due_ns(), self.network.due_ns(), kept)
         return min([most_s, *(due * 1e-9 for due in dues if due is not None)])
 
     def serve(self) -> None:
@@ -147,6 +152,7 @@ class RuntimeProgram:
     def advance(self, wall_ns: int) -> bool:
         """Let everything go on for about so long; tell what is over. False: nothing happens by itself."""
         self._repeat()
+        self._meet_others()
         goes_on = self._driver.advance(wall_ns) or self.subsystems.is_repeat_due
         if not self.subsystems.repeat.is_on(self._driver.now):
             self.subsystems.hold.say(self._driver.now)
@@ -192,11 +198,18 @@ class RuntimeProgram:
                 answer(request.Refused(refusal))
             else:
                 self._carry_out(call, answer)
-                self.recordings.command(call.session, call.asked)
+                if not isinstance(call.asked, OfferPact | LinkRuntimes):  # they tell keys
+                    self.recordings.command(call.session, call.asked)
         except NotYet:
             self._backlog.keep(call, answer)
         except SharedMemoryRefused as refused:
             answer(request.Refused(reason_of(refused)))
+
+    def _meet_others(self) -> None:
+        """Hear other runtimes of applications; where one of them was stopped everything stops here, too."""
+        self._links.serve(self._driver.now)
+        if self._links.is_stopped and not self.motion.is_stopped:
+            self.motion.stop("", Reason.of("host.stopped_elsewhere"))
 
     def _repeat(self) -> None:
         """What is due of a run that is repeated is asked in the name of who began it."""
@@ -214,10 +227,8 @@ class RuntimeProgram:
                 self._look.status(answer)
             case Sample():
                 answer(self._sampling.answer(call.asked))
-            case holding.Listen():
-                self.network.open(call.asked, answer)
-            case holding.StopListening():
-                self.network.close(answer)
+            case holding.Listen() | holding.StopListening() | OfferPact() | LinkRuntimes():
+                self._of_network(call, answer)
             case live.AddUnit():
                 self._unit_starts.add(call.asked, answer)
             case live.Record():
@@ -241,6 +252,15 @@ class RuntimeProgram:
                 self._run_commands.carry_out(call.session, call.asked, self._driver.now, answer)
             case _:
                 answer(self._respond(call.session, call.asked))
+
+    def _of_network(self, call: SessionRequest, answer: Answer) -> None:
+        match call.asked:
+            case holding.Listen():
+                self.network.open(call.asked, answer)
+            case holding.StopListening():
+                self.network.close(answer)
+            case OfferPact() | LinkRuntimes():
+                self._links.ask(call.session, call.asked, self._driver, answer)
 
     def _try_again(self) -> None:
         """The loader has answered: what waits for it is carried out, in order, as far as it goes."""
@@ -270,6 +290,7 @@ class RuntimeProgram:
             case request.Abort():
                 return self._abort(session, message)
             case request.Stop():
+                self._links.stop()
                 self.motion.stop(session, message.cause)
                 return request.Done()
             case live.Touch() | live.PutBack() | live.Push():

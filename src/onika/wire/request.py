@@ -7,6 +7,7 @@ from onika.wire.foresight import Foreseen, WhatIf
 from onika.wire.holding import Company, HoldingRequest, Listening
 from onika.wire.live import LiveRequest, LiveResponse
 from onika.wire.plan import Code, Index, Plan, PlannedTask
+from onika.wire.rendezvous_link import MeetingTerms, RendezvousRequest, RendezvousResponse
 from onika.wire.samples import Sample, Sampled
 from onika.wire.steer import Positions, SteerRequest
 from onika.wire.world_source import WorldSource
@@ -96,6 +97,8 @@ class Begin(Struct, frozen=True, tag=True):
     """The file of a recording on this machine; empty: none is made."""
     repeat: tuple[Recorded, ...] = ()
     """In virtual time: what is asked by itself, in the order in which it was once."""
+    meets: MeetingTerms | None = None
+    """Where the flows meet those of other runtimes, which were linked before: the terms; None: all run here."""
     repeat_until_ns: int = 0
     """Up to when nobody else may ask anything but to end it; -1: to the end."""
 
@@ -161,8 +164,20 @@ class Worlds(Struct, frozen=True, tag=True):
 
 
 _RunRequest = Prepare | Inspect | Begin | Reply | Abort | Stop | Snapshot | Quit
-Request = _RunRequest | SteerRequest | LiveRequest | HoldingRequest | WhatIf | Sample
-Response = Prepared | Done | Refused | Worlds | Positions | Company | Listening | LiveResponse | Foreseen | Sampled
+Request = _RunRequest | SteerRequest | LiveRequest | HoldingRequest | RendezvousRequest | WhatIf | Sample
+Response = (
+    Prepared
+    | Done
+    | Refused
+    | Worlds
+    | Positions
+    | Company
+    | Listening
+    | LiveResponse
+    | RendezvousResponse
+    | Foreseen
+    | Sampled
+)
 
 encode = msgspec.msgpack.Encoder().encode
 decode_request = msgspec.msgpack.Decoder(Request).decode

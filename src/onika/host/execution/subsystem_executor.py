@@ -166,6 +166,16 @@ class SubsystemExecutor:
         """As `switch`, but a switch that is one command for one unit is left to the caller to send."""
         return self._dispatch.launch_alone(switch, self._forget(switch))
 
+    def appoint(self, switch: orders.Switch) -> Group | None:
+        """The switch for a unit to carry out by itself at an agreed time; None where that is not one command for one.
+
+        Nothing is written down before `adopt`.
+        """
+        off, on = switch.off, [start.task for start in switch.on]
+        if self.subsystem.clashes(off, on):
+            return None
+        return self._dispatch.appoint(switch, self.subsystem.forgotten(off, on))
+
     def turn_off(self, task: str) -> None:
         """Turn a task off outside a switch."""
         self._dispatch.turn_off(task)

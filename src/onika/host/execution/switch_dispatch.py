@@ -46,6 +46,12 @@ class SwitchDispatch:
         self._launch(groups[0][1])
         return groups[0]
 
+    def appoint(self, switch: orders.Switch, forget: tuple[str, ...]) -> Group | None:
+        """The switch as one command that a unit carries out later; None where it takes several or has to wait."""
+        groups = self._groups(switch, forget)
+        is_free = not (self._awaited or self._waiting)
+        return groups[0] if is_free and len(groups) == 1 else None
+
     def turn_off(self, task: str) -> None:
         """Turn a task off outside a switch; where it was still to come on, it does not any more."""
         for place, (rtpu, switch) in enumerate(self._waiting):

@@ -9,6 +9,7 @@ from msgspec import structs
 from onika.engine.news import Abort
 from onika.host.loading.plan_preparation import Preparation
 from onika.host.run.departure import after_departure
+from onika.host.run.run_rendezvous import RunRendezvous
 from onika.host.run.runner import Runner
 from onika.host.units.unit_registry import Units
 from onika.runtime import news
@@ -36,6 +37,7 @@ class ApplicationRun:
         units: Units,
         tell: Callable[[event.Event, str, str], None],
         lost: Mapping[str, Reason],
+        rendezvous: RunRendezvous | None = None,
     ) -> None:
         self.session = session
         self.on_loss = begin.on_loss
@@ -46,7 +48,7 @@ class ApplicationRun:
         self.names = tuple(flow.subsystem for flow in prepared.plan.flows)
         self.variable_units = variable_units(prepared)
         """By subsystem, the units of its variables by name."""
-        self.runner = Runner(prepared, begin, subsystems, units, self._tell, lost)
+        self.runner = Runner(prepared, begin, subsystems, units, self._tell, lost, rendezvous)
         self._code = prepared.code
         self._tell_all = tell
         self._subsystems = subsystems

@@ -43,6 +43,11 @@ class PreparedSwitches:
         on = tuple(start for start in switch.on if start.task not in started)
         return Switch(switch.flow, off, on) if off or on else None
 
+    def appointed(self, number: int, switches: Mapping[int, command.Switch]) -> None:
+        """Units have carried these out by themselves at an agreed time, by flow (law 34)."""
+        for flow, switch in switches.items():
+            self._ready[flow] = {number: switch}
+
     def finished(self, flow: int) -> None:
         """The action has ended in another way than was prepared."""
         self._ready.pop(flow, None)

@@ -22,6 +22,7 @@ from onika.host.run.input_requests import InputRequests
 from onika.host.run.plan_engine import plan_engine
 from onika.host.run.prepared_switch import PreparedSwitches
 from onika.host.run.run_events import FlowNote, RunEvents
+from onika.host.run.run_rendezvous import RunRendezvous
 from onika.host.run.run_statistics import RunStatistics
 from onika.host.run.settling import Settling
 from onika.host.run.switches import Switches
@@ -52,10 +53,13 @@ class Runner:
         units: Units,
         tell: Tell,
         lost: Mapping[str, Reason] | None = None,
+        rendezvous: RunRendezvous | None = None,
     ) -> None:
         self._prepared = prepared
         self._begin = begin
         self._tell = tell
+        self.rendezvous = rendezvous
+        """Where flows of other runtimes are met; None: all flows run here."""
         self._flows = {subsystem.name: flow for flow, subsystem in subsystems.items()}
         self._tables = {subsystem.name: subsystem.table for subsystem in subsystems.values()}
         activations = count(1)
@@ -76,6 +80,8 @@ class Runner:
         self._events = RunEvents(prepared.plan, tell)
         self._engine = self._make_engine(subsystems)
         self._prepared_switches = PreparedSwitches(self._engine, self._executors)
+        if rendezvous is not None:
+            rendezvous.attach(self._executors, self._prepared_switches, self._feed)
         self._switches = Switches(self._executors, self._prepared_switches, units)
         self._input_requests = InputRequests(begin, self.answer, self._ask_user, self._abort_now)
         self._explainer = Explainer(prepared, self._tables, self._engine.positions, tell)
@@ -95,7 +101,8 @@ class Runner:
         ranks = {(flow, task): rank for flow, home in subsystems.items() for task, rank in home.ranks.items()}
         stands_still = self._begin.on_error == "wait"
         judge = ConditionEvaluator(subsystems)
-        return plan_engine(self._prepared, ranks, stands_still, judge.holds)
+        shared = self.rendezvous.shared if self.rendezvous is not None else ()
+        return plan_engine(self._prepared, ranks, stands_still, judge.holds, shared)
 
     @property
     def engine(self) -> Engine:
@@ -147,6 +154,8 @@ class Runner:
         def act() -> None:
             self._now = max(now, self._now)
             refusal: Reason = Reason.of("engine.run_over") if self.is_over else self._engine.refusal(wanted)
+            if self.rendezvous is not None:
+                refusal = refusal or self.rendezvous.refusal(wanted.subsystem)
             if not refusal:
                 self._feed(wanted)
             answer(refusal)
@@ -215,13 +224,16 @@ class Runner:
 
     def wake_at(self) -> int | None:
         """When `tick` has something to do."""
-        times = (self._settling.wake_at(), self._explainer.wake_at())
+        meeting = self.rendezvous.due_ns() if self.rendezvous is not None else None
+        times = (self._settling.wake_at(), self._explainer.wake_at(), meeting)
         return min((at for at in times if at is not None), default=None)
 
     def tick(self, now: int) -> None:
         """Let time pass: what has settled is read, then the statuses are asked for."""
         self._now = now
         self._explainer.tick(now)
+        if self.rendezvous is not None:
+            self.rendezvous.serve(now)
         if self._settling.is_due(now):
             self.statistics.read(self._tables)
             self._settling.ask()
@@ -233,6 +245,9 @@ class Runner:
         self._now = now
         if isinstance(message, news.Statuses):
             self._report(rtpu, message)
+        elif isinstance(message, news.Appointed | news.HeldAlone):
+            if self.rendezvous is not None:
+                self.rendezvous.hear(rtpu, message, now)
         elif isinstance(message, news.TaskNews):
             self._hear_of_task(message)
         elif isinstance(message, news.Unprepared) and message.subsystem in self._flows:
@@ -324,6 +339,9 @@ class Runner:
             case orders.End():
                 self.is_over = True
                 self.statistics.end(order.completed, order.cause, self._now)
+            case orders.Convene() | orders.Disperse():
+                if self.rendezvous is not None:
+                    self.rendezvous.order(order)
             case _:
                 self._note(order)
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from onika.host.units import rtpu
 from onika.host.units.supervisor import Supervised, Supervisor
+from onika.ring.begin_words import BeginWords
 from onika.ring.segment import Segment
 from onika.runtime import command
 from onika.words.reason import NOTHING, Reason, reason_of
@@ -46,6 +47,10 @@ class UnitProcesses:
     def send(self, name: str, order: command.Command) -> None:
         """Give a unit a command."""
         self._processes[name].post.send(rtpu.encode(order))
+
+    def begin_words(self, name: str) -> BeginWords:
+        """By which a unit is let begin at an agreed time."""
+        return self._processes[name].heartbeat.begin_words
 
     def send_all(self, order: command.Command) -> None:
         """Give every unit that lives a command."""

@@ -13,6 +13,7 @@ from onika.host.units.unit_listener import UnitListener
 from onika.host.units.world_buses import Buses
 from onika.host.units.world_registry import open_world
 from onika.host.units.world_views import WorldViews
+from onika.ring.begin_words import BeginWords
 from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveMode
 from onika.ring.segment import Segment
@@ -86,6 +87,10 @@ class VirtualDriver:
         elif isinstance(order, command.Swap):
             order = command.Swap(structs.replace(order.spawn, cost_ns=0))
         self._commands.append((rtpu, order))
+
+    def begin_words(self, rtpu: str) -> BeginWords:
+        """Of no use: the clock of a runtime in virtual time is no other one's."""
+        return BeginWords()
 
     def grant(self, rtpu: str, device: str) -> command.DeviceGrant:
         """Claim a device for a task; the world is opened with its first device."""

@@ -16,6 +16,7 @@ from onika.host.units.unit_loss import dead_writers
 from onika.host.units.unit_processes import UnitProcesses
 from onika.host.units.world_registry import refuse_unknown, refuse_unoffered, split
 from onika.host.units.world_sources import WorldSources, packed
+from onika.ring.begin_words import BeginWords
 from onika.ring.device import DriveState
 from onika.ring.displacement import Displacement
 from onika.ring.drive import DriveMode
@@ -93,6 +94,10 @@ class WallDriver:
     def send(self, name: str, order: command.Command) -> None:
         """Give an RTPU a command."""
         self._units.send(name, order)
+
+    def begin_words(self, rtpu: str) -> BeginWords:
+        """By which a unit is let begin at an agreed time (law 34)."""
+        return self._units.begin_words(rtpu)
 
     def grant(self, name: str, device: str) -> command.DeviceGrant:
         """Claim a device; raises ValueError with the reason."""
