@@ -29,7 +29,7 @@ class PactOffered(Struct, frozen=True, tag=True):
     epoch: int
 
 
-class Partner(Struct, frozen=True):
+class LinkedRuntime(Struct, frozen=True):
     """Another runtime of the run: its name for people, where it hears, its pact and its epoch."""
 
     site: Site
@@ -53,7 +53,7 @@ class LinkRuntimes(Struct, frozen=True, tag=True):
 
     run: bytes
     site: Site
-    partners: tuple[Partner, ...]
+    partners: tuple[LinkedRuntime, ...]
     tags: tuple[SharedTag, ...]
 
 

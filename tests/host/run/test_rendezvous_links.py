@@ -7,7 +7,15 @@ import pytest
 
 from onika.host.run.rendezvous_links import HEARD_NS, LINGER_NS, UNHEARD_NS, RendezvousLinks
 from onika.ring.begin_words import BeginWords
-from onika.wire.rendezvous_link import Linked, LinkRuntimes, MeetingTerms, OfferPact, PactOffered, Partner, SharedTag
+from onika.wire.rendezvous_link import (
+    Linked,
+    LinkedRuntime,
+    LinkRuntimes,
+    MeetingTerms,
+    OfferPact,
+    PactOffered,
+    SharedTag,
+)
 from onika.wire.request import Refused
 
 RUN = bytes(16)
@@ -51,7 +59,7 @@ def two():
 
 def partner(site, pact, **other):
     about = {"site": site, "title": f"site {site}", "host": "127.0.0.1", "port": pact.port, "name": pact.name}
-    return Partner(**{**about, "key": pact.key, "epoch": pact.epoch, **other})
+    return LinkedRuntime(**{**about, "key": pact.key, "epoch": pact.epoch, **other})
 
 
 def link(two, *sites):

@@ -18,7 +18,15 @@ from onika.link.address import Address
 from onika.link.websocket_opening import WebSocketOpening
 from onika.wire import event, request
 from onika.wire.plan import Plan
-from onika.wire.rendezvous_link import Linked, LinkRuntimes, MeetingTerms, OfferPact, PactOffered, Partner, SharedTag
+from onika.wire.rendezvous_link import (
+    Linked,
+    LinkedRuntime,
+    LinkRuntimes,
+    MeetingTerms,
+    OfferPact,
+    PactOffered,
+    SharedTag,
+)
 
 
 class CutLine:
@@ -102,7 +110,7 @@ class Meeting:
             assert isinstance(pact, PactOffered)
             self.lines.append(CutLine(pact.port))
             port = self.lines[-1].port
-            partners.append(Partner(site, f"site{site}", "127.0.0.1", port, pact.name, pact.key, pact.epoch))
+            partners.append(LinkedRuntime(site, f"site{site}", "127.0.0.1", port, pact.name, pact.key, pact.epoch))
         answers: dict[int, request.Response] = {}
         run = secrets.token_bytes(16)
 
