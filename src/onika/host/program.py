@@ -38,7 +38,7 @@ from onika.host.units.process_socket import ProcessSocket
 from onika.host.units.world_files import WorldFiles
 from onika.host.units.world_registry import offered_worlds
 from onika.link.caller import Role
-from onika.link.rendezvous_channel import RendezvousChannel
+from onika.link.datagrams.rendezvous_channel import RendezvousChannel
 from onika.ring.segment import SharedMemoryRefused
 from onika.wire import holding, live, request, steer
 from onika.wire.foresight import WhatIf

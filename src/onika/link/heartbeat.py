@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from hmac import compare_digest
 from time import monotonic_ns
 
-from onika.link.pact import COUNT, KEY, NAME, SEAL, sealed
+from onika.link.datagrams.pact import COUNT, KEY, NAME, SEAL, sealed
 
 HEADER = "Onika-Beats"
 """Of the answer that opens a connection: `PORT NAME KEY`, the latter in hexadecimal digits."""

@@ -9,8 +9,8 @@ from typing import Protocol
 from onika.engine.rendezvous_exchange import RendezvousExchange
 from onika.engine.rendezvous_terms import RendezvousTerms
 from onika.host.run.run_rendezvous import AppointedUnits, RunRendezvous
-from onika.link.pact import KEY, NAME, Pact
-from onika.link.rendezvous_channel import Correspondent, RendezvousChannel, RendezvousSocket
+from onika.link.datagrams.pact import KEY, NAME, Pact
+from onika.link.datagrams.rendezvous_channel import Correspondent, RendezvousChannel, RendezvousSocket
 from onika.wire.rendezvous import MOST_TAGS
 from onika.wire.rendezvous_link import Linked, LinkRuntimes, MeetingTerms, OfferPact, PactOffered, Way
 from onika.wire.request import Refused, Response

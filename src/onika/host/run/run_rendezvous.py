@@ -26,7 +26,7 @@ from onika.engine.rendezvous_terms import RendezvousTerms
 from onika.host.execution.subsystem_executor import SubsystemExecutor
 from onika.host.run.prepared_switch import PreparedSwitches
 from onika.host.units.unit_registry import Units
-from onika.link.rendezvous_channel import RendezvousChannel
+from onika.link.datagrams.rendezvous_channel import RendezvousChannel
 from onika.ring.begin_words import BeginWords
 from onika.runtime import command, news
 from onika.wire.rendezvous import Phase

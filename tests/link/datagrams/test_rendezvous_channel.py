@@ -8,8 +8,8 @@ import pytest
 from onika.engine.rendezvous_exchange import RendezvousExchange
 from onika.engine.rendezvous_orders import AllMet, Appoint, Confirm, Permit
 from onika.engine.rendezvous_terms import EVERY_NS, RendezvousTerms
-from onika.link.pact import Pact
-from onika.link.rendezvous_channel import Correspondent, RendezvousChannel, RendezvousSocket
+from onika.link.datagrams.pact import Pact
+from onika.link.datagrams.rendezvous_channel import Correspondent, RendezvousChannel, RendezvousSocket
 
 MS = 1_000_000
 TERMS = RendezvousTerms(MS, MS)

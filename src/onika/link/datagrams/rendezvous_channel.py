@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from onika.engine.rendezvous_exchange import RendezvousExchange, TagOrder
 from onika.engine.rendezvous_terms import EVERY_NS
-from onika.link.pact import Pact
+from onika.link.datagrams.pact import Pact
 from onika.wire.rendezvous import decode, encode
 
 _MOST = 2_048

@@ -1,6 +1,6 @@
 from hashlib import blake2b
 
-from onika.link.pact import Pact
+from onika.link.datagrams.pact import Pact
 
 NAME, KEY = bytes(range(8)), bytes(range(32))
 PACT = Pact(NAME, KEY)
