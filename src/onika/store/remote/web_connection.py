@@ -56,6 +56,7 @@ class WebConnection:
         self._connection: http.client.HTTPConnection | None = None
         self._socket: socket.socket | None = None
         self._is_late = False
+        self._is_over = False
 
     def open(self) -> None:
         """Connect ahead of the first question; where that is not possible, the question will tell."""
@@ -69,13 +70,20 @@ class WebConnection:
             return self._guarded(wanted.path, lambda: self._asked(wanted))
         return answer
 
+    def end(self) -> None:
+        """Close it for good, also where another thread is just opening it."""
+        self._is_over = True
+        self.close()
+
     def close(self) -> None:
-        """End it; another thread may do so too."""
+        """Close it; another thread may do so too. The next question opens it again."""
         ours = self._socket
         if ours is not None:
             with suppress(OSError):
                 socket.socket.shutdown(ours, socket.SHUT_RDWR)  # not the farewell of TLS, which would wait
         connection, self._connection, self._socket = self._connection, None, None
+        if ours is not None:
+            ours.close()
         if connection is not None:
             connection.close()
 
@@ -117,6 +125,8 @@ class WebConnection:
         connection = http.client.HTTPConnection(host, port)
         connection.sock = ours
         self._connection, self._socket = connection, ours
+        if self._is_over:
+            raise ConnectionResetError
         return connection
 
     def _asked(self, wanted: Wanted) -> bytes | Reason:

@@ -49,7 +49,7 @@ class WebSource:
     def close(self) -> None:
         """End all connections."""
         for connection in self._connections:
-            connection.close()
+            connection.end()
 
 
 class _Fetching:
